@@ -1,4 +1,4 @@
-// An overlay as docs/adding.md tells to add one: its row beside its drawing.
+// An overlay added as docs/adding.md says: its row beside its drawing.
 #include "overlay/overlay_pen.h"
 
 namespace talus::overlay {

@@ -1,4 +1,4 @@
-// A rule of the lint as docs/adding.md tells to add one: its row, what finds it and what fixes it.
+// A rule of the lint added as docs/adding.md says: its row, its search and its fix.
 #include "edit/spawn_tools.h"
 #include "lint/rule_group.h"
 

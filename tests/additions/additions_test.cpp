@@ -1,6 +1,6 @@
-// One overlay, one rule of the lint and one kind of body more: what docs/adding.md names is all that it
-// takes. This program has the lists of the three with a row more each (see tests/CMakeLists.txt), and else
-// what `talus` has.
+// Adds one overlay, one rule of the lint and one kind of body, and shows that the files named in
+// docs/adding.md are enough. The three lists of this program have one more row each (see
+// tests/CMakeLists.txt), and everything else is as in `talus`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ namespace talus::additions_test {
 
 using ::testing::HasSubstr;
 
-// A body of the added kind above solid ground, without a name.
+// A level with a body of the added kind, without a name, above solid ground.
 Level level() {
   Level level = level_of_shapes({"....", "....", "1111"});
   level.tuning.solver = SolverKind::exact;
@@ -46,7 +46,7 @@ class Additions : public FolderTest {
   std::string file() { return put("level.talus.json", native_of_level(level())); }
 };
 
-TEST_F(Additions, AnOverlay) {
+TEST_F(Additions, AnOverlayNeedsOneFile) {
   const Overlay* centres = find_overlay("centres");
   ASSERT_NE(centres, nullptr);
   OverlaySet shown;
@@ -68,7 +68,7 @@ TEST_F(Additions, AnOverlay) {
   EXPECT_THAT(help.out, HasSubstr("centres"));
 }
 
-TEST_F(Additions, ARuleOfTheLint) {
+TEST_F(Additions, ARuleOfTheLintNeedsOneFile) {
   const std::vector<Problem> problems = lint(level());
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems[0].rule->code, "spawn-unnamed");
@@ -83,7 +83,7 @@ TEST_F(Additions, ARuleOfTheLint) {
   EXPECT_TRUE(lint(fixed).empty());
 }
 
-TEST_F(Additions, AKindOfBody) {
+TEST_F(Additions, AKindOfBodyNeedsOneRow) {
   const BodyKind crate = find_body_kind("crate").value();
   ASSERT_EQ(level().spawns[0].kind, crate);
   EXPECT_EQ(level().spawns[0].size, (Vec2{16, 12}));

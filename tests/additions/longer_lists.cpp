@@ -1,5 +1,5 @@
-// The lists of overlays, of rules and of body kinds, with one row more each. Linked in the place of the
-// program's own, which are compiled here by another name.
+// The lists of overlays, rules and body kinds with one more row each. They replace the program's own lists,
+// which are compiled here under another name.
 #include <vector>
 
 #include <talus/level/body_kind.h>

@@ -1,4 +1,4 @@
-// What a step of the exact solver costs for a body, feature by feature.
+// What a step of the exact solver costs for each body, feature by feature.
 #include <benchmark/benchmark.h>
 
 #include <talus/level/level.h>
@@ -8,12 +8,12 @@ namespace talus {
 namespace {
 
 constexpr int kBodies = 1'000;
-constexpr std::int64_t kRound = 64;  // frames after which all start again, before most have come to rest
+constexpr std::int64_t kRound = 64;  // frames until all bodies start again, before most have come to rest
 
 enum Ground { kTilesOnly, kSlopesToo, kCurvesToo, kOneWayToo };
 
-// Floors with steps in them over a map of 240 x 136 tiles; every eighth step is a slope, an arc or a one-way
-// tile, if the ground has such.
+// Floors with steps in them over a map of 240 x 136 tiles. Every eighth step is a slope, an arc or a one-way
+// tile if the ground has them.
 Level level_with(Ground ground, BodyKind kind) {
   Level level;
   level.tuning.solver = SolverKind::exact;

@@ -1,7 +1,6 @@
-// The exact solver beside the hand-written kernel that `talus bench` measures it by: 10,000 balls that pass
-// one another, from their start on, without a recording. The two take turns frame by frame, so that whatever
-// else the machine does falls on both. TALUS_BENCH_CART: a level or cart to fall on, instead of a scattered
-// map.
+// Compares the exact solver with the hand-written kernel of `talus bench`: 10,000 balls that do not collide,
+// from their start on, without a recording. The two take turns frame by frame, so that other work of the
+// machine slows both. TALUS_BENCH_CART: a level or cart to fall on, instead of a scattered map.
 #include <benchmark/benchmark.h>
 
 #include <cstdlib>
@@ -20,7 +19,7 @@ namespace {
 constexpr int kBalls = 10'000;
 constexpr std::uint8_t kSolid = 1, kSlope = 2;
 
-// 240 x 136 cells with about 5,670 solids and slopes in a solid border.
+// 240 x 136 cells with about 5,670 solids and slopes within a solid border.
 Level scattered_level() {
   Level level;
   level.sheet(SheetId::tiles).flags[kSolid] = static_cast<std::uint8_t>(1 << level.roles.solid);

@@ -1,5 +1,5 @@
-// What painting a cell of the largest map costs: a copy of the terrain, its new outline, and the end of the
-// terrain before; and what compiling the whole costs.
+// What painting a cell of the largest map costs: copying the terrain, computing its new outline, and freeing
+// the old terrain; and what compiling the whole map costs.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -13,11 +13,11 @@ namespace talus {
 namespace {
 
 constexpr int kSide = 4096;     // cells
-constexpr int kEdits = 10'000;  // of one run
+constexpr int kEdits = 10'000;  // edits in a run
 constexpr std::uint8_t kEmpty = 0, kSolid = 1, kRising = 2, kFalling = 3;
 
-// sparse: 25 % of the cells are solid, and 3 % have a slope of 16 x 8 px, rising to either side. dense: every
-// cell is solid or has a slope.
+// sparse: 25 % of the cells are solid, and 3 % have a slope of 16 x 8 px to either side. dense: every cell is
+// solid or has a slope.
 enum Map { kSparse, kDense };
 
 std::uint8_t random_tile(std::mt19937& random, Map map) {
@@ -52,7 +52,8 @@ void paint_cell(benchmark::State& state, Map map) {
   std::vector<double> times;  // ms
   for (auto _ : state) {
     const Cell cell{static_cast<int>(random() % kSide), static_cast<int>(random() % kSide)};
-    const auto tile = static_cast<std::uint8_t>((terrain.tile_at(cell) + 1 + random() % 3) % 4);  // another
+    const auto tile =
+        static_cast<std::uint8_t>((terrain.tile_at(cell) + 1 + random() % 3) % 4);  // another tile
     const auto begin = std::chrono::steady_clock::now();
     Terrain edited = terrain;
     edited.set_cell(cell, tile);

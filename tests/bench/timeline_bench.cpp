@@ -1,5 +1,5 @@
-// What recording costs a step, and what a seek in an hour takes. Both report the promise's own number as a
-// counter; the times of the benchmark itself say less.
+// What recording adds to a step, and how long a seek in an hour takes. Both report the promised number as a
+// counter; the benchmark's own times say less.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 namespace talus {
 namespace {
 
-constexpr std::int64_t kGroup = 64;  // steps measured at once, with one keyframe of 1,000 bodies
+constexpr std::int64_t kGroup = 64;  // steps measured together, with one keyframe of 1,000 bodies
 
-// Of this thread's own processor time, so that other work on the machine does not count.
+// Processor time of this thread, so that other work of the machine does not count.
 double nanoseconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -26,7 +26,8 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-// Floors with steps in them; balls that lose no speed, and so never come to rest, or the article's.
+// Floors with steps in them. Lively balls lose no speed and never come to rest; tiring ones are the
+// article's.
 enum Balls { kLively, kTiring };
 Level level_with(int bodies, SolverKind solver, Balls balls) {
   Level level;
@@ -52,9 +53,8 @@ Level level_with(int bodies, SolverKind solver, Balls balls) {
   return level;
 }
 
-// The same frames of 1,000 bodies, stepped by a solver alone and by a timeline in turns. ratio: the median
-// step of the timeline, the keyframes that fall to it included, over the solver's. with_record: both note
-// contacts.
+// A solver alone and a timeline step the same frames of 1,000 bodies in turns. ratio: the median step of the
+// timeline, with its share of keyframes, divided by the solver's. with_record: both record contacts.
 void record(benchmark::State& state, SolverKind kind, Balls balls, bool with_record) {
   const Level level = level_with(1'000, kind, balls);
   const auto scene = std::make_shared<const Scene>(compile_scene(level));
@@ -82,7 +82,7 @@ void record(benchmark::State& state, SolverKind kind, Balls balls, bool with_rec
   state.counters["step_us"] = median(alone) / kGroup / 1e3;
 }
 
-// An hour of 100 bodies at 60 frames a second, and seeks all over it. ms: the longest and the median one.
+// An hour of 100 bodies at 60 frames a second, and seeks all over it. ms: the longest and the median seek.
 void seek(benchmark::State& state, SolverKind kind) {
   constexpr std::int64_t kHour = 216'000;
   Timeline timeline(level_with(100, kind, kLively));

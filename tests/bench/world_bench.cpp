@@ -14,11 +14,12 @@ constexpr int kTiles = 5'670;
 
 struct Scene {
   World world;
-  std::vector<char> is_ball = std::vector<char>(1 + kTiles + kBalls);  // by the item's index
+  std::vector<char> is_ball = std::vector<char>(1 + kTiles + kBalls);  // by the index of the item
   std::vector<ItemId> balls;
   std::vector<Vec2> velocities;
 
-  // Scattered over a map of 240 x 136 tiles with a solid border, and added in map order, column by column.
+  // Scatters tiles and balls over a map of 240 x 136 tiles with a solid border, and adds them in map order,
+  // column by column.
   explicit Scene(World::Mode mode) : world(24, mode) {
     std::mt19937 random(1);
     enum Content : char { kEmpty, kTile, kBall };

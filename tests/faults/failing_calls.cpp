@@ -1,5 +1,5 @@
-// Definitions in the program go before those of the C library, also for the standard library's calls; the
-// real work is done by the kernel itself.
+// Definitions in the program come before those of the C library, even for calls by the standard library. The
+// real work is done by system calls.
 #include "failing_calls.h"
 
 #include <fcntl.h>
@@ -23,7 +23,7 @@ constexpr int kMostDescriptors = 4096;
 struct State {
   std::mutex mutex;
   std::string folder;
-  std::array<std::string, kMostDescriptors> names;  // of open files below the folder; empty: another one
+  std::array<std::string, kMostDescriptors> names;  // names of open files in the folder; empty: another file
   std::vector<std::string> log;
   int fails_at = -1;
   int error = 0;
@@ -32,7 +32,7 @@ struct State {
 };
 
 State& state() {
-  static State* const state = new State;  // files are closed until the very end
+  static State* const state = new State;  // never freed, as files are closed until the very end
   return *state;
 }
 inline std::atomic<bool> watching = false;
@@ -43,7 +43,7 @@ bool is_watched(const char* path) {
   return watching && path != nullptr && std::string_view(path).starts_with(state().folder);
 }
 
-// Counts a call; true: it is to fail, and errno says why.
+// Counts a call. Returns true if the call must fail; errno then says why.
 bool fails(std::string call) {
   State& w = state();
   const int number = static_cast<int>(w.log.size());
@@ -143,7 +143,7 @@ ssize_t write(int descriptor, const void* bytes, size_t count) {
   return fails_at_file("write", descriptor) ? -1 : ::syscall(SYS_write, descriptor, bytes, count);
 }
 
-// No test cuts the power, and waiting for the disk takes most of the time.
+// Does not wait for the disk, which would take most of the time: no test cuts the power.
 int fsync(int descriptor) {
   if (fails_at_file("fsync", descriptor)) return -1;
   return is_watched_file(descriptor) ? 0 : static_cast<int>(::syscall(SYS_fsync, descriptor));
@@ -164,7 +164,7 @@ int flock(int descriptor, int operation) noexcept {
   return static_cast<int>(::syscall(SYS_flock, descriptor, operation));
 }
 
-// Also where it fails, the file is closed, as on Linux.
+// The file is closed even if the call fails, as on Linux.
 int close(int descriptor) {
   const bool failing = fails_at_file("close", descriptor);
   if (is_watched_file(descriptor)) {

@@ -13,7 +13,7 @@ inline std::atomic<std::size_t> least_failing = kNone;  // bytes
 inline thread_local std::size_t made = 0;
 inline thread_local bool is_spared = false;
 
-// Null: there is not enough.
+// Returns null if there is not enough memory.
 void* allocated(std::size_t size) {
   ++made;
   if (size >= least_failing && !is_spared) return nullptr;
@@ -36,7 +36,7 @@ std::size_t allocations_made() { return failing_memory::made; }
 
 }  // namespace talus
 
-// Not inlined, since a compiler that sees only one of the pair warns of a mismatch.
+// Not inlined: a compiler that sees only one of the pair warns of a mismatch.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   if (void* memory = talus::failing_memory::allocated(size)) return memory;
   throw std::bad_alloc();

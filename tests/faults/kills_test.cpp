@@ -1,5 +1,5 @@
-// The program is killed at any moment while it paints, saves, exports and saves by itself. TALUS_KILLS says
-// how often; ./tests/nightly does it a thousand times.
+// The program is killed at any moment while it paints, saves, exports and saves automatically. TALUS_KILLS
+// says how often; ./tests/nightly kills it a thousand times.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -22,7 +22,7 @@ class Kills : public FolderTest {
   std::string level_file() const { return path("a.talus.json"); }
   static constexpr int kWidth = 200;  // cells
 
-  // Every cell of row 1 gets the same tile, so that half of a stroke would show.
+  // Gives every cell of row 1 the same tile, so that half of a stroke would show.
   static Edit stroke(const Level& level, std::uint8_t tile) {
     Edit edit{"Paint", {}};
     for (int x = 0; x < kWidth; ++x) edit.changes.push_back(CellChange{{x, 1}, level.map.at({x, 1}), tile});
@@ -34,7 +34,7 @@ class Kills : public FolderTest {
     return true;
   }
 
-  // What the editor does, quickly; until it is killed.
+  // Does what the editor does, quickly, until it is killed.
   [[noreturn]] void work(int says) const {
     Session session(Level(), "", kUnnamed, ExportTools{.read_asset = {}, .record = path("state/exports")});
     Autosave autosave(path("autosave"));
@@ -53,7 +53,7 @@ class Kills : public FolderTest {
       if (session.question()) session.apply(action::AnswerQuestion{action::Answer::allow});
     }
   }
-  // Starts the editor and kills it so many µs after its first stroke is saved by itself.
+  // Starts the editor, and kills it `time` µs after it has saved its first stroke automatically.
   void kill_after(useconds_t time) const {
     int pipe[2];
     ASSERT_EQ(::pipe(pipe), 0);
@@ -77,7 +77,7 @@ class Kills : public FolderTest {
   }
 };
 
-TEST_F(Kills, LeaveEveryFileOldOrNewAndTheWorkOffered) {
+TEST_F(Kills, LeaveWholeFilesAndOfferTheWork) {
   Level level;
   level.map = TileMap(kWidth, 40);
   level.exports = {{.name = "map", .exporter = "tmj", .path = "out/a.tmj", .extra = {}}};
@@ -97,7 +97,7 @@ TEST_F(Kills, LeaveEveryFileOldOrNewAndTheWorkOffered) {
     ASSERT_TRUE(!exists("out/a.tmj") || load_level(path("out/a.tmj")));
     const auto works = Autosave(path("autosave")).left_behind();
     ASSERT_LE(works.size(), 1u);
-    for (const SavedWork& work : works) {  // none where it was killed between saving and the next stroke
+    for (const SavedWork& work : works) {  // empty if it was killed between saving and the next stroke
       ASSERT_EQ(work.problem, "");
       ASSERT_TRUE(is_whole(*work.level));
       ASSERT_TRUE(Autosave::discard(work));
@@ -105,7 +105,8 @@ TEST_F(Kills, LeaveEveryFileOldOrNewAndTheWorkOffered) {
     }
   }
   EXPECT_GT(offered, rounds / 2);
-  // A temporary for each file that is written, at most; those of autosaves go with the next one.
+  // There is at most one temporary file for each file that is written. The next autosave removes those of
+  // autosaves.
   EXPECT_LE(temporaries(), 5);
 }
 

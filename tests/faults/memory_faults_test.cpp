@@ -1,5 +1,4 @@
-// Where there is not enough memory, whoever catches it last says what was being read or done, and the rest
-// goes on as it was.
+// Too little memory: the error says what was being read or done, and everything else goes on as it was.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,9 +20,9 @@ constexpr std::size_t kFileBytes = 9 << 20, kTooMuch = 4 << 20;
 
 class MemoryFaults : public FolderTest {
  protected:
-  // A file that takes more than there will be.
+  // A file that is larger than the memory that will be left.
   std::string large_file(const std::string& name) const { return put(name, std::string(kFileBytes, ' ')); }
-  // Until is_done(), for some seconds at most.
+  // Waits until is_done(), for some seconds at most.
   template <class IsDone>
   static void wait_for(IsDone is_done) {
     for (int ms = 0; ms < 20'000 && !is_done(); ++ms)
@@ -52,7 +51,7 @@ TEST_F(MemoryFaults, TheInterfaceForCSaysWhatItWasReading) {
 }
 
 TEST_F(MemoryFaults, TheEditorSaysWhatItHadOpen) {
-  large_file("settings.json");  // which are read before there is a window
+  large_file("settings.json");  // settings are read before there is a window
   ::setenv("TALUS_CONFIG_DIR", folder_.c_str(), 1);
   testing::internal::CaptureStderr();
   int status = 0;
@@ -80,7 +79,7 @@ TEST_F(MemoryFaults, OpeningAFileLeavesTheLevelAsItIs) {
   EXPECT_EQ(session.level(), Level());
 }
 
-// Whether it is a picture is told by its first bytes; the rest is read beside the window.
+// The first bytes tell that it is a picture. A thread reads the rest.
 TEST_F(MemoryFaults, ALargePictureIsReadOnAnotherThread) {
   const std::string file = put("large.png", std::string("\x89PNG\r\n\x1a\n") + std::string(kFileBytes, ' '));
   Session session;
@@ -112,7 +111,7 @@ TEST_F(MemoryFaults, CompilingALargeLevelSaysThatItCannotBePlayed) {
   EXPECT_EQ(message(session), "The level cannot be played: there is not enough memory.");
 }
 
-TEST_F(MemoryFaults, SavingByItselfSaysThatItCannot) {
+TEST_F(MemoryFaults, AutosavingSaysThatItCannot) {
   Session session;
   session.apply(action::EditLevel{Edit{"Paint", {CellChange{{1, 1}, 0, 4}}}});
   Autosave autosave(path("autosave"));
@@ -143,7 +142,7 @@ TEST_F(MemoryFaults, AnExportSaysThatItCannotBeMade) {
   EXPECT_FALSE(exists("map.tmj"));
 }
 
-TEST_F(MemoryFaults, WhatWasLeftBehindIsNamed) {
+TEST_F(MemoryFaults, WorkLeftBehindIsNamed) {
   const std::string file = large_file("1-0.talus-autosave");
   const FailingMemory failing(kTooMuch);
   const auto works = Autosave(folder_.string()).left_behind();

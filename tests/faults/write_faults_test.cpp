@@ -1,5 +1,5 @@
-// Every call of the system that a file is written by fails in turn, once and for good: what was there before
-// is never lost, nothing is left lying about, and the user is told.
+// Every system call that writes a file fails in turn, once and for good. Old files are never lost, no
+// temporary file stays, and the user is told.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -25,7 +25,7 @@ class WriteFaults : public FolderTest {
   void empty_folder() const {
     for (const auto& entry : fs::directory_iterator(folder_)) fs::remove_all(entry.path());
   }
-  // Content of all files by their paths, without locks.
+  // The content of all files by path, except locks.
   std::map<std::string, std::string> files() const {
     std::map<std::string, std::string> found;
     for (const auto& entry : fs::recursive_directory_iterator(folder_)) {
@@ -39,9 +39,9 @@ class WriteFaults : public FolderTest {
     return static_cast<int>(
         std::count_if(all.begin(), all.end(), [](const auto& file) { return file.first.ends_with(".tmp"); }));
   }
-  // prepare() puts older files there. work() writes over them while a call fails, and tells whether all went
-  // well as far as the user knows. is_kept(went_well) tells whether nothing is lost. again() is done when the
-  // disk is whole again, and tells whether all is as wanted.
+  // prepare() creates older files. work() replaces them while a call fails, and returns whether everything
+  // went well as far as the user knows. is_kept(went_well) returns whether nothing is lost. again() runs when
+  // the disk works again, and returns whether everything is as wanted.
   struct Steps {
     std::function<void()> prepare;
     std::function<bool()> work;
@@ -55,7 +55,7 @@ class WriteFaults : public FolderTest {
   }
 
  private:
-  // False: there is no call of this number.
+  // Returns false if there is no call of this number.
   bool run_with_fault(const Steps& steps, int number, int error, bool for_good) {
     FailingCalls calls(folder_.string());
     empty_folder();
@@ -89,7 +89,7 @@ std::uint8_t tile_in(const Level& level) { return level.map.at({1, 1}); }
 
 bool tells_error(const Session& session) { return session.message() && session.message()->is_error; }
 
-TEST_F(WriteFaults, OfSavingALevel) {
+TEST_F(WriteFaults, SavingALevel) {
   std::unique_ptr<Session> session;
   const auto saved_tile = [&] {
     const auto level = load_level(path("a.talus.json"));
@@ -114,9 +114,9 @@ TEST_F(WriteFaults, OfSavingALevel) {
        .again = [&] { return save() && saved_tile() == 2; }});
 }
 
-// The cart and its companion are two files: where every call fails, what was begun cannot be taken back, and
-// what the companion gained may be there already.
-TEST_F(WriteFaults, OfSavingACartAndWhatItCannotHold) {
+// The cart and its companion are two files. If every call fails, a started save cannot be taken back, and the
+// companion may have its new content already.
+TEST_F(WriteFaults, SavingACartAndItsCompanion) {
   std::unique_ptr<Session> session;
   const auto with_bodies = [](std::uint8_t tile, std::size_t count) {
     Level level = painted(tile);
@@ -126,7 +126,7 @@ TEST_F(WriteFaults, OfSavingACartAndWhatItCannotHold) {
   };
   const auto save = [&] {
     session->apply(action::SaveFile{});
-    if (session->question()) {  // what could not be taken back is asked about
+    if (session->question()) {  // a save that could not be taken back is asked about
       session->apply(action::AnswerQuestion{action::Answer::keep});
       session->apply(action::SaveFile{});
     }
@@ -156,7 +156,7 @@ TEST_F(WriteFaults, OfSavingACartAndWhatItCannotHold) {
                   .again = [&] { return save() && saved() == std::pair<int, std::size_t>(2, 2); }});
 }
 
-TEST_F(WriteFaults, OfSavingByItself) {
+TEST_F(WriteFaults, Autosaving) {
   std::unique_ptr<Session> session;
   std::unique_ptr<Autosave> autosave;
   double now = 0;
@@ -166,7 +166,7 @@ TEST_F(WriteFaults, OfSavingByItself) {
       ::usleep(200);
     }
     while (autosave->is_writing()) ::usleep(50);
-    autosave->follow(*session, 0);  // takes what was written, and begins nothing
+    autosave->follow(*session, 0);  // takes the written file over, and begins no new write
     return !autosave->problem();
   };
   const auto saved_tile = [&] {
@@ -190,7 +190,7 @@ TEST_F(WriteFaults, OfSavingByItself) {
                   .again = [&] { return follow() && saved_tile() == 2; }});
 }
 
-TEST_F(WriteFaults, OfTheFirstSavingByItself) {
+TEST_F(WriteFaults, TheFirstAutosave) {
   std::unique_ptr<Session> session;
   std::unique_ptr<Autosave> autosave;
   const auto save = [&] { return autosave->save_now(*session).has_value(); };
@@ -211,7 +211,7 @@ TEST_F(WriteFaults, OfTheFirstSavingByItself) {
                   .again = [&] { return save() && saved(); }});
 }
 
-TEST_F(WriteFaults, OfWritingSettings) {
+TEST_F(WriteFaults, WritingSettings) {
   const std::string file = path("config/settings.json");
   const auto with_scale = [](double scale) {
     Settings settings = default_settings();
@@ -229,7 +229,7 @@ TEST_F(WriteFaults, OfWritingSettings) {
                   .again = [&] { return save() && scale() == 2; }});
 }
 
-TEST_F(WriteFaults, OfTheFirstSettings) {
+TEST_F(WriteFaults, TheFirstSettings) {
   const std::string file = path("config/settings.json");
   const auto save = [&] { return save_settings(default_settings(), file).has_value(); };
   fail_each_call({.prepare = [] {},
@@ -253,8 +253,7 @@ class ExportFaults : public WriteFaults {
     session_->apply(action::OpenFile{path("a.talus.json")});
     session_->finish_reading();
   }
-  // True when all was written and nothing else had to be told. What it asks is answered, at most
-  // three times.
+  // Returns true if all files were written and no other message was needed. Answers up to three questions.
   bool run() {
     if (session_->question()) session_->apply(action::AnswerQuestion{action::Answer::cancel});
     session_->apply(action::RunExports{});
@@ -283,7 +282,7 @@ class ExportFaults : public WriteFaults {
   std::unique_ptr<Session> session_;
 };
 
-TEST_F(ExportFaults, OfExporting) {
+TEST_F(ExportFaults, Exporting) {
   open(2);
   ASSERT_TRUE(run()) << session_->message()->text;
   const auto as_new = exported();
@@ -319,7 +318,7 @@ TEST_F(ExportFaults, OfExporting) {
                   .again = [&] { return run() && exported() == as_new && knows_all(); }});
 }
 
-TEST_F(WriteFaults, OfCopiesForOtherPrograms) {
+TEST_F(WriteFaults, CopiesForOtherPrograms) {
   const ProgramInfo& tic80 = *std::find_if(program_infos().begin(), program_infos().end(),
                                            [](const ProgramInfo& info) { return info.format == "tic"; });
   const Session session(painted(2), "", "cave");
@@ -347,7 +346,7 @@ TEST_F(WriteFaults, OfCopiesForOtherPrograms) {
        .again = [&] { return write() && is_copy() && has_what_the_other_program_saved(); }});
 }
 
-TEST_F(WriteFaults, OfRecordingsAndPictures) {
+TEST_F(WriteFaults, RecordingsAndPictures) {
   std::unique_ptr<Session> session;
   std::string old_recording, old_picture;
   const auto save = [&] {
@@ -379,7 +378,7 @@ TEST_F(WriteFaults, OfRecordingsAndPictures) {
                   .again = [&] { return save() && is_new(); }});
 }
 
-TEST_F(WriteFaults, AFileIsOnTheDiskBeforeItTakesTheOldOnesPlace) {
+TEST_F(WriteFaults, AFileIsSyncedBeforeItReplacesTheOldOne) {
   put("a", "old");
   FailingCalls calls(folder_.string());
   ASSERT_TRUE(write_file_atomic(path("a"), "new"));
@@ -394,13 +393,13 @@ TEST_F(WriteFaults, AFileIsOnTheDiskBeforeItTakesTheOldOnesPlace) {
   EXPECT_LT(at("rename .a.0.tmp a"), at("fsync " + folder_.filename().string()));
 }
 
-// What is in its place, but not certain to outlast a power failure, is told.
-TEST_F(WriteFaults, AFolderThatCannotBeBroughtToTheDiskIsTold) {
+// A file that is in place, but may not survive a power failure, is reported.
+TEST_F(WriteFaults, AFolderThatCannotBeSyncedIsReported) {
   const std::string doubt =
       "is written, but a power failure may undo that, since its folder could not be synchronised: "
       "Input/output error";
   const auto fail_at_folder = [&](FailingCalls& calls, const std::function<void()>& write) {
-    write();  // over an older one from now on
+    write();  // from now on it replaces an older file
     const int before = calls.count();
     write();
     const auto log = calls.log();
@@ -428,7 +427,7 @@ TEST_F(WriteFaults, AFolderThatCannotBeBroughtToTheDiskIsTold) {
   EXPECT_FALSE(session.modified());
 }
 
-TEST_F(WriteFaults, WhatIsAllowedAndCannotBeRememberedIsTold) {
+TEST_F(WriteFaults, APermissionThatCannotBeStoredIsReported) {
   const std::string store = put("no_folder", "") + "/allowed";
   Session session(painted(1), "", "a", ExportTools{.read_asset = {}, .record = "", .permissions = store});
   const ExportPreset preset{.name = "map", .exporter = "csv", .path = "map", .extra = {}};
@@ -465,7 +464,7 @@ TEST_F(WriteFaults, AChangeIsSeenIfTheFileWasUnreadableBefore) {
   session.apply(action::SaveFileAs{path("a.talus.json")});
   const int all = calls.count();
   paint(session, 2);
-  calls.fail_from(all + all - 2, EIO, false);  // a reading of what was saved
+  calls.fail_from(all + all - 2, EIO, false);  // a read of the saved file
   session.apply(action::SaveFile{});
   ASSERT_NE(calls.failed().find("read"), std::string::npos) << calls.failed();
   ASSERT_FALSE(session.modified());

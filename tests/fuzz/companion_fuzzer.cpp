@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   }
   talus::require(joined->note.find('\n') == std::string::npos);
   const auto written = format.write(joined->level, {});
-  if (!written) {  // a map that no cart holds
+  if (!written) {  // no cart holds this map
     talus::require_clear(written.error());
     return 0;
   }

@@ -1,5 +1,5 @@
-// What the readers of documents promise about every one: a value or one clear sentence, no exception, and
-// what was read can be written and read again.
+// What the readers of documents promise for every document: a value or one clear sentence, no exception, and
+// a value that was read can be written and read again.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ namespace talus {
 
 struct Checked {
   bool is_read = false;
-  std::string problem = {};  // what was promised and is not so; empty: nothing
+  std::string problem = {};  // the promise that was broken; empty: all hold
 };
 
 inline Checked checked_error(const FormatError& error) {
@@ -47,7 +47,7 @@ inline Checked check_native(std::string_view document) {
   if (const auto hard = hard_case_of(*level); !hard) {
     if (const Checked error = checked_error(hard.error()); !error.problem.empty()) return error;
   }
-  // What was written by hand may hold a cart without parts of the level, which writing adds.
+  // A file written by hand may hold a cart without parts of the level. Writing adds them.
   const auto written = write_native(*level, {});
   const auto settled = written ? read_native(written->bytes, {}) : level;
   return settled ? checked_level(*settled) : Checked{true, "cannot be read again"};
@@ -93,7 +93,7 @@ inline Checked check_input(std::string_view document) {
   return {true};
 }
 
-// In JSON or XML, without the files beside it.
+// Checks a document in JSON or XML, without the files beside it.
 inline Checked check_tiled(std::string_view document) {
   Checked checked;
   for (const bool used_tiles : {false, true}) {

@@ -1,5 +1,5 @@
-// libFuzzer: expressions of the debugger. What is no expression must give a clear error in the text; what is
-// one must have a value, and every cursor a completion within the text.
+// libFuzzer: expressions of the debugger. An invalid expression must give a clear error with a place in the
+// text. A valid one must have a value, and a completion within the text at every cursor.
 #include "debug/completion.h"
 #include "debug/expression.h"
 #include "round_trip.h"

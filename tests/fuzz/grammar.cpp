@@ -1,4 +1,4 @@
-// Both writers walk the good document and ask at each step whether to do something else there.
+// Both writers walk the good document, and choose at each step whether to change something there.
 #include "fuzz/grammar.h"
 
 #include <algorithm>
@@ -60,7 +60,7 @@ constexpr std::array<const char*, 18> kXmlValues = {"",
                                                     "&#10;::error::&#27;[31m",
                                                     "&#0;&unknown;",
                                                     "0,0 1e308,1e308 -1,x"};
-// What elements of Tiled's XML are in its JSON: as names of XML they must not become that.
+// Elements of Tiled's XML by their names in its JSON. As names in XML they must not mean the same.
 constexpr std::array<const char*, 8> kJsonNamesOfElements = {"layers",     "tilesets",    "tiles", "objects",
                                                              "properties", "objectgroup", "data",  "chunks"};
 
@@ -108,7 +108,7 @@ class JsonWriter {
   }
 
  private:
-  // 0, mostly, or 1..kinds-1.
+  // Returns 0 mostly, or 1..kinds-1.
   unsigned change(unsigned kinds) { return choices_.below(rarity_) == 1 ? 1 + choices_.below(kinds - 1) : 0; }
 
   void write_list(const ordered_json& list) {

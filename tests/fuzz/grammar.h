@@ -1,5 +1,6 @@
-// Documents in the grammar of a format: a good one, changed at places and in ways that bytes choose. Bytes
-// alone rarely get past the first check of a reader; these get as far as the wrong value in the right place.
+// Documents in the grammar of a format: a good document, changed at places and in ways that bytes choose.
+// Random bytes rarely get past the first check of a reader; these documents get as far as the wrong value in
+// the right place.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +10,14 @@
 
 namespace talus {
 
-// What the bytes of a fuzzer, or of a random generator, choose.
+// The choices that the bytes of a fuzzer, or of a random generator, make.
 class RandomBytes {
  public:
   explicit RandomBytes(std::string_view bytes) : bytes_(bytes) {}
-  // 0..count-1; 0, which always means that nothing is changed, when the bytes are used up. count: 1 to 255.
+  // Returns 0..count-1; 0 when the bytes are used up, which always means that nothing is changed. count: 1 to
+  // 255.
   unsigned below(unsigned count);
-  std::size_t index(std::size_t count);  // the same for more
+  std::size_t index(std::size_t count);  // the same for larger counts
 
  private:
   std::string_view bytes_;
@@ -23,23 +25,23 @@ class RandomBytes {
 
 class Grammar {
  public:
-  // good: a document without an error, in JSON or XML, told by its first character (asserted).
+  // good: a document without an error, in JSON or XML, recognised by its first character (asserted).
   explicit Grammar(std::string good);
 
-  // Members, attributes and elements may be left out, given twice, or have another's name or value, the wrong
-  // type, a number that nobody expects, or something nested deep in their place; a document may end early or
-  // go on.
+  // Returns the good document with changes: members, attributes and elements may be left out, repeated, get
+  // another one's name or value, the wrong type, an unexpected number, or something nested deep instead. The
+  // document may also end early, or have more text behind its end.
   std::string document(RandomBytes& choices) const;
-  // Some documents, a line each.
+  // Returns some documents, one on each line.
   std::string lines(RandomBytes& choices) const;
 
  private:
   std::string good_;                 // XML without its declaration
   std::vector<std::string> names_;   // of members, attributes and elements
-  std::vector<std::string> values_;  // as they are written there
+  std::vector<std::string> values_;  // as the document writes them
 };
 
-// tests/fuzz/seeds/NAME (asserted to be there).
+// The grammar of tests/fuzz/seeds/NAME, which must exist (asserted).
 Grammar grammar_of_seed(const std::string& name);
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Recorded input, a JSON object a line. Seeds: tests/fuzz/seeds/*.jsonl
+// Recorded input, a JSON object on each line. Seeds: tests/fuzz/seeds/*.jsonl
 #include "document_checks.h"
 #include "round_trip.h"
 

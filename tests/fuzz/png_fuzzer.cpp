@@ -1,4 +1,4 @@
-// Pictures and what becomes of their colours. Seeds: tests/fuzz/seeds/*.png
+// Pictures, and levels made from their colours. Seeds: tests/fuzz/seeds/*.png
 #include "formats/pictures/png_sheet.h"
 #include "round_trip.h"
 

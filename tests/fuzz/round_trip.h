@@ -1,5 +1,5 @@
-// What every format promises about every input: a level or one clear sentence, and nothing lost on the way
-// back.
+// What every format promises for every input: a level or one clear sentence, and no loss when it is written
+// and read again.
 #pragma once
 
 #include <cstdlib>
@@ -12,12 +12,12 @@
 
 namespace talus {
 
-// Unlike assert, there in every build.
+// Ends the program if the condition is false, in every build, unlike assert.
 inline void require(bool condition) {
   if (!condition) std::abort();
 }
 
-// Says what is wrong before it ends.
+// Prints the broken promise before it ends the program.
 inline void require(const Checked& checked) {
   if (!checked.problem.empty()) std::cerr << checked.problem << std::endl;
   require(checked.problem.empty());
@@ -25,18 +25,18 @@ inline void require(const Checked& checked) {
 
 inline void require_clear(const FormatError& error) { require(checked_error(error)); }
 
-// Through the native form the level comes back whole, and its text is settled.
+// The native form keeps the whole level, and writing it again gives the same text.
 inline void require_native_round_trip(const Level& level) { require(checked_level(level)); }
 
-// An edit of a cart is there when the cart is read again, and the cart of another form takes it too.
+// An edit of a cart survives reading the cart again, and the other form of the cart keeps it too.
 inline void require_edit_survives(Level level, const FormatContext& context) {
   level.map.set({5, 7}, static_cast<std::uint8_t>(level.map.at({5, 7}) ^ 0x1f));
   level.sheet(SheetId::tiles).flags[3] ^= 5;
-  level.palette[2].r |= 1;  // not black: an all-black palette is none
+  level.palette[2].r |= 1;  // not black, as an all-black palette counts as missing
   for (const char* id : {"tic", "tic-text"}) {
     const Format& format = *find_format(id);
     const auto written = format.write(level, context);
-    if (!written) {  // code that a text project cannot hold
+    if (!written) {  // no text project can hold this code
       require_clear(written.error());
       continue;
     }
@@ -47,7 +47,7 @@ inline void require_edit_survives(Level level, const FormatContext& context) {
   }
 }
 
-// A cart's bytes come back as they were, and its level survives the other forms.
+// A cart keeps its bytes, and its level survives the other forms.
 inline void require_cart_round_trip(const Format& format, std::string_view bytes,
                                     const FormatContext& context) {
   const auto level = format.read(bytes, context);

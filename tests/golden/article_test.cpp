@@ -1,5 +1,5 @@
 // The article solver, run by the program's own command, against the trajectories of the reference: every
-// double of every frame must be the same bits.
+// double of every frame must have the same bits.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-// Real carts, each as cartridge and as text project: the same content, so each form gives the other exactly.
+// Real carts, each as a cartridge and as a text project. Both hold the same content, so each form gives
+// exactly the other.
 #include <gtest/gtest.h>
 
 #include <talus/formats/format.h>
@@ -31,7 +32,7 @@ TEST_P(CartsTest, TextProjectGivesTheCartridge) {
   EXPECT_TRUE(cart.dropped.empty());
 }
 
-TEST_P(CartsTest, UntouchedFilesComeBackByteForByte) {
+TEST_P(CartsTest, UntouchedFilesKeepEveryByte) {
   for (const char* extension : {"tic", "lua"})
     EXPECT_EQ(write(load(extension), extension).bytes, bytes(extension));
 }

@@ -1,5 +1,5 @@
-// The hard cases of assets/hard_cases in the three solvers: the exact one passes them all, and what the other
-// two fail is written down here, since they are references for how slopes go wrong.
+// The hard cases of assets/hard_cases in the three solvers. The exact solver passes all of them. The failures
+// of the other two are listed here, as they are references for how slopes go wrong.
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ CaseFile load_case(const std::string& name) {
   return {name, loaded->level, hard->value()};
 }
 
-// The checks that fail, such as "position 1, sink 2": measure and body.
+// The failing checks as measure and body, such as "position 1, sink 2".
 std::string failures_of(const CaseFile& file, SolverKind solver, std::string* details = nullptr) {
   Level level = file.level;
   level.tuning.solver = solver;
@@ -145,7 +145,7 @@ TEST(HardCaseFiles, HoldEveryCaseOfShapes) {
 
 // ---- The same files in other ways ----
 
-// What fails of `checks` in a case's first frames, with another tuning.
+// The failures of `checks` in a case's first frames, with another tuning.
 std::string failures_with(const std::string& name, std::int64_t frames, std::vector<CaseCheck> checks,
                           const std::function<void(Tuning&)>& change) {
   CaseFile file = load_case(name);
@@ -163,9 +163,9 @@ CaseCheck check_of(CaseCheck::Measure measure, double bound, std::int64_t first 
   return check;
 }
 
-// Case 30 mirrors every scene, and case 31 adds every scene's bodies in another order. A millionth of a
-// pixel: bounces make the most of the finer doubles on the left.
-TEST(HardCaseFiles, ExactIsTheSameMirroredAndInAnotherOrder) {
+// Case 30 mirrors every scene, and case 31 adds the bodies of every scene in another order. The tolerance is
+// a millionth of a pixel: doubles are finer on the left, and bounces amplify the difference.
+TEST(HardCaseFiles, ExactIsTheSameMirroredAndReordered) {
   for (const std::string& name : case_names()) {
     const auto keep = [](Tuning&) {};
     const std::int64_t frames = std::min<std::int64_t>(load_case(name).hard.frames, 600);
@@ -175,7 +175,7 @@ TEST(HardCaseFiles, ExactIsTheSameMirroredAndInAnotherOrder) {
 }
 
 // Case 3 at 0.5 to 5 px a frame.
-TEST(HardCaseFiles, AStepWithASlopeIsPassedAtEverySpeed) {
+TEST(HardCaseFiles, ASlopeBetweenStepsIsPassedAtEverySpeed) {
   using M = CaseCheck::Measure;
   CaseCheck reaches = check_of(M::reaches, 0);
   reaches.x = 110;
@@ -194,7 +194,7 @@ TEST(HardCaseFiles, AStepWithASlopeIsPassedAtEverySpeed) {
 }
 
 // Case 13 at 0.5 to 20 px a frame.
-TEST(HardCaseFiles, DownhillAPlayerIsOnTheGroundAtEverySpeed) {
+TEST(HardCaseFiles, APlayerStaysOnADownhillAtEverySpeed) {
   using M = CaseCheck::Measure;
   for (const double speed : {0.5, 1.0, 2.3, 5.0, 10.0, 20.0}) {
     const auto frames = static_cast<std::int64_t>(200 / speed);
@@ -206,8 +206,8 @@ TEST(HardCaseFiles, DownhillAPlayerIsOnTheGroundAtEverySpeed) {
   }
 }
 
-// Case 14: it leaves if and only if it goes up faster than the floor, which rises by 1.5 px a frame, gravity
-// having taken 0.2 of the jump.
+// Case 14: the player leaves the floor if and only if the jump goes up faster than the floor, which rises by
+// 1.5 px a frame. Gravity takes 0.2 of the jump.
 TEST(HardCaseFiles, AJumpUphillLeavesTheFloorOnlyIfItIsFaster) {
   const auto gaps = [](double jump_speed) {
     return failures_with("14-jump-uphill", 7, {check_of(CaseCheck::Measure::gap, 1e-9, 2)},
@@ -217,7 +217,7 @@ TEST(HardCaseFiles, AJumpUphillLeavesTheFloorOnlyIfItIsFaster) {
   for (const double jump_speed : {1.8, 2.5, 4.0}) EXPECT_EQ(gaps(jump_speed), "gap 1") << jump_speed;
 }
 
-// Case 26, for as many frames as TALUS_REST_FRAMES says: those of the case itself unless it says more.
+// Case 26 for TALUS_REST_FRAMES frames, or for the frames of the case if those are more.
 TEST(HardCaseFiles, RestForALongTime) {
   const char* text = std::getenv("TALUS_REST_FRAMES");
   const std::int64_t frames = std::max<std::int64_t>(20000, text == nullptr ? 0 : std::atoll(text));

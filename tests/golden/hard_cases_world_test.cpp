@@ -1,5 +1,5 @@
-// The hard cases that no level can show, in World itself: its faithful mode fails them as bump.lua does,
-// which is a reference; its robust mode passes those of places and sensors.
+// The hard cases that no level can show, in World itself. Its faithful mode fails them as bump.lua does,
+// which is a reference. Its robust mode passes those about places and sensors.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ using testing::IsEmpty;
 constexpr World::Mode kModes[] = {World::Mode::faithful, World::Mode::robust};
 
 // Case 18: a goal that exactly touches.
-TEST(HardCasesOfWorld, SayNothingOfATouchAtTheEnd) {
+TEST(HardCasesOfWorld, IgnoreATouchAtTheEnd) {
   World world;
   world.add({20, 0, 8, 8});
   const ItemId ball = world.add({0, 0, 8, 8});
@@ -25,7 +25,7 @@ TEST(HardCasesOfWorld, SayNothingOfATouchAtTheEnd) {
   EXPECT_THAT(hits, IsEmpty());
 }
 
-// Case 20: (0,0,1,1) goes to (3,3), where (2,2,1,1) is, and so in the other three directions.
+// Case 20: (0, 0, 1, 1) moves to (3, 3), past (2, 2, 1, 1), and likewise in the other three directions.
 TEST(HardCasesOfWorld, LetXWinAtACorner) {
   for (const double x : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0}) {
@@ -40,7 +40,7 @@ TEST(HardCasesOfWorld, LetXWinAtACorner) {
   }
 }
 
-// Case 21: x + w is the ledge's x as doubles add, and a little more in truth.
+// Case 21: x + w equals the ledge's x in doubles, and is a little larger in exact arithmetic.
 TEST(HardCasesOfWorld, HangOnTheEdgeOfALedge) {
   World world;
   world.add({80, 40, 24, 32});
@@ -50,7 +50,8 @@ TEST(HardCasesOfWorld, HangOnTheEdgeOfALedge) {
   EXPECT_EQ(world.move(box, {72.7, 60}, hits), (Vec2{72.7, 32}));
 }
 
-// Of 1000 boxes that were pushed against a wall near (scale, scale), how many do not go where they leave to.
+// Pushes 1000 boxes against a wall near (scale, scale) and away again. Returns how many of them end at a
+// wrong place.
 int teleports(World::Mode mode, double scale) {
   int count = 0;
   std::vector<Collision> hits;
@@ -75,8 +76,8 @@ TEST(HardCasesOfWorld, TeleportFarAwayIfFaithful) {
   EXPECT_GT(teleports(World::Mode::faithful, 1e7), 200);
 }
 
-// Case 24: an overlap of a quarter of a box, which 1e-10 px hides when all is scaled down.
-TEST(HardCasesOfWorld, HideWhatIsSmallerThanTheTolerance) {
+// Case 24: an overlap of a quarter of a box. Scaled down, it is smaller than the tolerance of 1e-10 px.
+TEST(HardCasesOfWorld, HideOverlapsBelowTheTolerance) {
   const auto meets = [](double scale) {
     World world(64 * scale);
     world.add({6 * scale, 0, 8 * scale, 8 * scale});
@@ -91,7 +92,7 @@ TEST(HardCasesOfWorld, HideWhatIsSmallerThanTheTolerance) {
 }
 
 // Case 25.
-TEST(HardCasesOfWorld, RefuseWhatIsNoNumberOrTakeItIntoNoCell) {
+TEST(HardCasesOfWorld, RefuseInfinityAndPutNanIntoNoCell) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   std::vector<Collision> hits;
@@ -112,7 +113,8 @@ TEST(HardCasesOfWorld, RefuseWhatIsNoNumberOrTakeItIntoNoCell) {
   EXPECT_THAT(found, IsEmpty());
 }
 
-// Case 31: a box lands on the seam of two tiles, in the middle. The end is one, the first contact is not.
+// Case 31: a box lands in the middle of the seam of two tiles. The end is always the same, the first contact
+// is not.
 TEST(HardCasesOfWorld, NameTheTileThatWasAddedFirst) {
   for (const double first : {0.0, 8.0}) {
     World world;

@@ -1,4 +1,4 @@
-// Replays the scenarios in replay/ and compares every answer with the recorded one of the reference, bit by
+// Replays the scenarios in replay/, and compares every answer with the reference's recorded answer, bit by
 // bit.
 #include "formats/native/replay.h"
 

@@ -1,4 +1,4 @@
-// What every reader of documents promises, for thousands of documents in the grammar of its format; the
+// What every reader of documents promises, for thousands of documents in the grammar of its format. The
 // fuzzers try more of them.
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ std::string random_bytes(std::mt19937& random) {
   return bytes;
 }
 
-// Tries `count` documents, and expects that some are read and some are not.
+// Tries `count` documents, and expects that some of them are read and some are refused.
 void expect_promises(const std::string& seed, int count, const Check& check, bool by_lines = false) {
   const Grammar grammar = grammar_of_seed(seed);
   std::mt19937 random(15);
@@ -41,7 +41,7 @@ void expect_promises(const std::string& seed, int count, const Check& check, boo
   EXPECT_LT(read, count) << "too few documents are bad";
 }
 
-TEST(Documents, TheSeedsAreGood) {
+TEST(Documents, TheSeedsAreReadable) {
   RandomBytes none("");
   EXPECT_TRUE(check_native(grammar_of_seed("all.talus.json").document(none)).is_read);
   EXPECT_TRUE(check_recording(grammar_of_seed("small.talusrec").document(none)).is_read);

@@ -1,6 +1,6 @@
-// Properties of casting boxes against random ground, judged by a reference that shares no code with the core:
-// nothing is missed, nothing is hit that is not there, and how exact times and places are. The bounds are
-// stated where they are checked. TALUS_PROPERTY_MOVES: moves of each property, kMoves unless it says more.
+// Properties of casting boxes against random ground. A reference that shares no code with the core judges
+// them: no contact is missed, none is invented, and times and places are exact within bounds that are stated
+// where they are checked. TALUS_PROPERTY_MOVES: the number of moves for each property, at least kMoves.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -24,8 +24,8 @@ using reference::WideBox;
 using reference::WideCurve;
 
 constexpr double kMoves = 4000;
-constexpr int kSeeds = 100;          // what rapidcheck tries of a property
-constexpr int kMovesOnAGround = 20;  // then comes another one
+constexpr int kSeeds = 100;          // tries of rapidcheck for each property
+constexpr int kMovesOnAGround = 20;  // then another ground is made
 constexpr Wide kNever = 2;           // a time: not during the motion
 
 int grounds_of_a_seed() { return static_cast<int>(property_moves(kMoves) / (kSeeds * kMovesOnAGround)); }
@@ -44,7 +44,7 @@ void showValue(const Move& m, std::ostream& out) {
   out << text;
 }
 
-// The distance of doubles at the largest coordinate that the move meets.
+// The distance between neighbouring doubles at the largest coordinate of the move.
 double ulp_of(const Move& m) {
   double most = 0;
   for (const double t : {0.0, 1.0}) {
@@ -54,13 +54,13 @@ double ulp_of(const Move& m) {
   return std::nextafter(most, std::numeric_limits<double>::infinity()) - most;
 }
 
-// Numbers on a grid of 1/parts meet sides and corners exactly, others hardly ever.
+// Numbers on a grid of 1/parts hit sides and corners exactly. Other numbers hardly ever do.
 Move random_move(Dice& dice, const RandomGround& ground, const ExactGround& exact, double parts) {
   const double width = ground.width * kTileSide, height = ground.height * kTileSide;
   Move m;
   m.box.w = dice.one_in(3) ? 8 : dice.step(0.25, 20, parts);
   m.box.h = dice.one_in(3) ? 8 : dice.step(0.25, 20, parts);
-  for (int tries = 0; tries < 10; ++tries) {  // mostly outside of the ground
+  for (int tries = 0; tries < 10; ++tries) {  // mostly outside the ground
     m.box.x = dice.step(-8, width, parts);
     m.box.y = dice.step(-8, height, parts);
     if (!exact.meets({m.box.x, m.box.y, m.box.w, m.box.h})) break;
@@ -71,7 +71,7 @@ Move random_move(Dice& dice, const RandomGround& ground, const ExactGround& exac
   if (dice.one_in(6)) m.motion.x = 0;
   if (dice.one_in(6)) m.motion.y = 0;
   if (dice.one_in(6)) m.motion.y = dice.one_in(2) ? m.motion.x : -m.motion.x;
-  if (dice.one_in(3)) {  // as a body at rest
+  if (dice.one_in(3)) {  // like a body at rest
     const auto floor = exact.floor_below(ExactBox{m.box.x, m.box.y, m.box.w, m.box.h});
     if (floor) m.box.y = floor->get_d() - m.box.h;
   }
@@ -82,11 +82,11 @@ double random_grid(Dice& dice) { return std::array{4.0, 4.0, 256.0, 1e10}[dice.u
 
 // ---- The truth ----
 
-// What the reference says: the time of impact, and the times of boxes that are a little smaller and larger. A
-// cast is right if it is that of some box in between.
+// The answer of the reference: the time of impact, and the times of slightly smaller and larger boxes. A cast
+// is right if it is the answer for some box in between.
 struct Truth {
   Wide t = kNever, smaller = kNever, larger = kNever;
-  bool is_told = true;  // not when it hangs on the last bit whether the box comes in from the open side
+  bool is_told = true;  // false if the last bit decides whether the box comes in from the open side
 };
 
 Truth truth_of(const ExactGround& ground, const Move& m, double by) {
@@ -116,7 +116,7 @@ Truth truth_of(const std::vector<WideCurve>& curves, const Move& m, double by) {
   return truth;
 }
 
-// With curves the box may be off by what a curve's height may be wrong, too.
+// Curves have approximate heights, and the box may be off by that error too.
 struct Scene {
   RandomGround ground;
   Terrain terrain;
@@ -138,13 +138,14 @@ struct Scene {
 
 // ---- What is wrong with a cast ----
 
-// How much longer the motion is than its part against the surface: what a rounding there is worth along it.
+// The length of the motion divided by its part against the surface: a rounding across the surface moves the
+// contact by as many times its size along the motion.
 double stretch_of(const Move& m, Vec2 normal) {
   return std::hypot(m.motion.x, m.motion.y) / std::abs(dot(m.motion, normal));
 }
-// What a rounding of x and y is worth in y on what was hit.
+// The effect of a rounding of x and y on the y of the contact.
 double steepness(const Contact<double>& hit) {
-  constexpr double kMost = 1e9;  // the upright end of an arc bends away before it is worth more
+  constexpr double kMost = 1e9;  // the vertical end of an arc bends away before the effect is larger
   const bool wall = hit.facing == Facing::left || hit.facing == Facing::right;
   return wall || hit.on_end ? 1 : std::min(kMost, 1 + std::abs(hit.normal.x / hit.normal.y));
 }
@@ -157,13 +158,13 @@ const char* wrong_time(const Contact<double>& hit, const Truth& truth) {
   return truth.smaller <= 1 && hit.t > truth.smaller + kRounding ? "is late" : nullptr;
 }
 
-// The place: of what meets a line on its way one unit in the last place from where the exact time puts the
-// box, however flatly the two cross; and half a unit more of the corner from which its y follows. Else, on
-// the spot or at a curve, at most `bound` px at right angles to the surface; along it and the motion what
-// that is worth there.
+// Judges the place. A contact with a line on the way may be one unit in the last place from where the exact
+// time puts the box, however flatly the two cross, and half a unit more for the corner from which its y
+// follows. A contact at the start, or with a curve, may be at most `bound` px off at right angles to the
+// surface, and correspondingly more along it and along the motion.
 const char* wrong_place(const Contact<double>& hit, const Truth& truth, const Move& m, double bound,
                         double allowance) {
-  // A box that grazes a corner meets it or does not: where it goes on then is another matter.
+  // A box that grazes a corner may hit or miss it. Where it goes after a miss is not judged here.
   const Wide band = (truth.smaller - truth.larger) * std::hypot(m.motion.x, m.motion.y);
   if (!hit || truth.t > 1 || band > 8 * allowance * stretch_of(m, hit.normal)) return nullptr;
   const Wide x = m.box.x + truth.t * m.motion.x, y = m.box.y + truth.t * m.motion.y;
@@ -175,7 +176,7 @@ const char* wrong_place(const Contact<double>& hit, const Truth& truth, const Mo
   return off_x <= most_x && off_y <= most_y ? nullptr : "is in the wrong place";
 }
 
-// The box stands on what it hit, and so may be in other ground by as much as its place is rounded.
+// The box stands on the ground that it hit, so it may be in other ground by as much as its place is rounded.
 const char* wrong_depth(const Contact<double>& hit, const ExactGround& ground, const Move& m, double slack) {
   const ExactBox box{m.box.x, m.box.y, m.box.w, m.box.h};
   const ExactBox end{hit ? Exact(hit.position.x) : Exact(box.x + m.motion.x),
@@ -208,7 +209,7 @@ void expect_right(const Scene& scene, const Move& move, const Truth& truth, doub
 
 // ---- Properties ----
 
-// A move of which the reference cannot tell what is right shows nothing: most must be told.
+// A move that the reference cannot judge shows nothing, so most moves must be judged.
 TEST(ExactProperty, MostMovesAreJudged) {
   const auto percent = [](GroundKinds kinds) {
     int judged = 0;
@@ -254,9 +255,9 @@ Facing mirrored(Facing facing) {
   return facing == Facing::left ? Facing::right : facing == Facing::right ? Facing::left : facing;
 }
 
-// Everything on a grid that both sides of the map share. Times, sides and, of straight ground, normals are
-// the same to the last bit; so is the place along y at floors that are level, and along x at walls. Other
-// places are sums that end on different grids left and right of a power of two.
+// All coordinates are on a grid that both sides of the map share. Times, sides and the normals of straight
+// ground are equal to the last bit; so is y on level floors and x at walls. Other places are sums that are
+// rounded on different grids to the left and right of a power of two.
 void expect_mirrored(const Scene& scene, const Move& move, const Truth& truth, bool straight) {
   const double width = scene.ground.width * kTileSide;
   const Scene other(scene.ground.mirrored());
@@ -290,8 +291,8 @@ RC_GTEST_PROP(ExactProperty, MirroredCurvesGiveTheMirroredContact, (std::uint64_
   });
 }
 
-// As far as 2^20 px from the origin, in x or in y, a cast is as right as near it, by the same bound: 3 units
-// in the last place of the largest coordinate (there 7e-10 px), and 1e-12 px more with curves.
+// Up to 2^20 px from the origin in x or y, a cast obeys the same bound as near it: 3 units in the last place
+// of the largest coordinate (there 7e-10 px), and 1e-12 px more with curves.
 RC_GTEST_PROP(ExactProperty, MovedGroundGivesTheMovedContact, (std::uint64_t seed)) {
   Dice dice(seed);
   for (int i = grounds_of_a_seed(); i > 0; --i) {
@@ -312,7 +313,7 @@ RC_GTEST_PROP(ExactProperty, MovedGroundGivesTheMovedContact, (std::uint64_t see
   }
 }
 
-// The order in which curves are listed matters to what is told of two hits at once, and to nothing else.
+// The order of the curves affects only which of two simultaneous contacts is reported.
 RC_GTEST_PROP(ExactProperty, PermutedCurvesGiveTheSameContact, (std::uint64_t seed)) {
   const GroundKinds kinds{.one_way = true, .segments = true, .curves = true};
   Dice dice(seed);
@@ -329,9 +330,9 @@ RC_GTEST_PROP(ExactProperty, PermutedCurvesGiveTheSameContact, (std::uint64_t se
   }
 }
 
-// A box that fell straight down stays to the last bit, in whole steps as in halves. Between a steep line and
-// a floor it is put on the one first and on the other next, as far away as a place on the steep one is
-// rounded.
+// A box that fell straight down stays at its place to the last bit, in whole and in half steps. Between a
+// steep line and a floor it is put on one of them first and on the other next; the two places differ by the
+// rounding of a place on the steep line.
 RC_GTEST_PROP(ExactProperty, ABoxAtRestStays, (std::uint64_t seed)) {
   const GroundKinds kinds{.one_way = true, .segments = true, .curves = true};
   for_random_moves(seed, kinds, false, [](Dice& dice, const Scene& scene, Move move, const Truth&) {

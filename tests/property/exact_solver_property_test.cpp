@@ -1,6 +1,7 @@
-// Properties of whole runs of the exact solver in random rooms: nobody is in the ground, goes through it or
-// leaves the room; a mirrored room gives the mirrored run; and bodies that pass each other do not depend on
-// their order. TALUS_PROPERTY_MOVES: steps of a body of each property, kMoves unless it says more.
+// Properties of whole runs of the exact solver in random rooms: no body is in the ground, goes through it or
+// leaves the room; a mirrored room gives the mirrored run; and the order of bodies that pass through each
+// other does not matter. TALUS_PROPERTY_MOVES: the number of steps of a body for each property, at least
+// kMoves.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,10 +22,10 @@ using reference::ExactHit;
 constexpr double kMoves = 24000;
 constexpr int kFrames = 60;
 constexpr int kBodies = 4;
-constexpr double kUnits = 16;  // units in the last place that a box may be in the ground
+constexpr double kUnits = 16;  // units in the last place by which a box may be in the ground
 
-// A room's number is the seed of everything in it, so that what fails is found again. The same rooms on every
-// run; more of them by night.
+// The number of a room is the seed of everything in it, so that a failing room can be made again. The rooms
+// are the same in every run, and there are more of them at night.
 template <class Check>
 void for_rooms(Check check) {
   const auto rooms = static_cast<std::uint64_t>(property_moves(kMoves) / (kFrames * kBodies));
@@ -37,7 +38,7 @@ void for_rooms(Check check) {
 
 // ---- Rooms ----
 
-// Random ground within walls of full tiles that begin `columns` from the left, in a map that has as many
+// Random ground between walls of full tiles that begin `columns` from the left, in a map that has as many
 // columns on the right.
 struct Room {
   RandomGround ground;
@@ -99,7 +100,7 @@ SceneItem random_body(Dice& dice, const Room& room, BodyKind kind, Foot foot) {
   return body;
 }
 
-// Those that found no free place are left out.
+// Bodies for which no free place was found are left out.
 std::vector<SceneItem> random_bodies(Dice& dice, const Room& room, bool players, Foot foot) {
   std::vector<SceneItem> bodies;
   for (int i = 0; i < kBodies; ++i) {
@@ -147,8 +148,8 @@ std::vector<Input> random_keys(Dice& dice) {
 
 ExactBox exact_box(const Rect& b) { return {b.x, b.y, b.w, b.h}; }
 
-// What rounding may be worth in the room, in the precision of the step: bounds are multiples of it. A unit in
-// the last place of the largest coordinate.
+// A unit in the last place of the largest coordinate in the room, in the precision of the step. Bounds are
+// multiples of it.
 double unit_of(const Room& room, bool single) {
   const double most = std::max(room.inside.right(), room.inside.bottom());
   return std::exp2(std::floor(std::log2(most)) - (single ? 23 : 52));
@@ -156,12 +157,11 @@ double unit_of(const Room& room, bool single) {
 
 struct Judge {
   const Room& room;
-  double slack;  // px, how deep a box may be in the ground
+  double slack;  // the allowed depth of a box in the ground, px
 
   const char* wrong_place(const Body& body) const {
     Rect b = body.box;
-    if (body.foot == Foot::centre)
-      b.x += b.w / 2, b.w = 0;  // the rest of it may be in a slope, or behind one
+    if (body.foot == Foot::centre) b.x += b.w / 2, b.w = 0;  // its sides may be in a slope, or behind one
     const Rect& in = room.inside;
     if (b.x < in.x - slack || b.y < in.y - slack || b.right() > in.right() + slack ||
         b.bottom() > in.bottom() + slack)
@@ -169,7 +169,7 @@ struct Judge {
     return room.exact.depth(exact_box(b)) <= slack ? nullptr : "is in the ground";
   }
 
-  // From contact to contact a ball goes straight: nothing may be in between.
+  // A ball moves straight from contact to contact: nothing may be in between.
   const char* wrong_way(const StepRecord& record, const BodyPath& path) const {
     Rect at = path.from;
     const auto goes_through = [&](Vec2 to) {
@@ -224,24 +224,24 @@ void expect_inside(Dice& dice, Foot foot, bool single) {
 
 // ---- Properties ----
 
-TEST(ExactSolverProperty, NobodyIsInTheGround) {
+TEST(ExactSolverProperty, NoBodyIsInTheGround) {
   for_rooms([](Dice& dice) { expect_inside(dice, Foot::box, false); });
 }
 
-TEST(ExactSolverProperty, NobodyIsInTheGroundInSinglePrecision) {
+TEST(ExactSolverProperty, NoBodyIsInTheGroundInSinglePrecision) {
   for_rooms([](Dice& dice) { expect_inside(dice, Foot::box, true); });
 }
 
-TEST(ExactSolverProperty, NobodysCentreIsInTheGround) {
+TEST(ExactSolverProperty, NoCentreIsInTheGround) {
   for_rooms([](Dice& dice) { expect_inside(dice, Foot::centre, false); });
 }
 
-TEST(ExactSolverProperty, NobodysCentreIsInTheGroundInSinglePrecision) {
+TEST(ExactSolverProperty, NoCentreIsInTheGroundInSinglePrecision) {
   for_rooms([](Dice& dice) { expect_inside(dice, Foot::centre, true); });
 }
 
-// A room whose image is in the same place, where all x from 256 to 512 are multiples of one number: what is
-// rounded on the one side is rounded alike on the other.
+// The room's mirror image is at the same place, and all x from 256 to 512 are multiples of one number, so
+// both sides round alike.
 TEST(ExactSolverProperty, AMirroredRoomGivesTheMirroredRun) {
   for_rooms([](Dice& dice) {
     const GroundKinds kinds{.one_way = dice.one_in(2), .segments = dice.one_in(2)};

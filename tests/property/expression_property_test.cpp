@@ -1,4 +1,4 @@
-// Random expressions are worth what they were built to be worth, and no text breaks the parser.
+// Random expressions have the values that they were built to have, and no text crashes the parser.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -9,7 +9,7 @@
 
 namespace talus::expression_property_test {
 
-// A text with its value, and how tightly its outermost operator binds (7: it needs no parentheses).
+// A text with its value, and how tightly its outermost operator binds (7: no parentheses are needed).
 struct Built {
   std::string text;
   double value;
@@ -72,7 +72,7 @@ double value_of(const Expression& expression) {
   return expression.evaluate(FrameView({&frame}), 0);
 }
 
-RC_GTEST_PROP(ExpressionProperty, IsWorthWhatItWasBuiltToBe, ()) {
+RC_GTEST_PROP(ExpressionProperty, HasTheValueThatItWasBuiltToHave, ()) {
   const int depth = random_to(5);
   const Built built = random_to(2) == 0 ? truth(depth) : number(depth);
   RC_PRE(built.text.size() <= kMaxExpressionLength);
@@ -83,8 +83,8 @@ RC_GTEST_PROP(ExpressionProperty, IsWorthWhatItWasBuiltToBe, ()) {
   RC_ASSERT(value == built.value || (std::isnan(value) && std::isnan(built.value)));
 }
 
-// Words of expressions in any order: nearly always wrong, and always with a place in the text.
-RC_GTEST_PROP(ExpressionProperty, NoTextBreaksTheParser, ()) {
+// Words of expressions in any order: nearly all are invalid, and each error has a place in the text.
+RC_GTEST_PROP(ExpressionProperty, NoTextCrashesTheParser, ()) {
   const auto word =
       rc::gen::element<std::string>("body", "body.", "body(", ")", "(", "x", "vy", "grounded", "touches",
                                     "before", "changed", ",", ".", "1", ".5", "+", "-", "!", "&&", "==", "=",

@@ -1,4 +1,4 @@
-// Random carts and levels: what every format must keep, whatever the content.
+// Random carts and levels: what every format must keep, whatever the content is.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -17,7 +17,7 @@ std::string random_bytes(std::size_t size) {
   return bytes;
 }
 
-// A section of mostly zeros, as real ones are, of any length up to its own.
+// A section of mostly zeros, like real ones, of any length that it may have.
 std::string random_section(const SectionInfo& info) {
   std::string data(*rc::gen::inRange<std::size_t>(1, info.size() + 1), '\0');
   for (int i = *rc::gen::inRange(0, 20); i > 0; --i) {
@@ -35,7 +35,7 @@ std::string random_code() {
   return code;
 }
 
-// Any chunk that a reader takes: of every type and bank, several of a kind, with trailing zeros.
+// Any chunks that a reader accepts: of every type and bank, several of one type, with trailing zeros.
 std::string random_chunk() {
   const int type = *rc::gen::inRange(0, 32);
   std::string data;
@@ -66,7 +66,7 @@ std::string random_tic() {
   return bytes;
 }
 
-// A text project as hands leave it: carriage returns, capitals, sections in any order, lines between them.
+// A text project as people edit it: carriage returns, capitals, sections in any order, lines between them.
 std::string random_text() {
   const std::string newline = *rc::gen::element(std::string("\n"), std::string("\r\n"));
   std::string text = random_code();
@@ -105,7 +105,7 @@ double random_number() { return *rc::gen::inRange(-4000, 4000) / 16.0; }
 double random_x() { return *rc::gen::inRange(0, 16 * 240 * 8) / 16.0; }
 double random_y() { return *rc::gen::inRange(0, 16 * 136 * 8) / 16.0; }
 
-// Shapes and curves of every kind; some cannot be used.
+// Shapes and curves of every kind; some are invalid.
 TileShape random_shape() {
   TileShape shape;
   shape.kind = *rc::gen::element(TileShape::Kind::none, TileShape::Kind::solid, TileShape::Kind::slope,
@@ -154,7 +154,7 @@ Spawn random_spawn() {
   return spawn;
 }
 
-// A level whose ground has shapes; whether it can be used is told by problem_of.
+// A level whose ground has shapes. problem_of says which of them are valid.
 Level random_ground() {
   Level level;
   for (int i = *rc::gen::inRange(0, 6); i > 0; --i)
@@ -243,7 +243,7 @@ TEST(FormatProperties, ACartAndItsCompanionKeepTheGround) {
     const Level level = random_ground();
     const Format& format = *find_format(*rc::gen::arbitrary<bool>() ? "tic" : "tic-text");
     const auto cart = format.write(level, {});
-    RC_PRE(cart.has_value());  // the map fits, and there is something in it
+    RC_PRE(cart.has_value());  // the map fits, and the cart is not empty
     const Level held = format.read(cart->bytes, {}).value();
     const auto companion = write_companion(level, held, format, "a");
     RC_ASSERT(companion.has_value() == is_usable(level));
@@ -264,7 +264,7 @@ TEST(FormatProperties, AnEditOfACartridgeChangesNothingElse) {
     const CartContent before = tic_content(bytes).value();
     edit_randomly(level);
     const auto written = write_tic(level, {});
-    RC_PRE(written && level.palette != Palette{});  // nor a cart without any content
+    RC_PRE(written && level.palette != Palette{});  // the cart has content
     const std::string& edited = written->bytes;
     RC_ASSERT(same_drawing(read_tic_level(edited), level));
     const CartContent after = tic_content(edited).value();
@@ -318,7 +318,7 @@ TEST(FormatProperties, TheTwoFormsOfACartHoldTheSame) {
     RC_ASSERT(content.banks == tic.banks);
     RC_ASSERT(content.code == tic.code);
     const auto written = write_tic(read_text_level(text), {});
-    RC_PRE(written.has_value());  // not a cart whose language alone is known
+    RC_PRE(written.has_value());  // the cart has more than a language
     const std::string& back = written->bytes;
     RC_ASSERT(tic_content(back)->banks == tic.banks);
     RC_ASSERT(tic_content(back)->code == tic.code);

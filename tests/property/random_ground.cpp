@@ -1,5 +1,5 @@
-// Makes ground of every shape, and hands the reference what the header of the shapes promises: everything
-// rounded to 1/256 px.
+// Makes ground of every shape. The reference gets what the header of the shapes promises: everything rounded
+// to 1/256 px.
 #include "random_ground.h"
 
 #include <algorithm>
@@ -23,10 +23,10 @@ TileShape random_shape(Dice& dice, GroundKinds kinds) {
   if (shape.one_way && dice.one_in(3)) return {.kind = Kind::solid, .side = shape.side, .one_way = true};
   const int count = shape.kind == Kind::slope ? 2 : 3 + dice.up_to(4);
   const double most = dice.one_in(4) ? 24 : 8;
-  const double parts = dice.one_in(3) ? 4096 : 1;  // finer than what heights are rounded to
+  const double parts = dice.one_in(3) ? 4096 : 1;  // finer than the rounding of heights
   for (int i = 0; i < count; ++i) {
     shape.heights.push_back(dice.one_in(3) ? dice.up_to(1) * 8.0 : dice.step(0, most, parts));
-    // A thin line on the very border of the map would be in none of its cells.
+    // A thin line on the bottom border of the map would be in none of its cells.
     if (shape.one_way) shape.heights.back() = std::max(shape.heights.back(), 1.0);
   }
   return shape;
@@ -43,7 +43,8 @@ Curve::Faces random_faces(Dice& dice) {
 
 Curve random_line(Dice& dice, Area area) {
   const double parts = dice.one_in(2) ? 1 : 1024;
-  // Not finer across: a half rounds away from zero, which is the other way in the mirrored map.
+  // x is no finer than 1/256 px: a half rounds away from zero, which is the opposite direction in the
+  // mirrored map.
   const auto x = [&] { return dice.step(area.x0, area.x1, std::min(parts, 256.0)); };
   const auto y = [&] { return dice.step(area.y0, area.y1, parts); };
   if (dice.one_in(3)) {
@@ -62,7 +63,7 @@ Curve random_line(Dice& dice, Area area) {
   return {Segment{a, b}, random_faces(dice)};
 }
 
-// Everything on the grid of 1/256 px already; slopes and waves on one of powers of two.
+// All points are on the grid of 1/256 px; slopes and waves are on a grid of powers of two.
 Curve random_curve(Dice& dice, Area area) {
   const double x0 = dice.step(area.x0, area.x1 - 8, 64);
   const double x1 = x0 + dice.step(4, std::min(40.0, area.x1 - x0), 64);
@@ -106,7 +107,7 @@ Curve mirrored(const Curve& curve, double width) {
     double width;
     Curve::Faces& faces;
     void operator()(Segment& s) const {
-      if (s.from.x == s.to.x) {  // upright: what faced left faces right
+      if (s.from.x == s.to.x) {  // vertical: its left side becomes its right side
         s.from.x = s.to.x = width - s.from.x;
         if (faces != Curve::Faces::both)
           faces = faces == Curve::Faces::up ? Curve::Faces::down : Curve::Faces::up;

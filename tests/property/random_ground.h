@@ -13,7 +13,7 @@
 
 namespace talus {
 
-// A seed tells everything, so that a failure runs again from one number.
+// The seed determines everything, so that a failure can be repeated from one number.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : engine_(seed) {}
@@ -31,10 +31,10 @@ class Dice {
   std::mt19937_64 engine_;
 };
 
-// How much a property tries: `least`, or TALUS_PROPERTY_MOVES when that is more.
+// The number of tries of a property: `least`, or TALUS_PROPERTY_MOVES if that is larger.
 double property_moves(double least);
 
-// A map and curves. Shapes reach over no border, and no two begin or end in one cell, so that the map
+// A map and curves. Shapes stay inside the borders, and no two begin or end in the same cell, so that the map
 // can be mirrored.
 struct RandomGround {
   int width = 0, height = 0;  // cells
@@ -43,8 +43,8 @@ struct RandomGround {
   std::vector<Curve> curves;
 
   Terrain compile() const;
-  RandomGround mirrored() const;                    // about the middle of the map
-  RandomGround moved(int columns, int rows) const;  // right and down, in a larger map
+  RandomGround mirrored() const;                    // about the vertical through the middle of the map
+  RandomGround moved(int columns, int rows) const;  // to the right and down, in a larger map
   reference::ExactGround exact() const;             // tiles, segments and polylines
   std::vector<reference::WideCurve> wide() const;   // the other curves, one for each side that stops
 };

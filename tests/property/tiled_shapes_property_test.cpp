@@ -1,4 +1,5 @@
-// Random outlines of Tiled's tiles: floors and ceilings come in as what they are, and no other silently.
+// Random outlines of Tiled's tiles: floors and ceilings are read exactly, and other outlines never without a
+// warning.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -23,7 +24,7 @@ TileShape random_shape() {
   return shape;
 }
 
-// The same line through as few heights as can be.
+// The same line with as few heights as possible.
 TileShape simplest(TileShape shape) {
   const std::size_t parts = shape.heights.size() - 1;
   for (std::size_t fewer = 1; fewer <= parts; ++fewer) {
@@ -47,7 +48,8 @@ TileShape simplest(TileShape shape) {
   return shape;
 }
 
-// Drawn by another hand: the other way round, from another point on, with points in between, at an offset.
+// The outline as another program may draw it: in the opposite order, from another point on, with points in
+// between, at an offset.
 TiledObject redrawn(TiledObject object) {
   Points points;
   const auto count = object.points.size();
@@ -65,12 +67,12 @@ TiledObject redrawn(TiledObject object) {
   return object;
 }
 
-RC_GTEST_PROP(TiledShapesProperty, FloorsAndCeilingsComeInAsWhatTheyAre, ()) {
+RC_GTEST_PROP(TiledShapesProperty, FloorsAndCeilingsAreReadExactly, ()) {
   const TileShape shape = simplest(random_shape());
   const auto all_are = [&](double height) {
     return std::all_of(shape.heights.begin(), shape.heights.end(), [&](double h) { return h == height; });
   };
-  RC_PRE(!all_are(0) && !all_are(8));  // nothing, and a box, which is a floor and a ceiling
+  RC_PRE(!all_are(0) && !all_are(8));  // neither empty nor a box, which is both a floor and a ceiling
   const bool one_way = *rc::gen::arbitrary<bool>();
   const auto found = tile_shape_of(outline_of(redrawn(tiled_objects(shape).at(0))), one_way);
   RC_ASSERT(found.has_value());
@@ -81,7 +83,7 @@ RC_GTEST_PROP(TiledShapesProperty, FloorsAndCeilingsComeInAsWhatTheyAre, ()) {
   RC_ASSERT(found->one_way == one_way);
 }
 
-// px² in which the shape and the even-odd inside of the outline are not the same, by columns of 1/16 px.
+// The area in px² that is in only one of the shape and the outline (even-odd), in columns of 1/16 px.
 double difference(const Points& outline, const TileShape& shape) {
   constexpr double kStep = 1.0 / 16;
   const double width = shape.tiles * kTileSize;
@@ -101,13 +103,13 @@ double difference(const Points& outline, const TileShape& shape) {
       ys.insert(ys.end(), {shape.side == TileShape::Side::floor ? 8 - h : 0,
                            shape.side == TileShape::Side::floor ? 8 : h});
     }
-    std::sort(ys.begin(), ys.end());  // what is in one of the two alone lies between each two crossings
+    std::sort(ys.begin(), ys.end());  // between the crossings of each pair the two differ
     for (std::size_t i = 0; i + 1 < ys.size(); i += 2) area += (ys[i + 1] - ys[i]) * kStep;
   }
   return area;
 }
 
-// Corners where hands put them: often on the tile's own.
+// Corners where people put them: often on the tile's own corners.
 Points random_outline() {
   Points outline;
   for (int i = *rc::gen::inRange(3, 7); i > 0; --i) {
@@ -118,7 +120,7 @@ Points random_outline() {
   return outline;
 }
 
-TEST(TiledShapesProperty, AnyPolygonIsTheShapeThatItComesInAs) {
+TEST(TiledShapesProperty, APolygonMatchesTheShapeThatIsReadFromIt) {
   int taken = 0, nearest_ones = 0;
   EXPECT_TRUE(rc::check([&] {
     for (int round = 0; round < 10; ++round) {

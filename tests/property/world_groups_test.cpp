@@ -1,5 +1,5 @@
-// A table of responses by group gives the bits that a function with the same answers gives, although the
-// table looks at the candidates of a check only once.
+// A table of responses by group gives the same bits as a function with the same answers, although the table
+// looks at the candidates of a check only once.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -23,8 +23,8 @@ bool same_bits(const Collision& a, const Collision& b) {
          (!a.aim || same_bits(*a.aim, *b.aim));
 }
 
-// A floor of tiles, as in a level, with boxes of every group strewn about; coordinates are whole, halves or
-// anything, so that flush sides and cell borders come up.
+// A floor of tiles, as in a level, with scattered boxes of every group. Coordinates are whole, halves or
+// anything, so that flush sides and cell borders occur.
 struct Scene {
   World world{24};
   std::vector<ItemId> items;
@@ -46,7 +46,7 @@ struct Scene {
     const int kind = pick(3);
     return kind == 0 ? std::floor(v / 8) * 8 : kind == 1 ? std::floor(v * 2) / 2 : v;
   }
-  // Short and long, along an axis, none at all, or too small to move anything.
+  // A motion that is short or long, along an axis, zero, or too small to move anything.
   double motion() {
     const double motions[] = {0, in(-6, 6), in(-60, 60), in(-1e-15, 1e-15), 1e-300};
     return motions[pick(5)];
@@ -78,7 +78,7 @@ RC_GTEST_PROP(WorldGroups, ATableGivesTheBitsOfAFunction, (std::uint64_t seed)) 
   }
 }
 
-RC_GTEST_PROP(WorldGroups, ABoxThatIsNoItemMovesAsAnItemAmongTheSameOthers, (std::uint64_t seed)) {
+RC_GTEST_PROP(WorldGroups, AFreeBoxMovesLikeAnItem, (std::uint64_t seed)) {
   Scene scene(seed);
   World& world = scene.world;
   std::vector<Collision> of_item, of_box;

@@ -14,7 +14,7 @@ namespace talus::world_property_test {
 
 constexpr auto kSlide = [](ItemId, ItemId) { return Response::slide; };
 
-// rapidcheck picks the seed, so that a failure is told by one number and runs again from it.
+// rapidcheck picks the seed, so that one number names a failure and repeats it.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -30,7 +30,7 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-// A value a few units in the last place beside `v`, at it, or off by about the tolerance of the sweep.
+// A value equal to `v`, a few units in the last place beside it, or off by about the tolerance of the sweep.
 double near(Random& random, double v) {
   switch (random.up_to(3)) {
     case 0:
@@ -45,7 +45,7 @@ double near(Random& random, double v) {
   }
 }
 
-// One axis of a sweep whose boxes touch, nearly touch, or do so at the end of the motion.
+// One axis of a sweep whose boxes touch or nearly touch, at the start or at the end of the motion.
 struct NearTouch {
   double at, size, motion, other, extent;
   explicit NearTouch(Random& random)
@@ -70,7 +70,7 @@ RC_GTEST_PROP(WorldProperty, EarlyRejectNeverHidesAContact, (std::uint64_t seed)
   }
 }
 
-// Differences given directly, down to subnormal motions, where the product of the reject rounds coarsely.
+// Differences are given directly, down to subnormal motions, where the product of the reject rounds coarsely.
 RC_GTEST_PROP(WorldProperty, EarlyRejectHoldsForEveryScale, (std::uint64_t seed)) {
   Random random(seed);
   for (int i = 0; i < 2000; ++i) {
@@ -102,7 +102,7 @@ bool cells_meet(double a, double a_size, double b, double b_size, double cell) {
          std::floor(b / cell) + 1 <= std::ceil((a + a_size) / cell);
 }
 
-RC_GTEST_PROP(WorldProperty, GridFindsWhatLookingAtEveryItemFinds, (std::uint64_t seed)) {
+RC_GTEST_PROP(WorldProperty, TheGridFindsTheSameAsTestingEveryItem, (std::uint64_t seed)) {
   Random random(seed);
   const double cell = random.in(2, 80);
   World world(cell);
@@ -212,15 +212,15 @@ void check_permutation(std::uint64_t seed) {
   RC_ASSERT(std::equal(hits.begin(), hits.end(), shuffled_hits.begin(), shuffled_hits.end(), same));
 }
 
-RC_GTEST_PROP(WorldProperty, FaithfulForgetsTheOrderOfAdding, (std::uint64_t seed)) {
+RC_GTEST_PROP(WorldProperty, FaithfulIgnoresTheOrderOfAdding, (std::uint64_t seed)) {
   check_permutation<World::Mode::faithful>(seed);
 }
-RC_GTEST_PROP(WorldProperty, RobustForgetsTheOrderOfAdding, (std::uint64_t seed)) {
+RC_GTEST_PROP(WorldProperty, RobustIgnoresTheOrderOfAdding, (std::uint64_t seed)) {
   check_permutation<World::Mode::robust>(seed);
 }
 
-// A table of responses and a function that looks the table up: the same ends and the same contacts, also
-// where boxes are flush or far from the origin.
+// A table of responses, and a function that looks the table up, give the same ends and the same contacts,
+// even if boxes are flush or far from the origin.
 template <World::Mode mode>
 void check_groups(std::uint64_t seed) {
   Random random(seed);
@@ -264,7 +264,7 @@ RC_GTEST_PROP(WorldProperty, RobustGroupsAnswerLikeAFilterFarOut, (std::uint64_t
   check_groups<World::Mode::robust>(seed);
 }
 
-// The grid after a long random history answers as a fresh one with the same items.
+// After a long random history the grid answers as a fresh grid with the same items.
 RC_GTEST_PROP(WorldProperty, HistoryLeavesNoTrace, (std::uint64_t seed)) {
   Random random(seed);
   World world(16);

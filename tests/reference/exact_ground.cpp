@@ -1,6 +1,6 @@
-// Two convex figures overlap when no direction separates them. Of a box and a part, five directions can: both
-// axes and the normal of the part's line. Along each the moving box overlaps the part during one interval of
-// time; it is inside while it overlaps along all.
+// Two convex figures overlap if no direction separates them. For a box and a part there are five such
+// directions: both axes and the normal of the part's line. Along each of them the moving box overlaps the
+// part during one interval of time. The box is inside while it overlaps along all of them.
 #include "exact_ground.h"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ Range range_of(const Direction& n, const Part& part) {
   return r;
 }
 
-// A rectangle around what moves, so that parts far away are told from the others quickly.
+// A rectangle around the motion, which quickly rules out parts far away.
 struct Area {
   Exact x0, y0, x1, y1;
   Area(const ExactBox& box, const Exact& dx, const Exact& dy)
@@ -57,16 +57,17 @@ struct Area {
 
 std::vector<Direction> directions_of(const Part& part) {
   std::vector<Direction> all = {{0, 1}, {1, 0}};
-  // Up when a is left of b: that the line's upper side is the outer one.
+  // The normal points up if a is left of b, so that the line's upper side is the outer one.
   if (part.a.x != part.b.x && part.a.y != part.b.y) all.push_back({part.b.y - part.a.y, part.a.x - part.b.x});
   return all;
 }
 
-// The open interval of time during which the box overlaps the part, and which directions it begins with.
+// The open interval of time during which the box overlaps the part, and the directions in which the overlap
+// begins.
 struct Overlap {
   bool never = false;
-  std::optional<Exact> from, to;       // none: always did, for ever will
-  std::vector<std::size_t> beginning;  // indices of the directions along which it begins at `from`
+  std::optional<Exact> from, to;       // empty: it always overlapped, or will for ever
+  std::vector<std::size_t> beginning;  // indices of the directions in which the overlap begins at `from`
 };
 
 Overlap overlap_of(const ExactBox& box, const Exact& dx, const Exact& dy, const Part& part,
@@ -92,7 +93,8 @@ Overlap overlap_of(const ExactBox& box, const Exact& dx, const Exact& dy, const 
   return overlap;
 }
 
-// Along how many of the directions with which an overlap begins it comes from the side that the part stops.
+// The number of directions, of those in which an overlap begins, in which the box comes from the side that
+// the part stops.
 std::size_t stopping_directions(const Part& part, const Overlap& overlap,
                                 const std::vector<Direction>& directions, const Exact& dx, const Exact& dy) {
   const auto stops = [&](std::size_t i) {
@@ -100,7 +102,7 @@ std::size_t stopping_directions(const Part& part, const Overlap& overlap,
       return directions[i].x != 0 && (part.stops == Part::Stops::from_above ? dx > 0 : dx < 0);
     }
     if (directions[i].y == 0) return false;
-    // The first direction points down, the last one up.
+    // The first direction points down, and the last one up.
     const Exact down = directions[i].y > 0 ? directions[i].of(dx, dy) : Exact(-directions[i].of(dx, dy));
     return part.stops == Part::Stops::from_above ? down > 0 : down < 0;
   };
@@ -168,8 +170,8 @@ Exact ExactGround::depth(const ExactBox& box) const {
     std::optional<Exact> least;
     for (const Direction& n : directions_of(part)) {
       const Range ours = range_of(n, box), theirs = range_of(n, part);
-      // Along the normal of a line of a steep slope the exact length needs a root: the larger of its parts is
-      // within a factor of 1.5, and above the truth.
+      // The exact length along the normal of a sloped line needs a root. The larger of its components is
+      // within a factor of 1.5, so the result is too large rather than too small.
       const Exact length = std::max(Exact(abs(n.x)), Exact(abs(n.y)));
       const Exact out = std::min(Exact(ours.to - theirs.from), Exact(theirs.to - ours.from)) / length;
       if (!least || out < *least) least = out;
@@ -185,10 +187,10 @@ std::optional<Exact> ExactGround::floor_below(const ExactBox& box) const {
   for (const Part& part : parts) {
     if (part.stops == Part::Stops::from_below || part.a.x == part.b.x) continue;
     if (part.b.x < box.x || part.a.x > right) continue;
-    if (box.w > 0 && (part.b.x == box.x || part.a.x == right)) continue;  // beside it
+    if (box.w > 0 && (part.b.x == box.x || part.a.x == right)) continue;  // the part is beside the box
     const Exact from = std::max(part.a.x, box.x), to = std::min(part.b.x, right);
     Exact y = std::min(height_at(part, from), height_at(part, to));
-    if (part.level && *part.level < y) y = *part.level;  // a part that hangs from its level
+    if (part.level && *part.level < y) y = *part.level;  // the part hangs from its level
     if (y >= bottom && (!floor || y < *floor)) floor = y;
   }
   return floor;

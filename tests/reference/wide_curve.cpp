@@ -1,6 +1,6 @@
-// A cast lists every moment at which how box and curve lie may change: a corner on the curve, a side of the
-// box at a turning point or an end. Between two of them nothing changes, so that one look in the middle
-// tells.
+// A cast lists every moment at which the position of the box relative to the curve may change: a corner is on
+// the curve, or a side of the box is at a turning point or an end. Nothing changes between two such moments,
+// so one test in the middle is enough.
 #include "wide_curve.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace talus::reference {
 namespace {
 
-// Where f changes its sign between a and b, by bisection down to neighbouring numbers.
+// Returns where f changes its sign between a and b, by bisection down to neighbouring numbers.
 template <class F>
 void add_zero(Wide a, Wide b, F f, std::vector<Wide>& zeros) {
   const bool a_negative = f(a) < 0;
@@ -31,7 +31,7 @@ void add_quadratic_roots(Wide a, Wide b, Wide c, std::vector<Wide>& roots) {
   if (q != 0) roots.push_back(c / q);
 }
 
-enum class Relation { beside, above, below, inside };  // where the box is, seen from the curve
+enum class Relation { beside, above, below, inside };  // where the box is relative to the curve
 
 Relation relation(const WideCurve& curve, const WideBox& box) {
   const Wide from = std::max(curve.x0, box.x), to = std::min(curve.x1, box.x + box.w);
@@ -42,7 +42,7 @@ Relation relation(const WideCurve& curve, const WideBox& box) {
   return Relation::inside;
 }
 
-// When a corner of the box meets the curve.
+// Adds the times at which a corner of the box is on the curve.
 void add_corner_times(const WideCurve& curve, Wide x, Wide y, Wide dx, Wide dy, std::vector<Wide>& times) {
   const auto gap = [&](Wide t) { return curve.f(std::clamp(x + t * dx, curve.x0, curve.x1)) - (y + t * dy); };
   if (dx == 0) {
@@ -53,7 +53,7 @@ void add_corner_times(const WideCurve& curve, Wide x, Wide y, Wide dx, Wide dy, 
   if (enter > leave) std::swap(enter, leave);
   enter = std::max<Wide>(enter, 0), leave = std::min<Wide>(leave, 1);
   if (!(enter < leave)) return;
-  // Between these the gap grows or shrinks throughout.
+  // Between these the gap only grows or only shrinks.
   std::vector<Wide> cuts = {enter, leave};
   for (const Wide at : curve.where_slope_is(dy / dx)) {
     const Wide t = (at - x) / dx;
@@ -160,7 +160,7 @@ bool meets(const WideCurve& curve, const WideBox& box) { return relation(curve, 
 std::optional<Wide> cast(const WideCurve& curve, const WideBox& box, Wide dx, Wide dy, Wide reach) {
   const std::vector<Wide> times = times_of_change(curve, box, dx, dy);
   Relation before = relation(curve, box);
-  if (before == Relation::inside) {  // perhaps only by a little
+  if (before == Relation::inside) {  // perhaps only slightly inside
     before = relation(curve, box.grown(-reach));
   }
   for (std::size_t i = 0; i + 1 < times.size(); ++i) {

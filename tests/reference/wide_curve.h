@@ -1,5 +1,5 @@
-// The reference for curves: long double, brackets and bisection, and no code of the core. It knows of a curve
-// only f, f' and where f' has a given value.
+// The reference for curves: long double, brackets and bisection, and no code of the core. It uses only f, f'
+// and the places where f' has a given value.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@ struct WideCurve {
   Wide x0 = 0, x1 = 0;
   Stops stops = Stops::everywhere;
   std::function<Wide(Wide x)> f;
-  std::function<std::vector<Wide>(Wide slope)> where_slope_is;  // of x0..x1, any order
+  std::function<std::vector<Wide>(Wide slope)> where_slope_is;  // in x0..x1, in any order
 
   // The least and the greatest f between two places.
   struct Range {
@@ -36,14 +36,16 @@ WideCurve wide_arc(Wide center_x, Wide center_y, Wide radius, Wide x0, Wide x1, 
 WideCurve wide_polynomial(Wide x0, Wide x1, const Wide (&c)[4]);
 WideCurve wide_sine(Wide x0, Wide x1, Wide middle, Wide amplitude, Wide wavelength, Wide origin);
 
-// Whether the curve is inside of the box.
+// Whether the curve is inside the box.
 bool meets(const WideCurve& curve, const WideBox& box);
 
-// The earliest time from which on the curve is inside of the moving box, as ExactGround::cast has it.
-// Touching at most `reach` px deep at the beginning counts as coming from where the box touches.
+// Returns the earliest time from which on the curve is inside the moving box, as ExactGround::cast does;
+// empty if there is none. A box that touches at most `reach` px deep at the beginning counts as outside, on
+// the side where it touches.
 std::optional<Wide> cast(const WideCurve& curve, const WideBox& box, Wide dx, Wide dy, Wide reach);
 
-// The highest point of the curve within the box's width, if it is not above its bottom.
+// Returns the highest point of the curve within the box's width, if it is not above the box's bottom; empty
+// otherwise.
 std::optional<Wide> floor_below(const WideCurve& curve, const WideBox& box);
 
 }  // namespace talus::reference

@@ -1,5 +1,5 @@
-// Everything that has a thread of its own at the same time, while the level is painted on. It is for
-// ThreadSanitizer; elsewhere it shows that each gets a level as it was at one moment.
+// All threads of the program run at the same time while the level is painted. The test is for
+// ThreadSanitizer; in other builds it shows that each thread gets the level of one moment.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -10,7 +10,7 @@
 
 namespace talus::threads_test {
 
-constexpr int kSide = 384;  // cells, of a map that is compiled on a thread
+constexpr int kSide = 384;  // cells; a map of this size is compiled on a thread
 
 class Threads : public FolderTest {
  protected:
@@ -26,7 +26,7 @@ class Threads : public FolderTest {
     session->apply(action::SaveFileAs{path("a.talus.json")});
     return session;
   }
-  // Tile 1 in the cell, and its flag on and off, so that the whole ground is compiled anew.
+  // Paints tile 1, and sets or clears its flag, so that the whole ground is compiled again.
   static void paint(Session& session, int number) {
     const Cell cell{number % kSide, 3};
     Edit edit{"Paint", {CellChange{cell, session.level().map.at(cell), 1}}};
@@ -63,7 +63,7 @@ TEST_F(Threads, CompileExportAndSaveWhileTheLevelIsPainted) {
   EXPECT_TRUE(session->scene() == compile_scene(session->level()));
 }
 
-TEST_F(Threads, EndWithWhatTheyWorkFor) {
+TEST_F(Threads, EndWithTheSession) {
   for (int round = 0; round < 10; ++round) {
     const auto session = start();
     Autosave autosave(path("autosave"));

@@ -6,7 +6,7 @@ namespace talus::allow_exports_test {
 
 class UiAllowExports : public UiTest {
  protected:
-  // A level of somebody else's, in a folder of its own.
+  // Writes a level of somebody else into a folder of its own.
   std::string put_level(std::vector<ExportPreset> presets) {
     Level level = test_level();
     level.exports = std::move(presets);

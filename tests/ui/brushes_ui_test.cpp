@@ -20,7 +20,7 @@ class UiBrushes : public UiTest {
   const std::vector<Brush>& brushes() { return level().brushes; }
 };
 
-TEST_F(UiBrushes, AStampIsSavedTakenRenamedAndDeleted) {
+TEST_F(UiBrushes, AStampIsSavedUsedRenamedAndDeleted) {
   drag(on_sheet(3), on_sheet(4));
   click("tabs/brushes");
   click("brushes/add_button");
@@ -67,7 +67,7 @@ TEST_F(UiBrushes, ARandomStampPaintsTheTilesOfItsCells) {
   EXPECT_NE(row(3, 2, 11), painted) << "another seed";
 }
 
-TEST_F(UiBrushes, GroundIsProposedPaintedAndTakenAway) {
+TEST_F(UiBrushes, GroundIsProposedPaintedAndRemoved) {
   key(shift('g'));
   const AutoTiles& set = level().auto_tiles;
   EXPECT_EQ(set.of(GroundPart::inside), 1);

@@ -1,4 +1,4 @@
-// Bursts of events, as slow frames get them.
+// Many events before one frame, as slow frames get them.
 #include "harness.h"
 
 namespace talus::burst_test {
@@ -32,7 +32,7 @@ TEST_F(UiBurst, EditingKeysKeepTheirPlaceBetweenLetters) {
   EXPECT_EQ(level().flag_names[5], "acde");
 }
 
-TEST_F(UiBurst, DialogTakesWhatIsTypedAndNotTheClickAfterIt) {
+TEST_F(UiBurst, DialogTakesTypedTextAndNotTheClickAfterIt) {
   start();
   Level other = test_level();
   other.map.set({1, 1}, 6);

@@ -1,4 +1,4 @@
-// A cart with what it cannot hold: saved, named in the title, quit without a question, opened again.
+// A cart with a companion: saved, named in the title, quit without a question, opened again.
 #include <fstream>
 
 #include "harness.h"
@@ -8,7 +8,7 @@ namespace talus::companion_ui_test {
 class UiCompanion : public UiTest {
  protected:
   static std::string title() { return SDL_GetWindowTitle(SDL_GL_GetCurrentWindow()); }
-  // A cart that lacks nothing.
+  // Starts with a cart that needs no companion.
   void start_cart(const std::string& name) {
     Level level;
     level.map.set({12, 16}, 1);
@@ -18,7 +18,7 @@ class UiCompanion : public UiTest {
   }
 };
 
-TEST_F(UiCompanion, ABodyPlacedInACartIsThereAgain) {
+TEST_F(UiCompanion, ABodyPlacedInACartSurvives) {
   for (const std::string name : {"game.tic", "game.lua", "game.yue"}) {
     start_cart(name);
     EXPECT_EQ(title(), name + " - Talus");
@@ -42,7 +42,7 @@ TEST_F(UiCompanion, ABodyPlacedInACartIsThereAgain) {
   }
 }
 
-TEST_F(UiCompanion, WhatNothingHoldsIsAskedAboutBeforeQuitting) {
+TEST_F(UiCompanion, DroppedContentIsAskedAboutBeforeQuitting) {
   start_cart("game.tic");
   stop();
   std::ofstream(path("game.tic"), std::ios::binary | std::ios::app) << std::string("\x13\x01\0\0b", 5);

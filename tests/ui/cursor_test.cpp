@@ -1,4 +1,4 @@
-// Drawing with the keyboard alone: no test here ever moves or presses the mouse.
+// Drawing by the keyboard alone: no test here moves or presses the mouse.
 #include "edit/map_rectangle.h"
 #include "edit/map_resize.h"
 #include "edit/map_selection.h"
@@ -22,7 +22,7 @@ class UiCursor : public UiTest {
     for (int i = 0; i < times; ++i) key(chord);
     frames(2);
   }
-  // By arrows alone.
+  // Moves the cursor there by arrows alone.
   void go_to(Cell to) {
     ASSERT_TRUE(hovered()) << "the cursor is on no cell";
     const Cell from = *hovered();
@@ -63,8 +63,8 @@ TEST_F(UiCursor, EnterShowsItAndEscapeEndsIt) {
   EXPECT_TRUE(session().history().edits().empty());
 }
 
-TEST_F(UiCursor, ARowIsPaintedByHoldingSpaceAndTakenBackAtOnce) {
-  // A tile of the sheet by the arrows, from the program's first frame on.
+TEST_F(UiCursor, ARowIsPaintedByHoldingSpaceInOneUndo) {
+  // The arrows choose a tile of the sheet from the program's first frame on.
   key(kKeyF2);
   go(KeyChord{kKeyRight}, 3);
   EXPECT_EQ(session().choices().stamp.tiles, std::vector<std::uint8_t>{3});
@@ -85,12 +85,12 @@ TEST_F(UiCursor, ARowIsPaintedByHoldingSpaceAndTakenBackAtOnce) {
   EXPECT_FALSE(session().modified());
 }
 
-TEST_F(UiCursor, ATapIsAClickWhereItIs) {
+TEST_F(UiCursor, ATapClicksAtTheCursor) {
   key(kKeyF3);
   choose_tile(1);
   press_key(kKeyEnter);
   go_to({7, 3});
-  // All of it in one frame: the events of a slow program.
+  // All events come in one frame, as in a slow program.
   push_stroke({kKeyRight});
   push_stroke({' '});
   push_stroke({kKeyRight});
@@ -101,7 +101,7 @@ TEST_F(UiCursor, ATapIsAClickWhereItIs) {
   EXPECT_EQ(hovered(), (Cell{9, 3}));
 }
 
-TEST_F(UiCursor, ARectangleIsDrawnFromCornerToCornerByThePen) {
+TEST_F(UiCursor, ARectangleIsDrawnFromCornerToCorner) {
   key(kKeyF3);
   choose_tile(1);
   press_key('6');
@@ -116,7 +116,7 @@ TEST_F(UiCursor, ARectangleIsDrawnFromCornerToCornerByThePen) {
   for (int y = 2; y <= 4; ++y)
     for (int x = 3; x <= 6; ++x) EXPECT_EQ(tile_at({x, y}), 1) << x << "," << y;
   EXPECT_EQ(tile_at({7, 4}), 0);
-  // With Shift its outline alone.
+  // Shift draws the outline alone.
   press_key(ctrl('z'));
   go_to({3, 2});
   press_key(kKeyEnter);
@@ -125,7 +125,7 @@ TEST_F(UiCursor, ARectangleIsDrawnFromCornerToCornerByThePen) {
   EXPECT_FALSE(cursor().pen_down());
   EXPECT_EQ(tile_at({3, 2}), 1);
   EXPECT_EQ(tile_at({4, 3}), 0);
-  // Escape takes the pen up without it.
+  // Escape lifts the pen without drawing.
   press_key(ctrl('z'));
   go_to({3, 2});
   press_key(kKeyEnter);
@@ -137,7 +137,7 @@ TEST_F(UiCursor, ARectangleIsDrawnFromCornerToCornerByThePen) {
   EXPECT_EQ(tile_at({3, 2}), 0);
 }
 
-TEST_F(UiCursor, LineEllipseFillAndBrushWorkAtIt) {
+TEST_F(UiCursor, LineEllipseFillAndBrushWorkAtTheCursor) {
   key(kKeyF3);
   choose_tile(1);
   press_key(kKeyEnter);
@@ -165,7 +165,7 @@ TEST_F(UiCursor, LineEllipseFillAndBrushWorkAtIt) {
   EXPECT_EQ(tile_at({18, 3}), 3);
 }
 
-TEST_F(UiCursor, ASelectionIsMadeMovedAndLetGo) {
+TEST_F(UiCursor, ASelectionIsMadeMovedAndCleared) {
   session().apply(action::EditLevel{fill_rect(level(), {3, 3, 2, 2}, Stamp{1, 1, {1}})});
   key(kKeyF3);
   press_key('3');
@@ -185,7 +185,7 @@ TEST_F(UiCursor, ASelectionIsMadeMovedAndLetGo) {
   press_key(ctrl('z'));
   EXPECT_EQ(tile_at({3, 3}), 1);
   EXPECT_EQ(tile_at({9, 3}), 0);
-  // Without the cursor the arrows move what is selected, as before.
+  // Without the cursor the arrows move the selection, as before.
   press_key(kKeyEscape);
   press_key(kKeyDown);
   EXPECT_EQ(tile_at({3, 3}), 0);
@@ -224,7 +224,7 @@ TEST_F(UiCursor, PixelsAreDrawnInBothColours) {
   EXPECT_FALSE(session().modified());
 }
 
-TEST_F(UiCursor, FlagsArePaintedThroughTheTileUnderIt) {
+TEST_F(UiCursor, FlagsArePaintedOnTheTileUnderTheCursor) {
   key(kKeyF3);
   session().apply(action::SetFlagOverlay{pattern_of_flag(5)});
   press_key(ctrl_shift('f'));
@@ -253,7 +253,7 @@ TEST_F(UiCursor, ASegmentAndItsHandles) {
   const auto& line = std::get<Segment>(level().curves[0].curve.form);
   EXPECT_EQ(line.from, (Vec2{24, 16}));
   EXPECT_EQ(line.to, (Vec2{56, 16}));
-  hold(' ');  // its end, which is a handle now
+  hold(' ');  // the segment's end, which is a handle now
   go(KeyChord{kKeyDown}, 1);
   let_go(' ');
   frames(2);
@@ -261,7 +261,7 @@ TEST_F(UiCursor, ASegmentAndItsHandles) {
   EXPECT_EQ(std::get<Segment>(level().curves[0].curve.form).to, (Vec2{56, 24}));
 }
 
-TEST_F(UiCursor, TheViewScrollsWithIt) {
+TEST_F(UiCursor, TheViewScrollsWithTheCursor) {
   session().apply(action::EditLevel{resize_map(level(), {.width = 240, .height = 136}, std::nullopt)});
   frames(2);
   key(kKeyF3);
@@ -277,7 +277,7 @@ TEST_F(UiCursor, TheViewScrollsWithIt) {
   EXPECT_EQ(tile_at(at), 1);
 }
 
-TEST_F(UiCursor, GoesWithTheKeysToThePixelsAndFromCanvasToCanvas) {
+TEST_F(UiCursor, FollowsTheKeysFromCanvasToCanvas) {
   key(kKeyF3);
   choose_tile(1);
   press_key(kKeyEnter);
@@ -317,7 +317,7 @@ TEST_F(UiCursor, KeepsTheKeysFromPlayersUntilItEnds) {
   let_go(kKeyRight);
 }
 
-TEST_F(UiCursor, OtherKeysMayBeGivenToIt) {
+TEST_F(UiCursor, OtherKeysCanBeBound) {
   KeyBindings& bindings = app().ui().view.preferences.keys;
   bindings.changed["cursor/right"] = {KeyChord{'x'}, KeyChord{}};
   key(kKeyF3);

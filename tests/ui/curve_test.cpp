@@ -12,7 +12,7 @@ class UiCurve : public UiTest {
     start();
     key(kKeyF3);
   }
-  // Chooses a kind by its command in the palette's words.
+  // Chooses a kind by its command in the palette, and draws a curve.
   void draw_kind(CurveKind kind, Vec2 from, Vec2 to) {
     click("map/curve");
     while (session().choices().curve_kind != kind) key('c');
@@ -112,7 +112,7 @@ TEST_F(UiCurve, EndsSnapToOtherEndsUnlessAltIsHeld) {
   EXPECT_NEAR(free.y, 25, 0.6);
 }
 
-TEST_F(UiCurve, BadPlaceSaysWhyAndChangesNothing) {
+TEST_F(UiCurve, AnInvalidPlaceSaysWhyAndChangesNothing) {
   draw_kind(CurveKind::sine, {50, 40}, {50, 80});
   EXPECT_TRUE(level().curves.empty());
   ASSERT_TRUE(session().message());
@@ -129,8 +129,8 @@ TEST_F(UiCurve, BadPlaceSaysWhyAndChangesNothing) {
             "The parabola has its right end left of its left end there, so it stays where it was last good.");
 }
 
-TEST_F(UiCurve, EndsBesideTheMapAreTakenToItsEdge) {
-  key('-');  // so that there is room around the map
+TEST_F(UiCurve, EndsBesideTheMapAreMovedToItsEdge) {
+  key('-');  // zooms out, so that there is room around the map
   frames(2);
   draw_kind(CurveKind::parabola, {-12, 40}, {80, 40});
   ASSERT_EQ(level().curves.size(), 1u);

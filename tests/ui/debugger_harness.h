@@ -1,4 +1,4 @@
-// DebuggerTest: the editor with a test's level, and words for its timeline.
+// DebuggerTest: the editor with the level of a test, and helpers for its timeline.
 #pragma once
 
 #include "harness.h"

@@ -60,7 +60,7 @@ TEST_F(UiDebuggerKeys, MakeGoToAndDropBranches) {
   EXPECT_EQ(timeline().current().id, made);
 }
 
-TEST_F(UiDebuggerKeys, PressAndLetGoCellsOfTheInputRoll) {
+TEST_F(UiDebuggerKeys, SetAndClearCellsOfTheInputRoll) {
   play(12);
   key(kKeyF6);
   frames(2);
@@ -89,7 +89,7 @@ TEST_F(UiDebuggerKeys, PressAndLetGoCellsOfTheInputRoll) {
   EXPECT_EQ(frame(), 6) << "the map has the keys again";
 }
 
-// Frame 0 has no input: the mouse's place of a range is not shown there.
+// Frame 0 has no input, so the mouse's place of a range is not shown there.
 TEST_F(UiDebuggerKeys, GoToTheFirstFrameWithARangeOfTheInputRoll) {
   play(6);
   key(kKeyF6);
@@ -101,7 +101,7 @@ TEST_F(UiDebuggerKeys, GoToTheFirstFrameWithARangeOfTheInputRoll) {
   EXPECT_EQ(timeline().last_frame(), 6);
 }
 
-TEST_F(UiDebuggerKeys, TypeTheMousesPlace) {
+TEST_F(UiDebuggerKeys, TypeThePlaceOfTheMouse) {
   play(6);
   key(kKeyF6);
   frames(2);
@@ -210,7 +210,7 @@ TEST_F(UiDebuggerKeys, CompareWithEachInTurn) {
   EXPECT_EQ(stops()[0].condition, "parting > 0.01");
 }
 
-TEST_F(UiDebuggerKeys, TheCursorOfAFieldKeepsItsKeys) {
+TEST_F(UiDebuggerKeys, AFieldKeepsTheKeysOfItsCursor) {
   play(20);
   key(ctrl(kKeyF8));
   frames(3);
@@ -224,7 +224,7 @@ TEST_F(UiDebuggerKeys, TheCursorOfAFieldKeepsItsKeys) {
   EXPECT_EQ(watches()[0].watch.text, "vx * vy");
 }
 
-TEST_F(UiDebuggerKeys, RulesForEditsAreTakenInTurn) {
+TEST_F(UiDebuggerKeys, RulesForEditsAreChosenInTurn) {
   play(4);
   using Kind = EditRule::Kind;
   for (const Kind kind : {Kind::from_start, Kind::from_frame, Kind::go_on}) {
@@ -233,7 +233,7 @@ TEST_F(UiDebuggerKeys, RulesForEditsAreTakenInTurn) {
   }
 }
 
-TEST_F(UiDebuggerKeys, ACaseTellsThatItsOwnInputPlays) {
+TEST_F(UiDebuggerKeys, ACaseSaysThatItsOwnInputPlays) {
   EXPECT_EQ(case_note(session()), "");
   start(TALUS_SOURCE_DIR "/assets/hard_cases/13-downhill.talus.json");
   EXPECT_EQ(case_note(session()), "The hard case holds Right; your keys count as well");
@@ -254,7 +254,7 @@ TEST_F(UiDebuggerKeys, AfterEnterAFieldOfPlotsKeepsTheKeys) {
   frames(20);
   ASSERT_EQ(watches().size(), 2u);
   EXPECT_EQ(watches()[1].watch.text, "vy");
-  push_typing("ghc90");  // of which each would be a command
+  push_typing("ghc90");  // each letter would be a command
   frames(10);
   EXPECT_EQ(session().choices().map_tool, tool);
   EXPECT_EQ(session().history().edits().size(), edits);

@@ -61,7 +61,7 @@ TEST_F(UiDebugger, StepsBackAndForthByKeyWithoutLosingTheRest) {
   EXPECT_EQ(frame(), 10);
 }
 
-TEST_F(UiDebugger, MarksAreSetByKeyAndJumpedTo) {
+TEST_F(UiDebugger, MarksAreSetAndJumpedToByKey) {
   play(20);
   key(ctrl('m'));
   for (int i = 0; i < 8; ++i) key(shift(kKeyF10));
@@ -78,7 +78,7 @@ TEST_F(UiDebugger, MarksAreSetByKeyAndJumpedTo) {
   EXPECT_EQ(timeline().current().marks.size(), 2u);
 }
 
-TEST_F(UiDebugger, TakingABallInThePastMakesABranch) {
+TEST_F(UiDebugger, DraggingABallInThePastMakesABranch) {
   play(30);
   click(on_track(10));
   ASSERT_EQ(frame(), 10);
@@ -129,8 +129,8 @@ TEST_F(UiDebugger, InputRollPressesAKeyOverARange) {
   EXPECT_EQ(timeline().branches().size(), 2u) << "the same draft";
 }
 
-// The ball falls from row 10 and meets the floor at y 128.
-TEST_F(UiDebugger, ABreakpointStopsAtTheFloorAndIsRunBackTo) {
+// The ball falls from row 10, and meets the floor at y = 128.
+TEST_F(UiDebugger, ABreakpointStopsInBothDirections) {
   choose_ball();
   open_tab("stops");
   click("stops/kind");
@@ -180,7 +180,7 @@ TEST_F(UiDebugger, AWrongConditionSaysWhereAndStopsNothing) {
   EXPECT_EQ(session().debugger().stops().breakpoints()[0].condition, "vy > 1");
 }
 
-TEST_F(UiDebugger, BreakpointsAndWatchesAreRememberedBetweenStarts) {
+TEST_F(UiDebugger, BreakpointsAndWatchesSurviveARestart) {
   session().apply(action::SetBreakpoint{{.condition = "vy > 1", .body = 2, .count = 3, .enabled = false}});
   session().apply(action::SetWatch{0, {"speed", 0}});
   key(kKeyF4);
@@ -212,7 +212,7 @@ TEST_F(UiDebugger, ARecordingIsSavedFromTheMenuAndOpenedAgain) {
   EXPECT_EQ(session().state(), last);
 }
 
-TEST_F(UiDebugger, EditingRunsTheRecordingAgainWhereTheMenuSaysSo) {
+TEST_F(UiDebugger, EditingRerunsTheRecordingIfTheMenuSaysSo) {
   play(60);
   click("menu/Debug");
   frames(2);
@@ -251,8 +251,8 @@ TEST_F(UiDebugger, PlotsGrowWithTheRunAndAClickShowsTheFrame) {
   EXPECT_EQ(frame(), 15);
 }
 
-// Article's box sticks at the end of the slope, and exact's passes.
-TEST_F(UiDebugger, ComparesWithAnotherSolverAndFindsWhereTheyPart) {
+// The article's ball sticks at the end of the slope, and the exact solver's passes.
+TEST_F(UiDebugger, FindsWhereAnotherSolverDiffers) {
   start(TALUS_SOURCE_DIR "/assets/hard_cases/03-step-with-a-slope.talus.json");
   Tuning tuning = level().tuning;
   tuning.solver = SolverKind::article;

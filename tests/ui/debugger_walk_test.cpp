@@ -1,4 +1,4 @@
-// A walk through the debugger: what it tells of stops, comparisons and the timeline, by mouse and by key.
+// A tour of the debugger: what it says of stops, comparisons and the timeline, by mouse and by key.
 #include <algorithm>
 
 #include "debugger_harness.h"
@@ -50,7 +50,7 @@ TEST_F(UiDebuggerWalk, AComparisonStaysBeyondTheOtherBranchsEnd) {
   EXPECT_EQ(missing_side(session()), "");
 }
 
-TEST_F(UiDebuggerWalk, AComparisonThatIsRunCanBeCancelled) {
+TEST_F(UiDebuggerWalk, ARunningComparisonCanBeCancelled) {
   for (int i = 0; i < 300; ++i) session().apply(action::StepFrame{});
   EXPECT_FALSE(is_enabled("timeline/cancel"));
   session().apply(action::CompareVariant{Variant{SolverKind::exact, false}});
@@ -59,7 +59,7 @@ TEST_F(UiDebuggerWalk, AComparisonThatIsRunCanBeCancelled) {
   EXPECT_FALSE(is_compared(session()));
 }
 
-TEST_F(UiDebuggerWalk, TheKeyOfAComparisonTellsWhichOneItIs) {
+TEST_F(UiDebuggerWalk, TheKeyOfAComparisonNamesIt) {
   play(3);
   key(shift(kKeyF7));
   ASSERT_TRUE(session().message());
@@ -99,7 +99,7 @@ TEST_F(UiDebuggerWalk, ATightLegendHasOnlySwatches) {
   EXPECT_LE(find("play/legend")->max.y, find("play/canvas")->max.y);
 }
 
-TEST_F(UiDebuggerWalk, HomeAndEndAreTheRecordingsEnds) {
+TEST_F(UiDebuggerWalk, HomeAndEndGoToTheEndsOfTheRecording) {
   play(6);
   key(kKeyHome);
   EXPECT_EQ(frame(), 0);
@@ -133,7 +133,7 @@ TEST_F(UiDebuggerWalk, AnOpenListHasTheKeys) {
   EXPECT_EQ(after.y, before.y) << "the map has not scrolled";
 }
 
-TEST_F(UiDebuggerWalk, TheFirstLetterGoesToTheFieldThatWasAskedFor) {
+TEST_F(UiDebuggerWalk, TheFirstLetterGoesToTheOpenedField) {
   push_stroke(ctrl(kKeyF9));
   push_typing("frame > 3");
   frames(20);
@@ -158,7 +158,7 @@ TEST_F(UiDebuggerWalk, TheRowThatStoppedIsMarkedWhileItsFrameIsShown) {
   EXPECT_EQ(find("stops/2/stopped"), nullptr);
 }
 
-TEST_F(UiDebuggerWalk, ReplayingIsSaidAndTakenOver) {
+TEST_F(UiDebuggerWalk, ReplayingIsShownAndCanBeTakenOver) {
   play(200);
   session().apply({action::SeekFrame{3}});
   frames(2);
@@ -306,7 +306,7 @@ TEST_F(UiDebuggerWalk, TheViewFollowsTheChosenBody) {
   EXPECT_TRUE(in_sight());
 }
 
-TEST_F(UiDebuggerWalk, AnotherFileHasNoComparisonAndNoOldStop) {
+TEST_F(UiDebuggerWalk, AnotherFileEndsComparisonAndStop) {
   drop(TALUS_SOURCE_DIR "/assets/hard_cases/03-step-with-a-slope.talus.json");
   frames(3);
   EXPECT_TRUE(session().choices().overlays.has(overlay::answer));

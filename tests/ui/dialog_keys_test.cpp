@@ -30,7 +30,7 @@ class UiDialogKeys : public UiTest {
     push_typing(std::string(1, letter));
     frames(4);
   }
-  // With changes that are not saved.
+  // Quits with unsaved changes.
   void ask_to_quit() {
     paint({12, 9});
     press_key(ctrl('q'));
@@ -103,7 +103,7 @@ TEST_F(UiDialogKeys, UnderlinedLettersAnswer) {
   EXPECT_TRUE(session().modified());
 }
 
-TEST_F(UiDialogKeys, ALetterThatIsHeldIsNoAnswer) {
+TEST_F(UiDialogKeys, AHeldLetterIsNoAnswer) {
   paint({12, 9});
   Level other = test_level();
   other.map.set({1, 1}, 6);
@@ -126,7 +126,7 @@ TEST_F(UiDialogKeys, AFileChangedOutsideIsReadAgain) {
   EXPECT_EQ(tile_at({1, 1}), 6);
 }
 
-TEST_F(UiDialogKeys, NothingDangerousIsTheDefault) {
+TEST_F(UiDialogKeys, TheDefaultAnswerIsHarmless) {
   for (int i = 0; i < 12; ++i) key(kKeyF10);
   press_key(alt(kKeyDelete));
   frames(3);
@@ -140,7 +140,7 @@ TEST_F(UiDialogKeys, NothingDangerousIsTheDefault) {
   EXPECT_EQ(session().timeline().last_frame(), 0);
 }
 
-TEST_F(UiDialogKeys, RecoveredByEnter) {
+TEST_F(UiDialogKeys, EnterRecoversTheWork) {
   paint({12, 9});
   crash_and_start();
   ASSERT_NE(find("recovery/recover0"), nullptr);
@@ -149,7 +149,7 @@ TEST_F(UiDialogKeys, RecoveredByEnter) {
   EXPECT_EQ(tile_at({12, 9}), 1);
 }
 
-TEST_F(UiDialogKeys, TheListOfWhatIsRecoveredGoesByArrows) {
+TEST_F(UiDialogKeys, ArrowsMoveInTheListOfRecoveredWork) {
   paint({12, 9});
   crash_and_start();
   press_key(kEscapeKey);
@@ -204,7 +204,7 @@ TEST_F(UiDialogKeys, KeysAreChangedByKeys) {
   EXPECT_EQ(keys_of_undo()[0], alt(kKeyF12));
   press_key({kKeyRight});
   press_key({kKeyEnter});
-  press_key(ctrl('s'));  // of Save
+  press_key(ctrl('s'));  // the key of Save
   ASSERT_NE(find("keys/take"), nullptr);
   EXPECT_FALSE(keys_of_undo()[1]);
   press_key({kKeyEnter});
@@ -222,7 +222,7 @@ TEST_F(UiDialogKeys, ArrowsChooseTheCommandWhoseKeyChanges) {
   frames(3);
   press_key({kKeyDown});
   press_key({kKeyEnter});
-  press_key({kKeyEnter});  // a key as any other, and the cursor's
+  press_key({kKeyEnter});  // Enter is a key like any other here, and also a key of the cursor
   EXPECT_FALSE(command_keys(commands()[1], view().preferences.keys)[0] == KeyChord{kKeyEnter});
   ASSERT_NE(find("keys/take"), nullptr) << "it is asked about first";
   press_letter('t');
@@ -243,7 +243,7 @@ TEST_F(UiDialogKeys, EscapeClosesAnErrorAndKeepsTheSelection) {
   EXPECT_FALSE(session().choices().selection);
 }
 
-TEST_F(UiDialogKeys, SettingsGoByKeys) {
+TEST_F(UiDialogKeys, SettingsAreChangedByKeys) {
   press_key(ctrl(','));
   frames(3);
   for (int i = 0; i < 8 && view().preferences.theme == ThemeKind::dark; ++i) {
@@ -329,7 +329,7 @@ TEST_F(UiDialogKeys, TheEnterThatOpensAListFromAMenuChoosesNothingInIt) {
   EXPECT_FALSE(view().commands.palette_open);
 }
 
-TEST_F(UiDialogKeys, TabsComeByNameAndGoByKeys) {
+TEST_F(UiDialogKeys, TabsAreOpenedByNameAndUsedByKeys) {
   for (const char* tab : {"history", "brushes", "problems", "shape", "inspector", "tuning"}) {
     run_from_palette(std::string("tab ") + tab);
     EXPECT_NE(std::find(view().window.tabs.begin(), view().window.tabs.end(), tab), view().window.tabs.end())
@@ -351,7 +351,7 @@ TEST_F(UiDialogKeys, TabsComeByNameAndGoByKeys) {
   EXPECT_FALSE(view().window.keys_in_panel);
 }
 
-TEST_F(UiDialogKeys, MenusComeByNameAndGoByArrows) {
+TEST_F(UiDialogKeys, MenusAreOpenedByNameAndWalkedByArrows) {
   run_from_palette("menu file");
   EXPECT_NE(find("menu/file/new"), nullptr);
   press_key({kKeyDown});

@@ -1,4 +1,4 @@
-// Painting, pixels, flags, palette, tuning, and taking it all back.
+// Painting, pixels, flags, palette, tuning, and undoing all of it.
 #include "edit/flag_lamps.h"
 #include "harness.h"
 #include "panels/level/edit_text.h"
@@ -60,7 +60,7 @@ TEST_F(UiEdit, PickedTilesAreSelectedOnTheSheet) {
   EXPECT_EQ(session().choices().stamp.tiles, (std::vector<std::uint8_t>{4, 5, 6}));
   EXPECT_EQ(session().choices().area.tiles, (CellRect{4, 0, 3, 1}));
   key('i');
-  drag(on_map({13, 8}), on_map({14, 8}));  // 6 and 0 lie apart on the sheet
+  drag(on_map({13, 8}), on_map({14, 8}));  // tiles 6 and 0 are apart on the sheet
   EXPECT_EQ(session().choices().stamp.tiles, (std::vector<std::uint8_t>{6, 0}));
   EXPECT_EQ(session().choices().area.tiles, (CellRect{6, 0, 1, 1}));
 }
@@ -169,7 +169,7 @@ TEST_F(UiEdit, LampTogglesTheFlagOfOneTile) {
   EXPECT_EQ(flags(7), 8);
 }
 
-TEST_F(UiEdit, LampOverASelectionClearsWhatAnyHas) {
+TEST_F(UiEdit, LampOverASelectionClearsAFlagThatAnyTileHas) {
   drag(on_sheet(1), on_sheet(3));
   EXPECT_EQ(flag_lamp(level(), session().choices().area, 0), FlagLamp::some);
   click("flags/lamp0");
@@ -311,7 +311,7 @@ TEST_F(UiEdit, TheSolverIsChosen) {
   EXPECT_EQ(level().tuning.solver, SolverKind::article);
 }
 
-TEST_F(UiEdit, HistoryTellsWhatAndWhere) {
+TEST_F(UiEdit, HistorySaysWhatChangedAndWhere) {
   const auto last = [this] { return describe(session().history().edits().back()); };
   click(on_sheet(1));
   drag(on_map({3, 4}), on_map({11, 4}));
@@ -331,7 +331,7 @@ TEST_F(UiEdit, HistoryTellsWhatAndWhere) {
   EXPECT_EQ(last(), "Change fall speed");
 }
 
-TEST_F(UiEdit, HistoryGoesBackByAClick) {
+TEST_F(UiEdit, AClickInTheHistoryGoesBack) {
   click(on_sheet(1));
   for (int x = 1; x <= 3; ++x) click(on_map({x, 2}));
   click("tabs/history");
@@ -362,7 +362,7 @@ TEST_F(UiEdit, FlagGetsAShapeWithHeights) {
   click("flags/menu6");
   click("flags/shape");
   click("flags/shape_slope");
-  frames(2);  // until the menu has grown by the fields
+  frames(2);  // until the menu shows the additional fields
   TileShape slope{.kind = TileShape::Kind::slope};
   slope.heights = {0, 8};
   EXPECT_EQ(level().flag_shapes[6], slope);
@@ -374,12 +374,12 @@ TEST_F(UiEdit, FlagGetsAShapeWithHeights) {
   key(ctrl('z'));
   EXPECT_FALSE(level().flag_shapes[6].one_way);
   key(ctrl('z'));
-  EXPECT_EQ(level().flag_shapes[6], slope);  // the drag was one change
+  EXPECT_EQ(level().flag_shapes[6], slope);  // the drag was one edit
   key(ctrl('z'));
   EXPECT_EQ(level().flag_shapes[6], TileShape());
 }
 
-// Along whole pixels: the corners of cells are beside the middle of the mouse's pixel.
+// The ends are whole pixels: the corners of cells are beside the middle of the mouse's pixel.
 TEST_F(UiEdit, SlopeToolDrawsTilesAlongADraggedLine) {
   click(on_sheet(0));
   key(kKeyF3);
@@ -397,7 +397,7 @@ TEST_F(UiEdit, SlopeToolDrawsTilesAlongADraggedLine) {
   EXPECT_EQ(level().tile_shapes[low], TileShape());
 }
 
-TEST_F(UiEdit, SlopeToolLaysTheSelectedSlopes) {
+TEST_F(UiEdit, SlopeToolUsesTheSelectedSlopes) {
   drag(on_sheet(3), on_sheet(4));
   click("map/slope");
   drag(on_canvas("map", {16, 40}), on_canvas("map", {48, 24}));

@@ -1,4 +1,4 @@
-// The window of exports: presets, what they would write, and writing it.
+// The export window: presets, the files that they would write, and writing them.
 #include <imgui_internal.h>
 
 #include "formats/files/atomic_file.h"
@@ -11,7 +11,7 @@ constexpr KeyChord kReturnKey{'\r'};
 class UiExport : public UiTest {
  protected:
   const Exporting& exporting() { return session().exporting(); }
-  // Frames until exports and previews are done, and what they lead to is drawn.
+  // Lets frames pass until exports and previews are done and their results are drawn.
   void settle() {
     frames(3);
     ASSERT_TRUE(frames_until([&] { return !exporting().is_busy(); }));
@@ -31,7 +31,7 @@ class UiExport : public UiTest {
     click("export/target/" + id);
     settle();
   }
-  // Types over what a field holds, and leaves it.
+  // Replaces the text of a field, and leaves the field.
   void fill(const std::string& field, const std::string& text) {
     click(field);
     frames(2);
@@ -45,7 +45,7 @@ class UiExport : public UiTest {
   std::string message() { return session().message() ? session().message()->text : ""; }
 };
 
-TEST_F(UiExport, APresetIsMadeShownAndWritten) {
+TEST_F(UiExport, APresetIsAddedShownAndWritten) {
   start();
   open_window();
   EXPECT_EQ(find("export/export"), nullptr) << "there is nothing to export yet";
@@ -73,7 +73,7 @@ TEST_F(UiExport, APresetIsMadeShownAndWritten) {
   EXPECT_EQ(shown().files[0].place, PlannedFile::Place::same);
 }
 
-TEST_F(UiExport, AFolderIsWrittenAsItWasShown) {
+TEST_F(UiExport, AFolderIsWrittenAsPreviewed) {
   start();
   open_window();
   click("export/add");
@@ -85,7 +85,7 @@ TEST_F(UiExport, AFolderIsWrittenAsItWasShown) {
   settle();
   for (const PlannedFile& file : files)
     EXPECT_EQ(std::filesystem::file_size(file.path), file.size) << file.name;
-  // Another change of the level, and the key: no question about files that an export wrote.
+  // The level changes again, and the key exports it: nothing is asked about files that an export wrote.
   session().apply(action::EditLevel{Edit{"Paint", {ColorChange{3, level().palette[3], Rgb{1, 2, 3}}}}});
   key(ctrl_shift('w'));
   settle();
@@ -107,7 +107,7 @@ TEST_F(UiExport, ThePreviewFollowsTheLevel) {
   EXPECT_NE(shown().files[0].size, before);
 }
 
-TEST_F(UiExport, EditsOfPresetsAreUndone) {
+TEST_F(UiExport, EditsOfPresetsCanBeUndone) {
   start();
   open_window();
   click("export/add");
@@ -135,7 +135,7 @@ TEST_F(UiExport, EditsOfPresetsAreUndone) {
   settle();
 }
 
-TEST_F(UiExport, APathThatCannotBeWrittenIsSaidUnderIt) {
+TEST_F(UiExport, AnUnwritablePathIsReportedUnderIt) {
   start();
   open_window();
   click("export/add");
@@ -155,7 +155,7 @@ TEST_F(UiExport, APathThatCannotBeWrittenIsSaidUnderIt) {
   EXPECT_TRUE(find("export/export")->enabled);
 }
 
-TEST_F(UiExport, PartsOfTheRuntimeAreAskedForWhereThereIsOne) {
+TEST_F(UiExport, PartsAreOfferedForTargetsWithTheRuntime) {
   start();
   open_window();
   click("export/add");
@@ -177,7 +177,7 @@ TEST_F(UiExport, PartsOfTheRuntimeAreAskedForWhereThereIsOne) {
   EXPECT_EQ(preset(0).parts, "players, mouse");
 }
 
-TEST_F(UiExport, AFileOfSomebodyElsesIsAskedAbout) {
+TEST_F(UiExport, AForeignFileIsAskedAbout) {
   start();
   open_window();
   click("export/add");
@@ -199,7 +199,7 @@ TEST_F(UiExport, AFileOfSomebodyElsesIsAskedAbout) {
   EXPECT_NE(bytes_of(path("game.tic")), "mine");
 }
 
-TEST_F(UiExport, BrowseNamesAFolder) {
+TEST_F(UiExport, BrowsingChoosesAFolder) {
   start();
   open_window();
   click("export/add");
@@ -229,10 +229,10 @@ TEST_F(UiExport, WithoutAFileItSaysWhatToDo) {
   EXPECT_TRUE(session().wants_save_as());
 }
 
-TEST_F(UiExport, ALongPreviewShowsItsShareAndIsCancelled) {
+TEST_F(UiExport, ALongPreviewShowsItsShareAndCanBeCancelled) {
   Level large = test_level();
   large.map = TileMap(3000, 3000);
-  std::uint32_t n = 0;  // noise, whose outline is long
+  std::uint32_t n = 0;  // noise has a long outline
   for (std::uint8_t& cell : large.map.cells()) cell = n++ * 2654435761u >> 31 == 0 ? 1 : 0;
   large.exports.push_back({"data", "json", "out/data.json", "", false, ""});
   ASSERT_TRUE(save_level(large, *find_format("native"), path("large.talus.json")));
@@ -278,10 +278,10 @@ TEST_F(UiExport, TheMessageAndTheTooltipsOfButtonsCoverNoControl) {
   }
 }
 
-TEST_F(UiExport, ALongOneIsCancelled) {
+TEST_F(UiExport, ALongExportCanBeCancelled) {
   Level large = test_level();
   large.map = TileMap(1024, 1024);
-  for (std::uint8_t& cell : large.map.cells()) cell = 200;  // much to write, nothing to stand on
+  for (std::uint8_t& cell : large.map.cells()) cell = 200;  // much to write, but no ground
   for (std::size_t i = 0; i < kMaxExports; ++i)
     large.exports.push_back({"copy", "native", "out/" + std::to_string(i) + ".talus.json", "", false, ""});
   ASSERT_TRUE(save_level(large, *find_format("native"), path("large.talus.json")));
@@ -321,7 +321,7 @@ TEST_F(UiExport, ProposedPathsDoNotClash) {
   EXPECT_EQ(bytes_of(path("export/level.lua")).substr(0, 28), "-- A level exported by Talus");
 }
 
-TEST_F(UiExport, AClashIsSaidUnderThePath) {
+TEST_F(UiExport, AClashIsReportedUnderThePath) {
   start();
   open_window();
   click("export/add");

@@ -1,4 +1,4 @@
-// Drags of a fast hand in slow frames: the press, all movements and the release wait before one frame.
+// Fast drags in slow frames: the press, all movements and the release come before one frame.
 #include <cmath>
 
 #include "harness.h"
@@ -25,7 +25,7 @@ class UiFastDrag : public UiTest {
     push_drag(places);
     frames(2);
   }
-  // The cells of columns 0 to 9 and rows 0 to 7 that have a tile.
+  // The cells in columns 0 to 9 and rows 0 to 7 that are not empty.
   std::vector<std::string> drawn() {
     std::vector<std::string> rows(8, std::string(10, '.'));
     for (int y = 0; y < 8; ++y)
@@ -33,7 +33,7 @@ class UiFastDrag : public UiTest {
         if (tile_at({x, y}) != 0) rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] = '#';
     return rows;
   }
-  // The pixels of tile 9 that are not of colour 0.
+  // The pixels of tile 9 that are not colour 0.
   std::vector<std::string> pixels() {
     std::vector<std::string> rows(8, std::string(8, '.'));
     for (std::size_t i = 0; i < 64; ++i)
@@ -48,7 +48,7 @@ using Rows = std::vector<std::string>;
 const Rows kCorner = {"..........", ".#####....", ".....#....", ".....#....",
                       ".....#....", "..........", "..........", ".........."};
 
-TEST_F(UiFastDrag, StampPaintsEveryPlaceInOrder) {
+TEST_F(UiFastDrag, StampPaintsAllPlacesInOrder) {
   drag_over_cells({{1, 1}, {5, 1}, {5, 4}});
   EXPECT_EQ(drawn(), kCorner);
   EXPECT_EQ(undos(), 1u);
@@ -84,7 +84,7 @@ TEST_F(UiFastDrag, LineRectangleAndEllipseReachToTheRelease) {
   EXPECT_EQ(undos(), 3u);
 }
 
-TEST_F(UiFastDrag, FillFillsWhereThePressWas) {
+TEST_F(UiFastDrag, FillStartsAtThePress) {
   drag_over_cells({{2, 0}, {2, 7}});
   drag_over_cells({{0, 7}, {2, 7}});
   key('4');
@@ -241,7 +241,7 @@ TEST_F(UiFastDrag, TimelineGoesToTheRelease) {
   EXPECT_EQ(session().timeline().frame(), 20);
 }
 
-// A mouse that tells 1000 places a second, 16 of them in a frame, on a curve as a hand draws it.
+// A mouse that reports 1000 places a second, 16 in each frame, on a curve as a hand draws it.
 TEST_F(UiFastDrag, SmoothMovementsNeedNoMoreFrames) {
   const ImVec2 from = on_map({3, 3});
   std::vector<ImVec2> places;
@@ -255,8 +255,8 @@ TEST_F(UiFastDrag, SmoothMovementsNeedNoMoreFrames) {
   EXPECT_LE(used, 8) << "64 places";
 }
 
-// However it scribbles, the hand is never far ahead.
-TEST_F(UiFastDrag, ManyCornersAreCutRatherThanFollowedLate) {
+// However fast the hand scribbles, the drawing is never far behind.
+TEST_F(UiFastDrag, ManyCornersAreSkippedRatherThanDrawnLate) {
   const ImVec2 a = on_map({3, 3}), b = on_map({5, 3}), c = on_map({4, 5});
   std::vector<ImVec2> places;
   for (int i = 0; i < 300; ++i) places.push_back(i % 3 == 0 ? a : i % 3 == 1 ? b : c);

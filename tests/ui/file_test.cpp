@@ -60,7 +60,7 @@ TEST_F(UiFile, AsksBeforeItReplacesAFile) {
   EXPECT_EQ(read(path("other.talus.json")).map.at({12, 9}), 1);
 }
 
-TEST_F(UiFile, DemoIsACopyThatAsksWhereToBeSaved) {
+TEST_F(UiFile, DemoIsACopyThatAsksForAPlace) {
   start("");
   EXPECT_EQ(session().file_name(), "demo (copy)");
   key(ctrl('s'));
@@ -145,7 +145,7 @@ TEST_F(UiFile, WrongFileShowsAnErrorAndKeepsTheLevel) {
   EXPECT_FALSE(session().message());
 }
 
-TEST_F(UiFile, GoodNewsGoesByItself) {
+TEST_F(UiFile, MessagesOfSuccessDisappear) {
   change_the_level();
   key(ctrl('s'));
   EXPECT_TRUE(session().message());
@@ -281,7 +281,7 @@ TEST_F(UiFile, DamagedSettingsAreIgnoredWithAMessage) {
   EXPECT_EQ(tile_at({5, 10}), 2) << "the level is open all the same";
 }
 
-TEST_F(UiFile, WhatIsTypedReplacesTheNameThatSaveAsProposes) {
+TEST_F(UiFile, TypingReplacesTheNameThatSaveAsProposes) {
   change_the_level();
   key(ctrl_shift('s'));
   push_typing("first");
@@ -297,14 +297,15 @@ TEST_F(UiFile, TheFirstClickSelectsTheProposedName) {
   frames(3);
   click("files/name");
   type("first");
-  click(ImVec2{find("files/name")->min.x + 4, find("files/name")->centre().y});  // far off: no double click
+  click(ImVec2{find("files/name")->min.x + 4,
+               find("files/name")->centre().y});  // far from the last click, so that it is no double click
   type("2");
   key(kEnter);
   frames(3);
   EXPECT_EQ(session().file_name(), "2first.talus.json") << "the next click chooses a place in it";
 }
 
-TEST_F(UiFile, ANameWithoutAnEndingStaysInTheFormatOfTheLevel) {
+TEST_F(UiFile, ANameWithoutAnEndingKeepsTheLevelsFormat) {
   start(save_test_level("game.tic"));
   change_the_level();
   key(ctrl_shift('s'));

@@ -1,4 +1,4 @@
-// Flags: bytes, fields, the brush, and finding where a flag is.
+// Flags: bytes, fields, the brush, and finding the cells with a flag.
 #include <imgui_internal.h>
 
 #include "edit/map_stroke.h"
@@ -38,7 +38,7 @@ TEST_F(UiFlags, AllEightAreTypedAsAByte) {
   EXPECT_EQ(flags_of(20), 0xa5);
   EXPECT_EQ(flags_of(21), 0xa5);
   EXPECT_EQ(edits(), 1u);
-  frames(2);  // until the field has let go of the keys
+  frames(2);  // until the field no longer has the keys
   key(ctrl('z'));
   EXPECT_EQ(flags_of(20), 0);
 }
@@ -83,7 +83,7 @@ TEST_F(UiFlags, TheBrushPaintsTheTilesOfTheMap) {
   EXPECT_EQ(session().choices().map_tool, MapTool::stamp);
 }
 
-TEST_F(UiFlags, AStrokeOverTheMapLeavesTheAirOut) {
+TEST_F(UiFlags, AStrokeOverTheMapSkipsEmptyCells) {
   key(ctrl_shift('f'));
   drag(on_map({5, 10}), on_map({20, 16}));
   EXPECT_EQ(flags_of(2), 0x03) << "the ball's tile, where it began";
@@ -99,7 +99,7 @@ TEST_F(UiFlags, AStrokeOverTheMapLeavesTheAirOut) {
   EXPECT_EQ(flags_of(0), 0x01);
 }
 
-TEST_F(UiFlags, EscapeTakesAStrokeBack) {
+TEST_F(UiFlags, EscapeUndoesAStroke) {
   choose_tint(6);
   key(ctrl_shift('f'));
   move(on_sheet(40));
@@ -176,7 +176,7 @@ TEST_F(UiFlags, FieldsAreMadeNamedAndChosen) {
   EXPECT_EQ(flags_of(31), 0);
 }
 
-TEST_F(UiFlags, FieldsGrowAndAreTakenApart) {
+TEST_F(UiFlags, FieldsAreExtendedAndRemoved) {
   make_field_of_flags_4_and_5();
   click("flags/field_wider");
   frames(2);
@@ -207,7 +207,7 @@ TEST_F(UiFlags, TheListGoesFromCellToCell) {
   frames(3);
   click("flag_search/flag");
   frames(2);
-  click("flag_search/flag1");  // the ball's, which one cell has
+  click("flag_search/flag1");  // the flag of balls, which one cell has
   frames(2);
   ASSERT_NE(find("flag_search/tile2"), nullptr);
   EXPECT_EQ(find("flag_search/tile1"), nullptr);

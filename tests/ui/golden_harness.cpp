@@ -1,4 +1,4 @@
-// Pictures of the window, compared with those before.
+// Pictures of the window, compared with stored ones.
 #include "golden_harness.h"
 
 #include <algorithm>
@@ -24,9 +24,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kFarOff = 48;           // of 255: a channel that differs by more makes another colour
-constexpr int kBlock = 32;            // px, side of the blocks that are compared
-constexpr double kMostFarOff = 0.12;  // share of a block's pixels: more of another colour is another picture
+constexpr int kFarOff = 48;  // of 255: a larger difference in one channel is another colour
+constexpr int kBlock = 32;   // side of the compared blocks, px
+constexpr double kMostFarOff =
+    0.12;  // share of a block's pixels: with more pixels of another colour it is another picture
 
 std::size_t pixel_index(const Picture& picture, int x, int y) {
   return (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
@@ -40,8 +41,8 @@ bool is_far_off(const Picture& a, const Picture& b, std::size_t pixel) {
   return false;
 }
 
-// With at most 256 colours, which take a third of the bytes: the commonest, and for the others the nearest of
-// them, far below what counts as another colour.
+// Reduces the picture to 256 colours, which takes a third of the bytes: the commonest colours, and the
+// nearest of them for the others. The error is far below the limit for another colour.
 std::string small_png(const Picture& picture) {
   std::map<std::array<std::uint8_t, 3>, int> counts;
   const auto color_at = [&](std::size_t i) {
@@ -103,7 +104,7 @@ std::string first_difference(const Picture& a, const Picture& b, Picture& shown)
   if (a.width != b.width || a.height != b.height) return "the size";
   shown = a;
   std::string first;
-  // Blocks that overlap by half, so that none is the one in whose corners a difference hides.
+  // The blocks overlap by half, so that a difference cannot hide in the corners of all blocks.
   for (int top = 0; top < a.height; top += kBlock / 2) {
     for (int left = 0; left < a.width; left += kBlock / 2) {
       int far_off = 0;

@@ -1,5 +1,6 @@
-// Parts of the window against pictures of them in golden/, in small blocks and with some tolerance, as
-// graphics drivers draw edges differently. TALUS_UPDATE_GOLDEN=1 writes the pictures anew, to be looked at.
+// Compares parts of the window with pictures in golden/, in small blocks and with some tolerance, as graphics
+// drivers draw edges differently. TALUS_UPDATE_GOLDEN=1 writes the pictures again; look at them before you
+// commit them.
 #pragma once
 
 #include <string>
@@ -10,14 +11,14 @@
 namespace talus {
 
 Picture load_picture(const std::string& path);
-// min, max: px; what is outside of the picture is left out.
+// min, max: px; parts outside the picture are left out.
 Picture cut(const Picture& picture, ImVec2 min, ImVec2 max);
-// The first block that is another picture, as "x,y"; empty: all are alike. shown: what is far off, in red.
+// Returns the first block that differs as "x,y", or "" if there is none. shown: the differing pixels in red.
 std::string first_difference(const Picture& a, const Picture& b, Picture& shown);
 
 class UiGolden : public UiTest {
  protected:
-  // Until nothing is left to be computed, with the mouse out of the way.
+  // Moves the mouse out of the way, and waits until nothing is left to compute.
   void settle();
   Picture picture_of_window();
   void expect_as_before(const std::string& name, ImVec2 min, ImVec2 max);

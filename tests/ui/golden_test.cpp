@@ -1,4 +1,4 @@
-// What the debugger shows, against pictures of it.
+// The debugger's panels, compared with pictures.
 #include "edit/level_settings.h"
 #include "golden_harness.h"
 
@@ -6,7 +6,7 @@ namespace talus::golden_test {
 
 class UiGoldenDebugger : public UiGolden {
  protected:
-  // A ball of the article in the third hard case, which sticks where the slope ends.
+  // Opens the third hard case with a ball of the article, which sticks where the slope ends.
   void open_case() {
     start(TALUS_SOURCE_DIR "/assets/hard_cases/03-step-with-a-slope.talus.json");
     Tuning tuning = level().tuning;

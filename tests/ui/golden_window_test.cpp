@@ -1,4 +1,4 @@
-// The ready layouts as a whole, and the panels that one draws with, against pictures of them.
+// The ready layouts as a whole, and the panels for drawing, compared with pictures.
 #include "golden_harness.h"
 #include "panels/commands/commands.h"
 
@@ -18,7 +18,8 @@ class UiGoldenWindow : public UiGolden {
     key(find_command(command).key);
     frames(3);
   }
-  // From the top left of the one widget to the bottom right of the other, with some px around.
+  // Compares the area from the top left of the first widget to the bottom right of the second, with a margin
+  // of some px.
   void expect_between(const std::string& name, const std::string& first, const std::string& last) {
     settle();
     const Widget *from = find(first), *to = find(last);
@@ -93,7 +94,7 @@ TEST_F(UiGoldenWindow, AButtonThatMovedIsAnotherPicture) {
     return 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(window.width) +
                 static_cast<std::size_t>(x));
   };
-  // As far as a third of its width to the right, over the gap beside it.
+  // The button moves right by a third of its width, over the gap beside it.
   Picture moved = window;
   const float by = std::floor((button->max.x - button->min.x) / 3);
   for (float y = button->min.y; y < button->max.y; ++y)
@@ -101,12 +102,12 @@ TEST_F(UiGoldenWindow, AButtonThatMovedIsAnotherPicture) {
       std::copy_n(window.rgba.begin() + static_cast<std::ptrdiff_t>(pixel(x, y)), 4,
                   moved.rgba.begin() + static_cast<std::ptrdiff_t>(pixel(x + by, y)));
   EXPECT_NE(first_difference(moved, window, shown), "");
-  // Another shade of every pixel, as of another driver, is the same picture.
+  // Another shade of every pixel, as from another driver, is the same picture.
   Picture shaded = window;
   for (std::uint8_t& channel : shaded.rgba)
     channel = static_cast<std::uint8_t>(channel < 128 ? channel + 30 : channel - 30);
   EXPECT_EQ(first_difference(shaded, window, shown), "");
-  // So the tool that is chosen shows, too.
+  // So the comparison also sees which tool is chosen.
   session().apply(action::SetMapTool{MapTool::fill});
   EXPECT_NE(first_difference(picture_of_window(), window, shown), "");
 }

@@ -50,7 +50,7 @@ void UiTest::start(const std::string& file, int width, int height) {
   auto app = App::start(std::move(options));
   ASSERT_TRUE(app) << app.error();
   app_ = std::move(*app);
-  app_->session().finish_reading();  // of a large file
+  app_->session().finish_reading();  // waits for a large file
   frames(3);
 }
 

@@ -1,4 +1,4 @@
-// UiTest: runs the real editor without a display, feeds it SDL events as a user's hand would, and finds its
+// UiTest runs the real editor without a display, sends it SDL events like a user's hand, and finds its
 // widgets by name. A failed test leaves a picture of the window in the build directory's ui-failures/.
 #pragma once
 
@@ -23,12 +23,13 @@ class UiTest : public ::testing::Test {
   void SetUp() override;
   void TearDown() override;
 
-  // Starts the editor on a file; ends the one that ran.
+  // Starts the editor on a file, after ending the running one.
   void start(const std::string& file, int width = 1280, int height = 720);
-  // The same on test_level().
+  // Starts the editor on test_level().
   void start() { start(save_test_level("level.talus.json")); }
   void stop() { app_.reset(); }
-  // The same by the machine's clock, for what the window does while nobody touches it. Empty: without a file.
+  // Starts the editor by the machine's clock, for what the window does while nobody touches it. Empty:
+  // without a file.
   void start_by_the_machines_clock(const std::string& file);
   void turn_for(double seconds);
 
@@ -45,18 +46,18 @@ class UiTest : public ::testing::Test {
   std::uint8_t tile_at(Cell cell) { return level().map.at(cell); }
   const Body& ball() { return session().state().bodies.at(0); }
 
-  // Lets frames of 1/60 s pass, at least until no event waits.
+  // Lets `count` frames of 1/60 s pass, and more while events wait.
   void frames(int count = 1);
   // Lets frames pass until threads have done what `is_so` asks for, for a minute by the machine's clock at
   // most. Returns false if the minute passed.
   bool frames_until(const std::function<bool()>& is_so);
 
   const Widget* find(std::string_view name) { return app_->ui().widgets.find(name); }
-  ImVec2 centre(std::string_view name);  // fails the test when there is no such widget
-  // A place on the "map" or "play" canvas, from level px to the window's.
+  ImVec2 centre(std::string_view name);  // fails the test if there is no such widget
+  // Converts a place on the "map" or "play" canvas from level px to window px.
   ImVec2 on_canvas(const std::string& canvas, Vec2 level);
   ImVec2 on_map(Cell cell) { return on_canvas("map", {cell.x * 8 + 4.0, cell.y * 8 + 4.0}); }
-  ImVec2 on_pixels(int x, int y);  // of the pixel canvas
+  ImVec2 on_pixels(int x, int y);  // on the pixel canvas
   ImVec2 on_sheet(int tile);
 
   void move(ImVec2 to);
@@ -70,14 +71,14 @@ class UiTest : public ::testing::Test {
   void key(int key_code) { key(KeyChord{key_code}); }
   void hold(int key_code);  // until let_go()
   void let_go(int key_code);
-  // Ctrl, Shift and Alt as they are held from now on; of no chord: none.
+  // Holds these of Ctrl, Shift and Alt from now on; an empty chord releases all.
   void hold_modifiers(KeyChord chord = {});
   void type(const std::string& text);
-  // What a fast hand leaves to a slow frame: pushed without any frame in between.
+  // Events that a fast hand makes before a slow frame: pushed without any frame in between.
   void push_typing(const std::string& text);  // each letter's press, text and release
   void push_stroke(KeyChord chord);           // press and release
   void push_click(ImVec2 at, int button = kLeft);
-  // From the first place, where the button goes down, over the others to the last one, where it goes up.
+  // Presses the button at the first place, moves over the others, and releases it at the last.
   void push_drag(const std::vector<ImVec2>& places, int button = kLeft);
   void drop(const std::string& file);
 
@@ -88,7 +89,7 @@ class UiTest : public ::testing::Test {
   void push_button(int button, bool down);
   void push_text(char c);
 
-  std::filesystem::path folder_;  // of the test's own files
+  std::filesystem::path folder_;  // for the files of the test
   double clock_ = 100;            // s
   ImVec2 mouse_{0, 0};
   std::unique_ptr<App> app_;

@@ -1,10 +1,10 @@
-// Where the labels of the overlays go.
+// The places of the overlays' labels.
 #include "harness.h"
 #include "panels/canvas/overlay_labels.h"
 
 namespace talus::label_test {
 
-// Labels on a canvas of 400 by 300 px, for the sizes of the editor's font.
+// Labels on a canvas of 400 by 300 px, in the sizes of the editor's font.
 class UiLabels : public UiTest {
  protected:
   void SetUp() override {
@@ -32,7 +32,7 @@ TEST_F(UiLabels, StayNearTheirBody) {
   }
 }
 
-TEST_F(UiLabels, AreApartAndTheRarerComeFirst) {
+TEST_F(UiLabels, DoNotOverlapAndRareOnesComeFirst) {
   const CanvasView canvas = view(4);
   std::vector<OverlayLabel> labels;
   for (int i = 0; i < 6; ++i) {
@@ -61,14 +61,14 @@ TEST_F(UiLabels, WithoutRoomAreLeftOutAndListedUnderTheMouse) {
   EXPECT_FALSE(listed[0].point);
 }
 
-// Such as that of a stage, which comes last.
-TEST_F(UiLabels, ThatAreListedCoverNoOther) {
+// For example the label of a stage, which comes last.
+TEST_F(UiLabels, ListedOnesCoverNoOthers) {
   const Rect body{40, 40, 8, 8};
   const CanvasView canvas = view(4);
   std::vector<OverlayLabel> labels = {label(overlay::velocity, 1, body, {60, 30}, "0.55, 0.00"),
                                       label(overlay::touch_points, 1, body, {48, 40}, "t 0.00")};
   for (OverlayLabel& each : labels) each.important = true;
-  // Room for one label, beside the body's upper right corner.
+  // There is room for one label, beside the body's upper right corner.
   const std::vector<ScreenBox> taken = {
       {{0, 0}, {200, 300}}, {{0, 0}, {400, 120}}, {{0, 150}, {400, 300}}, {{320, 0}, {400, 300}}};
   const auto placed = LabelPlacer(canvas, 1, 0, taken).place(labels);
@@ -79,7 +79,7 @@ TEST_F(UiLabels, ThatAreListedCoverNoOther) {
 }
 
 // At zoom 16 a ramp and a gauge take all the room beside a body.
-TEST_F(UiLabels, OfTheChosenBodyAreListedToo) {
+TEST_F(UiLabels, OfTheChosenBodyAreListedWithoutRoom) {
   const Rect body{10, 8, 8, 8};
   const CanvasView canvas = view(16);
   std::vector<OverlayLabel> labels = {label(overlay::velocity, 1, body, {20, 12}, "5.00, 0.00"),
@@ -95,7 +95,7 @@ TEST_F(UiLabels, OfTheChosenBodyAreListedToo) {
   EXPECT_TRUE(LabelPlacer(canvas, 1, 0, everything).place(labels).empty()) << "the body is out of sight";
 }
 
-TEST_F(UiLabels, AtLowZoomOnlyTheBodyUnderTheMouseHasThem) {
+TEST_F(UiLabels, AtLowZoomOnlyTheBodyUnderTheMouseHasLabels) {
   const Rect body{40, 40, 8, 8};
   const CanvasView canvas = view(1);
   const std::vector<OverlayLabel> labels = {label(overlay::velocity, 1, body, {60, 44}, "5.00, 0.00")};
@@ -103,7 +103,7 @@ TEST_F(UiLabels, AtLowZoomOnlyTheBodyUnderTheMouseHasThem) {
   EXPECT_EQ(LabelPlacer(canvas, 1, 1, {}).place(labels).size(), 1u);
 }
 
-TEST_F(UiLabels, SlowArrowsHaveNoneUnlessPointedAt) {
+TEST_F(UiLabels, SlowArrowsHaveNoLabelUnlessPointedAt) {
   const Rect body{40, 40, 8, 8};
   const CanvasView canvas = view(4);
   const std::vector<OverlayLabel> labels = {label(overlay::velocity, 1, body, {44, 43}, "0.00, -0.18")};

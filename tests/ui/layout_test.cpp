@@ -1,4 +1,4 @@
-// Nothing cut off, nothing overlapping, every key at work.
+// No widget is cut off, none overlap, and every key works.
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ class UiLayout : public UiTest, public ::testing::WithParamInterface<WindowSize>
     EXPECT_LE(w.max.y, w.clip_max.y + 1) << what << ": " << w.name << " is cut off at the bottom";
     EXPECT_LE(w.max.y, static_cast<float>(size.height)) << what << ": " << w.name;
   }
-  // The legend folds, and captions go where they hide least.
+  // The legend may be folded, and captions lie where they hide least.
   static bool lies_in_corner_of(const Widget& widget, const Widget& canvas) {
     for (const std::string side : {"map/", "play/"}) {
       if (canvas.name == side + "canvas" &&
@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, UiLayout,
 
 using UiKeys = UiTest;
 
-TEST_F(UiKeys, EachMeansOneThingWhereverItWorks) {
+TEST_F(UiKeys, EachHasOneMeaningInEachPlace) {
   const auto all = commands();
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t j = i + 1; j < all.size(); ++j) {
@@ -159,10 +159,10 @@ TEST_F(UiKeys, EachMeansOneThingWhereverItWorks) {
 TEST_F(UiKeys, EachReachesItsCommand) {
   start();
   for (const Command& command : commands()) {
-    if (command.scope == Scope::play) continue;  // held, which UiPlayer shows
+    if (command.scope == Scope::play) continue;  // play keys are held; UiPlayer tests them
     for (KeyChord chord : {command.key, command.other_key}) {
       if (!chord) continue;
-      // What SDL would send for the key comes back as the same chord, and leads to this command alone.
+      // SDL's event for the key gives the same chord, which belongs to this command alone.
       EXPECT_EQ(chord_of(keysym_of(chord)), chord) << command.id;
       Ui& ui = app().ui();
       ui.view.window.focus = command.scope == Scope::sprites ? Focus::sprites
@@ -170,7 +170,7 @@ TEST_F(UiKeys, EachReachesItsCommand) {
                                                              : Focus::map;
       Session probe(test_level());
       Ui view;
-      view.problems = &probe.problems();  // as every frame has them
+      view.problems = &probe.problems();  // every frame has them
       view.view.window.focus = ui.view.window.focus;
       if (command.scope == Scope::cursor) view.view.canvas.cursor.go_to({"map"});
       view.view.canvas.hover.cell = Cell{5, 10};
@@ -205,7 +205,7 @@ TEST_F(UiKeys, CommandPaletteRunsWhatIsTyped) {
   EXPECT_EQ(find("command_palette/text"), nullptr);
 }
 
-TEST_F(UiKeys, TypedTextIsNoShortcut) {
+TEST_F(UiKeys, TypedTextTriggersNoShortcut) {
   start();
   click("tabs/color");
   frames(2);
@@ -275,7 +275,7 @@ TEST_F(UiKeys, NoTooltipInADialog) {
   EXPECT_TRUE(tooltip == nullptr || !tooltip->Active);
 }
 
-TEST_F(UiKeys, TooltipTellsTheKey) {
+TEST_F(UiKeys, TooltipShowsTheKey) {
   start();
   move(centre("transport/step"));
   EXPECT_TRUE(app().ui().wants_frames());

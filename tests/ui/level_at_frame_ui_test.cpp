@@ -1,4 +1,4 @@
-// The play view over earlier frames and older branches: what is drawn is the level as it was there.
+// The play view at earlier frames and on older branches draws the level as it was there.
 #include "debugger_harness.h"
 #include "edit/map_stroke.h"
 #include "platform/picture.h"
@@ -8,7 +8,7 @@ namespace talus::level_at_frame_ui_test {
 class UiLevelAtFrame : public DebuggerTest {
  protected:
   Rgb color_at(ImVec2 at) {
-    move({1, 1});  // the mouse would show what it is about to paint
+    move({1, 1});  // elsewhere, as the mouse shows a preview of the tile that it would paint
     frames(2);
     const auto picture = draw_picture();
     if (!picture) {
@@ -30,7 +30,7 @@ class UiLevelAtFrame : public DebuggerTest {
   }
 };
 
-TEST_F(UiLevelAtFrame, AnEarlierFrameIsShownWithoutWhatWasPaintedLater) {
+TEST_F(UiLevelAtFrame, AnEarlierFrameIsShownWithoutLaterStrokes) {
   app().ui().view.canvas.mode = CanvasMode::both;
   const Cell cell{20, 8};
   const Rgb solid = level().palette[13];
@@ -46,7 +46,7 @@ TEST_F(UiLevelAtFrame, AnEarlierFrameIsShownWithoutWhatWasPaintedLater) {
   EXPECT_EQ(color_in("play", cell), solid);
 }
 
-TEST_F(UiLevelAtFrame, FromAfarToo) {
+TEST_F(UiLevelAtFrame, ZoomedOutFramesShowTheirLevelToo) {
   app().ui().view.canvas.mode = CanvasMode::play;
   frames(2);
   play(10);

@@ -1,4 +1,4 @@
-// The dialog that asks what of a map of Tiled becomes the level.
+// The dialog that asks which part of a map of Tiled becomes the level.
 #include <fstream>
 
 #include "harness.h"
@@ -7,7 +7,7 @@ namespace talus::level_import_test {
 
 class UiLevelImport : public UiTest {
  protected:
-  // Three layers, of which the second has the most tiles, one of them mirrored.
+  // Writes a map of three layers. The second has the most tiles, and one of them is mirrored.
   std::string save_map() {
     std::ofstream(path("big.tmx"))
         << R"(<map orientation="orthogonal" width="3" height="1" tilewidth="8" tileheight="8">)"
@@ -49,11 +49,11 @@ TEST_F(UiLevelImport, TheLayerIsChosenByTheMouse) {
   EXPECT_EQ(session().path(), "") << "the map is not written over";
 }
 
-TEST_F(UiLevelImport, TheKeysDoTheSame) {
+TEST_F(UiLevelImport, TheLayerIsChosenByKeys) {
   start(save_map());
   frames(3);
   ASSERT_NE(find("choose/open"), nullptr) << "the program's argument is asked about, too";
-  for (int i = 0; i < 2; ++i) press_key(kKeyUp);  // over the tiles that are used
+  for (int i = 0; i < 2; ++i) press_key(kKeyUp);  // past the option of used tiles
   press_key(' ');
   EXPECT_FALSE(import().choices.used_tiles);
   ASSERT_NE(find("choose/error"), nullptr);
@@ -74,7 +74,7 @@ TEST_F(UiLevelImport, TheKeysDoTheSame) {
   EXPECT_EQ(tile_at({0, 0}), 2) << "a tile of its own for the mirrored one";
 }
 
-TEST_F(UiLevelImport, EnterOpensWhatIsProposed) {
+TEST_F(UiLevelImport, EnterAcceptsTheProposal) {
   start(save_map());
   frames(3);
   press_key(kKeyEnter);

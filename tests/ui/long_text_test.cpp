@@ -1,4 +1,4 @@
-// Texts and lists of files as long as a hostile file makes them, in every panel: the window goes on.
+// Texts and lists of files as long as a hostile file makes them, in every panel: the window keeps working.
 #include <imgui.h>
 
 #include <fstream>
@@ -17,7 +17,7 @@ constexpr int kEntries = 10'000;
 struct HostileText {
   const char* name;
   std::string text;
-  // For the test's name, which would hold addresses else.
+  // Prints the name in the test's name, which would hold addresses otherwise.
   friend void PrintTo(const HostileText& hostile, std::ostream* out) { *out << hostile.name; }
 };
 
@@ -81,14 +81,14 @@ class UiLongText : public UiTest, public ::testing::WithParamInterface<std::tupl
                   R"(", "frames": 10, "checks": []}})";
     return level;
   }
-  // The text, of which JSON has a part that needs no escapes.
+  // The text, or in JSON the part of it that needs no escapes.
   std::string json_text() const {
     std::string plain;
     for (const char c : text()) plain += c >= ' ' && c < 0x7f && c != '"' && c != '\\' ? c : 'x';
     return plain;
   }
 
-  // Draws as a window would: this fails where a text has more corners than ImGui counts.
+  // Draws as a window does. Fails if a text has more corners than ImGui can count.
   void look(const std::string& what) {
     frames(2);
     const ImDrawData& data = *ImGui::GetDrawData();
@@ -154,7 +154,7 @@ TEST_P(UiLongText, EveryPanelShowsIt) {
   look_at_help_of("export/preset0");
   app().ui().view.files.exports.open = false;
   for (const char* widget : {"flags/lamp0", "menu/title", "timeline/track"}) look_at_help_of(widget);
-  // A level with such names may be one that cannot be saved by itself.
+  // A level with such names may be impossible to save automatically.
   const bool is_saved = find("status/file") != nullptr;
   look_at_help_of(is_saved ? "status/file" : "status/not-saved-by-itself");
 }
@@ -186,7 +186,7 @@ TEST_P(UiLongText, QuestionsAndTheirAnswersAreInTheWindow) {
   EXPECT_FALSE(session().question());
 }
 
-TEST_P(UiLongText, AFieldTakesNoMoreThanItCanHold) {
+TEST_P(UiLongText, AFieldRefusesMoreTextThanItHolds) {
   start_with_long_names();
   session().apply(action::SelectSpawn{0});
   frames(2);
@@ -229,7 +229,7 @@ class UiLongList : public UiTest {
 
 class UiLongMessage : public UiTest {};
 
-TEST_F(UiLongMessage, CanBeCopiedWholeWhereItIsCut) {
+TEST_F(UiLongMessage, CanBeCopiedAsAWholeIfItIsCut) {
   start(save_test_level("level.talus.json"));
   EXPECT_NE(ImGui::GetIO().BackendFlags & ImGuiBackendFlags_RendererHasVtxOffset, 0)
       << "a full window would end the program";

@@ -1,4 +1,4 @@
-// The UI tests' own main: they run without a display wherever they are started.
+// The main of the UI tests, which lets them run without a display everywhere.
 #include <gtest/gtest.h>
 
 int main(int argc, char** argv) {

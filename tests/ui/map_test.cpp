@@ -1,4 +1,4 @@
-// The map's tools, its selection and clipboard, its size, and finding tiles, by mouse and keys.
+// The map's tools, selection, clipboard and size, and finding tiles, by mouse and keys.
 #include <SDL_clipboard.h>
 
 #include "harness.h"
@@ -15,7 +15,7 @@ class UiMap : public UiTest {
     click(on_sheet(1));
     key(kKeyF3);
   }
-  // Rows of the map from a cell on: '.' is tile 0, else the tile's digit.
+  // Rows of the map from a cell on: '.' is tile 0, other tiles are their digit.
   std::vector<std::string> drawn(CellRect cells) {
     std::vector<std::string> rows(static_cast<std::size_t>(cells.h));
     for (int y = 0; y < cells.h; ++y) {
@@ -26,7 +26,7 @@ class UiMap : public UiTest {
     }
     return rows;
   }
-  // Paints a row of tiles, as the sheet has them, with the stamp tool.
+  // Paints a row of tiles with the stamp tool, in the order of the sheet.
   void stamp(int first, int last, Cell at) {
     drag(on_sheet(first), on_sheet(last));
     key(kKeyF3);
@@ -74,7 +74,7 @@ TEST_F(UiMap, EveryToolHasAButton) {
   }
 }
 
-TEST_F(UiMap, LineIsDrawnWhenTheButtonIsLetGo) {
+TEST_F(UiMap, LineIsDrawnAtTheRelease) {
   key('5');
   move(on_map({2, 2}));
   press();
@@ -88,7 +88,7 @@ TEST_F(UiMap, LineIsDrawnWhenTheButtonIsLetGo) {
   EXPECT_FALSE(session().modified());
 }
 
-TEST_F(UiMap, RectangleIsFilledOrWithShiftAnOutline) {
+TEST_F(UiMap, RectangleIsFilledAndWithShiftAnOutline) {
   key('6');
   drag(on_map({2, 2}), on_map({4, 4}));
   EXPECT_EQ(drawn({2, 2, 3, 3}), (Rows{"111", "111", "111"}));
@@ -220,7 +220,7 @@ TEST_F(UiMap, ClicksAndEscapeChangeTheSelection) {
   EXPECT_EQ(entries(), 0u);
 }
 
-TEST_F(UiMap, EscapeTakesADragBack) {
+TEST_F(UiMap, EscapeCancelsADrag) {
   const auto cancel_drag = [&](Cell from, Cell to) {
     move(on_map(from));
     press();
@@ -284,7 +284,7 @@ TEST_F(UiMap, DragWithCtrlLeavesACopy) {
   EXPECT_EQ(drawn({3, 3, 5, 2}), (Rows{"34...", "...34"}));
 }
 
-TEST_F(UiMap, CutCopyAndPasteSpeakTic80sText) {
+TEST_F(UiMap, CutCopyAndPasteUseTheTextOfTic80) {
   stamp(3, 6, {3, 3});
   select({3, 3}, {6, 3});
   key(ctrl('c'));
@@ -306,7 +306,7 @@ TEST_F(UiMap, CutCopyAndPasteSpeakTic80sText) {
   EXPECT_EQ(drawn({9, 7, 4, 2}), (Rows{"....", "...."})) << "pasting and moving are one";
 }
 
-TEST_F(UiMap, PasteTakesTextOfTic80AndTellsWhatIsNone) {
+TEST_F(UiMap, PasteAcceptsTextOfTic80AndReportsOtherText) {
   ASSERT_EQ(SDL_SetClipboardText("20103040"), 0);
   key(ctrl('v'));
   click(on_map({12, 4}));
@@ -332,7 +332,7 @@ TEST_F(UiMap, SelectionIsFilledAndDeleted) {
   EXPECT_EQ(entries(), 2u);
 }
 
-TEST_F(UiMap, MirrorTurnsSlopesAround) {
+TEST_F(UiMap, MirroringReplacesSlopesByTheirPartners) {
   stamp(3, 4, {3, 3});
   stamp(1, 1, {5, 3});
   select({3, 3}, {5, 3});
@@ -346,7 +346,7 @@ TEST_F(UiMap, MirrorTurnsSlopesAround) {
             "1 piece of ground is as before: the sheet has no mirror image, or the selection cuts through.");
 }
 
-TEST_F(UiMap, StatusBarTellsTileFlagsAndPlace) {
+TEST_F(UiMap, StatusBarShowsTileFlagsAndPlace) {
   stamp(1, 1, {4, 5});
   move(on_map({4, 5}));
   EXPECT_EQ(app().ui().view.canvas.hover.cell, (Cell{4, 5}));
@@ -378,7 +378,7 @@ TEST_F(UiMap, ShiftShowsTheSheetOverTheMap) {
   EXPECT_EQ(entries(), 0u) << "nothing was painted through it";
 }
 
-TEST_F(UiMap, MapIsResizedAfterTheQuestionWhatIsLost) {
+TEST_F(UiMap, MapIsResizedAfterAQuestionAboutLosses) {
   key(ctrl('e'));
   frames(3);
   click("resize/width");
@@ -405,7 +405,7 @@ TEST_F(UiMap, MapIsResizedAfterTheQuestionWhatIsLost) {
   EXPECT_EQ(level().map, test_level().map);
 }
 
-TEST_F(UiMap, MapKeepsItsSizeWhereNoMapCanHaveTheTypedOne) {
+TEST_F(UiMap, MapKeepsItsSizeIfTheTypedOneIsInvalid) {
   key(ctrl('e'));
   frames(3);
   const auto set = [&](const char* field, const char* text) {
@@ -432,7 +432,7 @@ TEST_F(UiMap, MapKeepsItsSizeWhereNoMapCanHaveTheTypedOne) {
   EXPECT_EQ(level().map.height(), 136);
 }
 
-TEST_F(UiMap, MapGrowsAtTheSideThatIsNotKept) {
+TEST_F(UiMap, MapGrowsAtTheChosenSide) {
   key(ctrl('e'));
   frames(3);
   click("resize/anchor8");
@@ -510,7 +510,7 @@ TEST_F(UiMap, FindTakesTheDigits) {
   EXPECT_TRUE(find("find_tiles/next")->enabled);
 }
 
-TEST_F(UiMap, EscapeOrAClickTakesTheMarkOfWhatWasFoundAway) {
+TEST_F(UiMap, EscapeOrAClickRemovesTheMarkOfAFoundTile) {
   const auto& marked = app().ui().view.canvas.marked_cell;
   stamp(3, 3, {2, 2});
   click(on_map({20, 12}));
@@ -531,7 +531,7 @@ TEST_F(UiMap, EscapeOrAClickTakesTheMarkOfWhatWasFoundAway) {
   EXPECT_EQ(marked, (Cell{20, 12})) << "the search goes on from the mouse";
 }
 
-TEST_F(UiMap, NextTileByItsKeyIsTheChosenOne) {
+TEST_F(UiMap, TheKeyFindsTheNextCellOfTheChosenTile) {
   stamp(3, 3, {2, 2});
   click(on_map({20, 12}));
   key('n');

@@ -1,4 +1,4 @@
-// Memory of the window, where nobody looks at it.
+// The memory of the window while nobody can see it.
 #include <unistd.h>
 
 #include <fstream>
@@ -16,7 +16,7 @@ namespace talus::memory_test {
 
 constexpr std::size_t kMiB = std::size_t{1} << 20;
 
-// Bytes that this process has in use. AddressSanitizer keeps what was freed, and counts what was not.
+// Bytes that this process uses. AddressSanitizer keeps freed memory, but counts the rest.
 std::size_t memory_in_use() {
 #ifdef TALUS_ADDRESS_SANITIZER
   return __sanitizer_get_current_allocated_bytes();
@@ -27,8 +27,8 @@ std::size_t memory_in_use() {
 #endif
 }
 
-// The driver may hold back what it has to draw as long as nothing waits for it.
-TEST(UiMemory, StaysFlatWhereSdlHasNoScreen) {
+// A driver may queue frames as long as nothing waits for them.
+TEST(UiMemory, StaysConstantWithoutAScreen) {
   ::setenv("SDL_VIDEODRIVER", "offscreen", 1);
   AppOptions options;
   options.width = 1280;

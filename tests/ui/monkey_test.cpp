@@ -1,5 +1,5 @@
-// A monkey at the mouse and the keys: random events, after which all is undone. TALUS_MONKEY_EVENTS and
-// TALUS_MONKEY_SEED choose how many and which.
+// A monkey at the mouse and the keys: random events, after which all edits are undone. TALUS_MONKEY_EVENTS
+// and TALUS_MONKEY_SEED choose how many and which.
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -11,8 +11,8 @@
 
 namespace talus::monkey_test {
 
-constexpr int kEvents = 1500;  // as many as a build with sanitizers makes in less than a minute
-constexpr int kTold = 10000;   // how far a long run is, is told each time after so many events
+constexpr int kEvents = 1500;  // what a build with sanitizers makes in less than a minute
+constexpr int kTold = 10000;   // a long run prints its progress after so many events
 
 int number_from(const char* variable, int standard) {
   const char* text = std::getenv(variable);
@@ -31,7 +31,7 @@ class UiMonkey : public UiTest {
   int any(int count) { return static_cast<int>(random_() % static_cast<unsigned>(count)); }
   bool chance(int percent) { return any(100) < percent; }
 
-  // Most often onto a widget, where something may happen.
+  // Mostly onto a widget, where something may happen.
   ImVec2 somewhere() {
     const auto& all = app().ui().widgets.all();
     if (all.empty() || chance(40)) return {static_cast<float>(any(1280)), static_cast<float>(any(720))};
@@ -72,7 +72,7 @@ class UiMonkey : public UiTest {
     }
   }
 
-  // Nothing is written elsewhere, and no other program is started.
+  // Lets the monkey write into the test's folder only, and start no other program.
   void keep_in_the_cage() {
     View& view = app().ui().view;
     view.files.dialog = FileDialog::none;
@@ -86,12 +86,12 @@ class UiMonkey : public UiTest {
 
   std::mt19937_64 random_{static_cast<std::uint64_t>(number_from("TALUS_MONKEY_SEED", 1))};
   std::vector<std::string> files_;
-  int down_ = 0;  // the button that is held; 0: none
+  int down_ = 0;  // the held button; 0: none
   int level_number_ = -1;
-  Level first_;  // as it was opened last
+  Level first_;  // as it was when it was opened last
 };
 
-TEST_F(UiMonkey, BreaksNothingAndAllIsUndone) {
+TEST_F(UiMonkey, BreaksNothingAndEverythingIsUndone) {
   make_files();
   start(files_[0]);
   keep_in_the_cage();

@@ -13,7 +13,7 @@ class UiPicture : public UiTest {
     UiTest::SetUp();
     start();
   }
-  // Of one colour.
+  // Writes a picture of one colour.
   std::string save_png(const std::string& name, int width, int height, Rgb color) {
     std::vector<std::uint8_t> bytes;
     for (int i = 0; i < width * height; ++i) bytes.insert(bytes.end(), {color.r, color.g, color.b});
@@ -58,7 +58,7 @@ TEST_F(UiPicture, ThePreviewIsAppliedInOneUndo) {
   EXPECT_EQ(image(65), TileImage{});
 }
 
-TEST_F(UiPicture, ADroppedPictureIsToBeImported) {
+TEST_F(UiPicture, ADroppedPictureOpensTheImportDialog) {
   save_png("green.png", 8, 8, default_palette()[6]);
   session().apply(action::EditLevel{fill_rect(level(), {1, 1, 1, 1}, Stamp{1, 1, {1}})});
   drop(path("green.png"));
@@ -70,7 +70,7 @@ TEST_F(UiPicture, ADroppedPictureIsToBeImported) {
   click("import/apply");
   frames(3);
   EXPECT_EQ(image(0)[0], 6);
-  // A size that is not read is told of where it was dropped.
+  // A picture of a size that cannot be read is reported when it is dropped.
   save_png("wide.png", 1025, 8, default_palette()[6]);
   drop(path("wide.png"));
   EXPECT_FALSE(session().png_import());
@@ -137,7 +137,7 @@ TEST_F(UiPicture, AnOddSizeIsFilledUpOrCutOff) {
   EXPECT_EQ(image(81)[8 + 1], 0);
 }
 
-TEST_F(UiPicture, TheDialogStaysWhereItIsWhateverIsChosen) {
+TEST_F(UiPicture, TheDialogStaysInPlaceForEveryChoice) {
   save_png("odd.png", 16, 1, {1, 200, 3});
   open_picture("odd.png");
   const ImVec2 tiles = centre("import/tiles"), apply = centre("import/apply");
@@ -151,7 +151,7 @@ TEST_F(UiPicture, TheDialogStaysWhereItIsWhateverIsChosen) {
   }
 }
 
-TEST_F(UiPicture, WhatDoesNotFitCannotBeApplied) {
+TEST_F(UiPicture, APictureThatDoesNotFitCannotBeApplied) {
   save_png("wide.png", 128, 8, default_palette()[9]);
   open_picture("wide.png");
   const Widget* after = find("import/after");
@@ -164,7 +164,7 @@ TEST_F(UiPicture, WhatDoesNotFitCannotBeApplied) {
   EXPECT_FALSE(find("import/apply")->enabled);
 }
 
-TEST_F(UiPicture, ABadFileIsSaidInTheFileDialog) {
+TEST_F(UiPicture, ABadFileIsReportedInTheFileDialog) {
   std::ofstream(path("bad.png"), std::ios::binary) << "no picture";
   save_png("wide.png", 1025, 8, {});
   open_picture("bad.png");
@@ -195,7 +195,7 @@ TEST_F(UiPicture, SheetsAndPaletteAreExported) {
   EXPECT_EQ(session().message()->text, "Saved level-palette.png.");
 }
 
-TEST_F(UiPicture, APaletteComesBack) {
+TEST_F(UiPicture, AnExportedPaletteCanBeImported) {
   save_png("colors.png", 16, 1, {9, 8, 7});
   open_picture("colors.png");
   EXPECT_EQ(session().png_import()->options.part, PngPart::palette) << "it can be nothing else";

@@ -1,4 +1,4 @@
-// Running, stepping, painting while it runs, holding balls, and the overlays.
+// Running, stepping, painting during play, holding balls, and the overlays.
 #include <array>
 
 #include "harness.h"
@@ -44,7 +44,7 @@ TEST_F(UiPlay, StepMakesExactlyOneFrame) {
   key(kKeyF10);
   EXPECT_FALSE(session().playback().running);
   frames(10);
-  EXPECT_LE(session().state().frame, frame + 2);  // the frame of the key itself still ran
+  EXPECT_LE(session().state().frame, frame + 2);  // the frame of the key itself may still have run
 }
 
 TEST_F(UiPlay, ResetAndRunFromTheStart) {
@@ -71,7 +71,7 @@ TEST_F(UiPlay, SpeedFollowsTheKeys) {
   EXPECT_EQ(session().state().frame, before + 20);
 }
 
-TEST_F(UiPlay, PaintedTileCountsInTheNextStep) {
+TEST_F(UiPlay, APaintedTileTakesEffectInTheNextStep) {
   for (int i = 0; i < 5; ++i) key(kKeyF10);
   click(on_sheet(1));
   const Cell below{5, static_cast<int>(ball().box.bottom()) / 8};
@@ -125,7 +125,7 @@ TEST_F(UiPlay, PausedBallIsHeldUntilTheNextStep) {
   EXPECT_EQ(session().state().grabbed, 0);
 }
 
-TEST_F(UiPlay, PausedBallLetGoBeforeAStepStaysAsItWas) {
+TEST_F(UiPlay, APausedBallReleasedBeforeAStepStays) {
   const State before = session().state();
   move(on_ball());
   press();
@@ -134,7 +134,7 @@ TEST_F(UiPlay, PausedBallLetGoBeforeAStepStaysAsItWas) {
   EXPECT_EQ(session().state(), before);
 }
 
-TEST_F(UiPlay, ClickChoosesABodyAndBesideItNone) {
+TEST_F(UiPlay, AClickChoosesABodyAndBesideItClears) {
   click(on_ball());
   EXPECT_EQ(session().choices().body, 1);
   click(on_canvas("play", {180, 20}));
@@ -167,7 +167,7 @@ TEST_F(UiPlay, WheelZoomsAtTheMouse) {
 }
 
 // On the map the middle button picks tiles.
-TEST_F(UiPlay, RightAndInPlayMiddleDragMoveTheView) {
+TEST_F(UiPlay, DragsOfTheOtherButtonsMoveTheView) {
   const std::pair<const char*, int> drags[] = {{"map", kRight}, {"play", kRight}, {"play", kMiddle}};
   for (const auto& [canvas, button] : drags) {
     const ImVec2 from = on_canvas(canvas, {68, 68}), to{from.x + 40, from.y + 24};

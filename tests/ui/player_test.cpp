@@ -11,7 +11,7 @@ class UiPlayer : public UiTest {
     UiTest::SetUp();
     start(save_player_level());
   }
-  // The test level without its ball; a player stands on the floor at (40,120), gravity and all as by default.
+  // The test level without its ball. A player stands on the floor at (40, 120), with the default tuning.
   std::string save_player_level() {
     Level level = test_level();
     level.map.set({5, 10}, 0);
@@ -86,7 +86,7 @@ TEST_F(UiPlayer, OtherKeysSteerOnceTheyAreBound) {
   EXPECT_EQ(player().box.x, x);
 }
 
-TEST_F(UiPlayer, PaletteGivesPlayersTheKeys) {
+TEST_F(UiPlayer, TheCommandPaletteGivesPlayersTheKeys) {
   key(kKeyF2);
   ASSERT_EQ(app().ui().view.window.focus, Focus::sprites);
   key(ctrl('p'));
@@ -187,7 +187,7 @@ TEST_F(UiPlayer, InspectorChoosesKindAndFoot) {
   click("inspector/kind");
   click("inspector/kind_ball");
   EXPECT_EQ(level().spawns[0].kind, BodyKind::ball);
-  EXPECT_EQ(player().kind, BodyKind::ball);  // of the simulation under way
+  EXPECT_EQ(player().kind, BodyKind::ball);  // the running simulation has it too
   EXPECT_EQ(session().state().frame, 3);
   key(ctrl('z'));
   key(ctrl('z'));

@@ -1,5 +1,5 @@
 // The panel of problems: going from one to the next, filtering, and repairing a broken level by its buttons
-// alone. And where a player gets to.
+// alone; and showing where a player can get to.
 #include <imgui_internal.h>
 
 #include "harness.h"
@@ -10,13 +10,13 @@ namespace talus::problems_test {
 
 class UiProblems : public UiTest {
  protected:
-  // A copy of the level that is broken on purpose: two slopes without their right halves, two seams, a tile
-  // with flags that contradict each other, and a player inside of a wall.
+  // Starts on a copy of the level with five problems: two slopes without their right halves, two seams, a
+  // tile with contradicting flags, and a player inside a wall.
   void start_broken(int width = 1280, int height = 720) {
     const std::string copy = path("broken.talus.json");
     std::filesystem::copy_file(TALUS_SOURCE_DIR "/tests/ui/broken.talus.json", copy);
     start(copy, width, height);
-    frames(8);  // the lint and the fixes are looked for a few at a time
+    frames(8);  // the lint and the fixes are computed a few at a time
   }
 
   std::vector<std::string> codes() {
@@ -86,16 +86,16 @@ TEST_F(UiProblems, KeysGoFromOneToTheNextAndFixIt) {
   key(alt(kKeyF8));
   EXPECT_EQ(tile_at({11, 14}), 4);
   frames(4);
-  key(kKeyF8);  // the one that has the fixed one's row now
+  key(kKeyF8);  // goes to the problem that took the row of the fixed one
   EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{14, 14}));
   key(shift(kKeyF8));
   EXPECT_EQ(app().ui().view.level.problems.chosen->rule->code, "spawn-in-solid");
   key(shift(kKeyF8));
-  key(shift(kKeyF8));  // round to the last one
+  key(shift(kKeyF8));  // wraps around to the last problem
   EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{21, 14}));
 }
 
-TEST_F(UiProblems, GoingToACellInSightLeavesTheViewAlone) {
+TEST_F(UiProblems, GoingToAVisibleCellKeepsTheView) {
   start_broken(2560, 1440);
   const ImVec2 before = on_map({0, 0});
   click("problems/row" + row_of("spawn-in-solid"));
@@ -111,18 +111,18 @@ TEST_F(UiProblems, GoingToACellInSightLeavesTheViewAlone) {
   EXPECT_NEAR(shown.y, middle.y, 40);
 }
 
-TEST_F(UiProblems, OtherFixesAreInTheMenuOfTheRow) {
+TEST_F(UiProblems, FurtherFixesAreInTheMenuOfTheRow) {
   start_broken();
-  key(shift(kKeyF8));  // the last one, 3 px up to the wall: the list is scrolled there
+  key(shift(kKeyF8));  // the last problem, 3 px up to the wall: the list scrolls there
   frames(2);
   click("problems/row5", kRight);
   ASSERT_NE(find("problems/choice0"), nullptr);
   click("problems/choice_kind");
-  frames(2);  // the list scrolls back to what is left of it
+  frames(2);  // the list scrolls back to its remaining rows
   EXPECT_EQ(app().ui().view.level.problems.kind->code, "seam");
   EXPECT_EQ(find("problems/row0"), nullptr);
   ASSERT_NE(find("problems/row5"), nullptr);
-  click("problems/seam");  // jumps of up to 3 px are allowed from now on
+  click("problems/seam");  // allows jumps of up to 3 px
   key(ctrl('a'));
   type("3");
   frames(4);
@@ -130,7 +130,7 @@ TEST_F(UiProblems, OtherFixesAreInTheMenuOfTheRow) {
   EXPECT_EQ(codes().size(), 5u);
 }
 
-TEST_F(UiProblems, ItSaysHowFarALargeLevelIsLookedAt) {
+TEST_F(UiProblems, TheProgressOnALargeLevelIsShown) {
   Level level = test_level();
   level.map = TileMap(2048, 512);
   for (std::size_t i = 0; i < level.map.cells().size(); i += 30) level.map.cells()[i] = 3;
@@ -165,13 +165,13 @@ TEST_F(UiProblems, FarCellsAreNotCutOff) {
   frames(2);
   const Widget* widget = find(row);
   ASSERT_NE(widget, nullptr);
-  // As high as its place in a line of its own, and the message in several.
+  // The place takes a line of its own, and the message several.
   EXPECT_GT(widget->max.y - widget->min.y, 3 * 14);
   click(row);
   EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{2'000'000, 2}));
 }
 
-TEST_F(UiProblems, WhereThePlayerGetsTo) {
+TEST_F(UiProblems, ReachableCellsAreMarked) {
   start_broken();
   key(kKeyF8);
   click("problems/fix" + row_of("spawn-in-solid"));
@@ -200,7 +200,7 @@ TEST_F(UiProblems, WhereThePlayerGetsTo) {
   EXPECT_NE(find("reach/stale"), nullptr);
 }
 
-TEST_F(UiProblems, FixSaysWhatItWillDo) {
+TEST_F(UiProblems, AFixSaysWhatItWillDo) {
   start_broken();
   frames(8);
   const std::string fix = "problems/fix" + row_of("spawn-in-solid");
@@ -216,7 +216,7 @@ TEST_F(UiProblems, FixSaysWhatItWillDo) {
   EXPECT_TRUE(session().history().edits().empty());
 }
 
-TEST_F(UiProblems, TheWayToAMarkedCellIsPlayedFromThePanel) {
+TEST_F(UiProblems, ThePanelPlaysTheInputToAMarkedCell) {
   start_broken();
   key(kKeyF8);
   click("problems/fix" + row_of("spawn-in-solid"));
@@ -233,8 +233,8 @@ TEST_F(UiProblems, TheWayToAMarkedCellIsPlayedFromThePanel) {
   const std::size_t way = session().reach().found()->way_to({20, 14}).size();
   ASSERT_GT(way, 0u);
   ASSERT_NE(find("reach/play_way"), nullptr);
-  click(on_canvas("play",
-                  {20 * 8 + 4, 14 * 8 + 4}));  // so that the way of the mouse to the panel is no other cell
+  click(on_canvas(
+      "play", {20 * 8 + 4, 14 * 8 + 4}));  // so that the mouse crosses no other cell on its way to the panel
   move(on_canvas("play", {10 * 8 + 4, 14 * 8 + 4}));
   click("reach/play_way");
   EXPECT_EQ(session().state().frame, static_cast<std::int64_t>(way));

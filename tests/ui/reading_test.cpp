@@ -1,4 +1,4 @@
-// Large files are read beside the window: a dialog tells how far, and ends it.
+// Threads read large files: a dialog shows the progress, and can cancel it.
 #include <fstream>
 
 #include "harness.h"
@@ -8,7 +8,7 @@ namespace talus::reading_test {
 
 class UiReading : public UiTest {
  protected:
-  // A map of Tiled that takes a while: 4096x4096 cells as text, 33 MB.
+  // Writes a map of Tiled that takes a while to read: 4096x4096 cells as text, 33 MB.
   std::string save_large_map() {
     std::ofstream map(path("large.tmx"));
     map << R"(<map orientation="orthogonal" width="4096" height="4096" tilewidth="8" tileheight="8">)"
@@ -21,7 +21,7 @@ class UiReading : public UiTest {
     map << row << "</data></layer></map>";
     return path("large.tmx");
   }
-  // Until the dialog is there.
+  // Waits until the dialog is there; returns false if it does not come.
   bool wait_for_dialog() {
     while (session().reading() && find("reading/cancel") == nullptr) frames();
     frames(2);
@@ -29,7 +29,7 @@ class UiReading : public UiTest {
   }
 };
 
-TEST_F(UiReading, ALargeFileTellsHowFarItIsAndCanBeCancelled) {
+TEST_F(UiReading, ALargeFileShowsItsProgressAndCanBeCancelled) {
   start();
   const std::string before = session().path();
   const std::string file = save_large_map();
@@ -52,7 +52,7 @@ TEST_F(UiReading, ALargeFileTellsHowFarItIsAndCanBeCancelled) {
   EXPECT_TRUE(session().modified());
 }
 
-TEST_F(UiReading, QuittingMeanwhileWorksAndReadFilesOpen) {
+TEST_F(UiReading, QuittingMeanwhileWorks) {
   start();
   const std::string file = save_large_map();
   session().apply(action::OpenFile{file});
@@ -68,10 +68,10 @@ TEST_F(UiReading, QuittingMeanwhileWorksAndReadFilesOpen) {
   EXPECT_FALSE(session().reading());
 }
 
-// What came of it is measured in the first frame and seen in later ones, also when nobody moves the mouse.
-TEST_F(UiReading, TheWindowIsDrawnOnAfterALargeFileWasRead) {
+// The result is measured in the first frame and visible in later ones, even if nobody moves the mouse.
+TEST_F(UiReading, TheWindowIsDrawnAfterALargeFileWasRead) {
   start_by_the_machines_clock("");
-  turn_for(1);  // what the start leaves to do
+  turn_for(1);  // finishes the work of the start
   const std::string broken = save_large_map();
   std::filesystem::resize_file(broken, std::filesystem::file_size(broken) - 10);
   session().apply(action::OpenFile{broken});

@@ -1,4 +1,4 @@
-// Unsaved work survives a crash, and what other programs do to the file.
+// Unsaved work survives a crash, and changes of the file by other programs.
 #include <filesystem>
 #include <fstream>
 
@@ -21,7 +21,7 @@ class UiRecovery : public UiTest {
     click(on_map(cell));
     ASSERT_EQ(tile_at(cell), 1);
   }
-  // The program ends without a word, and starts again on the same file.
+  // Ends the program without a chance to save, and starts it again on the same file.
   void crash_and_start(const std::string& file) {
     stop();
     start(file);
@@ -52,8 +52,8 @@ TEST_F(UiRecovery, WorkIsOfferedAfterACrashAndRecovered) {
   EXPECT_EQ(find("recovery/recover0"), nullptr) << "nothing is left once it is saved";
 }
 
-// Its level takes a while to read: blanks of 150 MB.
-TEST_F(UiRecovery, LargeWorkIsReadBesideTheWindow) {
+// The level of the autosave takes a while to read: 150 MB of blanks.
+TEST_F(UiRecovery, LargeWorkIsReadOnAThread) {
   paint({12, 9});
   frames(kFiveSeconds);
   stop();
@@ -71,7 +71,7 @@ TEST_F(UiRecovery, LargeWorkIsReadBesideTheWindow) {
   EXPECT_EQ(tile_at({12, 9}), 1);
 }
 
-// As when a script starts the program again at once.
+// For example a script starts the program again at once.
 TEST_F(UiRecovery, WorkOfAProcessThatWasStillEndingIsOfferedToo) {
   stop();
   auto ending = std::make_unique<Autosave>(path("state/autosave"));
@@ -126,7 +126,7 @@ TEST_F(UiRecovery, RecoveredWorkSurvivesTheNextCrash) {
   EXPECT_EQ(tile_at({12, 9}), 1);
 }
 
-TEST_F(UiRecovery, WhatCannotBeReadIsNamedAndStaysUntilItIsDiscarded) {
+TEST_F(UiRecovery, UnreadableWorkIsNamedAndKeptUntilDiscarded) {
   stop();
   std::filesystem::create_directories(path("state/autosave"));
   const std::string damaged = path("state/autosave/1-0.talus-autosave");
@@ -148,7 +148,7 @@ TEST_F(UiRecovery, WhatCannotBeReadIsNamedAndStaysUntilItIsDiscarded) {
   EXPECT_FALSE(std::filesystem::exists(damaged));
 }
 
-TEST_F(UiRecovery, TheKeysGoToTheFirstWorkThatCanBeRead) {
+TEST_F(UiRecovery, TheKeysGoToTheFirstReadableWork) {
   paint({12, 9});
   frames(kFiveSeconds);
   stop();
@@ -166,7 +166,7 @@ TEST_F(UiRecovery, TheKeysGoToTheFirstWorkThatCanBeRead) {
   EXPECT_TRUE(std::filesystem::exists(damaged));
 }
 
-TEST_F(UiRecovery, WhatCannotBeSavedByItselfIsSaidUntilItIs) {
+TEST_F(UiRecovery, AFailedAutosaveIsReportedUntilItSucceeds) {
   std::filesystem::create_directories(path("state"));
   std::ofstream(path("state/autosave")) << "in the folder's place";
   for (int x = 3; x < 6; ++x) {
@@ -188,7 +188,7 @@ TEST_F(UiRecovery, WhatCannotBeSavedByItselfIsSaidUntilItIs) {
   for (int x = 3; x < 6; ++x) EXPECT_EQ(tile_at({x, 9}), 1);
 }
 
-TEST_F(UiRecovery, SettingsThatCannotBeSavedAreSaid) {
+TEST_F(UiRecovery, SettingsThatCannotBeSavedAreReported) {
   std::filesystem::remove_all(path("config"));
   std::ofstream(path("config")) << "in the folder's place";
   app().ui().view.preferences.font_size = kMaxFontSize;
@@ -211,7 +211,7 @@ TEST_F(UiRecovery, DiscardingAsksOnceMore) {
   EXPECT_EQ(find("recovery/discard0"), nullptr);
 }
 
-TEST_F(UiRecovery, LaterKeepsItForTheNextStartAndTheMenu) {
+TEST_F(UiRecovery, LaterKeepsTheWorkForTheNextStart) {
   paint({12, 9});
   frames(kFiveSeconds);
   crash_and_start(level_file());
@@ -315,7 +315,7 @@ TEST_F(UiRecovery, NoQuestionComesInTheMiddleOfAStroke) {
 
 TEST_F(UiRecovery, AnIdleWindowDrawsNothing) {
   start_by_the_machines_clock(level_file());
-  turn_for(2.2);  // what the start leaves to do
+  turn_for(2.2);  // finishes the work of the start
   const int before = app().drawn_frames();
   EXPECT_GT(before, 0);
   turn_for(2.2);

@@ -7,7 +7,7 @@
 
 namespace talus::run_game_test {
 
-TEST_F(UiTest, RunInLoveRunsWhatItHasExported) {
+TEST_F(UiTest, RunInLoveRunsTheExportedGame) {
   Level level = test_level();
   level.exports = {{.name = "game", .exporter = "love", .path = "my game", .extra = ""}};
   ASSERT_TRUE(save_level(level, *find_format("native"), path("level.talus.json")));

@@ -34,7 +34,7 @@ class UiSettings : public UiTest {
   }
 };
 
-TEST_F(UiSettings, TheLightThemeIsLightAndRemembered) {
+TEST_F(UiSettings, TheLightThemeIsLightAndStored) {
   const auto brightness = [&] {
     const ImVec4 c = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
     return c.x + c.y + c.z;
@@ -51,7 +51,7 @@ TEST_F(UiSettings, TheLightThemeIsLightAndRemembered) {
   EXPECT_EQ(brightness(), dark);
 }
 
-TEST_F(UiSettings, SizesChangeAtOnceAndAreRemembered) {
+TEST_F(UiSettings, SizesChangeAtOnceAndAreStored) {
   const float font = ImGui::GetFontSize();
   open_settings();
   click("settings/scale");
@@ -64,7 +64,7 @@ TEST_F(UiSettings, SizesChangeAtOnceAndAreRemembered) {
   EXPECT_EQ(app().ui().scale, 1.25f);
 }
 
-TEST_F(UiSettings, NothingIsLargerThanTheWindowHasRoomFor) {
+TEST_F(UiSettings, SizesStayWithinTheWindow) {
   open_settings();
   click("settings/scale");
   frames(2);
@@ -76,7 +76,7 @@ TEST_F(UiSettings, NothingIsLargerThanTheWindowHasRoomFor) {
   EXPECT_EQ(app().ui().scale, 2);
 }
 
-TEST_F(UiSettings, OverlaysForColourBlindEyesAreRemembered) {
+TEST_F(UiSettings, ColoursForColourBlindPeopleAreStored) {
   open_settings();
   click("settings/safe_colours");
   EXPECT_EQ(session().choices().overlay_palette, OverlayPalette::colour_blind);
@@ -106,7 +106,7 @@ TEST_F(UiSettings, AProgramsCommandIsTyped) {
   EXPECT_EQ(preferences().programs[0], "tic80 {file}");
 }
 
-TEST_F(UiSettings, AMissingProgramIsToldInAMessage) {
+TEST_F(UiSettings, AMissingProgramIsReportedInAMessage) {
   app().ui().view.preferences.programs[0] = "no-such-program-anywhere {file}";
   click("menu/File");
   frames(2);
@@ -117,7 +117,7 @@ TEST_F(UiSettings, AMissingProgramIsToldInAMessage) {
   EXPECT_NE(session().message()->text.find("cannot be started"), std::string::npos);
 }
 
-TEST_F(UiSettings, AKeyIsChangedAndRemembered) {
+TEST_F(UiSettings, AKeyIsChangedAndStored) {
   open_keys("grid");
   click("keys/first/canvas/grid");
   frames(2);
@@ -140,7 +140,7 @@ TEST_F(UiSettings, AKeyIsChangedAndRemembered) {
   EXPECT_TRUE(preferences().keys.changed.empty());
 }
 
-TEST_F(UiSettings, AKeyOfAnotherCommandIsToldAndTakenOnlyWhenAsked) {
+TEST_F(UiSettings, AKeyInUseIsReassignedOnlyOnRequest) {
   open_keys("grid");
   click("keys/first/canvas/grid");
   key(ctrl('s'));
@@ -230,7 +230,7 @@ TEST_F(UiSettings, ThePaletteIsScrolledAndClickedByTheMouse) {
 
 TEST_F(UiSettings, TheMouseAloneReachesEveryCommand) {
   start(path("level.talus.json"), 1280, 1440);
-  app().ui().view.window.ui_scale = 1;  // every row of a menu is on the screen
+  app().ui().view.window.ui_scale = 1;  // so that every row of a menu is on the screen
   frames(2);
   click("menu/Help");
   frames(2);
@@ -291,8 +291,8 @@ TEST_F(UiSettings, TheTimesOfTheWindowAreShown) {
   EXPECT_EQ(metrics.frames(), FrameMetrics::kFrames);
 }
 
-// 1,000 bodies and all overlays in 1920x1080 are to take less than 4 ms; slow machines and sanitizers get ten
-// times that, which is still less than anything quadratic takes.
+// 1,000 bodies with all overlays in 1920x1080 should take less than 4 ms. Slow machines and sanitizers get
+// ten times that, which is still less than quadratic work takes.
 TEST_F(UiSettings, AThousandBodiesWithAllOverlaysAreQuick) {
   Level crowd = test_level();
   crowd.map = TileMap(240, 136);
@@ -339,7 +339,7 @@ TEST_F(UiSettings, TheSizeOfTextIsFoundByItsWords) {
   EXPECT_GT(app().ui().view.window.ui_scale, before);
 }
 
-TEST_F(UiSettings, WhatCannotBeDoneNowComesAfterWhatCan) {
+TEST_F(UiSettings, CommandsThatCannotRunComeLast) {
   key(ctrl('p'));
   frames(3);
   type("map");
@@ -351,7 +351,7 @@ TEST_F(UiSettings, WhatCannotBeDoneNowComesAfterWhatCan) {
   EXPECT_TRUE(rows.front()->enabled);
 }
 
-TEST_F(UiSettings, ResettingTheLayoutPutsThePixelsBack) {
+TEST_F(UiSettings, ResettingTheLayoutRestoresThePixels) {
   app().ui().view.sprites.pixels.enlarged = true;
   frames(2);
   key(ctrl('0'));

@@ -12,7 +12,7 @@ class UiShape : public UiTest {
   void SetUp() override {
     UiTest::SetUp();
     Level opened = test_level();
-    for (int y = 0; y < 8; ++y)  // tile 7: the pixels of an up-slope
+    for (int y = 0; y < 8; ++y)  // tile 7 gets the pixels of an up-slope
       for (int x = 7 - y; x < 8; ++x)
         opened.sheet(SheetId::tiles).images[7][static_cast<std::size_t>(y * 8 + x)] = 6;
     const std::string file = path("shapes.talus.json");
@@ -22,14 +22,14 @@ class UiShape : public UiTest {
     frames(2);
   }
   const TileShape& shape(int tile) { return level().tile_shapes[static_cast<std::size_t>(tile)]; }
-  float zoom() {  // px of the screen for each px of a tile one tile wide
+  float zoom() {  // screen px for each px of a tile that is one tile wide
     const bool is_profile = find("shape/handle2") != nullptr;
     return (centre("shape/handle1").x - centre("shape/handle0").x) / (is_profile ? 1 : 8);
   }
-  void type_number(const std::string& field, const std::string& number) {  // of tile 9
-    click(on_sheet(9));  // no click before is a part of the double click
+  void type_number(const std::string& field, const std::string& number) {  // for tile 9
+    click(on_sheet(9));  // so that no earlier click is part of the double click
     click(field);
-    click(field);  // a double click types
+    click(field);  // a double click lets one type
     key(ctrl('a'));
     type(number);
     key(kKeyTab);
@@ -57,7 +57,7 @@ TEST_F(UiShape, EndsOfASlopeAreDraggedToWholePixels) {
   EXPECT_TRUE(shape(9).one_way);
 }
 
-TEST_F(UiShape, FirstShapeOfItsOwnIsAsItsFlagsHadIt) {
+TEST_F(UiShape, TheFirstOwnShapeIsTheOneOfTheFlags) {
   click(on_sheet(3));
   click("shape/kind");
   click("shape/kind_slope");
@@ -104,7 +104,7 @@ TEST_F(UiShape, LineIsMovedBesideItsHandles) {
   EXPECT_EQ(shape(9).heights, (std::vector<double>{5, 8})) << "it keeps its rise at the top, too";
 }
 
-TEST_F(UiShape, EscapeTakesADragBack) {
+TEST_F(UiShape, EscapeCancelsADrag) {
   click(on_sheet(3));
   frames(2);
   const ImVec2 left = centre("shape/handle0");
@@ -133,7 +133,7 @@ TEST_F(UiShape, SuggestingTwiceEditsOnce) {
   EXPECT_EQ(session().history().edits().size(), 1u);
 }
 
-TEST_F(UiShape, ProfileOfASolidTileIsAsHighAsIt) {
+TEST_F(UiShape, TheProfileOfASolidTileHasFullHeight) {
   click(on_sheet(1));
   click("shape/kind");
   click("shape/kind_profile");
@@ -153,7 +153,7 @@ TEST_F(UiShape, ProfileIsDrawnOverItsColumns) {
   ASSERT_NE(find("shape/handle8"), nullptr) << "one for each column line";
   const ImVec2 base = centre("shape/handle0");
   EXPECT_NEAR(base.x, left.x, 1);
-  // Beside the handles: freely over three columns, at a height of 6.
+  // The mouse draws beside the handles, over three columns at a height of 6.
   drag({base.x + 0.1f * px, base.y - 6 * px}, {base.x + 2 * px, base.y - 6 * px});
   EXPECT_EQ(shape(9).heights, (std::vector<double>{6, 6, 6, 3, 4, 5, 6, 7, 8}));
   const ImVec2 fifth = centre("shape/handle4");
@@ -161,7 +161,7 @@ TEST_F(UiShape, ProfileIsDrawnOverItsColumns) {
   EXPECT_EQ(shape(9).heights, (std::vector<double>{6, 6, 6, 3, 7, 5, 6, 7, 8})) << "a held one stays itself";
 }
 
-TEST_F(UiShape, IsSuggestedFromPixelsForAllSelectedTiles) {
+TEST_F(UiShape, AShapeIsSuggestedForAllSelectedTiles) {
   click(on_sheet(7));
   click("shape/suggest");
   EXPECT_EQ(shape(7), (TileShape{.kind = Kind::slope, .heights = {0, 8}}));
@@ -177,7 +177,7 @@ TEST_F(UiShape, IsSuggestedFromPixelsForAllSelectedTiles) {
   EXPECT_EQ(session().message()->text, "Nothing to suggest: all pixels of the tile have colour 0.");
 }
 
-TEST_F(UiShape, WhatIsChangedChangesInAllSelectedTiles) {
+TEST_F(UiShape, AChangeIsMadeInAllSelectedTiles) {
   drag(on_sheet(40), on_sheet(41));
   click("shape/kind");
   click("shape/kind_slope");
@@ -190,7 +190,7 @@ TEST_F(UiShape, WhatIsChangedChangesInAllSelectedTiles) {
   EXPECT_EQ(session().history().edits().size(), 3u);
 }
 
-TEST_F(UiShape, IsGivenToAllSelectedTiles) {
+TEST_F(UiShape, AShapeIsCopiedToAllSelectedTiles) {
   click(on_sheet(7));
   click("shape/suggest");
   drag(on_sheet(7), on_sheet(24));
@@ -239,7 +239,7 @@ TEST_F(UiShape, CopyOverUsedTilesSaysSoFirst) {
   EXPECT_EQ(shape(1), (TileShape{.kind = Kind::slope, .tiles = 2, .heights = {8, 0}}));
 }
 
-TEST_F(UiShape, NumbersThatNoShapeHasAreRefused) {
+TEST_F(UiShape, InvalidNumbersAreRefused) {
   click(on_sheet(9));
   click("shape/kind");
   click("shape/kind_profile");
@@ -281,7 +281,7 @@ TEST_F(UiShape, NothingCoversTheCanvasAfterADrag) {
   EXPECT_TRUE(tooltip == nullptr || !tooltip->Active);
 }
 
-TEST_F(UiShape, RightHalfOfARampShowsTheWholeAndLeadsToItsTile) {
+TEST_F(UiShape, TheRightHalfOfARampShowsTheWholeRamp) {
   click(on_sheet(4));
   frames(2);
   ASSERT_NE(find("shape/handle1"), nullptr);
@@ -296,7 +296,7 @@ TEST_F(UiShape, RightHalfOfARampShowsTheWholeAndLeadsToItsTile) {
   EXPECT_NEAR(centre("shape/handle1").y, right.y, 1);
 }
 
-TEST_F(UiShape, OverlayIsSwitchedForMapAndSheet) {
+TEST_F(UiShape, TheOverlayIsSwitchedForMapAndSheet) {
   EXPECT_FALSE(session().choices().overlays.has(overlay::shapes));
   click("overlay/shapes");
   EXPECT_TRUE(session().choices().overlays.has(overlay::shapes));

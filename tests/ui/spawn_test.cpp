@@ -1,4 +1,4 @@
-// Bodies placed by hand: set down, moved, thrown by an arrow, named, copied and removed.
+// Bodies placed by hand: placed, moved, given a velocity by an arrow, named, copied and removed.
 #include "harness.h"
 
 namespace talus::spawn_test {

@@ -1,4 +1,5 @@
-// Drawing sprites: tools, selection, clipboard, sizes, neighbours, and who gets the keys.
+// Drawing sprites: tools, selection, clipboard, sizes, neighbours, and which part of the window gets the
+// keys.
 #include <SDL_clipboard.h>
 
 #include "harness.h"
@@ -15,7 +16,7 @@ class UiSprite : public UiTest {
     click("palette/color5");
     click("palette/color0", kRight);
   }
-  // Eight rows of a tile, a hex digit for each pixel and '.' for colour 0.
+  // Eight rows of a tile: a hex digit for each pixel, and '.' for colour 0.
   std::string picture(int tile = 9) {
     std::string text;
     for (int i = 0; i < 64; ++i) {
@@ -67,7 +68,7 @@ TEST_F(UiSprite, FastStrokeHasNoGaps) {
   EXPECT_EQ(undos(), 1u);
 }
 
-TEST_F(UiSprite, LineRectangleAndEllipseAreDrawnWhenLetGo) {
+TEST_F(UiSprite, LineRectangleAndEllipseAreDrawnAtTheRelease) {
   key('l');
   move(on_pixels(0, 0));
   press();
@@ -140,7 +141,7 @@ TEST_F(UiSprite, SelectionIsMovedByMouseAndArrows) {
   EXPECT_EQ(picture().substr(0, 9), "55......\n");
 }
 
-TEST_F(UiSprite, ClickSelectsOnePixelAndBesideASelectionNone) {
+TEST_F(UiSprite, AClickSelectsOnePixelOrClearsTheSelection) {
   key('3');
   click(on_pixels(3, 4));
   EXPECT_EQ(selected(), (CellRect{3, 4, 1, 1}));
@@ -148,7 +149,7 @@ TEST_F(UiSprite, ClickSelectsOnePixelAndBesideASelectionNone) {
   EXPECT_FALSE(selected());
 }
 
-TEST_F(UiSprite, AllOfTheCanvasIsSelected) {
+TEST_F(UiSprite, TheWholeCanvasCanBeSelected) {
   click("pixels/size16");
   key(ctrl('a'));
   EXPECT_EQ(session().choices().sprite_tool, SpriteTool::select);
@@ -261,8 +262,8 @@ TEST_F(UiSprite, PaletteGoesThroughTheClipboard) {
   EXPECT_TRUE(session().message()->is_error);
 }
 
-TEST_F(UiSprite, TheChosenToolShowsThatUnderTheMouse) {
-  const auto color_under_mouse = [&](const char* tool) {  // of the button, beside its icon
+TEST_F(UiSprite, TheChosenToolIsMarkedUnderTheMouse) {
+  const auto color_under_mouse = [&](const char* tool) {  // in the button, beside its icon
     move(centre(tool));
     frames(2);
     const auto taken = draw_picture();
@@ -277,7 +278,7 @@ TEST_F(UiSprite, TheChosenToolShowsThatUnderTheMouse) {
   EXPECT_GT(chosen.b, other.b + 50) << "it is as blue as away from the mouse";
 }
 
-TEST_F(UiSprite, NeighboursOfThePlaceThatWasPointedAtLastAreShown) {
+TEST_F(UiSprite, NeighboursOfTheLastPointedCellAreShown) {
   const auto color = [&](float x, float y) {  // px of the art
     const Widget* canvas = find("pixels/canvas");
     const float zoom = (canvas->max.x - canvas->min.x) / 8;
@@ -330,7 +331,7 @@ TEST_F(UiSprite, CanvasIsEnlargedAboveTheMapAndBack) {
 
 using UiFocus = UiSprite;
 
-TEST_F(UiFocus, KeysAreForWhatTheMouseCameTo) {
+TEST_F(UiFocus, KeysFollowTheMouse) {
   drag(on_pixels(0, 0), on_pixels(7, 7));
   const std::string drawn = picture();
   EXPECT_EQ(app().ui().view.window.focus, Focus::sprites);
@@ -343,7 +344,7 @@ TEST_F(UiFocus, KeysAreForWhatTheMouseCameTo) {
   EXPECT_EQ(picture(), picture(10)) << "cleared";
 }
 
-TEST_F(UiFocus, KeyRightAfterAMoveWaitsForWhereItCame) {
+TEST_F(UiFocus, AKeyAfterAMoveWaitsForTheNewPlace) {
   drag(on_pixels(0, 0), on_pixels(7, 7));
   const std::string drawn = picture();
   const ImVec2 map = on_map({10, 8});
@@ -359,7 +360,7 @@ TEST_F(UiFocus, KeyRightAfterAMoveWaitsForWhereItCame) {
   EXPECT_EQ(session().choices().map_tool, MapTool::slope);
 }
 
-TEST_F(UiFocus, FunctionKeysHoldWhereTheMouseRests) {
+TEST_F(UiFocus, FunctionKeysOverrideARestingMouse) {
   const ImVec2 at = on_pixels(3, 3);
   move(at);
   key(kKeyF3);
@@ -370,7 +371,7 @@ TEST_F(UiFocus, FunctionKeysHoldWhereTheMouseRests) {
   EXPECT_EQ(app().ui().view.window.focus, Focus::sprites);
 }
 
-TEST_F(UiFocus, OtherPartsOfTheWindowTakeNothing) {
+TEST_F(UiFocus, OtherPartsOfTheWindowTakeNoKeys) {
   move(on_map({10, 8}));
   move(centre("tabs/tuning"));
   EXPECT_EQ(app().ui().view.window.focus, Focus::map);

@@ -1,4 +1,4 @@
-// Finding one's way on large maps: the world view, the minimap and two maps; and what drawing them costs.
+// Finding the way on large maps: the world view, the minimap and two maps; and what drawing them costs.
 #include <cmath>
 
 #include <talus/formats/format.h>
@@ -9,7 +9,7 @@ namespace talus::world_test {
 
 class UiWorld : public UiTest {
  protected:
-  // A level of this size with a solid tile in a quarter of its cells, alone on the screen.
+  // Opens a level of this size, with a solid tile in a quarter of its cells, in the map view alone.
   void open_large(int width, int height) {
     Level large = test_level();
     large.map = TileMap(width, height);
@@ -57,10 +57,10 @@ TEST_F(UiWorld, AClickInTheWorldViewGoesThere) {
   EXPECT_TRUE(session().modified()) << "now the tool works again";
 }
 
-TEST_F(UiWorld, TheCaptionOfTheWorldViewGoesWhereItHidesLess) {
+TEST_F(UiWorld, TheCaptionOfTheWorldViewHidesLittle) {
   Level level = test_level();
   level.map = TileMap(240, 136);
-  for (int x = 0; x < 30; ++x) level.map.set({x, 2}, 1);  // alone on the first screen
+  for (int x = 0; x < 30; ++x) level.map.set({x, 2}, 1);  // the only tiles on the first screen
   ASSERT_TRUE(save_level(level, *find_format("native"), path("first.talus.json")));
   start(path("first.talus.json"));
   const float top = find("map/captions")->min.y;
@@ -88,7 +88,7 @@ TEST_F(UiWorld, TabGoesBackFromTheWorldView) {
   EXPECT_EQ(middle(), before);
 }
 
-TEST_F(UiWorld, WhatIsOutOfSightHasNoLabel) {
+TEST_F(UiWorld, ThingsOutOfSightHaveNoLabel) {
   open_large(600, 400);
   const auto scroll_away_and_back = [&](const char* label) {
     EXPECT_NE(find(label), nullptr);
@@ -120,7 +120,7 @@ TEST_F(UiWorld, TheMinimapMovesTheView) {
   const ImVec2 at = centre("map/overview"), size = size_of("map/overview");
   EXPECT_NEAR(size.x / size.y, 1.5, 0.05);
   drag(at, {at.x + size.x / 3, at.y - size.y / 4});
-  expect_near(middle(), {500, 100}, 8);  // a pixel of the minimap is more than three cells
+  expect_near(middle(), {500, 100}, 8);  // one pixel of the minimap is more than three cells
   EXPECT_EQ(zoom(), before);
   EXPECT_FALSE(session().modified()) << "nothing was painted";
   key('o');
@@ -128,7 +128,7 @@ TEST_F(UiWorld, TheMinimapMovesTheView) {
   EXPECT_EQ(find("map/overview"), nullptr);
 }
 
-TEST_F(UiWorld, TwoMapsHaveCamerasOfTheirOwn) {
+TEST_F(UiWorld, EachOfTwoMapsHasItsOwnCamera) {
   open_large(600, 400);
   key(ctrl('4'));
   frames(2);
@@ -146,15 +146,15 @@ TEST_F(UiWorld, TwoMapsHaveCamerasOfTheirOwn) {
   EXPECT_TRUE(session().modified()) << "both are painted on";
 }
 
-// What is drawn goes by what is seen: the numbers are those of a map that is no larger than the canvas.
-TEST_F(UiWorld, DrawingAHugeMapCostsWhatIsVisible) {
+// The cost of drawing depends on what is visible: the numbers are those of a map as large as the canvas.
+TEST_F(UiWorld, DrawingAHugeMapCostsOnlyItsVisiblePart) {
   open_large(2048, 2048);
   const ImVec2 size = size_of("map/canvas");
   for (int i = 0; i < 30 && zoom() > 1; ++i) key('-');
   ASSERT_EQ(zoom(), 1);
   frames();
   const double cells = (size.x / 8 + 2) * (size.y / 8 + 2);
-  const int window = 30'000;  // vertices, of all else in the window
+  const int window = 30'000;  // vertices for the rest of the window
   EXPECT_LT(ImGui::GetIO().MetricsRenderVertices, cells * 4 + window);
   EXPECT_GT(ImGui::GetIO().MetricsRenderVertices, cells / 4) << "a quarter of the cells has a tile";
   key(kKeyTab);
@@ -166,8 +166,8 @@ TEST_F(UiWorld, DrawingAHugeMapCostsWhatIsVisible) {
   EXPECT_LT(ImGui::GetIO().MetricsRenderVertices, cells * 4 + window);
 }
 
-// The longest map there is: whatever is done with it costs what is seen, or goes on a part at a time.
-TEST_F(UiWorld, TheLongestMapIsOpenedAndSeenWhole) {
+// The longest possible map: all work on it takes as long as for its visible part, or is done piece by piece.
+TEST_F(UiWorld, TheLongestMapIsOpenedAndShownAsAWhole) {
   open_large(1 << 21, 2);
   int frames_of_lint = 0;
   for (; session().is_linting() && frames_of_lint < 100'000; ++frames_of_lint) frames();
