@@ -1,4 +1,4 @@
-// Curves that cannot be used, or that leave the map between their ends.
+// Finds curves that are invalid, or that leave the map between their ends.
 #include <algorithm>
 
 #include <talus/level/ground.h>
@@ -22,7 +22,7 @@ std::string curve_name(const Level& level, int index) {
   return "curve " + (name.empty() ? std::to_string(index) : "\"" + name + "\"");
 }
 
-// Whether a curve with its ends on the map goes above or below it. Its pieces rise or fall throughout.
+// Whether a curve whose ends are on the map goes above or below it. Each piece rises or falls throughout.
 bool leaves_map(const Curve& curve, const TileMap& map) {
   const auto is_off_map = [&](double y) {
     return y < -kCurveEndSlack || y > map.height() * kTileSize + kCurveEndSlack;

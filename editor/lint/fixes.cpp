@@ -1,4 +1,4 @@
-// Finds the fixes of a problem, and tries those of many one after the other.
+// Finds the fixes of a problem, and tries the fixes of many problems one after the other.
 #include "fixes.h"
 
 #include <algorithm>
@@ -9,7 +9,8 @@
 namespace talus {
 namespace {
 
-// What the problem's rule and those beside it find now, wherever this problem is.
+// Returns the current problems of the rule, and of the rules that are checked with it, at the place of this
+// problem.
 std::vector<Problem> problems_now(const LintContext& context, const Problem& problem) {
   std::vector<Problem> now;
   const RuleGroup* group = group_of(*problem.rule);
@@ -21,7 +22,7 @@ std::vector<Problem> problems_now(const LintContext& context, const Problem& pro
   return now;
 }
 
-// Whether the level still has the problem, with the same numbers or others.
+// Whether the level still has the problem. Its numbers may have changed.
 bool is_there(const LintContext& context, const Problem& problem) {
   const std::vector<Problem> now = problems_now(context, problem);
   return std::any_of(now.begin(), now.end(), [&](const Problem& other) {
@@ -35,7 +36,7 @@ std::vector<Edit> fixes_with(const LintContext& context, const Problem& problem)
   return edits;
 }
 
-// How many problems the cells around have.
+// Counts the problems of the cells around.
 std::size_t problems_around(const LintContext& context, const Problem& problem) {
   const TileMap& map = context.level.map;
   std::vector<Problem> found;
@@ -69,7 +70,7 @@ Edit fix_all(const Level& level, const LintOptions& options, std::span<const Pro
   EditMerger merger;
   auto tiles = std::make_unique<LintTiles>(trial, options);
   int count = 0;
-  // From the last one, so that what is removed leaves those before it where they are.
+  // Goes from the last problem to the first, as a removed body or curve changes the indices behind it.
   for (std::size_t i = problems.size(); i-- > 0 && count < kMostFixes;) {
     const Problem& problem = problems[i];
     if (problem.rule != &rule) continue;

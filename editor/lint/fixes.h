@@ -1,4 +1,4 @@
-// Fixes: what can be done about a problem with one click. Each is an Edit whose label says what it does.
+// Fixes: edits that remove a problem by one click. The label of each edit says what it does.
 #pragma once
 
 #include <span>
@@ -9,13 +9,13 @@
 
 namespace talus {
 
-// The best first. None where nobody but the user can tell what is meant, and where the level has changed so
-// that the problem is gone.
+// Returns the fixes, the best first. The list is empty if only the user can know what was intended, or if the
+// problem is gone from the level.
 std::vector<Edit> fixes_for(const Level& level, const LintOptions& options, const Problem& problem);
 
-// One edit that fixes the listed problems of a rule, each by its first fix that makes no new problem around,
-// and no more than kMostFixes of them, so that nobody waits long; problems without a fix stay. fixed: if not
-// null, how many were fixed.
+// Returns one edit that fixes the listed problems of a rule. It takes the first fix of each problem that
+// makes no new problem around, and skips problems without one. It fixes at most kMostFixes problems, so that
+// nobody waits long. fixed: gets the number of fixed problems, unless null.
 inline constexpr int kMostFixes = 200;
 Edit fix_all(const Level& level, const LintOptions& options, std::span<const Problem> problems,
              const LintRule& rule, int* fixed = nullptr);

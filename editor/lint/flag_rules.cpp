@@ -1,4 +1,4 @@
-// Flags that contradict each other, that have two meanings, or that change nothing.
+// Finds flags that contradict each other, that have two meanings, or that change nothing.
 #include "fix_parts.h"
 #include "level/level_text.h"
 #include "rule_group.h"

@@ -1,4 +1,4 @@
-// Gaps that lead somewhere, and that a player does not fit through.
+// Finds gaps that lead somewhere but are too small for a player.
 #include <cmath>
 
 #include "level/level_text.h"
@@ -9,11 +9,11 @@ namespace {
 
 constexpr LintRule kGap{.code = "gap-too-small", .label = "gap too small for a player"};
 
-// Looks at the map as it is, or turned so that columns are rows: what holds for the height of tunnels holds
-// for the width of shafts.
+// Looks at the map as it is, or with rows and columns exchanged: then the code for the height of tunnels also
+// checks the width of shafts.
 class GapFinder {
  public:
-  // size: px of the player, across the gaps.
+  // size: of the player across the gaps, px.
   GapFinder(const Level& level, const LintTiles& tiles, bool turned, double size, std::vector<Problem>& out)
       : level_(level),
         tiles_(tiles),
@@ -22,7 +22,7 @@ class GapFinder {
         needed_(static_cast<int>(std::ceil(size / kTileSize))),
         out_(out) {}
 
-  // cell: of the map, turned if the map is.
+  // cell: on the map, with x and y exchanged if `turned`.
   void check(Cell cell) {
     if (!is_clear(cell) || !is_full({cell.x, cell.y - 1})) return;
     const int cells = clear_below(cell);
@@ -47,13 +47,13 @@ class GapFinder {
     const LintTiles::Tile& tile = tiles_[level_.map.at(at)];
     return !tile.solid && !tile.line;
   }
-  // Clear cells from this one on, no more than are needed.
+  // Counts the clear cells from this one down, up to the number that a player needs.
   int clear_below(Cell c) const {
     int cells = 0;
     while (cells < needed_ && is_clear({c.x, c.y + cells})) ++cells;
     return cells;
   }
-  // Whether a player fits where this clear cell is.
+  // Whether a player fits into the gap at this clear cell.
   bool is_wide(Cell c) const {
     if (!is_clear(c)) return false;
     int cells = clear_below(c);

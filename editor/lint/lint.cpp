@@ -1,4 +1,4 @@
-// The rules one after the other, and a whole level at once.
+// Runs the rules one after the other, and checks a whole level at once.
 #include "lint.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ Problem& report(std::vector<Problem>& out, const LintRule& rule, std::string mes
 std::optional<Cell> nearest_cell(const TileMap& map, Vec2 at) {
   const int width = map.width(), height = map.height();
   if (width == 0 || height == 0 || std::isnan(at.x) || std::isnan(at.y)) return std::nullopt;
-  const auto clamped = [](double px, int cells) {  // far away it may be no int
+  const auto clamped = [](double px, int cells) {  // a far place may not fit into an int
     return static_cast<int>(std::clamp(std::floor(px / kTileSize), 0.0, cells - 1.0));
   };
   return Cell{clamped(at.x, width), clamped(at.y, height)};

@@ -1,4 +1,4 @@
-// Which parts of a level are looked at again, and the list that comes of it.
+// Decides which parts of a level are checked again, and makes the list of problems.
 #include "lint_cache.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr LintRule kMore{.code = "more", .label = "problems that are not listed"};
 
-// A block full of slopes takes a fraction of a ms. On large maps blocks are larger: each of them may hold
+// A block full of slopes takes a fraction of a ms. Large maps have larger blocks, as each block may hold
 // kMaxProblems.
 constexpr int kLeastSide = 32;
 constexpr int kMostBlocks = 1024;
@@ -51,7 +51,7 @@ void LintCache::note_cell(Cell cell) {
 
 double LintCache::progress() const {
   if (is_done()) return 1;
-  if (map_ || rest_) return 0;  // nobody knows yet
+  if (map_ || rest_) return 0;  // not known yet
   return static_cast<double>(next_) / static_cast<double>(blocks_.size());
 }
 
@@ -68,7 +68,7 @@ bool LintCache::advance(const Level& level, const LintOptions& options, Function
   return is_done();
 }
 
-// Finds out which of the blocks are no longer known.
+// Marks the blocks that have to be checked again.
 void LintCache::begin(const Level& level, const LintOptions& options) {
   if (!map_ && !rest_) return;
   const bool resized = width_ != level.map.width() || height_ != level.map.height();
@@ -126,7 +126,7 @@ void LintCache::look_at_cells(const Level& level) {
       check_area({level, *tiles_}, area, found);
       put(block, std::move(found));
     }
-    // A tile that has gone from the block stays noted: list() looks for it.
+    // A tile that is gone from the block stays in the set: list() checks whether it is still there.
     if (level.map.contains(cell)) blocks_[block_at(cell)].tiles.set(level.map.at(cell));
   }
   cells_.clear();
@@ -154,7 +154,8 @@ void LintCache::put(Block& block, std::vector<Problem> found) {
   block.problems = std::move(found);
 }
 
-// The first cell with a tile, if there is one. What the blocks noted may be out of date.
+// Returns the first cell with a tile; empty if there is none. The tiles that blocks have noted may be out of
+// date.
 std::optional<Cell> LintCache::find(const Level& level, std::size_t tile) {
   std::optional<Cell> first;
   for (std::size_t number = 0; number < blocks_.size(); ++number) {
@@ -171,7 +172,7 @@ std::optional<Cell> LintCache::find(const Level& level, std::size_t tile) {
 }
 
 void LintCache::list(const Level& level) {
-  bool has_balls = next_ < blocks_.size();  // until all is known nobody can say that there are none
+  bool has_balls = next_ < blocks_.size();  // true until all blocks are checked, as the rest may have balls
   problems_.clear();
   for (std::size_t tile = 0; tile < kTileCount; ++tile) {
     const bool is_ball = (*tiles_)[tile].role == TileRole::ball && !has_balls;
@@ -191,7 +192,7 @@ void LintCache::list(const Level& level) {
     left_out += count;
     if (count > 0) worst = std::max(worst, severity);
   };
-  // Of the blocks beside one another all, while there is room: those of the next row come later.
+  // While there is room, all problems of the blocks in a row are listed. Those of the next row come later.
   std::size_t listed = 0, row_begins_at = 0;
   for (std::size_t number = 0; number < blocks_.size(); ++number) {
     const Block& block = blocks_[number];

@@ -1,4 +1,4 @@
-// LintCache: the problems of a level that is being edited. Looks again at what has changed, a part at a time.
+// LintCache: the problems of an edited level. It checks what has changed again, a part at a time.
 #pragma once
 
 #include <array>
@@ -15,36 +15,36 @@ namespace talus {
 
 class LintTiles;
 
-// The map is cut into square blocks. A changed cell is looked at again with its surroundings alone; a change
-// of a tile, or of what counts, has all blocks looked at again.
+// The map is cut into square blocks. After a change of a cell, only the cell and its surroundings are checked
+// again. After a change of a tile or of the options, all blocks are.
 class LintCache {
  public:
   LintCache();
   ~LintCache();
 
-  void note_cell(Cell cell);          // has another tile now
-  void note_map() { map_ = true; }    // so may any cell, and the map another size
-  void note_rest() { rest_ = true; }  // anything but the map may be another
+  void note_cell(Cell cell);          // call it when the cell has another tile
+  void note_map() { map_ = true; }    // call it when the size of the map or any cell may have changed
+  void note_rest() { rest_ = true; }  // call it when anything but the map may have changed
 
-  // Looks at what has changed, and at the blocks that are left: at one, and at more while `go_on` says so.
-  // True when nothing is left. level: the same one each time, but for the noted changes.
+  // Checks what has changed and one of the blocks that are left, and more of them while `go_on` returns true.
+  // Returns true when nothing is left. level: the same one each time, except for the noted changes.
   bool advance(const Level& level, const LintOptions& options, FunctionRef<bool()> go_on);
   void finish(const Level& level, const LintOptions& options) {
     advance(level, options, [] { return true; });
   }
   bool is_done() const { return !map_ && !rest_ && cells_.empty() && next_ == blocks_.size(); }
-  double progress() const;  // the part of the blocks that are known, 0 to 1
+  double progress() const;  // the share of the blocks that are checked, 0 to 1
 
-  // By row, then column, then rule, as lint() gives them. Of blocks still to be looked at, what was found
-  // before.
+  // The problems in the order of lint(). Blocks that are not checked yet have their problems of the last
+  // check.
   const std::vector<Problem>& problems() const { return problems_; }
 
  private:
   struct Block {
     std::vector<Problem> problems;  // at most kMaxProblems
-    std::size_t left_out = 0;       // over that
+    std::size_t left_out = 0;       // problems beyond kMaxProblems
     Severity worst_left_out = Severity::warning;
-    std::bitset<kTileCount> tiles;  // that are in it
+    std::bitset<kTileCount> tiles;  // that are in the block
     bool is_known = false;
   };
 
@@ -59,15 +59,15 @@ class LintCache {
     return static_cast<std::size_t>(cell.y / side_ * across_ + cell.x / side_);
   }
 
-  std::vector<Cell> cells_;        // noted
-  bool map_ = true, rest_ = true;  // noted
+  std::vector<Cell> cells_;        // noted cells
+  bool map_ = true, rest_ = true;  // noted changes
   std::unique_ptr<const LintTiles> tiles_;
-  std::array<std::vector<Problem>, kTileCount> tile_problems_;  // without a cell
-  int width_ = 0, height_ = 0;                                  // cells, of the map
-  int side_ = 1;                                                // cells, of a block
-  int across_ = 1;                                              // blocks beside one another
+  std::array<std::vector<Problem>, kTileCount> tile_problems_;  // problems of each tile, without a cell
+  int width_ = 0, height_ = 0;                                  // size of the map, cells
+  int side_ = 1;                                                // side of a block, cells
+  int across_ = 1;                                              // blocks in a row
   std::vector<Block> blocks_;                                   // row by row
-  std::size_t next_ = 0;                                        // no block before it is unknown
+  std::size_t next_ = 0;                                        // all blocks before it are checked
   std::vector<Problem> problems_;
 };
 

@@ -1,4 +1,4 @@
-// What is known of the tiles.
+// Collects what the lint knows of the tiles.
 #include "lint_tiles.h"
 
 #include <algorithm>
@@ -34,9 +34,8 @@ std::vector<Curve> usable_curves(const Level& level) {
   return curves;
 }
 
-// See Tile::to_draw: where its ground is more than a px high in half of a cell's columns of pixels. Of a
-// one-way line, those that the line goes through. What is one tile wide is drawn by its tile, as far as it
-// is.
+// See Tile::to_draw. A cell counts if the ground in it is higher than a px in half of its columns of pixels;
+// for a one-way line, if the line goes through it. The picture of a shape one tile wide is the tile itself.
 std::vector<Cell> cells_to_draw(const TileShape& shape) {
   std::vector<Cell> cells;
   if (shape.kind == TileShape::Kind::solid || shape.tiles < 2) return cells;
@@ -75,7 +74,7 @@ LintTiles::LintTiles(const Level& level, const LintOptions& options)
     tile.line = is_line_shape(shapes_[i]);
     tile.shapeless = tile.role == TileRole::none && shapes_[i].kind == TileShape::Kind::none;
     if (!tile.line) continue;
-    // The neighbours that it touches are not covered by it.
+    // The shape touches these neighbours, but does not cover them.
     const std::array<Cell, 2> touched = cells_touched_by(shapes_[i], {0, 0});
     tile.covered = {Cell{touched[0].x + 1, touched[0].y + 1}, Cell{touched[1].x - 1, touched[1].y - 1}};
     tile.to_draw = cells_to_draw(shapes_[i]);
@@ -104,7 +103,7 @@ void LintTiles::note_masks(const Level& level) {
 
 int LintTiles::reach() const {
   int reach = std::max({kOutlineReach, slope_cells_ + 1, slope_rows_ + 1});
-  // A gap is looked at from its mouth to the other one, at both of which the player must fit.
+  // A gap is checked from one mouth to the other. The player must fit at both.
   if (player_) {
     const double side = std::max(player_->x, player_->y);
     reach = std::max(reach, 2 * static_cast<int>(std::ceil(side / kTileSize)) + kLongestGap + 1);
@@ -112,7 +111,7 @@ int LintTiles::reach() const {
   return reach;
 }
 
-// What looks like a slope without being one was meant as one.
+// A tile that looks like a slope but is none was probably intended as one.
 void LintTiles::note_likeness() {
   has_pictures_ = std::any_of(masks_.begin(), masks_.end(), [](std::uint64_t mask) { return mask != 0; });
   for (std::size_t i = 0; i < kTileCount; ++i) {

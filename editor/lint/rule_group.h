@@ -1,5 +1,5 @@
-// The rules of the lint. A file *_rules.cpp holds those that are checked together: their rows, what checks
-// them, and what fixes what they find.
+// The rules of the lint. A file *_rules.cpp holds rules that are checked together: their rows, their checks
+// and their fixes.
 #pragma once
 
 #include <array>
@@ -12,40 +12,40 @@
 
 namespace talus {
 
-// What checks and fixes look at.
+// What checks and fixes may look at.
 struct LintContext {
   const Level& level;
   const LintTiles& tiles;
-  // Whether ball tiles are on the map; true while not all of the map has been looked at.
+  // Whether the map has ball tiles; true until all of the map has been checked.
   bool has_balls = true;
 };
 
-// Rules that are checked together. Each check appends the problems that it finds, in any order; null: these
-// rules have nothing of the sort.
+// Rules that are checked together. Each check appends the problems that it finds, in any order. A check that
+// the group does not need is null.
 struct RuleGroup {
   std::span<const LintRule* const> rules;
-  // A tile wherever it is: 0..255. Its problems have no cell; they get that of the tile's first one.
+  // Checks a tile, 0..255, wherever it is. Its problems have no cell; they get the first cell with the tile.
   void (*check_tile)(const LintContext&, int tile, std::vector<Problem>& out) = nullptr;
-  // The cells from the first to the last of the two, both on the map. Their problems have a cell, and depend
-  // on no cell further away than LintTiles::reach(), and beside the map on LintTiles alone.
+  // Checks the cells from the first to the last one, both on the map. Its problems have a cell. They depend
+  // on LintTiles and on cells within LintTiles::reach(), and on nothing else.
   void (*check_area)(const LintContext&, std::array<Cell, 2> area, std::vector<Problem>& out) = nullptr;
-  // What else a level has: roles, shapes, curves, spawns, tuning.
+  // Checks the rest of a level: roles, shapes, curves, spawns, tuning.
   void (*check_level)(const LintContext&, std::vector<Problem>& out) = nullptr;
 };
 
-// All of them, in rule_list.cpp.
+// All groups, from rule_list.cpp.
 std::span<const RuleGroup* const> rule_groups();
-const RuleGroup* group_of(const LintRule& rule);  // null: no group has it
+const RuleGroup* group_of(const LintRule& rule);  // null: no group has the rule
 
-// Appends a problem of the rule, with the rule's severity, and returns it. The rest is as in Problem.
+// Appends a problem with the severity of the rule, and returns it. The other parameters are as in Problem.
 Problem& report(std::vector<Problem>& out, const LintRule& rule, std::string message,
                 std::optional<Cell> cell = {}, int tile = -1, int object = -1);
 
-// The cell of the map where a place is, or that is nearest to it; nothing if the map has no cells, or the
-// place is no number.
+// Returns the cell of the map at a place in px, or the nearest one; empty if the map has no cells, or if the
+// place is not a number.
 std::optional<Cell> nearest_cell(const TileMap& map, Vec2 at);
 
-// The checks of all groups, as in RuleGroup.
+// These run the checks of all groups, as in RuleGroup.
 void check_tile(const LintContext& context, int tile, std::vector<Problem>& out);
 void check_level(const LintContext& context, std::vector<Problem>& out);
 void check_area(const LintContext& context, std::array<Cell, 2> area, std::vector<Problem>& out);

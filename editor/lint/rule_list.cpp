@@ -3,7 +3,7 @@
 
 namespace talus {
 
-// Each is at the end of the file of its name.
+// Each function is at the end of the file of its name.
 const RuleGroup& slope_rules();
 const RuleGroup& seam_rules();
 const RuleGroup& gap_rules();

@@ -9,13 +9,13 @@
 namespace talus {
 namespace {
 
-constexpr int kPatch = 64;  // cells, side of what is compiled at a time
+constexpr int kPatch = 64;  // side of the patch that is compiled at a time, cells
 
 struct End {
   double y = 0;  // px
   bool floor = true;
-  int row = 0;  // of the cell that it is in
-  Cell tile;    // whose shape it is
+  int row = 0;  // row of the cell that the end is in
+  Cell tile;    // cell of the tile whose shape it is
   bool one_way = false;
 };
 
@@ -33,7 +33,7 @@ class SeamFinder {
         least_body_(tiles.player() ? std::min<double>(tiles.player()->y, kTileSize) : kTileSize) {}
 
   void find(std::array<Cell, 2> area) {
-    // A floor that goes on may be a row higher or lower, and the ceiling over it another one.
+    // A floor may go on in the row above or below, and so may the ceiling over it.
     const Cell first{std::max(area[0].x - 1, 0), std::max(area[0].y - 2, 0)};
     const Cell last{std::min(area[1].x + 1, level_.map.width() - 1),
                     std::min(area[1].y + 2, level_.map.height() - 1)};
@@ -51,7 +51,7 @@ class SeamFinder {
     compiler_.for_lines([this](Cell c, const TileOutline& shape) {
       const auto& [from, to] = shape.touched;
       mark({c.x + from.x, c.y + from.y}, {c.x + to.x, c.y + to.y}, touched_);
-      // Its neighbours are touched, but not covered.
+      // The shape touches its neighbours, but does not cover them.
       mark({c.x + from.x + 1, c.y + from.y + 1}, {c.x + to.x - 1, c.y + to.y - 1}, ground_);
     });
     for (Cell c = area[0]; c.y <= area[1].y; ++c.y) {
@@ -64,7 +64,7 @@ class SeamFinder {
   }
 
  private:
-  std::size_t index_of(Cell c) const {  // of a cell around the area
+  std::size_t index_of(Cell c) const {  // cell: in or around the area
     return static_cast<std::size_t>(c.y - around_[0].y) *
                static_cast<std::size_t>(around_[1].x - around_[0].x + 1) +
            static_cast<std::size_t>(c.x - around_[0].x);
@@ -76,7 +76,7 @@ class SeamFinder {
     }
   }
 
-  // What is compiled is asked for again beside it and below.
+  // Compiled patches are kept, as cells beside and below ask for them again.
   const std::vector<Piece<double>>& pieces_at(Cell cell) {
     for (const Compiled& known : compiled_)
       if (known.cell == cell) return known.pieces;
@@ -87,7 +87,7 @@ class SeamFinder {
     return next.pieces;
   }
 
-  // The exposed ends of floors and ceilings at one side of a cell.
+  // Collects the exposed ends of floors and ceilings at one side of a cell.
   void ends_of(Cell cell, bool right, std::vector<End>& ends) {
     if (!ground_[index_of(cell)]) return;
     const double x = (cell.x + (right ? 1.0 : 0.0)) * kTileSize;
@@ -95,7 +95,7 @@ class SeamFinder {
     for (const Piece<double>& piece : pieces_at(cell)) {
       const bool ends_here = right ? piece.x1 == x : piece.x0 == x;
       if (piece.is_wall() || !ends_here) continue;
-      // A steep piece is in several cells: its end counts in one of them.
+      // A steep piece is in several cells. Its end counts in only one of them.
       const double y = right ? piece.y1 : piece.y0;
       const bool floor = piece.facing == Facing::up;
       const bool lower = y > std::min(piece.y0, piece.y1) || (!floor && piece.y0 == piece.y1);
@@ -120,7 +120,7 @@ class SeamFinder {
     for (const End& end : here_) find_jump(cell, end);
   }
 
-  // The floor at a side of a cell with a ceiling so close above it that no body gets between them.
+  // The floor at a side of a cell, with a ceiling so close above it that no body fits between them.
   struct Slit {
     double floor = 0, ceiling = 0;  // px
     double gap() const { return floor - ceiling; }
@@ -144,7 +144,8 @@ class SeamFinder {
     return found;
   }
 
-  // A slit that narrows from where bodies are is a corner of a cave; one that begins at once is none.
+  // Whether the slit continues in the next cell with the same floor and ceiling, or at the map's edge. A slit
+  // that narrows from a place where bodies are is the corner of a cave, and no crack.
   bool goes_on(Cell cell, bool right, const Slit& slit) {
     const int x = cell.x + (right ? 1 : -1);
     if (x < 0 || x >= level_.map.width()) return true;
@@ -153,7 +154,7 @@ class SeamFinder {
     return false;
   }
 
-  // Told at each end that begins at once.
+  // Reports a crack at a cell in which it begins or ends.
   void check_crack(Cell cell) {
     if (cell.y == 0 || !ground_[index_of(cell)] || !ground_[index_of({cell.x, cell.y - 1})]) return;
     const auto left = slit_at(cell, false), right = slit_at(cell, true);
@@ -164,7 +165,7 @@ class SeamFinder {
   }
 
   void find_jump(Cell cell, const End& end) {
-    double jump = kTileSize;  // the least, below that
+    double jump = kTileSize;  // the smallest jump below a whole tile
     Seam seam{cell, {}, end.y, 0, end.tile, {}, end.floor};
     for (const End& next : there_) {
       const double by = std::abs(next.y - end.y);
@@ -175,15 +176,15 @@ class SeamFinder {
       seam.right_tile = next.tile;
     }
     if (jump == kTileSize || jump <= tiles_.seam() || is_on_curve(cell, end)) return;
-    // Cracks are told of as such, and so are slopes that lack a half.
+    // Cracks and slopes that lack a half have rules of their own.
     if (is_in_slit({cell.x, end.row}, true, end.y, end.floor) ||
         is_in_slit(seam.right, false, seam.right_y, end.floor))
       return;
     if (!has_fault(seam.left_tile) && !has_fault(seam.right_tile)) out_.seams.push_back(seam);
   }
 
-  // Whether the floor or the ceiling that ends there at a side of a cell is in a slit. A ceiling's is told of
-  // in the row of its floor.
+  // Whether the floor or the ceiling that ends at this side of a cell is in a slit. The slit of a ceiling is
+  // listed in the row of its floor.
   bool is_in_slit(Cell cell, bool right, double y, bool floor) {
     const int last = std::min(cell.y + (floor ? 0 : 1), level_.map.height() - 1);
     for (int row = cell.y; row <= last; ++row) {
@@ -194,7 +195,7 @@ class SeamFinder {
   }
   bool has_fault(Cell slope) const { return slope_fault_at(level_, tiles_, slope).has_value(); }
 
-  // Whether a curve goes on where a floor or a ceiling ends.
+  // Whether a curve continues where a floor or a ceiling ends.
   bool is_on_curve(Cell cell, const End& end) const {
     const double x = (cell.x + 1.0) * kTileSize;
     const auto ends = tiles_.curves().ends.at({x, end.y}, true);
@@ -207,16 +208,16 @@ class SeamFinder {
   const LintTiles& tiles_;
   OutlineCompiler compiler_;
   SeamsAndCracks& out_;
-  const double least_body_;       // px: no body is lower
+  const double least_body_;       // height of the lowest body, px
   std::array<Cell, 2> around_{};  // the area and its neighbours
-  // By cell around the area: whether a slope or the like may change the outline; and whether there is ground.
+  // For each cell around the area: whether a line may change the outline there, and whether there is ground.
   std::vector<bool> touched_, ground_;
   struct Compiled {
     Cell cell{-1, -1};
     std::vector<Piece<double>> pieces;
   };
-  std::array<Compiled, 16> compiled_;  // the cells compiled last
-  std::size_t next_ = 0;               // place of the next one there
+  std::array<Compiled, 16> compiled_;  // the last compiled patches
+  std::size_t next_ = 0;               // index of the patch that is replaced next
   std::vector<End> here_, there_, slit_ends_;
 };
 

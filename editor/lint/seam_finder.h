@@ -1,5 +1,5 @@
-// Where the outline of the ground jumps between two columns of cells, and where it stays open inside the
-// ground.
+// Finds where the outline of the ground jumps between two columns of cells, and where it stays open inside
+// the ground.
 #pragma once
 
 #include <array>
@@ -9,24 +9,25 @@
 
 namespace talus {
 
-// Where a floor or a ceiling ends at the border of two columns of cells, and the next one is higher or lower.
+// A floor or a ceiling that ends at the border of two columns of cells, where the next one is higher or
+// lower.
 struct Seam {
-  Cell left, right;                // in which the two end
+  Cell left, right;                // the cells in which the two end
   double left_y = 0, right_y = 0;  // px
-  Cell left_tile, right_tile;      // whose shapes they are
+  Cell left_tile, right_tile;      // the cells of the tiles whose shapes they are
   bool floor = true;
 };
-// Where a floor in a cell has a ceiling so close above it that no body gets between them.
+// A floor in a cell with a ceiling so close above it that no body fits between them.
 struct Crack {
   Cell cell;
-  double gap = 0;  // px, at its end
+  double gap = 0;  // height at its end, px
 };
 
 struct SeamsAndCracks {
   std::vector<Seam> seams;
   std::vector<Crack> cracks;
 };
-// Those at the cells of an area, from its first to its last, both on the map.
+// Returns the seams and cracks in an area, from its first to its last cell, both on the map.
 SeamsAndCracks find_seams(const Level& level, const LintTiles& tiles, std::array<Cell, 2> area);
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Floors and ceilings that jump where two tiles meet, which stops what runs along, and edges inside the
+// Finds floors and ceilings that jump where two tiles meet, so that they stop bodies, and edges inside the
 // ground.
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,8 @@ void check_seams(const LintContext& context, std::array<Cell, 2> area, std::vect
   }
 }
 
-// What a level is around a cell: small enough to try something on it.
+// Returns the part of the level around a cell, small enough to try fixes on. corner: gets the cell of its top
+// left.
 Level cut_out(const Level& level, Cell cell, int reach, Cell& corner) {
   const TileMap& map = level.map;
   corner = {std::max(cell.x - reach, 0), std::max(cell.y - reach, 0)};
@@ -85,8 +86,8 @@ class SeamFixer {
     return floor ? base - weld(height) : base + weld(height);
   }
 
-  // Puts the tile that is drawn beside a slope's on the sheet beside it on the map, where that goes on at the
-  // same height, and where nothing is yet.
+  // Adds the fix that puts the slope's next tile on the sheet beside it on the map, if that tile continues at
+  // the same height and the cell is empty.
   void go_on(bool right) {
     const Cell tile = right ? seam_.left_tile : seam_.right_tile;
     const TileShape* shape = shape_at(tile);
@@ -108,7 +109,7 @@ class SeamFixer {
     }
   }
 
-  // Raises or lowers the end of a slope's tile to the other side.
+  // Adds the fix that raises or lowers the end of a slope's tile to the other side.
   void change_height(bool left) {
     const Cell at = left ? seam_.left_tile : seam_.right_tile;
     const TileShape* before = shape_at(at);
@@ -129,7 +130,8 @@ class SeamFixer {
                                    TileShapeChange{tile, level_.tile_shapes[tile], after}));
   }
 
-  // What leaves the fewest problems around comes first, and what leaves more than there were not at all.
+  // Sorts the fixes by the number of problems that they leave around. Fixes that leave more problems than
+  // before are dropped.
   void keep_the_best() {
     Cell corner;
     Level local = cut_out(level_, seam_.left, 2 * tiles_.reach(), corner);

@@ -1,4 +1,5 @@
-// Shapes that cannot be used, that nothing draws, that are too steep, or that reach over the map's edge.
+// Finds shapes that are invalid, that no picture shows, that are too steep, or that reach over the map's
+// edge.
 #include <algorithm>
 #include <cmath>
 
@@ -49,7 +50,7 @@ void check_shape_tile(const LintContext& context, int tile, std::vector<Problem>
   check_picture(context, tile, out);
 }
 
-// Of a slope that its flags alone make, the rules of slopes tell.
+// Slopes that are made by flags alone are checked by the rules of slopes.
 void check_edges(const LintContext& context, std::array<Cell, 2> area, std::vector<Problem>& out) {
   const TileMap& map = context.level.map;
   for (Cell cell = area[0]; cell.y <= area[1].y; ++cell.y) {
@@ -82,7 +83,7 @@ void check_usable(const LintContext& context, std::vector<Problem>& out) {
   }
 }
 
-// Whether the middle of a pixel of the tile's own cell is inside of the ground; of a ball, inside of it.
+// Whether the middle of a pixel of the tile's own cell is inside the ground, or inside the ball.
 bool is_inside(const TileShape& shape, int x, int y) {
   const double at = x + 0.5, down = y + 0.5;
   if (shape.kind == TileShape::Kind::none) return std::hypot(at - 4, down - 4) < 4;

@@ -1,4 +1,4 @@
-// What is wrong beside a flagged slope.
+// What is wrong with a flagged slope.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ struct SlopeFault {
   const LintRule* rule;
   std::string text;  // the end of a sentence
 };
-// Nothing where no flagged slope is, or where it is whole.
+// Returns the fault of the flagged slope in a cell; empty if there is no such slope, or if it is complete.
 std::optional<SlopeFault> slope_fault_at(const Level& level, const LintTiles& tiles, Cell cell);
 
 }  // namespace talus

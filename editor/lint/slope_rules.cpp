@@ -1,4 +1,4 @@
-// Slopes that lack a half, a flag or a picture, or that meet what they should not.
+// Finds slopes that lack a half, a flag or a picture, or that overlap other tiles.
 #include "fix_parts.h"
 #include "level/level_text.h"
 #include "rule_group.h"
@@ -24,8 +24,9 @@ constexpr LintRule kUnflagged{
 
 std::string tile_at_text(int tile, Cell cell) { return tile_text(tile) + " at " + cell_text(cell); }
 
-// The cells on the map that lack a tile to draw the rest of the shape in a cell, from left to right: none
-// where there is no shape, where flags make it a slope, or where its own tile is not drawn either.
+// Returns the cells on the map that need a tile to draw the rest of the shape in a cell, from left to right.
+// The list is empty if the cell has no shape, if flags make it a slope, or if its own tile is not drawn
+// either.
 std::vector<Cell> undrawn_cells(const Level& level, const LintTiles& tiles, Cell cell) {
   const std::uint8_t number = level.map.at(cell);
   const LintTiles::Tile& tile = tiles[number];
@@ -47,7 +48,7 @@ void check_slope(const LintContext& context, Cell cell, int tile, std::vector<Pr
          cell, tile);
 }
 
-// The same of a shape of its own, in all its columns and rows.
+// Checks the same for a shape of its own, in all its columns and rows.
 void check_drawn(const LintContext& context, Cell cell, int tile, std::vector<Problem>& out) {
   const std::vector<Cell> undrawn = undrawn_cells(context.level, context.tiles, cell);
   if (undrawn.empty()) return;
@@ -59,10 +60,10 @@ void check_drawn(const LintContext& context, Cell cell, int tile, std::vector<Pr
              ", where nothing shows it" +
              (sheet_ends ? ": it is wider than what the sheet has at the tile's right" : ""),
          cell, tile)
-      .severity = Severity::warning;  // nothing but the picture is wrong
+      .severity = Severity::warning;  // only the picture is wrong
 }
 
-// What is drawn as the right half of a slope needs the flagged tile at its left.
+// A tile drawn as the right half of a slope needs the flagged tile to its left.
 void check_right_half(const LintContext& context, Cell cell, int tile, std::vector<Problem>& out) {
   const auto& [level, tiles, has_balls] = context;
   const int half_of = tiles[static_cast<std::size_t>(tile)].half_of;
@@ -119,8 +120,8 @@ void fix_right_half(const LintContext& context, const Problem& problem, std::vec
   }
 }
 
-// The tiles that lie on the sheet around the shape's as its cells do on the map. None where one of them is
-// not drawn, or is something to the physics itself.
+// Adds the fix that puts the tiles beside the shape's tile on the sheet into its cells on the map. Adds
+// nothing if one of them is not drawn, or is ground itself.
 void fix_undrawn_shape(const LintContext& context, const Problem& problem, std::vector<Edit>& out) {
   const Level& level = context.level;
   const LintTiles& tiles = context.tiles;
@@ -200,7 +201,7 @@ void fix_missing_half(const LintContext& context, const Problem& problem, std::v
 
 }  // namespace
 
-// The cells behind the first that a slope's box covers must show the rest of it.
+// The other cells that a slope's box covers must show the rest of it.
 std::optional<SlopeFault> slope_fault_at(const Level& level, const LintTiles& tiles, Cell cell) {
   if (!tiles.is_slope(level.map.at(cell))) return std::nullopt;
   for (int i = 1; i < tiles.slope_cells(); ++i) {

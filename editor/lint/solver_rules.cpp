@@ -1,4 +1,4 @@
-// Ground that the level's solver does not know, or has too much of.
+// Finds ground that the level's solver does not know, or has too much of.
 #include <array>
 #include <utility>
 
@@ -18,7 +18,7 @@ constexpr LintRule kNotInArticle{.code = "ground-not-in-article",
 constexpr LintRule kTooMuchGround{
     .code = "too-much-ground", .label = "too much ground for its solver", .severity = Severity::error};
 
-// The article has full tiles and floors alone; the tiles of the map that it lets everything through.
+// The article knows only full tiles and floors. This finds the tiles on the map that it lets bodies through.
 void check_article(const Level& level, std::vector<Problem>& out) {
   if (level.tuning.solver != SolverKind::article) return;
   std::array<bool, kTileCount> used{};

@@ -1,4 +1,4 @@
-// Bodies that start inside the ground or off the map, or too fast; and levels without a body.
+// Finds bodies that start inside the ground, off the map or too fast, and levels without a body.
 #include <algorithm>
 #include <cmath>
 
@@ -22,13 +22,14 @@ constexpr LintRule kOutside{.code = "spawn-outside", .label = "body off the map"
 constexpr LintRule kTooFast{.code = "spawn-too-fast", .label = "body that is too fast"};
 constexpr LintRule kNoBalls{.code = "no-balls", .label = "nothing to move"};
 
-constexpr double kFastest = 4096;   // px/frame: what the solvers limit speeds to after a step
-constexpr Vec2 kBallSize = {8, 8};  // px, of a ball tile's ball
+constexpr double kFastest = 4096;   // px/frame; the solvers limit speeds to this after a step
+constexpr Vec2 kBallSize = {8, 8};  // size of a ball tile's ball, px
 constexpr int kMostUp = 16;         // cells
 constexpr int kMostAway = 16;       // cells
 
-// How deep a body of this size with this corner, px, lies below the floor that the article computes for a
-// slope flagged in the cell; 0 when it is above, or beside the slope's box.
+// Returns how many px a body of this size with this top left corner (px) lies below the floor that the
+// article computes for a slope flagged in the cell. Returns 0 if it is above the floor, or beside the slope's
+// box.
 double depth_in_slope(const Level& level, Vec2 corner, Vec2 size, Cell at) {
   const double w = level.tuning.shared.slope_width, h = level.tuning.shared.slope_height;
   const Vec2 slope = {static_cast<double>(at.x) * kTileSize, static_cast<double>(at.y) * kTileSize};
@@ -53,7 +54,7 @@ class SpawnLinter {
     const double width = level_.map.width() * kTileSize, height = level_.map.height() * kTileSize;
     const bool inside =
         corner.x >= 0 && corner.y >= 0 && corner.x + size.x <= width && corner.y + size.y <= height;
-    // Farther away there are no tiles, and perhaps no int for the cell either.
+    // Farther away there are no tiles, and the cell may not fit into an int.
     const bool touches = corner.x > -size.x && corner.y > -size.y && corner.x < width && corner.y < height;
     const std::optional<Cell> cell = nearest_cell(level_.map, corner);
     if (!inside) report(out_, kOutside, subject + " is not wholly on the map", cell, -1, index);
@@ -69,7 +70,7 @@ class SpawnLinter {
 
  private:
   // Calls visit(cell) for the cells of the map from the one at `first` px to the one before `end` px, until
-  // it returns true; whether it did.
+  // it returns true. Returns whether it did.
   template <class Visit>
   bool any_cell(Vec2 first, Vec2 end, Visit visit) const {
     const int x1 = std::min(level_.map.width(), static_cast<int>(std::ceil(end.x / kTileSize)));
@@ -82,7 +83,7 @@ class SpawnLinter {
     return false;
   }
 
-  // Reports the first solid tile that the body overlaps; false when there is none.
+  // Reports the first solid tile that the body overlaps. Returns false if there is none.
   bool is_in_solid(int index, const std::string& subject, std::optional<Cell> cell) {
     const Spawn& spawn = level_.spawns[static_cast<std::size_t>(index)];
     return any_cell(spawn.position, spawn.position + spawn.size, [&](Cell at) {
@@ -92,7 +93,8 @@ class SpawnLinter {
     });
   }
 
-  // The same of the first slope below whose floor, as the article computes it, it would start.
+  // Reports the first slope below whose floor the body starts, as the article computes that floor. Returns
+  // false if there is none.
   bool is_in_slope(int index, const std::string& subject, std::optional<Cell> cell) {
     const Spawn& spawn = level_.spawns[static_cast<std::size_t>(index)];
     const Vec2 reach = {level_.tuning.shared.slope_width, level_.tuning.shared.slope_height};
@@ -109,7 +111,7 @@ class SpawnLinter {
     });
   }
 
-  // The same of slopes and profiles that flags and roles do not tell, where the level's solver has them.
+  // Reports slopes and profiles that have no flag or role, if the level's solver knows them.
   void check_shapes(int index, const std::string& subject, std::optional<Cell> cell) {
     if (level_.tuning.solver != SolverKind::exact) return;
     const Spawn& spawn = level_.spawns[static_cast<std::size_t>(index)];
@@ -182,7 +184,7 @@ bool is_on_map(const Level& level, const Rect& box) {
          box.bottom() <= level.map.height() * kTileSize;
 }
 
-// The nearest place free of the ground and on the map, of those at corners of cells.
+// Returns the nearest place on the map that is free of the ground, among the corners of cells.
 std::optional<Vec2> nearest_free_corner(const Level& level, const Rect& box, const LocalGround& ground,
                                         Foot foot) {
   std::optional<Vec2> nearest;
@@ -202,8 +204,8 @@ std::optional<Vec2> nearest_free_corner(const Level& level, const Rect& box, con
   return nearest;
 }
 
-// The nearest place straight above in which the body stands, or hangs, free of the ground; else the shortest
-// way out of it that stays on the map; else the nearest free one.
+// Returns the nearest place straight above that is free of the ground; if there is none, the end of the
+// shortest way out of the ground that stays on the map; otherwise the nearest free place.
 std::optional<Vec2> free_place(const Level& level, const Spawn& spawn) {
   const Rect box{spawn.position.x, spawn.position.y, spawn.size.x, spawn.size.y};
   const LocalGround ground = ground_around(level, box, std::max(kMostUp, kMostAway) + 1);
@@ -249,13 +251,13 @@ void fix_outside(const LintContext& context, const Problem& problem, std::vector
              out);
 }
 
-// Moves a ball tile up to the next empty cell that is in no slope.
+// Moves a ball tile up to the next empty cell outside all slopes.
 void move_ball(const LintContext& context, Cell cell, std::vector<Edit>& out) {
   const Level& level = context.level;
   const LintTiles& tiles = context.tiles;
   for (Cell up{cell.x, cell.y - 1}; level.map.contains(up) && up.y >= cell.y - kMostUp; --up.y) {
     if (!tiles.is_empty(level.map.at(up))) continue;
-    // Where it covers a slope's right half, that comes in its place.
+    // If the ball covers a slope's right half, that half replaces it.
     const Cell left{cell.x - 1, cell.y};
     const auto half = static_cast<std::uint8_t>(level.map.contains(left) ? level.map.at(left) + 1 : 0);
     const bool is_half = half != 0 && tiles[half].half_of == half - 1;

@@ -8,8 +8,8 @@ namespace talus {
 namespace {
 
 constexpr const Overlay* kId = &overlay::answer;
-constexpr int kCurveLines = 24;  // drawn for a curve of the floor
-constexpr double kPathStep = 8;  // px between the points of a way along the floor
+constexpr int kCurveLines = 24;  // drawn for each curve of the floor
+constexpr double kPathStep = 8;  // px between the points of a path along the floor
 
 class AnswerDrawer {
  public:
@@ -27,7 +27,8 @@ class AnswerDrawer {
     return {spawn.position.x, spawn.position.y, spawn.size.x, spawn.size.y};
   }
 
-  // Where a check of a position wants the body; what it leaves open is as at the start.
+  // Returns the box that a check of a position wants. A coordinate that the check leaves open is that of the
+  // start.
   Rect wanted(const CaseCheck& check) const {
     Rect box = start_of(check.body);
     if (check.x || check.right) box.x = check.x ? *check.x : *check.right - box.w;
@@ -64,7 +65,8 @@ class AnswerDrawer {
     }
   }
 
-  // Ghosts of the body where it should be, each with an arrow from the one before. `at`: the last of them.
+  // Draws ghosts of the body where it should be, each with an arrow from the one before. Sets `at` to the
+  // last of them. Returns whether a check gives an x.
   bool draw_positions(int body, Rect& at) {
     bool any = false;
     for (const CaseCheck& check : hard_.checks) {
@@ -79,7 +81,8 @@ class AnswerDrawer {
     return any;
   }
 
-  // The way of the body's centre along the floor, or straight on without one, to where it should get.
+  // Draws the path of the body's centre to where it should get: along the floor, or straight if there is no
+  // floor.
   void draw_way(const Rect& start, double x) {
     const double step = x < start.x ? -kPathStep : kPathStep;
     Vec2 from = start.center();

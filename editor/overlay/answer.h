@@ -7,7 +7,7 @@
 
 namespace talus {
 
-// Adds where bodies start, where they should be, their ways there, and the floor that they should keep to.
+// Adds where bodies start, where they should be, their paths there, and the floor that they should stay on.
 void add_answer(const HardCase& hard, const Level& level, OverlayDrawing& drawing);
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// What bodies are: their boxes, their velocity, and what of them is in the ground.
+// Overlays of the bodies: their boxes, their velocity, and their parts in the ground.
 #include <algorithm>
 #include <cmath>
 
@@ -24,7 +24,7 @@ void draw_velocity(const OverlaySource&, const Body& body, OverlayPen& pen) {
   pen.label(to, two_decimals(body.velocity.x) + ", " + two_decimals(body.velocity.y), body);
 }
 
-// What of the body is in the ground: the strip at the side through which it gets out soonest.
+// Draws the part of the body that is in the ground: the strip at the side with the shortest way out.
 void draw_penetration(const OverlaySource& source, const Body& body, OverlayPen& pen) {
   if (source.ground == nullptr || !pen.sees(body.box)) return;
   const auto out = way_out(*source.ground, body.box, body.foot);
@@ -73,7 +73,7 @@ const Overlay velocity{
     .safe_color = 0x6ec88c,
     .digit = '4',
     .is_default = true,
-    .labels_outside = true,  // an arrow that does not leave its body says enough
+    .labels_outside = true,  // an arrow inside its body needs no label
     .draw_body = draw_velocity,
     .draw_swatch =
         [](OverlayPen& pen) {

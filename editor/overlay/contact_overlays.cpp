@@ -1,4 +1,4 @@
-// Where bodies met something: the sides that they touched, and when.
+// Overlays of contacts: the touched sides, and the times.
 #include <algorithm>
 
 #include "number_label.h"
@@ -9,13 +9,13 @@ namespace {
 
 constexpr double kTouchedLength = 8;  // px
 
-// The middle of what two intervals share; of the gap between them when they are apart.
+// Returns the middle of the common part of two intervals, or of the gap between them if they have none.
 double shared_middle(double a_min, double a_max, double b_min, double b_max) {
   return (std::max(a_min, b_min) + std::min(a_max, b_max)) / 2;
 }
 
-// Where the mover's box at the contact meets the obstacle: the middle of the shared part of the touched side.
-// A contact without a direction has the middle of the overlap.
+// Returns where the mover's box meets the obstacle at the contact: the middle of the common part of the
+// touched side. A contact without a direction gives the middle of the overlap.
 Vec2 touched_point(const ContactRecord& contact, const Rect& body) {
   const Rect& o = contact.other.box;
   const Vec2 at = contact.touch, n = contact.normal;

@@ -1,4 +1,4 @@
-// The floor below a body, and where on a slope it is.
+// Overlays of the floor below a body, and of its place on a slope.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -15,8 +15,9 @@ constexpr double kBarHeight = 2;    // px
 constexpr double kBarGap = 2;       // px between the bar and the body below it
 constexpr double kFloorMargin = 4;  // px by which the floor line sticks out on both sides of the body
 
-constexpr double kFloorReach = 64;  // px below a body at which a floor is looked for; of the chosen one, all
-constexpr double kFloorStep = 1;    // px between the places where a floor's height is shown
+constexpr double kFloorReach =
+    64;  // px below a body within which a floor is shown; the chosen body shows it at any distance
+constexpr double kFloorStep = 1;  // px between two drawn heights of a floor
 constexpr int kMostFloorParts = 64;
 constexpr double kFloorTick = 1.5;  // px
 
@@ -39,7 +40,7 @@ void draw_floor_profile(const Terrain& ground, const Rect& box, double reach, Ov
   }
 }
 
-// The floor straight below, as the ground has it, and its height under every x of the chosen body.
+// Draws the ground's floor straight below a body, and for the chosen body its height under every x.
 void draw_floor(const OverlaySource& source, const Body& body, OverlayPen& pen) {
   const Rect& b = body.box;
   if (source.ground == nullptr || !pen.sees(b)) return;
@@ -55,7 +56,7 @@ void draw_floor(const OverlaySource& source, const Body& body, OverlayPen& pen) 
   pen.label(end, "floor " + two_decimals(floor->y), body);
 }
 
-// The floor that the article and bump compute on a slope.
+// Draws the floor that article and bump compute on a slope.
 void draw_computed_floor(const OverlaySource& source, const SlopeProbe& probe, const Body& body,
                          OverlayPen& pen) {
   if (source.scene.ground || source.scene.single_ground) return;

@@ -1,4 +1,4 @@
-// Drawing of the map from afar.
+// Draws the map when it is zoomed far out.
 #include "map_picture.h"
 
 #include <algorithm>
@@ -20,11 +20,11 @@ Rgb mixed(Rgb color, Rgb tint) {
   return {channel(color.r, tint.r), channel(color.g, tint.g), channel(color.b, tint.b)};
 }
 
-// The three channels of a colour in one number, so that those of many cells are added at once: a picture of
-// the largest map looks at 16 million of them.
+// The three channels of a colour in one number, so that they are added at once: a picture of the largest map
+// adds 16 million cells.
 constexpr int kChannelBits = 21;
 constexpr std::uint64_t kChannelMask = (1 << kChannelBits) - 1;
-constexpr int kMostAtOnce = 1 << (kChannelBits - 8);  // colours whose sums fit
+constexpr int kMostAtOnce = 1 << (kChannelBits - 8);  // the number of colours whose sum fits
 using PackedColors = std::array<std::uint64_t, kTileCount>;
 
 PackedColors packed(const TileColors& colors) {
@@ -39,7 +39,7 @@ PackedColors packed(const TileColors& colors) {
 struct Sum {
   std::uint64_t r = 0, g = 0, b = 0, count = 0;
 
-  // The cells of a row of the map from `tiles` on.
+  // Adds the cells of a row of the map from `tiles` on.
   void add(const std::uint8_t* tiles, int cells, const PackedColors& colors) {
     count += static_cast<std::uint64_t>(cells);
     while (cells > 0) {
@@ -55,7 +55,7 @@ struct Sum {
   }
 };
 
-// Of a row of blocks: of each the cells that are on the map.
+// Returns, for each block in a row of blocks, the sum of its cells on the map.
 std::vector<Sum> sums_of_row(const TileMap& map, const PackedColors& colors, Cell from, int block,
                              int blocks) {
   std::vector<Sum> sums(static_cast<std::size_t>(blocks));
@@ -89,7 +89,7 @@ std::vector<std::uint8_t> map_picture(const TileMap& map, const TileColors& colo
   assert(block >= 1 && block <= kMaxBlock);
   std::vector<std::uint8_t> rgba(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
   const PackedColors all = packed(colors);
-  // In blocks, so that no number overflows beyond the map.
+  // The width is counted in blocks, so that no number overflows beyond the map.
   const int columns = std::clamp((map.width() - from.x + block - 1) / block, 0, width);
   const int rows = std::min(height, (map.height() - from.y + block - 1) / block);
   for (int y = 0; y < rows; ++y) {

@@ -1,4 +1,5 @@
-// The map from afar: a pixel for a cell, or for a block of cells, in the colour that its tile has most of.
+// A picture of the map for low zoom: each pixel is a cell, or a block of cells, in the commonest colour of
+// its tile.
 #pragma once
 
 #include <array>
@@ -12,24 +13,24 @@ namespace talus {
 
 using TileColors = std::array<Rgb, kTileCount>;
 
-// What is shown besides the tiles themselves.
+// Options of the picture.
 struct MapLook {
-  bool hide_balls = false;            // ball tiles look as tile 0, as the play view leaves them out
-  std::optional<FlagPattern> tinted;  // tiles whose flags match are tinted
+  bool hide_balls = false;            // draws ball tiles as tile 0, as the play view does
+  std::optional<FlagPattern> tinted;  // tints tiles whose flags match; empty: tints nothing
   Rgb tint;
   friend bool operator==(const MapLook&, const MapLook&) = default;
 };
 inline constexpr int kTintPercent = 43;
 
-// The colour that most pixels of each tile have; of several, the one that comes first in the palette.
+// Returns the commonest colour of each tile; if several are equally common, the first one in the palette.
 TileColors tile_colors(const Level& level, const MapLook& look);
 
-// Cells that one pixel stands for, along each side.
+// The most cells that one pixel stands for, along each side.
 inline constexpr int kMaxBlock = 1 << 21;
 
-// RGBA, width * height pixels, row by row. The first pixel stands for the block with its top-left cell at
-// `from`; each is the mean of its cells on the map, and clear where it has none.
-// block: a power of 2, 1..kMaxBlock.
+// Returns RGBA of width * height pixels, row by row. The first pixel stands for the block with its top left
+// cell at `from`. Each pixel is the mean of its cells on the map, and transparent if it has none. block: a
+// power of 2, 1..kMaxBlock.
 std::vector<std::uint8_t> map_picture(const TileMap& map, const TileColors& colors, Cell from, int block,
                                       int width, int height);
 

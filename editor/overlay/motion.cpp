@@ -9,7 +9,7 @@ namespace talus {
 namespace {
 
 constexpr const Overlay* kPath = &overlay::swept_path;
-constexpr double kFaintest = 0.15;  // of the oldest part of a trail
+constexpr double kFaintest = 0.15;  // strength of the oldest part of a trail
 
 class PathDrawer {
  public:
@@ -37,7 +37,7 @@ class PathDrawer {
     if (meet(box, visible_)) out_.boxes.push_back({kPath, box});
   }
 
-  // The strip's two long sides are the ways of the corners that are outermost across the motion.
+  // The long sides of the strip are the paths of the two outermost corners across the motion.
   void move_to(Rect& at, Vec2 to) {
     const Vec2 from = at.position(), way = to - from;
     if (way == Vec2{}) return;
@@ -61,7 +61,7 @@ class PathDrawer {
   const OverlaySource& source_;
   const Rect visible_;
   OverlayDrawing& out_;
-  std::vector<const ContactRecord*> contacts_;  // that were handled, by body and in their order
+  std::vector<const ContactRecord*> contacts_;  // handled contacts, by body and in their order
 };
 
 }  // namespace

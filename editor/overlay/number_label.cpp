@@ -7,7 +7,7 @@ namespace talus {
 
 namespace {
 
-// As printf's %f and %g, and much quicker: crowds have thousands of labels.
+// Formats like printf's %f and %g, but much faster: crowds have thousands of labels.
 std::string formatted(std::chars_format format, int precision, double value) {
   char text[384];  // the largest double has 309 digits before the point
   return {text, std::to_chars(text, text + sizeof text, value, format, precision).ptr};

@@ -12,8 +12,8 @@ namespace talus {
 namespace {
 
 constexpr double kOutwardLength = 3;  // px
-constexpr double kPassLength = 5;     // px, of a one-way side's arrow on either side of it
-constexpr double kNormalGap = 16;     // px, at most, from one normal of a piece to the next
+constexpr double kPassLength = 5;     // px on either side of a one-way side, of its arrow
+constexpr double kNormalGap = 16;     // the largest distance between two normals of a piece, px
 constexpr double kMostLines = 1024;   // for a curve that crosses the whole view
 
 Vec2 normal_of(Facing facing) {
@@ -30,7 +30,7 @@ Vec2 normal_of(Facing facing) {
   return {};
 }
 
-// One piece where it is visible: the x that it reaches over, and its points.
+// A piece where it is visible: the range of x, and its points.
 class VisiblePiece {
  public:
   VisiblePiece(const Piece<double>& piece, std::span<const CurveStretch<double>> stretches,
@@ -41,7 +41,7 @@ class VisiblePiece {
         to_(std::min(piece.x1, visible.right())),
         step_(std::max(1.0, visible.w / kMostLines)) {}
 
-  // fn(from, to) for each of its lines.
+  // Calls fn(from, to) for each of its lines.
   template <class Fn>
   void each_line(Fn fn) const {
     if (from_ > to_) return;
@@ -49,7 +49,7 @@ class VisiblePiece {
     const int count = piece_.stretch == 0 ? 1 : parts(step_);
     for (int i = 0; i < count; ++i) fn(point(i, count), point(i + 1, count));
   }
-  // fn(point, normal) at equal distances.
+  // Calls fn(point, normal) at equal distances.
   template <class Fn>
   void each_normal(Fn fn) const {
     if (from_ > to_) return;
@@ -61,7 +61,7 @@ class VisiblePiece {
   }
 
  private:
-  // Into how many parts of this length, px, it is cut.
+  // The number of parts into which this length (px) is cut.
   int parts(double length) const {
     const double whole = piece_.is_wall() ? piece_.y1 - piece_.y0 : to_ - from_;
     return std::max(1, static_cast<int>(std::ceil(whole / length)));
@@ -88,7 +88,7 @@ class VisiblePiece {
   double from_, to_, step_;
 };
 
-// fn(cell) for the cells of the ground that are visible.
+// Calls fn(cell) for the visible cells of the ground.
 template <class Fn>
 void each_visible_cell(const Terrain& ground, const Rect& visible, Fn fn) {
   const auto cell = [](double px, int count) {
@@ -101,7 +101,7 @@ void each_visible_cell(const Terrain& ground, const Rect& visible, Fn fn) {
   }
 }
 
-// Of pieces, which may be in several cells, those that were not met before.
+// Finds the pieces that were not met before, as a piece may be in several cells.
 class NewPieces {
  public:
   bool has(const Piece<double>& piece) {
@@ -130,7 +130,7 @@ class OutlineDrawer {
   }
 
  private:
-  // A side of a full tile, unless another one is beyond it.
+  // Draws a side of a full tile, unless another full tile is beyond it.
   void draw_side(Cell cell, Cell towards, Facing facing) {
     if (ground_.is_solid({cell.x + towards.x, cell.y + towards.y})) return;
     const double x = cell.x * kTileSide, y = cell.y * kTileSide;
@@ -183,7 +183,7 @@ std::vector<CurveLine> curve_lines(const Level& level, Rect visible) {
   for (const LevelCurve& c : level.curves) {
     if (problem_of(c.curve)) continue;
     curves.push_back(c.curve);
-    curves.back().faces = Curve::Faces::up;  // one that faces both ways is two pieces in one place
+    curves.back().faces = Curve::Faces::up;  // a curve that faces both ways is two pieces at one place
   }
   const CurveOutline outline = cut_curves(curves);
   std::vector<CurveLine> lines;

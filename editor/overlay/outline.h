@@ -8,16 +8,15 @@
 
 namespace talus {
 
-// Adds the merged outline where it is visible (level px), with short normals on the sides from which it stops
-// bodies.
+// Adds the visible part of the merged outline (level px), with short normals on the sides that stop bodies.
 void add_outline(const Terrain& ground, Rect visible, OverlayDrawing& drawing);
-// Adds arrows through its one-way parts.
+// Adds arrows through the one-way parts of the outline.
 void add_one_way_arrows(const Terrain& ground, Rect visible, OverlayDrawing& drawing);
 
 struct CurveLine {
   Vec2 from, to;  // px
 };
-// The visible part of the level's curves, left to right each. Those that cannot be used are left out.
+// Returns the visible part of the level's curves, each from left to right. Invalid curves are left out.
 std::vector<CurveLine> curve_lines(const Level& level, Rect visible);
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Draws the overlays that are on, in the order in which they cover one another.
+// Draws the chosen overlays, the lowest layer first.
 #include "overlay.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ class Drawer {
     for (const Body& body : source_.state.bodies)
       each(&Overlay::draw_body, [&](auto* drawn_by, OverlayPen& pen) { drawn_by(source_, body, pen); });
     for (const ContactRecord& contact : source_.record.contacts) {
-      // An edit may have taken the body away since the step.
+      // An edit may have removed the body since the step.
       if (const Body* body = source_.state.find(contact.body))
         each(&Overlay::draw_contact,
              [&](auto* drawn_by, OverlayPen& pen) { drawn_by(source_, contact, *body, pen); });
@@ -36,7 +36,7 @@ class Drawer {
   }
 
  private:
-  // Calls with the functions of that sort that the overlays have.
+  // Calls `call` with each function of this kind that the overlays have.
   template <class Member, class Call>
   void each(Member member, Call call) {
     for (const Overlay* overlay : overlays_) {
@@ -53,7 +53,7 @@ class Drawer {
     }
   }
 
-  // A body may look for a floor at several contacts of a step; the last look decided where it is.
+  // A body may search a floor at several contacts of a step. The last search decided its place.
   void draw_probes() {
     const std::vector<Body>& bodies = source_.state.bodies;
     std::vector<const SlopeProbe*> last(bodies.size());
@@ -70,7 +70,7 @@ class Drawer {
 
   const OverlaySource& source_;
   const Rect visible_;
-  std::vector<const Overlay*> overlays_;  // that are on, by layer
+  std::vector<const Overlay*> overlays_;  // the chosen ones, by layer
   OverlayDrawing out_;
 };
 

@@ -1,4 +1,5 @@
-// Turns a step's records into lines, boxes, marks and labels in level pixels. The canvas only strokes them.
+// Turns the records of a step into lines, boxes, marks and labels in level pixels. The canvas only draws
+// them.
 #pragma once
 
 #include <functional>
@@ -16,7 +17,7 @@
 
 namespace talus {
 
-inline constexpr double kPixelsPerVelocity = 4;  // px of a velocity's arrow for each px/frame
+inline constexpr double kPixelsPerVelocity = 4;  // length in px of a velocity's arrow for each px/frame
 
 struct OverlayLine {
   const Overlay* overlay;
@@ -28,7 +29,7 @@ struct OverlayLine {
 struct OverlayBox {
   const Overlay* overlay;
   Rect box;
-  bool filled = false;  // lightly tinted; else an outline
+  bool filled = false;  // filled with a light tint; false: an outline
 };
 struct OverlayMark {  // a small cross
   const Overlay* overlay;
@@ -36,16 +37,16 @@ struct OverlayMark {  // a small cross
 };
 struct OverlayBar {  // a gauge from 0 to 1 above a box
   const Overlay* overlay;
-  Rect box;         // of the bar
-  double fraction;  // filled part
+  Rect box;         // the box of the bar, px
+  double fraction;  // the filled part, 0 to 1
 };
 struct OverlayLabel {
   const Overlay* overlay;
-  Vec2 at;  // the point that it belongs to; the canvas keeps the text beside, not over it
+  Vec2 at;  // the point that it belongs to; the canvas puts the text beside it, not over it
   std::string text;
   bool important = true;  // false: left out at low zoom
-  int body = 0;           // id of the body that it is about
-  Rect body_box;          // px; the canvas keeps the text near it
+  int body = 0;           // id of the body that it belongs to
+  Rect body_box;          // px; the canvas keeps the text near this box
 };
 
 struct OverlayDrawing {
@@ -57,30 +58,30 @@ struct OverlayDrawing {
   OverlayPalette palette = OverlayPalette::standard;
 };
 
-// Where a body's centre was, frame by frame, px.
+// The body's centre in each frame, px.
 using Trail = std::vector<Vec2>;
 struct ColoredTrails {
   std::vector<Trail> trails = {};
   const Overlay* color;
 };
 
-// What is drawn: a frame of a run, and what is known beside it.
+// What is drawn: a frame of a run, and what belongs to it.
 struct OverlaySource {
   const Scene& scene;
   const State& state;
-  const StepRecord& record;             // of the step that led there
+  const StepRecord& record;             // of the step that led to the frame
   const Terrain* ground = nullptr;      // of the level, whatever the solver; null: not known
-  int chosen_body = 0;                  // id, whose details are always labelled; 0: none
+  int chosen_body = 0;                  // id of the body whose details always have labels; 0: no body
   const Level* level = nullptr;         // as it is edited; null: not known
-  const HardCase* hard_case = nullptr;  // of the level, which is not null then; null: it is none
-  const ReachSearch* reach = nullptr;   // in the level, which is not null then; null: nothing was looked for
-  bool reach_is_stale = false;          // the level is another by now
-  // Asked for by what draws them alone; empty: there are none.
+  const HardCase* hard_case = nullptr;  // of `level`, which is not null then; null: the level is no hard case
+  const ReachSearch* reach = nullptr;   // in `level`, which is not null then; null: no search was made
+  bool reach_is_stale = false;          // the level has changed since the search
+  // Called only by overlays that draw trails; empty: there are no trails.
   std::function<std::vector<ColoredTrails>()> trails = {};
-  std::function<std::vector<Stage>()> stages = {};  // of the chosen body's step
+  std::function<std::vector<Stage>()> stages = {};  // of the chosen body's step; empty: there are no stages
 };
 
-// `visible`: level px; what lies wholly outside is left out.
+// Returns the drawing. visible: level px; things that lie wholly outside are left out.
 OverlayDrawing make_overlays(const OverlaySource& source, OverlaySet overlays, Rect visible);
 
 }  // namespace talus

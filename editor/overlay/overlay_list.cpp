@@ -1,6 +1,6 @@
 // The overlays, in the order of their switches and of the legend. Their colours are those of Okabe and Ito,
-// which stay apart for colour-blind eyes, less their black and dark blue, plus white, lighter ones of their
-// hues, and red for what is wrong.
+// which colour-blind people can tell apart, without black and dark blue; white, lighter shades, and red for
+// errors are added.
 #include "overlay_table.h"
 
 namespace talus {

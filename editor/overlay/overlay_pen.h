@@ -1,4 +1,4 @@
-// OverlayPen: what an overlay draws with, in its own colour, in level pixels.
+// OverlayPen draws for an overlay in the overlay's colour, in level pixels.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace talus {
 
-// Leaves out what is not visible.
+// It leaves out things that are not visible.
 class OverlayPen {
  public:
-  // chosen_body: id; its labels come first.
+  // chosen_body: id of the body whose labels come first; 0: no body.
   OverlayPen(const Overlay& overlay, Rect visible, OverlayDrawing& out, int chosen_body = 0)
       : overlay_(overlay), visible_(visible), out_(out), chosen_(chosen_body) {}
 

@@ -1,4 +1,4 @@
-// Looking overlays up.
+// Finds overlays by key.
 #include "overlay_table.h"
 
 #include <algorithm>

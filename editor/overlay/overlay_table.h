@@ -1,4 +1,5 @@
-// The overlays that can be drawn over the play view. Each is a row with what draws it, beside its drawing.
+// The overlays that can be drawn over the play view. Each is a row with its functions, in the file that draws
+// it.
 #pragma once
 
 #include <bitset>
@@ -16,47 +17,48 @@ struct OverlaySource;
 struct SlopeProbe;
 class OverlayPen;
 
-// Which of its colours an overlay is drawn in.
+// Which of its two colours an overlay has.
 enum class OverlayPalette { standard, colour_blind };
 
 struct Overlay {
   std::string_view key;      // on the command line, in settings, and in its command's id: "floor_height"
   std::string_view label;    // on screen: "floor height"
   std::string_view help;     // what it shows, one sentence
-  std::uint32_t color;       // 0xRRGGBB, the same in canvas, legend and tables; legible on dark ground
-  std::uint32_t safe_color;  // in the palette for colour-blind eyes
-  char digit = 0;            // '1' to '9': Alt and it switch the overlay; 0: no key does
-  bool shift = false;        // Shift too
-  bool is_default = false;   // shown until the user chooses others
+  std::uint32_t color;       // 0xRRGGBB, the same in canvas, legend and tables; readable on dark ground
+  std::uint32_t safe_color;  // in the palette for colour-blind people
+  char digit = 0;            // '1' to '9': Alt and this digit switch the overlay; 0: no key does
+  bool shift = false;        // the key needs Shift too
+  bool is_default = false;   // shown until the user chooses other overlays
 
-  // What it needs to be drawn.
-  bool needs_ground = false;  // OverlaySource::ground, which is compiled for it if the solver has none
-  bool needs_reach = false;   // OverlaySource::reach, which `talus shot` looks for then
-  bool near_only = false;     // left out where the level is drawn from afar: there would be millions
+  // What the drawing needs.
+  bool needs_ground = false;  // OverlaySource::ground; it is compiled for the overlay if the solver has none
+  bool needs_reach = false;   // OverlaySource::reach; `talus shot` searches it then
+  bool near_only = false;     // left out at low zoom, where there would be millions of lines
 
   // How it is drawn.
   int layer = 0;                   // below 0: before what is drawn of each body, the lowest first
-  bool is_faint = false;           // thin and without a rim, so that it does not hide what it is about
-  bool covers_much = false;        // labels may lie on its lines, or none would find room
+  bool is_faint = false;           // thin and without a rim, so that it does not hide the thing that it marks
+  bool covers_much = false;        // labels may lie on its lines, as there would be no room otherwise
   bool is_short_from_far = false;  // its lines are shorter at low zoom, so that they do not hide bodies
-  int label_rank = 3;              // 1 to 3: which labels find room first
-  bool labels_above = false;       // labels are best above their point
-  bool labels_outside = false;     // left out: labels of points inside their body
+  int label_rank = 3;              // 1 to 3: labels of a smaller rank find room first
+  bool labels_above = false;       // labels go above their point if possible
+  bool labels_outside = false;     // labels of points inside their body are left out
 
-  // Draw it with a pen of its colour; null: nothing of the sort. shapes has none: the canvas draws it.
+  // These draw it with a pen of its colour; null: the overlay has no such part. The overlay of shapes has
+  // none, as the canvas draws it.
   void (*draw)(const OverlaySource&, OverlayPen&) = nullptr;
   void (*draw_body)(const OverlaySource&, const Body&, OverlayPen&) = nullptr;
   void (*draw_contact)(const OverlaySource&, const ContactRecord&, const Body&, OverlayPen&) = nullptr;
   void (*draw_probe)(const OverlaySource&, const SlopeProbe&, const Body&, OverlayPen&) = nullptr;
-  void (*draw_swatch)(OverlayPen&) = nullptr;  // in 8 by 8 px from {0, 0}, for the legend
+  void (*draw_swatch)(OverlayPen&) = nullptr;  // draws a sample for the legend in 8 by 8 px from {0, 0}
 };
 
-// All of them, in the order of the switches and the legend, in overlay_list.cpp.
+// All overlays of overlay_list.cpp, in the order of the switches and the legend.
 std::span<const Overlay* const> all_overlays();
 std::uint32_t overlay_color(const Overlay& overlay, OverlayPalette palette);
 const Overlay* find_overlay(std::string_view key);  // null: there is none
 
-// Those that others name.
+// Overlays that other code names.
 namespace overlay {
 extern const Overlay boxes, normals, touch_points, velocity, slope_delta, floor_height, tested_tiles, answer,
     outline, removed_edges, one_way, swept_path, trails, penetration, shapes, reach;
@@ -67,11 +69,11 @@ class OverlaySet {
   static constexpr std::size_t kMost = 64;
   static OverlaySet all() { return OverlaySet(~0ull); }
   OverlaySet() = default;
-  // The overlay is one of all_overlays() (asserted).
+  // The overlay must be one of all_overlays() (asserted).
   bool has(const Overlay& overlay) const { return bits_[place_of(overlay)]; }
   void set(const Overlay& overlay, bool on) { bits_[place_of(overlay)] = on; }
   bool empty() const { return bits_.none(); }
-  // Whether it has one with such a member: any(&Overlay::needs_reach).
+  // Whether the set has an overlay with such a member: any(&Overlay::needs_reach).
   bool any(bool Overlay::*member) const;
   friend bool operator==(const OverlaySet&, const OverlaySet&) = default;
 

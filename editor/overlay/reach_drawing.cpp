@@ -1,4 +1,4 @@
-// Reached cells as few boxes.
+// Draws reached cells as few boxes.
 #include "reach_drawing.h"
 
 #include <algorithm>
@@ -9,7 +9,8 @@
 namespace talus {
 namespace {
 
-constexpr double kMostCells = 65'536;  // that are looked at; beyond, one stands for its neighbours
+constexpr double kMostCells =
+    65'536;  // cells that are tested at most; beyond that, one cell stands for its neighbours
 
 int cell_within(double px, int count) {
   return static_cast<int>(std::clamp(std::floor(px / kTileSize), 0.0, static_cast<double>(count)));
@@ -23,7 +24,7 @@ void add_reach(const ReachSearch& reach, bool stale, int columns, int rows, Rect
   const int y0 = cell_within(visible.y, rows), y1 = cell_within(visible.bottom() + kTileSize, rows);
   const double count = 1.0 * (x1 - x0) * (y1 - y0);
   const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(count / kMostCells))));
-  // Cells of a row that are alike, as one.
+  // Joins equal cells of a row.
   const auto runs = [&](int y, auto is_in, auto put) {
     int start = x0;
     for (int x = x0; x < x1 + step; x += step) {
@@ -32,7 +33,7 @@ void add_reach(const ReachSearch& reach, bool stale, int columns, int rows, Rect
       start = x + step;
     }
   };
-  // Runs that are below equal ones make their boxes higher.
+  // A run below an equal run makes its box higher.
   std::vector<Rect> open, here;
   const auto close = [&](const Rect& box) { drawing.boxes.push_back({&overlay::reach, box, !stale}); };
   for (int y = y0; y < y1; y += step) {

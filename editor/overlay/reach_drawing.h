@@ -1,4 +1,4 @@
-// Where a player gets to, as boxes and lines in level pixels.
+// The cells that a player can get to, as boxes and lines in level pixels.
 #pragma once
 
 #include "overlay.h"
@@ -6,8 +6,8 @@
 
 namespace talus {
 
-// Adds the cells that were reached, tinted, and a line under those in which the player stood. stale: the
-// level is another by now; the cells are outlined alone. columns, rows: size of the map.
+// Adds the reached cells, tinted, and a line under those in which the player stood. stale: the level has
+// changed since the search; then the cells have only an outline. columns, rows: size of the map.
 void add_reach(const ReachSearch& reach, bool stale, int columns, int rows, Rect visible,
                OverlayDrawing& drawing);
 

@@ -9,11 +9,11 @@
 namespace talus {
 namespace {
 
-// A level or upright line.
+// A horizontal or vertical line.
 struct Edge {
   bool upright;
-  double at;        // px, its y; or x if upright
-  double from, to;  // px, along it
+  double at;        // its y; or its x if it is vertical; px
+  double from, to;  // along the line, px
   auto line() const { return std::make_tuple(upright, at); }
   auto key() const { return std::make_tuple(upright, at, from, to); }
 };
@@ -43,7 +43,7 @@ class Collector {
  private:
   bool is_full(int x, int y) const { return ground_.is_solid({x, y}); }
 
-  // Sides that two full tiles share, in runs as long as they go.
+  // Draws the sides between two full tiles, joined to lines as long as possible.
   void between_full_tiles() {
     const auto runs = [&](bool upright, int lines_from, int lines_to, int first, int last) {
       for (int line = std::max(lines_from, 1); line < lines_to; ++line) {
@@ -61,7 +61,7 @@ class Collector {
     runs(false, top_, bottom_, left_, right_);
   }
 
-  // The sides of what is in the cell, and what of the outline is in it.
+  // Collects the sides of the shape in a cell, and the part of the outline there.
   void gather(Cell c) {
     if (ground_.is_detailed(c)) {
       for (const Piece<double>& piece : ground_.pieces_in(c)) {
@@ -92,7 +92,7 @@ class Collector {
     }
   }
 
-  // Every part of the sides that the outline leaves open, once.
+  // Draws each part of the sides that is not on the outline, once.
   void put_uncovered() {
     const auto less = [](const Edge& a, const Edge& b) { return a.key() < b.key(); };
     std::sort(sides_.begin(), sides_.end(), less);
@@ -123,7 +123,7 @@ class Collector {
   const Terrain& ground_;
   const Rect visible_;
   OverlayDrawing& out_;
-  int left_ = 0, top_ = 0, right_ = 0, bottom_ = 0;  // cells; the last ones are outside
+  int left_ = 0, top_ = 0, right_ = 0, bottom_ = 0;  // cells; right and bottom are outside
   std::vector<Edge> sides_, outline_;
 };
 

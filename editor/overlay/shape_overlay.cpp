@@ -1,4 +1,5 @@
-// The shapes of tiles. The canvas and the sheet draw them themselves, as they draw the shape that is edited.
+// The overlay of the tiles' shapes. The canvas and the sheet draw it, as they also draw the shape that is
+// edited.
 #include "overlay_pen.h"
 
 namespace talus::overlay {

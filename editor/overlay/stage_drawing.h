@@ -6,10 +6,11 @@
 
 namespace talus {
 
-// record: of the step that the stage is of. Its parts have the colours of the overlays that show the like.
+// Adds one stage. record: of the stage's step. The parts have the colours of the overlays that show similar
+// things.
 void add_stage(const Stage& stage, int body, const StepRecord& record, OverlayDrawing& drawing);
 
-// Tints the cells that the stages looked at and the boxes that they tested, each once.
+// Tints the cells and boxes that the stages tested, each once.
 void add_visited(std::span<const Stage> stages, OverlayDrawing& drawing);
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// What the last step tested or looked at.
+// Tints what the last step tested or visited.
 #include <cstdint>
 #include <unordered_set>
 
@@ -8,16 +8,17 @@
 namespace talus {
 namespace {
 
-// Of a body or of a tile's cell: one number, as thousands of them are looked up in a frame.
+// Packs a body or a tile's cell into one number, as thousands are looked up in a frame.
 std::uint64_t key_of(const Obstacle& obstacle) {
   const auto number = [](int n) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(n)); };
-  constexpr std::uint64_t kBody = std::uint64_t{1} << 63;  // the row of no cell, which is in the upper half
+  constexpr std::uint64_t kBody = std::uint64_t{1} << 63;  // no cell has this bit, as rows use the upper half
   if (obstacle.body != 0) return kBody | number(obstacle.body);
   return number(obstacle.cell.y) << 32 | number(obstacle.cell.x);
 }
 
 void draw_tested(const OverlaySource& source, OverlayPen& pen) {
-  if (source.record.tested.empty()) {  // exact notes none; the stages of a step have what it looked at
+  if (source.record.tested
+          .empty()) {  // the exact solver records none; the stages of a step have what it tested
     if (source.stages) add_visited(source.stages(), pen.drawing());
     return;
   }

@@ -1,4 +1,4 @@
-// What of a drawing can be seen.
+// Tests of what is visible.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace talus {
 
-// Whether they touch, if only with their edges.
+// Whether the rectangles overlap or touch.
 inline bool meet(const Rect& a, const Rect& b) {
   return a.right() >= b.x && a.x <= b.right() && a.bottom() >= b.y && a.y <= b.bottom();
 }

@@ -1,4 +1,4 @@
-// The boxes of a scene's ground that can be seen.
+// The visible boxes of a scene's ground.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,14 @@
 
 namespace talus {
 
-// Calls visit for each item of a tile, balls included, whose box touches the rectangle. Takes time by the
-// rectangle, not by the scene: items are sorted by column, then row.
+// Calls visit for each item of a tile, balls included, whose box touches the rectangle. The time depends on
+// the size of the rectangle, not of the scene, as items are sorted by column, then row.
 template <class Visit>
 void for_each_visible_item(const Scene& scene, const Rect& visible, Visit visit) {
   const auto end = std::partition_point(scene.items.begin(), scene.items.end(),
                                         [](const SceneItem& item) { return item.spawn < 0; });
   if (end == scene.items.begin()) return;
-  // A box may reach so far beyond its cell.
+  // A box may reach this far beyond its cell.
   const auto cell = [](double px, int margin) {
     return static_cast<int>(std::clamp(std::floor(px / kTileSize) + margin, -1.0, double{kMaxTerrainSide}));
   };
@@ -30,7 +30,7 @@ void for_each_visible_item(const Scene& scene, const Rect& visible, Visit visit)
   for (int x = std::max(0, cell(visible.x, -kMaxShapeTiles)); x <= right; ++x) {
     item = std::lower_bound(item, end, Cell{x, top}, before);
     if (item == end) return;
-    if (item->cell.x > x) {  // over empty columns at once
+    if (item->cell.x > x) {  // skips empty columns at once
       x = item->cell.x - 1;
       continue;
     }

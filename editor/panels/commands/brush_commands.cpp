@@ -1,5 +1,4 @@
-// The commands of brushes, of random painting, of the ground tool and of what helps to find one's way on
-// large maps.
+// The commands of brushes, random painting and the ground tool, and those for finding the way on large maps.
 #include <algorithm>
 #include <numeric>
 
@@ -32,7 +31,7 @@ void shuffle(S session, A actions, U) {
   actions.push_back(action::SetRandomStamp{true, session.choices().random_seed + 1});
 }
 
-// Of the selected tiles, if there are several; else of the whole sheet.
+// Looks at the selected tiles if there are several, and at the whole sheet otherwise.
 void propose_ground(S session, A actions, U ui) {
   std::vector<std::uint8_t> among;
   const SpriteArea& area = session.choices().area;

@@ -30,7 +30,7 @@ void CommandPalettePanel::draw_list(const Session& session, Actions& actions, Ui
   if (key_pressed(ImGuiKey_DownArrow)) ++chosen_;
   if (key_pressed(ImGuiKey_UpArrow)) --chosen_;
   chosen_ = std::clamp(chosen_, 0, std::max(last, 0));
-  const bool moved = chosen_ != before;  // else the wheel may scroll where it likes
+  const bool moved = chosen_ != before;  // otherwise the wheel may scroll the list anywhere
   const Command* run =
       key_pressed(ImGuiKey_Enter) && last >= 0 ? found[static_cast<std::size_t>(chosen_)] : nullptr;
   if (found.empty())

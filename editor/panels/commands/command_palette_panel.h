@@ -1,4 +1,4 @@
-// The command palette: type a few letters of a command, Enter runs it.
+// The command palette: the user types a few letters of a command, and Enter runs it.
 #pragma once
 
 #include <string>

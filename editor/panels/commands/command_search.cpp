@@ -1,4 +1,4 @@
-// Labels, then words.
+// Searches labels first, then other words.
 #include "command_search.h"
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 namespace talus {
 namespace {
 
-constexpr int kLabelWordScore = 1'000'000;                       // above that of single letters
-constexpr int kWordScore = -1'000'000, kHelpScore = -2'000'000;  // below those of all labels
+constexpr int kLabelWordScore = 1'000'000;                       // above the scores of single letters
+constexpr int kWordScore = -1'000'000, kHelpScore = -2'000'000;  // below the scores of all labels
 
 bool is_word_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
@@ -24,7 +24,7 @@ bool has_word(std::string_view text, std::string_view beginning) {
   return false;
 }
 
-// Whether each typed word begins one of the text.
+// Whether each typed word is the beginning of a word of the text.
 bool has_words(std::string_view shown_text, std::string_view typed_text) {
   const std::string text = plain_letters(shown_text), plain_typed = plain_letters(typed_text);
   std::string_view typed = plain_typed;
@@ -45,7 +45,7 @@ std::optional<int> command_score(const Command& command, std::string_view typed)
     return *score + (has_words(command.label, typed) ? kLabelWordScore : 0);
   const std::string named = std::string(command.label) + " " + std::string(command.words);
   if (has_words(named, typed)) return kWordScore;
-  constexpr std::size_t kLeastLetters = 3;  // fewer are in too many sentences
+  constexpr std::size_t kLeastLetters = 3;  // fewer letters occur in too many sentences
   if (typed.size() >= kLeastLetters && has_words(named + " " + std::string(command.help), typed))
     return kHelpScore;
   return std::nullopt;

@@ -1,4 +1,4 @@
-// Finding commands by what is typed.
+// Finds commands by typed text.
 #pragma once
 
 #include <optional>
@@ -12,13 +12,13 @@
 
 namespace talus {
 
-// How well a command fits what was typed: each typed word at the beginning of one of the label's, or its
-// letters in the label, in their order, or each typed word at the beginning of one of the command's other
-// words, or, as the worst, of its help. The larger the better. Nothing when it does not fit.
+// Returns how well a command matches the typed text; larger is better. These match, the best first: each
+// typed word begins a word of the label; the letters are in the label, in their order; each typed word begins
+// one of the command's other words; or a word of its help. Returns nothing if none of these match.
 std::optional<int> command_score(const Command& command, std::string_view typed);
 
-// Every command that fits: those that are enabled first, and of both the best first. Without letters all of
-// them, in the order of the table.
+// Returns every matching command: enabled ones first, and among equals the best match first. Without typed
+// text it returns all commands in the order of the table.
 std::vector<const Command*> matching_commands(std::string_view typed,
                                               FunctionRef<bool(const Command&)> is_enabled);
 

@@ -1,4 +1,4 @@
-// The rows of the table of commands, and the few words that they are written with.
+// The rows of the table of commands, and helpers for writing them.
 #pragma once
 
 #include <initializer_list>
@@ -26,24 +26,24 @@ std::vector<Command> problem_commands();     // work everywhere: the problems, a
 std::vector<Command> curve_commands();       // work in the map, on curves and bodies
 std::vector<Command> shape_commands();       // work everywhere, on the selected tiles
 std::vector<Command> panel_commands();       // work everywhere: tabs and menus by keys
-std::vector<Command> field_commands();       // work everywhere: what is typed or chosen in a panel
+std::vector<Command> field_commands();       // work everywhere: values that are typed or chosen in a panel
 std::vector<Command> input_roll_commands();  // work in the input roll, and give it the keys
 std::vector<Command> player_commands();      // work in the play view
 
-// Emits an action that needs nothing else.
+// Emits an action without parameters.
 template <class T>
 void emit(const Session&, Actions& actions, Ui&) {
   actions.push_back(T{});
 }
 
-// Switches a bool of the view, named by the members that lead to it:
-// toggle<&View::canvas, &CanvasesView::follow_body> switches ui.view.canvas.follow_body.
+// Toggles a bool of the view, given by the members that lead to it: toggle<&View::canvas,
+// &CanvasesView::follow_body> toggles ui.view.canvas.follow_body.
 template <auto... kMembers>
 void toggle(const Session&, Actions&, Ui& ui) {
   bool& value = (ui.view.*....*kMembers);
   value = !value;
 }
-// Whether that bool is set.
+// Returns the value of such a bool.
 template <auto... kMembers>
 bool is_on(const Session&, const Ui& ui) {
   return (ui.view.*....*kMembers);
@@ -52,8 +52,8 @@ bool is_on(const Session&, const Ui& ui) {
 // Where a panel is: beside the map, where it is always shown, or among those of the debugger.
 enum class PanelIn { window, debugger };
 
-// Shows the tab of a panel, and gives the keys to a field or a list of it, by the widget's name; empty: to
-// none.
+// Shows the tab of a panel, and gives the keys to one of its fields or lists by the widget's name; empty: to
+// no widget.
 inline CommandRun go_to_field(std::string_view panel, std::string field, PanelIn place = PanelIn::window) {
   return [panel, field = std::move(field), place](const Session&, Actions&, Ui& ui) {
     if (place == PanelIn::debugger) ui.view.window.dock_open = true;
@@ -62,7 +62,7 @@ inline CommandRun go_to_field(std::string_view panel, std::string field, PanelIn
   };
 }
 
-// What the map's canvas does with the mouse.
+// Chooses the tool for the mouse on the map's canvas.
 inline CommandRun choose_map_tool(MapTool tool) {
   return [tool](const Session&, Actions& actions, Ui&) { actions.push_back(action::SetMapTool{tool}); };
 }
@@ -70,7 +70,7 @@ inline CommandTest is_map_tool(MapTool tool) {
   return [tool](const Session& session, const Ui&) { return session.choices().map_tool == tool; };
 }
 
-// An edit that changes nothing is none.
+// Emits the edit, unless it is empty.
 inline void emit_edit(Actions& actions, Edit edit) {
   if (!edit.empty() || edit.selection) actions.push_back(action::EditLevel{std::move(edit)});
 }

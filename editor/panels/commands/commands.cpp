@@ -1,4 +1,4 @@
-// Looking commands up and running them.
+// Finds and runs commands.
 #include "commands.h"
 
 #include <algorithm>

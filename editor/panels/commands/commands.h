@@ -1,6 +1,6 @@
-// Commands: everything that a key, a menu or a button does, in one table with a row each (see
-// command_table.h). The keys, the menus, the buttons, their tooltips, the help window and the command palette
-// are made from it.
+// Commands: everything that a key, a menu or a button does is a row of one table (see command_table.h). The
+// keys, the menus, the buttons, their tooltips, the help window and the command palette are made from this
+// table.
 #pragma once
 
 #include <functional>
@@ -15,8 +15,8 @@
 
 namespace talus {
 
-// Where a command's keys work. play: while they steer players, before those of the map. cursor: while the
-// keyboard's cursor is shown, and before those of all others.
+// Where the keys of a command work. play: while they steer players, before those of the map. cursor: while
+// the keyboard's cursor is shown, before those of all other scopes.
 enum class Scope { everywhere, sprites, map, input, cursor, play };
 
 using CommandRun = std::function<void(const Session&, Actions&, Ui&)>;
@@ -26,20 +26,20 @@ struct Command {
   std::string id = {};      // "play/step", also the name of its widgets; no two are the same
   std::string label = {};   // in menus and the help: "Step one frame"
   std::string help = {};    // one sentence for the tooltip
-  KeyChord key = {};        // none: no key, until the user gives it one
-  KeyChord other_key = {};  // a second one, as other programs have it
+  KeyChord key = {};        // empty: no key unless the user chooses one
+  KeyChord other_key = {};  // a second key, for habits from other programs
   Scope scope = Scope::everywhere;
   MenuPlace menu = {};             // one of menus::; none: in "All commands" alone
   Icon icon = Icon::none;          // of its button in a toolbar
-  Icon checked_icon = Icon::none;  // in its place while it is on; none: the same one
+  Icon checked_icon = Icon::none;  // replaces `icon` while the command is checked; none: `icon` stays
   CommandRun run = {};             // never empty
   CommandTest enabled = {};        // empty: always
   CommandTest checked = {};        // empty: the command is no switch
-  bool repeats = false;            // held down, its key runs it again and again
-  bool any_modifiers = false;      // its keys work whether Ctrl, Shift and Alt are held or not
-  // Of the scope play alone: what the players do while its key is down. Null in all other commands.
+  bool repeats = false;            // its key repeats while it is held
+  bool any_modifiers = false;      // its keys work with and without Ctrl, Shift and Alt
+  // What the players do while the key is down. Only commands of the scope play have it; null in all others.
   bool action::HoldKeys::*holds = nullptr;
-  std::string words = {};  // other words that the command palette finds it by, with blanks between
+  std::string words = {};  // other words that the command palette finds it by, separated by blanks
 
   bool is_enabled(const Session& session, const Ui& ui) const { return !enabled || enabled(session, ui); }
   bool is_checked(const Session& session, const Ui& ui) const { return checked && checked(session, ui); }
@@ -48,26 +48,26 @@ struct Command {
 std::span<const Command> commands();
 // The command must exist (asserted).
 const Command& find_command(std::string_view id);
-// Its keys as the user has them: those in the preferences, or else its own.
+// The keys of a command: those in the preferences if it has some there, otherwise its default keys.
 CommandKeys command_keys(const Command& command, const KeyBindings& bindings);
-// "F5", or "Ctrl+Y, Ctrl+Shift+Z"; empty without a key.
+// "F5", or "Ctrl+Y, Ctrl+Shift+Z"; empty if it has no key.
 std::string keys_of(const Command& command, const KeyBindings& bindings);
 std::string keys_of(const Command& command, const Ui& ui);
 std::string_view scope_label(Scope scope);
-// The command that gives the focus to where a scope's commands work; not of everywhere (asserted).
+// The command that gives the focus to the place of a scope. The scope must not be everywhere (asserted).
 const Command& focus_command(Scope scope);
-// Whether the command's keys work where the focus is.
+// Whether the focus is at a place where the command's keys work.
 bool has_focus(const Command& command, const Session& session, const View& view);
 
-// Runs the command of a key, if there is one where the focus is. True when there was. The keys of Scope::play
-// are held instead: see HeldPlayKeys.
+// Runs the command of a key, if there is one at the focus. Returns whether there was one. The keys of
+// Scope::play are held instead: see HeldPlayKeys.
 bool run_key(KeyChord chord, bool repeated, const Session& session, Actions& actions, Ui& ui);
 
-// A button with the command's icon, which runs it and shows its state, help and keys. widget: the button's
-// name; empty: the command's id.
+// Draws a button with the command's icon that runs it and shows its state, help and keys. widget: the
+// button's name; empty: the command's id.
 void command_button(std::string_view id, const Session& session, Actions& actions, Ui& ui,
                     std::string_view widget = {});
-// The same with a text. label: empty: the command's.
+// Draws a button with a text instead. label: empty: the command's label.
 void command_text_button(std::string_view id, const Session& session, Actions& actions, Ui& ui,
                          std::string_view label = {}, std::string_view widget = {});
 

@@ -1,4 +1,4 @@
-// What the palette of commands and the dialog of their keys are doing.
+// The state of the command palette and of the dialog for keys.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,11 @@
 
 namespace talus {
 
-// A command's key that waits to be pressed, or was.
+// A key of a command that the user is about to press, or has pressed.
 struct KeyCapture {
   std::string command;    // id
-  std::size_t index = 0;  // 0 or 1, of its two keys
-  KeyChord pressed;       // none yet: it waits, and every key goes here
+  std::size_t index = 0;  // 0 or 1: which of its two keys
+  KeyChord pressed;       // empty: it waits, and gets every key that is pressed
 };
 
 struct CommandsView {

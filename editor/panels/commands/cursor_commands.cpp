@@ -33,7 +33,8 @@ CommandRun press_button(int button) {
   return [button](S, A, U ui) { ui.view.canvas.cursor.press(button); };
 }
 
-// The four commands of the arrow keys: "cursor/far_" and "Cursor far " with "left" and so on.
+// Returns the four commands of the arrow keys. id "cursor/far_" and label "Cursor far " get "left" and so on
+// added.
 std::vector<Command> arrows(const std::string& id, const std::string& label, Stride stride,
                             KeyChord (*chord)(int), const std::string& help) {
   struct Arrow {

@@ -11,7 +11,7 @@ using S = const Session&;
 using A = Actions&;
 using U = Ui&;
 
-// Chosen again, it goes on to the next kind.
+// If the tool is chosen already, this chooses the next kind of curve.
 void choose_curve_tool(S session, A actions, U) {
   const Choices& choices = session.choices();
   if (choices.map_tool == MapTool::curve) {

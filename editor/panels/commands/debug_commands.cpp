@@ -1,4 +1,5 @@
-// The commands of the debugger: along the timeline, to stops, and through the stages of a step.
+// The commands of the debugger: moving along the timeline, running to stops, and showing the stages of a
+// step.
 #include <algorithm>
 
 #include "command_table.h"

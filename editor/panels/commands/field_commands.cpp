@@ -40,7 +40,7 @@ std::vector<Command> color_fields() {
 
 constexpr const char* kBodyWords = "spawn object entity player ball start inspector";
 
-// The inspector shows curves while a tool draws them.
+// The inspector shows curves while a tool for curves is chosen.
 bool shows_spawn(S session, const Ui&) {
   return !draws_curves(session.choices().map_tool) && chosen_spawn(session) >= 0;
 }
@@ -153,7 +153,7 @@ bool has_shape_to_copy(S session, const Ui& ui) {
   return has_tile_to_shape(session, ui) && shape_of_tile(session.level(), tile).kind != TileShape::Kind::none;
 }
 
-// The brush that is the stamp now, or else the last one.
+// Returns the index of the brush that is the stamp, or of the last one.
 int brush_to_name(S session) {
   const auto& brushes = session.level().brushes;
   for (std::size_t i = 0; i < brushes.size(); ++i)
@@ -177,7 +177,7 @@ void take_next_brush(S session, A actions, U) {
   actions.push_back(action::SetMapTool{MapTool::stamp});
 }
 
-// The field is there while such problems are listed.
+// The field exists only while such problems are listed.
 void type_seam(S session, A actions, U ui) {
   const auto rules = lint_rules();
   const auto rule =

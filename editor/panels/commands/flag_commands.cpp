@@ -1,4 +1,4 @@
-// The commands of the flags: painting them, and finding where they are.
+// The commands of the flags: painting and finding them.
 #include <array>
 
 #include "command_table.h"
@@ -10,7 +10,7 @@
 namespace talus {
 namespace {
 
-// The flag brush paints what is tinted, so something must be.
+// The flag brush paints the tinted flag, so it tints one if there is none.
 void toggle_brush(const Session& session, Actions& actions, Ui&) {
   const bool on = session.choices().map_tool != MapTool::flag;
   actions.push_back(action::SetMapTool{on ? MapTool::flag : MapTool::stamp});
@@ -43,7 +43,7 @@ CommandTest is_flag_set(int flag) {
   };
 }
 
-// Of a flag in a field, the field's.
+// For a flag in a field, opens the menu of the field.
 CommandRun open_flag_menu(int flag) {
   return [flag](const Session& session, Actions&, Ui& ui) {
     const FlagField* field = field_of_flag(session.level().flag_fields, flag);

@@ -47,7 +47,7 @@ CommandRun change_speed(int direction) {
   };
 }
 
-// For the commands that play: whoever plays means to steer.
+// For commands that start playing: the user then wants to steer, so the players get the keys.
 template <class T>
 void emit_and_steer(S session, A actions, U ui) {
   actions.push_back(T{});
@@ -59,7 +59,7 @@ void run_from_start(S session, A actions, U ui) {
   emit_and_steer<action::Play>(session, actions, ui);
 }
 
-// The keyboard's cursor goes with the keys.
+// The keyboard's cursor moves with the focus.
 void show_sprites(S, A, U ui) {
   leave_windows();
   ui.view.window.keys_in_panel = false;
@@ -252,7 +252,7 @@ std::vector<Command> canvas_commands() {
   };
 }
 
-// In the map alone: in the sprites these keys choose the brush.
+// These keys zoom in the map alone: in the sprites they choose the brush.
 std::vector<Command> zoom_commands() {
   return in_scope(Scope::map,
                   {

@@ -1,4 +1,4 @@
-// The commands of the input roll: its cursor is the shown frame, in one of its rows.
+// The commands of the input roll. Its cursor is the shown frame, in one of its rows.
 #include <algorithm>
 
 #include "command_table.h"

@@ -1,4 +1,4 @@
-// KeyBindings: the keys that the user has given to commands, in place of their own.
+// KeyBindings: the keys that the user has given to commands instead of their default keys.
 #pragma once
 
 #include <array>
@@ -10,11 +10,11 @@
 
 namespace talus {
 
-using CommandKeys = std::array<KeyChord, 2>;  // either may be no key
+using CommandKeys = std::array<KeyChord, 2>;  // either may be empty
 
 struct KeyBindings {
   std::map<std::string, CommandKeys, std::less<>>
-      changed;  // by the command's id; of no command: kept, unused
+      changed;  // by the command's id; an unknown id is kept, but not used
 
   friend bool operator==(const KeyBindings&, const KeyBindings&) = default;
 };

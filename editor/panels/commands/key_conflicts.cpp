@@ -1,4 +1,4 @@
-// Keys of commands that meet.
+// Finds and resolves conflicts of keys.
 #include "key_conflicts.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@ namespace {
 
 bool scopes_meet(Scope a, Scope b) { return a == Scope::everywhere || b == Scope::everywhere || a == b; }
 
-// What is as it was from the first is not kept as a change.
+// Default keys are not stored as a change.
 void store_keys(const Command& command, CommandKeys keys, KeyBindings& bindings) {
   if (keys == CommandKeys{command.key, command.other_key}) {
     if (const auto it = bindings.changed.find(command.id); it != bindings.changed.end())

@@ -32,7 +32,7 @@ std::string key_name(int key) {
       return "Backspace";
     case ' ':
       return "Space";
-    case ',':  // characters that are too small to be seen in a tooltip
+    case ',':  // characters that are too small to read in a tooltip
       return "Comma";
     case '.':
       return "Period";

@@ -7,7 +7,7 @@
 
 namespace talus {
 
-// A key: a printable one is its character in lower case ('a', '[', '`'); the others have values from 256 on.
+// A key. A printable key is its character in lower case ('a', '[', '`'); the others have values from 256 on.
 enum Key : int {
   kNoKey = 0,
   kKeyTab = 256,
@@ -49,6 +49,7 @@ constexpr KeyChord alt(int key) { return {key, false, false, true}; }
 constexpr KeyChord alt_shift(int key) { return {key, false, true, true}; }
 
 std::string to_string(KeyChord chord);                       // "Ctrl+Shift+S"; empty for no key
-std::optional<KeyChord> parse_chord(std::string_view text);  // what to_string() makes, no key included
+std::optional<KeyChord> parse_chord(std::string_view text);  // reads the result of to_string(), also that of
+                                                             // no key; empty: the text is no chord
 
 }  // namespace talus

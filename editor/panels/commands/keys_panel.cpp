@@ -1,4 +1,4 @@
-// A modal table of the commands with their keys; Enter or a click on one waits for another.
+// A modal table of the commands with their keys. Enter or a click on a key waits for a new one.
 #include "keys_panel.h"
 
 #include <algorithm>
@@ -57,7 +57,8 @@ void KeysPanel::choose_by_keys(Ui& ui) {
   if (key_repeats(ImGuiKey_PageUp)) row_ -= kPage;
   row_ = std::clamp(row_, 0, last);
   moved_ = moved_ || row_ != before;
-  const bool text_is_typed = ImGui::GetIO().KeyCtrl || ImGui::GetIO().KeyShift;  // its cursor
+  const bool text_is_typed =
+      ImGui::GetIO().KeyCtrl || ImGui::GetIO().KeyShift;  // the keys belong to the cursor of the text field
   if (!text_is_typed && key_pressed(ImGuiKey_LeftArrow)) column_ = 0;
   if (!text_is_typed && key_pressed(ImGuiKey_RightArrow)) column_ = 1;
   if (listed_.empty()) return;
@@ -78,7 +79,7 @@ void KeysPanel::end_capture(Ui& ui) {
   wants_text_ = true;
 }
 
-// A key that nobody else has is the command's at once.
+// The command gets a free key at once.
 void KeysPanel::take_pressed_key(Ui& ui) {
   auto& capture = ui.view.commands.key_capture;
   KeyBindings& bindings = ui.view.preferences.keys;
@@ -99,7 +100,7 @@ void KeysPanel::draw_table(Ui& ui) {
   ImGui::TableSetupColumn("where", ImGuiTableColumnFlags_WidthFixed, ui.px(140));
   for (const char* name : {"key", "second key"})
     ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed, ui.px(kKeyButtonWidth));
-  // The button and what keeps it off the scrollbar.
+  // The button, and room between it and the scrollbar.
   ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ui.px(theme::kButton + theme::kGap));
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableHeadersRow();

@@ -21,7 +21,7 @@ using A = Actions&;
 using U = Ui&;
 
 bool has_selected_cells(S session, const Ui&) { return session.choices().selection.has_value(); }
-// In a drag the key cancels that alone.
+// During a drag the key cancels only the drag.
 bool has_something_to_drop(S session, const Ui&) {
   if (ImGui::IsAnyMouseDown()) return false;
   return session.choices().selection.has_value() || session.choices().pasted.has_value();
@@ -32,7 +32,7 @@ void select_all(S session, A actions, U) {
   actions.push_back(action::SetMapTool{MapTool::select});
 }
 
-// What was pasted last goes first.
+// Pasted tiles are dropped first.
 void select_none(S session, A actions, U) {
   if (session.choices().pasted)
     actions.push_back(action::SetPasted{});
@@ -76,7 +76,7 @@ void fill_selection(S session, A actions, U) {
   emit_edit(actions, fill_rect(session.level(), *session.choices().selection, session.choices().stamp));
 }
 
-// With the selection tool the arrows move what is selected; else, and without any, the view.
+// With the selection tool and a selection the arrows move the selection, otherwise the view.
 CommandRun move_or_scroll(int dx, int dy) {
   return [dx, dy](S session, A actions, U ui) {
     if (session.choices().selection && session.choices().map_tool == MapTool::select) {

@@ -1,4 +1,4 @@
-// The sections of the menus of the bar. A row of the table of commands names one of them.
+// The sections of the menus in the menu bar. Each row of the table of commands may name one of them.
 #pragma once
 
 #include <array>
@@ -6,11 +6,11 @@
 
 namespace talus {
 
-// The menus of the bar, from left to right.
+// The menus of the menu bar, from left to right.
 inline constexpr std::array<std::string_view, 8> kMenus = {"File", "Edit", "Map",   "Sprites",
                                                            "View", "Play", "Debug", "Help"};
 
-// A section of a menu. Lines part the sections. Within one, the order is that of the table of commands.
+// A section of a menu. Lines separate the sections. Within a section, commands are in the order of the table.
 struct MenuPlace {
   std::string_view menu = {};  // "Map", or "Debug/Timeline" for a menu within a menu; empty: no menu
   int section = 0;             // from 0 at the top

@@ -1,4 +1,4 @@
-// The commands that show the tabs, and give the keys to what is in a panel or a menu.
+// The commands that show tabs, and that give the keys to parts of a panel or a menu.
 #include "command_table.h"
 #include "panels/ui/dialog.h"
 

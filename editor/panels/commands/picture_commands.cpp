@@ -1,4 +1,4 @@
-// The commands of pictures: sheets and palette as PNG.
+// The commands of pictures: sheets and the palette as PNG files.
 #include "command_table.h"
 
 namespace talus {

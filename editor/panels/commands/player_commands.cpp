@@ -10,7 +10,7 @@ using A = Actions&;
 using U = Ui&;
 using Keys = action::HoldKeys;
 
-// From a menu there is nothing to hold: the keys go to the players.
+// A menu item cannot be held, so it gives the keys to the players.
 void give_keys_to_players(S session, A, U ui) { let_keys_steer(session, ui.view); }
 
 bool has_player(S session, const Ui&) { return has_players(session); }

@@ -1,4 +1,4 @@
-// The commands of the problems, and of where a player gets to.
+// The commands of the problems, and of the cells that a player can get to.
 #include "command_table.h"
 #include "panels/level/problem_list.h"
 

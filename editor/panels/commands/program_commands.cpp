@@ -12,7 +12,7 @@ using S = const Session&;
 using A = Actions&;
 using U = Ui&;
 
-// A way to share the window out; sizes in fractions as in Layout.
+// A ready layout; sizes are fractions, as in Layout.
 struct ReadyLayout {
   Layout layout;
   CanvasMode canvas;
@@ -49,7 +49,7 @@ CommandRun open_program(ProgramId id) {
   return [id](S, A, U ui) { ui.ask(request::OpenProgram{id}); };
 }
 
-// From the size that is shown, which may be the automatic one.
+// The commands go on from the size that is shown, which may be the automatic one.
 constexpr std::array<double, 5> kTextSizes = {1, 1.25, 1.5, 2, 3};
 enum class TextStep { smaller, larger };
 

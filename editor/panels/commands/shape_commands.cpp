@@ -12,7 +12,8 @@ bool has_many_tiles(const Session& session, const Ui& ui) {
   return has_tiles(session, ui) && tiles.w * tiles.h > 1;
 }
 
-// One tile that has a wide shape already gets another one as wide; of several, each gets its own.
+// A single tile with a wide shape gets a new shape of the same width. Of several tiles, each gets its own
+// shape.
 void suggest(const Session& session, Actions& actions, Ui& ui) {
   const Level& level = session.level();
   const SpriteArea& area = session.choices().area;

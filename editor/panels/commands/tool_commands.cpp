@@ -44,7 +44,7 @@ bool can_rotate(S session, const Ui& ui) {
   return has_selected_pixels(session, ui) || tiles.w == tiles.h;
 }
 
-// The selected pixels, else the tiles with their flags.
+// Clears the selected pixels, or the tiles and their flags if no pixels are selected.
 void clear_sprite(S session, A actions, U) {
   const Choices& choices = session.choices();
   const auto color = static_cast<std::uint8_t>(choices.secondary_color);
@@ -105,7 +105,7 @@ CommandRun cycle_color(int step, bool secondary) {
   };
 }
 
-// The selected pixels, else the selection on the sheet.
+// Moves the selected pixels, or the selection on the sheet if no pixels are selected.
 CommandRun move_selection(int dx, int dy) {
   return [dx, dy](S session, A actions, U ui) {
     if (has_selected_pixels(session, ui)) {
