@@ -55,9 +55,9 @@ void check_drawn(const LintContext& context, Cell cell, int tile, std::vector<Pr
   const std::size_t more = undrawn.size() - 1;
   const bool sheet_ends = tile % kSheetColumns + undrawn.back().x - cell.x >= kSheetColumns;
   report(out, kHalfMissing,
-         tile_at_text(tile, cell) + " has a shape that goes on over " + cell_text(undrawn.front()) +
-             (more == 0 ? "" : " and " + std::to_string(more) + (more == 1 ? " cell more" : " cells more")) +
-             ", where nothing shows it" +
+         tile_at_text(tile, cell) + " has a shape that also covers " + cell_text(undrawn.front()) +
+             (more == 0 ? "" : " and " + std::to_string(more) + (more == 1 ? " more cell" : " more cells")) +
+             ", where no tile shows it" +
              (sheet_ends ? ": it is wider than what the sheet has at the tile's right" : ""),
          cell, tile)
       .severity = Severity::warning;  // only the picture is wrong

@@ -57,7 +57,7 @@ class SpawnLinter {
     // Farther away there are no tiles, and the cell may not fit into an int.
     const bool touches = corner.x > -size.x && corner.y > -size.y && corner.x < width && corner.y < height;
     const std::optional<Cell> cell = nearest_cell(level_.map, corner);
-    if (!inside) report(out_, kOutside, subject + " is not wholly on the map", cell, -1, index);
+    if (!inside) report(out_, kOutside, subject + " is partly or wholly off the map", cell, -1, index);
     const double speed = std::max(std::abs(spawn.velocity.x), std::abs(spawn.velocity.y));
     if (speed > kFastest)
       report(out_, kTooFast,

@@ -84,7 +84,7 @@ const Overlay velocity{
 const Overlay penetration{
     .key = "penetration",
     .label = "penetration",
-    .help = "In red, how deep a body is inside of the ground, and the shortest way out.",
+    .help = "In red, how deep a body is inside the ground, and the shortest way out.",
     .color = 0xff6b6b,
     .safe_color = 0xc850ff,
     .digit = '5',

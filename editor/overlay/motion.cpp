@@ -101,7 +101,7 @@ namespace overlay {
 const Overlay swept_path{
     .key = "swept_path",
     .label = "swept path",
-    .help = "The way of each body in the last step, with its box at every contact.",
+    .help = "The path of each body in the last step, with its box at every contact.",
     .color = 0x8fd3ff,
     .safe_color = 0x6ee4ff,
     .digit = '3',

@@ -74,7 +74,7 @@ namespace overlay {
 const Overlay reach{
     .key = "reach",
     .label = "reach",
-    .help = "Cells that a player was found to get to from its start, and the floors that it stood on there.",
+    .help = "Cells that a player can get to from its start, and the floors that it stood on there.",
     .color = 0x8bd450,
     .safe_color = 0xc8ff00,
     .digit = '7',

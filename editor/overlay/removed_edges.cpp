@@ -146,7 +146,7 @@ namespace overlay {
 const Overlay removed_edges{
     .key = "removed_edges",
     .label = "removed edges",
-    .help = "Sides of tiles and slopes that the merged outline has left out, since others cover them.",
+    .help = "Sides of tiles and slopes that are not in the merged outline, as other shapes cover them.",
     .color = 0x9aa5b1,
     .safe_color = 0x6e8c6e,
     .digit = '1',

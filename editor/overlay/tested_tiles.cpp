@@ -37,9 +37,9 @@ const Overlay tested_tiles{
     .key = "tested_tiles",
     .label = "cells visited",
     .help =
-        "Tinted boxes that the last step tested: for article and bump the tiles in the bodies' ways, for "
+        "Tinted boxes that the last step tested: for article and bump the tiles near the bodies' paths, for "
         "exact "
-        "the cells that the chosen body's casts looked at, and the bodies near its way.",
+        "the cells that the chosen body's casts tested, and the bodies near its path.",
     .color = 0xf4f4f4,
     .safe_color = 0xe4ffc8,
     .digit = '7',

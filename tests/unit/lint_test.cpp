@@ -120,8 +120,8 @@ TEST(Lint, TheRestOfAShapeIsNotDrawn) {
   level.tile_shapes[kWide] = {.kind = Kind::slope, .tiles = 2, .heights = {8, 0}};
   level.map.set({1, 2}, kWide);
   const auto only = [&] { return problems(level); };
-  EXPECT_THAT(only(), ElementsAre("W slope-half-missing (1, 2) 100: tile 100 at (1, 2) has a shape that goes "
-                                  "on over (2, 2), where nothing shows it"));
+  EXPECT_THAT(only(), ElementsAre("W slope-half-missing (1, 2) 100: tile 100 at (1, 2) has a shape that also "
+                                  "covers (2, 2), where no tile shows it"));
   level.map.set({2, 2}, kDrawn);
   EXPECT_THAT(only(), IsEmpty());
   level.map.set({2, 2}, 0);
@@ -135,8 +135,8 @@ TEST(Lint, TheRestOfAShapeIsNotDrawn) {
 
   level.map.set({1, 2}, kTall);
   level.tile_shapes[kTall] = {.kind = Kind::slope, .tiles = 2, .heights = {0, 16}};
-  EXPECT_THAT(only(), ElementsAre("W slope-half-missing (1, 2) 102: tile 102 at (1, 2) has a shape that goes "
-                                  "on over (2, 2) and 1 cell more, where nothing shows it"));
+  EXPECT_THAT(only(), ElementsAre("W slope-half-missing (1, 2) 102: tile 102 at (1, 2) has a shape that also "
+                                  "covers (2, 2) and 1 more cell, where no tile shows it"));
   level.tile_shapes[kTall].one_way = true;
   EXPECT_THAT(only(), ElementsAre(testing::HasSubstr("over (2, 1), where"))) << "the line alone";
   level.tile_shapes[kTall].side = TileShape::Side::ceiling;
@@ -147,8 +147,8 @@ TEST(Lint, TheRestOfAShapeIsNotDrawn) {
   level.map.set({1, 0}, 0);
   level.map.set({1, 2}, kLast);
   level.tile_shapes[kLast] = {.kind = Kind::profile, .tiles = 4, .heights = {4, 8, 8, 8, 4}};
-  EXPECT_THAT(only(), ElementsAre("W slope-half-missing (1, 2) 111: tile 111 at (1, 2) has a shape that goes "
-                                  "on over (2, 2) and 2 cells more, where nothing shows it: it is wider than "
+  EXPECT_THAT(only(), ElementsAre("W slope-half-missing (1, 2) 111: tile 111 at (1, 2) has a shape that also "
+                                  "covers (2, 2) and 2 more cells, where no tile shows it: it is wider than "
                                   "what the sheet has at the tile's right"));
 }
 
@@ -230,9 +230,9 @@ TEST(Lint, ASpawnOutsideTheMap) {
   EXPECT_THAT(
       problems(level),
       ElementsAre("E spawn-in-solid (0, 0): ball 2 at -4, 2 px starts inside the solid tile at (0, 0)",
-                  "W spawn-outside (0, 0): ball 2 at -4, 2 px is not wholly on the map",
-                  "W spawn-outside (1, 0): ball 1 at 9, 0 px is not wholly on the map",
-                  "W spawn-outside (0, 1): ball 3 at -1000000, 1000000 px is not wholly on the map"));
+                  "W spawn-outside (0, 0): ball 2 at -4, 2 px is partly or wholly off the map",
+                  "W spawn-outside (1, 0): ball 1 at 9, 0 px is partly or wholly off the map",
+                  "W spawn-outside (0, 1): ball 3 at -1000000, 1000000 px is partly or wholly off the map"));
 }
 
 TEST(Lint, BadShapesAndCurves) {
@@ -289,7 +289,7 @@ TEST(Lint, ASpawnHasItsOwnSize) {
   EXPECT_THAT(
       problems(level),
       ElementsAre("E spawn-in-solid (1, 0): player 1 at 8, 0 px starts inside the solid tile at (2, 0)",
-                  "W spawn-outside (1, 0): player 1 at 8, 0 px is not wholly on the map"));
+                  "W spawn-outside (1, 0): player 1 at 8, 0 px is partly or wholly off the map"));
 }
 
 TEST(Lint, ModifiersDoNotConflict) {

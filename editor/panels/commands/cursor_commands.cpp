@@ -77,7 +77,7 @@ std::vector<Command> cursor_keys() {
        .key = ctrl(kKeyTab),
        .run = [](S, A, U ui) { ui.view.canvas.cursor.go_to_next(); }},
       {.id = "cursor/end",
-       .label = "Pen up, or end",
+       .label = "Lift the pen, or hide the cursor",
        .help = "Lifts the pen and cancels its drag; then hides the cursor, so that the arrows move the view "
                "or the selection again. A move of the mouse hides it, too.",
        .key = KeyChord{kKeyEscape},

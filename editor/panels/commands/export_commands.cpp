@@ -21,7 +21,7 @@ std::vector<Command> export_commands() {
        .checked = is_on<&View::files, &FilesView::exports, &ExportView::open>},
       {.id = "file/export_all",
        .label = "Export all again",
-       .help = "Writes all presets of the level as it is now; without any, shows where they are made.",
+       .help = "Writes all presets of the level; if there are none, opens the window where they are made.",
        .key = ctrl_shift('w'),
        .menu = menus::kFileExport,
        .run =
@@ -34,9 +34,9 @@ std::vector<Command> export_commands() {
        .words = "build publish"},
       {.id = "file/export_cancel",
        .label = "Cancel the export",
-       .help = "Ends the export, or the preview of one, within a moment. What has not been written yet stays "
-               "as it "
-               "was.",
+       .help = "Ends the export, or the preview of one. Files that were not written yet stay "
+               "as they "
+               "were.",
        .run = emit<action::CancelExport>,
        .enabled =
            [](S session, const Ui&) {

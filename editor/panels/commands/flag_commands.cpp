@@ -124,7 +124,7 @@ std::vector<Command> commands_of_all_flags() {
        .repeats = true},
       {.id = "flags/previous",
        .label = "Previous cell with the flag",
-       .help = "Shows the cell before whose tile has the tinted flag.",
+       .help = "Shows the previous cell of the map whose tile has the tinted flag.",
        .key = ctrl_shift('g'),
        .menu = menus::kEditFlags,
        .run = go_to_flagged(false),

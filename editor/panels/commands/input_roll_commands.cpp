@@ -63,8 +63,8 @@ std::vector<Command> input_roll_commands() {
            Scope::input,
            {
                {.id = "roll/back",
-                .label = "Frame before",
-                .help = "Shows the frame before.",
+                .label = "Previous frame",
+                .help = "Shows the previous frame.",
                 .key = KeyChord{kKeyLeft},
                 .run = go(-1),
                 .enabled = has_input,
@@ -77,7 +77,7 @@ std::vector<Command> input_roll_commands() {
                 .enabled = has_next,
                 .repeats = true},
                {.id = "roll/extend_back",
-                .label = "Choose the frame before, too",
+                .label = "Choose the previous frame, too",
                 .help = "Makes the range longer, or shorter, and shows its end.",
                 .key = shift(kKeyLeft),
                 .run = extend(-1),
@@ -103,8 +103,8 @@ std::vector<Command> input_roll_commands() {
                 .run = change_row(1),
                 .repeats = true},
                {.id = "roll/toggle",
-                .label = "Press or let go",
-                .help = "Presses the chosen key in the chosen frames, or lets it go, and makes the run again "
+                .label = "Press or release",
+                .help = "Presses or releases the chosen key in the chosen frames, and makes the run again "
                         "from there.",
                 .key = KeyChord{' '},
                 .run = toggle_key,

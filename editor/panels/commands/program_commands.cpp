@@ -112,8 +112,8 @@ std::vector<Command> settings_commands() {
            },
        .checked = [](S, const Ui& ui) { return ui.view.preferences.theme == ThemeKind::light; }},
       {.id = "view/safe_colours",
-       .label = "Colours for colour-blind eyes",
-       .help = "Draws the overlays in colours that stay apart without red, green or blue.",
+       .label = "Colours for colour-blind people",
+       .help = "Draws the overlays in colours that colour-blind people can tell apart.",
        .key = ctrl_shift('b'),
        .menu = menus::kViewLooks,
        .run =
@@ -174,9 +174,9 @@ std::vector<Command> file_guard_commands() {
        .run = open_program(ProgramId::tic80)},
       {.id = "program/love",
        .label = "Run in LÖVE",
-       .help = "Saves the level, exports its first preset of a game for LÖVE and runs that; without such a "
+       .help = "Saves the level, exports its first preset of a game for LÖVE and runs it; without such a "
                "preset, "
-               "what is in the folder of the level.",
+               "runs the game in the folder of the level.",
        .key = ctrl_shift('l'),
        .menu = menus::kFilePrograms,
        .run = open_program(ProgramId::love)},

@@ -28,7 +28,7 @@ void suggest(const Session& session, Actions& actions, Ui& ui) {
     edit.label = "Suggest a shape from pixels";
   }
   if (!edit.empty()) return actions.push_back(action::EditLevel{std::move(edit)});
-  actions.push_back(action::ShowMessage{found ? "The shape is already as the pixels suggest."
+  actions.push_back(action::ShowMessage{found ? "The tile already has the shape that its pixels suggest."
                                               : "Nothing to suggest: all pixels of the tile have colour 0.",
                                         false});
 }

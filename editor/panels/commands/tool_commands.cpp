@@ -146,9 +146,9 @@ std::vector<Command> pixel_tools() {
        .words = "eyedropper sample"},
       {.id = "pixels/select",
        .label = "Select pixels",
-       .help =
-           "Drag a rectangle, then drag it elsewhere or move it by the arrows: it floats over what is there. "
-           "Flips, rotation, shifts, Delete and the clipboard act on it; Escape drops it.",
+       .help = "Drag a rectangle, then drag it elsewhere or move it by the arrows: it floats over the other "
+               "pixels. "
+               "Flips, rotation, shifts, Delete and the clipboard act on it; Escape drops it.",
        .key = KeyChord{'3'},
        .menu = menus::kSpritesTools,
        .icon = Icon::select,
@@ -258,7 +258,7 @@ std::vector<Command> pixel_changes() {
        .run = clear_sprite},
       {.id = "pixels/shift_left",
        .label = "Shift pixels left",
-       .help = "Shifts the selected pixels, or all of the canvas, by one px; what leaves comes in at the "
+       .help = "Shifts the selected pixels, or all of the canvas, by one px; they come in again at the "
                "other side.",
        .key = shift(kKeyLeft),
        .menu = menus::kSpritesChanges,
@@ -266,7 +266,7 @@ std::vector<Command> pixel_changes() {
        .repeats = true},
       {.id = "pixels/shift_right",
        .label = "Shift pixels right",
-       .help = "Shifts the selected pixels, or all of the canvas, by one px; what leaves comes in at the "
+       .help = "Shifts the selected pixels, or all of the canvas, by one px; they come in again at the "
                "other side.",
        .key = shift(kKeyRight),
        .menu = menus::kSpritesChanges,
@@ -274,7 +274,7 @@ std::vector<Command> pixel_changes() {
        .repeats = true},
       {.id = "pixels/shift_up",
        .label = "Shift pixels up",
-       .help = "Shifts the selected pixels, or all of the canvas, by one px; what leaves comes in at the "
+       .help = "Shifts the selected pixels, or all of the canvas, by one px; they come in again at the "
                "other side.",
        .key = shift(kKeyUp),
        .menu = menus::kSpritesChanges,
@@ -282,7 +282,7 @@ std::vector<Command> pixel_changes() {
        .repeats = true},
       {.id = "pixels/shift_down",
        .label = "Shift pixels down",
-       .help = "Shifts the selected pixels, or all of the canvas, by one px; what leaves comes in at the "
+       .help = "Shifts the selected pixels, or all of the canvas, by one px; they come in again at the "
                "other side.",
        .key = shift(kKeyDown),
        .menu = menus::kSpritesChanges,
@@ -314,7 +314,7 @@ std::vector<Command> pixel_changes() {
        .run = select_all_pixels},
       {.id = "pixels/deselect",
        .label = "Select no pixels",
-       .help = "Puts down what floats.",
+       .help = "Drops floating pixels on the canvas.",
        .key = KeyChord{kKeyEscape},
        .menu = menus::kSpritesSelection,
        .run = [](S, A actions, U) { actions.push_back(action::SelectPixels{}); },
