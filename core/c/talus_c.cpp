@@ -28,7 +28,7 @@ struct talus_game {
 namespace talus {
 namespace {
 
-// Returns what the function returns, or `otherwise` when it throws. Only a lack of memory makes it throw.
+// Returns the result of the function, or `otherwise` if it throws. It throws only if memory runs out.
 template <class Result, class Function>
 Result guarded(Result otherwise, Function function) {
   try {
@@ -74,7 +74,7 @@ talus_game* opened(const char* name, char* error, std::size_t error_size, Load l
   return nullptr;
 }
 
-// Of a query, px.
+// Limit for the coordinates of a query, px.
 constexpr double kFarthest = 1e12;
 
 bool are_near(std::initializer_list<double> numbers) {

@@ -17,7 +17,7 @@ Real foot_offset(const Piece<Real>& piece, Real width, Foot foot) {
   return piece.rises_to_the_right() == up ? width : 0;
 }
 
-// Whether a rounding of x is worth more than one of y there. Not for curves.
+// Whether a rounding of x moves the place more than a rounding of y. Not for curves.
 template <class Real>
 bool is_steep(const Piece<Real>& piece) {
   return std::abs(piece.slope) > 1;

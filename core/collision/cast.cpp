@@ -18,8 +18,8 @@ namespace {
 
 constexpr int kMostColumns = 62;  // cells of a row looked at in one go: a word minus both neighbours
 
-// What is charged for a slice of a long way, with the few cells that an ordinary box leads with. Of a large
-// box, this many rows of cells count 1.
+// The work charged for a slice of a long motion, with the few cells that an ordinary box leads with. For a
+// large box, this many rows of cells cost 1.
 constexpr std::int64_t kSliceWork = 4;
 constexpr int kRowsPerWork = 4;
 
@@ -33,7 +33,7 @@ bool is_copy(const Piece<Real>& a, const Piece<Real>& b) {
          a.y0 == b.y0;
 }
 
-// Log: receives what the cast looks at; see NoLog.
+// Log: receives the cells and pieces that the cast tests; see NoLog.
 template <class Real, class Log = NoLog>
 class Caster {
  public:
@@ -68,7 +68,7 @@ class Caster {
   void against_terrain() {
     const Real length = std::max(std::abs(dx_), std::abs(dy_));
     if (length <= Real(kSliceLength)) return slice(0, 1);
-    // There is nothing outside of the map, however long the way there.
+    // There is nothing outside the map, however far the motion goes there.
     Real from = 0, to = 1;
     clip_to_map<Real>(box_.x, box_.w, dx_, Real(terrain_.width()) * kTileSide, from, to);
     clip_to_map<Real>(box_.y, box_.h, dy_, Real(terrain_.height()) * kTileSide, from, to);
@@ -110,18 +110,18 @@ class Caster {
     std::int32_t origin = 0;
     const Piece<Real>* piece = nullptr;
     Real at = 0;                   // a wall's x, a flat piece's y
-    Real first_x = 0, last_x = 0;  // of a floor or ceiling: where the box may be
+    Real first_x = 0, last_x = 0;  // of a floor or ceiling: the range of x where the box may be
     bool is_level() const { return cap || piece == nullptr; }
   };
 
-  // The box's place at that time: on what it hit. Along the surface the place is exact to the rounding of the
-  // result, however flat the angle between the surface and the way.
+  // The box's place at that time, on the surface that it hit. Along the surface the place is exact to the
+  // rounding of the result, however flat the angle between the surface and the motion is.
   BasicVec2<Real> position() const {
     const bool is_wall = best_.facing == Facing::left || best_.facing == Facing::right;
     const Twofold<Real> t = time_of_best();
     if (is_wall) return {limit(best_.facing, best_.at), (box_.y + t * dy_).rounded()};
-    // A box that falls straight down keeps its x. On a steep line y gives the place, as a rounding of x there
-    // is worth many of y.
+    // A box that falls straight down keeps its x. On a steep line y determines the place, as one rounding of
+    // x there moves y by many roundings.
     const bool by_y = dx_ != 0 && !best_.is_level() && is_steep(*best_.piece);
     Real x = best_.t == 0 ? box_.x : exact_x(t * dx_);
     if (by_y && best_.t == 0) x = moved_x(box_, (box_.y - rest(*best_.piece, x)) / best_.piece->slope);
@@ -133,7 +133,7 @@ class Caster {
   Twofold<Real> time_of_best() const {
     const bool is_curve = best_.piece != nullptr && !best_.cap && best_.piece->stretch != 0;
     if (best_.t == 0 || is_curve) return best_.t;
-    // A time further off than a rounding is that of the end of the line, or of the end of the motion.
+    // A time that differs by more than rounding belongs to the end of the line, or of the motion.
     const Twofold<Real> exact = exact_time(best_);
     return std::abs(exact.rounded() - best_.t) * speed_ <= slack_ ? exact : best_.t;
   }
@@ -181,7 +181,7 @@ class Caster {
     return rest_on(piece, terrain_.stretches(), {x, 0, box_.w, box_.h}, foot_);
   }
 
-  // The contact lies beyond the cells that were looked at.
+  // The contact lies beyond the cells that were tested.
   void give_up(Real end) {
     best_ = {};
     budget_->seen = static_cast<double>(end);
@@ -213,7 +213,7 @@ class Caster {
     cells<false>(columns, lead_columns, span_between(top, bottom + box_.h, terrain_.height()), lead_rows);
   }
 
-  // The cells of `rows`: all columns of the leading rows, the leading columns of the others.
+  // Tests the cells of `rows`: all columns of the leading rows, and the leading columns of the others.
   template <bool kVertical>
   void cells(CellSpan columns, CellSpan lead_columns, CellSpan rows, CellSpan lead_rows) {
     using Terrain = BasicTerrain<Real>;
@@ -235,7 +235,7 @@ class Caster {
     }
   }
 
-  // column: the column of bit 0. wanted(row): the bits of the cells to look at.
+  // column: the column of bit 0. wanted(row): the bits of the cells to test.
   template <bool kVertical, class Words, class Wanted>
   void cells_in(Words words, int column, CellSpan rows, Wanted wanted) {
     const bool up = dy_ > 0, right = dx_ > 0;
@@ -295,7 +295,7 @@ class Caster {
       const bool open0 = (here.solid() >> (first - 1) & 1) == 0;
       const bool open1 = (here.solid() >> (first + length) & 1) == 0;
       if (foot_ == Foot::centre && up) {
-        // Where slopes may go on, only the centre counts. Over a ledge the whole bottom does.
+        // Where slopes may continue, only the centre counts. Over a ledge the whole bottom counts.
         const std::uint64_t sloped = here.solid() & here.detailed();
         if (sloped >> (first - 1) & 1) x0 += box_.w / 2;
         if (sloped >> (first + length) & 1) x1 -= box_.w / 2;
@@ -400,7 +400,7 @@ class Caster {
              &piece);
       return;
     }
-    // Beyond a crest the ground goes on. Unlike beside a ledge, nothing may slip through beside it.
+    // Beyond a crest the ground continues. Unlike beside a ledge, nothing may slip through there.
     if (piece.rises_to_the_right() == up) {
       if (piece.convex1)
         flat({piece.x1 - box_.w, piece.x1, piece.y1 - lift, piece.y1 - lift, false, piece.last1}, up,
@@ -432,7 +432,8 @@ class Caster {
     constexpr Window kNever{1, 0, 0, 0};
     Window w{0, 1, 0, 0};
     if (dx_ == 0) {
-      // Where one stretch is open, the next is closed: the next one has what is on the border between them.
+      // If one stretch is open at a border, the next one is closed there: the next one has the places on the
+      // border.
       const bool in_first = reach.open_first ? box_.x > reach.first + slack_ : box_.x >= reach.first - slack_;
       const bool in_last = reach.open_last ? box_.x < reach.last - slack_ : box_.x <= reach.last + slack_;
       if (!in_first || !in_last) return kNever;
@@ -444,7 +445,7 @@ class Caster {
     const Real enter = right ? reach.first : reach.last, leave = right ? reach.last : reach.first;
     const bool open_leave = right ? reach.open_last : reach.open_first;
     const Real to_leave = (leave - box_.x) * inverse_;
-    // At the end of a piece, on the way out: where the outline goes on, the next piece has the contact.
+    // The box leaves the end of a piece: where the outline continues, the next piece has the contact.
     const bool at_end = to_leave * speed_ <= slack_;
     if (at_end && (open_leave || to_leave <= 1)) return kNever;
     if (right ? box_.x < enter : box_.x > enter) {
@@ -463,7 +464,7 @@ class Caster {
     return w;
   }
 
-  // Whether the box approaches so slowly that a rounding of the gap is worth many roundings of its way.
+  // Whether the box approaches so slowly that a rounding of the gap is worth many roundings of the motion.
   bool is_slow(Real closing) const { return kSlowShare * closing < speed_; }
 
   static Real after_now(Twofold<Real> t) { return std::max<Real>(t.rounded(), 0); }
@@ -549,7 +550,7 @@ class Caster {
   const Real speed_;  // px in the motion, sideways and up or down
   const Real slack_;
   CastBudget* const budget_;
-  std::int64_t work_ = 0;  // cells, pieces and boxes looked at so far
+  std::int64_t work_ = 0;  // cells, pieces and boxes tested so far
   [[no_unique_address]] Log log_;
   Hit best_;
   std::int32_t origin_ = 0;  // origin of the piece or tile under test

@@ -1,4 +1,4 @@
-// The way of a box that moves straight, in cells.
+// The path of a box that moves straight, in cells.
 #pragma once
 
 #include <algorithm>
@@ -13,13 +13,13 @@ namespace talus {
 // px; longer motions are cut into slices of this length, so that only cells near the way are looked at
 inline constexpr double kSliceLength = 2 * kTileSide;
 
-// The cells from the first to the last.
+// A range of cells, both ends included.
 struct CellSpan {
   int first, last;
   bool contains(int i) const { return first <= i && i <= last; }
 };
 
-// The bits from the first to the last. Those outside of a word are left out.
+// Sets the bits from the first to the last. Bits outside a word are left out.
 inline std::uint64_t bits_between(int first, int last) {
   if (last < 0 || first > 63) return 0;
   return (~std::uint64_t{0} >> (63 - std::min(last, 63))) & (~std::uint64_t{0} << std::max(first, 0));

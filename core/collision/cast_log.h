@@ -1,4 +1,4 @@
-// Logs that a cast writes into: what it looked at, and what it met.
+// Logs that a cast writes into: what it tested, and what it met.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace talus {
 
-// Keeps nothing.
+// Logs nothing.
 struct NoLog {
   // the cells of a row whose bit is set; the int before the bits is the column of bit 0
   void looks_at(int, int, std::uint64_t) {}
@@ -32,11 +32,11 @@ inline std::size_t place_of(CastTrace& trace, const CastCandidate& candidate) {
   return place;
 }
 
-// Keeps a trace.
+// Logs into a trace.
 class TraceLog {
  public:
   static constexpr std::size_t kMost =
-      1024;  // cells, and candidates, that are kept: more, nobody would look at
+      1024;  // limit for the cells, and for the candidates, that are kept: nobody would look at more
 
   explicit TraceLog(const Terrain& terrain, CastTrace& trace) : terrain_(terrain), trace_(trace) {}
 

@@ -1,4 +1,4 @@
-// What rounding makes of a cast's numbers.
+// The effects of rounding on the numbers of a cast.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace talus {
 
-// What a few roundings may have made of a number, of its size.
+// The error that a few roundings may give a number, relative to its size.
 template <class Real>
 inline constexpr Real kRounding = 8 * std::numeric_limits<Real>::epsilon();
 
@@ -22,14 +22,14 @@ inline Real moved_x(const BasicRect<Real>& box, Real dx) {
   return std::abs(right) > std::abs(left) ? right - box.w : left;
 }
 
-// Whether the motion is large enough to move the box at all; a smaller one counts as none.
+// Whether the motion is large enough to move the box at all; a smaller one counts as no motion.
 template <class Real>
 bool moves_sideways(const Cast<Real>& cast) {
   return moved_x(cast.box, cast.motion.x) != cast.box.x;
 }
 
-// A few units in the last place of the coordinates involved: what rounding may have put a box into the
-// ground. Alike for mirror images, and for all motions of up to two cells.
+// A few units in the last place of the coordinates involved: how deep rounding may have put a box into the
+// ground. It is the same for mirror images, and for all motions of up to two cells.
 template <class Real>
 [[gnu::always_inline]] inline Real rounding_slack(const Cast<Real>& cast) {
   const BasicRect<Real>& b = cast.box;

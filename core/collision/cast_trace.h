@@ -1,4 +1,4 @@
-// CastTrace: what a cast looked at before it decided. The overlays draw it.
+// CastTrace: what a cast tested before it decided. The overlays draw it.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace talus {
 
-// A side of the outline that faced the motion, in a cell that the cast looked at.
+// A side of the outline that faced the motion, in a cell that the cast tested.
 struct CastCandidate {
   Cell cell;
   Facing facing = Facing::up;
@@ -17,13 +17,13 @@ struct CastCandidate {
 };
 
 struct CastTrace {
-  std::vector<Cell> cells;                // the cells looked at, in order
+  std::vector<Cell> cells;                // the tested cells, in order
   std::vector<CastCandidate> candidates;  // in the order of the tests
   Contact<double> contact;                // the same as cast_box() returns
 };
 
-// Like cast_box(), for any terrain, but slower. On a long way, or in a crowd of lines, the trace keeps only
-// what comes first; the contact is right all the same.
+// Like cast_box(), for any terrain, but slower. For a long motion, or in a crowd of lines, the trace keeps
+// only the first entries; the contact is right nevertheless.
 CastTrace trace_cast(const Terrain& terrain, const Cast<double>& cast);
 
 }  // namespace talus

@@ -68,7 +68,7 @@ class CellGrid {
   std::int64_t remove(ItemId item, const CellRange& range);
 
   std::size_t cell_count() const noexcept { return used_; }
-  // The longest list that there ever was.
+  // The length of the longest list so far.
   std::size_t longest_list() const noexcept { return longest_; }
   void drop_empty_cells();
 

@@ -9,7 +9,7 @@
 
 namespace talus {
 
-// a few are enough; the limit ends those that rounding keeps going
+// a few are enough; the limit ends iterations that rounding keeps going
 inline constexpr int kMostIterations = 100;
 
 // The time at which a point that moves by `motion` in one unit of time meets a circle around the origin. For

@@ -12,7 +12,7 @@
 namespace talus {
 namespace {
 
-// The cells from the first to the last.
+// A range of cells, both ends included.
 struct CellBlock {
   int left, top, right, bottom;
 
@@ -34,7 +34,7 @@ CellBlock cells_met(const BasicTerrain<Real>& ground, const BasicRect<Real>& box
           cell(box.x + box.w + margin, ground.width()), cell(box.y + box.h + margin, ground.height())};
 }
 
-// The rounding that a cast of the box would forgive.
+// The rounding error that a cast of the box would tolerate.
 template <class Real>
 Real slack_of(const BasicRect<Real>& box) {
   return rounding_slack<Real>({box, {}, Foot::box});
@@ -48,10 +48,10 @@ bool is_box(const BasicRect<Real>& box) {
 // px; nothing of a terrain is further away
 double within_reach(double reach) { return std::min(reach, kMaxCastReach / 2); }
 
-// Rows and cells, of which so many are looked at in the time of one unit of work.
+// Rows and cells that are tested in the time of one unit of work.
 constexpr std::int64_t kCellsPerWork = 2;
 
-// skip_detailed: leaves out the tiles that slopes lead to. looks: counts the rows that are looked at.
+// skip_detailed: leaves out the tiles that slopes lead to. looks: counts the tested rows.
 template <class Real>
 bool overlaps_tile(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Real slack,
                    bool skip_detailed, std::int64_t& looks) {
@@ -138,7 +138,7 @@ void for_open_sides(const BasicTerrain<Real>& ground, Cell c, Use use) {
   if (!solid(c.x + 1, c.y)) put(Facing::right, x1, y0, x1, y1);
 }
 
-// overlaps_ground(), which counts the rows and cells that it looks at.
+// overlaps_ground(), which counts the rows and cells that it tests.
 template <class Real>
 bool overlaps_counted(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Foot foot,
                       std::int64_t& looks) {

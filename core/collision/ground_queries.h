@@ -1,4 +1,4 @@
-// What games and overlays ask of the ground. Every query has an answer: a box that cannot be cast (a
+// Queries of the ground, for games and overlays. Every query has an answer: a box that cannot be cast (a
 // coordinate that is not finite, a size that is negative or over kMaxCastSize, numbers beyond kMaxCastReach)
 // meets nothing and overlaps nothing.
 #pragma once
@@ -17,8 +17,8 @@ struct Surface {
   std::int32_t origin = 0;  // as Piece::origin
 };
 
-// reach: px, how far to look; may be infinite; nothing is looked at if it is negative or NaN. Returns nothing
-// if there is no floor (or ceiling) within reach, or the box is inside of the ground.
+// reach: px, how far to search; may be infinite. Returns nothing if there is no floor (or ceiling) within
+// reach, if the box is inside the ground, or if reach is negative or NaN.
 std::optional<Surface> floor_below(const Terrain& ground, const Rect& box, double reach,
                                    Foot foot = Foot::box);
 std::optional<Surface> ceiling_above(const Terrain& ground, const Rect& box, double reach);
@@ -34,8 +34,8 @@ template <class Real>
 bool overlaps_ground(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Foot foot = Foot::box);
 
 // The shortest straight way out of the ground: along x or y, and past one piece of the outline. Returns
-// nothing if the box is not in the ground, or if none of the shortest 1024 ways frees it. budget: what it
-// looks at is taken from it; where it is used up, nothing is returned. Null: none.
+// nothing if the box is not in the ground, or if none of the shortest 1024 ways frees it. budget: the work is
+// taken from it, and once it is used up, the function returns nothing; null: no limit.
 template <class Real>
 std::optional<BasicVec2<Real>> way_out(const BasicTerrain<Real>& ground, const BasicRect<Real>& box,
                                        Foot foot = Foot::box, CastBudget* budget = nullptr);

@@ -227,8 +227,8 @@ void OutlineCompiler::find_open(const Body& body, bool top, const OutlineLine& l
   }
 }
 
-// Takes from parts_ what does not bound the ground: where the line of a body is inside of another one, and
-// where it is the same as the line of an earlier one.
+// Removes from parts_ what does not bound the ground: where the line of a body is inside another body, and
+// where it equals the line of an earlier one.
 void OutlineCompiler::take_out_hidden(const Body& body, bool top, const OutlineLine& line, double x0,
                                       double x1) {
   const double y0 = line.at(x0), y1 = line.at(x1);
@@ -305,7 +305,7 @@ void OutlineCompiler::compile_wall(Cell cell, bool left, std::vector<Piece<doubl
   }
 }
 
-// The tips of wedges: a body's top and bottom meet there, and nothing goes on.
+// The tips of wedges: a body's top and bottom meet there, and no other ground continues.
 void OutlineCompiler::compile_tips(Cell cell, std::vector<Piece<double>>& out) const {
   const double strip0 = left_of(cell.x), strip1 = strip0 + kTileSide;
   const double row0 = left_of(cell.y), row1 = row0 + kTileSide;

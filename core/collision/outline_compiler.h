@@ -39,7 +39,7 @@ struct CurveOutline {
 };
 CurveOutline cut_curves(std::span<const Curve> curves);
 
-// Keeps what it has found out about cells: compiling a row cell by cell is the cheapest way. The map must not
+// It keeps what it knows of cells, so compiling a row cell by cell is the cheapest order. The map must not
 // change meanwhile.
 class OutlineCompiler {
  public:
@@ -100,10 +100,10 @@ class OutlineCompiler {
     std::vector<Body> bodies;
     std::vector<Cover> left, right;  // from the top
   };
-  // What goes on at the end of a piece.
+  // What continues at the end of a piece.
   struct Next {
-    bool any = false;      // another line that faces the same way goes on
-    bool outward = false;  // one goes on that does not fall back from the open side
+    bool any = false;      // whether another line that faces the same way continues
+    bool outward = false;  // whether one of these does not fall back from the open side
   };
 
   const TileOutline& tile(Cell cell) const {

@@ -1,4 +1,4 @@
-// How a mover goes on after a contact: check() and move(), the built-in responses and the user's own.
+// How a mover continues after a contact: check() and move(), the built-in responses and the user's own.
 #include <cassert>
 #include <cmath>
 
@@ -37,7 +37,7 @@ struct ByFilter {
   Response operator()(ItemId mover, ItemId other, std::size_t) const { return filter(mover, other); }
 };
 
-// ...or by a table. The table may be asked at any time, since nobody notices.
+// ...or by a table. The table may be read at any time, as reading it has no effect.
 struct ByGroup {
   static constexpr bool kIsTable = true;
   const World::GroupResponses& responses;
@@ -105,7 +105,7 @@ class World::Checker {
         more = may_look(start_.position(), goal) && append_first(start_.position(), goal);
       } else {
         const bool moves = hit.move != Vec2{};
-        // Without motion there is nothing to turn round: the mover is put out of what it is in.
+        // Without motion there is nothing to mirror: the mover is put out of the box that it overlaps.
         if (!moves && hit.response == Response::bounce) goal = hit.touch;
         goal = redirect(hit, goal, moves);
         more = may_look(hit.touch, goal) && append_first(hit.touch, goal);
@@ -122,7 +122,7 @@ class World::Checker {
     const CellRange range = impl_.cells_of(swept_bounds(sweep));
     const std::int64_t left = impl_.most_tests - tests_;
     tests_ += impl_.charge_of(range, hits_.size() >= kFreeLegs, left);
-    // To reckon what many cells hold takes a look at each.
+    // Counting the entries of many cells takes one test for each cell.
     if (range.count() > Impl::kFewCells) impl_.looks += std::min(range.count(), left);
     if (tests_ > impl_.most_tests) impl_.gave_up = true;
     return !impl_.gave_up;
@@ -304,7 +304,7 @@ class World::Checker {
   ScratchPool<Impl::Near>::Lease near_;  // what can be hit within near_area_ and near_cells_
   Rect near_area_;
   CellRange near_cells_;
-  std::int64_t near_looks_ = 0;  // that the look into them took
+  std::int64_t near_looks_ = 0;  // work of the search for the kept candidates
   std::size_t first_visit_;
   std::int64_t tests_ = 0;  // work charged so far
   // one bit for each met item, by its index modulo 64: spares most looks at the item

@@ -1,4 +1,4 @@
-// Why a shape or a curve cannot be used.
+// Says why a shape or a curve is invalid.
 #include <talus/collision/shape.h>
 
 #include <algorithm>
@@ -90,7 +90,8 @@ Problem problem_of_form(const Polyline& p) {
   return step * kWeldParts >= 1 ? Problem() : "has its heights closer to one another than 1/256 px";
 }
 
-// The course of a curve: `parts` that only rise or only fall, over a width, up or down by `climb` in all; px.
+// The extent of a curve: `parts` that only rise or only fall, over a width, up or down by `climb` in total;
+// px.
 struct Course {
   double parts = 1, width = 0, climb = 0;
 };

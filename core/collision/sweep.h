@@ -42,7 +42,7 @@ struct Sweep {
   Sweep(const Rect& start, Vec2 end) : box(start), goal(end), d{end.x - start.x, end.y - start.y} {}
 };
 
-// The box around the whole way. The size is a difference that is added again later, as in bump.
+// The box around the whole path. The size is a difference that is added again later, as in bump.
 inline Rect swept_bounds(const Sweep& sweep) {
   const Rect& box = sweep.box;
   const double left = std::min(sweep.goal.x, box.x);
@@ -59,7 +59,7 @@ struct SweepContact {
   Vec2 touch;
 };
 
-// The boxes overlap exactly where this box contains the origin. The mover's way becomes a ray from there.
+// The boxes overlap exactly if this box contains the origin. The mover's path becomes a ray from there.
 inline Sides minkowski_difference(const Rect& mover, const Rect& other) {
   const double x = other.x - mover.x - mover.w;
   const double y = other.y - mover.y - mover.h;

@@ -185,7 +185,7 @@ void BasicTerrain<Real>::compile(std::array<Cell, 2> area, const std::function<b
   }
 }
 
-// The cells of an area within one chunk whose outline cannot be told by bits.
+// The cells of an area within one chunk whose outline cannot be described by bits.
 template <class Real>
 typename BasicTerrain<Real>::Words BasicTerrain<Real>::details_in(std::array<Cell, 2> area,
                                                                   const OutlineCompiler& compiler) const {

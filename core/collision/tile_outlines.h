@@ -1,4 +1,4 @@
-// TileOutline: what each kind of tile adds to the outline of the ground, worked out once for all its cells.
+// TileOutline: what each kind of tile adds to the outline of the ground, computed once for all its cells.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,7 @@ struct OutlineLine {
   }
 };
 
-// The part of a shape in one column of cells; lines from left to right. The lines of a slope go on in the
+// The part of a shape in one column of cells; lines from left to right. The lines of a slope continue in the
 // next column.
 struct TileColumn {
   std::vector<OutlineLine> top, bottom;

@@ -9,10 +9,10 @@
 namespace talus {
 namespace {
 
-// After this many steps the block of cells around a segment replaces its way through the grid.
+// After this many steps, all cells of the block around a segment replace its path through the grid.
 constexpr std::int64_t kMaxSegmentSteps = std::int64_t{1} << 20;
 
-// Items of a cell that are passed in the time of one look, when one of them leaves it.
+// Entries of a cell that are passed in the time of one test, when an item leaves the cell.
 constexpr std::int64_t kEntriesPerLook = 8;
 
 // The number as Lua prints it.

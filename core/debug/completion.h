@@ -1,4 +1,4 @@
-// Completion: what may stand at a place of an expression while the user types.
+// Completion: the names that may stand at a place of an expression while the user types.
 #pragma once
 
 #include <string>

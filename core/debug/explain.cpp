@@ -59,7 +59,7 @@ class ContactSentence {
     return text;
   }
 
-  // What stopped the body and when, without what happened afterwards.
+  // Says what stopped the body and when, but not what happened afterwards.
   std::string stopped() const {
     if (contact_.overlaps) return "was inside " + name_of(*frame_.scene, contact_.other) + pushed_out();
     return "stopped by " + met_part(*frame_.scene, contact_) + when();
@@ -163,8 +163,9 @@ std::string wanted_and_got(const Frame& frame, const BodyPath& path) {
                                             : text + " and went " + motion_text(got) + " px.";
 }
 
-// Whether a contact that the solver left alone took some of the way all the same. World slides a body along
-// what it meets, and only then the article asks whether a slope has put the body on its floor.
+// Whether a contact took some of the motion though the solver did not respond to it. World slides a body
+// along the boxes that it meets, and only then the article asks whether a slope has put the body on its
+// floor.
 bool only_stops(const ContactRecord& contact) {
   if (contact.handled || contact.response == Response::cross) return false;
   return dot(contact.move, contact.normal) * (1 - std::clamp(contact.ti, 0.0, 1.0)) <= -kLeastShown;
@@ -235,11 +236,10 @@ std::string explain_step(const FrameView& view, int body) {
   const bool may_be_inside =
       before != nullptr && !before->is_clear && frame.scene->tuning.solver == SolverKind::exact;
   if (may_be_inside && measure(Metric::penetration, view.before(1), *before) > 0)
-    text += " It began inside of the ground, and was first put out of it.";
+    text += " It began inside the ground, and was first put out of it.";
   text += reasons(frame, *path);
   if (path->capped) text += " It met more contacts than a step handles, and the rest of its motion is lost.";
-  if (path->cut_short)
-    text += " There was more on its way than a step may look at, and it stopped where that ended.";
+  if (path->cut_short) text += " It met the limit of work for a step, and stopped early.";
   if (path->limited) text += " Its way or its speed was cut to the largest allowed.";
   if (before == nullptr) return text;
   const std::string was = motion_text(before->velocity), is = motion_text(after->velocity);

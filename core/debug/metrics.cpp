@@ -13,7 +13,7 @@ namespace talus {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-constexpr double kFloorReach = 64;  // px, how far below a body to look for a floor
+constexpr double kFloorReach = 64;  // px below a body within which a floor is searched
 
 constexpr std::array kInfos = {
     MetricInfo{Metric::id, "id", "", false, "number of the body, from 1"},
@@ -31,7 +31,7 @@ constexpr std::array kInfos = {
     MetricInfo{Metric::grounded, "grounded", "", true, "the body stood on ground in this step"},
     MetricInfo{Metric::contacts, "contacts", "", false, "contacts of the step that changed its way or speed"},
     MetricInfo{Metric::penetration, "penetration", "px", false,
-               "how far the box is inside of the ground; 0 outside, infinite when no straight way leads out"},
+               "how far the box is inside the ground; 0 outside, infinite when no straight way leads out"},
     MetricInfo{Metric::floor_error, "floor_error", "px", false,
                "feet below (+) or above (-) the exact floor while grounded; nothing in the air"},
     MetricInfo{Metric::normal_x, "normal.x", "", false, "normal of the step's last contact, to the right"},
@@ -43,7 +43,7 @@ constexpr std::array kInfos = {
         "how far along the slope of the step's last contact with one: 0 at its left end, 1 at its right"},
     MetricInfo{Metric::capped, "capped", "", true, "it met more contacts than the solver handles in a step"},
     MetricInfo{Metric::cut_short, "cut_short", "", true,
-               "there was more on its way than a step may look at, and it stopped"},
+               "it met the limit of work for a step, and stopped early"},
     MetricInfo{Metric::limited, "limited", "", true, "its way or speed was cut to the largest allowed"},
     MetricInfo{Metric::parting, "parting", "px", false,
                "distance from the same body of the run compared with; infinite when that has no such body"},

@@ -26,7 +26,7 @@ std::string names_of(const Scene& scene, const std::vector<Obstacle>& all) {
   return text;
 }
 
-// Whether a box on its way comes as far as another box, at least side to side.
+// Whether a moving box reaches another box, at least side to side.
 bool comes_to(const Rect& box, Vec2 motion, const Rect& other) {
   return other.x <= box.right() + std::max(motion.x, 0.0) &&
          other.right() >= box.x + std::min(motion.x, 0.0) &&
@@ -139,7 +139,7 @@ class StageList {
     return is_more_than(start - box_position_, kOnlyRounding) ? start : box_position_;
   }
 
-  // What the next contact began with. After the last one: what it took to get where the body is.
+  // The motion that the next contact began with; after the last contact, the motion to the body's end.
   Vec2 motion_after(std::size_t index) const {
     const auto& contacts = frame_.record.contacts;
     if (is_cut()) return contacts[index].after.value_or(Vec2{});
@@ -164,8 +164,7 @@ class StageList {
     box_ = path_.to;
     std::string text = "arrives at " + short_text(path_.to.position());
     if (path_.capped) text += "; it met more than a step handles, and the rest of its motion is lost";
-    if (path_.cut_short)
-      text += "; more was on its way than a step may look at, and it stopped where that ended";
+    if (path_.cut_short) text += "; it met the limit of work for a step, and stopped early";
     if (path_.limited) text += "; its way or its speed was cut to the largest allowed";
     add(StageKind::arrived, {}, std::move(text));
   }

@@ -27,8 +27,8 @@ struct Stage {
   int contact = -1;      // index into the record's contacts; -1: the stage is about no contact
   std::string sentence;  // what happened, without a full stop
   std::string numbers;   // numbers of the contact, as Explanation::numbers
-  // Of `searched`. Only exact looks at cells; article and bump test only boxes, of tiles and of bodies.
-  std::vector<Cell> cells;                // looked at
+  // For `searched`. Only exact tests cells; article and bump test only boxes of tiles and bodies.
+  std::vector<Cell> cells;                // that were tested
   std::vector<CastCandidate> candidates;  // sides that were tested, with the time of each
   std::vector<Obstacle> tested;           // things whose boxes were tested; for exact, only bodies
 };

@@ -22,8 +22,8 @@ tl::unexpected<ExportProblem> problem_at(Field field, std::string message, std::
   return tl::unexpected(ExportProblem{field, {std::move(place), std::move(message)}});
 }
 
-// Why a file cannot be written there, as far as can be known without writing; empty if nothing speaks against
-// it.
+// Why a file cannot be written there, as far as can be known without writing; empty if nothing is known to
+// prevent it.
 std::string place_problem(const fs::path& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) return path.string() + " is a folder, but must be a file";
@@ -156,7 +156,7 @@ tl::expected<std::string, ExportProblem> output_of(const ExportPreset& preset,
                                                    const std::string& level_file) {
   const fs::path path(preset.path), file(level_file);
   if (path.empty()) return problem_at(Field::path, "the path is empty: name a file or a folder");
-  // The system ends a name at NUL, and would write another file than the one shown.
+  // The system ends a name at NUL, so it would write another file than the one shown.
   if (preset.path.find('\0') != std::string::npos)
     return problem_at(Field::path, "has a NUL character, which file names cannot have");
   if (path.is_relative() && level_file.empty()) {

@@ -8,7 +8,7 @@ struct Amounts {
   std::size_t heights = 0, curve_cells = 0, brush_cells = 0, name_bytes = 0, unknown_bytes = 0;
 };
 
-// The texts that every kind of list entry has.
+// The texts that every entry of a list has.
 template <class Entry>
 void count_texts(const Entry& entry, Amounts& amounts) {
   amounts.name_bytes += entry.name.size();

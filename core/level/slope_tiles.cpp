@@ -49,7 +49,7 @@ class Layer {
   explicit Layer(const TileMap& map) : map_(map) {}
 
   void place(Cell cell, std::uint8_t tile) { tiles_.try_emplace({cell.x, cell.y}, tile); }
-  // A cell with a part of the floor in it. SlopeTilesOptions::below goes under it.
+  // A cell with a part of the floor in it. The tile SlopeTilesOptions::below goes under it.
   void own(Cell cell) { owners_.push_back(cell); }
 
   Result take(std::vector<SlopeTiles::Drawn> drawn, std::optional<std::uint8_t> below) {
@@ -200,7 +200,7 @@ class Chooser {
     double end = 0;      // px, its floor at its right side
   };
 
-  // The tile, and its row, that stays nearest to the line; of equally good ones, the first of the set.
+  // The tile, and its row, that stays nearest to the line; of equally near ones, the first of the set.
   std::optional<Choice> choose(int column, std::optional<double> floor) const {
     std::optional<Choice> best;
     for (const Candidate& candidate : candidates_) {

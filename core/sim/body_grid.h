@@ -20,7 +20,7 @@ class BodyGrid {
     for (std::size_t i = 0; i < bodies.size(); ++i) place(static_cast<std::uint32_t>(i), bodies[i].box);
   }
 
-  // Returns the work that it took: cells, and what had to be passed in them.
+  // Returns the work that it took: the cells, and the entries that it passed in them.
   std::int64_t place(std::uint32_t index, const Rect& box) {
     if (index >= placed_.size()) placed_.resize(index + 1);
     const CellRange range = cells_of(box);
@@ -31,8 +31,8 @@ class BodyGrid {
     return work;
   }
 
-  // Finds the bodies in the cells that the box meets, in order, each once. Every cell and body that it looks
-  // at is taken from `left`. Returns false, and no bodies, if there is not enough left.
+  // Finds the bodies in the cells that the box meets, in order, each once. Every cell and body that it tests
+  // is taken from `left`. Returns false, and no bodies, if there is not enough left.
   bool near(const Rect& box, std::int64_t& left, std::vector<std::uint32_t>& found) const {
     found.clear();
     const CellRange range = cells_of(box);
@@ -49,7 +49,8 @@ class BodyGrid {
 
  private:
   static constexpr double kSide = 16;  // px, of a cell: twice the article's ball
-  // Of one body in the grid. Larger ones are in a list, as thousands of them would fill millions of cells.
+  // Limit for one body in the grid. Larger bodies are in a list, as thousands of them would fill millions of
+  // cells.
   static constexpr std::int64_t kMostCells = 64;
   // Bodies whose places are compared, or that are passed in a list, in the time of one unit of work.
   static constexpr std::int64_t kPlacesPerWork = 8;
@@ -75,9 +76,9 @@ class BodyGrid {
     return work_of_places(passed);
   }
 
-  // False: it ended before it had found all.
+  // Returns false if it ended before it had found all bodies.
   bool look(const CellRange& range, std::int64_t& left, std::vector<std::uint32_t>& found) const {
-    // A long way may sweep more cells than there are bodies.
+    // A long motion may sweep more cells than there are bodies.
     if (range.count() > static_cast<std::int64_t>(64 + 4 * placed_.size())) {
       left -= work_of_places(placed_.size());
       if (left < 0) return false;

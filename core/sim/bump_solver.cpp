@@ -24,8 +24,8 @@ BumpSolver::BumpSolver(std::shared_ptr<const Scene> scene)
                   [this](const World& world, Collision& hit, Rect, Vec2 goal, World::Filter filter,
                          std::vector<Collision>& next) { return respond(world, hit, goal, filter, next); }) {}
 
-// The way goes on from where this leg began, not from where the whole move did: an earlier contact may have
-// turned it.
+// The motion continues from where this leg began, not from where the whole move did: an earlier contact may
+// have turned it.
 Vec2 BumpSolver::respond(const World& world, Collision& hit, Vec2 goal, World::Filter filter,
                          std::vector<Collision>& next) const {
   Rect from = hit.item_rect;

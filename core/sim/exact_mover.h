@@ -69,7 +69,7 @@ class RestMemo {
     contact_ = contact;
     return true;
   }
-  // What finding the answer takes of a budget, whether it is known or not: that of a fall of two cells.
+  // The work that finding the answer takes, whether it is known or not: that of a fall of two cells.
   std::int64_t work() const { return work_; }
   void set_work(std::int64_t work) { work_ = work; }
 
@@ -87,9 +87,10 @@ class Mover {
   using Vec = BasicVec2<Real>;
   struct Result {
     int passes = 0;
-    bool capped = false;     // the passes were used up, and the rest of the motion was dropped
-    bool wedged = false;     // wedged between the last two contacts: the rest of the motion leads nowhere
-    bool cut_short = false;  // the budget was used up: the box stopped where nothing is met yet
+    bool capped = false;  // the passes were used up, and the rest of the motion was dropped
+    bool wedged = false;  // wedged between the last two contacts: the rest of the motion leads nowhere
+    bool cut_short =
+        false;  // the budget was used up: the box stopped at the last place that is known to be free
   };
 
   // rest: what this body met before, in this terrain and without others; null: nothing is remembered. budget:
@@ -141,7 +142,7 @@ class Mover {
       body.box.y = contact.position.y;
       surface_ = contact.on_end ? nullptr : contact.piece;
       motion = respond(contact, motion);
-      // Sliding along one plane leads into the one before: there is nowhere to go.
+      // Sliding along one plane leads into the one before: the box cannot go anywhere.
       const bool slides = dot(motion, contact.normal) <= tolerance(motion);
       if (before && slides && dot(motion, *before) < -tolerance(motion)) {
         result.wedged = true;
@@ -183,7 +184,7 @@ class Mover {
 
   static Real tolerance(Vec motion) { return (std::abs(motion.x) + std::abs(motion.y)) * kRounding<Real>; }
 
-  // A curve bends towards the box: whatever slides along it meets it again at once.
+  // A curve bends towards the box: a box that slides along it meets it again at once.
   bool is_hollow(const Piece<Real>& piece) const {
     if (piece.stretch == 0) return false;
     return terrain_.stretches()[piece.stretch - 1].bends_down != (piece.facing == Facing::up);

@@ -184,8 +184,8 @@ class ExactSolver final : public Solver {
     record_->paths.back().capped = record_->paths.back().capped || result.capped;
   }
 
-  // Finds the other bodies that the motion may meet, whichever way it turns. Returns false if there are more
-  // than the body may look at.
+  // Finds the other bodies that the motion may meet, however contacts turn it. Returns false if there are
+  // more than the body may test.
   bool gather(const State& state, std::size_t index, const Moving<Real>& moving, Vec motion) {
     if (!pairs_) return true;
     const double length = static_cast<double>(std::abs(motion.x) + std::abs(motion.y));
@@ -202,7 +202,7 @@ class ExactSolver final : public Solver {
     return true;
   }
 
-  // A body whose cells would exceed the budget stays inside of the ground.
+  // A body whose cells would exceed the budget stays inside the ground.
   void leave_ground(Moving<Real>& moving) {
     const double columns = moving.box.w / kTileSide + 2, rows = moving.box.h / kTileSide + 2;
     if (columns * rows > static_cast<double>(budget_.left)) return note_cut_short();
@@ -304,7 +304,7 @@ class ExactSolver final : public Solver {
   std::vector<BasicRect<Real>> others_;    // boxes of the bodies near the one that moves
   std::vector<const Body*> other_bodies_;  // the bodies of others_
   std::vector<RestMemo<Real>> rests_;      // by index of the body; not used with pairs
-  StepRecord* record_ = nullptr;           // of the current step; null if nobody wants it
+  StepRecord* record_ = nullptr;           // of the current step; null: it is not recorded
   int order_ = 0;                          // of the body's next contact
 };
 

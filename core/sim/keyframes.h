@@ -40,7 +40,7 @@ class KeyframeStore {
 
   explicit KeyframeStore(std::size_t budget) : budget_(budget) {}
 
-  // Keeps the state if it should be kept. It must be later than all of `keyframes`.
+  // Keeps the state if it becomes a keyframe. It must be later than all of `keyframes`.
   void offer(Keyframes& keyframes, const State& state, bool is_edit) const;
   bool over_budget() const { return *bytes_ > budget_; }
   void widen_stride() { stride_ *= 2; }

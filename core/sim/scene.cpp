@@ -34,7 +34,7 @@ std::optional<GroundLine> ground_line(const std::optional<BumpLine>& line) {
   return GroundLine{line->h1 > line->h0, std::min(line->h0, line->h1), line->is_ceiling, line->one_way};
 }
 
-// A straight floor is a slope's box on a solid one. Of other shapes the article knows nothing.
+// A straight floor is a slope's box on a solid one. The article does not know other shapes.
 TileBoxes boxes_of(const TileShape& shape, SolverKind solver) {
   if (shape.kind == TileShape::Kind::none) return {};
   const bool is_known = !shape.one_way && shape.kind != TileShape::Kind::profile &&

@@ -14,13 +14,13 @@ double rise_of(const Slope& slope) { return slope.box.h - slope.low; }
 
 Rect mirrored(const Rect& box) { return {box.x, -(box.y + box.h), box.w, box.h}; }
 
-// A box on its way over a slope; `t` is the fraction of the way.
+// A box that moves over a slope; `t` is the fraction of the motion.
 class Passage {
  public:
   Passage(const Slope& slope, const Rect& mover, Vec2 goal)
       : slope_(slope), mover_(mover), d_(goal - mover.position()) {}
 
-  // The part of the way on which the box is above, in or under the slope; nothing if enter >= leave.
+  // The part of the motion on which the box is above, in or under the slope; nothing if enter >= leave.
   double enter() const {
     return d_.x == 0 ? (beside() ? 1 : 0) : std::clamp(std::min(to_left(), to_right()), 0.0, 1.0);
   }
@@ -34,8 +34,8 @@ class Passage {
     return slope_.direction > 0 ? past >= 0 : past <= 0;
   }
 
-  // Whether a foot under the floor is lifted onto it. It is if that is the shortest way out, as after
-  // rounding or an edit of the level has sunk it a little.
+  // Whether a foot under the floor is lifted onto it: only if that is the shortest way out, as when rounding
+  // or an edit of the level has sunk it a little.
   bool lifts() const {
     const Rect& box = slope_.box;
     const double side = slope_.direction > 0 ? box.right() - mover_.x : mover_.right() - box.x;
@@ -55,7 +55,7 @@ class Passage {
     const Vec2 along{-contact.normal.y, contact.normal.x};
     const double into = rest.x * contact.normal.x + rest.y * contact.normal.y;
     contact.goal = contact.touch + (into < 0 ? along * (rest.x * along.x + rest.y * along.y) : rest);
-    // Along the slope the slope gives the height, not the sum.
+    // Along the slope, the slope's line gives the height, as the sum would be rounded.
     if (into < 0 && !on_high_end) contact.goal.y = line(corner(contact.goal.x)) - mover_.h;
     return contact;
   }

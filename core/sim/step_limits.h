@@ -8,23 +8,23 @@
 
 namespace talus {
 
-// What all bodies together may look at in a step: cells, lines and boxes, in units of about 20 ns. So no step
-// takes long, whatever the level; ordinary ones come nowhere near. A body that has used up its part stops at
-// a place that it can be at, and the record says so.
+// The work that all bodies together may take in a step: cells, lines and boxes, in units of about 20 ns. So
+// no step takes long, whatever the level is; ordinary steps come nowhere near. A body that has used up its
+// part stops at a free place, and the record says so.
 inline constexpr std::int64_t kMostStepWork = 3 << 21;
-// One body's part: twice an equal one, as most need far less, but within these.
+// Limits for one body's part. The part is twice an equal share, as most bodies need far less.
 inline constexpr std::int64_t kMostBodyWork = 1 << 20;
 inline constexpr std::int64_t kLeastBodyWork = 1 << 10;
 
-// What is left of a step's work.
+// The rest of a step's work.
 class StepBudget {
  public:
   StepBudget() = default;
   explicit StepBudget(std::size_t bodies);
 
-  // What one body may look at now; 0: nothing any more.
+  // The work that one body may take now; 0: none is left.
   std::int64_t part() const;
-  // What was looked at; the last one may have looked at more than was left.
+  // Takes work off; the last body may have taken more than was left.
   void spend(std::int64_t work) { spent_ += work; }
   std::int64_t spent() const { return spent_; }
 
@@ -33,7 +33,7 @@ class StepBudget {
   std::int64_t spent_ = 0;
 };
 
-// A goal within these limits. What is within them is left as it is, to the last bit.
+// Returns the goal within these limits. A goal within them is returned as it is, to the last bit.
 Vec2 within_limits(Vec2 from, Vec2 goal);
 
 }  // namespace talus

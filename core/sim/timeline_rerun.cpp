@@ -48,7 +48,7 @@ void Timeline::change_inputs(std::int64_t first, std::int64_t last, FunctionRef<
   show_wanted();
 }
 
-// The bodies of the current level may have other numbers: the mouse shall hold the same body as before.
+// The bodies of the current level may have other numbers: the mouse must hold the same body as before.
 void Timeline::renumber_grabs(Branch& branch) {
   const VersionPtr before = branch.chapters.front().version;
   State old = initial_state(*scenes_.scene_of(before));

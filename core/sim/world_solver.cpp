@@ -9,10 +9,10 @@
 namespace talus {
 namespace {
 
-// Cells and boxes of the world that are looked at in the time of one unit of work.
+// Cells and boxes of the world that are tested in the time of one unit of work.
 constexpr std::int64_t kLooksPerWork = 2;
 
-// Boxes that a record keeps as tested; those of more bodies than anybody looks at would fill the memory.
+// Boxes that a record keeps as tested; in a crowd, all of them would fill the memory.
 constexpr std::size_t kMostTested = 2'097'152;
 
 Slope slope_of(const SceneItem& item) {
@@ -181,7 +181,8 @@ std::optional<Vec2> WorldSolver::check(const Placed& placed, Vec2 goal,
   });
 }
 
-// What look() returns, which may look at no more than is left; nothing, and no hits: that is too little.
+// Returns the result of look(), which may test no more than is left; nothing, and no hits, if that was too
+// little.
 std::optional<Vec2> WorldSolver::within_budget(std::vector<Collision>& hits, FunctionRef<Vec2()> look) {
   const std::int64_t part = budget_.part();
   if (part == 0) {
@@ -207,7 +208,7 @@ Obstacle WorldSolver::obstacle(ItemId item) const {
   return what;
 }
 
-// A body's way is tested again after each response; its candidates are recorded once.
+// A body's path is tested again after each response; its candidates are recorded once.
 void WorldSolver::note_test(int body, ItemId other) {
   std::uint64_t& mark = tested_marks_[other.index];
   if (mark == test_mark_ || record_->tested.size() == kMostTested) return;

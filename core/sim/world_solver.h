@@ -28,7 +28,7 @@ class WorldSolver : public Solver {
     Group group = kSolidGroup;
     bool is_slope() const { return group == kSlopeGroup; }
   };
-  // Where the world has a body. Balls that pass through each other are not in the world, as nobody can meet
+  // Where the world has a body. Balls that pass through each other are not in the world, as nothing can meet
   // them: then `item` is null.
   struct Placed {
     int id;
@@ -44,18 +44,18 @@ class WorldSolver : public Solver {
   virtual void fall(Body& body, Placed& placed) = 0;
   virtual void drag(Body& body, Placed& placed, const Input& input) = 0;
 
-  // The world is only a cache of the state: whatever differs is brought up to date, so that a step depends on
-  // nothing but its arguments. The budget is a step's again.
+  // The world is only a cache of the state: everything that differs is brought up to date, so that a step
+  // depends only on its arguments. The budget is filled again.
   void synchronise(const State& state);
   void pull(Body& body) const;                         // gravity and drag change the velocity
   void move(Body& body, Placed& placed, Vec2 wanted);  // fills hits_, and the record
-  // Where a look for contacts ends, which the step's budget is charged for. Nothing, and no hits: it is used
-  // up.
+  // Returns where a search for contacts ends, and takes its work from the step's budget. Returns nothing, and
+  // no hits, if the budget is used up.
   std::optional<Vec2> check(const Placed& placed, Vec2 goal, const World::GroupResponses& responses,
                             std::vector<Collision>& hits);
   void place(Placed& placed, const Rect& box);
   void limit_velocity(Body& body);
-  ContactRecord* contact_of_hit(std::size_t i);  // null if nobody records
+  ContactRecord* contact_of_hit(std::size_t i);  // null if the step is not recorded
 
   const SharedTuning& tuning() const { return scene_->tuning.shared; }
   const Entry& entry(ItemId item) const { return entries_[item.index]; }
@@ -86,7 +86,7 @@ class WorldSolver : public Solver {
   bool balls_block_;
   std::vector<std::uint64_t> tested_marks_;  // by ItemId::index: the last mark under which it was recorded
   std::uint64_t test_mark_ = 0;              // one for each body and step
-  StepRecord* record_ = nullptr;             // of the current step; null if nobody wants it
+  StepRecord* record_ = nullptr;             // of the current step; null: it is not recorded
 };
 
 }  // namespace talus

@@ -236,7 +236,7 @@ TEST_F(Steps, TellOfAStartInsideTheGround) {
   level.spawns.push_back({.name = "", .position = {0, 9}, .velocity = {}, .extra = ""});
   const std::string text = step(RecordedRun(level, 1), 1);
   EXPECT_NE(
-      text.find(" It began inside of the ground, and was first put out of it. It was stopped by the top of"),
+      text.find(" It began inside the ground, and was first put out of it. It was stopped by the top of"),
       std::string::npos)
       << text;
 }
@@ -307,8 +307,7 @@ TEST_F(Steps, TellOfAnEndedWorkBudget) {
   FrameHistory history(1);
   history.go_to(made, 1);
   EXPECT_THAT(explain_step(history.view(), 1),
-              testing::HasSubstr(
-                  "There was more on its way than a step may look at, and it stopped where that ended."));
+              testing::HasSubstr("It met the limit of work for a step, and stopped early."));
 }
 
 }  // namespace talus::debug_explain_test

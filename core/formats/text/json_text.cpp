@@ -54,7 +54,7 @@ class ReadingIterator {
   const char* at_;
 };
 
-// Takes what the parser finds (nlohmann's SAX interface), and stops it at what no file may have.
+// Takes what the parser finds (nlohmann's SAX interface), and stops it at anything that no file may have.
 class StrictBuilder {
  public:
   enum class Problem { none, invalid, too_large, too_deep, too_many_keys, twice };
@@ -189,8 +189,8 @@ FormatError error_of(const StrictBuilder& builder, std::string_view text, std::s
   return {place + ", column " + std::to_string(column_of(text, offset)), "this is not valid JSON"};
 }
 
-// The offset in valid JSON of the first value beyond the limit; npos if there are not so many. It is counted
-// before any value is made, since making them takes seconds and hundreds of MB.
+// Returns the offset in valid JSON of the first value beyond the limit; npos if there are not so many. It
+// counts before any value is made, as making them takes seconds and hundreds of MB.
 std::size_t value_too_many(std::string_view json) {
   constexpr std::size_t kMostWithout =
       2 * std::size_t{kMaxJsonValues} - 1;  // bytes: a value and a comma take 2

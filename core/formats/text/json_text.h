@@ -19,12 +19,12 @@ inline constexpr std::size_t kMaxUnknownKeys = 65'536;
 // A text project that is all line breaks has 4.2 million lines.
 inline constexpr int kMaxJsonValues = 5'000'000;
 
-// Parses JSON; all readers of JSON use this function. An error is: text that is not JSON; deeper nesting, or
-// more values or keys, than the limits above; a key that is in one object twice; a number that no double
-// holds; anything but blanks after the end. The error's place is the line, with the column or the key if
-// there is one. progress: receives how much of the text is parsed, and may stop the work, which is an error.
-// first_line: the number of the text's first line in its file. most_deep: levels that may nest, for a file
-// that holds what may itself have kMaxJsonDepth.
+// Parses JSON; all readers of JSON use this function. These are errors: text that is not JSON; deeper
+// nesting, or more values or keys, than the limits above; a key that is in one object twice; a number too
+// large for a double; anything but blanks after the end. The error's place is the line, with the column or
+// the key if there is one. progress: receives how much of the text is parsed, and may stop the work, which is
+// an error. first_line: the number of the text's first line in its file. most_deep: the allowed nesting, for
+// a file whose parts may themselves have kMaxJsonDepth levels.
 FormatResult<Json> parse_json(std::string_view text, const Progress& progress = {},
                               std::int64_t first_line = 1, int most_deep = kMaxJsonDepth);
 

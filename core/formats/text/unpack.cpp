@@ -11,7 +11,7 @@ namespace talus {
 tl::expected<std::string, UnpackError> unpack_zlib(std::string_view packed, std::size_t limit) {
   z_stream stream = {};
   constexpr int kEitherHeader = 32;
-  // The only reason to fail.
+  // It fails only if memory runs out.
   if (inflateInit2(&stream, MAX_WBITS + kEitherHeader) != Z_OK) throw std::bad_alloc();
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));  // zlib does not write to it
   stream.avail_in = static_cast<uInt>(packed.size());
@@ -34,7 +34,7 @@ tl::expected<std::string, UnpackError> unpack_zlib(std::string_view packed, std:
 std::string pack_zlib(std::string_view content) {
   uLongf length = compressBound(static_cast<uLong>(content.size()));
   std::string packed(length, '\0');
-  // Lacking memory is the only reason to fail.
+  // It fails only if memory runs out.
   if (compress(reinterpret_cast<Bytef*>(packed.data()), &length,
                reinterpret_cast<const Bytef*>(content.data()), static_cast<uLong>(content.size())) != Z_OK)
     throw std::bad_alloc();

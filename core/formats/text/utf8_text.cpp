@@ -43,7 +43,7 @@ bool is_white_space(std::uint32_t c) {
          c == 0x3000;
 }
 
-// How many bytes of white space the text begins with, of what printable() leaves as it is.
+// The number of bytes of white space at the text's beginning that printable() keeps.
 std::size_t white_space_before(std::string_view text) {
   std::size_t bytes = 0;
   while (bytes < text.size()) {
@@ -54,7 +54,7 @@ std::size_t white_space_before(std::string_view text) {
   return bytes;
 }
 
-// Whether what follows "##" is a word, or nothing, and "[".
+// Whether the text behind "##" is a word, or nothing, followed by "[".
 bool begins_a_command(std::string_view text) {
   const auto end = std::find_if_not(text.begin(), text.end(),
                                     [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); });
@@ -118,7 +118,8 @@ std::string printable_line(std::string_view line) {
 std::string shortened(std::string_view text, std::size_t most) {
   if (text.size() <= most) return std::string(text);
   std::size_t end = most - 3;
-  while (end > 0 && (static_cast<std::uint8_t>(text[end]) & 0xc0) == 0x80) --end;  // not within a character
+  while (end > 0 && (static_cast<std::uint8_t>(text[end]) & 0xc0) == 0x80)
+    --end;  // do not cut within a character
   return std::string(text.substr(0, end)) + "...";
 }
 

@@ -33,7 +33,7 @@ std::string xml_text(std::string_view text) {
 bool is_xml_text(std::string_view text) {
   while (!text.empty()) {
     const auto byte = static_cast<unsigned char>(text[0]);
-    if (byte >= 32 && byte < 128) {  // nearly all of it, and cheap to tell
+    if (byte >= 32 && byte < 128) {  // nearly all text, and fast to test
       text.remove_prefix(1);
       continue;
     }

@@ -136,7 +136,8 @@ FormatResult<std::string> read_rows(std::string_view bytes, std::string_view com
   return data;
 }
 
-// A whole section with the empty line behind it. For a section of zeros nothing, unless its tags are wanted.
+// A whole section with the empty line behind it. A section of zeros gives nothing, unless its tags are
+// needed.
 std::string render_section(const SectionInfo& info, int bank, std::string_view data, std::string_view comment,
                            std::string_view newline, bool keep_tags = false) {
   const std::string rows = text_rows(info, data, comment, newline);
@@ -158,7 +159,7 @@ std::string render_text(const CartContent& cart, std::string_view comment) {
   return cart.code + (cart.code.empty() || sections.empty() ? "" : "\n") + sections;
 }
 
-// A reader could mistake code for the start of a section, so the result is read once more.
+// A reader could take code for the start of a section, so the result is read once more.
 FormatResult<void> check_reads_back(std::string_view bytes, std::string_view comment,
                                     const CartContent& cart) {
   const auto again = text_content(bytes, comment);

@@ -31,7 +31,7 @@ struct TiledNode {
   }
 };
 
-// Members that mean nothing as long as they have their defaults.
+// Members that have no meaning while they have their default values.
 bool says_nothing(std::string_view key, const Json& value) {
   if (key == "opacity" || key == "parallaxx" || key == "parallaxy") return value == 1;
   if (key == "x" || key == "y" || key == "offsetx" || key == "offsety") return value == 0;
@@ -40,8 +40,8 @@ bool says_nothing(std::string_view key, const Json& value) {
 
 std::string tiled_quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
 
-// Counts the tile layers in a map or group, which is at most kMaxJsonDepth deep. What is not a list or object
-// has none.
+// Counts the tile layers in a map or group, which is at most kMaxJsonDepth deep. Values other than lists and
+// objects have none.
 std::size_t tile_layers_in(const Json& json) {
   const auto layers = json.is_object() ? json.find("layers") : json.end();
   if (layers == json.end()) return 0;

@@ -27,8 +27,8 @@ constexpr std::size_t kMostCorners = 1024;  // of a collision shape; far more th
 double x_of(const Spawn* base) { return base->position.x; }
 double x_of(const std::pair<const LevelCurve*, TiledObject>& base) { return base.second.position.x; }
 
-// The spawns that an object's x may stand for, as Tiled rounds it. In hostile maps that may be all, so the
-// number is limited.
+// The spawns that an object's x may stand for, as Tiled rounds it. In hostile maps these may be all spawns,
+// so their number is limited.
 template <class Entry>
 std::span<const Entry> near_in_x(std::span<const Entry> by_x, double x) {
   constexpr std::ptrdiff_t kMost = 512;
@@ -190,7 +190,7 @@ FormatResult<const TiledLayer*> TiledLevelMaker::layer_of(const ImportChoices& c
   return taken;
 }
 
-// What Tiled has no place for.
+// Reads the parts of the level for which Tiled has no place.
 FormatResult<void> TiledLevelMaker::read_base() {
   const auto* text = find_property<std::string>(map_.properties, kTiledLevelProperty);
   if (text != nullptr) {
@@ -247,8 +247,8 @@ bool TiledLevelMaker::knows_property(const TiledProperty& property) const {
          std::find(kKnown.begin(), kKnown.end(), property.name) != kKnown.end();
 }
 
-// A true bool that no flag has as its name becomes the name of the flag that the same tiles have by number,
-// or else of a flag that nothing is known about.
+// A true bool with a name that no flag has gives its name to the flag that the same tiles have by number, or
+// else to a flag of which nothing is known.
 void TiledLevelMaker::name_flags() {
   const auto names = tiled_flag_names(level_);
   for (int flag = 0; flag < kFlagCount; ++flag) {
@@ -359,8 +359,8 @@ TileShape TiledLevelMaker::own_shape_of(std::uint8_t number, const TiledSource& 
   return source.turn == 0 ? as_in_words(shape, tile) : shape;
 }
 
-// Of several outlines, the first one that is a shape of a level; else what comes nearest to the first one
-// that is over its tile.
+// Of several outlines, takes the first one that is a shape of a level; if there is none, the shape nearest to
+// the first outline that is over its tile.
 TileShape TiledLevelMaker::shape_of_objects(const std::string& tile, const std::vector<TiledObject>& objects,
                                             bool one_way) {
   std::vector<std::vector<Vec2>> outlines;
@@ -393,7 +393,7 @@ TileShape TiledLevelMaker::shape_of_objects(const std::string& tile, const std::
   return {};
 }
 
-// The outline counts. Properties of Talus that say otherwise do not.
+// The outline counts. Properties of Talus that contradict it do not.
 void TiledLevelMaker::tell_stale_words(const TiledTile& tile, const TileShape& shape) {
   const TiledProperties words = tiled_properties(shape);
   for (const TiledProperty& property : tile.properties) {

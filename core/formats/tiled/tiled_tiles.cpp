@@ -135,7 +135,7 @@ FormatResult<int> TileNumberer::only_tileset(const SourceOfCell& cells) const {
   return only;
 }
 
-// A tile with nothing drawn and nothing said about it.
+// A tile that is not drawn and has no properties.
 bool TileNumberer::is_blank(const TiledSource& source) const {
   if (source.tileset < 0) return true;
   if (find_tile(tileset(source.tileset), source.id)) return false;

@@ -41,7 +41,7 @@ FormatResult<TiledTiles> number_tiles(const TiledMap& map, const TiledLayer& lay
 // The sheet of 128x128 px with the level's tiles. Unknown pixels are transparent.
 PngPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const TiledPictures& pictures);
 
-// A box or polygon as cells that turn it show it; other objects stay as they are.
+// A box or polygon as it appears in cells that turn it; other objects stay as they are.
 TiledObject turned(const TiledObject& object, std::uint32_t turn);
 
 const TiledTile* find_tile(const TiledTileset& tileset, int id);  // null if the file says nothing about it

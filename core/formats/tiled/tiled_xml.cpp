@@ -45,7 +45,7 @@ bool is_one_of(const std::array<std::string_view, count>& names, std::string_vie
 // Finds text with characters that XML does not have, which references such as "&#xD800;" may bring.
 class BadText : public pugi::xml_tree_walker {
  public:
-  pugi::xml_node where;  // null: everything is fine
+  pugi::xml_node where;  // null: there is none
 
   bool for_each(pugi::xml_node& node) override {
     bool good = is_xml_text(node.value());

@@ -13,7 +13,8 @@ namespace talus {
 // receives how much of the text is converted, and may stop the work, which is an error.
 FormatResult<Json> tiled_json_of_xml(std::string_view text, const Progress& progress = {});
 
-// What a text has more of than tiled_json_of_xml reads: "has too many elements". Nothing: all is well.
+// Says which limit of tiled_json_of_xml a text exceeds: "has too many elements". Returns nothing if it keeps
+// all.
 std::optional<std::string> problem_of_tiled_xml(std::string_view text);
 
 }  // namespace talus

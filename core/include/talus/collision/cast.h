@@ -18,7 +18,7 @@ struct Contact {
   const Piece<Real>* piece = nullptr;  // what it hit; null: a full tile, or one of `others`
   bool is_other = false;               // one of `others`
   bool on_end = false;                 // a flat side of the box met the end of the piece, not its line
-  explicit operator bool() const { return t <= 1; }  // something was met
+  explicit operator bool() const { return t <= 1; }  // whether something was met
 };
 
 // A moving box. Every piece stops only what comes from the side that it faces. A box that is further behind a
@@ -36,13 +36,12 @@ struct Cast {
 inline constexpr double kMaxCastSize = 1 << 26;             // px, of a box in x and in y
 inline constexpr double kMaxCastReach = double(1LL << 40);  // px, sum of all coordinates and sizes
 
-// Limits what a cast may look at, for callers that cannot wait long. Each slice of a long way counts 4, and
-// each piece of the outline, side of a tile and other box 1.
+// Limits the work of a cast, for callers that cannot wait long. Each slice of a long motion costs 4, and each
+// piece of the outline, side of a tile and other box costs 1.
 struct CastBudget {
-  std::int64_t left =
-      std::numeric_limits<std::int64_t>::max();  // what may still be looked at; casts lower it
-  // Share of the last cast's motion that was looked at. Less than 1: the budget was used up there. Nothing is
-  // met before that; what comes after is not known.
+  std::int64_t left = std::numeric_limits<std::int64_t>::max();  // the work that is left; casts lower it
+  // Share of the last cast's motion that was tested. Less than 1: the budget was used up there. Nothing is
+  // met before that place; contacts behind it are not known.
   double seen = 1;
 };
 

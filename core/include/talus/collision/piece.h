@@ -10,7 +10,8 @@
 
 namespace talus {
 
-// The direction of a piece's normal; the piece stops only what comes from there. A wall faces left or right.
+// The direction of a piece's normal; the piece stops only bodies that come from there. A wall faces left or
+// right.
 enum class Facing : std::uint8_t { up, down, left, right };
 
 // sin(2 pi turns), for |turns| <= 1/4. Not the C library's, which differs between machines. Odd to the last

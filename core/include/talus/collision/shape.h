@@ -42,8 +42,8 @@ struct TileShape {
   friend bool operator==(const TileShape&, const TileShape&) = default;
 };
 
-// Why a shape cannot be used, as the end of a sentence ("has a height that is not a number"). Nothing when it
-// can.
+// Why a shape is invalid, as the end of a sentence ("has a height that is not a number"); nothing if it is
+// valid.
 std::optional<std::string> problem_of(const TileShape& shape);
 
 inline constexpr int kWeldParts = 256;  // of a px; ends are rounded to it
@@ -131,12 +131,12 @@ constexpr bool is_terrain_size(std::int64_t width, std::int64_t height) {
   return sides && width * height <= kMaxTerrainCells;
 }
 
-// Why a curve cannot be used, in the words of problem_of(shape). Nothing when it can.
+// Why a curve is invalid, in the words of problem_of(shape); nothing if it is valid.
 std::optional<std::string> problem_of(const Curve& curve);
 
-// About how many cells a curve passes, on a map or off it. A cell that it comes back to counts each time, and
-// both sides count if it faces both ways. The memory of a terrain for a curve grows with this number. At
-// least 0, and finite for curves without a problem.
+// About how many cells a curve crosses, on a map or off it. A cell counts each time that the curve enters it,
+// and twice if the curve faces both ways. The memory of a terrain for a curve grows with this number. At
+// least 0, and finite for valid curves.
 double cells_passed(const Curve& curve);
 
 }  // namespace talus

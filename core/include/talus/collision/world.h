@@ -164,15 +164,14 @@ class World {
   // The same, but only items that the filter keeps.
   void query_segment(Vec2 from, Vec2 to, ItemFilter filter, std::vector<SegmentHit>& out) const;
 
-  // Limits the cells and boxes that one check() or move() looks at, roughly: each contact makes it look at
-  // those near again, which in a heap of thousands would take minutes. When the limit is reached, the mover
-  // stays where it is, without contacts, and gave_up() returns true. In robust mode a move has at most 64
-  // looks anyway.
+  // Limits the cells and boxes that one check() or move() tests, roughly: each contact makes it test those
+  // near again, which in a heap of thousands would take minutes. At the limit the mover stays where it is,
+  // without contacts, and gave_up() returns true. In robust mode a move searches at most 64 times anyway.
   static constexpr std::int64_t kMostTests = 1 << 26;
   void set_most_tests(std::int64_t count);  // for each check from now on; below 1 counts as 1
   bool gave_up() const noexcept;  // whether the last check() or move() gave up, also one by a response
-  // Cells and boxes that everything together has looked at since the world was made, roughly. What a call
-  // adds depends on the items alone, not on how they came to be where they are, nor on how a response is
+  // The number of cells and boxes that all calls together have tested since the world was made, roughly. The
+  // work of a call depends on the items alone, not on how they came to their places, nor on how a response is
   // chosen.
   std::int64_t looks() const noexcept;
 

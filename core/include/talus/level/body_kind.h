@@ -27,7 +27,7 @@ enum class BodyLook : std::uint8_t {
   figure  // as a box with a face, and the foot that it stands on
 };
 
-// What there is to say of a kind.
+// The properties of a kind.
 struct BodyTraits {
   std::string_view word;             // in files, in exports, on screen: "ball"; no two kinds share one
   std::string_view help;             // one sentence: "A ball falls and bounces."

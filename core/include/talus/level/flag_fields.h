@@ -52,8 +52,8 @@ struct FlagField {
   friend bool operator==(const FlagField&, const FlagField&) = default;
 };
 
-// Why a field is not possible: flags outside of 0..7, fewer than kLeastBits, or too many names. Nothing when
-// it is.
+// Why a field is invalid: flags outside 0..7, fewer than kLeastBits, or too many names; nothing if it is
+// valid.
 std::optional<std::string> problem_of(const FlagField& field);
 // The field that a flag belongs to; null if there is none.
 const FlagField* field_of_flag(std::span<const FlagField> fields, int flag);

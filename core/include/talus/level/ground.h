@@ -9,8 +9,8 @@
 
 namespace talus {
 
-// The parts of a level's terrain. Refers to the level's map, which must stay alive meanwhile. Shapes and
-// curves that cannot be used are left out; the lint reports them.
+// The parts of a level's terrain. Refers to the level's map, which must stay alive meanwhile. Invalid shapes
+// and curves are left out; the lint reports them.
 TerrainSource ground_of(const Level& level);
 
 // Limits for the ground of a level. The solvers article and bump make boxes of each tile of ground, which
@@ -19,13 +19,13 @@ TerrainSource ground_of(const Level& level);
 inline constexpr std::size_t kMaxGroundBoxes = std::size_t{1} << 21;  // for article and bump
 inline constexpr std::size_t kMaxGroundLines = std::size_t{1} << 24;  // for exact
 
-// About how many lines a shape has; a line counts again in each cell that it passes. 0 for a full tile, which
-// needs none, and for what is not a usable shape.
+// About how many lines a shape has; a line counts again in each cell that it crosses. 0 for a full tile,
+// which needs no lines, and for an invalid shape.
 std::size_t ground_lines(const TileShape& shape);
 // For all tiles of the map together.
 std::size_t ground_lines(const Level& level);
 
-// Says in a sentence without a subject that a level has too much ground for its solver; nothing if it has
+// Says that a level has too much ground for its solver, as a sentence without its subject; nothing if it has
 // not.
 std::optional<std::string> ground_problem(const Level& level);
 

@@ -56,8 +56,8 @@ struct CartOrigin {
   friend bool operator==(const CartOrigin&, const CartOrigin&) = default;
 };
 
-// A plain value. Readers give, and writers and compile_scene() expect, one that keeps to the ranges below;
-// what does not is refused by writers (problem_of) and left out of the ground.
+// A plain value. Readers return, and writers and compile_scene() expect, a level within the ranges below.
+// Values outside are refused by writers (problem_of) and left out of the ground.
 struct Level {
   std::array<Sheet, 2> sheets;                     // by SheetId
   Palette palette = default_palette();             // the 16 colours
@@ -89,23 +89,23 @@ struct Level {
 // The same content; carts are compared by their bytes.
 bool operator==(const Level& a, const Level& b);
 
-// What a tile is to the ground: its own shape; without one, what its flags give.
+// The shape of a tile: its own shape, or, if it has none, the shape of its flags.
 TileShape shape_of_tile(const Level& level, std::uint8_t tile);
 // The shape of the flags' role: a solid tile, or the slope of the article's box, which reaches from the
 // tile's left side over so many tiles as `slope_width` needs and is lowest at 8 px less `slope_height`, or at
-// 0. A ball has none. Without a role, the shape that the lowest flag with one stands for. `one_way` and
-// `ceiling` flags change what came out.
+// 0. A ball has none. Without a role, it is the shape that the lowest flag with a shape stands for. `one_way`
+// and `ceiling` flags change the result.
 TileShape shape_of_flags(const Level& level, std::uint8_t flags);
 
-// The kind of body that the tile stands on the map for: that of its flags, if it has no shape of its own;
-// none: it is ground, or nothing.
+// The kind of body that a tile on the map stands for: that of its flags, if it has no shape of its own;
+// nothing if it is ground, or neither.
 std::optional<BodyKind> body_kind_of_tile(const Level& level, std::uint8_t tile);
-// Whether it stands for a body.
+// Whether the tile stands for a body.
 bool is_ball_tile(const Level& level, std::uint8_t tile);
 
 inline constexpr double kCurveEndSlack = 1.0 / 256;  // px, that an end of a curve may be off the map
-// Why a curve cannot be part of a level with this map, as problem_of(curve) says it: that, or an end more
-// than kCurveEndSlack off the map. Nothing when it can.
+// Why a curve cannot be part of a level with this map, in the words of problem_of(curve): it is invalid, or
+// an end is more than kCurveEndSlack off the map. Nothing if it can.
 std::optional<std::string> problem_of(const Curve& curve, const TileMap& map);
 
 }  // namespace talus

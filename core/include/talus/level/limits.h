@@ -34,8 +34,8 @@ inline constexpr std::size_t kMaxEditedBytes = std::size_t{2} << 30;
 // Memory of the edits that can be undone; beyond it the oldest are forgotten.
 inline constexpr std::size_t kMaxHistoryBytes = std::size_t{512} << 20;
 
-// What a level has too much of: "has 70000 bodies, but a level holds at most 65536". Nothing if it keeps the
-// limits.
+// Says which limit a level exceeds: "has 70000 bodies, but a level holds at most 65536"; nothing if it keeps
+// all of them.
 std::optional<std::string> problem_of_amounts(const Level& level);
 
 // About the size of a level as data, which measures the work of going through it: its cells, heights and

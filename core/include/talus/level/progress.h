@@ -26,8 +26,8 @@ class Progress {
     return part;
   }
 
-  // Call it often: it calls the listener a thousand times in all at most. If it returns false, end at once,
-  // with whatever there is; it then goes on returning false.
+  // Call it often: it calls the listener at most a thousand times in all. If it returns false, return at once
+  // with the result so far; it then keeps returning false.
   bool at(double share) const {
     if (state_ == nullptr) return true;
     const double now = from_ + (to_ - from_) * share;

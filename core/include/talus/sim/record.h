@@ -20,7 +20,7 @@ struct Obstacle {
 };
 
 // How a body met a slope. For the article it is the correction, for which the floor is interpolated at the
-// body's centre. For the other solvers, which round nothing, it is the contact with a sloped line.
+// body's centre. For the other solvers, which do not round, it is the contact with a sloped line.
 struct SlopeProbe {
   Obstacle slope;          // the slope that the probe found, not always that of the contact
   double delta = 0;        // how far along the slope the centre is, 0 at its left end to 1 at its right end
@@ -46,7 +46,7 @@ struct ContactRecord {
   std::optional<Vec2> after = {};   // px, the motion that it went on with; only for exact
 };
 
-// A candidate of the broad phase whose box was tested against the body's way. Only the solvers on World,
+// A candidate of the broad phase whose box was tested against the body's path. Only the solvers on World,
 // article and bump, record them.
 struct TestedBox {
   int body = 0;    // id
@@ -61,7 +61,7 @@ struct BodyPath {
   Rect to;                 // px, its box after the step
   bool limited = false;    // its way or speed was cut to kMaxBodySpeed or kMaxBodyDistance
   bool capped = false;     // it met more contacts than the solver handles; the rest of its motion was dropped
-  bool cut_short = false;  // it looked at all that it may in a step, and stopped there
+  bool cut_short = false;  // it used up the work that it may take in a step, and stopped there
 };
 
 // One step. A record may be used again for the next one, which keeps its memory.
@@ -70,7 +70,7 @@ struct StepRecord {
   std::vector<ContactRecord> contacts;  // in the order in which they were handled
   // Each once for a body, in the order of testing; the first 2,097,152.
   std::vector<TestedBox> tested;
-  // Cells, lines and boxes that all bodies looked at, in units of about 20 ns.
+  // The cells, lines and boxes that all bodies tested, in units of about 20 ns.
   std::int64_t work = 0;
   void clear();  // forgets the step
 };

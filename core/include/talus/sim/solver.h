@@ -19,7 +19,7 @@ class Solver {
  public:
   virtual ~Solver() = default;
   // Advances `state`, one of the solver's scene, by one frame. `record` is overwritten with what happened;
-  // null: nobody wants it.
+  // null: nothing is recorded.
   virtual void step(State& state, const Input& input, StepRecord* record = nullptr) = 0;
 };
 

@@ -49,16 +49,17 @@ struct Input {
   bool left = false;        // the key with which players run to the left
   bool right = false;       // the same to the right; both together: neither
   bool jump = false;        // the key with which players jump
-  int grab = 0;  // id of the body that the button took when it went down; 0, or of none: the one under it
+  int grab = 0;  // id of the body that the button took when it went down; 0, or an unknown id: the body under
+                 // the mouse
   friend bool operator==(const Input&, const Input&) = default;
 };
 
 // The state of frame 0: every body of the scene at its start.
 State initial_state(const Scene& scene);
 
-// The state that goes on in an edited scene: a body stays where and as fast as it is while its origin stays,
-// and is of the kind and foot that the origin has now; a new origin makes a new body with the next free id; a
-// body whose origin is gone goes too.
+// The state that continues in an edited scene. A body keeps its place and velocity while its origin exists,
+// and gets the kind and the foot that the origin has now. A new origin makes a new body with the next free
+// id. A body whose origin is gone is removed.
 State carry_over(const State& state, const Scene& edited);
 
 // 64-bit FNV-1a over the frame and the bits of every body, equal on every machine.
