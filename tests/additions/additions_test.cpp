@@ -59,7 +59,7 @@ TEST_F(Additions, AnOverlayNeedsOneFile) {
   EXPECT_EQ(drawing.marks[0].overlay, centres);
   EXPECT_EQ(drawing.marks[0].at, state.bodies[0].box.center());
 
-  EXPECT_EQ(find_command("overlay/centres").help, centres->help);
+  EXPECT_EQ(find_command("overlay/centres"_command).help, centres->help);
   Settings settings;
   settings.overlays = shown;
   ASSERT_TRUE(save_settings(settings, path("settings.json")));

@@ -22,9 +22,7 @@ class UiDebuggerWalk : public DebuggerTest {
     return widget != nullptr ? ImVec2{widget->max.x - widget->min.x, widget->max.y - widget->min.y}
                              : ImVec2{};
   }
-  bool is_enabled(std::string_view command) {
-    return find_command(command).is_enabled(session(), app().ui());
-  }
+  bool is_enabled(CommandId command) { return find_command(command).is_enabled(session(), app().ui()); }
   DebuggerView& view() { return app().ui().view.debugger; }
   const auto& stops() { return session().debugger().stops().breakpoints(); }
 };
@@ -40,7 +38,7 @@ TEST_F(UiDebuggerWalk, AComparisonStaysBeyondTheOtherBranchsEnd) {
   EXPECT_EQ(missing_side(session()), "branch 1 ends at frame 10");
   EXPECT_NE(find("compare/plot"), nullptr);
   EXPECT_NE(find("compare/missing"), nullptr);
-  EXPECT_TRUE(is_enabled("compare/first"));
+  EXPECT_TRUE(is_enabled("compare/first"_command));
   key(kKeyF7);
   frames(2);
   EXPECT_NE(find("play/other_side"), nullptr) << "the second view stays, and says so";
@@ -52,7 +50,7 @@ TEST_F(UiDebuggerWalk, AComparisonStaysBeyondTheOtherBranchsEnd) {
 
 TEST_F(UiDebuggerWalk, ARunningComparisonCanBeCancelled) {
   for (int i = 0; i < 300; ++i) session().apply(action::StepFrame{});
-  EXPECT_FALSE(is_enabled("timeline/cancel"));
+  EXPECT_FALSE(is_enabled("timeline/cancel"_command));
   session().apply(action::CompareVariant{Variant{SolverKind::exact, false}});
   EXPECT_EQ(missing_side(session()), "exact is run: 0 %");
   key(shift(kKeyF5));

@@ -194,7 +194,9 @@ TEST_F(UiDialogKeys, TheMapIsResizedByKeys) {
 }
 
 TEST_F(UiDialogKeys, KeysAreChangedByKeys) {
-  const auto keys_of_undo = [&] { return command_keys(find_command("edit/undo"), view().preferences.keys); };
+  const auto keys_of_undo = [&] {
+    return command_keys(find_command("edit/undo"_command), view().preferences.keys);
+  };
   press_key(ctrl_shift('k'));
   frames(3);
   EXPECT_FALSE(find("keys/close")->scrolls) << "the dialog fits";

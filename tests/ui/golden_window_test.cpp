@@ -14,7 +14,7 @@ class UiGoldenWindow : public UiGolden {
     session().apply(action::SelectTiles{{SheetId::tiles, {3, 0, 2, 1}}});
     settle();
   }
-  void press(const std::string& command) {
+  void press(CommandId command) {
     key(find_command(command).key);
     frames(3);
   }
@@ -30,18 +30,18 @@ class UiGoldenWindow : public UiGolden {
 };
 
 TEST_F(UiGoldenWindow, LayoutToDraw) {
-  press("view/layout_draw");
+  press("view/layout_draw"_command);
   expect_as_before("layout-draw", {0, 0}, kWhole);
 }
 
 TEST_F(UiGoldenWindow, LayoutToPlay) {
-  press("view/layout_play");
+  press("view/layout_play"_command);
   for (int i = 0; i < 30; ++i) session().apply(action::StepFrame{});
   expect_as_before("layout-play", {0, 0}, kWhole);
 }
 
 TEST_F(UiGoldenWindow, LayoutToDebug) {
-  press("view/layout_debug");
+  press("view/layout_debug"_command);
   for (int i = 0; i < 30; ++i) session().apply(action::StepFrame{});
   session().apply(action::SelectBody{1});
   expect_as_before("layout-debug", {0, 0}, kWhole);
@@ -49,8 +49,8 @@ TEST_F(UiGoldenWindow, LayoutToDebug) {
 
 TEST_F(UiGoldenWindow, SpritesEnlargedAmongTheirNeighbours) {
   key(kKeyF2);
-  press("pixels/enlarge");
-  press("pixels/neighbours");
+  press("pixels/enlarge"_command);
+  press("pixels/neighbours"_command);
   expect_as_before("sprites", {0, 0}, {kWhole.x * 0.7f, 640});
 }
 
@@ -63,10 +63,10 @@ TEST_F(UiGoldenWindow, FlagsPanel) {
 }
 
 TEST_F(UiGoldenWindow, WorldViewAndMinimap) {
-  press("canvas/two_maps");
+  press("canvas/two_maps"_command);
   key(kKeyF3);
-  press("map/minimap");
-  press("map/fit");
+  press("map/minimap"_command);
+  press("map/fit"_command);
   expect_between("maps", "map/canvas", "second_map/canvas");
 }
 
@@ -79,12 +79,12 @@ TEST_F(UiGoldenWindow, ProblemsPanel) {
 }
 
 TEST_F(UiGoldenWindow, Settings) {
-  press("edit/settings");
+  press("edit/settings"_command);
   expect_between("settings", "settings/dark", "settings/reset_layout");
 }
 
 TEST_F(UiGoldenWindow, AButtonThatMovedIsAnotherPicture) {
-  press("view/layout_draw");
+  press("view/layout_draw"_command);
   const Picture window = picture_of_window();
   Picture shown;
   ASSERT_EQ(first_difference(window, window, shown), "");

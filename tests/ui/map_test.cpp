@@ -123,11 +123,11 @@ TEST_F(UiMap, ShapesAndFillStayInsideTheSelection) {
   EXPECT_EQ(tile_at({10, 8}), 0);
   ASSERT_TRUE(session().message());
   EXPECT_EQ(session().message()->text,
-            "The tools stay inside the selection: draw there, or press Escape first.");
+            "The tools stay inside the selection: draw there, or select nothing first.");
 }
 
 TEST_F(UiMap, StrokesStayInsideTheSelection) {
-  const std::string hint = "The tools stay inside the selection: draw there, or press Escape first.";
+  const std::string hint = "The tools stay inside the selection: draw there, or select nothing first.";
   select({2, 2}, {4, 3});
   key('1');
   drag(on_map({3, 2}), on_map({9, 2}));
@@ -171,7 +171,7 @@ TEST_F(UiMap, GroundAndSlopesStayInsideTheSelection) {
   click(on_map({9, 9}));
   ASSERT_TRUE(session().message());
   EXPECT_EQ(session().message()->text,
-            "The tools stay inside the selection: draw there, or press Escape first.");
+            "The tools stay inside the selection: draw there, or select nothing first.");
   key(27);
   select({12, 2}, {13, 9});
   key('8');

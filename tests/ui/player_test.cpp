@@ -73,7 +73,7 @@ TEST_F(UiPlayer, SpaceAndZJumpToo) {
 }
 
 TEST_F(UiPlayer, OtherKeysSteerOnceTheyAreBound) {
-  bind_key(find_command("player/right"), 0, {'k'}, app().ui().view.preferences.keys);
+  bind_key(find_command("player/right"_command), 0, {'k'}, app().ui().view.preferences.keys);
   key(kKeyF5);
   hold('k');
   frames(30);
@@ -173,6 +173,15 @@ TEST_F(UiPlayer, BodyToolPlacesMovesAndRemoves) {
   key(ctrl('z'));
   EXPECT_EQ(level().spawns.size(), 1u);
   EXPECT_FALSE(session().modified());
+}
+
+TEST_F(UiPlayer, InspectorCopiesTheBodyWithAnyTool) {
+  click(on_canvas("play", {44, 124}));
+  ASSERT_EQ(session().choices().body, 1);
+  ASSERT_EQ(session().choices().map_tool, MapTool::stamp);
+  click("inspector/copy");
+  ASSERT_EQ(level().spawns.size(), 2u);
+  EXPECT_EQ(level().spawns[1].position.x, level().spawns[0].position.x + kTileSize);
 }
 
 TEST_F(UiPlayer, InspectorChoosesKindAndFoot) {

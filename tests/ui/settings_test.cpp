@@ -131,7 +131,7 @@ TEST_F(UiSettings, AKeyIsChangedAndStored) {
   EXPECT_EQ(session().choices().grid, grid) << "the old key does nothing";
   key(ctrl_shift('j'));
   EXPECT_EQ(session().choices().grid, !grid);
-  EXPECT_EQ(keys_of(find_command("canvas/grid"), app().ui()), "Ctrl+Shift+J");
+  EXPECT_EQ(keys_of("canvas/grid"_command, app().ui()), "Ctrl+Shift+J");
   start_again();
   key(ctrl_shift('j'));
   EXPECT_EQ(session().choices().grid, grid);
@@ -154,11 +154,11 @@ TEST_F(UiSettings, AKeyInUseIsReassignedOnlyOnRequest) {
   frames(2);
   click("keys/take");
   frames(2);
-  EXPECT_EQ(keys_of(find_command("canvas/grid"), app().ui()), "Ctrl+S");
-  EXPECT_EQ(keys_of(find_command("file/save"), app().ui()), "");
+  EXPECT_EQ(keys_of("canvas/grid"_command, app().ui()), "Ctrl+S");
+  EXPECT_EQ(keys_of("file/save"_command, app().ui()), "");
   click("keys/reset_all");
   click("keys/reset_all");
-  EXPECT_EQ(keys_of(find_command("file/save"), app().ui()), "Ctrl+S");
+  EXPECT_EQ(keys_of("file/save"_command, app().ui()), "Ctrl+S");
 }
 
 TEST_F(UiSettings, EscapeStopsWaitingForAKeyAndThenCloses) {

@@ -189,7 +189,7 @@ TEST(CommandCoverage, MenusOfCommandsAreInTheBar) {
 }
 
 TEST(KeyConflicts, PlayersKeysConflictWithKeysThatAlwaysWork) {
-  const Command& jump = find_command("player/jump");
+  const Command& jump = find_command("player/jump"_command);
   EXPECT_EQ(command_with_key({kKeyF5}, jump, {})->id, "play/toggle");
   EXPECT_EQ(command_with_key({kKeyLeft}, jump, {})->id, "player/left");
   EXPECT_EQ(command_with_key({'3'}, jump, {}), nullptr)

@@ -28,7 +28,7 @@ TEST(KeyText, SurvivesWritingAndReading) {
 
 TEST(KeyBindings, ANewBindingReplacesTheOldOneOfTheKey) {
   KeyBindings bindings;
-  const Command &save = find_command("file/save"), &grid = find_command("canvas/grid");
+  const Command &save = find_command("file/save"_command), &grid = find_command("canvas/grid"_command);
   ASSERT_TRUE(bindings.changed.empty());
   EXPECT_EQ(command_with_key(ctrl('s'), grid, bindings), &save);
   EXPECT_EQ(command_with_key(ctrl('s'), save, bindings), nullptr);
@@ -43,10 +43,10 @@ TEST(KeyBindings, ANewBindingReplacesTheOldOneOfTheKey) {
 
 TEST(KeyBindings, EachSideOfTheWindowHasItsOwnKeys) {
   KeyBindings bindings;
-  const Command &pencil = find_command("pixels/pencil"), &stamp = find_command("map/stamp");
+  const Command &pencil = find_command("pixels/pencil"_command), &stamp = find_command("map/stamp"_command);
   ASSERT_EQ(pencil.key, stamp.key);
   EXPECT_EQ(command_with_key(pencil.key, stamp, bindings), nullptr);
-  bind_key(find_command("canvas/grid"), 0, pencil.key, bindings);
+  bind_key(find_command("canvas/grid"_command), 0, pencil.key, bindings);
   EXPECT_FALSE(command_keys(pencil, bindings)[0]);
   EXPECT_FALSE(command_keys(stamp, bindings)[0]) << "a key that works everywhere takes it from both";
 }

@@ -65,27 +65,30 @@ void CanvasPanel::draw_both(const Session& session, Actions& actions, Ui& ui) {
 void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui) {
   // Half the usual gap, so that everything fits in two lines of a window 1152 px wide.
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(2), ImGui::GetStyle().ItemSpacing.y));
-  command_text_button("canvas/map", session, actions, ui, "Map");
+  command_text_button("canvas/map"_command, session, actions, ui, {.label = "Map"});
   ImGui::SameLine();
-  command_text_button("canvas/play", session, actions, ui, "Play");
+  command_text_button("canvas/play"_command, session, actions, ui, {.label = "Play"});
   ImGui::SameLine();
-  command_text_button("canvas/both", session, actions, ui, "Both");
+  command_text_button("canvas/both"_command, session, actions, ui, {.label = "Both"});
   ImGui::SameLine();
-  command_text_button("canvas/two_maps", session, actions, ui, "Maps");
-  constexpr std::string_view kTools[] = {
-      "map/stamp", "map/pan",     "map/select", "map/fill", "map/line",   "map/rectangle", "map/ellipse",
-      "map/slope", "map/segment", "map/curve",  "map/body", "map/ground", "map/erase",     "map/pick"};
+  command_text_button("canvas/two_maps"_command, session, actions, ui, {.label = "Maps"});
+  constexpr CommandId kTools[] = {"map/stamp"_command,   "map/pan"_command,   "map/select"_command,
+                                  "map/fill"_command,    "map/line"_command,  "map/rectangle"_command,
+                                  "map/ellipse"_command, "map/slope"_command, "map/segment"_command,
+                                  "map/curve"_command,   "map/body"_command,  "map/ground"_command,
+                                  "map/erase"_command,   "map/pick"_command};
   const float button = ui.px(theme::kButton);
-  for (const std::string_view& tool : kTools) {
+  for (const CommandId& tool : kTools) {
     ui.same_line_if_fits(button, &tool == kTools ? ui.px(8) : 0);
     command_button(tool, session, actions, ui);
   }
-  constexpr std::string_view kView[] = {"canvas/zoom_out",     "canvas/zoom_in", "map/random",
-                                        "map/minimap",         "canvas/grid",    "canvas/borders",
-                                        "canvas/paint_in_play"};
-  for (const std::string_view& tool : kView) {
+  constexpr CommandId kView[] = {"canvas/zoom_out"_command,     "canvas/zoom_in"_command,
+                                 "map/random"_command,          "map/minimap"_command,
+                                 "canvas/grid"_command,         "canvas/borders"_command,
+                                 "canvas/paint_in_play"_command};
+  for (const CommandId& tool : kView) {
     const bool has_play = ui.view.canvas.mode == CanvasMode::play || ui.view.canvas.mode == CanvasMode::both;
-    if (tool == "canvas/paint_in_play" && !has_play) continue;
+    if (tool == "canvas/paint_in_play"_command && !has_play) continue;
     ui.same_line_if_fits(button, &tool == kView ? ui.px(8) : 0);
     command_button(tool, session, actions, ui);
   }

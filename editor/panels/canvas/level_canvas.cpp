@@ -65,10 +65,9 @@ std::string zoom_text(float zoom) {
 // What the keyboard's cursor can do now.
 std::string cursor_hint(const Ui& ui) {
   if (ui.view.canvas.cursor.pen_down())
-    return "   pen down: " + keys_of(find_command("view/cursor"), ui) + " lifts it";
-  return "   " + keys_of(find_command("cursor/press"), ui) + ": left button   " +
-         keys_of(find_command("view/cursor"), ui) + ": pen down   " +
-         keys_of(find_command("cursor/end"), ui) + ": end";
+    return "   pen down: " + keys_of("view/cursor"_command, ui) + " lifts it";
+  return "   " + keys_of("cursor/press"_command, ui) + ": left button   " +
+         keys_of("view/cursor"_command, ui) + ": pen down   " + keys_of("cursor/end"_command, ui) + ": end";
 }
 
 // How much of what is drawn on the map a box hides, measured at places that are kStep px apart.
@@ -385,8 +384,8 @@ void LevelCanvas::draw_held(const Session& session, const CanvasView& view, cons
   list.AddLine(from, to, theme::color(theme::kDark, 200), ui.px(2) + 2);
   list.AddLine(from, to, theme::color(theme::kAccent), ui.px(2));
   list.AddCircleFilled(to, ui.px(3), theme::color(theme::kAccent));
-  const std::string text = "paused: step (" + keys_of(find_command("play/step"), ui) + ") or play (" +
-                           keys_of(find_command("play/toggle"), ui) + ") to move it";
+  const std::string text = "paused: step (" + keys_of("play/step"_command, ui) + ") or play (" +
+                           keys_of("play/toggle"_command, ui) + ") to move it";
   draw_plate(list, {view.min.x + ui.px(4), view.max.y - ImGui::GetTextLineHeight() - ui.px(32)}, text,
              theme::color(theme::kText), ui);
 }
@@ -461,7 +460,7 @@ void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, 
   }
   if (is_play() && session.state().bodies.empty()) {
     const std::string text = "No body yet: paint a tile that has the ball flag, or place a body (" +
-                             keys_of(find_command("map/body"), ui) + ")";
+                             keys_of("map/body"_command, ui) + ")";
     const float width = size_of_text(text).x + ui.px(12);
     draw_plate(list,
                {std::max(view.min.x + gap, (view.min.x + view.max.x - width) / 2), view.max.y - ui.px(32)},

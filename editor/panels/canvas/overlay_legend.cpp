@@ -91,7 +91,7 @@ bool OverlayLegend::take_mouse(Ui& ui) const {
   ui.place("play/legend", box_->min, box_->max);
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   if (!ImGui::IsItemHovered() || !ScreenBox{mouse, mouse}.inside(*box_)) return false;
-  ui.tooltip(help(), keys_of(find_command("canvas/legend"), ui));
+  ui.tooltip(help(), keys_of("canvas/legend"_command, ui));
   if (ImGui::IsMouseClicked(0)) ui.view.canvas.legend_folded = !ui.view.canvas.legend_folded;
   return true;
 }

@@ -18,7 +18,7 @@ float text_width(std::string_view text) { return size_of_text(text).x; }
 
 void draw_switch(const Overlay& overlay, bool named, const Session& session, Actions& actions, Ui& ui) {
   const std::string id = "overlay/" + std::string(overlay.key), label(overlay.label);
-  const Command& command = find_command(id);
+  const Command& command = find_command(CommandId{id});
   const bool on = session.choices().overlays.has(overlay);
   const float height = ui.px(theme::kButton), swatch = ui.px(kSwatch), pad = ui.px(kPad);
   const float width = swatch + 2 * pad + (named ? text_width(label) + ui.px(kTextGap) : 0);

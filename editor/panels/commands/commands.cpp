@@ -28,9 +28,9 @@ std::span<const Command> commands() {
   return all;
 }
 
-const Command& find_command(std::string_view id) {
+const Command& find_command(CommandId id) {
   const auto all = commands();
-  const auto it = std::find_if(all.begin(), all.end(), [&](const Command& c) { return c.id == id; });
+  const auto it = std::find_if(all.begin(), all.end(), [&](const Command& c) { return c.id == id.text; });
   assert(it != all.end());
   return *it;
 }
@@ -52,6 +52,8 @@ std::string keys_of(const Command& command, const Ui& ui) {
   return keys_of(command, ui.view.preferences.keys);
 }
 
+std::string keys_of(CommandId id, const Ui& ui) { return keys_of(find_command(id), ui); }
+
 std::string_view scope_label(Scope scope) {
   switch (scope) {
     case Scope::sprites:
@@ -71,11 +73,11 @@ std::string_view scope_label(Scope scope) {
 
 const Command& focus_command(Scope scope) {
   assert(scope != Scope::everywhere);
-  return find_command(scope == Scope::sprites ? "view/sprites"
-                      : scope == Scope::map   ? "view/map"
-                      : scope == Scope::input ? "view/input"
-                      : scope == Scope::play  ? "play/toggle"
-                                              : "view/cursor");
+  return find_command(scope == Scope::sprites ? "view/sprites"_command
+                      : scope == Scope::map   ? "view/map"_command
+                      : scope == Scope::input ? "view/input"_command
+                      : scope == Scope::play  ? "play/toggle"_command
+                                              : "view/cursor"_command);
 }
 
 bool has_focus(const Command& command, const Session& session, const View& view) {
@@ -110,22 +112,22 @@ bool run_key(KeyChord chord, bool repeated, const Session& session, Actions& act
   return true;
 }
 
-void command_button(std::string_view id, const Session& session, Actions& actions, Ui& ui,
-                    std::string_view widget) {
+void command_button(CommandId id, const Session& session, Actions& actions, Ui& ui, std::string_view widget) {
   const Command& command = find_command(id);
   const bool on = command.is_checked(session, ui);
   const Icon icon = on && command.checked_icon != Icon::none ? command.checked_icon : command.icon;
-  if (ui.icon_button(widget.empty() ? id : widget, icon, on, command.help, keys_of(command, ui),
+  if (ui.icon_button(widget.empty() ? id.text : widget, icon, on, command.help, keys_of(command, ui),
                      command.is_enabled(session, ui)))
     command.run(session, actions, ui);
 }
 
-void command_text_button(std::string_view id, const Session& session, Actions& actions, Ui& ui,
-                         std::string_view label, std::string_view widget) {
+void command_text_button(CommandId id, const Session& session, Actions& actions, Ui& ui,
+                         const CommandButtonLook& look) {
   const Command& command = find_command(id);
-  if (ui.text_button(widget.empty() ? id : widget, label.empty() ? command.label : label,
-                     command.is_checked(session, ui), command.help, keys_of(command, ui),
-                     command.is_enabled(session, ui)))
+  if (ui.text_button(look.widget.empty() ? id.text : look.widget,
+                     look.label.empty() ? command.label : look.label, command.is_checked(session, ui),
+                     command.help, keys_of(command, ui), look.enabled && command.is_enabled(session, ui),
+                     look.width))
     command.run(session, actions, ui);
 }
 

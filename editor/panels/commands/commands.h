@@ -3,6 +3,7 @@
 // table.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <string>
@@ -45,14 +46,23 @@ struct Command {
   bool is_checked(const Session& session, const Ui& ui) const { return checked && checked(session, ui); }
 };
 
+// The id of a command where the program names it: "play/step"_command. CommandNames.* reads all of these
+// names in the sources, and compares them with the table.
+struct CommandId {
+  std::string_view text;
+  friend bool operator==(CommandId, CommandId) = default;
+};
+consteval CommandId operator""_command(const char* text, std::size_t length) { return {{text, length}}; }
+
 std::span<const Command> commands();
 // The command must exist (asserted).
-const Command& find_command(std::string_view id);
+const Command& find_command(CommandId id);
 // The keys of a command: those in the preferences if it has some there, otherwise its default keys.
 CommandKeys command_keys(const Command& command, const KeyBindings& bindings);
 // "F5", or "Ctrl+Y, Ctrl+Shift+Z"; empty if it has no key.
 std::string keys_of(const Command& command, const KeyBindings& bindings);
 std::string keys_of(const Command& command, const Ui& ui);
+std::string keys_of(CommandId id, const Ui& ui);
 std::string_view scope_label(Scope scope);
 // The command that gives the focus to the place of a scope. The scope must not be everywhere (asserted).
 const Command& focus_command(Scope scope);
@@ -65,10 +75,17 @@ bool run_key(KeyChord chord, bool repeated, const Session& session, Actions& act
 
 // Draws a button with the command's icon that runs it and shows its state, help and keys. widget: the
 // button's name; empty: the command's id.
-void command_button(std::string_view id, const Session& session, Actions& actions, Ui& ui,
+void command_button(CommandId id, const Session& session, Actions& actions, Ui& ui,
                     std::string_view widget = {});
-// Draws a button with a text instead. label: empty: the command's label.
-void command_text_button(std::string_view id, const Session& session, Actions& actions, Ui& ui,
-                         std::string_view label = {}, std::string_view widget = {});
+
+struct CommandButtonLook {
+  std::string_view label = {};   // empty: the command's label
+  std::string_view widget = {};  // the button's name; empty: the command's id
+  bool enabled = true;           // false: the button cannot be pressed, even if the command is enabled
+  float width = 0;               // px of the screen; 0: fits the text
+};
+// Draws a button with a text instead.
+void command_text_button(CommandId id, const Session& session, Actions& actions, Ui& ui,
+                         const CommandButtonLook& look = {});
 
 }  // namespace talus

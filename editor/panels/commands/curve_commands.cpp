@@ -36,15 +36,14 @@ CommandTest draws_kind(CurveKind kind) {
   };
 }
 
+// The inspector shows what is duplicated: a curve while a tool draws curves, or else a body.
 bool can_duplicate(S session, const Ui&) {
-  const MapTool tool = session.choices().map_tool;
-  return (tool == MapTool::body && chosen_spawn(session) >= 0) ||
-         (draws_curves(tool) && chosen_curve(session) >= 0);
+  return (draws_curves(session.choices().map_tool) ? chosen_curve(session) : chosen_spawn(session)) >= 0;
 }
 
 void duplicate(S session, A actions, U) {
   const Level& level = session.level();
-  if (session.choices().map_tool == MapTool::body) {
+  if (!draws_curves(session.choices().map_tool)) {
     actions.push_back(action::EditLevel{duplicate_spawn(level, chosen_spawn(session))});
     actions.push_back(action::SelectSpawn{static_cast<int>(level.spawns.size())});
     return;
@@ -98,8 +97,8 @@ std::vector<Command> curve_commands() {
            .checked = draws_kind(CurveKind::polyline)},
           {.id = "map/duplicate",
            .label = "Duplicate",
-           .help = "Copies the chosen body, with the body tool, or the chosen curve to a place one tile "
-                   "further on.",
+           .help = "Copies what the inspector shows to a place one tile further on: the chosen curve, with a "
+                   "tool that draws curves, or else the chosen placed body.",
            .key = ctrl('d'),
            .menu = menus::kMapBrushes,
            .run = duplicate,

@@ -84,7 +84,7 @@ void KeysPanel::take_pressed_key(Ui& ui) {
   auto& capture = ui.view.commands.key_capture;
   KeyBindings& bindings = ui.view.preferences.keys;
   if (!capture || !capture->pressed) return;
-  const Command& command = find_command(capture->command);
+  const Command& command = find_command(CommandId{capture->command});
   if (command_with_key(capture->pressed, command, bindings) != nullptr) return;
   bind_key(command, capture->index, capture->pressed, bindings);
   end_capture(ui);
@@ -192,7 +192,7 @@ void KeysPanel::draw_question(Ui& ui) {
   CommandsView& view = ui.view.commands;
   KeyBindings& bindings = ui.view.preferences.keys;
   if (const auto& capture = view.key_capture) {
-    const Command& command = find_command(capture->command);
+    const Command& command = find_command(CommandId{capture->command});
     const Command* other = command_with_key(capture->pressed, command, bindings);
     ui.hint(other == nullptr
                 ? "Press the new key for " + std::string(command.label) + ", or Escape."

@@ -148,7 +148,7 @@ std::vector<Command> pixel_tools() {
        .label = "Select pixels",
        .help = "Drag a rectangle, then drag it elsewhere or move it by the arrows: it floats over the other "
                "pixels. "
-               "Flips, rotation, shifts, Delete and the clipboard act on it; Escape drops it.",
+               "Flips, rotation, shifts, clearing and the clipboard act on it; Escape drops it.",
        .key = KeyChord{'3'},
        .menu = menus::kSpritesTools,
        .icon = Icon::select,

@@ -26,7 +26,7 @@ void draw_rerun(const Session& session, Actions& actions, Ui& ui) {
   if (ui.text_button("timeline/cancel", "running " + std::to_string(percent) + " %  x", false,
                      "The recorded input is run again on the changed level. Click to stop: the branch ends "
                      "at the frame that it has reached.",
-                     keys_of(find_command("timeline/cancel"), ui), true, ui.px(kProgressWidth)))
+                     keys_of("timeline/cancel"_command, ui), true, ui.px(kProgressWidth)))
     actions.push_back(action::CancelRerun{});
 }
 
@@ -36,18 +36,17 @@ void draw_comparing(double progress, Actions& actions, Ui& ui) {
   if (ui.text_button("compare/progress", "comparing " + std::to_string(percent) + " %  x", false,
                      "The same input goes through the other side. Click to stop that: nothing is compared "
                      "then.",
-                     keys_of(find_command("timeline/cancel"), ui), true, ui.px(kProgressWidth)))
+                     keys_of("timeline/cancel"_command, ui), true, ui.px(kProgressWidth)))
     actions.push_back(action::CompareVariant{std::nullopt});
 }
 
 void draw_branches(const Session& session, Actions& actions, Ui& ui) {
   const Timeline& timeline = session.timeline();
-  const bool open =
-      ui.begin_combo("timeline/branch", short_name(timeline.current()), ui.px(kBranchWidth),
-                     "Runs that parted from one another: playing on from an earlier frame, editing, "
-                     "or other keys make a new one.",
-                     keys_of(find_command("timeline/previous_branch"), ui) + "  " +
-                         keys_of(find_command("timeline/next_branch"), ui));
+  const bool open = ui.begin_combo(
+      "timeline/branch", short_name(timeline.current()), ui.px(kBranchWidth),
+      "Runs that parted from one another: playing on from an earlier frame, editing, "
+      "or other keys make a new one.",
+      keys_of("timeline/previous_branch"_command, ui) + "  " + keys_of("timeline/next_branch"_command, ui));
   if (!open) return;
   const auto& branches = timeline.branches();
   draw_rows(static_cast<int>(branches.size()), [&](int row) {
@@ -62,7 +61,7 @@ void draw_branches(const Session& session, Actions& actions, Ui& ui) {
     ImGui::SameLine(width + ui.px(8));
     if (ImGui::SmallButton("drop")) actions.push_back(action::DropBranch{branch.id});
     ui.item("timeline/drop" + std::to_string(branch.id), "Forgets this run.",
-            is_current ? keys_of(find_command("timeline/drop_branch"), ui) : "");
+            is_current ? keys_of("timeline/drop_branch"_command, ui) : "");
     ImGui::SameLine(width + ui.px(8) + drop);
     bool compared = timeline.compared() != nullptr && timeline.compared()->id == branch.id;
     ImGui::BeginDisabled(is_current);
@@ -71,7 +70,7 @@ void draw_branches(const Session& session, Actions& actions, Ui& ui) {
     ImGui::EndDisabled();
     ui.item("timeline/compare" + std::to_string(branch.id),
             "Draws this run's bodies as ghosts beside those of the run that is shown.",
-            keys_of(find_command("compare/next"), ui), !is_current);
+            keys_of("compare/next"_command, ui), !is_current);
     ImGui::PopID();
   });
   ImGui::EndCombo();

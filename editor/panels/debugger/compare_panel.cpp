@@ -46,7 +46,7 @@ void ComparePanel::draw_choice(const Session& session, Actions& actions, Ui& ui)
   const CompareChoice now = compare_choice(session);
   if (ui.begin_combo("compare/with", now.label, ui.px(170),
                      "What the run that is shown is compared with. The key takes the next one.",
-                     keys_of(find_command("compare/next"), ui))) {
+                     keys_of("compare/next"_command, ui))) {
     for (const CompareChoice& choice : compare_choices(session)) {
       if (selectable(choice.label, {}, choice == now)) compare_with(choice, actions);
       ui.item("compare/" + choice.key);
@@ -54,7 +54,7 @@ void ComparePanel::draw_choice(const Session& session, Actions& actions, Ui& ui)
     ImGui::EndCombo();
   }
   ImGui::SameLine();
-  command_button("compare/split", session, actions, ui);
+  command_button("compare/split"_command, session, actions, ui);
   ui.end_row();
 }
 
@@ -72,9 +72,9 @@ void ComparePanel::draw_parting(const Session& session, Actions& actions, Ui& ui
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("px");
   ImGui::SameLine();
-  command_text_button("compare/first", session, actions, ui);
+  command_text_button("compare/first"_command, session, actions, ui);
   ImGui::SameLine();
-  command_text_button("compare/stop", session, actions, ui);
+  command_text_button("compare/stop"_command, session, actions, ui);
   ui.end_row();
   if (const Series* series = session.debugger().parting_series())
     draw_timeline_plot("compare/plot",
@@ -88,7 +88,7 @@ void ComparePanel::draw_missing(const Session& session, Actions& actions, Ui& ui
   ui.item("compare/missing");
   ImGui::SameLine();
   if (session.debugger().comparing_progress(session.timeline()))
-    command_text_button("timeline/cancel", session, actions, ui, {}, "compare/cancel");
+    command_text_button("timeline/cancel"_command, session, actions, ui, {.widget = "compare/cancel"});
   else if (ui.text_button("compare/end", "Show its last frame", false,
                           "Shows the last frame that both sides have."))
     actions.push_back(action::SeekFrame{session.debugger().other_end().value_or(0)});

@@ -20,7 +20,7 @@ void draw_edit_rule_choice(const Session& session, Actions& actions, Ui& ui) {
   if (!ui.begin_combo("timeline/edit_rule", short_rule(now), ui.px(kEditRuleWidth),
                       "What happens to the recording when the level is edited: it goes on from the shown "
                       "frame on the edited level, or all of it is run again there.",
-                      keys_of(find_command("timeline/edit_rule"), ui)))
+                      keys_of("timeline/edit_rule"_command, ui)))
     return;
   const std::int64_t frame = now.kind == Kind::from_frame ? now.frame : session.state().frame;
   const auto choice = [&](EditRule rule, const std::string& label, const char* name) {

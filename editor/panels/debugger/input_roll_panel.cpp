@@ -66,7 +66,7 @@ void InputRollPanel::draw_ruler(const Session& session, Actions& actions, Ui& ui
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("ruler", {column * static_cast<float>(view.count), ui.px(kRow)});
   ui.item("input_roll/ruler", "The frames that the input leads to; click to show one.",
-          keys_of(find_command("roll/back"), ui) + "  " + keys_of(find_command("roll/on"), ui));
+          keys_of("roll/back"_command, ui) + "  " + keys_of("roll/on"_command, ui));
   if (ImGui::IsItemActivated()) take_keys(ui.view, ui.view.debugger.input_row);
   if (ImGui::IsItemActive()) {
     const auto i = static_cast<std::int64_t>((ImGui::GetIO().MousePos.x - at.x) / column);
@@ -100,7 +100,7 @@ void InputRollPanel::draw_row(int index, const Session& session, Ui& ui, Columns
   ImGui::InvisibleButton("row", {column * static_cast<float>(view.count), height});
   ui.item("input_roll/" + std::string(label),
           "Click a frame to press or let go; drag to hold over several. The run is made again from there.",
-          keys_of(find_command("view/input"), ui) + ", arrows, " + keys_of(find_command("roll/toggle"), ui));
+          keys_of("view/input"_command, ui) + ", arrows, " + keys_of("roll/toggle"_command, ui));
   if (ImGui::IsItemActivated()) take_keys(ui.view, index);
   handle_row(key, session, view, at, column);
 
@@ -152,7 +152,7 @@ void InputRollPanel::draw_mouse_place(const Session& session, Actions& actions, 
     ui.item(name,
             "Where the mouse was, px in the level; the play view shows the place. What is typed runs "
             "the recording again from there.",
-            keys_of(find_command("roll/mouse"), ui));
+            keys_of("roll/mouse"_command, ui));
   };
   field("x", &Vec2::x);
   field("y", &Vec2::y);

@@ -55,15 +55,14 @@ void StopsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 
 void StopsPanel::draw_run(const Session& session, Actions& actions, Ui& ui) {
   const Stops& stops = session.debugger().stops();
-  command_button("stops/back", session, actions, ui);
+  command_button("stops/back"_command, session, actions, ui);
   ImGui::SameLine();
-  command_button("stops/forwards", session, actions, ui);
+  command_button("stops/forwards"_command, session, actions, ui);
   ImGui::SameLine();
   if (session.debugger().searching()) {
     const int percent = static_cast<int>(session.debugger().search_progress() * 100);
     if (ui.text_button("stops/cancel", "searching " + std::to_string(percent) + " %  x", false,
-                       "Stops searching; the shown frame stays.",
-                       keys_of(find_command("timeline/cancel"), ui)))
+                       "Stops searching; the shown frame stays.", keys_of("timeline/cancel"_command, ui)))
       actions.push_back(action::CancelSearch{});
     return;
   }
@@ -83,7 +82,7 @@ void StopsPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
   const StopKindInfo& info = info_of(kind_);
   ui.begin_row();
   if (ui.begin_combo("stops/kind", std::string(info.label), ui.px(190), "What to stop at.",
-                     keys_of(find_command("stops/kind"), ui))) {
+                     keys_of("stops/kind"_command, ui))) {
     for (const StopKindInfo& each : stop_kind_infos()) {
       if (selectable(each.label, {}, each.kind == kind_)) {
         kind_ = each.kind;
@@ -101,7 +100,7 @@ void StopsPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
   if (ui.text_button(
           "stops/add", "Add", false,
           body != 0 ? "Adds this breakpoint for the chosen body." : "Adds this breakpoint for any body.",
-          keys_of(find_command("stops/add"), ui)) ||
+          keys_of("stops/add"_command, ui)) ||
       by_key)
     actions.push_back(
         action::SetBreakpoint{{.condition = condition_of(kind_, std::span(fields_).first(field_count(info))),
@@ -137,7 +136,7 @@ void StopsPanel::draw_fields(const StopKindInfo& info, const Session& session, A
   }
   if (!is_about_place(kind_)) return;
   ui.same_line_if_fits(ui.px(theme::kButton));
-  command_button("stops/pick", session, actions, ui);
+  command_button("stops/pick"_command, session, actions, ui);
 }
 
 // A kind begins with its defaults; a kind about a place begins with what is selected or was clicked last.

@@ -131,7 +131,7 @@ void TimelinePanel::draw(const Session& session, Actions& actions, Ui& ui) {
 // At an earlier frame, play shows the recording again, which the picture does not tell.
 void TimelinePanel::draw_take_over(const Session& session, Actions& actions, Ui& ui) {
   const bool replays = session.playback().running && session.timeline().in_past();
-  const Command& command = find_command("timeline/fork");
+  const Command& command = find_command("timeline/fork"_command);
   if (ui.text_button("timeline/take_over", replays ? "Replaying: take over" : "Take over here", replays,
                      "At an earlier frame, play shows what was recorded. This leaves the recording at the "
                      "shown frame: what is played next goes on from there, in a new branch. So do the "
@@ -149,7 +149,7 @@ void TimelinePanel::draw_track(const Session& session, Actions& actions, Ui& ui,
   const Track track(session, at, size, ui);
   track.draw();
   ui.item("timeline/track", help_at(session, track, mouse),
-          keys_of(find_command("timeline/back"), ui) + "  " + keys_of(find_command("play/step"), ui) +
+          keys_of("timeline/back"_command, ui) + "  " + keys_of("play/step"_command, ui) +
               "; wheel zooms, middle button drags");
   handle_frame_zoom(track.axis(), last, ui);
   if (!ImGui::IsItemActive()) return;

@@ -22,7 +22,7 @@ void draw_speed(const Session& session, Actions& actions, Ui& ui) {
   const std::string now = speed_text(session.playback().speed);
   const bool open = ui.begin_combo(
       "transport/speed", now, ui.px(68), "How fast the simulation runs; x1 is 60 frames a second.",
-      keys_of(find_command("play/slower"), ui) + "  " + keys_of(find_command("play/faster"), ui));
+      keys_of("play/slower"_command, ui) + "  " + keys_of("play/faster"_command, ui));
   if (!open) return;
   for (double speed : {0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0})
     if (selectable(speed_text(speed), {}, speed == session.playback().speed))
@@ -33,17 +33,17 @@ void draw_speed(const Session& session, Actions& actions, Ui& ui) {
 }  // namespace
 
 void TransportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
-  command_button("play/reset", session, actions, ui, "transport/reset");
+  command_button("play/reset"_command, session, actions, ui, "transport/reset");
   ImGui::SameLine();
-  command_button("timeline/start", session, actions, ui, "transport/first");
+  command_button("timeline/start"_command, session, actions, ui, "transport/first");
   ImGui::SameLine();
-  command_button("timeline/back", session, actions, ui, "transport/back");
+  command_button("timeline/back"_command, session, actions, ui, "transport/back");
   ImGui::SameLine();
-  command_button("play/toggle", session, actions, ui, "transport/play");
+  command_button("play/toggle"_command, session, actions, ui, "transport/play");
   ImGui::SameLine();
-  command_button("play/step", session, actions, ui, "transport/step");
+  command_button("play/step"_command, session, actions, ui, "transport/step");
   ImGui::SameLine();
-  command_button("timeline/end", session, actions, ui, "transport/last");
+  command_button("timeline/end"_command, session, actions, ui, "transport/last");
   ImGui::SameLine();
   draw_frame(session, actions, ui);
   ImGui::SameLine();
@@ -63,7 +63,7 @@ void TransportPanel::draw_frame(const Session& session, Actions& actions, Ui& ui
   typing_ = ImGui::IsItemActive();
   if (ImGui::IsItemDeactivatedAfterEdit()) actions.push_back(action::SeekFrame{typed_});
   ui.item("transport/frame", "Steps made since frame 0. Type the number of a recorded frame to show it.",
-          keys_of(find_command("timeline/go_to"), ui));
+          keys_of("timeline/go_to"_command, ui));
   ui.end_row();
 }
 

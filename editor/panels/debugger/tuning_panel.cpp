@@ -36,7 +36,7 @@ void draw_solver(const Session& session, Actions& actions, Ui& ui) {
       ui.begin_combo("tuning/solver", std::string(solver_name(tuning.solver)), ui.px(120),
                      "Which solver moves the bodies: the article's own, with its defects; bump, "
                      "with slopes as one more response; or exact, the default.",
-                     keys_of(find_command("tuning/solver"), ui));
+                     keys_of("tuning/solver"_command, ui));
   if (!open) return;
   for (const SolverKind solver : solver_kinds()) {
     const std::string name(solver_name(solver));

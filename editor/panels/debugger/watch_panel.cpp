@@ -52,7 +52,7 @@ void WatchPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
         actions.push_back(action::SetWatch{next, {std::string(info.name), 0}});
       ui.item("watch/choose_" + std::string(info.name), info.help);
     }
-    const Command& times = find_command("watch/choose_times");
+    const Command& times = find_command("watch/choose_times"_command);
     if (ImGui::Selectable("ns a step", ui.view.debugger.shows_times)) times.run(session, actions, ui);
     ui.item("watch/choose_times", times.help, keys_of(times, ui));
     ImGui::EndCombo();
@@ -129,7 +129,7 @@ void WatchPanel::draw_text(std::size_t index, const Session& session, Actions& a
 void WatchPanel::draw_times(const Session& session, Actions& actions, Ui& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (ImGui::SmallButton("x")) ui.view.debugger.shows_times = false;
-  ui.item("watch/times/remove", "Stops showing it.", keys_of(find_command("watch/choose_times"), ui));
+  ui.item("watch/times/remove", "Stops showing it.", keys_of("watch/choose_times"_command, ui));
   ImGui::SameLine();
   ImGui::TextUnformatted("ns a step");
   ui.tooltip("Nanoseconds that each step took when it was made last, of all bodies together.");

@@ -67,15 +67,16 @@ void WhyPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     return;
   }
   if (session.state().frame == 0) {
-    ui.hint("No step yet: press F10 to make one, and see here what happens in it.");
+    ui.hint("No step yet: make one (" + keys_of("play/step"_command, ui) +
+            "), and see here what happens in it.");
     return;
   }
   draw_lines(wrapped(explain_step(session.frame_view(), body), ImGui::GetContentRegionAvail().x),
              theme::tone(theme::kText));
   ImGui::Spacing();
-  command_button("why/before", session, actions, ui);
+  command_button("why/before"_command, session, actions, ui);
   ImGui::SameLine();
-  command_button("why/next", session, actions, ui);
+  command_button("why/next"_command, session, actions, ui);
   ImGui::SameLine();
   const auto count = static_cast<int>(session.stages().size());
   ui.label(ui.view.debugger.stage < 0 || ui.view.debugger.stage >= count

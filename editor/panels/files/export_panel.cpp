@@ -201,10 +201,11 @@ void ExportPanel::draw_preset_buttons(const Session& session, Actions& actions, 
   if (ui.text_button("export/remove", "Remove", false,
                      "Removes the preset, not what it has written; Undo brings it back.", {}, has_one, width))
     push_export_edit(remove_export(level, ui.view.files.exports.preset), actions);
-  const Command& all = find_command("file/export_all");
-  if (ui.text_button("export/all", "Export all", false, "Writes all presets.", keys_of(all, ui),
-                     has_one && !session.exporting().running(), ImGui::GetContentRegionAvail().x))
-    all.run(session, actions, ui);
+  command_text_button("file/export_all"_command, session, actions, ui,
+                      {.label = "Export all",
+                       .widget = "export/all",
+                       .enabled = has_one && !session.exporting().running(),
+                       .width = ImGui::GetContentRegionAvail().x});
   ui.bars_top = bars_top;
 }
 
@@ -221,7 +222,7 @@ void ExportPanel::draw_preset(const Session& session, Actions& actions, Ui& ui) 
   if (ImGui::Checkbox("Export it whenever the level is saved", &preset.on_save))
     push_export_edit(set_export(session.level(), ui.view.files.exports.preset, preset, "Export on save"),
                      actions);
-  ui.item("export/on_save", "Ctrl+S writes this preset, too.");
+  ui.item("export/on_save", "Saving writes this preset, too.", keys_of("file/save"_command, ui));
   if (!session.allows_export(ui.view.files.exports.preset)) {
     ImGui::SetCursorPosX(ui.px(kExportLabels));
     ui.hint("It came with the file, and writes nothing until you allow it. Export asks.");
@@ -334,9 +335,8 @@ void ExportPanel::draw_path(const Session& session, Actions& actions, Ui& ui) {
         ui.text_button("export/allow_place", "Allow this place", false,
                        "Lets this preset write there, although it is outside of the folder of the level."))
       actions.push_back(action::SetExportPath{ui.view.files.exports.preset, preset.path});
-    if (session.path().empty() &&
-        ui.text_button("export/save", "Save the level...", false, "Gives the level a file.",
-                       keys_of(find_command("file/save"), ui)))
+    if (session.path().empty() && ui.text_button("export/save", "Save the level...", false,
+                                                 "Gives the level a file.", keys_of("file/save"_command, ui)))
       actions.push_back(action::SaveFile{});
   } else {
     ui.hint(outcome != nullptr ? outcome->output : "");

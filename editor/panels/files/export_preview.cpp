@@ -127,9 +127,8 @@ void draw_progress_row(const char* widget, const std::string& text, double share
   ImGui::Dummy({width, height});
   ui.item(widget, text);
   ImGui::SameLine(0, ui.px(8));
-  const Command& cancel = find_command("file/export_cancel");
-  if (ui.text_button("export/cancel", "Cancel", false, cancel.help, keys_of(cancel, ui), true, button))
-    cancel.run(session, actions, ui);
+  command_text_button("file/export_cancel"_command, session, actions, ui,
+                      {.label = "Cancel", .widget = "export/cancel", .width = button});
 }
 
 // The progress of a preview that takes long; for a shorter one the bar would flicker.

@@ -128,9 +128,10 @@ void CurveInspector::draw(const Session& session, Actions& actions, Ui& ui) {
     ImGui::PopStyleColor();
     ui.item("inspector/curve_problem");
   }
-  command_text_button("map/duplicate", session, actions, ui, {}, "inspector/curve_duplicate");
+  command_text_button("map/duplicate"_command, session, actions, ui, {.widget = "inspector/curve_duplicate"});
   ImGui::SameLine();
-  if (ui.text_button("inspector/curve_remove", "Remove", false, "Removes the curve from the level.", "Del")) {
+  if (ui.text_button("inspector/curve_remove", "Remove", false, "Removes the curve from the level.",
+                     keys_of("map/delete"_command, ui))) {
     actions.push_back(action::EditLevel{remove_curve(session.level(), curve)});
     actions.push_back(action::SelectCurve{});
   }

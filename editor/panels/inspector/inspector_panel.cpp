@@ -226,7 +226,7 @@ void InspectorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
       ui.hint("No body chosen: click one on the map, or a free place to set one down.");
     else if (session.state().bodies.empty())
       ui.hint("No body in this level: paint a tile that has the ball flag on the map, or place a body (" +
-              keys_of(find_command("map/body"), ui) + ").");
+              keys_of("map/body"_command, ui) + ").");
     else
       ui.hint("No body chosen: click one in the play view.");
     if (session.hard_case()) draw_hard_case(*session.hard_case(), ui);
@@ -244,7 +244,8 @@ void InspectorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (spawn >= 0) spawn_.draw(session, spawn, actions, ui);
   ImGui::Spacing();
   if (session.state().frame == 0) {
-    ui.hint("No step yet: F10 makes one, and its contacts are listed here.");
+    ui.hint("No step yet: make one (" + keys_of("play/step"_command, ui) +
+            "), and its contacts are listed here.");
     return;
   }
   const int contacts = count_contacts(session.record(), body->id);

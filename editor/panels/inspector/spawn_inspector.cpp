@@ -10,6 +10,7 @@
 
 #include "edit/spawn_tools.h"
 #include "overlay/number_label.h"
+#include "panels/commands/commands.h"
 
 namespace talus {
 namespace {
@@ -73,10 +74,8 @@ void SpawnInspector::draw_kind(const Session& session, int index, Actions& actio
                                 "which sinks the box into them.",
                                 ui);
   ui.same_line_if_fits(ui.px(56));
-  if (ui.text_button("inspector/copy", "Copy", false, "Adds another one like it beside it.", "Ctrl+D")) {
-    actions.push_back(action::EditLevel{duplicate_spawn(session.level(), index)});
-    actions.push_back(action::SelectSpawn{static_cast<int>(session.level().spawns.size())});
-  }
+  command_text_button("map/duplicate"_command, session, actions, ui,
+                      {.label = "Copy", .widget = "inspector/copy"});
   ui.same_line_if_fits(ui.px(64));
   if (ui.text_button("inspector/remove", "Remove", false, "Removes the body from the level."))
     actions.push_back(action::EditLevel{remove_spawn(session.level(), index)});

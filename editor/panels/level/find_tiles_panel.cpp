@@ -68,12 +68,11 @@ void FindTilesPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     ui.end_row();
     const bool found = find_.is_tile() && count > 0;
     draw_count(count, choices.selection.has_value(), ui);
-    const Command &previous = find_command("map/find_previous"), &next = find_command("map/find_next");
-    if (ui.text_button("find_tiles/previous", "Previous", false, previous.help, keys_of(previous, ui), found))
-      previous.run(session, actions, ui);
+    command_text_button("map/find_previous"_command, session, actions, ui,
+                        {.label = "Previous", .widget = "find_tiles/previous", .enabled = found});
     ImGui::SameLine();
-    if (ui.text_button("find_tiles/next", "Next", false, next.help, keys_of(next, ui), found))
-      next.run(session, actions, ui);
+    command_text_button("map/find_next"_command, session, actions, ui,
+                        {.label = "Next", .widget = "find_tiles/next", .enabled = found});
     ImGui::SameLine();
     const bool differs = ui.view.level.find_tile != ui.view.level.replace_tile;
     if (ui.text_button("find_tiles/replace_all", "Replace all", false,

@@ -52,12 +52,12 @@ void ProblemsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 void ProblemsPanel::draw_bar(const Session& session, Actions& actions, Ui& ui) {
   ui.begin_row();
   draw_kinds(ui);
-  const auto button = [&](std::string_view id, std::string_view label) {
+  const auto button = [&](CommandId id, std::string_view label) {
     ImGui::SameLine();
-    command_text_button(id, session, actions, ui, label);
+    command_text_button(id, session, actions, ui, {.label = label});
   };
-  button("problems/previous", "<");
-  button("problems/next", ">");
+  button("problems/previous"_command, "<");
+  button("problems/next"_command, ">");
   const LintRule* kind = ui.view.level.problems.kind;
   if (kind != nullptr) {
     ImGui::SameLine();
@@ -65,7 +65,7 @@ void ProblemsPanel::draw_bar(const Session& session, Actions& actions, Ui& ui) {
             "problems/fix_all", "Fix all", false,
             "Fixes every problem of this kind that can be fixed, each as its own Fix button says, as "
             "one change that can be undone.",
-            keys_of(find_command("problems/fix_kind"), ui)))
+            keys_of("problems/fix_kind"_command, ui)))
       fix_all_problems(*kind, session, actions, ui);
   }
   if (kind != nullptr && kind->has_seam) draw_seam(session, actions, ui);
@@ -171,7 +171,7 @@ void ProblemsPanel::draw_row(std::size_t index, const Session& session, Actions&
     if (!remedy.fixes.empty() && ImGui::SmallButton("Fix")) fix_problem(problem, session, actions);
     if (!remedy.fixes.empty())
       ui.item("problems/fix" + row, remedy.fixes.front() + ".",
-              is_chosen ? keys_of(find_command("problems/fix"), ui) : "");
+              is_chosen ? keys_of("problems/fix"_command, ui) : "");
   }
   ImGui::PopID();
 }

@@ -22,7 +22,7 @@ std::string found_text(const ReachSearch& found) {
 void ReachPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const ReachFinder& reach = session.reach();
   const ReachSearch* found = reach.found();
-  command_text_button(reach.running() ? "reach/cancel" : "reach/find", session, actions, ui);
+  command_text_button(reach.running() ? "reach/cancel"_command : "reach/find"_command, session, actions, ui);
   if (found == nullptr) {
     ui.hint(
         "Marks the cells that a player gets to from its start, by every combination of its keys. A body "
@@ -79,7 +79,7 @@ void ReachPanel::draw_way(const Session& session, Actions& actions, Ui& ui) {
                            "): " + count_text(frames, "frame");
   if (ui.text_button("reach/play_way", "Play", false,
                      "Plays the way as a new branch of the timeline, which shows the keys too.",
-                     keys_of(find_command("reach/show_way"), ui) + " over a cell", frames > 0))
+                     keys_of("reach/show_way"_command, ui) + " over a cell", frames > 0))
     actions.push_back(action::ShowWay{*cell_});
   ImGui::SameLine();
   ui.label(text);

@@ -100,9 +100,9 @@ void ColorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   ImGui::SameLine();
   const Rgb now = draw_hex(session, actions, ui);
   ImGui::SameLine();
-  command_text_button("palette/copy", session, actions, ui, "Copy");
+  command_text_button("palette/copy"_command, session, actions, ui, {.label = "Copy"});
   ImGui::SameLine();
-  command_text_button("palette/paste", session, actions, ui, "Paste");
+  command_text_button("palette/paste"_command, session, actions, ui, {.label = "Paste"});
   std::array<int, 3> rgb = {now.r, now.g, now.b};
   Touched touched;
   for (std::size_t i = 0; i < kChannels.size(); ++i) touched |= draw_channel(kChannels[i], rgb[i], ui);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "panels/commands/commands.h"
+
 namespace talus {
 namespace {
 
@@ -35,6 +37,9 @@ void draw_swatch(ImDrawList& list, const Choices& choices, int color, Rgb rgb, I
 void PalettePanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const ImVec2 size{std::floor(room.x / kColorsInRow), std::floor(room.y * kColorsInRow / kColorCount)};
+  const std::string keys =
+      keys_of("palette/previous"_command, ui) + " " + keys_of("palette/next"_command, ui) + "  " +
+      keys_of("palette/previous_right"_command, ui) + " " + keys_of("palette/next_right"_command, ui);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   for (int color = 0; color < kColorCount; ++color) {
     const std::string number = std::to_string(color);
@@ -51,7 +56,7 @@ void PalettePanel::draw(const Session& session, Actions& actions, Ui& ui) {
     ui.item("palette/color" + number,
             "Colour " + number +
                 ": click for the left button, right click for the right one; a double click edits it.",
-            "[ ]  Shift+[ ]");
+            keys);
     draw_swatch(*ImGui::GetWindowDrawList(), session.choices(), color,
                 session.level().palette[static_cast<std::size_t>(color)], at, size, ui);
   }

@@ -16,9 +16,11 @@ constexpr int kToolColumns = 4;
 constexpr float kToolGap = 2;                        // px at scale 1, between the tools
 constexpr std::array<int, 4> kSizes = {1, 2, 4, 8};  // tiles, of the canvas
 
-constexpr std::array<std::string_view, 12> kTools = {
-    "pixels/pencil",  "pixels/pick",  "pixels/select", "pixels/fill",   "pixels/line",   "pixels/rectangle",
-    "pixels/ellipse", "pixels/clear", "pixels/flip_h", "pixels/flip_v", "pixels/rotate", "pixels/neighbours"};
+constexpr std::array<CommandId, 12> kTools = {
+    "pixels/pencil"_command,  "pixels/pick"_command,   "pixels/select"_command,
+    "pixels/fill"_command,    "pixels/line"_command,   "pixels/rectangle"_command,
+    "pixels/ellipse"_command, "pixels/clear"_command,  "pixels/flip_h"_command,
+    "pixels/flip_v"_command,  "pixels/rotate"_command, "pixels/neighbours"_command};
 
 // A square of so many tiles at the area's place; if it is smaller, around a pixel of the canvas.
 SpriteArea resized(const SpriteArea& area, int tiles, Cell pixel) {
@@ -106,10 +108,10 @@ void PixelPanel::draw_brushes(const Session& session, Actions& actions, Ui& ui) 
     if (size > 1) ImGui::SameLine();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const std::string number = std::to_string(size);
-    if (ui.icon_button("pixels/brush" + number, Icon::none, session.choices().brush == size,
-                       "A brush of " + number + "x" + number + " px for pencil, line, rectangle and ellipse.",
-                       keys_of(find_command("pixels/smaller_brush"), ui) + "  " +
-                           keys_of(find_command("pixels/larger_brush"), ui)))
+    if (ui.icon_button(
+            "pixels/brush" + number, Icon::none, session.choices().brush == size,
+            "A brush of " + number + "x" + number + " px for pencil, line, rectangle and ellipse.",
+            keys_of("pixels/smaller_brush"_command, ui) + "  " + keys_of("pixels/larger_brush"_command, ui)))
       actions.push_back(action::SetBrush{size});
     const float side = ui.px(static_cast<float>(size) * 3);
     const float inset = std::floor((ui.px(theme::kButton) - side) / 2);

@@ -94,7 +94,7 @@ void SheetPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 
 void SheetPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
   const SpriteArea& area = session.choices().area;
-  const Command& change = find_command("sheet/switch");
+  const Command& change = find_command("sheet/switch"_command);
   for (SheetId sheet : {SheetId::tiles, SheetId::sprites}) {
     const bool tiles = sheet == SheetId::tiles;
     if (ui.text_button(tiles ? "sheet/show_tiles" : "sheet/show_sprites", tiles ? "Tiles" : "Sprites",
@@ -105,7 +105,7 @@ void SheetPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
     }
     ImGui::SameLine();
   }
-  command_button("pixels/enlarge", session, actions, ui);
+  command_button("pixels/enlarge"_command, session, actions, ui);
   ImGui::SameLine();
   ui.right_aligned(selection_text(area), theme::color(theme::kMuted));
   ui.tooltip("The selected tile, and how many tiles wide and high the selection is.");

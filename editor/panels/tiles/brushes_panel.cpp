@@ -108,11 +108,14 @@ void BrushesPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 }
 
 void BrushesPanel::draw_buttons(const Session& session, Actions& actions, Ui& ui) const {
-  command_text_button("brushes/add", session, actions, ui, "Save", "brushes/add_button");
+  command_text_button("brushes/add"_command, session, actions, ui,
+                      {.label = "Save", .widget = "brushes/add_button"});
   ImGui::SameLine();
-  command_text_button("map/random", session, actions, ui, "Random", "map/random_button");
+  command_text_button("map/random"_command, session, actions, ui,
+                      {.label = "Random", .widget = "map/random_button"});
   ImGui::SameLine();
-  command_text_button("map/shuffle", session, actions, ui, "Shuffle", "map/shuffle_button");
+  command_text_button("map/shuffle"_command, session, actions, ui,
+                      {.label = "Shuffle", .widget = "map/shuffle_button"});
 }
 
 void BrushesPanel::draw_list(const Session& session, Actions& actions, Ui& ui) {
@@ -187,11 +190,14 @@ void BrushesPanel::draw_ground(const Session& session, Actions& actions, Ui& ui)
   const float x = at.x + 6 * step;
   const float line = ImGui::GetFrameHeight() + ui.px(2);
   ImGui::SetCursorScreenPos({x, at.y});
-  command_text_button("map/ground", session, actions, ui, "Paint", "map/ground_button");
+  command_text_button("map/ground"_command, session, actions, ui,
+                      {.label = "Paint", .widget = "map/ground_button"});
   ImGui::SetCursorScreenPos({x, at.y + line});
-  command_text_button("ground/propose", session, actions, ui, "Propose", "ground/propose_button");
+  command_text_button("ground/propose"_command, session, actions, ui,
+                      {.label = "Propose", .widget = "ground/propose_button"});
   ImGui::SetCursorScreenPos({x, at.y + 2 * line});
-  command_text_button("ground/clear", session, actions, ui, "Clear", "ground/clear_button");
+  command_text_button("ground/clear"_command, session, actions, ui,
+                      {.label = "Clear", .widget = "ground/clear_button"});
   ImGui::SetCursorScreenPos({at.x, at.y + std::max(3 * step, 3 * line) + ui.px(4)});
   if (session.level().auto_tiles.empty())
     ui.hint("Propose finds them on the sheet; or select a tile there and click its place here.");

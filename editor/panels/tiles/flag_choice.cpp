@@ -9,7 +9,7 @@ namespace talus {
 void draw_flag_choice(const std::string& name, const std::string& preview, float width,
                       const Session& session, Actions& actions, Ui& ui) {
   const auto now = session.choices().flag_overlay;
-  const Command& tint = find_command("canvas/flag_tint");
+  const Command& tint = find_command("canvas/flag_tint"_command);
   const bool open =
       ui.begin_combo(name, preview, width, "Tints the cells and tiles that have a flag.", keys_of(tint, ui));
   if (!open) return;

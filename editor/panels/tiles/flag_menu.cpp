@@ -97,7 +97,7 @@ void FlagMenu::draw_flag(const Session& session, Actions& actions, Ui& ui) {
   const bool tinted = session.choices().flag_overlay == pattern;
   if (ui.text_button("flags/tint", "Tint on the map", tinted,
                      "Tints the cells and the tiles of the sheet that have this flag.",
-                     keys_of(find_command("canvas/flag_tint"), ui)))
+                     keys_of("canvas/flag_tint"_command, ui)))
     actions.push_back(action::SetFlagOverlay{tinted ? std::optional<FlagPattern>() : pattern});
 }
 

@@ -37,7 +37,7 @@ void FlagSearchPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   count(session, *pattern);
   if (use_.tiles.empty()) {
     ui.hint("No tile has it: click its lamp, or paint it on the sheet with Paint flags (" +
-            keys_of(find_command("flags/brush"), ui) + ").");
+            keys_of("flags/brush"_command, ui) + ").");
     return;
   }
   const std::string text =
@@ -53,14 +53,12 @@ void FlagSearchPanel::draw_choice(const Session& session, Actions& actions, Ui& 
               width = ImGui::GetContentRegionAvail().x - 2 * button - ui.px(8);
   draw_flag_choice("flag_search/flag", now ? pattern_label(session.level(), *now) : "no tint", width, session,
                    actions, ui);
-  const Command &before = find_command("flags/previous"), &next = find_command("flags/next");
   ImGui::SameLine(0, ui.px(4));
-  if (ui.text_button("flag_search/previous", "<", false, before.help, keys_of(before, ui), now.has_value(),
-                     button))
-    before.run(session, actions, ui);
+  command_text_button("flags/previous"_command, session, actions, ui,
+                      {.label = "<", .widget = "flag_search/previous", .width = button});
   ImGui::SameLine(0, ui.px(4));
-  if (ui.text_button("flag_search/next", ">", false, next.help, keys_of(next, ui), now.has_value(), button))
-    next.run(session, actions, ui);
+  command_text_button("flags/next"_command, session, actions, ui,
+                      {.label = ">", .widget = "flag_search/next", .width = button});
 }
 
 void FlagSearchPanel::count(const Session& session, FlagPattern pattern) {

@@ -89,7 +89,7 @@ void FlagsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 
 // In line with the panel's tab.
 void FlagsPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
-  const Command& brush = find_command("flags/brush");
+  const Command& brush = find_command("flags/brush"_command);
   const float byte = ui.px(28), width = ui.px(80), gap = ui.px(theme::kGap);
   const float hex = ImGui::CalcTextSize("hex").x;
   ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(8) - byte - width - hex - 2 * gap);

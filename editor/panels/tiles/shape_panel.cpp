@@ -54,15 +54,16 @@ void ShapePanel::draw(const Session& session, Actions& actions, Ui& ui) {
   ImGui::BeginChild("shape");
   draw_kind(session, actions, ui, tile);
   ui.same_line_if_fits(ui.px(196));
-  command_text_button("shape/suggest", session, actions, ui);
+  command_text_button("shape/suggest"_command, session, actions, ui);
   // Parts whose height the shape changes are below the canvas, which must not move under a held mouse.
   draw_canvas(session, actions, ui, tile);
   ui.hint(origin_text(session.level(), tile));
   if (const int count = area.tiles.w * area.tiles.h; count > 1)
     ui.hint("What changes here changes in all " + std::to_string(count) + " selected tiles.");
-  if (tile_reaching_over(session.level(), tile)) command_text_button("shape/owner", session, actions, ui);
+  if (tile_reaching_over(session.level(), tile))
+    command_text_button("shape/owner"_command, session, actions, ui);
   draw_fields(session, actions, ui, tile);
-  command_text_button("shape/give", session, actions, ui);
+  command_text_button("shape/give"_command, session, actions, ui);
   draw_copy(session, actions, ui, tile);
   ImGui::EndChild();
 }

@@ -1,34 +1,44 @@
 // The window of keys, made from the table of commands.
 #include "help_panel.h"
 
+#include <string>
+#include <vector>
+
 #include "panels/commands/commands.h"
 
 namespace talus {
 namespace {
 
 struct MouseHelp {
-  const char* what;
-  const char* how;
+  std::string what;
+  std::string how;
 };
-constexpr MouseHelp kMouse[] = {
-    {"left button on the map", "the chosen tool"},
-    {"middle button on the map", "picks the tiles of a dragged rectangle as the stamp"},
-    {"Shift over the map", "shows the tile sheet there, to choose a stamp"},
-    {"right button, or Space and left", "drags the view; with a player, Space jumps in the play view"},
-    {"wheel on the map or play view", "zooms at the mouse"},
-    {"left button on a ball in the play view", "chooses it and holds it"},
-    {"left button on the overlays' legend", "folds its names away, or shows them again"},
-    {"wheel on the timeline or a plot", "zooms at the mouse; the middle button drags"},
-    {"left and right button on the pixels", "draw with their two colours"},
-    {"middle button on the pixels", "picks the colour"},
-    {"wheel on the pixels", "a canvas of 8, 16, 32 or 64 px; up shows the tile at the mouse"},
-    {"mouse over the sprites or the map", "gives them the keys; so do a click, F2 and F3"},
-    {"drag on the sheet", "selects tiles: the canvas, the flags and the stamp follow"},
-    {"drag with Paint flags, on the sheet or the map",
-     "sets the tinted flag, or clears it where the first tile has it"},
-    {"no mouse at hand: Enter on the map or the pixels", "shows a cursor for the arrows; see below"},
-    {"a file dropped on the window", "is opened"},
-};
+
+std::vector<MouseHelp> mouse_help(const Ui& ui) {
+  const auto keys = [&](CommandId id) { return keys_of(id, ui); };
+  return {
+      {"left button on the map", "the chosen tool"},
+      {"middle button on the map", "picks the tiles of a dragged rectangle as the stamp"},
+      {"Shift over the map", "shows the tile sheet there, to choose a stamp"},
+      {"right button, or Space and left", "drags the view; Space does not while a player uses it"},
+      {"wheel on the map or play view", "zooms at the mouse"},
+      {"left button on a ball in the play view", "chooses it and holds it"},
+      {"left button on the overlays' legend", "folds its names away, or shows them again"},
+      {"wheel on the timeline or a plot", "zooms at the mouse; the middle button drags"},
+      {"left and right button on the pixels", "draw with their two colours"},
+      {"middle button on the pixels", "picks the colour"},
+      {"wheel on the pixels", "a canvas of 8, 16, 32 or 64 px; up shows the tile at the mouse"},
+      {"mouse over the sprites or the map", "gives them the keys; so do a click, " +
+                                                keys("view/sprites"_command) + " and " +
+                                                keys("view/map"_command)},
+      {"drag on the sheet", "selects tiles: the canvas, the flags and the stamp follow"},
+      {"drag with Paint flags, on the sheet or the map",
+       "sets the tinted flag, or clears it where the first tile has it"},
+      {"no mouse at hand: " + keys("view/cursor"_command) + " on the map or the pixels",
+       "shows a cursor for the arrows; see below"},
+      {"a file dropped on the window", "is opened"},
+  };
+}
 
 // Three columns: keys, what they do, and details.
 bool begin_help_table(const char* id, Ui& ui) {
@@ -69,7 +79,7 @@ void draw_mouse(Ui& ui) {
   if (!ImGui::BeginTable("mouse", 2, ImGuiTableFlags_RowBg)) return;
   ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, ui.px(324));
   ImGui::TableSetupColumn("how", ImGuiTableColumnFlags_WidthStretch);
-  for (const MouseHelp& row : kMouse) {
+  for (const MouseHelp& row : mouse_help(ui)) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     draw_text(row.what);

@@ -28,7 +28,7 @@ void draw_looks(const Session& session, Actions& actions, Ui& ui) {
   for (const auto& [kind, label, widget] : {std::tuple{ThemeKind::dark, "Dark", "settings/dark"},
                                             std::tuple{ThemeKind::light, "Light", "settings/light"}}) {
     if (ui.text_button(widget, label, preferences.theme == kind, "The colours of the panels.",
-                       keys_of(find_command("view/light_theme"), ui), true, ui.px(72)))
+                       keys_of("view/light_theme"_command, ui), true, ui.px(72)))
       preferences.theme = kind;
     ImGui::SameLine();
   }
@@ -55,7 +55,7 @@ void draw_looks(const Session& session, Actions& actions, Ui& ui) {
     preferences.font_size = std::clamp<double>(size, kMinFontSize, kMaxFontSize);
   ui.item("settings/font_size", "The height of text, in controls of the same size.");
   setting_row("Overlays", ui);
-  command_text_button("view/safe_colours", session, actions, ui, {}, "settings/safe_colours");
+  command_text_button("view/safe_colours"_command, session, actions, ui, {.widget = "settings/safe_colours"});
   ImGui::SetCursorPosX(ui.px(kSettingNames));
   const float swatch = ui.px(14);
   for (const Overlay* overlay : all_overlays()) {
@@ -70,15 +70,20 @@ void draw_looks(const Session& session, Actions& actions, Ui& ui) {
 
 void draw_layouts(const Session& session, Actions& actions, Ui& ui) {
   setting_row("Layout", ui);
-  command_text_button("view/layout_draw", session, actions, ui, "Draw", "settings/layout_draw");
+  command_text_button("view/layout_draw"_command, session, actions, ui,
+                      {.label = "Draw", .widget = "settings/layout_draw"});
   ImGui::SameLine();
-  command_text_button("view/layout_play", session, actions, ui, "Play", "settings/layout_play");
+  command_text_button("view/layout_play"_command, session, actions, ui,
+                      {.label = "Play", .widget = "settings/layout_play"});
   ImGui::SameLine();
-  command_text_button("view/layout_debug", session, actions, ui, "Debug", "settings/layout_debug");
+  command_text_button("view/layout_debug"_command, session, actions, ui,
+                      {.label = "Debug", .widget = "settings/layout_debug"});
   ImGui::SameLine();
-  command_text_button("view/reset_layout", session, actions, ui, "Reset", "settings/reset_layout");
+  command_text_button("view/reset_layout"_command, session, actions, ui,
+                      {.label = "Reset", .widget = "settings/reset_layout"});
   setting_row("Keys", ui);
-  command_text_button("edit/keys", session, actions, ui, "Change keys...", "settings/keys");
+  command_text_button("edit/keys"_command, session, actions, ui,
+                      {.label = "Change keys...", .widget = "settings/keys"});
 }
 
 }  // namespace

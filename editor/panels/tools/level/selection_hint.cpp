@@ -7,7 +7,7 @@ bool meets_selection(const Session& session, Actions& actions, CellRect cells) {
   const auto& selection = session.choices().selection;
   if (!selection || shared(*selection, cells)) return true;
   actions.push_back(
-      action::ShowMessage{"The tools stay inside the selection: draw there, or press Escape first."});
+      action::ShowMessage{"The tools stay inside the selection: draw there, or select nothing first."});
   return false;
 }
 
