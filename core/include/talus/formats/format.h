@@ -26,8 +26,8 @@ struct FormatError {
 // An error about what lies at a place; its own place is relative to that.
 FormatError error_within(const std::string& place, FormatError error);
 
-// "FILE:PLACE: error: MESSAGE: REMEDY", without empty parts. One line, see printable_line (utf8_text.h),
-// however long the names in the file are.
+// "FILE:PLACE: error: MESSAGE: REMEDY", without empty parts. One line without control characters, however
+// long the names in the file are.
 std::string to_string(const FormatError& error, std::string_view file);
 
 // A value, or what is wrong.
@@ -40,7 +40,8 @@ tl::unexpected<FormatError> error_at_line(std::string_view text, std::size_t off
 // The result when a Progress stops the work.
 tl::unexpected<FormatError> was_cancelled();
 
-// A written level, and what is lost: what neither the format nor a companion (see companion.h) can hold.
+// A written level, and what is lost: what neither the format nor a companion can hold. A companion is a file
+// beside the level's, NAME.talus.json, with what the format of the level's file cannot hold.
 struct WrittenLevel {
   std::string bytes;                 // the whole file
   std::vector<std::string> dropped;  // one phrase each: "the BINARY chunk of bank 0"; empty: nothing was lost
@@ -77,12 +78,12 @@ struct Format {
   FormatResult<Level> (*read)(std::string_view bytes, const FormatContext&);
   // Null: Talus only reads the format. A level opened from it has no file yet, so saving asks for one.
   FormatResult<WrittenLevel> (*write)(const Level&, const FormatContext&);
-  // The members of a native level (see native.h) that such a file holds. Members that it lacks, and all
+  // The keys of a native level (docs/formats.md) that such a file holds. Keys that it lacks, and all
   // others, go into its companion. Empty: it has no companion.
   std::span<const std::string_view> holds = {};
 };
 
-// Every format, in the order in which content is tried. To add one, add its row here.
+// Every format, in the order in which content is tried.
 std::span<const Format> formats();
 const Format* find_format(std::string_view id);  // null if there is none
 // The format in which a file of this name is written; null if no format with its extension is written.
@@ -125,7 +126,7 @@ std::string level_path(const std::string& path);
 // see FormatContext.
 FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoices& choices = {},
                                      const Progress& progress = {});
-// Writes atomically (see atomic_file.h), with a companion if the format cannot hold everything. The format
+// Writes the whole file or nothing of it, with a companion if the format cannot hold everything. The format
 // must have a writer. known: the companion that the level came with. That one is replaced, and removed if it
 // is no longer needed. Any other file in its place is kept under another name, and the note says so. After an
 // error both files are as they were.

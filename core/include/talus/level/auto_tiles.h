@@ -1,4 +1,4 @@
-// The auto-tile set of a level: the tiles for the parts of painted ground (edit/auto_tile.h).
+// The auto-tile set of a level: the tiles for the parts of painted ground.
 #pragma once
 
 #include <algorithm>

@@ -11,11 +11,10 @@
 
 namespace talus {
 
-// The order is that of the rows in core/level/body_kind_list.cpp.
+// The order is that of body_kinds().
 enum class BodyKind : std::uint8_t { ball, player };
 
-// What moves a body in a step of the exact solver (core/sim/exact_solver.cpp). The others move all kinds
-// alike.
+// What moves a body in a step of the exact solver. The other solvers move all kinds alike.
 enum class BodyRule : std::uint8_t {
   fall,  // gravity pulls it, and it bounces
   run    // it runs, jumps and stands as the keys say; it has a Gait

@@ -12,10 +12,10 @@ inline constexpr std::size_t kMaxExportText = 4096;  // bytes of each text of a 
 // A target, and where it is written.
 struct ExportPreset {
   std::string name;      // for people and for `talus export --preset`; may be empty or repeated
-  std::string exporter;  // id in export/exporter.h, "love"; an id that this version does not know is kept
+  std::string exporter;  // id, as for `talus export --to`: "love"; an id of a newer version is kept
   // Of the file or folder, with '/': absolute, or relative to the folder of the level's file.
   std::string path;
-  // Parts of the Lua runtime besides those that the level uses (export/lua_parts.h): "players, pairs"; often
+  // Parts of the Lua runtime besides those that the level uses (docs/runtime.md): "players, pairs"; often
   // empty.
   std::string parts = {};
   bool on_save = false;  // the editor exports it whenever it saves the level

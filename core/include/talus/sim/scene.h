@@ -65,8 +65,8 @@ struct Scene {
   // Only for the exact solver, if the tuning asks for single precision; else null.
   std::shared_ptr<const BasicTerrain<float>> single_ground;
   std::vector<std::string> curve_names;  // of the ground's curves, by their numbers; may be empty
-  // Only for the exact solver: lines of the level's ground, see ground.h. If they are too many, there is no
-  // ground.
+  // Only for the exact solver: lines of the level's ground, see <talus/level/ground.h>. If they are too many,
+  // there is no ground.
   std::size_t ground_lines = 0;
   SceneFeatures features;  // what its bodies need
   Tuning tuning;           // the level's
