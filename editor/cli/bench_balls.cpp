@@ -8,7 +8,7 @@
 namespace talus {
 namespace {
 
-// Cells in which a ball overlaps nothing: no tile with a role, and no second half of a slope.
+// Cells in which a ball overlaps nothing: tiles without a role, and no second half of a slope.
 std::vector<Cell> free_cells(const Level& level) {
   const auto is_slope = [&](Cell cell) {
     const TileRole role = level.role_at(cell);

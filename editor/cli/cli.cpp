@@ -63,7 +63,7 @@ int run_cli(const std::vector<std::string>& arguments, std::ostream& out, std::o
   for (const auto add : kAddCommands) add(program, context);
 
   std::vector<std::string> remaining = with_command(program, arguments);
-  std::reverse(remaining.begin(), remaining.end());  // CLI11 takes them last first
+  std::reverse(remaining.begin(), remaining.end());  // CLI11 takes the last one first
   try {
     program.parse(remaining);
   } catch (const CLI::ParseError& error) {

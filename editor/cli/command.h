@@ -18,8 +18,8 @@ struct CommandContext {
   int status = kExitGood;  // set by the command that ran
   // What the command is doing, for an unexpected error: "reading cave.tmx". Empty: only the command is known.
   std::string doing = {};
-  // The files that it has read a level from: the named ones, and those that these name. No command writes
-  // over them.
+  // The files that it has read a level from: the named ones, and those that these name. Commands never
+  // overwrite them.
   std::vector<std::string> inputs = {};
 };
 

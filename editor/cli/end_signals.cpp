@@ -19,7 +19,7 @@ bool is_waiting() {
   return sigismember(&waiting, SIGINT) == 1 || sigismember(&waiting, SIGTERM) == 1;
 }
 
-// Takes a signal that nobody has taken for long, with its usual effect.
+// Gives a signal that nobody has taken for long its usual effect.
 void look_after(const std::stop_token& stop, const sigset_t& signals) {
   std::mutex mutex;
   std::condition_variable_any wake;

@@ -7,9 +7,9 @@
 
 namespace talus {
 
-// While it lives, signals that end a program wait for the thread that made it. If that thread does not look
-// for them within two seconds, as it waits for a pipe or computes for long, they end the program all the
-// same. Files are put in place whole, so this can happen at any time.
+// While it exists, signals that end a program wait for the thread that made it. If that thread does not check
+// for them within two seconds, as it waits for a pipe or computes for long, they end the program
+// nevertheless. Files are put in place as a whole, so this can happen at any time.
 class EndSignals {
  public:
   EndSignals();

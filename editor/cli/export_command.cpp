@@ -24,7 +24,7 @@ struct ExportOptions {
   bool watch = false;
   bool playable = false;  // for a cart: with code that plays the level
   bool allow_code = false;
-  // The presets that --allow-code was meant for; none yet: those of the first level that is read.
+  // The presets for which --allow-code was given: those of the first level that is read; empty before that.
   std::optional<std::vector<ExportPreset>> may_bring_code = {};
   ExportRules rules;
 
@@ -37,7 +37,7 @@ std::vector<std::string> exporter_ids() {
   return ids;
 }
 
-// Empty, or the existing names, for the error about an unknown one.
+// Returns an empty text, or the existing names for the error about an unknown one.
 std::string unknown_preset(const std::string& name, const std::vector<ExportPreset>& presets) {
   std::string known;
   for (const ExportPreset& preset : presets) {
@@ -61,9 +61,8 @@ bool find_clashes(CommandContext& context, const ExportOptions& options,
   return found;
 }
 
-// Why a preset that came with the level must not be written, one sentence without its full stop; empty: it
-// may. What it brings of the level's code could be run by other programs, under the name that the level
-// chose.
+// Why a preset that came with the level must not be written, one sentence without its full stop; empty if it
+// may. Other programs could run the level's code under the name that the level chose.
 std::string code_problem_of(const ExportOptions& options, const Level& level, const ExportPreset& preset) {
   if (!brings_code(level, preset.exporter)) return "";
   const auto& meant = options.may_bring_code;
@@ -141,7 +140,7 @@ void watch_and_export(CommandContext& context, ExportOptions options) {
       [&] {
         context.status = kExitGood;
         export_file(context, options);
-        // The starters there were reported at the beginning; files that are changed during the watch are
+        // The starters there were reported at the beginning. Files that are changed during the watch are
         // kept.
         if (context.status == kExitGood) options.rules = {.allow_outside = options.rules.allow_outside};
         return context.out.good();

@@ -63,8 +63,8 @@ bool begins_as_an_export(const ExportPlan& plan, std::string_view bytes) {
          line == first_line(plan.content.files.front().bytes);
 }
 
-// Whether the files are those of an export that the record does not know: all of them are there, and the file
-// that the others belong to is Talus's own. In a place that the level names, links never are.
+// Whether the files are those of an export that the record does not know: all of them are there, and the main
+// file is Talus's own. Links do not count in a place that the level names.
 bool is_earlier_export(const ExportOrder& order, const ExportPlan& plan, const ExportRecord& record) {
   std::error_code ignored;
   for (const PlannedFile& file : plan.files) {

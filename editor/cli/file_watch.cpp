@@ -10,8 +10,8 @@
 namespace talus {
 namespace {
 
-constexpr auto kPoll =
-    std::chrono::milliseconds(200);  // between looks at the file, and how long it must be unchanged
+constexpr auto kPoll = std::chrono::milliseconds(
+    200);  // the time between two looks at the file, and how long it must be unchanged
 
 // A thing that cannot be read, such as a pipe, counts as missing.
 LevelStamp stamp_or_gone(const std::string& path) {

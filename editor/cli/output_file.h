@@ -11,12 +11,12 @@ struct OutputFile {
   std::string path;                 // as it was typed
   std::string_view bytes;           // that will be written, or at least their first line
   std::vector<std::string> inputs;  // files that the command reads; empty names are ignored
-  // Whether a file of unknown kind may be replaced, as the user has named it for that.
+  // Whether a file of unknown kind may be replaced, because the user has named it for that.
   bool may_be_unknown = false;
 };
 
-// Whether a path leads to one of these files, or to a companion of one, or to what one is a companion of.
-// Links and other names of a file are seen through.
+// Whether a path leads to one of these files, to the companion of one, or to the file that one is a companion
+// of. Links and other names of a file are recognised.
 bool is_one_of(const std::vector<std::string>& files, const std::string& path);
 
 // One sentence without its full stop on why the command must not write there; empty if it may. Links and
@@ -33,7 +33,7 @@ bool has_name_of_level(const std::string& path);
 // is unknown, as for any text.
 std::string_view content_kind(std::string_view bytes);
 
-// How these files begin.
+// The beginnings of these files.
 inline constexpr std::string_view kPngBeginning = "\x89PNG\r\n\x1a\n";
 inline constexpr std::string_view kTraceBeginning = "{\"frame\":";
 

@@ -9,7 +9,7 @@
 
 namespace talus {
 
-// While it lives, signals that end a program wait, so that the work can end in order. They have their usual
+// While it exists, signals that end a program wait, so that the work can end in order. They have their usual
 // effect when it is destroyed.
 class ProgressLine {
  public:

@@ -17,7 +17,7 @@
 namespace talus {
 namespace {
 
-constexpr std::int64_t kStepsAtOnce = 256;  // between looks for a frame that differs from the recording
+constexpr std::int64_t kStepsAtOnce = 256;  // between two comparisons with the recording
 
 std::optional<Recording> load_recording_or_fail(CommandContext& context, const SimOptions& options) {
   context.doing = "reading " + options.file;

@@ -43,7 +43,7 @@ class TraceFile {
   bool good_ = true;
 };
 
-// Says once what of the ground the level's solver does not know.
+// Says once which ground of the level its solver does not know.
 void warn_of_ignored_ground(CommandContext& context, const std::string& file, const Level& level);
 
 bool is_recording_file(const std::string& path);

@@ -27,7 +27,7 @@ Edit with_brushes(const Level& level, std::string label, std::vector<Brush> brus
   return single_change(std::move(label), BrushesChange{level.brushes, std::move(brushes)});
 }
 
-// At most so many bytes; no character is cut apart.
+// Cuts a name to the allowed number of bytes, but never within a character.
 std::string cut_name(std::string name) {
   if (name.size() <= kMaxBrushName) return name;
   std::size_t end = kMaxBrushName;

@@ -9,7 +9,7 @@
 
 namespace talus {
 
-// The cells that a tool may paint, such as the selection; nothing: the whole map.
+// The cells that a tool may paint, such as the selection; empty: the whole map.
 using Within = std::optional<CellRect>;
 
 // Beyond this number of cells a copy of the map takes less memory than their list.

@@ -132,7 +132,7 @@ Arc bent(const Arc& a, int handle, Vec2 to) {
     return arc_through(left, right, dot(to - (left + right) * 0.5, up));
   }
   (handle == 0 ? left : right) = to;
-  // An unusable one, which is reported.
+  // the curve is invalid, which is reported
   if (!(left.x < right.x)) return {a.center, a.radius, left.x, right.x, a.upper};
   const double half = std::asin(std::min(1.0, length / 2 / a.radius));  // half of its angle
   const double bulge = std::hypot(right.x - left.x, right.y - left.y) / 2 * std::tan(half / 2);
@@ -175,7 +175,7 @@ Polyline bent(Polyline p, int handle, Vec2 to) {
   return p;
 }
 
-// A segment may be turned past the vertical: it goes on stopping bodies on the same side.
+// A segment may be turned past the vertical: it keeps stopping bodies on the same side.
 Curve bent_segment(const Curve& curve, int handle, Vec2 to) {
   const auto& s = std::get<Segment>(curve.form);
   const bool both = curve.faces == Curve::Faces::both;

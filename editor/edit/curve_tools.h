@@ -19,9 +19,9 @@ std::string with_article(CurveKind kind);   // "an arc"
 // The name on screen: its name, or its kind and its number from 0, "arc 2".
 std::string title_of(const Level& level, int curve);
 
-// A curve of this kind for a drag from a to b, px. It stops bodies on the left of the way: drawn to the right
-// it is a floor, to the left a ceiling. A segment is straight, an arc and a parabola bulge up, a sine makes
-// one wave, a polyline has a height at every tile. The curve may be unusable.
+// A curve of this kind for a drag from a to b, px. It stops bodies on the left of the drag: drawn to the
+// right it is a floor, to the left a ceiling. A segment is straight, an arc and a parabola bulge up, a sine
+// makes one wave, a polyline has a height at every tile. The curve may be invalid.
 Curve curve_between(CurveKind kind, Vec2 a, Vec2 b);
 // Appends a curve to the level. The error is one sentence without a full stop.
 tl::expected<Edit, std::string> add_curve(const Level& level, LevelCurve curve);
@@ -41,7 +41,7 @@ std::vector<Vec2> handles_of(const Curve& curve);
 bool is_end_handle(const Curve& curve, int handle);  // false: it bends the curve
 // Pairs of indices of handles to join by a thin line, to show what a handle bends.
 std::vector<std::pair<int, int>> handle_lines(const Curve& curve);
-// The curve with one of its handles as near to `to` as possible. It may be unusable then.
+// The curve with one of its handles as near to `to` as possible. It may be invalid then.
 Curve with_handle(const Curve& curve, int handle, Vec2 to);
 
 // The first and last end of a good curve.

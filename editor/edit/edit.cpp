@@ -81,7 +81,7 @@ auto& place(L& level, const MapChange&) {
   return level.map;
 }
 
-// What tells two places of the same kind apart; fits 56 bits.
+// A number that differs for two places of the same kind; fits 56 bits.
 std::uint64_t number(const CellChange& c) {
   return static_cast<std::uint64_t>(c.cell.y) * kMaxTerrainSide + c.cell.x;
 }
@@ -115,7 +115,7 @@ bool is_no_change(const Change& change) {
   return std::visit([](const auto& c) { return c.before == c.after; }, change);
 }
 
-// Whether a change is about something that a level may have only a limited amount of.
+// Whether a change adds to something that has a limit in a level.
 template <class C>
 constexpr bool kIsCounted = std::is_same_v<C, FlagNameChange> || std::is_same_v<C, FlagFieldsChange> ||
                             std::is_same_v<C, CurvesChange> || std::is_same_v<C, SpawnsChange> ||
@@ -144,7 +144,7 @@ std::size_t memory_behind(const C& change) {
     return 2 * sizeof(Level) + size_of(change.before) + size_of(change.after);
   } else if constexpr (kIsCounted<C>) {
     Level before, after;
-    before.map = after.map = TileMap(1, 1);  // which is not a part of the change
+    before.map = after.map = TileMap(1, 1);  // the map is not part of the change
     place(before, change) = change.before;
     place(after, change) = change.after;
     return size_of(before) + size_of(after);
@@ -155,7 +155,7 @@ std::size_t memory_behind(const C& change) {
 }  // namespace
 
 std::optional<std::string> problem_after(const Level& level, const Edit& edit) {
-  // Without what is not counted; nothing: the change does not affect anything that is counted.
+  // Without the parts that have no limits; empty: the change does not affect parts that have one.
   std::optional<Level> after;
   for (const Change& change : edit.changes) {
     std::visit(

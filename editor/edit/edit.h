@@ -72,7 +72,7 @@ struct AutoTilesChange {
 struct ExportsChange {
   std::vector<ExportPreset> before, after;
 };
-// A whole level in place of a value of a change, so that other changes stay small.
+// A copy of a whole level instead of a value in a change, so that other changes stay small.
 class LevelCopy {
  public:
   LevelCopy(const Level& level) : level_(std::make_shared<const Level>(level)) {}
@@ -97,8 +97,8 @@ using Change =
 // The change of the selection of cells on the map, so that undo restores that, too.
 struct SelectionChange {
   std::optional<CellRect> before, after;
-  // How the tiles in `after` came there: moved from `before`, or put over what was there. While this is the
-  // last change they can be moved on, and what they covered comes back. `stays`: neither.
+  // How the tiles in `after` came there: moved from `before`, or put over other tiles. While this is the last
+  // change they can be moved again, and the tiles that they covered come back. `stays`: neither.
   enum class Tiles { stays, moved, put } tiles = Tiles::stays;
 };
 
@@ -112,16 +112,16 @@ struct Edit {
 // Replaces the whole level by `other`, which is never null. Empty if it is the same.
 Edit replace_by(const Level& level, std::shared_ptr<const Level> other, std::string label);
 
-// What the edited level would have more of than a level may: "has 70000 bodies, but a level holds at most
-// 65536". Nothing if it is fine.
+// Says which limit the edited level would exceed: "has 70000 bodies, but a level holds at most 65536";
+// nothing if it keeps all.
 std::optional<std::string> problem_after(const Level& level, const Edit& edit);
 // The memory that an edit takes, in bytes.
 std::size_t memory_of(const Edit& edit);
 
 void apply_edit(Level& level, const Edit& edit);
 void revert_edit(Level& level, const Edit& edit);
-// Fits an edit to a level that has changed since the tool saw it: each `before` becomes what the level holds
-// now. Changes whose place is gone, or that change nothing any more, are dropped.
+// Adapts an edit to a level that has changed since the tool saw it: each `before` becomes what the level
+// holds now. Changes whose place is gone, or that have no effect any more, are dropped.
 void rebase_edit(const Level& level, Edit& edit);
 // Appends `next`. Keeps one change for each place and for the selection, with its first `before` and last
 // `after`. Changes that end where they began are dropped.

@@ -7,7 +7,7 @@
 namespace talus {
 namespace {
 
-// Gives each tile of the area the flags that `flags_after` makes of its own flags.
+// Sets the flags of each tile of the area to flags_after(its flags).
 template <class FlagsAfter>
 Edit change_flags(const Level& level, const SpriteArea& area, std::string label, FlagsAfter flags_after) {
   assert(area.lies_in_sheet());

@@ -12,8 +12,8 @@ namespace talus {
 // pattern's flags.
 Edit paint_flags(const Level& level, const SpriteArea& area, FlagPattern pattern, bool on);
 Edit paint_flags(const Level& level, SheetId sheet, const std::set<int>& tiles, FlagPattern pattern, bool on);
-// Whether a stroke that begins on a tile with these flags sets the pattern. It clears the pattern if setting
-// would change nothing.
+// Whether a stroke that begins on a tile with these flags sets the pattern. If setting would change nothing,
+// it clears the pattern.
 bool stroke_sets(FlagPattern pattern, std::uint8_t flags);
 // All eight flags of the area's tiles.
 Edit set_all_flags(const Level& level, const SpriteArea& area, std::uint8_t flags);

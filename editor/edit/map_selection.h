@@ -18,8 +18,8 @@ struct MovedCells {
 MovedCells move_selection(const Level& level, const UndoStack& history, CellRect selection, Cell by,
                           int new_stroke, bool leave_copy = false);
 
-// Puts tiles with their top-left cell at `at`, and selects them. selected: the selection before. Empty if
-// none of them is on the map.
+// Puts tiles with their top-left cell at `at`, and selects them. selected: the selection before. The edit is
+// empty if none of the tiles is on the map.
 Edit paste_cells(const Level& level, Cell at, const Stamp& tiles, std::optional<CellRect> selected);
 
 }  // namespace talus

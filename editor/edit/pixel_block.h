@@ -15,7 +15,7 @@ struct PixelBlock {
   friend bool operator==(const PixelBlock&, const PixelBlock&) = default;
 };
 
-// Shifts move by one px; what leaves at one side comes in at the other.
+// Shifts move by one px; pixels that leave at one side come in at the other.
 enum class PixelTurn {
   flip_horizontal,
   flip_vertical,

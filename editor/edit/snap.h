@@ -1,4 +1,4 @@
-// Where a point that is dragged on the map goes: to ends of other lines, to borders of tiles, to pixels.
+// Where a dragged point on the map goes: to ends of other lines, to borders of tiles, to pixels.
 #pragma once
 
 #include <talus/level/level.h>

@@ -57,7 +57,7 @@ int sum(const std::vector<int>& numbers) {
   return total;
 }
 
-// How plain a height is: 0 for whole tiles, then halves and quarters of them, and so on.
+// Rates how simple a height is: 0 for whole tiles, then halves and quarters of them, and so on.
 int plainness(double height) {
   int level = 0;
   for (double step = kTileSize; std::fmod(height, step) != 0; step /= 2) ++level;

@@ -27,7 +27,7 @@ class UndoStack {
   const std::vector<Edit>& edits() const { return edits_; }
   std::size_t position() const { return next_; }  // edits before it are applied
 
-  // The stroke whose edits the last entry still takes; 0: no stroke.
+  // The stroke whose next edits still join the last entry; 0: no stroke.
   int open_stroke() const { return open_stroke_; }
 
   // Also ends the open stroke, since an entry that grows is no longer what was saved.

@@ -1,10 +1,10 @@
 // Requests: what commands and panels ask other panels to do when they are drawn next.
 //
 // At most one request of each kind waits: a newer request replaces the older one, and scrolls and zooms add
-// up. The panel that does what is asked takes the request, so that it happens once; the comment of each kind
-// names that panel. A request waits until it is taken, for example until its panel is shown. Only a request
-// for the keys is dropped after kMostFramesForKeys frames, because keys that are pressed meanwhile are held
-// back for it.
+// up. The panel that carries out a request takes it, so that it happens once; the comment of each kind names
+// that panel. A request waits until it is taken, for example until its panel is shown. Only a request for the
+// keys is dropped after kMostFramesForKeys frames, because keys that are pressed meanwhile are held back for
+// it.
 #pragma once
 
 #include <cstddef>

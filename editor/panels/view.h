@@ -1,5 +1,5 @@
-// View: what the window shows that is not the session's business. Each folder of panels has its own part, and
-// declares it; part of it is remembered between starts (platform/settings.h).
+// View: the window's own state, apart from the session. Each folder of panels declares its own part of it;
+// some of it is remembered between starts (platform/settings.h).
 #pragma once
 
 #include "panels/canvas/canvases_view.h"
@@ -30,7 +30,7 @@ struct View {
     canvas.marked_cell = cell;
     requests.ask(request::ShowCell{cell});
   }
-  void forget_level() {  // another one is open
+  void forget_level() {  // another level is open
     canvas.forget_level();
     debugger.forget_level();
     requests.take<request::PutStopAt>();

@@ -36,8 +36,8 @@ constexpr double kNoteTime = 4;            // s; for short messages of success
 // In an opened dialog the text field gets the focus one frame later.
 constexpr int kDialogOpeningFrames = 2;
 
-// s. A long message says what a file holds that a level does not; the user should be able to read it to its
-// end.
+// s. A long message says which parts of a file a level does not have. The user should be able to read all of
+// it.
 double note_time(const std::string& note) {
   constexpr double kShort = 100, kReadingTime = 0.2;  // letters; s for each further letter
   constexpr double kMost = 60;  // s: a longer message is scrolled, and dismissed by hand or by this time
@@ -67,7 +67,7 @@ float automatic_scale(float window_height) {
   return std::clamp(std::round(window_height / 960 * 4) / 4, 1.0f, 4.0f);
 }
 
-// The largest scale, in quarters, at which nothing of the window's layout is cut off; at least 1.
+// The largest scale, in quarters, at which no part of the window's layout is cut off; at least 1.
 float largest_scale(ImVec2 window) {
   constexpr float kLeastWidth = 880, kLeastHeight = 576;  // px at scale 1
   return std::max(1.0f, std::floor(std::min(window.x / kLeastWidth, window.y / kLeastHeight) * 4) / 4);
@@ -211,7 +211,7 @@ std::string App::remember() const {
   return saved ? "" : saved.error();
 }
 
-// Shows once what keeps going wrong, below the current message.
+// Shows a lasting problem once, below the current message.
 void App::remember_changes() {
   const std::string problem = remember();
   if (problem == std::exchange(remember_problem_, problem) || problem.empty()) return;
@@ -310,8 +310,8 @@ void App::draw(Actions& actions) {
   if (guard_) guard_->draw(*session_, ui_);
 }
 
-// When a dialog opens or closes, the next presses are meant for what comes. They wait until that is drawn and
-// has the focus.
+// When a dialog opens or closes, the next presses are meant for the new state. They wait until it is drawn
+// and has the focus.
 void App::hold_keys_while_dialogs_change() {
   const std::array<bool, 11> wanted = {ui_.view.files.dialog != FileDialog::none,
                                        session_->wants_save_as(),
@@ -331,7 +331,7 @@ void App::hold_keys_while_dialogs_change() {
   hold_keys_until_field_focused();
 }
 
-// If the field does not come, nobody gets the keys.
+// If the field does not appear, no control gets the keys.
 void App::hold_keys_until_field_focused() {
   Requests& requests = ui_.view.requests;
   const std::string wanted = requests.waiting_for_keys();
@@ -355,7 +355,7 @@ void App::handle_events() {
     } else if (event.type == SDL_KEYDOWN) {
       handle_key(event.key, actions);
     } else if (event.type == SDL_MOUSEMOTION || event.type == SDL_MOUSEBUTTONDOWN) {
-      ui_.view.canvas.cursor.hide();  // the hand is back at the mouse
+      ui_.view.canvas.cursor.hide();  // the user is back at the mouse
       ui_.view.window.keys_in_panel = false;
     } else if (event.type == SDL_DROPFILE && event.drop.file != nullptr) {
       actions.push_back(action::OpenFile{event.drop.file});

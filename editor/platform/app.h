@@ -38,7 +38,7 @@ class App {
   ~App();  // saves the settings
 
   void run();  // until the user quits
-  // Waits for the next thing to do, and does it. Without anything to do no frame is drawn.
+  // Waits for the next thing to do, and does it. If there is nothing to do, no frame is drawn.
   void turn();
   // One frame: handles the waiting events, lets time pass, and draws the window.
   void frame();

@@ -51,7 +51,7 @@ int locked(const std::string& file, int flags) {
   return -1;
 }
 
-// A process that runs would have made a lock file.
+// A running process would have made a lock file.
 bool owner_runs(const std::string& file) {
   const int lock = locked(lock_file(file), 0);
   if (lock < 0) return errno == EWOULDBLOCK;
@@ -240,7 +240,7 @@ void Autosave::finish_writing() {
   if (writing_.valid()) note(writing_.get(), writing_revision_);
 }
 
-// The work that was not written still has to be written.
+// Work that was not written still has to be written.
 void Autosave::note(const tl::expected<void, std::string>& written, Revision revision) {
   problem_ = written ? std::nullopt : std::optional(written.error());
   if (written) written_revision_ = revision;

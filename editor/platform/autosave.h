@@ -1,5 +1,6 @@
-// Autosave: writes the level away while it has unsaved changes, or runs that the user has worked on, so that
-// a crash costs a few seconds at most. It also finds what other programs left that ended without warning.
+// Autosave: writes the level to a file while it has unsaved changes, or runs that the user has worked on, so
+// that a crash costs a few seconds at most. It also finds the work of other processes that ended without
+// warning.
 #pragma once
 
 #include <chrono>
@@ -32,7 +33,7 @@ struct SavedWork {
 // The error says what could not be written, and why: "the file cannot be written: No space left on device". A
 // recording that no reader would accept is an error, too, but all else is written.
 tl::expected<void, std::string> write_saved_work(const SavedWork& work);
-// Reads a file of any size. A recording that cannot be read takes nothing else with it. The error is as
+// Reads a file of any size. A recording that cannot be read does not affect the rest. The error is as
 // `problem`. progress: may stop the reading, which is an error.
 tl::expected<SavedWork, std::string> read_saved_work(const std::string& file, const Progress& progress = {});
 
@@ -43,7 +44,7 @@ class Autosave {
 
   // folder: created when needed. Processes that share it have files of their own.
   explicit Autosave(std::string folder);
-  ~Autosave();  // waits for what is being written; files stay
+  ~Autosave();  // waits for a write that has begun; files stay
   Autosave(const Autosave&) = delete;
   Autosave& operator=(const Autosave&) = delete;
 
@@ -58,13 +59,13 @@ class Autosave {
     return writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
   }
   const std::string& folder() const { return folder_; }
-  std::string own_file() const { return lock_ >= 0 ? file_ : ""; }  // empty: there is none
-  // When the next writing is due; nothing while all is written.
+  std::string own_file() const { return lock_ >= 0 ? file_ : ""; }  // empty: there is no file
+  // The time of the next write; empty while everything is written.
   std::optional<double> due() const;
-  void remove();  // call it when nothing is worth keeping any more
+  void remove();  // call it when there is no work left to keep
 
-  // Returns what ended processes have left, the latest first, but nothing of running processes. Files that
-  // cannot be read stay, and are listed with their problem.
+  // Returns the work that ended processes have left, the latest first, but not that of running processes.
+  // Files that cannot be read stay, and are listed with their problem.
   std::vector<SavedWork> left_behind() const { return left_behind_in(folder_, own_file(), {}); }
   // The same for another thread. own: own_file(). progress: as in read_saved_work(); a stop leaves some out.
   static std::vector<SavedWork> left_behind_in(const std::string& folder, const std::string& own,
@@ -74,8 +75,8 @@ class Autosave {
   // Removes an entry of left_behind(), after this process took it over or the user discarded it. The error is
   // one sentence.
   static tl::expected<void, std::string> discard(const SavedWork& work);
-  // The same where something of it could not be read: the file stays under another name, which is returned,
-  // and is offered no more.
+  // The same if part of it could not be read: the file stays under another name, which is returned, and is
+  // not offered any more.
   static tl::expected<std::string, std::string> set_aside(const SavedWork& work);
 
  private:
@@ -96,7 +97,7 @@ class Autosave {
   void note(const tl::expected<void, std::string>& written, Revision revision);
   SavedWork work_of(const Session& session) const;
 
-  std::optional<Revision> written_revision_;  // nothing: none is written
+  std::optional<Revision> written_revision_;  // nothing: no revision is written
   Revision writing_revision_;                 // of what the thread is writing
   std::optional<double> changed_since_;       // s; since the first unsaved change, or since the last failure
   std::optional<std::string> problem_;

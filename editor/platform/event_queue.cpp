@@ -94,7 +94,7 @@ bool EventQueue::drags() const {
   return std::find(mouse_.down.begin(), mouse_.down.end(), true) != mouse_.down.end();
 }
 
-// Whether the straight line to where the mouse goes misses a place that it has passed in this frame.
+// Whether the straight line to the mouse's new place misses a place that it has passed in this frame.
 bool EventQueue::turns(const SDL_Event& event) const {
   if (event.type != SDL_MOUSEMOTION || waiting_.size() > kMostWaiting) return false;
   const MousePlace to{static_cast<float>(event.motion.x), static_cast<float>(event.motion.y)};

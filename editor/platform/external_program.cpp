@@ -59,11 +59,11 @@ void point_at_nothing() {
 
 struct FileToOpen {
   std::string path;
-  std::string note;  // what was done to get it
+  std::string note;  // how it was obtained, for the message
 };
 
-// Returns the level's own file, saved if needed, or a copy in the program's format; nothing if that fails,
-// and then a message or question of the session says why.
+// Returns the level's own file, saved if needed, or a copy in the program's format. Returns nothing if that
+// fails; then a message or question of the session says why.
 std::optional<FileToOpen> file_for(Session& session, const ProgramInfo& info, OpenCopies& copies) {
   const auto fail = [&](const std::string& text) {
     session.apply(action::ShowMessage{text, true});

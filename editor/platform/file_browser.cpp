@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kTitle = "Files";
 
-// Of the field that was drawn last and has the keys: also while the mouse, which is still down, is moved.
+// Selects the name in the field that was drawn last and has the keys, also while the mouse is still down and
+// moves.
 void select_whole_name() {
   ImGuiInputTextState* state = ImGui::GetInputTextState(ImGui::GetItemID());
   if (state == nullptr) return;

@@ -1,5 +1,5 @@
-// MapTextureCache: the map from afar as OpenGL textures. Each is made when it is first seen, and again when
-// the level has changed.
+// MapTextureCache: the map at low zoom as OpenGL textures. Each texture is made when it is first visible, and
+// again when the level has changed.
 #pragma once
 
 #include <cstdint>

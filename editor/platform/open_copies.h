@@ -18,7 +18,7 @@ class OpenCopies {
   struct Written {
     std::string path;
     std::vector<std::string> dropped;  // as in Exported
-    std::string kept;  // new name of what another program had saved there; empty: nothing was there
+    std::string kept;  // new name of the file that another program had saved there; empty: there was none
     std::string record_problem = {};  // of ExportRecord::save(); empty: no problem
   };
 

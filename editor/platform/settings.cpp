@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-// Heights and widths, as shares of what they are of.
+// Heights and widths, as shares of the region that they divide.
 Fields<Layout> layout_fields() {
   const auto share = [](const char* key, double Layout::*member) {
     return number(key, member, Layout().*member, 0.05, 0.95);
@@ -36,7 +36,7 @@ Fields<Breakpoint> breakpoint_fields() {
           toggle("enabled", &Breakpoint::enabled, true)};
 }
 
-// Those that are on, by their keys; unknown ones are left out.
+// The overlays that are on, by their keys; unknown keys are left out.
 Field<Settings> overlays_field(const char* key) {
   json standard = json::array();
   for (const Overlay* overlay : all_overlays())
@@ -114,7 +114,7 @@ tl::expected<Settings, std::string> load_settings(const std::string& path) {
 tl::expected<void, std::string> save_settings(const Settings& settings, const std::string& path) {
   std::error_code error;
   fs::create_directories(fs::path(path).parent_path(), error);
-  // A file name need not be UTF-8; what is not is replaced rather than thrown over.
+  // A file name need not be UTF-8; other bytes are replaced, so that nothing is thrown.
   const std::string text =
       written_fields(settings_fields(), settings).dump(2, ' ', false, json::error_handler_t::replace) + "\n";
   if (const auto written = write_file_atomic(path, text); !written)

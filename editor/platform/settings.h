@@ -39,7 +39,7 @@ Settings default_settings();
 // "settings.json" in config_folder().
 std::string settings_path();
 
-// A value that cannot be is left out; text that is no JSON object is an error.
+// An invalid value is left out; text that is no JSON object is an error.
 FormatResult<Settings> settings_of_text(std::string_view text);
 // The defaults when there is no such file; an error in one sentence when it cannot be read.
 tl::expected<Settings, std::string> load_settings(const std::string& path);

@@ -10,14 +10,14 @@
 namespace talus {
 namespace {
 
-// How long to wait for what was left behind: small work is offered at once.
+// How long the program waits for the work that was left behind: small work is offered at once.
 constexpr std::chrono::milliseconds kPatience{2000}, kPatienceForLarge{100};
 constexpr std::uintmax_t kSmall = 1 << 20;  // bytes
 constexpr double kPollInterval = 0.05;      // s, while it is read
-// Number of looks at the file after which it looks again for what was left behind.
+// Number of checks of the file after which it searches again for work that was left behind.
 constexpr int kSecondOffer = 3;
 
-// Sets the file aside, and tells where it is.
+// Sets the file aside, and says where it is.
 std::string message_of_unread(const SavedWork& work) {
   const auto kept = Autosave::set_aside(work);
   if (!kept) return kept.error();

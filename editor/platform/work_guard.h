@@ -18,13 +18,13 @@ class WorkGuard {
 
   explicit WorkGuard(std::string folder) : autosave_(std::move(folder)) {}
 
-  // Offers what was left behind, if there is any: at once, or in a later call of follow() if reading takes
-  // long.
+  // Offers work that was left behind, if there is any: at once, or in a later call of follow() if reading
+  // takes long.
   void start(View& view);
   // Call it often; now: s. busy: the user is in the middle of a gesture, so no question may come. Returns
   // true if there is something new to show.
   bool follow(Session& session, View& view, double now, bool busy);
-  // When follow() next has something to do, s.
+  // The time at which follow() next has something to do, s.
   double due() const;
   void draw(Session& session, Ui& ui);
   void end(const Session& session);   // the program ends normally
@@ -32,7 +32,7 @@ class WorkGuard {
 
  private:
   void look_for_works();
-  void offer(View& view);  // what start() wanted, once it is read
+  void offer(View& view);  // shows the dialog for start(), once the work is read
   bool save_by_itself(Session& session, View& view, double now);
   void recover(std::size_t index, Session& session, View& view);
   void finish_recovery(Session& session, View& view);

@@ -98,10 +98,10 @@ class Session {
 
   // The debugger; apply() and advance() bring it up to what is shown.
   const Debugger& debugger() const;
-  // Whether frames are still to be run for what is shown: on the way to another frame, or for a trail.
-  // advance(), and the next look, go on with that.
+  // Whether frames are still to be run for the shown picture: on the way to another frame, or for a trail.
+  // advance(), and the next call, go on with that.
   bool is_on_the_way() const;
-  // From now on trails are complete at the first look: for callers without a window.
+  // From now on the first call returns complete trails: for callers without a window.
   void take_time();
   // The ground of the shown frame's level, whatever the solver; see Debugger::ground().
   const std::shared_ptr<const Terrain>& ground() const;

@@ -1,4 +1,4 @@
-// What the report says of a row's errors.
+// The statistics of a row's errors.
 #pragma once
 
 #include <cstddef>

@@ -43,7 +43,7 @@ struct Outcome {
   bool met = false;                    // whether it met anything
 };
 
-// The article's bodies cross a slope before its floor is looked for: such a contact has no time of impact.
+// The article's bodies cross a slope before its floor is searched: such a contact has no time of impact.
 bool is_met(const ContactRecord& contact) {
   return contact.handled &&
          (contact.response != Response::cross || (contact.slope && contact.slope->corrected));

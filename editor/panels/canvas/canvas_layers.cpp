@@ -316,7 +316,7 @@ std::shared_ptr<const Terrain> ground_for(const Session& session, OverlaySet ove
 }  // namespace
 
 OverlaySet drawable_overlays(OverlaySet overlays, const CanvasView& view) {
-  if (is_far(view)) {  // only lines would be seen of the ground, millions of them
+  if (is_far(view)) {  // only lines of the ground would be visible, and millions of them
     for (const Overlay* overlay : all_overlays())
       if (overlay->near_only) overlays.set(*overlay, false);
   }
@@ -331,7 +331,7 @@ std::vector<Rect> label_obstacles(const Scene& scene, const State& state, const 
     const Vec2 from = view.to_level(box.min), to = view.to_level(box.max);
     obstacles.push_back({from.x, from.y, to.x - from.x, to.y - from.y});
   }
-  if (is_far(view)) return obstacles;  // there are no labels that would need room, and millions of items
+  if (is_far(view)) return obstacles;  // there are no labels that need room, and millions of items
   for_each_visible_item(scene, view.visible(), [&](const SceneItem& item) {
     const bool slope = item.role == TileRole::up_slope || item.role == TileRole::down_slope;
     if (slope) obstacles.push_back(item.box);

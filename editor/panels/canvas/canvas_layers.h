@@ -14,11 +14,11 @@ namespace talus {
 
 // The tiles of the map, and what lies beyond its edge. `hide_balls`: leaves out ball tiles, as in play.
 void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, const Ui& ui, bool hide_balls);
-// The same from afar, in blocks of one colour; nothing without MapTextures. other: shows this level with its
-// map instead of the edited one.
+// The same at low zoom, in blocks of one colour; draws nothing without MapTextures. other: shows this level
+// with its map instead of the edited one.
 void draw_far_tiles(ImDrawList& list, const TileMap& map, const CanvasView& view, const Ui& ui,
                     const MapLook& look, const OtherLevel* other = nullptr);
-// Whether a canvas shows the map from afar: a cell has few pixels of the screen, or less than one.
+// Whether a canvas shows the map at such a low zoom: a cell has few pixels of the screen, or less than one.
 bool is_far(const CanvasView& view);
 // The level's curves; muted if the solver ignores them.
 void draw_curves(ImDrawList& list, const Level& level, const CanvasView& view, float scale);
@@ -56,7 +56,7 @@ void draw_stamp(ImDrawList& list, const Stamp& stamp, CellRect cells, const Canv
                 int alpha);
 // The tiles that an edit paints on the map. `alpha`: 0 to 255.
 void draw_painted_cells(ImDrawList& list, const Edit& edit, const CanvasView& view, const Ui& ui, int alpha);
-// Marks cells that hold something else than others expect.
+// Marks cells whose tiles differ from those of the edited level.
 void draw_marked_cells(ImDrawList& list, std::span<const Cell> cells, const CanvasView& view);
 // A frame around cells, dark below so that it shows on any art.
 void draw_cell_frame(ImDrawList& list, CellRect cells, const CanvasView& view, ImU32 color, float width);

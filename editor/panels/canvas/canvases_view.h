@@ -30,20 +30,21 @@ struct CanvasesView {
   bool minimap = false;         // the whole map in a corner of the map, to go elsewhere
   bool play_active = false;     // of the two canvases, the play view was used last
   bool second_map = false;      // of two maps, the second was used last
-  // Outlined on the map: what was looked for or is a problem. A click on the map or Escape takes it away.
+  // The cell that is outlined on the map: a found one, or one with a problem. A click on the map or Escape
+  // clears it.
   std::optional<Cell> marked_cell;
   std::optional<Cell> clicked_cell;  // the last cell of the map that was clicked with the left button
   int level_number = 0;              // grows when another file is opened: the canvases start afresh
   Hover hover;                       // of this frame, as far as it is drawn
   Hover hover_before;                // of the whole frame before: for panels that are drawn before the canvas
 
-  // Where a search on the map goes on from.
+  // The cell from which a search on the map continues.
   std::optional<Cell> search_start() const { return marked_cell ? marked_cell : hover.cell; }
   // Shows the map beside the play view, where the play view is alone.
   void show_map() {
     if (mode == CanvasMode::play) mode = CanvasMode::both;
   }
-  void forget_level() {  // another one is open
+  void forget_level() {  // another level is open
     ++level_number;
     marked_cell.reset();
     clicked_cell.reset();

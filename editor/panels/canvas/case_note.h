@@ -1,4 +1,4 @@
-// What plays besides the user's keys.
+// Says which input plays besides the user's keys.
 #pragma once
 
 #include <string>

@@ -68,8 +68,8 @@ void KeyCursor::release(int key) {
   }
 }
 
-// A move of the cursor and a change of a button come one after the other, so that a gesture sees both. Before
-// the cursor leaves a canvas, the buttons go up there.
+// A move of the cursor and a change of a button come one after the other, so that a gesture sees both. The
+// buttons are released on a canvas before the cursor leaves it.
 std::optional<CursorPointer> KeyCursor::begin_frame() {
   there_ = std::exchange(drawn_, {});
   const bool may_come = std::exchange(waits_, false);

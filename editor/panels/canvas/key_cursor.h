@@ -46,7 +46,7 @@ class KeyCursor {
   // Shows it on the first of these canvases that is drawn, or else on the first one as soon as that is drawn.
   void go_to(std::initializer_list<std::string_view> canvases);
   void go_to_next();  // among the drawn canvases, in the order of drawing
-  void hide();        // lets the buttons go first
+  void hide();        // releases the buttons first
   void move(Cell by, Stride stride);
   // Holds a button down until the current key goes up; without a key, makes a click.
   void press(int button);
@@ -55,7 +55,7 @@ class KeyCursor {
   // --- For the window
   void work_by(int key) { key_ = key; }  // the key whose command runs; kNoKey: no key
   void release(int key);
-  void lift();  // lifts the pen, and whatever is pressed
+  void lift();  // lifts the pen, and releases all buttons
   // The mouse of the beginning frame; nothing: the real one.
   std::optional<CursorPointer> begin_frame();
 

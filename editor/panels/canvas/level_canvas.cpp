@@ -70,7 +70,7 @@ std::string cursor_hint(const Ui& ui) {
          keys_of("view/cursor"_command, ui) + ": pen down   " + keys_of("cursor/end"_command, ui) + ": end";
 }
 
-// How much of what is drawn on the map a box hides, measured at places that are kStep px apart.
+// Estimates how much of the map's drawing a box hides, at places that are kStep px apart.
 int tiles_below(const TileMap& map, const ScreenBox& box, const CanvasView& view) {
   constexpr float kStep = 4;
   int count = 0;
@@ -158,7 +158,7 @@ void LevelCanvas::draw_other_side(const Session& session, Ui& ui, ImVec2 size) {
   list.PopClipRect();
 }
 
-// What a tool gets to know; what belongs to a drag is in its hand.
+// What a tool may know; the data of a drag are in its hand.
 LevelToolUse LevelCanvas::use(const Session& session, const CanvasView& view, Ui& ui) const {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   return {session, ui, view, view.to_level(mouse), view.to_cell(mouse), ImGui::IsItemHovered()};
@@ -374,7 +374,7 @@ void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, co
   if (shows_input_roll(ui.view)) draw_mouse_mark(list, session, view, ui);
 }
 
-// A held ball moves only with the steps: while there are none, a line shows where it is pulled to.
+// A held ball moves only with the steps: without steps, a line shows where it is pulled to.
 void LevelCanvas::draw_held(const Session& session, const CanvasView& view, const Ui& ui) const {
   const Body* body = session.state().find(session.state().grabbed);
   if (body == nullptr) return;

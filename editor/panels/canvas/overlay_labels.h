@@ -1,5 +1,5 @@
-// Where the labels of the overlays go: near their bodies, apart from one another, and not over what they
-// label.
+// Places the labels of the overlays: near their bodies, apart from one another, and not over the things that
+// they label.
 #pragma once
 
 #include <imgui.h>

@@ -16,7 +16,7 @@ class OverlayLegend {
   // only swatches.
   OverlayLegend(const Choices& choices, const CanvasView& view, float top, const Ui& ui);
 
-  // Its largest width, px; 0: there is none. Tells what is free beside it.
+  // Its largest width, px; 0: there is no legend. The rest of the line is free beside it.
   static float width(const Choices& choices, const Ui& ui);
   bool has_names() const { return has_names_; }
   const std::optional<ScreenBox>& box() const { return box_; }  // nothing: there is none

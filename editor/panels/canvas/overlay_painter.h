@@ -1,5 +1,5 @@
-// Draws the overlays: each with a thin dark outline, so that it shows on any palette, and labels that avoid
-// one another and what they label.
+// Draws the overlays: each with a thin dark outline, so that it is visible on any palette, and labels that
+// avoid one another and the things that they label.
 #pragma once
 
 #include <span>

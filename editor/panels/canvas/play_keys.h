@@ -27,7 +27,7 @@ class HeldPlayKeys {
   // there is no such command.
   // there is no such command.
   bool press(KeyChord chord, const KeyBindings& bindings);
-  // Lets go what the key holds. Returns false if it holds nothing.
+  // Releases what the key holds. Returns false if it holds nothing.
   bool release(int key);
   void release_all() { down_.clear(); }
   action::HoldKeys held() const;

@@ -15,13 +15,13 @@ struct FrameZoom {
 
 struct DebuggerView {
   FrameZoom frames;
-  int stage = -1;                           // of the chosen body's step, drawn in the play view; -1: none
+  int stage = -1;                           // of the chosen body's step, drawn in the play view; -1: no stage
   int input_row = 0;                        // of the input roll, that its keys change
   std::optional<std::int64_t> input_range;  // where the range of its keys began; it ends at the shown frame
   bool shows_times = false;                 // the time of each step is plotted
   bool picks_cell = false;                  // the next click on a canvas chooses a cell for a breakpoint
 
-  void forget_level() {  // another one is open
+  void forget_level() {  // another level is open
     frames = {};
     picks_cell = false;
   }

@@ -1,4 +1,4 @@
-// What an edit does with the recording, as a choice beside the timeline.
+// The choice of what an edit does with the recording, beside the timeline.
 #pragma once
 
 #include "panels/ui/ui.h"

@@ -122,8 +122,8 @@ void InputRollPanel::draw_row(int index, const Session& session, Ui& ui, Columns
   ImGui::PopID();
 }
 
-// The place of the mouse in the step to the shown frame, or in the steps of the range, which all get what is
-// typed.
+// The place of the mouse in the step to the shown frame, or in the steps of the range, which all get the
+// typed place.
 void InputRollPanel::draw_mouse_place(const Session& session, Actions& actions, Ui& ui) {
   const FrameRange chosen = chosen_frames(session, ui.view);
   if (session.state().frame < 1) return;  // a range may have begun at a later frame

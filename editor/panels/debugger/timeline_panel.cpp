@@ -128,7 +128,7 @@ void TimelinePanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_take_over(session, actions, ui);
 }
 
-// At an earlier frame, play shows the recording again, which the picture does not tell.
+// At an earlier frame, play shows the recording again. The picture does not show that, so this does.
 void TimelinePanel::draw_take_over(const Session& session, Actions& actions, Ui& ui) {
   const bool replays = session.playback().running && session.timeline().in_past();
   const Command& command = find_command("timeline/fork"_command);

@@ -62,7 +62,7 @@ void WatchPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
       !new_text_.empty()) {
     actions.push_back(action::SetWatch{next, {new_text_, 0}});
     new_text_.clear();
-    if (new_field_.by_enter()) ui.ask(request::FocusField("watch/new"));  // for the next one
+    if (new_field_.by_enter()) ui.ask(request::FocusField("watch/new"));  // so that the next one can be typed
   }
   if (new_field_.way() == FieldWay::down && next > 0) ui.ask(request::FocusField(text_name(0)));
   ui.end_row();

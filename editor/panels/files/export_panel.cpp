@@ -77,8 +77,8 @@ void draw_short(const std::string& text, ImVec2 at, std::uint32_t color) {
   add_short_text(*ImGui::GetWindowDrawList(), at, right, theme::tone(color), text);
 }
 
-// A field that shows `now`, and keeps what is typed until it is left. Returns true if that is another text
-// then.
+// A field that shows `now`, and keeps the typed text until the field is left. Returns true if the text
+// differs then.
 bool text_field(const char* widget, const char* hint, std::string& typed, const std::string& now,
                 const std::string& help, Ui& ui) {
   take_text_focus(widget, ui);

@@ -22,7 +22,7 @@ std::string code_text(std::size_t bytes) {
                               : "Code: " + sizes + " of TIC-80's free version.";
 }
 
-// What went wrong with the shown preset in the last run, if the preset has not changed since.
+// The problem of the shown preset in the last run, if the preset has not changed since.
 const ExportOutcome* failed_outcome(const Session& session, const Ui& ui) {
   const ExportTask task = session.export_task(ui.view.files.exports.preset);
   for (const ExportOutcome& outcome : session.exporting().last_run()) {

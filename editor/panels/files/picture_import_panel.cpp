@@ -59,7 +59,7 @@ std::string size_text(int width, int height) {
   return std::to_string(width) + "x" + std::to_string(height) + " px";
 }
 
-// What the plan does with the picture's size; empty if it keeps it.
+// Says how the plan changes the picture's size; empty if it keeps it.
 std::string text_of_fit(const PngImport& import) {
   const PngPicture& picture = import.picture;
   const int width = import.plan->width, height = import.plan->height;

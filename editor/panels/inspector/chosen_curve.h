@@ -10,7 +10,7 @@ inline bool draws_curves(MapTool tool) { return tool == MapTool::segment || tool
 
 // Index of the chosen curve; -1: none is chosen, or it is gone.
 int chosen_curve(const Session& session);
-// What Delete does with these tools: removes the curve under the mouse, or else the chosen one.
+// Carries out Delete for these tools: removes the curve under the mouse, or else the chosen one.
 void delete_curve(const Session& session, Actions& actions, const Ui& ui);
 
 }  // namespace talus

@@ -196,10 +196,10 @@ void ProblemsPanel::draw_menu(const Problem& problem, const Remedy& remedy, cons
   ImGui::EndPopup();
 }
 
-// While something is dragged, the last result must do.
+// During a drag the last result is used.
 const ProblemsPanel::Remedy& ProblemsPanel::remedy_of(const Problem& problem, const Session& session) {
   Remedy& remedy = remedies_[std::string(problem.rule->code) + ": " + problem.message];
-  const std::uint64_t now = session.revision() + 1;  // 0: not yet looked for
+  const std::uint64_t now = session.revision() + 1;  // 0: not computed yet
   if (remedy.revision == now || looked_for_ == kRemediesAFrame || ImGui::IsAnyMouseDown()) return remedy;
   ++looked_for_;
   remedy = {{}, now};

@@ -17,7 +17,7 @@ class ProblemsPanel : public Panel {
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 
  private:
-  // What can be done about a problem: the labels of its fixes.
+  // The labels of the fixes for a problem.
   struct Remedy {
     std::vector<std::string> fixes;
     std::uint64_t revision = 0;  // of the level that they were found for

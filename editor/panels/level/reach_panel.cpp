@@ -60,8 +60,8 @@ void ReachPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 
 void ReachPanel::draw_way(const Session& session, Actions& actions, Ui& ui) {
   const ReachSearch& found = *session.reach().found();
-  // The mouse crosses the canvas's edge on its way here, so the last cell would be one there. The clicked one
-  // stays.
+  // The mouse crosses the canvas's edge on its way here, so the last cell under it would be a cell at the
+  // edge. The clicked cell stays.
   const auto& pointed = ui.view.canvas.hover_before.cell;
   const auto& clicked = ui.view.canvas.clicked_cell;
   if (clicked != clicked_ && clicked && found.reached(*clicked)) chosen_ = clicked;

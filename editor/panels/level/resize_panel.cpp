@@ -45,7 +45,7 @@ void draw_line(const std::string& text, std::uint32_t color) {
   ImGui::PopStyleColor();
 }
 
-// What happens to the map in the cart that its level came from.
+// Says what happens to the map in the cart that its level came from.
 void draw_cart_note(const MapFrame& frame) {
   if (frame.width > kTicMapWidth || frame.height > kTicMapHeight)
     draw_line("Too large for a TIC-80 cart, which holds 240x136 cells.", theme::kWarning);
@@ -226,7 +226,7 @@ void ResizePanel::draw_answers(const Session& session, Actions& actions, Ui& ui)
   }
 }
 
-// Enter never does anything that loses something.
+// Enter never presses a button that loses something.
 bool ResizePanel::draw_apply(bool enabled, Ui& ui) const {
   return dialog_button({.widget = "resize/apply",
                         .label = asks_ ? "Lose them" : "Resize",

@@ -118,7 +118,7 @@ void ColorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 }
 
 // Enter, Tab or a click elsewhere ends the typing and sets the colour; Escape restores it. The text belongs
-// to the colour that it began with, as the click may choose another one.
+// to the colour with which the typing began, as the click may choose another colour.
 Rgb ColorPanel::draw_hex(const Session& session, Actions& actions, Ui& ui) {
   const Palette& palette = session.level().palette;
   const Rgb chosen = palette[static_cast<std::size_t>(ui.view.sprites.palette_color)];

@@ -33,7 +33,7 @@ void mark_stamp(ImDrawList& list, const Choices& choices, ImVec2 at, float cell,
                theme::color(theme::kAccent), ui);
 }
 
-// As on the map: tiles with the flag that is looked for.
+// Tints the tiles with the chosen flag, as on the map.
 void tint_tiles(ImDrawList& list, const Sheet& sheet, FlagPattern pattern, ImVec2 at, float cell) {
   const int flag = pattern.lowest_flag();
   for (int tile = 0; tile < kTileCount; ++tile) {

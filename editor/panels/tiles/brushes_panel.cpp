@@ -161,7 +161,7 @@ void BrushesPanel::draw_brush(int index, const Session& session, Actions& action
   ImGui::Dummy({0, 0});
 }
 
-// The field keeps what is typed until it is left; then that is the name.
+// The field keeps the typed text until it is left; then the text becomes the name.
 void BrushesPanel::draw_name(int index, float width, const Session& session, Actions& actions, Ui& ui) {
   const Brush& brush = session.level().brushes[static_cast<std::size_t>(index)];
   std::string text = renamed_ == index ? new_name_ : brush.name;

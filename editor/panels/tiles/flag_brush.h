@@ -20,8 +20,8 @@ class FlagBrush {
               bool down);
   void cancel(const Session& session, Actions& actions);  // cancels the stroke
   bool active() const { return last_.has_value(); }
-  // What the stroke does to a tile, or a press on it would do: "tile 12: clears flag 0  solid". tile: 0..255,
-  // or nothing for a place outside.
+  // Says what the stroke does to a tile, or what a press on it would do: "tile 12: clears flag 0  solid".
+  // tile: 0..255, or empty for a place outside.
   std::string text(const Session& session, SheetId sheet, std::optional<int> tile) const;
 
  private:

@@ -1,4 +1,4 @@
-// A flag to look for, how often it is used, and the list of its tiles.
+// A flag to search, how often it is used, and the list of its tiles.
 #include "flag_search_panel.h"
 
 #include <string>

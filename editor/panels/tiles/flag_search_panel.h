@@ -1,4 +1,4 @@
-// Where a flag is: the tiles that have it, and their cells on the map.
+// Searches a flag: the tiles that have it, and their cells on the map.
 #pragma once
 
 #include "level/flag_search.h"

@@ -65,7 +65,7 @@ struct ShapeCanvas::Frame {
 std::optional<TileShape> ShapeCanvas::draw(const Session& session, Actions& actions, int tile,
                                            const TileShape& shape, ImVec2 room, Ui& ui) {
   CellRect tiles = tiles_of_shape(tile, shape);
-  if (grip_ != Grip::none && tiles.h != rows_) {  // as it was when the drag began
+  if (grip_ != Grip::none && tiles.h != rows_) {  // keeps the number of rows from when the drag began
     if (shape.side == TileShape::Side::floor) tiles.y += tiles.h - rows_;
     tiles.h = rows_;
   }
@@ -153,7 +153,7 @@ void ShapeCanvas::move_held(Frame& frame, float y) const {
   for (std::size_t i = 0; i < from_.size(); ++i) frame.set_height(i, from_[i] + kept);
 }
 
-// From the height at the mouse's last place to that at the new one: a fast hand leaves none out.
+// Draws from the height at the mouse's last place to that at the new one, so that a fast drag leaves no gaps.
 void ShapeCanvas::draw_freely(Frame& frame, ImVec2 mouse) {
   const double height = rounded(frame.height_at(mouse.y));
   const int to = frame.nearest_by_x(mouse.x), step = to < held_ ? -1 : 1;

@@ -56,7 +56,7 @@ std::optional<int> fuzzy_score(std::string_view shown_name, std::string_view typ
     until = std::move(next_until);
   }
   if (until[n] < 0) return std::nullopt;
-  constexpr int kWeight = 1000;  // length only decides between equals
+  constexpr int kWeight = 1000;  // the length only decides between equal scores
   return until[n] * kWeight - static_cast<int>(n);
 }
 

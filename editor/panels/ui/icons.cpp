@@ -117,7 +117,7 @@ void draw_picture_icon(const Pen& pen, Icon icon) {
   }
 }
 
-// What the icon font has, with a text in its place where the font is missing.
+// A glyph of the icon font, with a text that replaces it if the font is missing.
 struct Glyph {
   Icon icon;
   ImWchar code;  // in Fork Awesome

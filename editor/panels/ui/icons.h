@@ -1,4 +1,4 @@
-// Icons: common ones from the font Fork Awesome, and own drawings of what no font has.
+// Icons: common ones from the font Fork Awesome, and own drawings for those that no font has.
 #pragma once
 
 #include <imgui.h>

@@ -1,4 +1,4 @@
-// MapTextures: the map from afar as textures, which the platform makes (platform/map_texture_cache.h).
+// MapTextures: the map at low zoom as textures, which the platform makes (platform/map_texture_cache.h).
 #pragma once
 
 #include <imgui.h>

@@ -17,7 +17,7 @@ struct NumberField {
   float speed = 1;   // change for each px of the mouse
 };
 
-// What a panel keeps between frames for all of its fields.
+// The state that a panel keeps between frames for all of its fields.
 struct NumberEdit {
   int stroke = 0;               // the edits of one drag
   std::optional<double> typed;  // used when the typing ends

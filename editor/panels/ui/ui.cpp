@@ -62,7 +62,7 @@ void Ui::show_tooltip_when_rested(ImGuiID id, std::string_view help, std::string
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsAnyMouseDown()) return;
   if (ImGui::GetTopMostPopupModal() != nullptr) return;  // dialogs explain themselves
   rests_on_ = id;
-  if (rested_on_ != id) return;  // a control on top of this one may follow
+  if (rested_on_ != id) return;  // a control on top of this one may come later in the frame
   if (time - rested_since_ < kTooltipDelay) return;
   place_tooltip();
   ImGui::BeginTooltip();

@@ -9,8 +9,8 @@
 namespace talus {
 namespace {
 
-// The key of a command that works where the focus is: keys of the other side of the window need the focus
-// there first.
+// The key of a command as it works at the focus: for keys of the other side of the window, the key that moves
+// the focus there comes first.
 std::string keys_from_here(const Command& command, const Session& session, const Ui& ui) {
   const std::string key = keys_of(command, ui);
   if (has_focus(command, session, ui.view)) return key;

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kMessageWindow = "message";
 constexpr float kMostLines = 10;  // of a message before it scrolls
 
-// Whether another window lies there, apart from that of all panels, which never comes to the front.
+// Whether another window lies there, apart from the window of all panels, which never comes to the front.
 bool is_under_window(const ImRect& rect) {
   constexpr ImGuiWindowFlags kOthers = ImGuiWindowFlags_ChildWindow | ImGuiWindowFlags_NoBringToFrontOnFocus |
                                        ImGuiWindowFlags_Tooltip | ImGuiWindowFlags_Popup;

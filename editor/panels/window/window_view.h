@@ -1,4 +1,4 @@
-// What the window shows of itself: its layout, its dialogs, and what the keys go to.
+// The window's own state: its layout, its dialogs, and the part that gets the keys.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace talus {
 
-// Which part of the window the keys go to.
+// The part of the window that gets the keys.
 enum class Focus { sprites, map, input };  // input: the input roll
 
 // Sizes of the fixed regions, as fractions of the window, so that they survive a change of its size; what
@@ -35,11 +35,11 @@ struct WindowView {
   bool help_open = false;
   bool settings_open = false;
   bool metrics_open = false;
-  bool recovery_open = false;  // the dialog of what was saved by itself before a crash
-  // Why unsaved work is not saved by itself at present: "the file cannot be written: No space left on
-  // device"; empty: it is.
+  bool recovery_open = false;  // the dialog with work that was saved automatically before a crash
+  // Why unsaved work is not saved automatically at present: "the file cannot be written: No space left on
+  // device"; empty if it is.
   std::string autosave_problem;
-  KeyChord dialog_key;  // that went down in this frame while a dialog was open, not by repetition
+  KeyChord dialog_key;  // the key that went down in this frame while a dialog was open, except by repetition
   FrameMetrics metrics;
 };
 

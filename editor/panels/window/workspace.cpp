@@ -131,7 +131,7 @@ void Workspace::draw(const Session& session, Actions& actions, Ui& ui) {
   follow_mouse(ui.view);
 }
 
-// A press is meant for what the mouse points at. Only a move into a side counts: F2 and F3 stay in effect
+// A press is meant for the part under the mouse. Only a move into a side counts: F2 and F3 stay in effect
 // while the mouse rests, and a dialog that closes above it changes nothing.
 void Workspace::follow_mouse(View& view) {
   const ImVec2 moved = ImGui::GetIO().MouseDelta;

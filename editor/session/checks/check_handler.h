@@ -24,7 +24,7 @@ class CheckHandler {
   const ReachFinder& reach() const { return reach_; }
 
   void note_edit(const Edit& edit);  // call it for each edit done or undone
-  void forget_level();               // another one is open
+  void forget_level();               // another level is open
   void follow_scene();               // results for another scene are out of date
   // Spends a few ms on the unchecked part of the level, and on where the player gets to.
   void advance();

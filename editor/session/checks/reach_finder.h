@@ -11,8 +11,8 @@ namespace talus {
 
 class ReachFinder {
  public:
-  // Starts again. scene: of the current level. origin: of the player to follow; if it is not a player's: the
-  // first player. The error is one sentence on why there is nothing to look for.
+  // Starts again. scene: of the current level. origin: of the player to follow; if no player has it, the
+  // first player is followed. Returns an error in one sentence if there is nothing to search.
   std::optional<std::string> start(const Scene& scene, std::optional<BodyOrigin> origin);
   // Searches for so many seconds of real time, or until the search has ended.
   void advance(double seconds);

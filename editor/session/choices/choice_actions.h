@@ -81,7 +81,7 @@ struct SetOverlay {
   bool on = true;
 };
 struct SetFlagOverlay {
-  // Tints the map and the sheet where tiles match it, and is painted and looked for. Nothing: no tint.
+  // The pattern that is tinted on the map and the sheet, painted and searched; empty: no tint.
   std::optional<FlagPattern> pattern;
 };
 struct SetOverlayPalette {

@@ -21,7 +21,7 @@ class ChoiceHandler {
   void choose_cells(const std::optional<CellRect>& cells) { choices_.selection = cells; }
   PixelSelection& pixels() { return choices_.pixels; }
   void cut_selection();  // at the edges of the map, which may have become smaller
-  void forget_level();   // another one is open
+  void forget_level();   // another level is open
 
  private:
   // For each action of ChoiceAction, in choice_handler.cpp.

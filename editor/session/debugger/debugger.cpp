@@ -25,7 +25,7 @@ const std::vector<Stage>& Debugger::stages(const Timeline& timeline, int body) c
 }
 
 const State* Debugger::other_state(const Timeline& timeline) const {
-  // Looking at a frame compiles the ground to measure against, so it is done only if needed.
+  // Reading a frame compiles the ground for measurements, so it is done only if needed.
   if (!side_.has(timeline.frame())) return nullptr;
   const auto& other = view(timeline).now().other;
   return other ? &*other : nullptr;

@@ -1,5 +1,5 @@
-// Debugger: what stops a run, what is watched in it, and what it is compared with. It looks at the session's
-// timeline and never changes it. Long work is done a little at a time.
+// Debugger: what stops a run, which expressions are watched in it, and which run it is compared with. It
+// looks at the session's timeline and never changes it. Long work is done a little at a time.
 #pragma once
 
 #include <optional>

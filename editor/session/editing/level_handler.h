@@ -16,8 +16,8 @@ namespace talus {
 
 class LevelHandler {
  public:
-  // reader: while it reads a file, which may replace the level, the user's edits are ignored. permissions:
-  // exports that the user changes are allowed.
+  // reader: while it reads a file, which may replace the level, edits of the user are ignored. permissions:
+  // exports that the user changes become allowed.
   LevelHandler(OpenLevel& open, const FileReader& reader, ExportPermissions& permissions, RunHandler& run,
                CheckHandler& checks, ChoiceHandler& choices, MessageHandler& messages)
       : open_(open),
@@ -31,7 +31,7 @@ class LevelHandler {
   void apply(const LevelAction& action);
 
   void edit_by_user(const Edit& wanted, int stroke = 0);  // as EditLevel
-  void edit(const Edit& wanted, int stroke = 0);          // by anybody
+  void edit(const Edit& wanted, int stroke = 0);          // by any part of the program
   int begin_stroke() { return ++open_.last_stroke; }      // returns a number that no edit has yet
   void replace(Level opened);                             // opens another level, without a history
   // See UndoStack.

@@ -29,7 +29,7 @@ class ExportHandler {
   const FinishedRun* asked() const { return asked_run_ ? &*asked_run_ : nullptr; }
 
   void export_on_save();
-  void forget_level();  // another one is open
+  void forget_level();  // another level is open
   void take_exports();  // takes the results of the thread
 
  private:

@@ -1,4 +1,5 @@
-// One thread at a time. A job that is given up learns it from its progress, and ends in a moment.
+// There is one thread at a time. A job that is given up notices it at its next progress report, and then
+// ends.
 #include "exporting.h"
 
 #include <algorithm>
@@ -189,7 +190,7 @@ void Exporting::carry_out(Job& job) {
   if (job.wanted) write(job, plans);
 }
 
-// Nothing more is done; files that are not written have this problem.
+// Ends the job. Files that are not written yet have this problem.
 void Exporting::fail(Job& job, const std::string& problem) {
   for (std::size_t i = job.outcomes.size(); i < job.run.tasks.size(); ++i)
     job.outcomes.push_back({.task = job.run.tasks[i], .output = {}});

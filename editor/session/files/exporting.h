@@ -1,4 +1,4 @@
-// Exporting: makes and writes exports on a thread, beside the editor.
+// Exporting: a thread makes and writes exports while the editor goes on.
 #pragma once
 
 #include <atomic>

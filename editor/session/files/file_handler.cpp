@@ -335,7 +335,7 @@ void FileHandler::take_file_change(FilesChange found) {
                 });
 }
 
-// As an edit, so that nothing is lost whichever version was right.
+// This is an edit, so that neither version is lost.
 void FileHandler::reload() {
   is_reloading_ = true;
   note_file();  // first: a file that is written from now on is another change
@@ -398,7 +398,7 @@ void FileHandler::replace_level(Level opened, std::string opened_path, const For
   exports_.forget_level();
   level_.replace(std::move(opened));
   debug_.forget_run();
-  // An old error no longer holds, but what a save on the way here dropped is still news.
+  // An old error no longer holds, but things that a save just before has dropped are still to be reported.
   messages_.dismiss_error();
 }
 

@@ -104,7 +104,7 @@ class FileHandler {
   // The files when they were last read, written or asked about; nothing: no file.
   std::optional<LevelStamp> stamp_;
   CompanionFile companion_;            // the companion that the level was last read or written with
-  std::vector<std::string> unstored_;  // what the file lacks of the saved level, one phrase each
+  std::vector<std::string> unstored_;  // the parts of the saved level that the file lacks, one phrase each
   const Format* format_ = nullptr;     // of the file; null: it has none, or an unknown one
 
   std::optional<LevelImport> level_import_;

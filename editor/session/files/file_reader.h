@@ -1,4 +1,4 @@
-// FileReader: reads large files beside the editor, which goes on with the level that it has.
+// FileReader: a thread reads large files while the editor goes on with the level that it has.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// Reads beside the window.
+// Reads files on a thread.
 #include "file_reading.h"
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// FileReading: reads files beside the window if they take long, and reports failures.
+// FileReading: reads files, on a thread if they take long, and reports failures.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
-// HandmadeRuns: the runs of a session with something that the user has made and that no file has yet: marks,
-// and inputs that were set by hand. A run that was only played is easily played again.
+// HandmadeRuns: the runs of a session that the user has worked on and that no file has yet: runs with marks,
+// or with inputs that were set by hand. A run that was only played is easily played again.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ class HandmadeRuns {
   // The branch with this id now has marks, or no longer has any.
   void note_marks(int branch, bool has_any);
   void note_input(int branch);      // an input of it was set by hand
-  void note_run_again(int branch);  // to its end: what was kept of it before is old
+  void note_run_again(int branch);  // the run was run again to its end: earlier saves of it are out of date
   void note_saved(int branch) { forget(branch); }
   void note_gone(int branch) { forget(branch); }
   void clear();

@@ -188,7 +188,7 @@ void RunHandler::carry_out(const action::SetMouse& a) {
   note_input([&] { simulation_.timeline().set_mouse(a.first, a.last, a.position); });
 }
 
-// The state before does not make a run worth keeping.
+// Notes that an input was set by hand, unless it has changed nothing in the run.
 void RunHandler::note_input(FunctionRef<void()> change) {
   const auto shown = [this] {
     const Branch& branch = timeline().current();

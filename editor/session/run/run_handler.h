@@ -35,7 +35,7 @@ class RunHandler {
 
   // --- Edits of the level
   void begin_series() { simulation_.timeline().begin_series(); }  // of edits
-  void note_edit(const Edit& edit);                               // call it for each edit done or undone
+  void note_edit(const Edit& edit);  // call it for each edit that is done or undone
   // Updates the simulation if the level has changed. A large level is compiled first, so that takes effect
   // later.
   void refresh_scene();
@@ -59,7 +59,7 @@ class RunHandler {
   void switch_to(int branch);
   void play_new(const std::vector<Input>& inputs);  // as a new branch, which ends there, paused
   void note_saved(int branch) { handmade_runs_.note_saved(branch); }
-  void give_up(int branch) { handmade_runs_.note_gone(branch); }  // it is not worth keeping
+  void give_up(int branch) { handmade_runs_.note_gone(branch); }  // the run is not worth keeping any more
 
  private:
   // For each action of RunAction, in run_handler.cpp.

@@ -1,4 +1,4 @@
-// SceneCompiler: compiles large levels beside the editor, which goes on with the scene that it has.
+// SceneCompiler: a thread compiles large levels while the editor goes on with the scene that it has.
 #pragma once
 
 #include <atomic>

@@ -1,5 +1,5 @@
-// WorkShare: how much work to do between two looks at the clock, so that slow steps do not stop the window,
-// and quick ones do not pay for many looks.
+// WorkShare: how much work to do between two checks of the clock, so that slow steps do not stop the window,
+// and quick steps do not pay for many checks.
 #pragma once
 
 #include <algorithm>

@@ -36,7 +36,7 @@ class FlagTool : public LevelTool {
     };
     brush_.update(use.session, actions, SheetId::tiles, use.cell, tile_at, pressed, down);
   }
-  // Empty cells between the tiles that the stroke is meant for are left out, unless it began on one.
+  // A stroke leaves out empty cells between tiles, unless it began on one.
   bool is_left_out(const Level& level, int tile) const {
     return first_ && ((tile == 0 && *first_ != 0) || (is_blank(level, tile) && !is_blank(level, *first_)));
   }

@@ -30,7 +30,7 @@ struct LevelToolUse {
 class LevelTool {
  public:
   virtual ~LevelTool() = default;
-  // The button goes down. Returns false if that was all, and no drag begins.
+  // The button goes down. Returns false if the press was the whole gesture, so that no drag begins.
   virtual bool press(const LevelToolUse&, Actions&) { return true; }
   // Called in each frame after that, also in the frame of the release.
   virtual void drag(const LevelToolUse&, Actions&) {}
@@ -39,7 +39,7 @@ class LevelTool {
   // Escape ends the drag; called instead of drag() and release(). Undoes the edits of its stroke, so that
   // everything is as before the press.
   virtual void cancel(const LevelToolUse& use, Actions& actions);
-  // Shows what a press here would do, or the release of the held button: a frame around the cell.
+  // Shows what a press here, or the release of the held button, would do: a frame around the cell.
   virtual void draw(ImDrawList& list, const LevelToolUse& use) const;
   // The same in words, for the foot of the canvas; empty if there is nothing to say.
   virtual std::string hint(const LevelToolUse&) const { return {}; }
