@@ -99,7 +99,7 @@ void add_bench_command(CLI::App& program, CommandContext& context) {
   command
       ->add_option(
           "--threads", options->threads,
-          "Maximum of threads; every solver steps its bodies in order, on one thread, so more change nothing")
+          "Maximum of threads; every solver steps its bodies in order, on one thread, so more have no effect")
       ->check(CLI::Range(1, 256));
   command->add_option("--seed", options->seed, "Where the balls start");
   command->callback([&context, options] { bench(context, *options); });

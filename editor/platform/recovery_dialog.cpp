@@ -118,7 +118,7 @@ bool RecoveryDialog::draw_discard(std::size_t index, Ui& ui) {
   const bool asked = asked_about_ == index;
   const DialogButton discard{.widget = name,
                              .label = asked ? "Discard for good" : "Discard",
-                             .help = "Throws it away; asks once more.",
+                             .help = "Deletes it; asks once more.",
                              .letter = chosen_ == index ? 'D' : '\0',
                              .width = ui.px(128)};
   const bool pressed = dialog_button(discard, ui);

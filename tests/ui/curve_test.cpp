@@ -125,8 +125,9 @@ TEST_F(UiCurve, AnInvalidPlaceSaysWhyAndChangesNothing) {
   release();
   EXPECT_EQ(curve(0), before);
   ASSERT_TRUE(session().message());
-  EXPECT_EQ(session().message()->text,
-            "The parabola has its right end left of its left end there, so it stays where it was last good.");
+  EXPECT_EQ(
+      session().message()->text,
+      "The parabola has its right end left of its left end there, so it stays where it was last valid.");
 }
 
 TEST_F(UiCurve, EndsBesideTheMapAreMovedToItsEdge) {

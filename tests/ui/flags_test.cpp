@@ -51,8 +51,7 @@ TEST_F(UiFlags, AnEmptyByteChangesNothingAndSaysSo) {
   key(kReturn);
   EXPECT_EQ(flags_of(1), 1);
   ASSERT_TRUE(session().message());
-  EXPECT_EQ(session().message()->text,
-            "\"\" is no byte of flags: they are two hexadecimal digits, 00 to ff.");
+  EXPECT_EQ(session().message()->text, "\"\" is not a byte of flags: type two hexadecimal digits, 00 to ff.");
 }
 
 TEST_F(UiFlags, TheBrushSetsAndClearsOnTheSheet) {

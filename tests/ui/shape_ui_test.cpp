@@ -231,7 +231,7 @@ TEST_F(UiShape, CopyOverUsedTilesSaysSoFirst) {
   };
   type_target("256");
   ASSERT_TRUE(session().message());
-  EXPECT_EQ(session().message()->text, "There is no tile 256: they are 0 to 255.");
+  EXPECT_EQ(session().message()->text, "There is no tile 256: tiles have the numbers 0 to 255.");
   type_target("1");
   EXPECT_GT(find("shape/copy")->max.x - find("shape/copy")->min.x, free_width) << "it is called Replace";
   EXPECT_EQ(shape(1), TileShape());

@@ -362,7 +362,7 @@ TEST_F(SessionCompanions, RemovedOnesAreWrittenAgain) {
   session_.apply(act::SaveFileAs{path("a.tic")});
   fs::remove(path("a.tic.talus.json"));
   session_.apply(act::CheckFile{});
-  EXPECT_EQ(message(), "a.tic.talus.json was removed or renamed by another program. Saving writes it anew.");
+  EXPECT_EQ(message(), "a.tic.talus.json was removed or renamed by another program. Saving writes it again.");
   EXPECT_EQ(placed(), 1u);
   EXPECT_TRUE(session_.modified());
   session_.apply({act::DismissMessage{}, act::CheckFile{}});

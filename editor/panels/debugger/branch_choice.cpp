@@ -60,7 +60,7 @@ void draw_branches(const Session& session, Actions& actions, Ui& ui) {
     ui.item("timeline/branch" + std::to_string(branch.id), "Shows this run.");
     ImGui::SameLine(width + ui.px(8));
     if (ImGui::SmallButton("drop")) actions.push_back(action::DropBranch{branch.id});
-    ui.item("timeline/drop" + std::to_string(branch.id), "Forgets this run.",
+    ui.item("timeline/drop" + std::to_string(branch.id), "Deletes this run.",
             is_current ? keys_of("timeline/drop_branch"_command, ui) : "");
     ImGui::SameLine(width + ui.px(8) + drop);
     bool compared = timeline.compared() != nullptr && timeline.compared()->id == branch.id;

@@ -45,7 +45,7 @@ void ComparePanel::draw_choice(const Session& session, Actions& actions, Ui& ui)
   ImGui::SameLine();
   const CompareChoice now = compare_choice(session);
   if (ui.begin_combo("compare/with", now.label, ui.px(170),
-                     "What the run that is shown is compared with. The key takes the next one.",
+                     "What the shown run is compared with. The key chooses the next one.",
                      keys_of("compare/next"_command, ui))) {
     for (const CompareChoice& choice : compare_choices(session)) {
       if (selectable(choice.label, {}, choice == now)) compare_with(choice, actions);

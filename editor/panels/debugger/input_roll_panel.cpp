@@ -99,7 +99,7 @@ void InputRollPanel::draw_row(int index, const Session& session, Ui& ui, Columns
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("row", {column * static_cast<float>(view.count), height});
   ui.item("input_roll/" + std::string(label),
-          "Click a frame to press or let go; drag to hold over several. The run is made again from there.",
+          "Click a frame to press or release the key; drag over several. The run is made again from there.",
           keys_of("view/input"_command, ui) + ", arrows, " + keys_of("roll/toggle"_command, ui));
   if (ImGui::IsItemActivated()) take_keys(ui.view, index);
   handle_row(key, session, view, at, column);

@@ -46,8 +46,8 @@ void StopsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_add(session, actions, ui);
   if (session.debugger().stops().breakpoints().empty()) {
     ui.hint(
-        "No breakpoint yet. Choose what to stop at and add it, or type a condition; the run stops there "
-        "while it plays, and can be run back to the last time that it was true.");
+        "No breakpoint yet. Choose a kind and add it, or type a condition. The run stops there while it "
+        "plays, and you can run back to the last frame in which the condition began to hold.");
     return;
   }
   draw_list(session, actions, ui);
@@ -69,9 +69,9 @@ void StopsPanel::draw_run(const Session& session, Actions& actions, Ui& ui) {
   if (session.debugger().stop()) {
     ui.label(text_of(*session.debugger().stop()));
   } else if (session.debugger().search_failed()) {
-    ui.label(stops.direction() == SearchDirection::backwards ? "Nothing stops before this frame."
-             : session.playback().running ? "Nothing recorded stops: playing on to the next stop."
-                                          : "Nothing recorded stops after this frame.");
+    ui.label(stops.direction() == SearchDirection::backwards ? "No frame before this one stops."
+             : session.playback().running ? "No recorded frame stops: playing on to the next stop."
+                                          : "No recorded frame after this one stops.");
   } else {
     ui.label("");
   }
@@ -81,7 +81,7 @@ void StopsPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
   fill_in_place(session, ui);
   const StopKindInfo& info = info_of(kind_);
   ui.begin_row();
-  if (ui.begin_combo("stops/kind", std::string(info.label), ui.px(190), "What to stop at.",
+  if (ui.begin_combo("stops/kind", std::string(info.label), ui.px(190), "The kind of the breakpoint.",
                      keys_of("stops/kind"_command, ui))) {
     for (const StopKindInfo& each : stop_kind_infos()) {
       if (selectable(each.label, {}, each.kind == kind_)) {
@@ -198,7 +198,7 @@ void StopsPanel::draw_row(const Breakpoint& breakpoint, const Session& session, 
   ImGui::AlignTextToFramePadding();
   ui.right_aligned(std::to_string(breakpoint.id), theme::tone(stopped ? theme::kAccent : theme::kMuted));
   ui.item(name + (stopped ? "/stopped" : "/number"),
-          stopped ? "The shown frame is where this one stopped it." : "Its number, which messages show.");
+          stopped ? "This one stopped the run at the shown frame." : "Its number, which messages show.");
   ImGui::TableNextColumn();
   ImGui::Checkbox("##enabled", &changed.enabled);
   ui.item(name + "/enabled", "Whether it is switched on.", "Ctrl+Enter in its condition");

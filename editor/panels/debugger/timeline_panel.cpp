@@ -133,9 +133,9 @@ void TimelinePanel::draw_take_over(const Session& session, Actions& actions, Ui&
   const bool replays = session.playback().running && session.timeline().in_past();
   const Command& command = find_command("timeline/fork"_command);
   if (ui.text_button("timeline/take_over", replays ? "Replaying: take over" : "Take over here", replays,
-                     "At an earlier frame, play shows what was recorded. This leaves the recording at the "
-                     "shown frame: what is played next goes on from there, in a new branch. So do the "
-                     "players' keys, and the mouse on a ball.",
+                     "At an earlier frame, play shows the recording. This leaves the recording: playing goes "
+                     "on from the shown frame, in a new branch. The players' keys, and the mouse on a ball, "
+                     "do the same.",
                      keys_of(command, ui), command.is_enabled(session, ui), ui.px(kTakeOver)))
     command.run(session, actions, ui);
 }

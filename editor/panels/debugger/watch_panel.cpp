@@ -34,7 +34,7 @@ void WatchPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_add(session, actions, ui);
   if (session.debugger().watches().all().empty() && !ui.view.debugger.shows_times) {
     ui.hint(
-        "Nothing watched yet: choose a number, or type an expression. Each is plotted over the whole run, "
+        "No watch yet: choose a number, or type an expression. Each is plotted over the whole run, "
         "for the chosen body; a click on a plot shows that frame.");
     return;
   }

@@ -199,7 +199,8 @@ void ExportPanel::draw_preset_buttons(const Session& session, Actions& actions, 
   }
   ImGui::SameLine();
   if (ui.text_button("export/remove", "Remove", false,
-                     "Removes the preset, not what it has written; Undo brings it back.", {}, has_one, width))
+                     "Removes the preset, but not the files that it wrote; Undo brings it back.", {}, has_one,
+                     width))
     push_export_edit(remove_export(level, ui.view.files.exports.preset), actions);
   command_text_button("file/export_all"_command, session, actions, ui,
                       {.label = "Export all",
@@ -320,7 +321,7 @@ void ExportPanel::draw_path(const Session& session, Actions& actions, Ui& ui) {
   field_label("Path", ui);
   ImGui::SetNextItemWidth(-ui.px(kBrowse) - ImGui::GetStyle().ItemSpacing.x);
   if (text_field("export/path", "a file or folder, from the folder of the level", path_, preset.path,
-                 "Where it is written, counted from the folder of the level's file.", ui)) {
+                 "Where it is written, relative to the folder of the level's file.", ui)) {
     actions.push_back(action::SetExportPath{ui.view.files.exports.preset, path_});
   }
   ImGui::SameLine();
@@ -340,7 +341,7 @@ void ExportPanel::draw_path(const Session& session, Actions& actions, Ui& ui) {
       actions.push_back(action::SaveFile{});
   } else {
     ui.hint(outcome != nullptr ? outcome->output : "");
-    ui.item("export/output", "Where that is.");
+    ui.item("export/output", "The whole path of that place.");
   }
   ImGui::EndGroup();
 }

@@ -80,7 +80,7 @@ void draw_file_table(const ExportOutcome* outcome, bool is_cancelled, Ui& ui) {
   if (outcome == nullptr)
     return ui.hint(is_cancelled ? "The preview was cancelled. Preview below makes one, Export needs none."
                                 : "Making the files, to see how large they are...");
-  if (outcome->files.empty()) return ui.hint("Nothing, as long as there is the error above.");
+  if (outcome->files.empty()) return ui.hint("No files, as long as there is the error above.");
   if (!ImGui::BeginTable("table", 3, ImGuiTableFlags_RowBg)) return;
   ImGui::TableSetupColumn("file");
   ImGui::TableSetupColumn("size", ImGuiTableColumnFlags_WidthFixed, ui.px(kSizeColumn));
@@ -149,8 +149,7 @@ void draw_preview_progress(const std::optional<ExportProgress>& progress, const 
   } else if (session.exporting().preview_cancelled()) {
     ImGui::SameLine(0, ui.px(8));
     if (ui.text_button("export/preview_again", "Preview", false,
-                       "Makes the files, which was cancelled, to see how large they are.", {}, true,
-                       ui.px(88)))
+                       "Makes the files after all, to see how large they are.", {}, true, ui.px(88)))
       actions.push_back(action::PreviewExport{ui.view.files.exports.preset});
   }
 }

@@ -165,7 +165,7 @@ void CurveInspector::draw_name(const Session& session, Actions& actions, Ui& ui,
   if (curve != shown_) name_ = named.name;
   ImGui::SetNextItemWidth(ui.px(220));
   input_text("curve name", "name", name_);
-  ui.item("inspector/curve_name", "What you call it; the debugger's sentences call it so, too.");
+  ui.item("inspector/curve_name", "Its name, which the debugger's sentences use, too.");
   if (ImGui::IsItemDeactivatedAfterEdit() && name_ != named.name) {
     named.name = name_;
     change(session, actions, curve, std::move(named), "Name a curve", 0);

@@ -223,7 +223,7 @@ void InspectorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const Body* body = session.state().find(session.choices().body);
   if (body == nullptr) {
     if (session.choices().map_tool == MapTool::body)
-      ui.hint("No body chosen: click one on the map, or a free place to set one down.");
+      ui.hint("No body chosen: click one on the map, or a free place to put one there.");
     else if (session.state().bodies.empty())
       ui.hint("No body in this level: paint a tile that has the ball flag on the map, or place a body (" +
               keys_of("map/body"_command, ui) + ").");

@@ -94,7 +94,7 @@ void SpawnInspector::draw_name(const Session& session, int index, Actions& actio
   shown_ = index;
   ImGui::SetNextItemWidth(ui.px(220));
   input_text("spawn name", "name", name_);
-  ui.item("inspector/spawn_name", "What you call this body.");
+  ui.item("inspector/spawn_name", "The name of this body.");
   if (ImGui::IsItemDeactivatedAfterEdit() && name_ != spawn.name) {
     spawn.name = name_;
     change(session, index, std::move(spawn), "Name a body", 0, actions);

@@ -187,7 +187,7 @@ void ProblemsPanel::draw_menu(const Problem& problem, const Remedy& remedy, cons
     }
     ui.item("problems/choice" + std::to_string(i));
   }
-  if (remedy.fixes.empty()) ImGui::TextUnformatted("Only you can tell what is meant here.");
+  if (remedy.fixes.empty()) ImGui::TextUnformatted("Only you can know what is intended here.");
   ImGui::Separator();
   if (ImGui::MenuItem("Fix all of this kind")) fix_all_problems(*problem.rule, session, actions, ui);
   ui.item("problems/choice_all");

@@ -35,13 +35,13 @@ void ReachPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     ImGui::SameLine();
     const double share = static_cast<double>(found->followed()) / static_cast<double>(found->known());
     ImGui::ProgressBar(static_cast<float>(share), {ui.px(180), ui.px(theme::kButton)}, "");
-    ui.item("reach/progress", "States that were followed, of those that are known so far.");
+    ui.item("reach/progress", "States that were searched, out of those that are known so far.");
   }
   draw_text(found_text(*found));
   ui.item("reach/found");
   if (reach.is_stale()) {
     ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kWarning));
-    ImGui::TextUnformatted("The level was changed since: find again.");
+    ImGui::TextUnformatted("The level has changed since: search again.");
     ImGui::PopStyleColor();
     ui.item("reach/stale");
     return;
@@ -53,7 +53,7 @@ void ReachPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     ui.hint("The search was stopped: more may be reachable.");
   }
   ui.hint(
-      "What is marked was played by the solver. What is not may still be reachable, by keys that change "
+      "The solver has reached the marked cells. Others may still be reachable, by keys that change "
       "more often than every 4 frames.");
   if (reach.others() > 0) ui.hint("The other bodies of the level were left out; they may block the way.");
 }

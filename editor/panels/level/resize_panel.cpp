@@ -150,8 +150,9 @@ void ResizePanel::draw_shift(Ui& ui) {
                "Cells that everything goes to the right; or left, below 0.", ui);
   number_field("resize/down", "Down by", typed_.shift.y, "Cells that everything goes down; or up, below 0.",
                ui);
-  ImGui::Checkbox("What leaves comes in opposite##wrap", &typed_.wrap);
-  ui.item("resize/wrap", "What leaves the map at one side comes in at the other, instead of being cut off.");
+  ImGui::Checkbox("Wrap around the edges##wrap", &typed_.wrap);
+  ui.item("resize/wrap",
+          "Things that leave the map at one side come in at the other, instead of being cut off.");
 }
 
 // The old map and the new one as frames, with the tiles. Lost ones are marked.

@@ -85,7 +85,7 @@ void FlagMenu::draw_flag(const Session& session, Actions& actions, Ui& ui) {
   ui.heading("Flag " + std::to_string(flag_));
   if (std::exchange(wants_keys_, false)) ImGui::SetKeyboardFocusHere();
   const bool named = draw_name("name", "name", new_name_, 180, ui, ImGuiInputTextFlags_EnterReturnsTrue);
-  ui.item("flags/name", "What you call this flag; Enter sets it.");
+  ui.item("flags/name", "The name of this flag; Enter sets it.");
   if (named) {
     actions.push_back(action::EditLevel{rename_flag(level, flag_, new_name_)});
     ImGui::CloseCurrentPopup();
@@ -161,13 +161,13 @@ void FlagMenu::draw_field(const Session& session, Actions& actions, Ui& ui, std:
   if (draw_name("field_name", "name, such as slope kind", changed.name, 200, ui))
     actions.push_back(action::EditLevel{set_flag_field(level, index, changed), text_stroke_});
   if (ImGui::IsItemActivated()) text_stroke_ = session.next_stroke();
-  ui.item("flags/field_name", "What you call this field.");
+  ui.item("flags/field_name", "The name of this field.");
   draw_bits(level, actions, ui, index);
   draw_values(session, actions, ui, index);
   draw_flags_of_field(level, ui, field);
   ImGui::Spacing();
   if (ui.text_button("flags/remove_field", "Take apart", false,
-                     "Makes single flags of it again; the tiles keep them.")) {
+                     "Splits it into single flags again; the tiles keep their flags.")) {
     actions.push_back(action::EditLevel{remove_flag_field(level, index)});
     ImGui::CloseCurrentPopup();
   }

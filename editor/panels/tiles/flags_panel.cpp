@@ -131,7 +131,7 @@ void FlagsPanel::draw_byte(const Session& session, Actions& actions, Ui& ui) {
     actions.push_back(action::EditLevel{set_all_flags(level, area, static_cast<std::uint8_t>(value))});
   else
     actions.push_back(action::ShowMessage{
-        "\"" + byte_ + "\" is no byte of flags: they are two hexadecimal digits, 00 to ff.", true});
+        "\"" + byte_ + "\" is not a byte of flags: type two hexadecimal digits, 00 to ff.", true});
 }
 
 void FlagsPanel::draw_lamp(const Session& session, Actions& actions, Ui& ui, int flag, float width) {

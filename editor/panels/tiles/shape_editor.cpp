@@ -76,7 +76,7 @@ class ShapeFields {
   void draw_width() {
     const char* format = shape_.tiles == 1 ? "width %.0f tile" : "width %.0f tiles";
     const auto tiles = number("tiles", format, shape_.tiles, 1, kMaxShapeTiles,
-                              "Over how many tiles it reaches, from the one that has it to the right.", 88);
+                              "The number of tiles that it covers, from its own tile to the right.", 88);
     if (!tiles) return;
     if (*tiles != std::round(*tiles)) return refuse("a width must be whole tiles");
     if (*tiles != shape_.tiles) shape_ = with_width(shape_, static_cast<int>(*tiles));
@@ -145,7 +145,7 @@ std::string_view kind_label(const TileShape& shape) { return label_of(shape.kind
 
 std::optional<Kind> choose_shape_kind(std::string_view name, Kind now, const std::string& shown, Ui& ui) {
   const bool open = ui.begin_combo(name, shown, ui.px(kKindWidth),
-                                   "What the ground is where a tile has this: a full tile, a slope between "
+                                   "The ground of such a tile: a full tile, a slope between "
                                    "two heights, or a profile with a height for each column line.");
   if (!open) return std::nullopt;
   std::optional<Kind> chosen;

@@ -145,7 +145,8 @@ void ShapePanel::draw_target(Actions& actions, Ui& ui, int target) {
   if (typed_ >= 0 && typed_ < kTileCount)
     target_ = typed_;
   else
-    actions.push_back(action::ShowMessage{"There is no tile " + std::to_string(typed_) + ": they are 0 to " +
+    actions.push_back(action::ShowMessage{"There is no tile " + std::to_string(typed_) +
+                                              ": tiles have the numbers 0 to " +
                                               std::to_string(kTileCount - 1) + ".",
                                           true});
 }

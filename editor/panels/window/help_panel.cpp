@@ -34,7 +34,7 @@ std::vector<MouseHelp> mouse_help(const Ui& ui) {
       {"drag on the sheet", "selects tiles: the canvas, the flags and the stamp follow"},
       {"drag with Paint flags, on the sheet or the map",
        "sets the tinted flag, or clears it where the first tile has it"},
-      {"no mouse at hand: " + keys("view/cursor"_command) + " on the map or the pixels",
+      {"without a mouse: " + keys("view/cursor"_command) + " on the map or the pixels",
        "shows a cursor for the arrows; see below"},
       {"a file dropped on the window", "is opened"},
   };
@@ -97,10 +97,11 @@ void draw_control_keys(Ui& ui) {
                 "The control gets a frame. In a list only the arrows move.", ui);
   draw_help_row("Space, Enter", "Press it", "Enter also presses the highlighted answer of a dialog.", ui);
   draw_help_row("Underlined letters", "Press a button", "While a text is typed, with Alt.", ui);
-  draw_help_row("Esc", "Cancel, close, end",
-                "First what is open; then an error that covers the view, or the mark of what was found; then "
-                "what is selected.",
-                ui);
+  draw_help_row(
+      "Esc", "Cancel, close, end",
+      "An open dialog or menu first; then an error over the view, or the mark of a found cell; then "
+      "the selection.",
+      ui);
   ImGui::EndTable();
 }
 

@@ -38,7 +38,7 @@ void MetricsPanel::draw(const Session& session, Actions&, Ui& ui) {
       metric_row("interface, longest   ms", "%.2f", metrics.max_ms(), kFrames, ui);
       metric_row("OpenGL, median   ms", "%.2f", metrics.median_ms(&FrameCost::opengl_ms),
                  "Processor time for handing the picture to OpenGL, without showing it. A driver that has no "
-                 "graphics hardware draws then.",
+                 "graphics hardware draws meanwhile.",
                  ui);
       metric_row("vertices", "%.0f", last.vertices, "Drawn by Dear ImGui in the last frame.", ui);
       metric_row("draw calls", "%.0f", last.draw_calls, "The calls that drew them.", ui);

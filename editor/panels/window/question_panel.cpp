@@ -35,7 +35,7 @@ constexpr std::array<AnswerChoice, 2> kChangedAnswers = {
 
 constexpr std::array<AnswerChoice, 2> kDropAnswers = {
     {{"question/cancel", "Cancel", "Keeps the run.", action::Answer::cancel, 'C'},
-     {"question/drop", "Drop it", "Forgets the run.", action::Answer::discard, 'D'}}};
+     {"question/drop", "Drop it", "Deletes the run.", action::Answer::discard, 'D'}}};
 
 constexpr std::array<AnswerChoice, 2> kReplaceAnswers = {
     {{"question/cancel", "Cancel", "Writes nothing.", action::Answer::cancel, 'C'},
@@ -48,12 +48,12 @@ constexpr std::array<AnswerChoice, 3> kRunAnswers = {
 
 constexpr std::array<AnswerChoice, 3> kUnstoredAnswers = {
     {{"question/save", "Save as...", "Asks for a name, then goes on.", action::Answer::save, 'S'},
-     {"question/discard", "Go on", "Goes on without what the file cannot hold.", action::Answer::discard,
+     {"question/discard", "Go on", "Goes on, and loses what the file cannot hold.", action::Answer::discard,
       'G'},
      {"question/cancel", "Cancel", "Goes back to the level.", action::Answer::cancel, 'C'}}};
 
 constexpr std::array<AnswerChoice, 2> kAllowAnswers = {
-    {{"question/not_now", "Not now", "Writes none of their files. The level is saved all the same.",
+    {{"question/not_now", "Not now", "Writes none of their files. The level is saved nevertheless.",
       action::Answer::cancel, 'N'},
      {"question/allow", "Allow", "Writes them, now and later, as long as nobody else changes the presets.",
       action::Answer::allow, 'A'}}};

@@ -132,7 +132,7 @@ void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
   ImGui::PushClipRect(at, {at.x + ui.px(kStamp - 12), at.y + ImGui::GetTextLineHeight()}, true);
   draw_text(hover.empty() ? "Point at the map, the sheet or the pixels" : hover);
   ImGui::PopClipRect();
-  ui.item("status/mouse", hover.empty() ? "What the mouse is on." : hover);
+  ui.item("status/mouse", hover.empty() ? "The place under the mouse." : hover);
   draw_stamp_part(session.choices().stamp, kStamp, ui);
   if (const auto progress = session.compile_progress()) {
     draw_compiling(*progress, 570, ui);
@@ -140,7 +140,7 @@ void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
     draw_exporting(*exporting, 570, ui);
   } else if (session.playback().running && session.timeline().in_past()) {
     draw_part(ui, 570, "replaying", theme::kAccent,
-              "What was recorded is shown again. Take over here, beside the timeline, goes on from the shown "
+              "The recording is shown again. Take over here, beside the timeline, plays on from the shown "
               "frame instead.");
     ui.item("status/replaying");
   } else {

@@ -31,7 +31,7 @@ void DebugHandler::carry_out(const action::FindParting& a) {
   run_.refresh_scene();
   run_.set_running(false);
   plays_on_ = false;
-  nothing_found_ = "No body is further from the same body on the other side, as far as both have been run.";
+  nothing_found_ = "No body is further apart on the two sides, as far as both have been run.";
   follow();
   debugger_.search_parting(a.threshold);
 }

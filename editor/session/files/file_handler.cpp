@@ -322,7 +322,7 @@ void FileHandler::take_file_change(FilesChange found) {
     gone->set_gone();
     level_.forget_saved();
     return messages_.tell_error(changed +
-                                " was removed or renamed by another program. Saving writes it anew.");
+                                " was removed or renamed by another program. Saving writes it again.");
   }
   changed_from_ = stamp_;
   note_file();

@@ -154,7 +154,7 @@ void RunHandler::carry_out(const action::DropBranch& a) {
   if (branch == nullptr || messages_.question()) return;
   if (branch->last_frame() == 0) return drop_branch(a.branch);
   messages_.ask(Question{"Drop run " + std::to_string(a.branch) + " with " +
-                             std::to_string(branch->last_frame()) + " frames? Nothing brings it back.",
+                             std::to_string(branch->last_frame()) + " frames? This cannot be undone.",
                          Question::Kind::drop_branch},
                 [this, branch = a.branch](action::Answer answer) {
                   if (answer == action::Answer::discard) drop_branch(branch);

@@ -167,7 +167,7 @@ void CurveTool::release(const LevelToolUse& use, Actions& actions) {
   if (!draws_line) {
     if (!problem_.empty())
       actions.push_back(
-          action::ShowMessage{capitalized(problem_) + " there, so it stays where it was last good.", true});
+          action::ShowMessage{capitalized(problem_) + " there, so it stays where it was last valid.", true});
   } else if (is_click && use.session.choices().curve >= 0) {  // beside a curve
     actions.push_back(action::SelectCurve{});
   } else {
