@@ -208,6 +208,23 @@ TEST_F(UiSettings, ThePaletteFindsByAFewLettersAndRunsByEnter) {
   EXPECT_EQ(find("command_palette/text"), nullptr);
 }
 
+TEST_F(UiSettings, EnterRunsNoOtherCommandThanTheTypedOne) {
+  key(ctrl('p'));
+  frames(3);
+  type("undo");
+  ASSERT_FALSE(find("command_palette/edit/undo")->enabled);
+  const Level before = level();
+  key(kEnterKey);
+  frames(3);
+  EXPECT_NE(find("command_palette/text"), nullptr) << "the list stays open";
+  EXPECT_EQ(level(), before);
+  EXPECT_FALSE(session().question());
+  key(SDLK_DOWN);
+  key(kEnterKey);
+  frames(3);
+  EXPECT_EQ(find("command_palette/text"), nullptr) << "the next one was chosen by hand";
+}
+
 TEST_F(UiSettings, ThePaletteIsScrolledAndClickedByTheMouse) {
   click("menu/Help");
   frames(2);

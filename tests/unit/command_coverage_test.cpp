@@ -227,17 +227,29 @@ TEST(CommandSearch, FindsByLabelsThenByOtherWords) {
   EXPECT_EQ(found_by("no such thing anywhere"), "");
 }
 
+constexpr auto kAllEnabled = [](const Command&) { return true; };
+
 TEST(CommandSearch, ListsCommandsThatCanRunFirst) {
-  const auto all = [](const Command&) { return true; };
-  EXPECT_EQ(matching_commands("", all).size(), commands().size());
-  const auto found = matching_commands("undo", all);
+  EXPECT_EQ(matching_commands("", kAllEnabled).commands.size(), commands().size());
+  const auto found = matching_commands("undo", kAllEnabled).commands;
   ASSERT_GT(found.size(), 1u);
   EXPECT_EQ(found.front()->id, "edit/undo");
   const auto now =
-      matching_commands("undo", [](const Command& command) { return command.id != "edit/undo"; });
+      matching_commands("undo", [](const Command& command) { return command.id != "edit/undo"; }).commands;
   ASSERT_EQ(now.size(), found.size());
   EXPECT_EQ(now.back()->id, "edit/undo") << "there is nothing to undo";
   EXPECT_EQ(now.front(), found[1]);
+}
+
+TEST(CommandSearch, TellsThatTheTypedCommandIsDisabled) {
+  const auto but_undo = [](const Command& command) { return command.id != "edit/undo"; };
+  const auto none = [](const Command&) { return false; };
+  EXPECT_EQ(matching_commands("undo", kAllEnabled).meant, nullptr);
+  ASSERT_NE(matching_commands("undo", but_undo).meant, nullptr);
+  EXPECT_EQ(matching_commands("undo", but_undo).meant->id, "edit/undo");
+  EXPECT_EQ(matching_commands("undo", none).meant->id, "edit/undo");
+  EXPECT_EQ(matching_commands("", but_undo).meant, nullptr);
+  EXPECT_EQ(matching_commands("no such thing anywhere", none).meant, nullptr);
 }
 
 }  // namespace talus::command_coverage_test

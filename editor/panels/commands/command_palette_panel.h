@@ -1,6 +1,7 @@
 // The command palette: the user types a few letters of a command, and Enter runs it.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "panels/panel.h"
@@ -16,7 +17,7 @@ class CommandPalettePanel : public Panel {
  private:
   void draw_list(const Session& session, Actions& actions, Ui& ui);
   std::string typed_;
-  int chosen_ = 0;  // row of the list
+  std::optional<int> chosen_;  // row of the list that the arrow keys went to
 };
 
 }  // namespace talus

@@ -51,8 +51,7 @@ std::optional<int> command_score(const Command& command, std::string_view typed)
   return std::nullopt;
 }
 
-std::vector<const Command*> matching_commands(std::string_view typed,
-                                              FunctionRef<bool(const Command&)> is_enabled) {
+MatchingCommands matching_commands(std::string_view typed, FunctionRef<bool(const Command&)> is_enabled) {
   struct Match {
     const Command* command;
     int score;
@@ -66,9 +65,14 @@ std::vector<const Command*> matching_commands(std::string_view typed,
   std::stable_sort(found.begin(), found.end(), [](const Match& a, const Match& b) {
     return std::tuple(!a.enabled, -a.score) < std::tuple(!b.enabled, -b.score);
   });
-  std::vector<const Command*> commands;
-  for (const Match& match : found) commands.push_back(match.command);
-  return commands;
+  MatchingCommands matching;
+  for (const Match& match : found) matching.commands.push_back(match.command);
+  const auto disabled =
+      std::find_if(found.begin(), found.end(), [](const Match& match) { return !match.enabled; });
+  const bool is_meant = disabled != found.end() && disabled->score >= kLabelWordScore &&
+                        (disabled == found.begin() || found.front().score < kLabelWordScore);
+  if (is_meant) matching.meant = disabled->command;
+  return matching;
 }
 
 }  // namespace talus

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <optional>
-
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -17,9 +15,14 @@ namespace talus {
 // one of the command's other words; or a word of its help. Returns nothing if none of these match.
 std::optional<int> command_score(const Command& command, std::string_view typed);
 
-// Returns every matching command: enabled ones first, and among equals the best match first. Without typed
-// text it returns all commands in the order of the table.
-std::vector<const Command*> matching_commands(std::string_view typed,
-                                              FunctionRef<bool(const Command&)> is_enabled);
+struct MatchingCommands {
+  // Every matching command: enabled ones first, and among equals the best match first. Without typed text all
+  // commands, in the order of the table.
+  std::vector<const Command*> commands;
+  // The best match, if it is disabled, its label has the typed words, and the label of no enabled command has
+  // them. Otherwise null.
+  const Command* meant = nullptr;
+};
+MatchingCommands matching_commands(std::string_view typed, FunctionRef<bool(const Command&)> is_enabled);
 
 }  // namespace talus
