@@ -63,12 +63,11 @@ bool find_clashes(CommandContext& context, const ExportOptions& options,
 
 // Why a preset that came with the level must not be written, one sentence without its full stop; empty if it
 // may. Other programs could run the level's code under the name that the level chose.
-std::string code_problem_of(const ExportOptions& options, const Level& level, const ExportPreset& preset) {
+std::string code_problem_of(const ExportOptions& options, const ExportPermissions& permissions,
+                            const Level& level, const ExportPreset& preset) {
   if (!brings_code(level, preset.exporter)) return "";
   const auto& meant = options.may_bring_code;
   if (meant && std::find(meant->begin(), meant->end(), preset) != meant->end()) return "";
-  ExportPermissions permissions(state_folder() + "/" + kPermissionsFile);
-  permissions.open(options.input);
   if (permissions.allows(preset)) return "";
   return "writes the level's own code to " + preset.path +
          ", which has not been allowed: allow it in the editor, in File > Export, or by --allow-code";
@@ -87,8 +86,10 @@ void export_presets(CommandContext& context, const ExportOptions& options, Level
     return !options.all && std::find(names.begin(), names.end(), preset.name) == names.end();
   });
   if (find_clashes(context, options, presets)) return;
+  ExportPermissions permissions(state_folder() + "/" + kPermissionsFile);
+  permissions.open(options.input);
   for (const ExportPreset& preset : presets) {
-    if (const std::string problem = code_problem_of(options, level, preset); !problem.empty()) {
+    if (const std::string problem = code_problem_of(options, permissions, level, preset); !problem.empty()) {
       fail(context, options.input, "preset \"" + preset.name + "\"", problem);
       continue;
     }
