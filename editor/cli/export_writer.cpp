@@ -7,7 +7,6 @@
 #include <ostream>
 
 #include "formats/files/atomic_file.h"
-#include "formats/files/real_path.h"
 #include "output_file.h"
 #include "platform/asset_path.h"
 #include "platform/user_folder.h"
@@ -84,8 +83,6 @@ std::string problem_of_file(const CommandContext& context, const ExportOrder& or
   const ExportedFile& content = plan.content.files[index];
   const bool was_typed = content.name.empty() && !order.is_of_level;
   if (was_typed) return output_problem({file.path, content.bytes, context.inputs, /*may_be_unknown=*/true});
-  if (is_same_file(file.path, order.input))
-    return "is the level itself, which the export would overwrite: name another place";
   if (is_one_of(context.inputs, file.path))
     return "is an input of this command, which the export would overwrite: name another place";
   if (file.place != Place::other || content.is_starter || may_replace ||

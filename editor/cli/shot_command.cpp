@@ -114,9 +114,8 @@ void shoot_to_output(CommandContext& context, ShotCommandOptions& options) {
 
 // Draws into the named file, if it may be written.
 void shoot_to_file(CommandContext& context, ShotCommandOptions& options) {
-  std::string problem = ending_problem(options.output, "png", "PNG picture");
-  if (problem.empty()) problem = output_problem({options.output, kPngBeginning, {options.file}});
-  if (!problem.empty()) return fail(context, options.output, "", problem);
+  if (const std::string problem = ending_problem(options.output, "png", "PNG picture"); !problem.empty())
+    return fail(context, options.output, "", problem);
   shoot(context, options);
 }
 

@@ -134,7 +134,7 @@ TEST_F(CliOwnFiles, TheLevelIsNeverReplacedByAFileBesideTheExport) {
       cli_answer({"export", file, "--to", "cpp", "-o", folder_.string(), "--force", "--fresh"});
   EXPECT_EQ(answer.status, 1);
   EXPECT_EQ(answer.err,
-            file + ": error: is the level itself, which the export would overwrite: name another place\n");
+            file + ": error: is an input of this command, which the export would overwrite: name another place\n");
   EXPECT_EQ(bytes_of("level.talus.json"), before);
   EXPECT_FALSE(exists("main.cpp"));
 }
