@@ -75,7 +75,7 @@ function World:place_tiles(level)
   for x = 0, level.width - 1 do
     for y = 0, level.height - 1 do
       local tile = level.tiles[y * level.width + x + 1]
-      if level.balls[tile] then self:add {kind = "ball", x = x * TILE, y = y * TILE, tile = tile} end
+      if level.balls[tile] then self:add {kind = "ball", x = x * TILE_W, y = y * TILE_H, tile = tile} end
     end
   end
 end

@@ -22,7 +22,7 @@ end
 local function rounding_slack(x, y, w, h, motion_x, motion_y)
   local half_w, half_h = w / 2, h / 2
   return ((abs(x + half_w) + half_w) + (abs(y + half_h) + half_h) + max(abs(motion_x) + abs(motion_y),
-      2 * TILE)) *
+      SHORT)) *
              ROUNDING
 end
 
@@ -196,13 +196,13 @@ local function row_of_tiles(up, y, first, last, left, right)
     local x1 = x
     while x1 <= last and ground:is_open(x1, y, 0, up and -1 or 1) do x1 = x1 + 1 end
     if x1 > x then
-      local from, to = x * TILE, x1 * TILE
+      local from, to = x * TILE_W, x1 * TILE_W
       if centre and up then
         -- Beside a detailed cell only the centre counts; over a ledge the whole bottom does.
         if ground:is_solid(x - 1, y) and ground:is_detailed(x - 1, y) then from = from + bw / 2 end
         if ground:is_solid(x1, y) and ground:is_detailed(x1, y) then to = to - bw / 2 end
       end
-      flat(up, (up and y or y + 1) * TILE, from, to, not ground:is_solid(x - 1, y), not ground:is_solid(x1,
+      flat(up, (up and y or y + 1) * TILE_H, from, to, not ground:is_solid(x - 1, y), not ground:is_solid(x1,
           y), nil)
     end
     x = x1 + 1
@@ -226,7 +226,7 @@ local function cells_of_row(y, first, last)
     if dx < 0 then side, step = RIGHT, 1 end
     for x = first, last do
       if ground:is_open(x, y, step, 0) then
-        wall(side, (x + (side == LEFT and 0 or 1)) * TILE, y * TILE, y * TILE + TILE, not ground:is_solid(x,
+        wall(side, (x + (side == LEFT and 0 or 1)) * TILE_W, y * TILE_H, (y + 1) * TILE_H, not ground:is_solid(x,
             y - 1),
              not ground:is_solid(x, y + 1), nil)
       end
@@ -234,8 +234,9 @@ local function cells_of_row(y, first, last)
   end
 end
 
-local function cells_between(first, last, count)
-  return floor(max(first, 0.0) / TILE), min(floor(max(last, 0.0) / TILE), count - 1)
+-- side: px, of each.
+local function cells_between(first, last, side, count)
+  return floor(max(first, 0.0) / side), min(floor(max(last, 0.0) / side), count - 1)
 end
 
 -- A box meets the ground only with its leading sides, or with the centre of its bottom.
@@ -244,12 +245,14 @@ local function slice(from, to)
   local left, right, top, bottom = min(x0, x1) - slack, max(x0, x1) + slack, min(y0, y1) - slack, max(y0,
       y1) + slack
   local lead_x, lead_y = dx > 0 and bw or 0.0, dy < 0 and 0.0 or bh
-  local first_column, last_column = cells_between(left, right + bw, ground.width)
-  local lead_top, lead_bottom = cells_between(top + lead_y, bottom + lead_y, ground.height)
+  local first_column, last_column = cells_between(left, right + bw, TILE_W, ground.width)
+  local lead_top, lead_bottom = cells_between(top + lead_y, bottom + lead_y, TILE_H, ground.height)
   local first_row, last_row, lead_left, lead_right = lead_top, lead_bottom, first_column, last_column
   if dx ~= 0 then
-    first_row, last_row = cells_between(top, bottom + bh, ground.height)
-    if not centre then lead_left, lead_right = cells_between(left + lead_x, right + lead_x, ground.width) end
+    first_row, last_row = cells_between(top, bottom + bh, TILE_H, ground.height)
+    if not centre then
+      lead_left, lead_right = cells_between(left + lead_x, right + lead_x, TILE_W, ground.width)
+    end
   end
   for first = first_column, last_column, COLUMNS do
     local last = min(first + (COLUMNS - 1), last_column)
@@ -263,6 +266,9 @@ local function slice(from, to)
   end
 end
 
+-- px; longer motions are cut, so that only cells near the way are looked at.
+local function slice_length() return SLICE_TILES * min(TILE_W, TILE_H) end
+
 -- Shortens from..to to the time during which one axis of the box is on the map.
 local function clip_to_map(at, size, motion, most, from, to)
   if motion == 0 then
@@ -270,17 +276,17 @@ local function clip_to_map(at, size, motion, most, from, to)
     return from, to
   end
   local a, b = (0 - (at + size)) / motion, (most - at) / motion
-  local margin = SLICE / abs(motion)
+  local margin = slice_length() / abs(motion)
   return max(from, min(a, b) - margin), min(to, max(a, b) + margin)
 end
 
 local function against_terrain()
   local length = max(abs(dx), abs(dy))
-  if length <= SLICE then return slice(0.0, 1.0) end
-  local from, to = clip_to_map(bx, bw, dx, ground.width * TILE, 0.0, 1.0)
-  from, to = clip_to_map(by, bh, dy, ground.height * TILE, from, to)
+  if length <= slice_length() then return slice(0.0, 1.0) end
+  local from, to = clip_to_map(bx, bw, dx, ground.width * TILE_W, 0.0, 1.0)
+  from, to = clip_to_map(by, bh, dy, ground.height * TILE_H, from, to)
   if from > to then return end
-  local slices = ceil((to - from) * length / SLICE) + 1
+  local slices = ceil((to - from) * length / slice_length()) + 1
   for i = 0, slices - 1 do
     local stop = from + (to - from) * ((i + 1) / slices)
     slice(from + (to - from) * (i / slices), stop)

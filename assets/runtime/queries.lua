@@ -1,10 +1,10 @@
 -- ---- Questions about the ground ----
 
-local function block_of(terrain, x, y, w, h, margin)
-  local function cell(at, count) return clamp(floor(at / TILE), -1, count) end
-  return max(cell(x - margin, terrain.width), 0), min(cell(x + w + margin, terrain.width), terrain.width - 1),
-         max(cell(y - margin, terrain.height), 0), min(cell(y + h + margin, terrain.height),
-             terrain.height - 1)
+local function block_of(terrain, x, y, w, h, margin, margin_y)
+  local function column(at) return clamp(floor(at / TILE_W), -1, terrain.width) end
+  local function row(at) return clamp(floor(at / TILE_H), -1, terrain.height) end
+  return max(column(x - margin), 0), min(column(x + w + margin), terrain.width - 1),
+         max(row(y - (margin_y or margin)), 0), min(row(y + h + (margin_y or margin)), terrain.height - 1)
 end
 
 -- skip_detailed: leaves out the tiles that slopes lead to.
@@ -65,8 +65,8 @@ function Side.rest(side, _, _, h) return side.y0 - (side.facing == UP and h or 0
 -- The sides in a cell: those of a full tile that no other tile covers.
 function Terrain:sides(column, row)
   if not self:is_solid(column, row) then return {} end
-  local x0, y0 = column * TILE, row * TILE
-  local x1, y1 = x0 + TILE, y0 + TILE
+  local x0, y0 = column * TILE_W, row * TILE_H
+  local x1, y1 = x0 + TILE_W, y0 + TILE_H
   local sides = {}
   local function put(beside_x, beside_y, facing, ax, ay, bx1, by1)
     if self:is_solid(column + beside_x, row + beside_y) then return end

@@ -14,8 +14,8 @@ end
 
 -- Whether the box is in the body of a slope or profile that begins in the cell.
 local function overlaps_shape(shape, column, row, x, y, w, h, is_centre, forgiven)
-  local left, top = column * TILE, row * TILE
-  local base = top + (shape.is_floor and TILE or 0.0)
+  local left, top = column * TILE_W, row * TILE_H
+  local base = top + (shape.is_floor and TILE_H or 0.0)
   local from, to = x + forgiven, x + w - forgiven
   if is_centre and shape.is_floor then
     from = x + w / 2
@@ -50,7 +50,7 @@ end
 
 function Terrain:overlaps_shapes(x, y, w, h, is_centre, forgiven)
   if not self:has_pieces() then return false end
-  local left, right, top, bottom = block_of(self, x, y, w, h, SPAN * TILE)
+  local left, right, top, bottom = block_of(self, x, y, w, h, SPAN * TILE_W, SPAN * TILE_H)
   for row = top, bottom do
     for column = left, right do
       local shape = self:outline(column, row)

@@ -95,13 +95,13 @@ end
 -- The pieces in each cell.
 local function cells_of(pieces, width, height)
   local cells = {}
-  local function between(a, b, count)
-    return clamp(ceil(min(a, b) / TILE) - 1, 0, count - 1), clamp(floor(max(a, b) / TILE), 0, count - 1)
+  local function between(a, b, side, count)
+    return clamp(ceil(min(a, b) / side) - 1, 0, count - 1), clamp(floor(max(a, b) / side), 0, count - 1)
   end
   for _, piece in ipairs(pieces) do
-    local left, right = between(piece.x0, piece.x1, width)
+    local left, right = between(piece.x0, piece.x1, TILE_W, width)
     for x = left, right do
-      local top, bottom = between(y_at(piece, x * TILE), y_at(piece, x * TILE + TILE), height)
+      local top, bottom = between(y_at(piece, x * TILE_W), y_at(piece, (x + 1) * TILE_W), TILE_H, height)
       for y = top, bottom do
         local cell = y * width + x
         cells[cell] = cells[cell] or {}
@@ -132,7 +132,7 @@ end
 -- A long piece is in each cell that it meets. It is marked at its ends, in the cells of these ends.
 function Terrain:add_free(strips, cx, cy, out)
   local function is_here(x, y)
-    return x >= cx * TILE and x <= (cx + 1) * TILE and y >= cy * TILE and y <= (cy + 1) * TILE
+    return x >= cx * TILE_W and x <= (cx + 1) * TILE_W and y >= cy * TILE_H and y <= (cy + 1) * TILE_H
   end
   for _, piece in ipairs(self.free_in[cy * self.width + cx] or {}) do
     local copy = {source = piece}

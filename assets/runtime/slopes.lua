@@ -62,10 +62,10 @@ end
 
 local function column_of(shape, tiles, column)
   local is_floor = shape.side ~= "ceiling"
-  local base = is_floor and TILE or 0.0
-  local left, right = column * TILE, column * TILE + TILE
-  local heights = shape.heights or {TILE, TILE}
-  local width, parts = tiles * TILE, #heights - 1
+  local base = is_floor and TILE_H or 0.0
+  local left, right = column * TILE_W, (column + 1) * TILE_W
+  local heights = shape.heights or {TILE_H, TILE_H}
+  local width, parts = tiles * TILE_W, #heights - 1
   local line, joints = {}, {}
   local highest, lowest = base, base
   for i = 1, parts do
@@ -92,7 +92,7 @@ function Terrain.outline_of(shape)
     tiles = shape.tiles or 1
     local most = 0.0
     for _, height in ipairs(shape.heights) do most = max(most, height) end
-    extra = max(0, ceil(weld(most) / TILE) - 1)
+    extra = max(0, ceil(weld(most) / TILE_H) - 1)
   end
   for column = 0, tiles - 1 do out.columns[column] = column_of(shape, tiles, column) end
   out.width = tiles
@@ -142,10 +142,10 @@ local function has_side(body, top) return body.tile.solid or body.tile.is_floor 
 
 local function new_body(terrain, tile, x, y, strip)
   local column = tile.columns[strip - x]
-  local body = {tile = tile, column = column, corner_x = x * TILE, corner_y = y * TILE,
+  local body = {tile = tile, column = column, corner_x = x * TILE_W, corner_y = y * TILE_H,
       origin = y * terrain.width + x,
-                highest = y * TILE + column.highest, lowest = y * TILE + column.lowest}
-  local left, right = strip * TILE, strip * TILE + TILE
+                highest = y * TILE_H + column.highest, lowest = y * TILE_H + column.lowest}
+  local left, right = strip * TILE_W, (strip + 1) * TILE_W
   body.left_from, body.left_to = range_at(body, left, true)
   body.right_from, body.right_to = range_at(body, right, false)
   return body
@@ -283,14 +283,14 @@ local function open_parts(bodies, index, top, line, from, to)
 end
 
 local function may_be_in_row(y0, y1, top, row0)
-  if top then return min(y0, y1) < row0 + TILE and max(y0, y1) >= row0 end
-  return max(y0, y1) > row0 and min(y0, y1) <= row0 + TILE
+  if top then return min(y0, y1) < row0 + TILE_H and max(y0, y1) >= row0 end
+  return max(y0, y1) > row0 and min(y0, y1) <= row0 + TILE_H
 end
 
 local function add_surface(bodies, index, top, x, y, out)
   local body = bodies[index]
-  local left, row0 = x * TILE, y * TILE
-  local right, row1 = left + TILE, row0 + TILE
+  local left, row0 = x * TILE_W, y * TILE_H
+  local right, row1 = left + TILE_W, row0 + TILE_H
   for _, in_tile in ipairs(top and body.column.top or body.column.bottom) do
     local line = line_moved(in_tile, body.corner_x, body.corner_y)
     local from, to = max(line.x0, left), min(line.x1, right)
@@ -322,8 +322,8 @@ local function wall_piece(x, y0, y1, left, origin, convex0, convex1)
 end
 
 local function add_wall(here, beside, left, x, y, out)
-  local at, row0 = x * TILE + (left and 0.0 or TILE), y * TILE
-  local row1 = row0 + TILE
+  local at, row0 = (left and x or x + 1) * TILE_W, y * TILE_H
+  local row1 = row0 + TILE_H
   for _, whole in ipairs(left and here.left or here.right) do
     if whole.to > row0 and whole.from < row1 then
       local parts = {{from = whole.from, to = whole.to}}
@@ -341,8 +341,8 @@ end
 
 local function strip_beside(strips, x, to_the_right)
   local here = strips[2].column
-  if to_the_right then return x == (here + 1) * TILE and strips[3] or strips[2] end
-  return x == here * TILE and strips[1] or strips[2]
+  if to_the_right then return x == (here + 1) * TILE_W and strips[3] or strips[2] end
+  return x == here * TILE_W and strips[1] or strips[2]
 end
 
 -- Whether there is ground right (or left) of a point.
@@ -358,8 +358,8 @@ end
 
 -- The tips of wedges: a body's top and bottom meet there, and nothing goes on.
 local function add_tips(strips, cx, cy, out)
-  local left, row0 = cx * TILE, cy * TILE
-  local right, row1 = left + TILE, row0 + TILE
+  local left, row0 = cx * TILE_W, cy * TILE_H
+  local right, row1 = left + TILE_W, row0 + TILE_H
   for _, body in ipairs(strips[2].bodies) do
     if body.tile.line and body.tile.solid and body.lowest >= row0 and body.highest <= row1 then
       for _, line in ipairs(body.tile.is_floor and body.column.top or body.column.bottom) do

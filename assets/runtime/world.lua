@@ -69,7 +69,7 @@ function World:add(body)
           "set balls_block in the level's tuning to 0", 2)
   end
   body.id = #self.bodies + 1
-  body.x, body.y, body.w, body.h = body.x + 0.0, body.y + 0.0, (body.w or TILE) + 0.0, (body.h or TILE) + 0.0
+  body.x, body.y, body.w, body.h = body.x + 0.0, body.y + 0.0, (body.w or TILE_W) + 0.0, (body.h or TILE_H) + 0.0
   body.vx, body.vy = (body.vx or 0) + 0.0, (body.vy or 0) + 0.0
   body.foot = body.foot or kind.foot
   body.grounded, body.clear = false, false

@@ -67,13 +67,15 @@ class Caster {
 
   void against_terrain() {
     const Real length = std::max(std::abs(dx_), std::abs(dy_));
-    if (length <= Real(kSliceLength)) return slice(0, 1);
-    // There is nothing outside the map, however far the motion goes there.
+    const auto slice_length = Real(talus::slice_length(terrain_.tile_size()));
+    if (length <= slice_length) return slice(0, 1);
+    // There is nothing outside the map, however far the motion goes there. A slice is added at both ends,
+    // which costs nothing and forgives the rounding.
     Real from = 0, to = 1;
-    clip_to_map<Real>(box_.x, box_.w, dx_, Real(terrain_.width()) * kTileSide, from, to);
-    clip_to_map<Real>(box_.y, box_.h, dy_, Real(terrain_.height()) * kTileSide, from, to);
+    clip_to_map<Real>(box_.x, box_.w, dx_, terrain_.x_of(terrain_.width()), slice_length, from, to);
+    clip_to_map<Real>(box_.y, box_.h, dy_, terrain_.y_of(terrain_.height()), slice_length, from, to);
     if (from > to) return;
-    const auto slices = static_cast<int>(std::ceil((to - from) * length / Real(kSliceLength))) + 1;
+    const auto slices = static_cast<int>(std::ceil((to - from) * length / slice_length)) + 1;
     for (int i = 0; i < slices; ++i) {
       const Real end = from + (to - from) * (Real(i + 1) / Real(slices));
       slice(from + (to - from) * (Real(i) / Real(slices)), end);
@@ -190,12 +192,20 @@ class Caster {
   // ---- Which cells ----
 
   // The cell at a coordinate: 0 for what is before the first one, `count` for what is beyond the last one.
-  static int cell_at(Real at, int count) {
-    return static_cast<int>(std::min<Real>(std::max<Real>(at, 0) * (Real(1) / kTileSide), Real(count)));
+  // per_px: cells. Its rounding is far below slack_, by which every range that is looked up is grown.
+  static int cell_at(Real at, Real per_px, int count) {
+    return static_cast<int>(std::min<Real>(std::max<Real>(at, 0) * per_px, Real(count)));
   }
-  // Compilers would not inline it on their own, though a cast calls it four times: a twentieth of a step.
-  [[gnu::always_inline]] static CellSpan span_between(Real first, Real last, int count) {
-    return {cell_at(first, count), std::min(cell_at(last, count), count - 1)};
+  // Compilers would not inline them on their own, though a cast calls them four times: a twentieth of a step.
+  [[gnu::always_inline]] CellSpan columns_between(Real first, Real last) const {
+    const int count = terrain_.width();
+    const Real per_px = terrain_.columns_per_px();
+    return {cell_at(first, per_px, count), std::min(cell_at(last, per_px, count), count - 1)};
+  }
+  [[gnu::always_inline]] CellSpan rows_between(Real first, Real last) const {
+    const int count = terrain_.height();
+    const Real per_px = terrain_.rows_per_px();
+    return {cell_at(first, per_px, count), std::min(cell_at(last, per_px, count), count - 1)};
   }
 
   // A box meets the ground with its leading sides alone, or with the centre of its bottom.
@@ -205,12 +215,12 @@ class Caster {
     const Real left = std::min(x0, x1) - slack_, right = std::max(x0, x1) + slack_;
     const Real top = std::min(y0, y1) - slack_, bottom = std::max(y0, y1) + slack_;
     const Real lead_y = dy_ < 0 ? 0 : box_.h, lead_x = dx_ > 0 ? box_.w : 0;
-    const CellSpan columns = span_between(left, right + box_.w, terrain_.width());
-    const CellSpan lead_rows = span_between(top + lead_y, bottom + lead_y, terrain_.height());
+    const CellSpan columns = columns_between(left, right + box_.w);
+    const CellSpan lead_rows = rows_between(top + lead_y, bottom + lead_y);
     if (dx_ == 0) return cells<true>(columns, columns, lead_rows, lead_rows);
     const CellSpan lead_columns =
-        foot_ == Foot::centre ? columns : span_between(left + lead_x, right + lead_x, terrain_.width());
-    cells<false>(columns, lead_columns, span_between(top, bottom + box_.h, terrain_.height()), lead_rows);
+        foot_ == Foot::centre ? columns : columns_between(left + lead_x, right + lead_x);
+    cells<false>(columns, lead_columns, rows_between(top, bottom + box_.h), lead_rows);
   }
 
   // Tests the cells of `rows`: all columns of the leading rows, and the leading columns of the others.
@@ -270,14 +280,14 @@ class Caster {
 
   template <class Words>
   void walls(Facing facing, int column, int row, std::uint64_t open, Words& words) {
-    const Real top = Real(row) * kTileSide;
+    const Real top = terrain_.y_of(row), bottom = terrain_.y_of(row + 1);
     const std::uint64_t above = words.row(row - 1).solid(), below = words.row(row + 1).solid();
     for (; open != 0; open &= open - 1) {
       const int i = std::countr_zero(open);
       ++work_;
       origin_ = row * terrain_.width() + column + i;
       log_.begin({column + i, row}, facing, 1);
-      wall(facing, Real(column + i + (facing == Facing::left ? 0 : 1)) * kTileSide, top, top + kTileSide,
+      wall(facing, terrain_.x_of(column + i + (facing == Facing::left ? 0 : 1)), top, bottom,
            (above >> i & 1) == 0, (below >> i & 1) == 0);
     }
   }
@@ -285,13 +295,13 @@ class Caster {
   // Full tiles side by side with an open top, or an open bottom, are tested as one.
   template <class Row>
   void surface(bool up, int column, int row, std::uint64_t open, Row here) {
-    const Real y = Real(up ? row : row + 1) * kTileSide;
+    const Real y = terrain_.y_of(up ? row : row + 1);
     while (open != 0) {
       const int first = std::countr_zero(open);
       const int length = std::countr_one(open >> first);
       ++work_;
       open &= ~(((std::uint64_t{1} << length) - 1) << first);
-      Real x0 = Real(column + first) * kTileSide, x1 = Real(column + first + length) * kTileSide;
+      Real x0 = terrain_.x_of(column + first), x1 = terrain_.x_of(column + first + length);
       const bool open0 = (here.solid() >> (first - 1) & 1) == 0;
       const bool open1 = (here.solid() >> (first + length) & 1) == 0;
       if (foot_ == Foot::centre && up) {

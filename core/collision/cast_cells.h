@@ -9,9 +9,10 @@
 
 namespace talus {
 
-// Longer motions are cut into slices of this length, so that only cells near the way are looked at.
-// px; longer motions are cut into slices of this length, so that only cells near the way are looked at
-inline constexpr double kSliceLength = 2 * kTileSide;
+inline constexpr int kSliceTiles = 2;
+
+// px; longer motions are cut into slices of this length, so that only cells near the way are looked at.
+inline int slice_length(TileSize tile) { return kSliceTiles * std::min(tile.width, tile.height); }
 
 // A range of cells, both ends included.
 struct CellSpan {
@@ -25,17 +26,16 @@ inline std::uint64_t bits_between(int first, int last) {
   return (~std::uint64_t{0} >> (63 - std::min(last, 63))) & (~std::uint64_t{0} << std::max(first, 0));
 }
 
-// Shortens from..to to the time during which one axis of a box is within 0..limit. A result with to < from
-// means never.
+// Shortens from..to to the time during which one axis of a box is within 0..limit, and `slack` px of the way
+// before and after it. A result with to < from means never.
 template <class Real>
-void clip_to_map(Real at, Real size, Real motion, Real limit, Real& from, Real& to) {
+void clip_to_map(Real at, Real size, Real motion, Real limit, Real slack, Real& from, Real& to) {
   if (motion == 0) {
     if (at > limit || at + size < 0) to = -1;
     return;
   }
   const Real a = (0 - (at + size)) / motion, b = (limit - at) / motion;
-  // A slice is a little longer at both ends, which costs nothing and forgives the rounding.
-  const Real margin = Real(kSliceLength) / std::abs(motion);
+  const Real margin = slack / std::abs(motion);
   from = std::max(from, std::min(a, b) - margin);
   to = std::min(to, std::max(a, b) + margin);
 }

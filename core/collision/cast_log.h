@@ -54,9 +54,9 @@ class TraceLog {
   }
   void begin(Cell cell, Facing facing, int count) {
     const bool is_wall = facing == Facing::left || facing == Facing::right;
-    const double x = (cell.x + (facing == Facing::right ? 1.0 : 0.0)) * kTileSide;
-    const double y = (cell.y + (facing == Facing::down ? 1.0 : 0.0)) * kTileSide;
-    const Vec2 to = is_wall ? Vec2{x, y + kTileSide} : Vec2{x + 1.0 * count * kTileSide, y};
+    const double x = terrain_.x_of(cell.x + (facing == Facing::right ? 1 : 0));
+    const double y = terrain_.y_of(cell.y + (facing == Facing::down ? 1 : 0));
+    const Vec2 to = is_wall ? Vec2{x, terrain_.y_of(cell.y + 1)} : Vec2{terrain_.x_of(cell.x + count), y};
     add({.cell = cell, .facing = facing, .from = {x, y}, .to = to});
   }
   void meets(double t) {

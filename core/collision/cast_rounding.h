@@ -28,14 +28,16 @@ bool moves_sideways(const Cast<Real>& cast) {
   return moved_x(cast.box, cast.motion.x) != cast.box.x;
 }
 
+inline constexpr int kShortMotion = 16;  // px
+
 // A few units in the last place of the coordinates involved: how deep rounding may have put a box into the
-// ground. It is the same for mirror images, and for all motions of up to two cells.
+// ground. It is the same for mirror images, and for all motions of up to kShortMotion.
 template <class Real>
 [[gnu::always_inline]] inline Real rounding_slack(const Cast<Real>& cast) {
   const BasicRect<Real>& b = cast.box;
   const Real half_w = b.w / 2, half_h = b.h / 2;
   const Real reach = (std::abs(b.x + half_w) + half_w) + (std::abs(b.y + half_h) + half_h) +
-                     std::max(std::abs(cast.motion.x) + std::abs(cast.motion.y), Real(2 * kTileSide));
+                     std::max(std::abs(cast.motion.x) + std::abs(cast.motion.y), Real(kShortMotion));
   return reach * kRounding<Real>;
 }
 

@@ -27,11 +27,13 @@ struct CellBlock {
 // not.
 template <class Real>
 CellBlock cells_met(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Real margin) {
-  const auto cell = [](Real at, int count) {
-    return static_cast<int>(std::clamp<Real>(std::floor(at / kTileSide), -1, static_cast<Real>(count)));
+  const auto cell = [](Real at, int side, int count) {
+    return static_cast<int>(std::clamp<Real>(std::floor(at / Real(side)), -1, static_cast<Real>(count)));
   };
-  return {cell(box.x - margin, ground.width()), cell(box.y - margin, ground.height()),
-          cell(box.x + box.w + margin, ground.width()), cell(box.y + box.h + margin, ground.height())};
+  const auto column = [&](Real x) { return cell(x, ground.tile_size().width, ground.width()); };
+  const auto row = [&](Real y) { return cell(y, ground.tile_size().height, ground.height()); };
+  return {column(box.x - margin), row(box.y - margin), column(box.x + box.w + margin),
+          row(box.y + box.h + margin)};
 }
 
 // The rounding error that a cast of the box would tolerate.
@@ -71,9 +73,10 @@ bool overlaps_tile(const BasicTerrain<Real>& ground, const BasicRect<Real>& box,
 
 // Whether the box is in the body of a slope or profile that begins in the cell.
 template <class Real>
-bool overlaps_shape(const TileOutline& shape, Cell cell, const BasicRect<Real>& box, Foot foot, Real slack) {
-  const Real left = Real(cell.x) * kTileSide, top = Real(cell.y) * kTileSide;
-  const Real base = top + (shape.is_floor ? kTileSide : 0);
+bool overlaps_shape(const BasicTerrain<Real>& ground, const TileOutline& shape, Cell cell,
+                    const BasicRect<Real>& box, Foot foot, Real slack) {
+  const Real left = ground.x_of(cell.x), top = ground.y_of(cell.y);
+  const Real base = shape.is_floor ? ground.y_of(cell.y + 1) : top;
   Real from = box.x + slack, to = box.x + box.w - slack;
   if (foot == Foot::centre && shape.is_floor) from = to = box.x + box.w / 2;
   if (shape.is_floor ? box.y >= base - slack : box.y + box.h <= base + slack) return false;
@@ -125,7 +128,8 @@ std::optional<Exit<Real>> exit_past(const BasicTerrain<Real>& ground, const Piec
 template <class Real, class Use>
 void for_open_sides(const BasicTerrain<Real>& ground, Cell c, Use use) {
   const auto solid = [&](int x, int y) { return ground.is_solid({x, y}); };
-  const Real x0 = Real(c.x) * kTileSide, y0 = Real(c.y) * kTileSide, x1 = x0 + kTileSide, y1 = y0 + kTileSide;
+  const Real x0 = ground.x_of(c.x), y0 = ground.y_of(c.y), x1 = ground.x_of(c.x + 1),
+             y1 = ground.y_of(c.y + 1);
   Piece<Real> side;
   const auto put = [&](Facing facing, Real ax, Real ay, Real bx, Real by) {
     side.x0 = side.base_x = ax, side.y0 = side.base_y = ay, side.x1 = bx, side.y1 = by;
@@ -157,7 +161,7 @@ bool overlaps_counted(const BasicTerrain<Real>& ground, const BasicRect<Real>& b
     for (c.x = block.left; c.x <= block.right; ++c.x) {
       ++looks;
       const TileOutline& shape = outlines[ground.tile_at(c)];
-      if (shape.line && !shape.one_way && overlaps_shape(shape, c, box, foot, slack)) return true;
+      if (shape.line && !shape.one_way && overlaps_shape(ground, shape, c, box, foot, slack)) return true;
     }
   }
   return false;

@@ -9,8 +9,6 @@
 namespace talus {
 namespace {
 
-double left_of(int column) { return static_cast<double>(column) * kTileSide; }
-
 // Where `a` is below `b` between x0 and x1; both are straight there. or_equal: counts places where they are
 // equal, too, if they are equal throughout. The result is rounded inwards to 1/256 px: covering a little too
 // much would leave a hole.
@@ -62,13 +60,14 @@ void OutlineCompiler::compile(Cell cell, std::span<const std::uint32_t> curve_nu
 
 // ---- Bodies ----
 
-OutlineCompiler::Body::Body(const TileOutline& of, Cell cell, int strip, int map_width)
+OutlineCompiler::Body::Body(const TileOutlines& tiles, const TileOutline& of, Cell cell, int strip,
+                            int map_width)
     : tile(&of),
       column(&of.columns[static_cast<std::size_t>(strip - cell.x)]),
-      corner{left_of(cell.x), left_of(cell.y)},
+      corner{tiles.x_of(cell.x), tiles.y_of(cell.y)},
       origin(static_cast<std::int32_t>(cell.y) * map_width + cell.x),
-      left(left_of(strip)),
-      right(left_of(strip + 1)),
+      left(tiles.x_of(strip)),
+      right(tiles.x_of(strip + 1)),
       highest(corner.y + column->highest),
       lowest(corner.y + column->lowest),
       at_left{height_at(true, left, true), height_at(false, left, true)},
@@ -112,7 +111,8 @@ const OutlineCompiler::Strip& OutlineCompiler::strip_at(int column, int row) {
   strip.cell = {column, row};
   strip.bodies.clear();
   for (int y = row - 1; y <= row + 1; ++y) {
-    if (tile({column, y}).full) strip.bodies.emplace_back(tile({column, y}), Cell{column, y}, column, width_);
+    if (tile({column, y}).full)
+      strip.bodies.emplace_back(tiles_, tile({column, y}), Cell{column, y}, column, width_);
   }
   const std::array<Cell, 2> sources = tiles_.sources_of({Cell{column, row}, Cell{column, row}});
   for (Cell c{0, sources[0].y}; c.y <= sources[1].y; ++c.y) {
@@ -120,7 +120,7 @@ const OutlineCompiler::Strip& OutlineCompiler::strip_at(int column, int row) {
       const TileOutline& shape = tile(c);
       if (!shape.line || column - c.x >= static_cast<int>(shape.columns.size())) continue;
       if (row >= c.y + shape.touched[0].y && row <= c.y + shape.touched[1].y)
-        strip.bodies.emplace_back(shape, c, column, width_);
+        strip.bodies.emplace_back(tiles_, shape, c, column, width_);
     }
   }
   cover(strip, true, strip.left);
@@ -130,8 +130,8 @@ const OutlineCompiler::Strip& OutlineCompiler::strip_at(int column, int row) {
 
 // The strip right (or left) of an x of the current strip.
 const OutlineCompiler::Strip& OutlineCompiler::strip_beside(double x, bool to_the_right) const {
-  if (to_the_right) return x == left_of(here_->cell.x + 1) ? *after_ : *here_;
-  return x == left_of(here_->cell.x) ? *before_ : *here_;
+  if (to_the_right) return x == tiles_.x_of(here_->cell.x + 1) ? *after_ : *here_;
+  return x == tiles_.x_of(here_->cell.x) ? *before_ : *here_;
 }
 
 // The parts of one side of a strip that are ground.
@@ -158,8 +158,8 @@ void OutlineCompiler::cover(const Strip& strip, bool left, std::vector<Cover>& c
 // ---- Floors and ceilings ----
 
 // Whether parts of a line between these heights may be outline of the row.
-bool OutlineCompiler::may_be_in_row(double y0, double y1, bool top, double row0) {
-  const double row1 = row0 + kTileSide;
+bool OutlineCompiler::may_be_in_row(double y0, double y1, bool top, double row0) const {
+  const double row1 = row0 + tiles_.tile_size().height;
   return top ? std::min(y0, y1) < row1 && std::max(y0, y1) >= row0
              : std::max(y0, y1) > row0 && std::min(y0, y1) <= row1;
 }
@@ -167,8 +167,8 @@ bool OutlineCompiler::may_be_in_row(double y0, double y1, bool top, double row0)
 // The exposed parts of one side of a body, in this cell.
 void OutlineCompiler::compile_surface(const Body& body, bool top, Cell cell,
                                       std::vector<Piece<double>>& out) {
-  const double strip0 = left_of(cell.x), strip1 = strip0 + kTileSide;
-  const double row0 = left_of(cell.y), row1 = row0 + kTileSide;
+  const double strip0 = tiles_.x_of(cell.x), strip1 = tiles_.x_of(cell.x + 1);
+  const double row0 = tiles_.y_of(cell.y), row1 = tiles_.y_of(cell.y + 1);
   for (const OutlineLine& in_tile : body.lines(top)) {
     if (!may_be_in_row(body.corner.y + in_tile.y0, body.corner.y + in_tile.y1, top, row0)) continue;
     const OutlineLine line = in_tile.moved(body.corner);
@@ -289,8 +289,8 @@ Piece<double> OutlineCompiler::wall_at(double x, double y0, double y1, bool left
 
 // The part of the strip's side in this cell with ground on one hand and none on the other.
 void OutlineCompiler::compile_wall(Cell cell, bool left, std::vector<Piece<double>>& out) {
-  const double x = left_of(cell.x) + (left ? 0 : kTileSide);
-  const double row0 = left_of(cell.y), row1 = row0 + kTileSide;
+  const double x = tiles_.x_of(left ? cell.x : cell.x + 1);
+  const double row0 = tiles_.y_of(cell.y), row1 = tiles_.y_of(cell.y + 1);
   for (const auto& [whole, origin] : left ? here_->left : here_->right) {
     if (whole.to <= row0 || whole.from >= row1) continue;
     parts_.clear();
@@ -307,8 +307,8 @@ void OutlineCompiler::compile_wall(Cell cell, bool left, std::vector<Piece<doubl
 
 // The tips of wedges: a body's top and bottom meet there, and no other ground continues.
 void OutlineCompiler::compile_tips(Cell cell, std::vector<Piece<double>>& out) const {
-  const double strip0 = left_of(cell.x), strip1 = strip0 + kTileSide;
-  const double row0 = left_of(cell.y), row1 = row0 + kTileSide;
+  const double strip0 = tiles_.x_of(cell.x), strip1 = tiles_.x_of(cell.x + 1);
+  const double row0 = tiles_.y_of(cell.y), row1 = tiles_.y_of(cell.y + 1);
   for (const Body& body : here_->bodies) {
     if (!body.tile->line || body.one_way() || body.lowest < row0 || body.highest > row1) continue;
     for (const OutlineLine& line : body.lines(body.tile->is_floor)) {
@@ -341,9 +341,9 @@ bool OutlineCompiler::goes_on_at(double x, double y, bool to_the_right) const {
 void OutlineCompiler::mark_ends(Piece<double>& piece, Cell cell) const {
   if (piece.is_wall()) return;
   // A long piece is marked at its ends, in the cells of these ends: only there the surroundings are known.
-  const auto is_near = [cell](double x, double y) {
-    return x >= left_of(cell.x) && x <= left_of(cell.x + 1) && y >= left_of(cell.y) &&
-           y <= left_of(cell.y + 1);
+  const auto is_near = [this, cell](double x, double y) {
+    return x >= tiles_.x_of(cell.x) && x <= tiles_.x_of(cell.x + 1) && y >= tiles_.y_of(cell.y) &&
+           y <= tiles_.y_of(cell.y + 1);
   };
   const bool near0 = piece.origin >= 0 || is_near(piece.x0, piece.y0);
   const bool near1 = piece.origin >= 0 || is_near(piece.x1, piece.y1);

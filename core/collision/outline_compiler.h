@@ -79,7 +79,7 @@ class OutlineCompiler {
     double highest, lowest;      // the range of its y
     Interval at_left, at_right;  // from its top to its bottom, just inside of the strip's left and right side
 
-    Body(const TileOutline& of, Cell cell, int strip, int map_width);
+    Body(const TileOutlines& tiles, const TileOutline& of, Cell cell, int strip, int map_width);
     bool one_way() const { return tile->one_way; }
     // A one-way line stops with one side alone.
     bool has(bool top) const { return !tile->one_way || tile->is_floor == top; }
@@ -114,7 +114,7 @@ class OutlineCompiler {
   const Strip& strip_beside(double x, bool to_the_right) const;
   static void cover(const Strip& strip, bool left, std::vector<Cover>& covers);
 
-  static bool may_be_in_row(double y0, double y1, bool top, double row0);
+  bool may_be_in_row(double y0, double y1, bool top, double row0) const;
   void compile_surface(const Body& body, bool top, Cell cell, std::vector<Piece<double>>& out);
   void find_open(const Body& body, bool top, const OutlineLine& line, const Interval& part);
   void take_out_hidden(const Body& body, bool top, const OutlineLine& line, double x0, double x1);

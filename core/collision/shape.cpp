@@ -135,18 +135,21 @@ Course course_of(const Polyline& p) {
 
 double weld(double coordinate) { return std::round(coordinate * kWeldParts) / kWeldParts; }
 
-std::optional<std::string> problem_of(const TileShape& shape) {
+std::optional<std::string> problem_of(const TileShape& shape, TileSize tile) {
   using Kind = TileShape::Kind;
+  const int most_heights = max_shape_heights(tile), highest = kMaxShapeTiles * tile.height;
   if (shape.tiles < 1 || shape.tiles > kMaxShapeTiles) return "must be 1 to 8 tiles wide";
-  const int count = static_cast<int>(std::min<std::size_t>(shape.heights.size(), kMaxShapeHeights + 1));
+  const auto most = static_cast<std::size_t>(most_heights);
+  const int count = static_cast<int>(std::min(shape.heights.size(), most + 1));
   if (shape.kind == Kind::none || shape.kind == Kind::solid)
     return count == 0 ? Problem() : "has heights, which only a slope or a profile has";
   if (shape.kind == Kind::slope && count != 2) return "must have 2 heights";
-  if (shape.kind == Kind::profile && (count < 3 || count > kMaxShapeHeights))
-    return "must have 3 to 65 heights";
+  if (shape.kind == Kind::profile && (count < 3 || count > most_heights))
+    return "must have 3 to " + std::to_string(most_heights) + " heights";
   for (const double height : shape.heights) {
     if (!std::isfinite(height)) return "has a height that is not a number";
-    if (height < 0 || height > kMaxShapeTiles * kTileSide) return "has a height that is not from 0 to 64 px";
+    if (height < 0 || height > highest)
+      return "has a height that is not from 0 to " + std::to_string(highest) + " px";
   }
   return {};
 }
@@ -155,9 +158,9 @@ std::optional<std::string> problem_of(const Curve& curve) {
   return std::visit([](const auto& form) { return problem_of_form(form); }, curve.form);
 }
 
-double cells_passed(const Curve& curve) {
+double cells_passed(const Curve& curve, TileSize tile) {
   const Course course = std::visit([](const auto& form) { return course_of(form); }, curve.form);
-  const double cells = course.parts + (course.width + course.climb) / kTileSide;
+  const double cells = course.parts + (course.width / tile.width + course.climb / tile.height);
   return curve.faces == Curve::Faces::both ? 2 * cells : cells;
 }
 

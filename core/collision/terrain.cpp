@@ -36,15 +36,16 @@ CurveStretch<Real> narrow(const CurveStretch<double>& s) {
   return n;
 }
 
-// The columns, or the rows, that a stretch from a to b lies in. A stretch on a border lies in both.
+// The columns, or the rows, that a stretch from a to b lies in. A stretch on a border lies in both. side: px,
+// of each column or row.
 struct Range {
   int first, last;
 };
-Range cells_between(double a, double b, int count) {
+Range cells_between(double a, double b, int side, int count) {
   const auto within = [&](double cell) {
     return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(count - 1)));
   };
-  return {within(std::ceil(std::min(a, b) / kTileSide) - 1), within(std::floor(std::max(a, b) / kTileSide))};
+  return {within(std::ceil(std::min(a, b) / side) - 1), within(std::floor(std::max(a, b) / side))};
 }
 
 // The bits from the first to the last.
@@ -67,7 +68,7 @@ TerrainSource empty_source() {
 template <class Real>
 struct BasicTerrain<Real>::Parts {
   explicit Parts(const TerrainSource& source)
-      : shapes(source.shapes), outlines(source.shapes), curves(source.curves) {}
+      : shapes(source.shapes), outlines(source.shapes, source.tile), curves(source.curves) {}
   std::array<TileShape, kTileKinds> shapes;
   TileOutlines outlines;  // of the shapes
   std::vector<Curve> curves;
@@ -82,10 +83,16 @@ BasicTerrain<Real>::BasicTerrain() : BasicTerrain(empty_source()) {}
 
 template <class Real>
 BasicTerrain<Real>::BasicTerrain(const TerrainSource& source)
-    : width_(source.width), height_(source.height), chunk_columns_((source.width + kSide - 1) / kSide) {
-  assert(is_terrain_size(width_, height_));
+    : width_(source.width),
+      height_(source.height),
+      tile_(source.tile),
+      columns_per_px_(1 / Real(source.tile.width)),
+      rows_per_px_(1 / Real(source.tile.height)),
+      chunk_columns_((source.width + kSide - 1) / kSide) {
+  assert(is_terrain_size(width_, height_, tile_));
   assert(source.cells.size() == static_cast<std::size_t>(width_) * height_);
-  assert(std::none_of(source.shapes.begin(), source.shapes.end(), [](auto& s) { return problem_of(s); }));
+  assert(std::none_of(source.shapes.begin(), source.shapes.end(),
+                      [&](const TileShape& s) { return problem_of(s, source.tile); }));
   assert(std::none_of(source.curves.begin(), source.curves.end(), [](auto& c) { return problem_of(c); }));
   auto parts = std::make_shared<Parts>(source);
   CurveOutline curves = cut_curves(source.curves);
@@ -122,10 +129,11 @@ std::vector<typename BasicTerrain<Real>::CurveInCell> BasicTerrain<Real>::cells_
   std::vector<CurveInCell> cells;
   for (std::uint32_t n = 0; n < pieces.size(); ++n) {
     const Piece<double>& p = pieces[n];
-    const Range columns = cells_between(p.x0, p.x1, width_);
+    const Range columns = cells_between(p.x0, p.x1, tile_.width, width_);
     for (Cell c{columns.first, 0}; c.x <= columns.last; ++c.x) {
-      const double left = static_cast<double>(c.x) * kTileSide;
-      const Range rows = cells_between(p.y_at(left, stretches), p.y_at(left + kTileSide, stretches), height_);
+      const double left = static_cast<double>(c.x) * tile_.width;
+      const Range rows = cells_between(p.y_at(left, stretches), p.y_at(left + tile_.width, stretches),
+                                       tile_.height, height_);
       for (c.y = rows.first; c.y <= rows.last; ++c.y) cells.push_back({index_of(c), n});
     }
   }
@@ -367,7 +375,7 @@ std::uint8_t BasicTerrain<Real>::tile_at(Cell cell) const {
 // The outline follows from the cells, the shapes and the curves.
 template <class Real>
 bool BasicTerrain<Real>::equals(const BasicTerrain& other) const {
-  if (width_ != other.width_ || height_ != other.height_) return false;
+  if (width_ != other.width_ || height_ != other.height_ || tile_ != other.tile_) return false;
   if (parts_ != other.parts_ &&
       (parts_->shapes != other.parts_->shapes || parts_->curves != other.parts_->curves))
     return false;

@@ -15,7 +15,7 @@ namespace talus {
 namespace {
 
 constexpr int kMaxCells =
-    (1 << 23) / kTileSide - 1;  // the largest number of px in 24.8, with a cell to spare
+    (1 << 23) / kTileSize - 1;  // the largest number of px in 24.8, with a cell to spare
 
 // The prefix of names: the file's name, with one _ in place of other characters than C allows in names.
 std::string c_name(const std::string& stem) {
@@ -99,9 +99,9 @@ std::string c_list(const Range& values) {
 // The floors of a shape's tile, or of a further column of it: 24.8 numbers, or `none`.
 std::string floor_row(const PlainShape& shape, int column, const std::string& none) {
   std::string text = "{";
-  for (int x = 0; x < kTileSide; ++x) {
+  for (int x = 0; x < kTileSize; ++x) {
     if (x > 0) text += ',';
-    const double y = shape.columns[static_cast<std::size_t>(column * kTileSide + x)];
+    const double y = shape.columns[static_cast<std::size_t>(column * kTileSize + x)];
     if (shape.has_floor_at(y))
       append_number(text, fixed(shape.is_ceiling ? 0 : y));
     else
@@ -188,20 +188,20 @@ void CHeader::put_head() {
 )");
   define("WIDTH", level_.map.width());
   define("HEIGHT", level_.map.height());
-  define("TILE_SIZE", kTileSide);
+  define("TILE_SIZE", kTileSize);
   define("BODIES", static_cast<std::int64_t>(bodies_.size()));
   for (const FlagRoleInfo& info : flag_role_infos()) {
     const int flag = level_.roles.*info.flag;
     if (flag != FlagRoles::kUnused) define("FLAG_" + upper(std::string(info.key)), flag);
   }
   int widest = 1;
-  double highest = kTileSide;
+  double highest = kTileSize;
   for (const PlainShape& shape : shapes_) {
     widest = std::max(widest, shape.tiles);
-    for (const double y : shape.ys) highest = std::max(highest, kTileSide - y);
+    for (const double y : shape.ys) highest = std::max(highest, kTileSize - y);
   }
   define("WIDEST", widest);                                                      // tiles
-  define("HIGHEST", static_cast<std::int64_t>(std::ceil(highest / kTileSide)));  // tiles
+  define("HIGHEST", static_cast<std::int64_t>(std::ceil(highest / kTileSize)));  // tiles
   line("#define ^_NO_FLOOR INT32_MAX");
   line("");
 }
@@ -239,7 +239,7 @@ typedef struct @_shape {
   std::size_t row = 1, first = 0;
   std::vector<std::int64_t> ys;
   for (const PlainShape* shape : distinct_) {
-    const double width = shape->tiles * kTileSide;
+    const double width = shape->tiles * kTileSize;
     const bool is_slope = shape->kind == TileShape::Kind::slope;
     const double slope = is_slope ? (shape->ys.back() - shape->ys.front()) / width : 0;
     line(c_list(std::vector<std::int64_t>{

@@ -81,7 +81,7 @@ std::string tile_table(const Level& level) {
       table.number(tile).number(flags).word(kind_word(shape->kind));
       table.word(shape->is_ceiling ? "ceiling" : "floor").truth(shape->one_way);
       table.number(shape->tiles).number(column);
-      for (int x = 0; x < kTileSide; ++x) table.number(shape->columns[column * kTileSide + x]);
+      for (int x = 0; x < kTileSize; ++x) table.number(shape->columns[column * kTileSize + x]);
       table.end_row();
     }
     ++shape;

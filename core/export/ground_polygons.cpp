@@ -40,7 +40,9 @@ using EdgeColumns = std::vector<std::vector<Edge>>;
 
 bool lies_before(Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
-std::size_t column_of(double x) { return static_cast<std::size_t>(x / kTileSide); }
+// The column of cells that an x is in; side: px, of each. Ends of lines are whole parts of kWeldParts, so
+// that no quotient of them rounds up to the next column.
+std::size_t column_of(double x, int side) { return static_cast<std::size_t>(x / side); }
 
 // Ground between two lines, in one column of cells; px from their corners.
 struct Body {
@@ -70,8 +72,8 @@ OutlineLine line_at(std::span<const OutlineLine> lines, Vec2 corner, double x) {
 
 class Merger {
  public:
-  explicit Merger(const TerrainSource& ground) : ground_(ground), outlines_(ground.shapes) {
-    flat_.push_back({0, 0, kTileSide, 0, 0, 0, 0, 0});
+  explicit Merger(const TerrainSource& ground) : ground_(ground), outlines_(ground.shapes, ground.tile) {
+    flat_.push_back({0, 0, 1.0 * ground.tile.width, 0, 0, 0, 0, 0});
     for (const std::uint8_t tile : ground.cells)
       if (outlines_[tile].line) widest_ = std::max(widest_, static_cast<int>(outlines_[tile].columns.size()));
   }
@@ -116,7 +118,7 @@ class Merger {
     std::vector<Body> bodies = bodies_of(column);
     std::stable_sort(bodies.begin(), bodies.end(),
                      [](const Body& a, const Body& b) { return a.highest < b.highest; });
-    const double x0 = static_cast<double>(column) * kTileSide;
+    const double x0 = outlines_.x_of(column);
     std::vector<Turn> left = std::exchange(right_side_, {});
     for (std::size_t begin = 0; begin < bodies.size();) {
       double lowest = bodies[begin].lowest;
@@ -132,9 +134,7 @@ class Merger {
   // The runs of full tiles in a column, and the lines of slopes and profiles.
   std::vector<Body> bodies_of(int column) const {
     std::vector<Body> bodies;
-    const auto corner = [](int x, int y) {
-      return Vec2{static_cast<double>(x) * kTileSide, static_cast<double>(y) * kTileSide};
-    };
+    const auto corner = [this](int x, int y) { return Vec2{outlines_.x_of(x), outlines_.y_of(y)}; };
     for (int y = 0, run = 0; y <= ground_.height && column < ground_.width; ++y) {
       if (y < ground_.height && outline(column, y).full) continue;
       const Vec2 top = corner(column, run), bottom = corner(column, y);
@@ -175,8 +175,8 @@ class Merger {
   }
 
   // The places where a line begins, or two lines cross; and the sides of the column.
-  static std::vector<Side> sides_of(std::span<const Body> bodies, double x0) {
-    std::vector<double> ends = {x0, x0 + kTileSide};
+  std::vector<Side> sides_of(std::span<const Body> bodies, double x0) const {
+    std::vector<double> ends = {x0, x0 + ground_.tile.width};
     for (const Body& body : bodies)
       for (const double joint : body.joints) ends.push_back(body.top_corner.x + joint);
     std::sort(ends.begin(), ends.end());
@@ -266,7 +266,7 @@ class Merger {
   }
   void put_edge(const Edge& edge) {
     if (edge.from == edge.to || ++sides_ > kMaxGroundSides) return;
-    const bool is_here = column_of(edge.from.x) == static_cast<std::size_t>(column_);
+    const bool is_here = column_of(edge.from.x, ground_.tile.width) == static_cast<std::size_t>(column_);
     (is_here ? edges_ : next_edges_).push_back(edge);
   }
 
@@ -283,7 +283,8 @@ class Merger {
 // Links edges to rings. At each point as many edges begin as end.
 class RingLinker {
  public:
-  explicit RingLinker(EdgeColumns columns) : columns_(std::move(columns)) {}
+  // side: px, of a column.
+  RingLinker(EdgeColumns columns, int side) : columns_(std::move(columns)), side_(side) {}
 
   std::vector<GroundPolygon> link(const std::function<bool(double)>& progress) {
     std::vector<GroundPolygon> polygons;
@@ -316,7 +317,7 @@ class RingLinker {
   // If several edges begin here, takes the rightmost turn, so that ground which touches in a corner stays
   // apart.
   Edge* next_of(const Edge& edge, Edge& first) {
-    std::vector<Edge>& edges = columns_[column_of(edge.to.x)];
+    std::vector<Edge>& edges = columns_[column_of(edge.to.x, side_)];
     auto next = std::lower_bound(edges.begin(), edges.end(), edge.to,
                                  [](const Edge& e, Vec2 point) { return lies_before(e.from, point); });
     const auto begins_here = [&](auto at) { return at != edges.end() && at->from == edge.to; };
@@ -354,6 +355,7 @@ class RingLinker {
   }
 
   EdgeColumns columns_;
+  int side_;                       // px, of a column
   std::vector<const Edge*> ring_;  // the ring that is being linked
 };
 
@@ -367,7 +369,7 @@ bool is_straight(Vec2 a, Vec2 b, Vec2 c) {
 FormatResult<std::vector<GroundPolygon>> ground_polygons(const TerrainSource& ground) {
   FormatResult<EdgeColumns> sides = Merger(ground).merge();
   if (!sides) return tl::unexpected(sides.error());
-  return RingLinker(*std::move(sides)).link(ground.progress);
+  return RingLinker(*std::move(sides), ground.tile.width).link(ground.progress);
 }
 
 }  // namespace talus

@@ -16,11 +16,11 @@ PlainShape plain_shape(int tile, const TileShape& shape, const TileOutline& outl
   PlainShape plain{tile, shape.kind, outline.line && !outline.is_floor, shape.one_way, 1, {}, {}};
   plain.tiles = static_cast<int>(outline.columns.size());
   std::vector<double> heights = shape.heights;
-  if (shape.kind == TileShape::Kind::solid) heights = {kTileSide, kTileSide};
+  if (shape.kind == TileShape::Kind::solid) heights = {kTileSize, kTileSize};
   for (const double height : heights)
-    plain.ys.push_back(plain.is_ceiling ? weld(height) : kTileSide - weld(height));
-  for (int column = 0; column < plain.tiles * kTileSide; ++column) {
-    const TileColumn& cell = outline.columns[static_cast<std::size_t>(column / kTileSide)];
+    plain.ys.push_back(plain.is_ceiling ? weld(height) : kTileSize - weld(height));
+  for (int column = 0; column < plain.tiles * kTileSize; ++column) {
+    const TileColumn& cell = outline.columns[static_cast<std::size_t>(column / kTileSize)];
     const auto& lines = plain.is_ceiling ? cell.bottom : cell.top;
     const double x = column + 0.5;
     const auto line = std::find_if(lines.begin(), lines.end(), [x](const auto& l) { return x <= l.x1; });
@@ -134,7 +134,7 @@ std::vector<Vec2> points_of(Curve curve) {
 
 bool PlainShape::has_floor_at(double y) const {
   if (is_ceiling) return !one_way && y > 0;
-  return one_way || y < kTileSide;
+  return one_way || y < kTileSize;
 }
 
 std::vector<PlainShape> plain_shapes(const TerrainSource& ground) {
@@ -166,7 +166,7 @@ PlainBody PlainBodies::at(std::size_t index) const {
     body.start = level_.spawns[index - tiles_.size()];
   } else {
     body.tile = level_.map.at(tiles_[index]);
-    body.start.position = Vec2{1.0 * kTileSide * tiles_[index].x, 1.0 * kTileSide * tiles_[index].y};
+    body.start.position = Vec2{1.0 * kTileSize * tiles_[index].x, 1.0 * kTileSize * tiles_[index].y};
   }
   return body;
 }

@@ -55,9 +55,9 @@ std::size_t ground_lines(const TileShape& shape) {
   if (shape.kind == TileShape::Kind::none || problem_of(shape)) return 0;
   if (shape.kind == TileShape::Kind::solid) return shape.one_way ? 1 : 0;
   const std::vector<double>& heights = shape.heights;
-  double cells = (heights.front() + heights.back()) / kTileSide;  // of the walls at its sides
+  double cells = (heights.front() + heights.back()) / kTileSize;  // of the walls at its sides
   for (std::size_t i = 1; i < heights.size(); ++i)
-    cells += 1 + std::abs(heights[i] - heights[i - 1]) / kTileSide;
+    cells += 1 + std::abs(heights[i] - heights[i - 1]) / kTileSize;
   return static_cast<std::size_t>(std::ceil(cells));
 }
 

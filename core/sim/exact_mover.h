@@ -48,13 +48,14 @@ bool is_level(const Contact<Real>& contact, Real steepest) {
   return slope != steepest ? slope < steepest : p->slope * p->slope_rest <= 0;
 }
 
-// RestMemo: what a box met that fell straight down while it touched the ground. For a fall of up to two cells
-// the answer depends neither on its length nor on its speed, so a box at rest need not ask again.
+// RestMemo: what a box met that fell straight down while it touched the ground. For a fall of up to
+// kShortMotion the answer depends neither on its length nor on its speed, so a box at rest need not ask
+// again.
 template <class Real>
 class RestMemo {
  public:
   static bool is_fall(const Cast<Real>& cast) {
-    return cast.motion.y > 0 && cast.motion.y <= 2 * kTileSide && !moves_sideways(cast);
+    return cast.motion.y > 0 && cast.motion.y <= kShortMotion && !moves_sideways(cast);
   }
   // The answer for a fall, or null.
   const Contact<Real>* find(const Cast<Real>& fall) const {
@@ -174,7 +175,7 @@ class Mover {
     if (may_rest && rest_->keep(cast, contact_) && budget_ != nullptr) {
       CastBudget whole;
       const std::int64_t most = whole.left;
-      const Cast<Real> fall{cast.box, {0, 2 * kTileSide}, cast.foot};
+      const Cast<Real> fall{cast.box, {0, kShortMotion}, cast.foot};
       cast_box(terrain_, fall, others_, followed, &whole);
       rest_->set_work(most - whole.left);
       budget_->left = left - rest_->work();

@@ -204,7 +204,8 @@ class ExactSolver final : public Solver {
 
   // A body whose cells would exceed the budget stays inside the ground.
   void leave_ground(Moving<Real>& moving) {
-    const double columns = moving.box.w / kTileSide + 2, rows = moving.box.h / kTileSide + 2;
+    const TileSize tile = ground_.tile_size();
+    const double columns = moving.box.w / Real(tile.width) + 2, rows = moving.box.h / Real(tile.height) + 2;
     if (columns * rows > static_cast<double>(budget_.left)) return note_cut_short();
     const auto out = way_out(ground_, moving.box, moving.foot, &budget_);
     if (budget_.left <= 0) note_cut_short();
@@ -259,7 +260,8 @@ class ExactSolver final : public Solver {
     } else {
       other.cell = {contact.origin % ground_.width(), contact.origin / ground_.width()};
     }
-    other.box = {other.cell.x * 1.0 * kTileSide, other.cell.y * 1.0 * kTileSide, kTileSide, kTileSide};
+    const TileSize tile = ground_.tile_size();
+    other.box = {ground_.x_of(other.cell.x), ground_.y_of(other.cell.y), 1.0 * tile.width, 1.0 * tile.height};
     if (piece != nullptr && (contact.origin < 0 || other.role != TileRole::solid)) {
       const double top = std::min(piece->y0, piece->y1), bottom = std::max(piece->y0, piece->y1);
       other.box = {piece->x0, top, static_cast<double>(piece->x1) - piece->x0, bottom - top};

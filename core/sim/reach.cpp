@@ -42,6 +42,7 @@ ReachSearch::ReachSearch(const Scene& scene, const Body& player, ReachOptions op
       solver_(make_solver(scene_)),
       width_(scene.ground ? scene.ground->width() : scene.single_ground->width()),
       height_(scene.ground ? scene.ground->height() : scene.single_ground->height()),
+      tile_(scene.ground ? scene.ground->tile_size() : scene.single_ground->tile_size()),
       fastest_x_(std::max({scene.tuning.player.run_speed, std::abs(player.velocity.x), 1.0})),
       fastest_y_(std::max({scene.tuning.player.jump_speed, scene.tuning.player.fall_limit, 1.0})) {
   assert(traits_of(player.kind).takes_keys && options.hold >= 1 && options.hold <= 60);
@@ -73,7 +74,8 @@ std::uint64_t ReachSearch::key_of(const Body& body) const {
 
 // Below, left and right of the map there is nothing, so a player would fall for ever.
 bool ReachSearch::is_lost(const Body& body) const {
-  return body.box.y >= height_ * kTileSide || body.box.right() <= 0 || body.box.x >= width_ * kTileSide;
+  return body.box.y >= 1.0 * height_ * tile_.height || body.box.right() <= 0 ||
+         body.box.x >= 1.0 * width_ * tile_.width;
 }
 
 void ReachSearch::follow(std::uint32_t from, std::uint8_t keys) {
@@ -101,14 +103,15 @@ void ReachSearch::follow(std::uint32_t from, std::uint8_t keys) {
 }
 
 void ReachSearch::mark(const Body& body, const Visit& visit) {
-  const auto last_cell = [](double end) { return static_cast<int>(std::ceil(end / kTileSide)) - 1; };
-  const Cell from{cell_of(body.box.x), cell_of(body.box.y)};
-  const Cell to{last_cell(body.box.right()), last_cell(body.box.bottom())};
+  const auto first = [](double at, int side) { return static_cast<int>(std::floor(at / side)); };
+  const auto last = [](double end, int side) { return static_cast<int>(std::ceil(end / side)) - 1; };
+  const Cell from{first(body.box.x, tile_.width), first(body.box.y, tile_.height)};
+  const Cell to{last(body.box.right(), tile_.width), last(body.box.bottom(), tile_.height)};
   for (int y = std::max(from.y, 0); y <= std::min(to.y, height_ - 1); ++y) {
     for (int x = std::max(from.x, 0); x <= std::min(to.x, width_ - 1); ++x)
       visits_.try_emplace(index_of({x, y}), visit);
   }
-  const Cell feet{cell_of(body.box.center().x), to.y};
+  const Cell feet{first(body.box.center().x, tile_.width), to.y};
   if (body.gait.grounded && index_of(feet) >= 0) stood_.insert(index_of(feet));
 }
 

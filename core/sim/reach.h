@@ -76,8 +76,9 @@ class ReachSearch {
   ReachOptions options_;
   std::shared_ptr<const Scene> scene_;  // with only the player
   std::unique_ptr<Solver> solver_;
-  State state_;  // the state under test
-  int width_, height_;
+  State state_;                   // the state under test
+  int width_, height_;            // cells
+  TileSize tile_;                 // of the cells
   double fastest_x_, fastest_y_;  // px/frame
   std::vector<Node> nodes_;       // in the order of finding
   std::size_t next_ = 0;          // the next node to follow

@@ -45,7 +45,7 @@ void draw_floor(const OverlaySource& source, const Body& body, OverlayPen& pen) 
   const Rect& b = body.box;
   if (source.ground == nullptr || !pen.sees(b)) return;
   const bool is_chosen = body.id == source.chosen_body;
-  const double reach = is_chosen ? source.ground->height() * double{kTileSide} : kFloorReach;
+  const double reach = is_chosen ? source.ground->y_of(source.ground->height()) : kFloorReach;
   const auto floor = floor_below(*source.ground, b, reach, body.foot);
   if (!floor) return;
   const double x = b.center().x;

@@ -91,11 +91,13 @@ class VisiblePiece {
 // Calls fn(cell) for the visible cells of the ground.
 template <class Fn>
 void each_visible_cell(const Terrain& ground, const Rect& visible, Fn fn) {
-  const auto cell = [](double px, int count) {
-    return std::clamp(static_cast<int>(std::floor(px / kTileSide)), -1, count);
+  const auto cell = [](double px, int side, int count) {
+    return std::clamp(static_cast<int>(std::floor(px / side)), -1, count);
   };
-  const int x0 = std::max(cell(visible.x, ground.width()), 0), x1 = cell(visible.right(), ground.width());
-  const int y0 = std::max(cell(visible.y, ground.height()), 0), y1 = cell(visible.bottom(), ground.height());
+  const auto column = [&](double x) { return cell(x, ground.tile_size().width, ground.width()); };
+  const auto row = [&](double y) { return cell(y, ground.tile_size().height, ground.height()); };
+  const int x0 = std::max(column(visible.x), 0), x1 = column(visible.right());
+  const int y0 = std::max(row(visible.y), 0), y1 = row(visible.bottom());
   for (int y = y0; y <= std::min(y1, ground.height() - 1); ++y) {
     for (int x = x0; x <= std::min(x1, ground.width() - 1); ++x) fn(Cell{x, y});
   }
@@ -133,12 +135,10 @@ class OutlineDrawer {
   // Draws a side of a full tile, unless another full tile is beyond it.
   void draw_side(Cell cell, Cell towards, Facing facing) {
     if (ground_.is_solid({cell.x + towards.x, cell.y + towards.y})) return;
-    const double x = cell.x * kTileSide, y = cell.y * kTileSide;
-    const double right = facing == Facing::right ? kTileSide : 0,
-                 low = facing == Facing::down ? kTileSide : 0;
     const bool is_wall = facing == Facing::left || facing == Facing::right;
-    const Vec2 from{x + right, y + low};
-    const Vec2 to = is_wall ? Vec2{from.x, y + kTileSide} : Vec2{x + kTileSide, from.y};
+    const Vec2 from{ground_.x_of(cell.x + (facing == Facing::right ? 1 : 0)),
+                    ground_.y_of(cell.y + (facing == Facing::down ? 1 : 0))};
+    const Vec2 to = is_wall ? Vec2{from.x, ground_.y_of(cell.y + 1)} : Vec2{ground_.x_of(cell.x + 1), from.y};
     pen_.line(from, to);
     draw_normal((from + to) * 0.5, normal_of(facing));
   }

@@ -22,13 +22,14 @@ class Collector {
  public:
   Collector(const Terrain& ground, Rect visible, OverlayDrawing& out)
       : ground_(ground), visible_(visible), out_(out) {
-    const auto cell = [](double px, int count) {
-      return static_cast<int>(std::clamp(std::floor(px / kTileSide), 0.0, static_cast<double>(count)));
+    const auto cell = [](double px, int side, int count) {
+      return static_cast<int>(std::clamp(std::floor(px / side), 0.0, static_cast<double>(count)));
     };
-    left_ = cell(visible.x, ground.width());
-    top_ = cell(visible.y, ground.height());
-    right_ = cell(visible.right() + kTileSide, ground.width());
-    bottom_ = cell(visible.bottom() + kTileSide, ground.height());
+    const auto [tile_width, tile_height] = ground.tile_size();
+    left_ = cell(visible.x, tile_width, ground.width());
+    top_ = cell(visible.y, tile_height, ground.height());
+    right_ = cell(visible.right() + tile_width, tile_width, ground.width());
+    bottom_ = cell(visible.bottom() + tile_height, tile_height, ground.height());
   }
 
   void draw() {
@@ -52,7 +53,8 @@ class Collector {
           const bool shared = i < last && (upright ? is_full(line - 1, i) && is_full(line, i)
                                                    : is_full(i, line - 1) && is_full(i, line));
           if (shared) continue;
-          if (i > start) put({upright, 1.0 * line * kTileSide, 1.0 * start * kTileSide, 1.0 * i * kTileSide});
+          if (i > start && upright) put({true, ground_.x_of(line), ground_.y_of(start), ground_.y_of(i)});
+          if (i > start && !upright) put({false, ground_.y_of(line), ground_.x_of(start), ground_.x_of(i)});
           start = i + 1;
         }
       }
@@ -73,18 +75,19 @@ class Collector {
       }
     }
     const TileShape& shape = ground_.shape_at(c);
-    const double x = 1.0 * c.x * kTileSide, y = 1.0 * c.y * kTileSide;
+    const double x = ground_.x_of(c.x), right = ground_.x_of(c.x + 1);
+    const double y = ground_.y_of(c.y), bottom = ground_.y_of(c.y + 1);
     if (is_full(c.x, c.y)) {
       if (!ground_.is_detailed(c)) return;
-      if (!is_full(c.x - 1, c.y)) sides_.push_back({true, x, y, y + kTileSide});
-      if (!is_full(c.x + 1, c.y)) sides_.push_back({true, x + kTileSide, y, y + kTileSide});
-      if (!is_full(c.x, c.y - 1)) sides_.push_back({false, y, x, x + kTileSide});
-      if (!is_full(c.x, c.y + 1)) sides_.push_back({false, y + kTileSide, x, x + kTileSide});
+      if (!is_full(c.x - 1, c.y)) sides_.push_back({true, x, y, bottom});
+      if (!is_full(c.x + 1, c.y)) sides_.push_back({true, right, y, bottom});
+      if (!is_full(c.x, c.y - 1)) sides_.push_back({false, y, x, right});
+      if (!is_full(c.x, c.y + 1)) sides_.push_back({false, bottom, x, right});
     } else if (!shape.one_way && !shape.heights.empty()) {
       const bool floor = shape.side == TileShape::Side::floor;
-      const double base = floor ? y + kTileSide : y, right = x + shape.tiles * kTileSide;
-      sides_.push_back({false, base, x, right});
-      for (const auto& [at, height] : {std::pair{x, shape.heights.front()}, {right, shape.heights.back()}}) {
+      const double base = floor ? bottom : y, end = ground_.x_of(c.x + shape.tiles);
+      sides_.push_back({false, base, x, end});
+      for (const auto& [at, height] : {std::pair{x, shape.heights.front()}, {end, shape.heights.back()}}) {
         if (height > 0)
           sides_.push_back(
               {true, at, floor ? base - weld(height) : base, floor ? base : base + weld(height)});

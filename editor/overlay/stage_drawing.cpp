@@ -91,7 +91,7 @@ void add_visited(std::span<const Stage> stages, OverlayDrawing& drawing) {
   };
   for (const Stage& stage : stages) {
     for (const Cell cell : stage.cells)
-      add({1.0 * cell.x * kTileSide, 1.0 * cell.y * kTileSide, kTileSide, kTileSide});
+      add({1.0 * cell.x * kTileSize, 1.0 * cell.y * kTileSize, kTileSize, kTileSize});
     for (const Obstacle& tested : stage.tested) add(tested.box);
   }
 }

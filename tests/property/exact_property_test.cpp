@@ -56,7 +56,7 @@ double ulp_of(const Move& m) {
 
 // Numbers on a grid of 1/parts hit sides and corners exactly. Other numbers hardly ever do.
 Move random_move(Dice& dice, const RandomGround& ground, const ExactGround& exact, double parts) {
-  const double width = ground.width * kTileSide, height = ground.height * kTileSide;
+  const double width = ground.right(), height = ground.bottom();
   Move m;
   m.box.w = dice.one_in(3) ? 8 : dice.step(0.25, 20, parts);
   m.box.h = dice.one_in(3) ? 8 : dice.step(0.25, 20, parts);
@@ -259,7 +259,7 @@ Facing mirrored(Facing facing) {
 // ground are equal to the last bit; so is y on level floors and x at walls. Other places are sums that are
 // rounded on different grids to the left and right of a power of two.
 void expect_mirrored(const Scene& scene, const Move& move, const Truth& truth, bool straight) {
-  const double width = scene.ground.width * kTileSide;
+  const double width = scene.ground.right();
   const Scene other(scene.ground.mirrored());
   const Move turned{{width - move.box.x - move.box.w, move.box.y, move.box.w, move.box.h},
                     {-move.motion.x, move.motion.y}};
@@ -299,13 +299,14 @@ RC_GTEST_PROP(ExactProperty, MovedGroundGivesTheMovedContact, (std::uint64_t see
     const GroundKinds kinds{.one_way = true, .segments = true, .curves = dice.one_in(2)};
     const Scene near(random_ground(dice, 4 + dice.up_to(8), 4 + dice.up_to(8), kinds));
     const bool to_the_right = dice.one_in(2);
-    const int cells = 1 << dice.up_to(17);
+    const TileSize tile = near.ground.tile;
+    const int cells = 1 + (1 << dice.up_to(20)) / (to_the_right ? tile.width : tile.height);
     const Cell by{to_the_right ? cells : dice.up_to(2), to_the_right ? dice.up_to(2) : cells};
     const Scene far(near.ground.moved(by.x, by.y));
     for (int k = 0; k < kMovesOnAGround; ++k) {
       const Move move = random_move(dice, near.ground, near.exact, 256);
       Move moved = move;
-      moved.box.x += by.x * kTileSide, moved.box.y += by.y * kTileSide;
+      moved.box.x += by.x * tile.width, moved.box.y += by.y * tile.height;
       const Truth truth = far.truth(moved);
       if (!truth.is_told) continue;
       expect_right(far, moved, truth, 3 * ulp_of(moved) + (kinds.curves ? 1e-12 : 0));

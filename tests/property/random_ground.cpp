@@ -14,7 +14,12 @@ using Kind = TileShape::Kind;
 
 constexpr int kShapeKinds = 12;
 
-TileShape random_shape(Dice& dice, GroundKinds kinds) {
+TileSize random_tile_size(Dice& dice) {
+  constexpr std::array kSides = {1, 3, 12, 16, 18, 24, 32, 256};
+  return {kSides[dice.up_to(7)], kSides[dice.up_to(7)]};
+}
+
+TileShape random_shape(Dice& dice, TileSize tile, GroundKinds kinds) {
   TileShape shape;
   shape.kind = dice.one_in(3) ? Kind::profile : Kind::slope;
   shape.side = dice.one_in(3) ? TileShape::Side::ceiling : TileShape::Side::floor;
@@ -22,10 +27,10 @@ TileShape random_shape(Dice& dice, GroundKinds kinds) {
   shape.one_way = kinds.one_way && dice.one_in(3);
   if (shape.one_way && dice.one_in(3)) return {.kind = Kind::solid, .side = shape.side, .one_way = true};
   const int count = shape.kind == Kind::slope ? 2 : 3 + dice.up_to(4);
-  const double most = dice.one_in(4) ? 24 : 8;
+  const double side = tile.height, most = dice.one_in(4) ? 3 * side : side;
   const double parts = dice.one_in(3) ? 4096 : 1;  // finer than the rounding of heights
   for (int i = 0; i < count; ++i) {
-    shape.heights.push_back(dice.one_in(3) ? dice.up_to(1) * 8.0 : dice.step(0, most, parts));
+    shape.heights.push_back(dice.one_in(3) ? dice.up_to(1) * side : dice.step(0, most, parts));
     // A thin line on the bottom border of the map would be in none of its cells.
     if (shape.one_way) shape.heights.back() = std::max(shape.heights.back(), 1.0);
   }
@@ -166,12 +171,13 @@ Curve moved(const Curve& curve, Vec2 by) {
 
 Exact rounded(double value) { return reference::rounded_to_256th(value); }
 
-void add_shape(const TileShape& shape, int column, int row, std::vector<Part>& parts) {
+void add_shape(const TileShape& shape, TileSize tile, int column, int row, std::vector<Part>& parts) {
   const bool floor = shape.side == TileShape::Side::floor;
-  const Exact left = column * kTileSide, top = row * kTileSide, bottom = top + kTileSide;
+  const Exact left = column * tile.width, top = row * tile.height, bottom = top + tile.height;
   const bool solid = shape.kind == Kind::solid;
-  const std::vector<double> heights = solid ? std::vector<double>{8, 8} : shape.heights;
-  const Exact width = kTileSide * (solid ? 1 : shape.tiles), count = static_cast<int>(heights.size()) - 1;
+  const double side = tile.height;
+  const std::vector<double> heights = solid ? std::vector<double>{side, side} : shape.heights;
+  const Exact width = tile.width * (solid ? 1 : shape.tiles), count = static_cast<int>(heights.size()) - 1;
   for (int i = 0; i < count; ++i) {
     const auto point = [&](int n) {
       const Exact height = rounded(heights[n]);
@@ -228,10 +234,10 @@ bool is_straight(const Curve& curve) {
   return std::holds_alternative<Segment>(curve.form) || std::holds_alternative<Polyline>(curve.form);
 }
 
-bool leaves_the_map(const TileShape& shape, int row, int height) {
+bool leaves_the_map(const TileShape& shape, int row, const RandomGround& ground) {
   if (shape.heights.empty()) return false;
   const double most = *std::max_element(shape.heights.begin(), shape.heights.end());
-  return most > (shape.side == TileShape::Side::floor ? row + 1 : height - row) * kTileSide;
+  return most > (shape.side == TileShape::Side::floor ? row + 1 : ground.height - row) * ground.tile.height;
 }
 
 }  // namespace
@@ -244,6 +250,7 @@ double property_moves(double least) {
 Terrain RandomGround::compile() const {
   TerrainSource source;
   source.width = width, source.height = height;
+  source.tile = tile;
   source.cells = cells;
   source.shapes = shapes;
   source.curves = curves;
@@ -256,11 +263,12 @@ RandomGround RandomGround::mirrored() const {
   std::fill(m.cells.begin(), m.cells.end(), std::uint8_t{0});
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      const std::uint8_t tile = cells[static_cast<std::size_t>(y) * width + x];
-      if (tile != 0) m.cells[static_cast<std::size_t>(y) * width + width - x - shapes[tile].tiles] = tile;
+      const std::uint8_t number = cells[static_cast<std::size_t>(y) * width + x];
+      const std::size_t end = static_cast<std::size_t>(y) * width + width - x;
+      if (number != 0) m.cells[end - shapes[number].tiles] = number;
     }
   }
-  for (Curve& curve : m.curves) curve = talus::mirrored(curve, width * kTileSide);
+  for (Curve& curve : m.curves) curve = talus::mirrored(curve, right());
   return m;
 }
 
@@ -273,7 +281,7 @@ RandomGround RandomGround::moved(int columns, int rows) const {
     std::copy(from, from + width,
               m.cells.begin() + static_cast<std::ptrdiff_t>(y + rows) * m.width + columns);
   }
-  const Vec2 by{static_cast<double>(columns * kTileSide), static_cast<double>(rows * kTileSide)};
+  const Vec2 by{1.0 * columns * tile.width, 1.0 * rows * tile.height};
   for (Curve& curve : m.curves) curve = talus::moved(curve, by);
   return m;
 }
@@ -283,7 +291,7 @@ reference::ExactGround RandomGround::exact() const {
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const TileShape& shape = shapes[cells[static_cast<std::size_t>(y) * width + x]];
-      if (shape.kind != Kind::none) add_shape(shape, x, y, ground.parts);
+      if (shape.kind != Kind::none) add_shape(shape, tile, x, y, ground.parts);
     }
   }
   for (const Curve& curve : curves) {
@@ -314,9 +322,10 @@ std::vector<reference::WideCurve> RandomGround::wide() const {
 RandomGround random_ground(Dice& dice, int width, int height, GroundKinds kinds) {
   RandomGround ground;
   ground.width = width, ground.height = height;
+  if (kinds.sizes && dice.one_in(2)) ground.tile = random_tile_size(dice);
   ground.cells.resize(static_cast<std::size_t>(width) * height);
   ground.shapes[1] = {.kind = Kind::solid};
-  for (int i = 2; i < kShapeKinds; ++i) ground.shapes[i] = random_shape(dice, kinds);
+  for (int i = 2; i < kShapeKinds; ++i) ground.shapes[i] = random_shape(dice, ground.tile, kinds);
   std::vector<bool> used(ground.cells.size());
   const int density = 2 + dice.up_to(6);
   for (int y = 0; y < height; ++y) {
@@ -326,22 +335,24 @@ RandomGround random_ground(Dice& dice, int width, int height, GroundKinds kinds)
       const int last = x + ground.shapes[tile].tiles - 1;
       const std::size_t row = static_cast<std::size_t>(y) * width;
       if (last >= width || used[row + x] || used[row + last] ||
-          leaves_the_map(ground.shapes[tile], y, height))
+          leaves_the_map(ground.shapes[tile], y, ground))
         continue;
       used[row + x] = used[row + last] = true;
       ground.cells[row + x] = static_cast<std::uint8_t>(tile);
     }
   }
-  const Area area{4, 4, width * 8.0 - 4, height * 8.0 - 4};
-  for (int i = kinds.segments ? 1 + dice.up_to(3) : 0; i > 0; --i) {
+  const Area area{4, 4, ground.right() - 4, ground.bottom() - 4};
+  // Between tiny tiles there is no room for lines and curves, which would leave the map.
+  const bool has_room = std::min(ground.right(), ground.bottom()) >= 32;
+  for (int i = kinds.segments && has_room ? 1 + dice.up_to(3) : 0; i > 0; --i) {
     const Curve line = random_line(dice, area);
     if (!problem_of(line)) ground.curves.push_back(line);
   }
-  for (int i = kinds.curves ? 1 + dice.up_to(3) : 0; i > 0; --i) {
+  for (int i = kinds.curves && has_room ? 1 + dice.up_to(3) : 0; i > 0; --i) {
     const Curve curve = random_curve(dice, area);
     const reference::WideCurve wide = std::visit(WideForm(), curve.form);
     const auto [least, greatest] = wide.range(wide.x0, wide.x1);
-    if (least >= 0 && greatest <= height * kTileSide) ground.curves.push_back(curve);
+    if (least >= 0 && greatest <= ground.bottom()) ground.curves.push_back(curve);
   }
   return ground;
 }

@@ -38,10 +38,13 @@ double property_moves(double least);
 // can be mirrored.
 struct RandomGround {
   int width = 0, height = 0;  // cells
+  TileSize tile;
   std::vector<std::uint8_t> cells;
   std::array<TileShape, kTileKinds> shapes;
   std::vector<Curve> curves;
 
+  double right() const { return 1.0 * width * tile.width; }     // px
+  double bottom() const { return 1.0 * height * tile.height; }  // px
   Terrain compile() const;
   RandomGround mirrored() const;                    // about the vertical through the middle of the map
   RandomGround moved(int columns, int rows) const;  // to the right and down, in a larger map
@@ -51,6 +54,7 @@ struct RandomGround {
 
 struct GroundKinds {
   bool shapes = true, one_way = false, segments = false, curves = false;
+  bool sizes = true;  // of tiles; false: all have 8x8 px
 };
 RandomGround random_ground(Dice& dice, int width, int height, GroundKinds kinds);
 

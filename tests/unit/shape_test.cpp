@@ -46,6 +46,30 @@ TEST(TileShape, ProblemsSayWhy) {
   EXPECT_EQ(problem(shape_of(Kind::profile, {0, 64.5, 0})), "has a height that is not from 0 to 64 px");
 }
 
+TEST(TileShape, LimitsGoWithTheSizeOfTiles) {
+  using Kind = TileShape::Kind;
+  const auto problem = [](const TileShape& shape, TileSize tile) {
+    return problem_of(shape, tile).value_or("");
+  };
+  EXPECT_EQ(problem(shape_of(Kind::slope, {0, 256}, 8), {16, 32}), "");
+  EXPECT_EQ(problem(shape_of(Kind::slope, {0, 256.5}), {16, 32}),
+            "has a height that is not from 0 to 256 px");
+  EXPECT_EQ(problem(shape_of(Kind::profile, std::vector<double>(129, 4)), {16, 32}), "");
+  EXPECT_EQ(problem(shape_of(Kind::profile, std::vector<double>(130, 4)), {16, 32}),
+            "must have 3 to 129 heights");
+}
+
+TEST(TerrainSize, EndsAtTheFurthestCoordinate) {
+  EXPECT_TRUE(is_terrain_size(1 << 21, 8));
+  EXPECT_FALSE(is_terrain_size((1 << 21) + 1, 1));
+  EXPECT_TRUE(is_terrain_size(1 << 20, 16, {16, 16}));
+  EXPECT_FALSE(is_terrain_size((1 << 20) + 1, 1, {16, 16}));
+  EXPECT_TRUE(is_terrain_size((1 << 20) + 1, 1, {8, 16}));
+  EXPECT_TRUE(is_terrain_size(4096, 4096, {256, 256}));
+  for (const TileSize size : {TileSize{0, 8}, {8, 0}, {257, 8}, {8, 257}, {-8, 8}})
+    EXPECT_FALSE(is_terrain_size(1, 1, size)) << size.width << "x" << size.height;
+}
+
 TEST(Curve, ValidOnesHaveNoProblem) {
   EXPECT_EQ(problem(Segment{{0, 0}, {1, -5}}), "");
   EXPECT_EQ(problem(Segment{{4, 1}, {4, 2}}), "");

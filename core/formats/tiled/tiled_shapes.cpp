@@ -96,7 +96,7 @@ Line over_whole_tiles(Line line, double width) {
 
 // The heights of a line at the fewest equal distances that include all its corners; empty if there are none.
 std::vector<double> heights_of(const Line& line, double width) {
-  for (int parts = 1; parts < kMaxShapeHeights; ++parts) {
+  for (int parts = 1; parts < max_shape_heights(); ++parts) {
     const double step = width / parts;
     const bool fits = std::all_of(line.begin(), line.end(),
                                   [&](Vec2 p) { return is_at(p.x, std::round(p.x / step) * step); });
@@ -170,7 +170,7 @@ struct Candidate {
 
 // A floor along the upper line, with corners as near to one another as a profile can have them.
 std::optional<Candidate> nearest_floor(const Line& outline) {
-  constexpr int kParts = kMaxShapeHeights - 1;
+  constexpr int kParts = max_shape_heights() - 1;
   constexpr double kBeside = 1.0 / 4096;  // px, to either side of a corner
   const double width = width_of(outline), step = width / kParts;
   Line line;

@@ -95,7 +95,7 @@ class ShapeFields {
   }
 
   void height(std::size_t i, std::string_view part, const char* format, std::string_view help, float width) {
-    const auto height = number(part, format, shape_.heights[i], 0, kMaxShapeTiles * kTileSide, help, width);
+    const auto height = number(part, format, shape_.heights[i], 0, kMaxShapeTiles * kTileSize, help, width);
     if (!height) return;
     shape_.heights[i] = *height;
     changed_ = true;

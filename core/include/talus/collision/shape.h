@@ -11,9 +11,23 @@
 
 namespace talus {
 
-inline constexpr int kTileSide = 8;          // px, side of a tile of a terrain
-inline constexpr int kMaxShapeTiles = 8;     // tiles that one slope may span, in width or in height
-inline constexpr int kMaxShapeHeights = 65;  // one for each column line of a slope eight tiles wide
+inline constexpr int kMaxTileSide = 256;  // px
+
+// The size of a terrain's tiles, each side 1 to kMaxTileSide px.
+struct TileSize {
+  int width = 8;   // px
+  int height = 8;  // px
+  friend bool operator==(const TileSize&, const TileSize&) = default;
+};
+
+constexpr bool is_tile_size(TileSize size) {
+  return size.width >= 1 && size.width <= kMaxTileSide && size.height >= 1 && size.height <= kMaxTileSide;
+}
+
+inline constexpr int kMaxShapeTiles = 8;  // tiles that one slope may span, in width or in height
+
+// How many heights a profile has at most: one for each column of pixels of the widest, and one more.
+constexpr int max_shape_heights(TileSize tile = {}) { return kMaxShapeTiles * tile.width + 1; }
 
 // Which part of a body's box stands on slopes: its whole bottom edge, or the middle of it.
 enum class Foot : std::uint8_t { box, centre };
@@ -37,14 +51,15 @@ struct TileShape {
   Side side = Side::floor;  // for a slope or profile
   bool one_way = false;     // only the line stops bodies, and only those that come from its open side
   int tiles = 1;            // width in tiles, 1..kMaxShapeTiles
-  // px, 0..64, left to right: 2 for a slope, 3..kMaxShapeHeights for a profile, empty for the others.
+  // px, 0 to kMaxShapeTiles times the tile's height, left to right: 2 for a slope, 3 to max_shape_heights()
+  // for a profile, empty for the others.
   std::vector<double> heights = {};
   friend bool operator==(const TileShape&, const TileShape&) = default;
 };
 
-// Why a shape is invalid, as the end of a sentence ("has a height that is not a number"); nothing if it is
-// valid.
-std::optional<std::string> problem_of(const TileShape& shape);
+// Why a shape is invalid for tiles of a size, as the end of a sentence ("has a height that is not a number");
+// nothing if it is valid.
+std::optional<std::string> problem_of(const TileShape& shape, TileSize tile = {});
 
 inline constexpr int kWeldParts = 256;  // of a px; ends are rounded to it
 
@@ -118,25 +133,27 @@ struct Curve {
 };
 
 // A terrain may be long or high: only its area is limited, so that the index of a cell fits 32 bits.
-inline constexpr int kMaxTerrainSide = 1 << 21;   // cells
-inline constexpr int kMaxTerrainCells = 1 << 24;  // 4096 x 4096
-inline constexpr double kMaxCoordinate =
-    kMaxTerrainSide * kTileSide;                           // px; no curve goes further from the origin
-inline constexpr double kMaxWaves = 4096;                  // of a sine; each is cut into four stretches
+inline constexpr int kMaxTerrainSide = 1 << 21;    // cells
+inline constexpr int kMaxTerrainCells = 1 << 24;   // 4096 x 4096
+inline constexpr double kMaxCoordinate = 1 << 24;  // px; no terrain or curve goes further from the origin
+inline constexpr double kMaxWaves = 4096;          // of a sine; each is cut into four stretches
 inline constexpr std::size_t kMaxPolylineHeights = 65536;  // of one polyline
 
-// Whether a terrain can have this size, in cells.
-constexpr bool is_terrain_size(std::int64_t width, std::int64_t height) {
-  const bool sides = width >= 1 && height >= 1 && width <= kMaxTerrainSide && height <= kMaxTerrainSide;
-  return sides && width * height <= kMaxTerrainCells;
+// Whether a terrain of such tiles can have this size, in cells.
+constexpr bool is_terrain_size(std::int64_t width, std::int64_t height, TileSize tile = {}) {
+  const auto is_side = [](std::int64_t cells, int tile_side) {
+    return cells >= 1 && cells <= kMaxTerrainSide && static_cast<double>(cells * tile_side) <= kMaxCoordinate;
+  };
+  return is_tile_size(tile) && is_side(width, tile.width) && is_side(height, tile.height) &&
+         width * height <= kMaxTerrainCells;
 }
 
 // Why a curve is invalid, in the words of problem_of(shape); nothing if it is valid.
 std::optional<std::string> problem_of(const Curve& curve);
 
-// About how many cells a curve crosses, on a map or off it. A cell counts each time that the curve enters it,
-// and twice if the curve faces both ways. The memory of a terrain for a curve grows with this number. At
-// least 0, and finite for valid curves.
-double cells_passed(const Curve& curve);
+// About how many cells of a size a curve crosses, on a map or off it. A cell counts each time that the curve
+// enters it, and twice if the curve faces both ways. The memory of a terrain for a curve grows with this
+// number. At least 0, and finite for valid curves.
+double cells_passed(const Curve& curve, TileSize tile = {});
 
 }  // namespace talus

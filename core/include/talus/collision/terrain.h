@@ -31,8 +31,9 @@ inline constexpr int kTileKinds = 256;  // number of different tiles
 // do meet. The size must be within the limits, and shapes and curves must be usable (see problem_of);
 // asserted.
 struct TerrainSource {
-  int width = 0;                             // cells, 1 to kMaxTerrainSide
-  int height = 0;                            // cells, the same; kMaxTerrainCells in all
+  int width = 0;                             // cells; see is_terrain_size
+  int height = 0;                            // cells
+  TileSize tile = {};                        // of each cell
   std::span<const std::uint8_t> cells;       // width * height tile numbers, row by row
   std::array<TileShape, kTileKinds> shapes;  // by tile number; kind none: air
   std::vector<Curve> curves;                 // free of the grid, by their numbers
@@ -92,6 +93,11 @@ class BasicTerrain {
 
   int width() const { return width_; }    // cells
   int height() const { return height_; }  // cells
+  TileSize tile_size() const { return tile_; }
+  Real x_of(int column) const { return Real(column) * Real(tile_.width); }  // px, of its left side
+  Real y_of(int row) const { return Real(row) * Real(tile_.height); }       // px, of its top
+  Real columns_per_px() const { return columns_per_px_; }  // rounded: a product may be off by an ulp
+  Real rows_per_px() const { return rows_per_px_; }        // the same
   // Whether a cell is one of the terrain's.
   bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width_ && c.y < height_; }
   // Whether its outline has pieces: those of slopes, profiles, one-way tiles or curves.
@@ -217,6 +223,8 @@ class BasicTerrain {
   std::shared_ptr<Chunk> writable_chunk(Cell cell) const;
 
   int width_ = 1, height_ = 1;
+  TileSize tile_;
+  Real columns_per_px_ = 0, rows_per_px_ = 0;
   int chunk_columns_ = 1;
   std::shared_ptr<const Parts> parts_;
   std::span<const CurveStretch<Real>> stretches_;     // of the parts

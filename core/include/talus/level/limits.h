@@ -2,7 +2,7 @@
 // that would make more are refused, and nothing is saved that could not be read again.
 //
 // Other limits are beside what they limit: kMaxTerrainSide and kMaxTerrainCells, kMaxPolylineHeights,
-// kMaxShapeHeights, kMaxBrushSide, kMaxBrushes, kMaxExports.
+// max_shape_heights(), kMaxBrushSide, kMaxBrushes, kMaxExports.
 #pragma once
 
 #include <cstddef>
