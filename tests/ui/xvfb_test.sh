@@ -22,8 +22,8 @@ fail() {
   exit 1
 }
 
-# Xvfb picks a free display and writes its number. Without -noreset it starts anew when its only client leaves, as each
-# search does, and turns away the editor that comes meanwhile.
+# Xvfb picks a free display and writes its number. -noreset: without it, Xvfb restarts whenever its only client leaves,
+# as each search for a window does, and refuses the editor if it connects meanwhile.
 Xvfb -displayfd 3 -noreset -screen 0 1400x900x24 -nolisten tcp 3>"$folder/display" 2>/dev/null &
 for _ in $(seq 100); do
   [ -s "$folder/display" ] && break
@@ -34,7 +34,7 @@ export DISPLAY=:$(cat "$folder/display")
 
 "$program" "$folder/level.talus.json" &
 editor=$!
-# SDL may open a window before its last one, and a search that meets it as it goes fails.
+# SDL may open and close another window before the editor's own. A search that finds that window while it closes fails.
 find_window() { xdotool search --onlyvisible --name 'Talus' 2>/dev/null | head -n 1; }
 for _ in $(seq 60); do
   window=$(find_window || true)
@@ -44,8 +44,8 @@ done
 [ -n "$window" ] || fail "no window appears"
 xdotool windowfocus "$window" || true
 
-# A tile of the sheet's first row, then a fast stroke over six cells of the map, which lies in the upper half of the
-# window's middle.
+# Picks a tile of the sheet's first row, then paints a fast stroke over six cells of the map. The map is in the upper
+# half of the window, in the middle.
 xdotool mousemove --window "$window" 36 62 click 1
 sleep 0.3
 xdotool mousemove --window "$window" 520 200 mousedown 1 mousemove --window "$window" 560 200 \

@@ -20,7 +20,7 @@ struct TiledLayerName {
 // readable map, or if `progress` stopped the work.
 std::vector<TiledLayerName> tiled_layers_of_file(const std::string& path, const Progress& progress = {});
 
-// Of either form, told by content.
+// Reads either form. The content says which it is.
 FormatResult<Level> read_tiled(std::string_view bytes, const FormatContext& context);
 
 }  // namespace talus

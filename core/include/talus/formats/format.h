@@ -116,8 +116,8 @@ struct SavedLevel {
   std::string note = {};                  // as in LoadedLevel
 };
 
-// Reads bytes in the first format that accepts them, told by content, then by extension. An error if none
-// does.
+// Reads bytes in the first format that accepts them, by content, then by extension. An error if no format
+// accepts them.
 FormatResult<LoadedLevel> read_level(std::string_view bytes, const FormatContext& context);
 // The file with the level of a path: for a companion, the file that it belongs to; else the path itself.
 std::string level_path(const std::string& path);
