@@ -68,7 +68,7 @@ std::vector<Command> problem_commands() {
        .run = find_reach,
        .words = "reachable explore jump"},
       {.id = "reach/cancel",
-       .label = "Stop finding where the player can get to",
+       .label = "Stop finding where the player gets to",
        .help = "Keeps the cells that were found so far.",
        .key = shift(kKeyF12),
        .menu = menus::kReach,
