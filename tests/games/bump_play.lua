@@ -1,12 +1,12 @@
--- Moves a level's bodies by bump's World and the companion, as the program's solver "bump" does, and prints
--- each after each frame: frame id x y vx vy.
+-- Moves a level's bodies by bump's World and the companion, as the program's solver "bump" does. Prints each
+-- body after each frame: frame id x y vx vy.
 --   lua5.3 bump_play.lua FOLDER FRAMES [INPUT.jsonl [MAP.lua]]
--- FOLDER: as exported for bump. INPUT: as of `talus sim --input`, of the mouse alone; "": none. MAP: as exported for
--- STI; the ground is then what STI's plugin adds of it.
+-- FOLDER: a level that was exported for bump. INPUT: as for `talus sim --input`, only the mouse; "" for no
+-- input. MAP: the level exported for STI. The ground is then what STI's plugin adds from it.
 package.path = arg[1] .. "/?.lua;" .. arg[0]:match("^(.*/)[^/]*$") .. "?.lua"
 local bump, slopes, level = require "bump_world", require "bump_slopes", require "level"
 local tuning = level.tuning
--- The library has no order of equal contacts, so that what the companion makes of them must not depend on it.
+-- bump.lua gives equal contacts in no certain order, so the companion's results must not depend on it.
 function bump.tie_key(n) return jit and -n or n * 7919 % 10007 end
 local world = bump.newWorld(tuning.cell_size)
 slopes.install(world)

@@ -1,10 +1,10 @@
--- Runs a collision scenario by the stand-in for bump.lua and compares its answers with those of
--- `talus replay`, number by number and sign by sign. Segments, which it does not know, are left out.
+-- Runs a collision scenario with the stand-in for bump.lua and compares its answers with those of `talus
+-- replay`, number by number and sign by sign. Segments are left out: bump.lua has none.
 --   lua5.3 bump_replay.lua SCENARIO.json ANSWERS
 package.path = arg[0]:match("^(.*/)[^/]*$") .. "?.lua"
 local bump = require "bump_world"
 
--- A scenario's JSON, which has no brackets within texts, as a table of Lua; null as false.
+-- Returns a scenario's JSON as a table of Lua, with false for null. Its texts must have no brackets.
 local function read_scenario(path)
   local file = assert(io.open(path))
   local text = file:read("*a"):gsub("%[", "{"):gsub("%]", "}")
@@ -81,7 +81,7 @@ function run.toCell(op)
   return string.format('{"cell":[%d,%d]}', column, row)
 end
 
--- The text without its numbers, and those: they may be written in more than one way.
+-- Returns the text without its numbers, and the numbers: they may be written in more than one way.
 local function parts(text)
   local numbers = {}
   local rest = text:gsub("%-?%d[%d%.eE+-]*", function(digits)

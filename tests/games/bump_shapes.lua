@@ -1,5 +1,5 @@
--- What the companion for bump knows beyond the program's solver "bump": ceilings, one-way ground, lines of many
--- heights, slopes that move, and full tiles as few boxes.
+-- Tests what only the companion for bump has, and not the program's solver "bump": ceilings, one-way ground,
+-- lines of many heights, slopes that move, and full tiles as few boxes.
 --   lua5.3 bump_shapes.lua COMPANION_FOLDER
 package.path = arg[1] .. "/?.lua;" .. arg[0]:match("^(.*/)[^/]*$") .. "?.lua"
 local bump, slopes = require "bump_world", require "bump_slopes"

@@ -1,13 +1,13 @@
--- A stand-in for the parts of bump.lua that the companion and its test use, written from what its public API
--- does: Talus's own World in Lua. Of equal contacts the one with the item that was added first comes first, or, as the
--- library leaves that to chance, whichever a test wants: see tie_key.
+-- A stand-in for the parts of bump.lua that the companion and its test use: Talus's own World in Lua, written
+-- from what bump.lua's public API does. bump.lua leaves the order of equal contacts to chance. Here the item
+-- that was added first comes first, unless a test sets another order: see tie_key.
 local DELTA = 1e-10
 local floor, ceil, abs, min, max = math.floor, math.ceil, math.abs, math.min, math.max
 
 local function sign(v) return v > 0 and 1 or v == 0 and 0 or -1 end
 local function nearest(a, b) if abs(a) < abs(b) then return a end return b end
 
--- The part of the line t * (dx, dy), from ti1 to ti2, that is inside of a box; nil: none.
+-- Returns the part of the line t * (dx, dy), from ti1 to ti2, that is inside a box, or nil if there is none.
 local function clip(left, top, right, bottom, dx, dy, ti1, ti2)
   local nx, ny = 0, 0
   local function side(p, q, side_x, side_y)
@@ -28,7 +28,8 @@ local function clip(left, top, right, bottom, dx, dy, ti1, ti2)
   end
 end
 
--- tie_key: of two equal contacts that one comes first whose item, as the nth that was added, gives less.
+-- tie_key(n) gives a number for the item that was added as the nth. Of two equal contacts the one with the
+-- lower number comes first.
 local bump = {rect = {}, tie_key = function(n) return n end}
 
 function bump.rect.detectCollision(x1, y1, w1, h1, x2, y2, w2, h2, goal_x, goal_y)
@@ -102,7 +103,7 @@ function World:put(item, is_there)
   end)
 end
 
--- The items in the cells of a box, in the order of adding.
+-- Returns the items in the cells of a box, in the order in which they were added.
 function World:near(x, y, w, h)
   local found, seen = {}, {}
   self:eachCell(x, y, w, h, function(row, column)

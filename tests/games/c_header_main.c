@@ -1,5 +1,5 @@
-/* A game's use of an exported header: prints the floor below points of its level, which it reads from standard
-   input as "X Y" in 24.8 fixed point, one a line; and what the tables hold of the map's last cell. */
+/* A game that uses an exported header. It reads points of its level from standard input, as lines "X Y" in 24.8 fixed
+   point, and prints the floor below each. Then it prints what the tables hold for the map's last cell. */
 #include "cave.h"
 
 #include <stdio.h>

@@ -1,7 +1,7 @@
-/* Plays a level by the interface for C:
-     c_play FILE FRAMES   prints each body after each frame, "frame id x y vx vy", and the hash of the last
-   one c_play --checks FILE BAD   asks for what talus.h says about values that are none; FILE: a level whose
-                                body 1 is a ball over ground, BAD: a file that is no level */
+/* Plays a level through the interface for C:
+     c_play FILE FRAMES            prints each body after each frame, "frame id x y vx vy", and the last frame's hash
+     c_play --checks FILE BAD      checks what talus.h says about bad values. FILE: a level whose body 1 is a ball over
+                                   ground. BAD: a file that is no level. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -74,7 +74,7 @@ static void check_odd_map(void) {
   MUST(!talus_read("{}\n::error::", 12, "a\n.talus.json", error, sizeof error) && !strchr(error, '\n'));
 }
 
-/* Of the ball 1. */
+/* Checks what the mouse does to the first body, which is a ball. */
 static void check_mouse(talus_game* game) {
   talus_body start, body;
   MUST(talus_body_at(game, 0, &start));

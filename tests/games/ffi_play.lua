@@ -1,4 +1,4 @@
--- Plays levels by LuaJIT's ffi and prints each body after each frame, "frame id x y vx vy", and the last hash:
+-- Plays levels with LuaJIT's ffi. Prints each body after each frame, "frame id x y vx vy", and the last hash:
 --   luajit ffi_play.lua HEADER LIBRARY FILE FRAMES
 local ffi = require "ffi"
 local header, library, path, frames = arg[1], arg[2], arg[3], tonumber(arg[4])

@@ -1,4 +1,4 @@
-"""Checks projects of LDtk against schemas, and what a schema cannot say: that numbers lead somewhere.
+"""Checks projects of LDtk against schemas. Also checks what a schema cannot say: that numbers refer to things that exist.
      ldtk_check.py FILE.ldtk... -- SCHEMA.json..."""
 import json
 import os

@@ -1,5 +1,6 @@
--- Goes behind a game's main.lua: draws the first screen of its level at its start, 4 px for one, and compares it with
--- shot.png. Edges may differ by a pixel of the screen, and a disc has other corners in a few; nothing else may.
+-- Appended to a game's main.lua: draws the first screen of its level at its start, 4 px for each pixel, and
+-- compares it with shot.png. Edges may differ by a pixel of the screen, and discs in a few corners. Nothing
+-- else may differ.
 --   love GAME
 local ZOOM, WIDTH, HEIGHT = 4, 240, 136
 local load_game = love.load
@@ -10,7 +11,7 @@ local function is_same(a, b, x, y)
   return math.abs(r - other_r) + math.abs(g - other_g) + math.abs(blue - other_b) < 5 / 255
 end
 
--- Whether a pixel is that of the other picture at the same place, or one pixel beside it.
+-- Whether a pixel is the same in the other picture at the same place, or one pixel beside it.
 local function is_near(a, b, x, y)
   for beside_y = math.max(0, y - 1), math.min(HEIGHT * ZOOM - 1, y + 1) do
     for beside_x = math.max(0, x - 1), math.min(WIDTH * ZOOM - 1, x + 1) do

@@ -1,6 +1,6 @@
--- Goes behind a game's main.lua: plays a script by LÖVE's keyboard and mouse, prints every body after each frame:
--- frame id x y vx vy; and writes what its world was given as lines of JSON, as `talus sim --input` takes them. The
--- mouse is on whole pixels of the screen, so that its place in the level is what the game makes of it.
+-- Appended to a game's main.lua: plays a script with LÖVE's keyboard and mouse, and prints every body after
+-- each frame: frame id x y vx vy. Writes the input of the game's world as lines of JSON, as `talus sim
+-- --input` takes them. The mouse is on whole pixels of the screen; the game computes its place in the level.
 --   love GAME script.lua SCRIPT.jsonl FRAMES GIVEN.jsonl
 local load_game = love.load
 local function record(file, frame, input)

@@ -1,7 +1,9 @@
--- Runs levels by the runtime and prints each body after each frame: frame id x y vx vy grounded, with all digits.
+-- Runs levels with the runtime and prints each body after each frame: frame id x y vx vy grounded, with all
+-- digits.
 --   lua5.3 parity.lua LIST
--- LIST: a file with a table of {name, runtime, level, input, frames}. The runtime is a file; level and input are
--- functions that give a level and a table by frame of what world:step() takes, which holds until the next one.
+-- LIST: a file with a table of {name, runtime, level, input, frames}. The runtime is a file. Level and input
+-- are functions: one returns a level, the other a table from frames to what world:step() takes. An input
+-- holds until the next one.
 local list = dofile(arg[1])
 local runtimes = {}
 setmetatable(_G, {__index = function(_, name) error("unknown name " .. name, 2) end})

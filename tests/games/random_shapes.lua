@@ -1,4 +1,4 @@
--- Writes random levels with all kinds of shapes, the same ones at each call: FOLDER/random-N.talus.json.
+-- Writes random levels with all kinds of shapes, the same levels at each call: FOLDER/random-N.talus.json.
 --   lua5.3 random_shapes.lua COUNT FOLDER
 local function pick(list) return list[math.random(#list)] end
 local function heights(count, most)

@@ -1,5 +1,6 @@
--- Reads what is held in which frame from lines of JSON as `talus sim --input` takes them. script(file) gives a
--- function: from the number of a frame, counted up from 1, {mouse_x, mouse_y, mouse_down, left, right, jump}.
+-- Reads from lines of JSON, as `talus sim --input` takes them, what is held in which frame. script(file)
+-- returns a function that takes the number of a frame, from 1, and returns {mouse_x, mouse_y, mouse_down,
+-- left, right, jump}.
 return function(file)
   local entries = {}
   if file then

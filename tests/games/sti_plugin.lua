@@ -1,5 +1,5 @@
--- A stand-in for STI's plugin for bump.lua, written from what its documentation says: adds to a world each tile of
--- a map, and each rectangle of its layers of objects, that has the property `collidable`.
+-- A stand-in for STI's plugin for bump.lua, written from its documentation. It adds to a world each tile of a
+-- map, and each rectangle of the map's object layers, that has the property `collidable`.
 return function(map, world)
   local set = map.tilesets[1]
   local properties = {}

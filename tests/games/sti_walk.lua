@@ -1,4 +1,4 @@
--- Goes through a Lua map as Simple Tiled Implementation 1.2.3 and its plugin for bump.lua do, and compares the boxes
+-- Reads a Lua map as Simple Tiled Implementation 1.2.3 and its plugin for bump.lua do. Compares the boxes
 -- that the plugin adds with those that the companion adds for the same level, number by number.
 --   luajit sti_walk.lua MAP.lua FOLDER_FOR_BUMP
 package.path = arg[2] .. "/?.lua;" .. arg[0]:match("^(.*/)[^/]*$") .. "?.lua"
@@ -53,7 +53,8 @@ end
 assert(ground.width == level.width and ground.height == level.height)
 for _, gid in ipairs(ground.data) do assert(gid == 0 or tiles[gid], "no such tile") end
 
--- What is added to a world, each as a line of text; in any order, which bump.lua has none of.
+-- Returns what is added to a world, each box as a line of text, sorted: bump.lua gives them in no certain
+-- order.
 local function boxes_of(add_all)
   local lines = {}
   add_all {add = function(_, item, x, y, w, h)

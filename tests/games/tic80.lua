@@ -1,5 +1,5 @@
--- A stand-in for the part of TIC-80's API that a cart of Talus uses: loads a cart's code, runs it for a number
--- of frames with a key held, and prints where its last map() call looked.
+-- A stand-in for the part of TIC-80's API that a cart of Talus uses. It loads a cart's code, runs it for a
+-- number of frames with a key held, and prints the place that its last map() call showed.
 --   lua5.3 tic80.lua CART.lua FRAMES KEY
 local path, frames, key = arg[1], tonumber(arg[2]), tonumber(arg[3])
 local shown

@@ -1,6 +1,6 @@
--- A stand-in for the part of TIC-80's API that a playable cart uses: runs its TIC() with the keys and the mouse of
--- a script, and prints, after each frame, every body of its world: frame id x y vx vy. What is drawn must be
--- within what TIC-80 takes, and the mouse on its screen.
+-- A stand-in for the part of TIC-80's API that a playable cart uses. It runs the cart's TIC() with the keys
+-- and the mouse of a script, and prints every body of its world after each frame: frame id x y vx vy. It
+-- checks that TIC-80 would accept all that is drawn, and that the mouse is on its screen.
 --   lua5.3 tic80_play.lua CART.lua FRAMES [SCRIPT.jsonl]
 local held_in = dofile(arg[0]:gsub("[^/]*$", "") .. "script.lua")(arg[3])
 local cells, in_map = {}, false
