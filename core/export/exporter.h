@@ -63,7 +63,7 @@ struct Exporter {
   std::string_view id;     // "love", as in `talus export --to love`
   std::string_view label;  // "game for LÖVE 11"
   // Extensions of the file, without the dot; the first one is the usual one. Empty: the output is a folder.
-  std::span<const std::string_view> extensions;
+  std::span<const std::string_view> extensions = {};
   // Implements make(), which callers use. After its progress was stopped the result is not valid.
   FormatResult<Exported> (*write)(const ExportRequest& request);
   std::string_view purpose = {};  // one sentence: what it is for and what is in it; may be empty
