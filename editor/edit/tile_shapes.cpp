@@ -137,7 +137,8 @@ std::vector<int> numbers_of(const CellRect& tiles) {  // on the sheet
   return numbers;
 }
 
-bool is_blank(const Level& level, int tile) {
+// Neither drawn nor shaped.
+bool is_unused(const Level& level, int tile) {
   return level.sheet(SheetId::tiles).images[tile] == TileImage{} &&
          shape_of_tile(level, static_cast<std::uint8_t>(tile)).kind == Kind::none;
 }
@@ -330,7 +331,7 @@ tl::expected<Edit, std::string> copy_turned(const Level& level, int tile, int ta
 
 std::optional<int> free_target(const Level& level, int tile, ShapeTurn turn) {
   const TileShape image = turned(shape_of_tile(level, static_cast<std::uint8_t>(tile)), turn);
-  const auto is_free = [&](int number) { return number != 0 && number != tile && is_blank(level, number); };
+  const auto is_free = [&](int number) { return number != 0 && number != tile && is_unused(level, number); };
   for (int target = 1; target < kTileCount; ++target) {
     const CellRect tiles = tiles_of_shape(target, image);
     if (!is_on_sheet(tiles)) continue;
@@ -344,7 +345,7 @@ std::vector<int> tiles_replaced(const Level& level, int tile, int target, ShapeT
   if (target == tile || !copy_turned(level, tile, target, turn)) return {};
   const TileShape image = turned(shape_of_tile(level, static_cast<std::uint8_t>(tile)), turn);
   std::vector<int> replaced = numbers_of(tiles_of_shape(target, image));
-  std::erase_if(replaced, [&](int number) { return is_blank(level, number); });
+  std::erase_if(replaced, [&](int number) { return is_unused(level, number); });
   return replaced;
 }
 

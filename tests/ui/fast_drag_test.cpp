@@ -9,9 +9,7 @@ class UiFastDrag : public UiTest {
  protected:
   void SetUp() override {
     UiTest::SetUp();
-    start();
-    click(on_sheet(1));
-    key(kKeyF3);
+    start_on_the_map();
   }
   void drag_over_cells(std::initializer_list<Cell> cells, int button = kLeft) {
     std::vector<ImVec2> places;

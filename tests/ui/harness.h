@@ -27,6 +27,12 @@ class UiTest : public ::testing::Test {
   void start(const std::string& file, int width = 1280, int height = 720);
   // Starts the editor on test_level().
   void start() { start(save_test_level("level.talus.json")); }
+  // The same with tile 1 as the stamp and the keys on the map.
+  void start_on_the_map() {
+    start();
+    click(on_sheet(1));
+    key(kKeyF3);
+  }
   void stop() { app_.reset(); }
   // Starts the editor by the machine's clock, for what the window does while nobody touches it. Empty:
   // without a file.

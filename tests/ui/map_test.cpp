@@ -11,9 +11,7 @@ class UiMap : public UiTest {
  protected:
   void SetUp() override {
     UiTest::SetUp();
-    start();
-    click(on_sheet(1));
-    key(kKeyF3);
+    start_on_the_map();
   }
   // Rows of the map from a cell on: '.' is tile 0, other tiles are their digit.
   std::vector<std::string> drawn(CellRect cells) {

@@ -91,6 +91,25 @@ bool text_field(const char* widget, const char* hint, std::string& typed, const 
   return changed;
 }
 
+// A field for a text of the chosen preset.
+struct PresetText {
+  const char* widget;
+  const char* hint;
+  std::string help;
+  std::string ExportPreset::*member;
+  const char* edit;  // label of the change
+};
+
+void draw_preset_text(const PresetText& text, std::string& typed, const Session& session, Actions& actions,
+                      Ui& ui) {
+  ExportPreset preset = chosen_preset(session, ui);
+  ImGui::SetNextItemWidth(-1);
+  if (!text_field(text.widget, text.hint, typed, preset.*text.member, text.help, ui)) return;
+  preset.*text.member = typed;
+  push_export_edit(set_export(session.level(), ui.view.files.exports.preset, std::move(preset), text.edit),
+                   actions);
+}
+
 // All presets except this one.
 std::vector<ExportPreset> other_presets(const Session& session, std::size_t index) {
   std::vector<ExportPreset> others = session.level().exports;
@@ -240,36 +259,22 @@ void ExportPanel::draw_preset(const Session& session, Actions& actions, Ui& ui) 
 }
 
 void ExportPanel::draw_parts(const Session& session, Actions& actions, Ui& ui) {
-  const ExportPreset& preset = chosen_preset(session, ui);
-  const Exporter* exporter = find_exporter(preset.exporter);
+  const Exporter* exporter = find_exporter(chosen_preset(session, ui).exporter);
   if (exporter == nullptr || !exporter->takes_parts) return;
   field_label("Parts", ui);
-  ImGui::SetNextItemWidth(-1);
-  if (!text_field(
-          "export/parts", "what the game adds while it runs: players, pairs ...", parts_, preset.parts,
-          "Parts of the runtime besides those that the level uses, with commas between: " + lua_part_names() +
-              ".",
-          ui))
-    return;
-  ExportPreset changed = preset;
-  changed.parts = parts_;
-  push_export_edit(
-      set_export(session.level(), ui.view.files.exports.preset, std::move(changed), "Change export parts"),
-      actions);
+  draw_preset_text({"export/parts", "what the game adds while it runs: players, pairs ...",
+                    "Parts of the runtime besides those that the level uses, with commas between: " +
+                        lua_part_names() + ".",
+                    &ExportPreset::parts, "Change export parts"},
+                   parts_, session, actions, ui);
 }
 
 void ExportPanel::draw_name(const Session& session, Actions& actions, Ui& ui) {
-  const ExportPreset& preset = chosen_preset(session, ui);
   field_label("Name", ui);
-  ImGui::SetNextItemWidth(-1);
-  if (!text_field("export/name", "a name, for you and for build scripts", name_, preset.name,
-                  "What the preset is called: `talus export FILE --preset NAME` writes it.", ui))
-    return;
-  ExportPreset renamed = preset;
-  renamed.name = name_;
-  push_export_edit(
-      set_export(session.level(), ui.view.files.exports.preset, std::move(renamed), "Rename export preset"),
-      actions);
+  draw_preset_text({"export/name", "a name, for you and for build scripts",
+                    "What the preset is called: `talus export FILE --preset NAME` writes it.",
+                    &ExportPreset::name, "Rename export preset"},
+                   name_, session, actions, ui);
 }
 
 void ExportPanel::draw_target(const Session& session, Actions& actions, Ui& ui) {

@@ -5,7 +5,7 @@
 namespace talus {
 namespace {
 
-bool is_blank(const Level& level, int tile) {
+bool is_invisible(const Level& level, int tile) {
   return level.sheet(SheetId::tiles).images[static_cast<std::size_t>(tile)] == TileImage{};
 }
 
@@ -38,7 +38,8 @@ class FlagTool : public LevelTool {
   }
   // A stroke leaves out empty cells between tiles, unless it began on one.
   bool is_left_out(const Level& level, int tile) const {
-    return first_ && ((tile == 0 && *first_ != 0) || (is_blank(level, tile) && !is_blank(level, *first_)));
+    return first_ &&
+           ((tile == 0 && *first_ != 0) || (is_invisible(level, tile) && !is_invisible(level, *first_)));
   }
 
   FlagBrush brush_;
