@@ -22,7 +22,7 @@
 
 namespace talus {
 
-class OutlineCompiler;  // both internal, see outline_compiler.h and tile_outlines.h
+class OutlineCompiler;  // both internal
 class TileOutlines;
 
 inline constexpr int kTileKinds = 256;  // number of different tiles
