@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "command.h"
-#include "lint/lint.h"
+#include "level/lint/lint.h"
 
 namespace talus {
 namespace {

@@ -7,7 +7,7 @@
 #include "debug/branch_frames.h"
 #include "formats/files/atomic_file.h"
 #include "formats/native/recording_file.h"
-#include "lint/lint.h"
+#include "level/lint/lint.h"
 #include "output_file.h"
 #include "progress_line.h"
 #include "sim/timeline.h"

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "level/single_change.h"
 #include "raster.h"
-#include "single_change.h"
 
 namespace talus {
 namespace {

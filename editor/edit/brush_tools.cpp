@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "level/single_change.h"
 #include "raster.h"
-#include "single_change.h"
 
 namespace talus {
 namespace {

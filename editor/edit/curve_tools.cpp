@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::array<std::string_view, kCurveKindCount> kLabels = {"segment", "arc",  "parabola",
                                                                    "cubic",   "sine", "polyline"};
-constexpr const char* kNoLength = "drag from one end to the other";
 constexpr double kLeastBulge = 0.25;  // px, between the middles of an arc and of its chord
 
 // The ends in the order that the form needs. faces: of the way from a to b.

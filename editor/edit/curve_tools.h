@@ -6,7 +6,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "edit.h"
+#include "level/edit.h"
 
 namespace talus {
 

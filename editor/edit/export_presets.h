@@ -1,7 +1,7 @@
 // Edits the level's export presets.
 #pragma once
 
-#include "edit.h"
+#include "level/edit.h"
 
 namespace talus {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "single_change.h"
+#include "level/single_change.h"
 
 namespace talus {
 namespace {

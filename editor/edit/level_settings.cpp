@@ -4,7 +4,7 @@
 #include <cassert>
 #include <utility>
 
-#include "single_change.h"
+#include "level/single_change.h"
 
 namespace talus {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "edit.h"
+#include "level/edit.h"
 
 namespace talus {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "edit.h"
+#include "level/edit.h"
 
 namespace talus {
 

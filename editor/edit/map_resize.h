@@ -1,7 +1,7 @@
 // The size of the map as an Edit.
 #pragma once
 
-#include "edit.h"
+#include "level/edit.h"
 #include "level/resize.h"
 
 namespace talus {

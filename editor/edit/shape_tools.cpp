@@ -6,14 +6,9 @@
 #include <cassert>
 #include <utility>
 
-#include "single_change.h"
+#include "level/single_change.h"
 
 namespace talus {
-namespace {
-
-constexpr const char* kNoLength = "drag from one end to the other";
-
-}  // namespace
 
 Edit set_tile_shape(const Level& level, int tile, TileShape shape) {
   assert(tile >= 0 && tile < kTileCount);

@@ -7,6 +7,9 @@
 
 namespace talus {
 
+// The error of a tool that lays a line, when its ends are one point.
+inline constexpr const char* kNoLength = "drag from one end to the other";
+
 // The shape should be usable (see problem_of). Other shapes are kept, but the lint reports them and they are
 // not saved.
 Edit set_tile_shape(const Level& level, int tile, TileShape shape);  // tile: 0..255 (asserted)

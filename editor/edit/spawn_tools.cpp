@@ -15,13 +15,6 @@ Edit add_spawn(const Level& level, Spawn spawn) {
   return set_spawns(level, std::move(spawns), "Place a body");
 }
 
-Edit change_spawn(const Level& level, int index, Spawn spawn, std::string label) {
-  assert(index >= 0 && static_cast<std::size_t>(index) < level.spawns.size());
-  std::vector<Spawn> spawns = level.spawns;
-  spawns[static_cast<std::size_t>(index)] = std::move(spawn);
-  return set_spawns(level, std::move(spawns), std::move(label));
-}
-
 Edit remove_spawn(const Level& level, int index) {
   assert(index >= 0 && static_cast<std::size_t>(index) < level.spawns.size());
   std::vector<Spawn> spawns = level.spawns;

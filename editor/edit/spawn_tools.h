@@ -1,13 +1,12 @@
 // Tools for the bodies placed by hand. Each makes an Edit and changes nothing itself.
 #pragma once
 
-#include "edit.h"
+#include "level/edit.h"
 
 namespace talus {
 
 Edit add_spawn(const Level& level, Spawn spawn);  // appends it
 // index: of Level::spawns (asserted).
-Edit change_spawn(const Level& level, int index, Spawn spawn, std::string label);
 Edit remove_spawn(const Level& level, int index);
 // Copies a spawn one tile further to the right or, if the map ends there, to the left. The copy is the last
 // spawn then.

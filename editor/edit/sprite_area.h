@@ -1,7 +1,7 @@
 // A square of images on a sheet, seen as one canvas of pixels, and blocks of its pixels.
 #pragma once
 
-#include "edit.h"
+#include "level/edit.h"
 #include "pixel_block.h"
 
 namespace talus {

@@ -71,13 +71,13 @@ std::optional<Size> take_size(std::string_view& text, std::string_view word) {
   return size;
 }
 
-struct Tiles {
+struct CopiedTiles {
   Size size;  // in tiles
   PixelBlock pixels;
   std::vector<std::uint8_t> flags;
 };
 
-std::optional<Tiles> tiles_from_text(std::string_view text) {
+std::optional<CopiedTiles> tiles_from_text(std::string_view text) {
   text = trimmed(text);
   auto size = take_size(text, kTilesWord);
   const auto digits = digits_of(without_space(text));
@@ -87,7 +87,7 @@ std::optional<Tiles> tiles_from_text(std::string_view text) {
     if (side * side == count) size = Size{side, side};
   if (!size || size->w * size->h != count) return std::nullopt;
   const auto flags = digits->begin() + count * kTileSize * kTileSize;
-  Tiles tiles{*size, {size->w * kTileSize, size->h * kTileSize, {digits->begin(), flags}}, {}};
+  CopiedTiles tiles{*size, {size->w * kTileSize, size->h * kTileSize, {digits->begin(), flags}}, {}};
   for (auto low = flags; low != digits->end(); low += 2)
     tiles.flags.push_back(static_cast<std::uint8_t>(low[0] | low[1] << 4));
   return tiles;

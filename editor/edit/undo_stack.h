@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <talus/level/limits.h>
-#include "edit.h"
+#include "level/edit.h"
 
 namespace talus {
 

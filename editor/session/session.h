@@ -13,7 +13,7 @@
 #include "actions.h"
 #include "edit/undo_stack.h"
 #include "level/hard_case.h"
-#include "lint/lint.h"
+#include "level/lint/lint.h"
 #include "overlay/overlay_table.h"
 #include "session/checks/reach_finder.h"
 #include "session/choices/choices.h"

@@ -1,6 +1,6 @@
 // A rule of the lint added as docs/adding.md says: its row, its search and its fix.
-#include "edit/spawn_tools.h"
-#include "lint/rule_group.h"
+#include "level/lint/rule_group.h"
+#include "level/single_change.h"
 
 namespace talus {
 namespace {

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include <talus/sim/solver.h>
-#include "lint/fixes.h"
+#include "level/lint/fixes.h"
 #include "overlay/overlay.h"
 #include "panels/commands/commands.h"
 #include "platform/settings.h"

@@ -3,14 +3,14 @@
 #include <vector>
 
 #include <talus/level/body_kind.h>
-#include "lint/rule_group.h"
+#include "level/lint/rule_group.h"
 #include "overlay/overlay_table.h"
 
 #define all_overlays own_overlays
 #define rule_groups own_rule_groups
 #define body_kinds own_body_kinds
 #include "level/body_kind_list.cpp"
-#include "lint/rule_list.cpp"
+#include "level/lint/rule_list.cpp"
 #include "overlay/overlay_list.cpp"
 #undef all_overlays
 #undef rule_groups

@@ -3,7 +3,7 @@
 #include <imgui_internal.h>
 
 #include "harness.h"
-#include "lint/lint.h"
+#include "level/lint/lint.h"
 #include "panels/level/problem_list.h"
 
 namespace talus::problems_test {

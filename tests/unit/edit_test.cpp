@@ -1,5 +1,5 @@
 // Edits: applying, reverting, merging and rebasing them.
-#include "edit/edit.h"
+#include "level/edit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Every fix: its label, and that the problem is gone after it.
-#include "lint/fixes.h"
+#include "level/lint/fixes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

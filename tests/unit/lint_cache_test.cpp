@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "lint/lint_cache.h"
+#include "level/lint/lint_cache.h"
 #include "slope_level.h"
 
 namespace talus::lint_cache_test {

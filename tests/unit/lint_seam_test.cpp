@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include <talus/formats/format.h>
-#include "lint/rule_group.h"
+#include "level/lint/rule_group.h"
 #include "slope_level.h"
 
 namespace talus::lint_seam_test {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <talus/formats/format.h>
-#include "lint/lint.h"
+#include "level/lint/lint.h"
 
 namespace talus::lint_test {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "edit/edit.h"
+#include "level/edit.h"
 
 namespace talus {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lint/lint.h"
+#include "level/lint/lint.h"
 
 namespace talus {
 

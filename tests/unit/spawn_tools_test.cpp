@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "level/followed_spawn.h"
+#include "level/single_change.h"
 
 namespace talus::spawn_tools_test {
 

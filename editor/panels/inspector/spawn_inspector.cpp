@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "edit/spawn_tools.h"
+#include "level/single_change.h"
 #include "overlay/number_label.h"
 #include "panels/commands/commands.h"
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "lint/lint.h"
+#include "level/lint/lint.h"
 
 namespace talus {
 

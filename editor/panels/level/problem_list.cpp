@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "lint/fixes.h"
+#include "level/lint/fixes.h"
 
 namespace talus {
 

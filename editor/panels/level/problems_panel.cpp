@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "lint/fixes.h"
+#include "level/lint/fixes.h"
 #include "panels/commands/commands.h"
 #include "problem_list.h"
 

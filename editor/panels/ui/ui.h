@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "icons.h"
-#include "lint/lint.h"
+#include "level/lint/lint.h"
 #include "map_textures.h"
 #include "panels/view.h"
 #include "shown_text.h"

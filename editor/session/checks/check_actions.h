@@ -3,7 +3,7 @@
 
 #include <variant>
 
-#include "lint/lint.h"
+#include "level/lint/lint.h"
 
 namespace talus {
 namespace action {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "check_actions.h"
-#include "edit/edit.h"
-#include "lint/lint_cache.h"
+#include "level/edit.h"
+#include "level/lint/lint_cache.h"
 #include "reach_finder.h"
 #include "session/choices/choice_handler.h"
 #include "session/messages/message_handler.h"

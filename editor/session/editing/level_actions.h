@@ -3,7 +3,7 @@
 
 #include <variant>
 
-#include "edit/edit.h"
+#include "level/edit.h"
 
 namespace talus {
 namespace action {

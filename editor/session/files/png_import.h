@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "edit/edit.h"
 #include "formats/pictures/png_sheet.h"
+#include "level/edit.h"
 
 namespace talus {
 

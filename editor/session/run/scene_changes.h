@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "edit/edit.h"
+#include "level/edit.h"
 
 namespace talus {
 

@@ -3,6 +3,7 @@
 
 #include "debug/number_text.h"
 #include "edit/spawn_tools.h"
+#include "level/single_change.h"
 #include "level_tools.h"
 #include "overlay/visible.h"
 #include "panels/canvas/curve_drawing.h"

@@ -1,7 +1,7 @@
 // Finds gaps that lead somewhere but are too small for a player.
 #include <cmath>
 
-#include "level/level_text.h"
+#include "../level_text.h"
 #include "rule_group.h"
 
 namespace talus {

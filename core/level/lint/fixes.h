@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "edit/edit.h"
+#include "../edit.h"
 #include "lint.h"
 
 namespace talus {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../level_text.h"
 #include "fix_parts.h"
-#include "level/level_text.h"
 #include "rule_group.h"
 #include "seam_finder.h"
 

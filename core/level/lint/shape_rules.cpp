@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../level_text.h"
+#include "../slope_tiles.h"
 #include "fix_parts.h"
-#include "level/level_text.h"
-#include "level/slope_tiles.h"
 #include "rule_group.h"
 
 namespace talus {

@@ -1,6 +1,6 @@
 // Finds flags that contradict each other, that have two meanings, or that change nothing.
+#include "../level_text.h"
 #include "fix_parts.h"
-#include "level/level_text.h"
 #include "rule_group.h"
 
 namespace talus {

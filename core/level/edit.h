@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <talus/level/level.h>
-#include "level/cell_rect.h"
+#include "cell_rect.h"
 
 namespace talus {
 

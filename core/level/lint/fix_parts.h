@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "edit/single_change.h"
+#include "../single_change.h"
 
 namespace talus {
 

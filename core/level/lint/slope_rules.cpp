@@ -1,6 +1,6 @@
 // Finds slopes that lack a half, a flag or a picture, or that overlap other tiles.
+#include "../level_text.h"
 #include "fix_parts.h"
-#include "level/level_text.h"
 #include "rule_group.h"
 #include "slope_fault.h"
 

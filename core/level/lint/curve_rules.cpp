@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include <talus/level/ground.h>
+#include "../curve_span.h"
+#include "../level_text.h"
 #include "fix_parts.h"
-#include "level/curve_span.h"
-#include "level/level_text.h"
 #include "rule_group.h"
 
 namespace talus {

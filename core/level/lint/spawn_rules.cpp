@@ -2,11 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../level_text.h"
+#include "../local_ground.h"
 #include "collision/ground_queries.h"
-#include "edit/spawn_tools.h"
 #include "fix_parts.h"
-#include "level/level_text.h"
-#include "level/local_ground.h"
 #include "rule_group.h"
 
 namespace talus {
