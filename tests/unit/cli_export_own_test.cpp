@@ -133,8 +133,9 @@ TEST_F(CliOwnFiles, TheLevelIsNeverReplacedByAFileBesideTheExport) {
   const CliAnswer answer =
       cli_answer({"export", file, "--to", "cpp", "-o", folder_.string(), "--force", "--fresh"});
   EXPECT_EQ(answer.status, 1);
-  EXPECT_EQ(answer.err,
-            file + ": error: is an input of this command, which the export would overwrite: name another place\n");
+  EXPECT_EQ(
+      answer.err,
+      file + ": error: is an input of this command, which the export would overwrite: name another place\n");
   EXPECT_EQ(bytes_of("level.talus.json"), before);
   EXPECT_FALSE(exists("main.cpp"));
 }
