@@ -36,7 +36,7 @@ TEST_F(UiBrushes, AStampIsSavedUsedRenamedAndDeleted) {
   click("brushes/0/name");
   key(ctrl('a'));
   type("ramp");
-  EXPECT_EQ(brushes()[0].name, "Brush 1") << "not while it is typed";
+  EXPECT_EQ(brushes()[0].name, "Brush 1") << "the name does not change while it is typed";
   key('\r');
   EXPECT_EQ(brushes()[0].name, "ramp");
 

@@ -168,10 +168,10 @@ TEST_F(UiCurve, InspectorEditsNameAndNumbers) {
   type("90");
   key(KeyChord{'\r'});
   EXPECT_EQ(curve(0), before);
-  EXPECT_NE(find("inspector/curve_problem"), nullptr) << "told below the fields";
+  EXPECT_NE(find("inspector/curve_problem"), nullptr) << "the problem is shown below the fields";
   frames(90);
   const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
-  EXPECT_TRUE(tooltip == nullptr || !tooltip->Active) << "which would lie over it";
+  EXPECT_TRUE(tooltip == nullptr || !tooltip->Active) << "a tooltip would cover the problem";
 }
 
 TEST_F(UiCurve, NumbersAreNotCutInTheirFields) {

@@ -26,7 +26,7 @@ TEST_F(UiDebuggerKeys, SeekByTensAndToBothEnds) {
   key(ctrl(kKeyLeft));
   key(kKeyHome);
   EXPECT_EQ(frame(), 0);
-  EXPECT_EQ(timeline().branches().size(), 1u) << "nothing new is begun";
+  EXPECT_EQ(timeline().branches().size(), 1u) << "no new branch is begun";
   key(ctrl(kKeyRight));
   EXPECT_EQ(frame(), 10);
   key(kKeyEnd);

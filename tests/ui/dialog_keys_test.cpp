@@ -59,7 +59,7 @@ class UiDialogKeys : public UiTest {
 
 TEST_F(UiDialogKeys, EnterPressesTheHighlightedAnswer) {
   ask_to_quit();
-  EXPECT_NE(focused(), "") << "it is shown where the keys are";
+  EXPECT_NE(focused(), "") << "the control that has the keys is marked";
   press_key({kKeyEnter});
   EXPECT_TRUE(session().wants_quit());
   EXPECT_FALSE(session().modified()) << "saved";
@@ -341,7 +341,7 @@ TEST_F(UiDialogKeys, TabsAreOpenedByNameAndUsedByKeys) {
   click(on_sheet(9));
   run_from_palette("tab flags");
   EXPECT_TRUE(view().window.keys_in_panel);
-  EXPECT_NE(focused(), "") << "it is shown where the keys are";
+  EXPECT_NE(focused(), "") << "the control that has the keys is marked";
   press_key({kKeyDown});
   press_key({kKeyLeft});
   press_key({' '});

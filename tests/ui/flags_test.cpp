@@ -85,8 +85,8 @@ TEST_F(UiFlags, TheBrushPaintsTheTilesOfTheMap) {
 TEST_F(UiFlags, AStrokeOverTheMapSkipsEmptyCells) {
   key(ctrl_shift('f'));
   drag(on_map({5, 10}), on_map({20, 16}));
-  EXPECT_EQ(flags_of(2), 0x03) << "the ball's tile, where it began";
-  EXPECT_EQ(flags_of(1), 0x01) << "the floor's has the flag";
+  EXPECT_EQ(flags_of(2), 0x03) << "the drag began on the ball's tile";
+  EXPECT_EQ(flags_of(1), 0x01) << "the floor's tile has the flag";
   EXPECT_EQ(flags_of(0), 0x00) << "the air between";
   session().apply(action::EditLevel{paint_stroke(level(), {8, 10}, {8, 10}, {8, 10}, {1, 1, {200}}, {})});
   drag(on_map({5, 10}), on_map({9, 10}));
@@ -143,7 +143,8 @@ TEST_F(UiFlags, ALongNameCanBeRead) {
     return tooltip != nullptr && tooltip->Active ? tooltip->Size.y : 0;
   };
   EXPECT_GT(height_of_help("flags/lamp7"), 0);
-  EXPECT_GT(height_of_help("flags/lamp6"), height_of_help("flags/lamp7")) << "a line more, by the name";
+  EXPECT_GT(height_of_help("flags/lamp6"), height_of_help("flags/lamp7"))
+      << "one more line, with the flag's name";
   click("flags/menu6");
   frames(2);
   EXPECT_GT(find("flags/name")->max.x - find("flags/name")->min.x, text_width());

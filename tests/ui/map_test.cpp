@@ -239,11 +239,11 @@ TEST_F(UiMap, EscapeCancelsADrag) {
   EXPECT_EQ(selection(), std::nullopt);
   select({3, 3}, {4, 3});
   cancel_drag({10, 8}, {12, 9});
-  EXPECT_EQ(selection(), (CellRect{3, 3, 2, 1})) << "that before comes back";
+  EXPECT_EQ(selection(), (CellRect{3, 3, 2, 1})) << "the previous selection comes back";
   drag(on_map({3, 3}), on_map({3, 4}));
   cancel_drag({4, 4}, {8, 5});
   EXPECT_EQ(selection(), (CellRect{3, 4, 2, 1}));
-  EXPECT_EQ(drawn({3, 3, 7, 3}), (Rows{".......", "34.....", "......."})) << "the move before stays";
+  EXPECT_EQ(drawn({3, 3, 7, 3}), (Rows{".......", "34.....", "......."})) << "the previous move stays";
   EXPECT_EQ(session().history().position(), 2u);
 }
 
@@ -267,7 +267,7 @@ TEST_F(UiMap, SelectionIsMovedByTheArrowsOverOtherTiles) {
   select({3, 3}, {4, 3});
   const std::size_t before = entries();
   for (int i = 0; i < 3; ++i) key(kKeyRight);
-  EXPECT_EQ(drawn({3, 3, 5, 1}), Rows{"..134"}) << "what was crossed is there again";
+  EXPECT_EQ(drawn({3, 3, 5, 1}), Rows{"..134"}) << "the tiles that it crossed are there again";
   key(kKeyDown);
   EXPECT_EQ(drawn({3, 3, 5, 2}), (Rows{"..1..", "...34"}));
   EXPECT_EQ(entries(), before + 1);
@@ -311,8 +311,8 @@ TEST_F(UiMap, PasteAcceptsTextOfTic80AndReportsOtherText) {
   EXPECT_EQ(drawn({12, 4, 2, 1}), Rows{"34"});
   key(ctrl('v'));
   key(kKeyEscape);
-  EXPECT_FALSE(session().choices().pasted) << "Escape lets it go";
-  EXPECT_TRUE(selection()) << "and the selection later";
+  EXPECT_FALSE(session().choices().pasted) << "the first Escape removes the pasted tiles";
+  EXPECT_TRUE(selection()) << "the selection stays until the next Escape";
   ASSERT_EQ(SDL_SetClipboardText("hello"), 0);
   key(ctrl('v'));
   ASSERT_TRUE(session().message());
@@ -491,7 +491,7 @@ TEST_F(UiMap, FindTakesTheDigits) {
     type(number);
     key(KeyChord{'\r'});
     frames(2);
-    EXPECT_EQ(app().ui().view.level.find_tile, std::stoi(number)) << "all of what was there is replaced";
+    EXPECT_EQ(app().ui().view.level.find_tile, std::stoi(number)) << "the typed number replaces the old one";
     EXPECT_EQ(tool(), before) << "no digit chooses a tool";
     move(on_map({21, 12}));
   }
@@ -517,7 +517,7 @@ TEST_F(UiMap, EscapeOrAClickRemovesTheMarkOfAFoundTile) {
   ASSERT_EQ(marked, (Cell{2, 2}));
   key(KeyChord{kKeyEscape});
   EXPECT_FALSE(marked);
-  EXPECT_TRUE(session().choices().selection) << "which is for the next Escape";
+  EXPECT_TRUE(session().choices().selection) << "the next Escape removes the selection";
   key(KeyChord{kKeyEscape});
   EXPECT_FALSE(session().choices().selection);
   key('n');

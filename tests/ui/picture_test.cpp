@@ -198,7 +198,8 @@ TEST_F(UiPicture, SheetsAndPaletteAreExported) {
 TEST_F(UiPicture, AnExportedPaletteCanBeImported) {
   save_png("colors.png", 16, 1, {9, 8, 7});
   open_picture("colors.png");
-  EXPECT_EQ(session().png_import()->options.part, PngPart::palette) << "it can be nothing else";
+  EXPECT_EQ(session().png_import()->options.part, PngPart::palette)
+      << "a picture of 16 by 1 pixels can only be a palette";
   click("import/apply");
   frames(3);
   EXPECT_EQ(level().palette[15], (Rgb{9, 8, 7}));

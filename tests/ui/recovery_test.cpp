@@ -138,7 +138,8 @@ TEST_F(UiRecovery, UnreadableWorkIsNamedAndKeptUntilDiscarded) {
   for (int i = 0; i < 3; ++i) key(kKeyEnter);
   key(kEscapeKey);
   frames(3);
-  EXPECT_TRUE(std::filesystem::exists(damaged)) << "keys that are pressed unseen throw nothing away";
+  EXPECT_TRUE(std::filesystem::exists(damaged))
+      << "keys that are pressed before the dialog is seen delete nothing";
   crash_and_start(level_file());
   for (int i = 0; i < 2; ++i) {
     click("recovery/discard0");
@@ -322,7 +323,7 @@ TEST_F(UiRecovery, AnIdleWindowDrawsNothing) {
   EXPECT_EQ(app().drawn_frames(), before);
   std::ofstream(level_file()) << "{ not a level";
   turn_for(1.2);
-  EXPECT_GT(app().drawn_frames(), before + 5) << "the changed file is told, in a dialog in its later frames";
+  EXPECT_GT(app().drawn_frames(), before + 5) << "a dialog reports the changed file, and is drawn";
 }
 
 }  // namespace talus::recovery_test

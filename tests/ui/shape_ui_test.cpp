@@ -114,7 +114,7 @@ TEST_F(UiShape, EscapeCancelsADrag) {
   frames(2);
   ASSERT_GT(shape(3).heights.at(0), 0);
   key(kKeyEscape);
-  EXPECT_EQ(shape(3), TileShape()) << "as its flags have it again";
+  EXPECT_EQ(shape(3), TileShape()) << "the shape comes from the flags again";
   move({left.x, left.y - 60});
   release();
   frames(2);

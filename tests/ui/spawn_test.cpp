@@ -64,7 +64,7 @@ TEST_F(UiSpawn, EscapePutsABodyBack) {
   cancel_drag(centre("map/velocity_handle"), {120, 40});
   EXPECT_EQ(spawn().velocity, Vec2{});
   cancel_drag(on_canvas("map", {40, 60}), {60, 60});
-  EXPECT_EQ(level().spawns.size(), 1u) << "that of the press is gone";
+  EXPECT_EQ(level().spawns.size(), 1u) << "the body that the press put there is gone";
   EXPECT_EQ(session().history().position(), 1u);
 }
 

@@ -155,7 +155,7 @@ TEST_F(UiSprite, TheWholeCanvasCanBeSelected) {
   EXPECT_EQ(session().choices().sprite_tool, SpriteTool::select);
   EXPECT_EQ(selected(), (CellRect{0, 0, 16, 16}));
   key('1');
-  EXPECT_FALSE(selected()) << "it is the select tool's";
+  EXPECT_FALSE(selected()) << "another tool removes the selection";
 }
 
 TEST_F(UiSprite, FlipsClearAndShiftActOnTheSelection) {

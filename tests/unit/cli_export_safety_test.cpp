@@ -119,11 +119,11 @@ TEST_F(CliPresetPaths, BringNoCodeUnlessItIsAllowed) {
                 ":preset \"code\": error: writes the level's own code to json.py, which has not been "
                 "allowed: allow it in the editor, in File > Export, or by --allow-code\n");
   EXPECT_FALSE(exists("level/json.py"));
-  EXPECT_TRUE(exists("level/data.lua")) << "which brings none";
+  EXPECT_TRUE(exists("level/data.lua")) << "this preset writes no code";
   EXPECT_EQ(all("--force"), 1) << "that is about other things";
   EXPECT_EQ(all("--allow-code"), 0) << answer_.err;
   EXPECT_THAT(bytes_of("level/json.py"), HasSubstr("print('run')"));
-  EXPECT_EQ(all(), 1) << "it was meant once";
+  EXPECT_EQ(all(), 1) << "--allow-code holds for one run";
 
   ExportPermissions permissions(state_folder() + "/" + kPermissionsFile);
   permissions.open(path("level/cave.talus.json"));

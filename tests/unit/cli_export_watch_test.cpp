@@ -264,7 +264,7 @@ TEST_F(CliWatch, KeepsStartersThatAreChangedMeanwhile) {
   save({}, 1);
   wait_for(err_text_, 1);
   interrupt();
-  EXPECT_EQ(bytes_of("game/main.lua"), "mine") << "--fresh was said of what was there at first";
+  EXPECT_EQ(bytes_of("game/main.lua"), "mine") << "--fresh applies only to the first export";
   EXPECT_EQ(err_text_.text(),
             path("game/main.lua") + ": note: kept, as this file is yours now; --fresh writes it anew\n");
 }

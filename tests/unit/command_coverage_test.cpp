@@ -222,7 +222,8 @@ TEST(CommandSearch, FindsByLabelsThenByOtherWords) {
   EXPECT_EQ(found_by("type rgb"), "palette/type");
   EXPECT_EQ(found_by("killed"), "file/recover") << "of its help";
   EXPECT_EQ(found_by("undo"), "edit/undo") << "labels come first";
-  EXPECT_EQ(found_by("flag"), "flags/find") << "and of those whole words, not Flip Left And riGht";
+  EXPECT_EQ(found_by("flag"), "flags/find")
+      << "and whole words in labels come before single letters, as in FLip left And riGht";
   EXPECT_EQ(found_by("level width"), "map/resize");
   EXPECT_EQ(found_by("no such thing anywhere"), "");
 }

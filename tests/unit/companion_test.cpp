@@ -298,7 +298,8 @@ TEST_F(Companions, BrokenOnesAreNeverOverwritten) {
   save(plain_level(), "game.tic");
   put("game.tic.talus.json", "<<<<<<< mine");
   save(plain_level(), "game.tic", load("game.tic").companion);
-  EXPECT_EQ(bytes_of("game.tic.talus.json"), "<<<<<<< mine") << "nothing is needed in its place";
+  EXPECT_EQ(bytes_of("game.tic.talus.json"), "<<<<<<< mine")
+      << "no companion is needed, so the broken file stays";
   const SavedLevel saved = save(rich_level(), "game.tic", load("game.tic").companion);
   EXPECT_EQ(saved.note,
             "game.tic.talus.json held something else, which is kept as game.tic.talus-kept1.json");
@@ -369,7 +370,7 @@ TEST(CompanionContent, JoinsWhatBothHold) {
   held.spawns.push_back({.name = "new", .position = {}, .velocity = {}, .extra = ""});
   held.tile_shapes[5].kind = TileShape::Kind::solid;
   const JoinedLevel joined = join_companion(companion, held, format, "a").value();
-  EXPECT_EQ(joined.level.spawns.size(), 4u) << "those of the file, and the one that was moved";
+  EXPECT_EQ(joined.level.spawns.size(), 4u) << "the bodies of the file, and the one that was moved";
   EXPECT_EQ(joined.level.tile_shapes[5].kind, TileShape::Kind::solid);
   EXPECT_TRUE(joined.level.tile_shapes[4].one_way);
   EXPECT_FALSE(joined.is_whole) << "tile 3 was changed, so it stays";

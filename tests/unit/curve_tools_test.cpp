@@ -120,7 +120,7 @@ TEST(CurveTools, HandlesOfTheOtherKinds) {
   EXPECT_EQ(with_handle(cubic, 2, {20, 30}), (Curve{Cubic{{0, 40}, {60, 40}, -0.5, 0}, Faces::up}));
   EXPECT_EQ(with_handle(cubic, 3, {40, 30}), (Curve{Cubic{{0, 40}, {60, 40}, 0, 0.5}, Faces::up}));
   const Curve sine{Sine{16, 80, 40, -8, 32, 0}, Faces::up};
-  EXPECT_EQ(handles_of(sine)[2], (Vec2{32, 40})) << "the first origin within it";
+  EXPECT_EQ(handles_of(sine)[2], (Vec2{32, 40})) << "the handle is at the first zero within the curve";
   EXPECT_EQ(handles_of(sine)[3], (Vec2{40, 32}));
   EXPECT_EQ(with_handle(sine, 2, {36, 44}), (Curve{Sine{16, 80, 44, -8, 32, 36}, Faces::up}));
   EXPECT_EQ(with_handle(sine, 3, {48, 20}), (Curve{Sine{16, 80, 40, -20, 64, 32}, Faces::up}));

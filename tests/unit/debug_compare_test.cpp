@@ -126,7 +126,7 @@ TEST(WatchRun, GoesOnWhenTheRecordingGrows) {
   const std::vector<Watch> watches = {{*Expression::parse("x"), 1}, {*Expression::parse("x - before(x)"), 1}};
   WatchRun run(watches, 2, 16);
   EXPECT_FALSE(run.advance(source, 3));
-  EXPECT_EQ(run.progress(source), 0.5) << "one of the three frames was that before the first";
+  EXPECT_EQ(run.progress(source), 0.5) << "before(x) also needs the frame before the first: a third frame";
   EXPECT_TRUE(run.advance(source, 3));
   source.frames.push_back(source.frames.back());
   source.frames.back().state.frame = 6;
@@ -150,9 +150,9 @@ TEST(FrameHistory, ReadsOnlyTheFramesThatItLacks) {
   };
   EXPECT_EQ(reads_to(5), 3);
   EXPECT_EQ(reads_to(6), 1) << "the next one";
-  EXPECT_EQ(reads_to(8), 2) << "one is left out";
-  EXPECT_EQ(reads_to(11), 3) << "nothing that is there is asked for again";
-  EXPECT_EQ(reads_to(15), 3) << "what is between is not";
+  EXPECT_EQ(reads_to(8), 2) << "a jump over one frame, which is read too";
+  EXPECT_EQ(reads_to(11), 3) << "reads only the frames that it lacks";
+  EXPECT_EQ(reads_to(15), 3) << "does not read the frame in between";
   EXPECT_EQ(reads_to(14), 3) << "back";
 }
 

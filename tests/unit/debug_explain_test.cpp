@@ -281,7 +281,7 @@ TEST(MotionText, ASmallMotionIsNotShownAsZero) {
   EXPECT_EQ(motion_text({0.003, 2}), "(0, 2)");
   EXPECT_EQ(motion_text({1e-300, 0}), "(0, 0)");
   EXPECT_EQ(motion_text({-0.18, 0.007}), "(-0.18, 0.01)");
-  EXPECT_EQ(short_text(Vec2{0.003, -1}), "(3e-03, -1)") << "of a normal it is told";
+  EXPECT_EQ(short_text(Vec2{0.003, -1}), "(3e-03, -1)") << "a normal's small numbers are shown";
   EXPECT_EQ(short_text(Vec2{-4e-311, -1}), "(0, -1)");
 }
 

@@ -79,7 +79,7 @@ TEST(PngImport, FillsUpToWholeTilesWithColourZero) {
   ASSERT_TRUE(plan) << plan.error();
   EXPECT_EQ(plan->width, 16);
   EXPECT_EQ(plan->height, 16);
-  EXPECT_EQ(plan->approximated, 0) << "of the picture's own pixels";
+  EXPECT_EQ(plan->approximated, 0) << "counts only the picture's own pixels";
   const auto& images = plan->sheet.images;
   EXPECT_EQ(images[1][1], 2);
   EXPECT_EQ(images[1][2], 0);

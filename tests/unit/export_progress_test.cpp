@@ -64,7 +64,7 @@ TEST(Progress, ReportsAThousandSharesAtMostAndStaysStopped) {
   EXPECT_GT(calls, 400);
   EXPECT_LE(calls, 502);
   EXPECT_TRUE(progress.stopped());
-  EXPECT_FALSE(progress.part(0, 0.1).at(0)) << "whatever is asked next";
+  EXPECT_FALSE(progress.part(0, 0.1).at(0)) << "once stopped, it stays stopped";
   const Progress all([&](double) { return ++calls > 0; });
   calls = 0;
   for (int i = 0; i <= 100'000; ++i) all.at(i, 100'000);
@@ -94,7 +94,7 @@ TEST_P(LongExport, EndsWithAnErrorWhenItIsStopped) {
     const Told told = told_by(GetParam(), busy_level(), share);
     ASSERT_FALSE(told.result) << share;
     EXPECT_EQ(told.result.error().message, "was cancelled");
-    EXPECT_EQ(told.shares.back(), share) << "nothing is told after that";
+    EXPECT_EQ(told.shares.back(), share) << "no more progress is reported";
   }
 }
 

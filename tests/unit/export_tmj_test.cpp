@@ -70,7 +70,7 @@ TEST(ExportTmj, TilesHaveFlagsByNumberAndByName) {
   EXPECT_EQ(words(tile(3)["properties"]), "flags int 16\nice bool true\n");
   EXPECT_EQ(words(tile(7)["properties"]),
             "flags int 33\nsolid bool true\nflag5 bool true\nshape string \"solid\"\n");
-  EXPECT_TRUE(tile(9).is_null()) << "nothing is to be said of it";
+  EXPECT_TRUE(tile(9).is_null()) << "a tile without properties has no entry";
 }
 
 TEST(ExportTmj, ShapesArePolygonsWithWords) {

@@ -117,7 +117,8 @@ TEST_F(ExternalProgramTest, ACopyHasACompanionForWhatACartCannotHold) {
   EXPECT_EQ(load_level(path("copies/level.tic"))->level.spawns, session.level().spawns);
   place(0);
   save(session);
-  EXPECT_TRUE(load_level(path("copies/level.tic"))->level.spawns.empty()) << "an old one adds nothing";
+  EXPECT_TRUE(load_level(path("copies/level.tic"))->level.spawns.empty())
+      << "an older companion adds no bodies";
   EXPECT_EQ(load_level(path("copies/level.tic"))->note, "");
 }
 
@@ -179,7 +180,7 @@ TEST_F(ExternalProgramTest, AChangeByAnotherProgramStaysInItsCopy) {
             std::string::npos);
   paint(session, 5);
   save(session);
-  EXPECT_FALSE(session.message()->is_error) << "it was told once";
+  EXPECT_FALSE(session.message()->is_error) << "the error is shown only once";
 
   OpenCopies later(path("copies"));  // the program was started again
   open_in_program(session, ProgramId::tic80, commands(), later);
@@ -216,7 +217,7 @@ TEST_F(ExternalProgramTest, AGameRunsInTheFolderThatItIsExportedTo) {
                     return read_file(TALUS_SOURCE_DIR "/assets/" + name);
                   }});
   GameStart game;
-  EXPECT_FALSE(game.begin(session, commands())) << "no preset makes one";
+  EXPECT_FALSE(game.begin(session, commands())) << "no preset exports a game";
   session.apply(action::EditLevel{
       add_export(session.level(), {.name = "map", .exporter = "tmj", .path = "map.tmj", .extra = ""})});
   session.apply(action::EditLevel{
@@ -231,7 +232,7 @@ TEST_F(ExternalProgramTest, AGameRunsInTheFolderThatItIsExportedTo) {
     game.follow(session, commands(), copies_);
   }
   EXPECT_EQ(told(), path("my game") + "\n");
-  EXPECT_TRUE(exists("my game/main.lua")) << "and exported before";
+  EXPECT_TRUE(exists("my game/main.lua")) << "the game is exported before it starts";
   EXPECT_FALSE(exists("map.tmj"));
   EXPECT_EQ(session.message()->text, "Opened " + path("my game") + " in LÖVE.");
 }

@@ -94,7 +94,7 @@ TEST_F(FileChangeTest, ARecoveredLevelWithoutItsFileIsModified) {
   EXPECT_EQ(first_tile(), 3);
   EXPECT_TRUE(session_.modified());
   session_.apply(action::Undo{});
-  EXPECT_TRUE(session_.modified()) << "no file has what was before either";
+  EXPECT_TRUE(session_.modified()) << "the state before the edit is in no file either";
 }
 
 TEST_F(FileChangeTest, WithUnsavedChangesItAsksAndKeeps) {

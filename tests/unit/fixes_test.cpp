@@ -64,7 +64,7 @@ TEST(Fixes, ShapesGetTheTilesThatDrawTheRest) {
   EXPECT_THAT(labels_of(level, "slope-half-missing"),
               ElementsAre("Place 2 tiles, the rest of tile 60's shape, at (2, 2) and on"));
   level.tile_shapes[61] = {.kind = Kind::solid};
-  EXPECT_THAT(labels_of(level, "slope-half-missing"), IsEmpty()) << "it is something else";
+  EXPECT_THAT(labels_of(level, "slope-half-missing"), IsEmpty()) << "tile 61 has another shape";
 }
 
 TEST(Fixes, FlagsOfSlopes) {

@@ -59,7 +59,7 @@ TEST(FlagTools, TheBrushSaysWhatItsStrokeDoes) {
   EXPECT_EQ(text(2), "tile 2: sets flag 0  solid");
   EXPECT_EQ(text({}), "paints flag 0  solid");
   stroke_at(1, true);
-  EXPECT_EQ(text(1), "tile 1: clears flag 0  solid") << "although it is clear by now";
+  EXPECT_EQ(text(1), "tile 1: clears flag 0  solid") << "the text stays although the flag is clear by now";
   EXPECT_EQ(text(2), "tile 2: clears flag 0  solid");
   EXPECT_EQ(text({}), "clears flag 0  solid");
   stroke_at(0, false);

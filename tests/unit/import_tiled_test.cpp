@@ -75,7 +75,7 @@ TEST(ImportTiled, BoxesAndPolygonsBecomeShapes) {
             (TileShape{.kind = Kind::profile, .heights = {0, 4, 0}}));
   EXPECT_EQ(shape_of(polygon(R"({"x":0,"y":4},{"x":4,"y":2},{"x":8,"y":0},{"x":8,"y":8},{"x":0,"y":8})")),
             (TileShape{.kind = Kind::slope, .heights = {4, 8}}))
-      << "a corner on a line is none";
+      << "a point on a straight line is no corner";
   EXPECT_EQ(shape_of(R"({"x":0,"y":5,"width":8,"height":3})", R"({"name":"shape_one_way","value":true})"),
             (TileShape{.kind = Kind::slope, .one_way = true, .heights = {3, 3}}));
   const std::string one_way =
@@ -111,14 +111,14 @@ TEST(ImportTiled, FlagsAreReadByNumberAndByName) {
           R"({"name":"solid","value":true},{"name":"up_slope","value":true},{"name":"flag7","value":true})"),
       1 | 4 | 128);
   EXPECT_EQ(flags(R"({"name":"flags","value":5},{"name":"solid","value":false})"), 4)
-      << "a name says it last";
+      << "a property with a flag's name overrides \"flags\"";
   const auto named = [](const std::string& properties) {
     return read(map_text({.tiles = tile_text("", R"({"name":"ladder","value":true})" + properties)})).level;
   };
   EXPECT_EQ(named("").flag_names[4], "ladder") << "the first flag without a role";
   EXPECT_EQ(named("").tile_flags(17), 16);
   const Level numbered = named(R"(,{"name":"flags","value":32})");
-  EXPECT_EQ(numbered.flag_names[5], "ladder") << "which the same tiles have by number";
+  EXPECT_EQ(numbered.flag_names[5], "ladder") << "the flag that the same tiles have by number";
   EXPECT_EQ(numbered.tile_flags(17), 32);
   EXPECT_EQ(read(map_text({.tiles = tile_text("", R"({"name":"collidable","value":true})")}))
                 .level.tile_shapes[17]
@@ -474,7 +474,7 @@ TEST(ImportTiled, TakesALayerByNumberIfNoneHasThatName) {
     return loaded ? loaded->level.map.at({0, 0}) : 255;
   };
   context.choices.layer = "ground";
-  EXPECT_EQ(first_cell(), 0) << "of two of one name the first";
+  EXPECT_EQ(first_cell(), 0) << "the first of two layers with one name";
   context.choices.layer = "2";
   EXPECT_EQ(first_cell(), 2);
   context.choices = {.layer_number = 2};

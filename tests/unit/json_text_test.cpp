@@ -53,11 +53,12 @@ TEST(JsonText, TheNumberOfValuesIsBounded) {
   std::string text = "[0";
   for (int i = 0; i < kMaxJsonValues; ++i) text += ",0";
   EXPECT_EQ(error_of(text + "]"), "line 1: the JSON has more than 5000000 values");
-  EXPECT_EQ(error_of("[x," + text), "line 1: the JSON has more than 5000000 values") << "before any is made";
+  EXPECT_EQ(error_of("[x," + text), "line 1: the JSON has more than 5000000 values")
+      << "the values are counted before any is made";
   text = "[\t0";
   for (int i = 0; i < kMaxJsonValues - 2; ++i) text += ",0";
   EXPECT_EQ(error_of(text + ",\"[,\\\",,\"]"), "line 1: the JSON has more than 5000000 values");
-  EXPECT_EQ(error_of(text + "\r\n]"), "") << "as many as there may be";
+  EXPECT_EQ(error_of(text + "\r\n]"), "") << "exactly at the limit";
 }
 
 TEST(JsonText, NumbersTooLargeForADoubleAreErrors) {

@@ -46,7 +46,7 @@ TEST_F(LevelOfAFrame, IsTheLevelBeforeLaterStrokes) {
   EXPECT_EQ(session_.level().map.at({5, 3}), kRoomSolid) << "what is edited stays the newest";
   session_.apply(action::SeekFrame{10});
   show();
-  EXPECT_FALSE(level_at_frame_.is_other()) << "from that frame on";
+  EXPECT_FALSE(level_at_frame_.is_other()) << "from that frame on the level is the newest";
 }
 
 TEST_F(LevelOfAFrame, OnAnOlderBranchIsTheLevelOfThatBranch) {

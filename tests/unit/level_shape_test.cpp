@@ -57,7 +57,8 @@ TEST(ShapeOfTile, ModifiersChangeWhatTheFlagsGive) {
   EXPECT_EQ(shape_of_flags(level, 1 << 7 | 1 << 6 | 4), expected);
   EXPECT_EQ(shape_of_flags(level, 1 << 6 | 1 << 7), TileShape());
   level.flag_shapes[5] = {.kind = Kind::slope, .side = Side::ceiling, .heights = {1, 2}};
-  EXPECT_EQ(shape_of_flags(level, 1 << 7 | 1 << 5), slope({1, 2})) << "upside down twice";
+  EXPECT_EQ(shape_of_flags(level, 1 << 7 | 1 << 5), slope({1, 2}))
+      << "a ceiling turned upside down is a floor";
 }
 
 TEST(ShapeOfTile, TheTilesOwnShapeComesFirst) {

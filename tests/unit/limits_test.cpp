@@ -110,7 +110,7 @@ TEST(LevelLimits, MapsThatCannotBeReadAreNotExported) {
   };
   const std::size_t part = kMaxNameBytes / level.spawns.size();
   for (Spawn& spawn : level.spawns) spawn.name.assign(part, '=');
-  EXPECT_EQ(refusal("tmx"), "has too many elements") << "as the reader counts them";
+  EXPECT_EQ(refusal("tmx"), "has too many elements") << "the writer counts as the reader does";
   EXPECT_EQ(refusal("tmj"), "");
   for (Spawn& spawn : level.spawns) spawn.name.assign(part, '\\');
   for (const std::string to : {"tmx", "tmj"}) {

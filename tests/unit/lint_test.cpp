@@ -131,7 +131,7 @@ TEST(Lint, TheRestOfAShapeIsNotDrawn) {
   EXPECT_THAT(only(), IsEmpty()) << "less than a pixel of it is there";
   level.sheet(SheetId::tiles).images[kWide].fill(0);
   level.tile_shapes[kWide].heights = {8, 0};
-  EXPECT_THAT(only(), ElementsAre(testing::HasSubstr("invisible"))) << "which says it already";
+  EXPECT_THAT(only(), ElementsAre(testing::HasSubstr("invisible"))) << "another rule already reports it";
 
   level.map.set({1, 2}, kTall);
   level.tile_shapes[kTall] = {.kind = Kind::slope, .tiles = 2, .heights = {0, 16}};

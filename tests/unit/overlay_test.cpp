@@ -354,7 +354,7 @@ TEST(Overlays, SweptPathGoesFromContactToContact) {
   EXPECT_EQ(drawing.boxes[0].box, (Rect{0, 8, 8, 8}));
   EXPECT_EQ(drawing.boxes[1].box, (Rect{4, 12, 8, 8}));
   EXPECT_EQ(drawing.boxes[2].box, (Rect{10, 12, 8, 8}));
-  ASSERT_EQ(drawing.lines.size(), 6u) << "of each part the centre's way and two corners'";
+  ASSERT_EQ(drawing.lines.size(), 6u) << "for each part the paths of the centre and of two corners";
   EXPECT_EQ(drawing.lines[0].from, (Vec2{8, 8}))
       << "down and to the right, the top right corner is outermost";
   EXPECT_EQ(drawing.lines[0].to, (Vec2{12, 12}));

@@ -45,7 +45,7 @@ TEST(Png, KeepsThePaletteOfIndices) {
   EXPECT_EQ(picture->at(1, 0), kBlue);
   const auto true_color = read_png(png_of(1, 2, {"\0\xff\0"s}, {kBlue}));
   ASSERT_TRUE(true_color);
-  EXPECT_TRUE(true_color->palette.empty()) << "a suggestion, of which no pixel is made";
+  EXPECT_TRUE(true_color->palette.empty()) << "the palette is only a suggestion: no pixel uses it";
 }
 
 TEST(Png, SaysWhatIsWrongWithAFile) {

@@ -38,7 +38,7 @@ TEST(KeyBindings, ANewBindingReplacesTheOldOneOfTheKey) {
   reset_keys(save, bindings);
   EXPECT_EQ(command_keys(save, bindings), (CommandKeys{ctrl('s'), KeyChord{}}));
   EXPECT_EQ(command_keys(grid, bindings), (CommandKeys{KeyChord{'`'}, KeyChord{}}));
-  EXPECT_TRUE(bindings.changed.empty()) << "what is as it was is no change";
+  EXPECT_TRUE(bindings.changed.empty()) << "a key that is reset does not count as changed";
 }
 
 TEST(KeyBindings, EachSideOfTheWindowHasItsOwnKeys) {

@@ -73,7 +73,7 @@ TEST_P(LongReading, EndsWithAnErrorWhenItIsStopped) {
     const Told told = told_by(GetParam(), share);
     ASSERT_FALSE(told.result) << share;
     EXPECT_EQ(told.result.error().message, "was cancelled");
-    EXPECT_EQ(told.shares.back(), share) << "nothing is told after that";
+    EXPECT_EQ(told.shares.back(), share) << "no more progress is reported";
   }
 }
 

@@ -34,7 +34,7 @@ TEST_F(RealPath, FollowsEveryLinkEvenDanglingOnes) {
   EXPECT_EQ(real("in/dangling/x"), below("out/none/x"));
   link("in/folder", path("out"));
   link("in/chain", "folder");
-  EXPECT_EQ(real("in/chain/../x"), below("x")) << "as the system does it, behind the link";
+  EXPECT_EQ(real("in/chain/../x"), below("x")) << ".. starts at the link's target, as for the system";
   link("in/circle", "circle");
   EXPECT_EQ(real_path(path("in/circle")).error().message, "leads through links in a circle");
   link("level", "in/level.json");

@@ -86,7 +86,7 @@ TEST(RecordingFile, IsReadableRowByRow) {
   const std::string text = text_of(sample());
   EXPECT_THAT(text, HasSubstr("\n  \"frames\": 40,\n"));
   EXPECT_THAT(text, HasSubstr("\n    {\"frame\": 6, \"keys\": [\"right\"]},\n")) << text;
-  EXPECT_THAT(text, HasSubstr("\n      \"rows\": [\n")) << "the level as it is in its own file, further in";
+  EXPECT_THAT(text, HasSubstr("\n      \"rows\": [\n")) << "the level as in its own file, but indented";
   std::size_t longest = 0, length = 0;
   for (const char c : text) longest = std::max(longest, length = c == '\n' ? 0 : length + 1);
   EXPECT_LE(longest, 160u);

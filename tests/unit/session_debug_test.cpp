@@ -170,7 +170,7 @@ TEST_F(SessionDebug, FindsTheFirstDifferenceAndHowFarAVariantRan) {
   EXPECT_EQ(session.debugger().parting_frame(session.timeline()), std::nullopt);
   session.apply({action::SetParting{0}, action::CompareVariant{Variant{SolverKind::exact, true}}});
   EXPECT_EQ(session.debugger().comparing_progress(session.timeline()), 1.0 / 150)
-      << "a step, as nobody knows how long it takes";
+      << "one step first, as its time is not known yet";
   settle();
   EXPECT_EQ(session.debugger().comparing_progress(session.timeline()), std::nullopt);
   EXPECT_EQ(session.debugger().other_end(), 150);

@@ -216,7 +216,7 @@ TEST_F(ForeignPresets, AreForeignAfterAnotherProgramChangesTheFile) {
   EXPECT_FALSE(session().allows_export(0));
   session().apply(act::Undo{});
   session().apply(act::Redo{});
-  EXPECT_FALSE(session().allows_export(0)) << "neither is what redo brings back";
+  EXPECT_FALSE(session().allows_export(0)) << "a redone edit is not allowed either";
   paint_and_save();
   EXPECT_TRUE(asks());
   EXPECT_TRUE(written().empty());
@@ -280,7 +280,7 @@ TEST_F(ForeignPresets, StayInTheFolderOfTheLevel) {
     ASSERT_TRUE(outcome.problem) << outcome.task.preset.path;
     EXPECT_EQ(outcome.problem->is_outside, outcome.task.preset.path != "pipe.lua")
         << outcome.task.preset.path;
-    EXPECT_TRUE(outcome.files.empty()) << "they are not even looked at";
+    EXPECT_TRUE(outcome.files.empty()) << "the files are not even looked at";
   }
   // A change by the user that keeps the path does not allow the path.
   ExportPreset renamed = session().level().exports[0];

@@ -183,7 +183,7 @@ TEST_F(SessionExports, APreviewDoesNotDelayARun) {
   EXPECT_TRUE(exporting().running());
   wait();
   EXPECT_TRUE(exists("out/a.tic"));
-  EXPECT_FALSE(exporting().preview()) << "of what was there before";
+  EXPECT_FALSE(exporting().preview()) << "the preview of the old files is dropped";
 }
 
 TEST_F(SessionExports, ARunReusesThePreviewOfTheSameLevel) {
@@ -194,10 +194,10 @@ TEST_F(SessionExports, ARunReusesThePreviewOfTheSameLevel) {
   run(0);
   EXPECT_TRUE(exists("out/game/main.lua"));
   EXPECT_EQ(preview(0).files[0].place, PlannedFile::Place::same) << "the places are looked at again";
-  EXPECT_EQ(assets_read_, read) << "nothing is made anew";
+  EXPECT_EQ(assets_read_, read) << "no file is made again";
   session().apply(act::EditLevel{set_color(session().level(), 3, Rgb{1, 2, 3})});
   run(0);
-  EXPECT_EQ(assets_read_, 2 * read) << "of another level all is";
+  EXPECT_EQ(assets_read_, 2 * read) << "for a changed level all files are made again";
 }
 
 TEST_F(SessionExports, ACancelledPreviewStaysCancelled) {
@@ -210,12 +210,12 @@ TEST_F(SessionExports, ACancelledPreviewStaysCancelled) {
   session().apply(act::CancelExport{});
   EXPECT_FALSE(exporting().preview_progress()) << "at once for the user";
   EXPECT_TRUE(exporting().preview_cancelled());
-  EXPECT_TRUE(exporting().previews(session().revision(), task)) << "the window is not to ask for it again";
+  EXPECT_TRUE(exporting().previews(session().revision(), task)) << "so the window does not start it again";
   gate_->set_value();
   gate_.reset();
   wait();
   EXPECT_FALSE(exporting().preview());
-  EXPECT_EQ(message(), "Saved cave.talus.json.") << "the user knows without another";
+  EXPECT_EQ(message(), "Saved cave.talus.json.") << "a preview that the user cancelled gives no message";
   session().apply(act::EditLevel{set_color(session().level(), 3, Rgb{1, 2, 3})});
   EXPECT_FALSE(exporting().previews(session().revision(), task)) << "of another level";
   preview(0);
@@ -365,7 +365,7 @@ TEST(ExportRecords, RecordsOfSeveralProcessesAreMerged) {
   two.note("/b", 2);
   two.note("/a", 3);
   EXPECT_TRUE(one.save());
-  EXPECT_FALSE(two.has("/a", 1)) << "its own is later";
+  EXPECT_FALSE(two.has("/a", 1)) << "its own entry is newer";
   EXPECT_TRUE(two.save());
   EXPECT_FALSE(one.knows("/b"));
   one.refresh();

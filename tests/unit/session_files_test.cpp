@@ -227,7 +227,7 @@ TEST_F(SessionFiles, SaveOfAnUnnamedLevelGoesOnAfterItsName) {
   EXPECT_TRUE(session_.wants_save_as());
   EXPECT_FALSE(session_.wants_quit());
   session_.apply(act::SaveFileAs{path("a.xyz")});
-  EXPECT_TRUE(session_.wants_save_as()) << "the name was no good; another may be given";
+  EXPECT_TRUE(session_.wants_save_as()) << "it asks for another name";
   session_.apply(act::SaveFileAs{path("a.tic")});
   EXPECT_FALSE(session_.wants_save_as());
   EXPECT_TRUE(session_.wants_quit());
@@ -366,7 +366,7 @@ TEST_F(SessionCompanions, RemovedOnesAreWrittenAgain) {
   EXPECT_EQ(placed(), 1u);
   EXPECT_TRUE(session_.modified());
   session_.apply({act::DismissMessage{}, act::CheckFile{}});
-  EXPECT_EQ(message(), "") << "it is told once";
+  EXPECT_EQ(message(), "") << "the change is reported only once";
   session_.apply(act::SaveFile{});
   EXPECT_TRUE(exists("a.tic.talus.json"));
 }

@@ -68,7 +68,8 @@ TEST_F(SlowSteps, TheFrameShownMeanwhileIsPartOfTheRun) {
   EXPECT_EQ(session_.state(), timeline().state_at(timeline().current(), shown));
   EXPECT_EQ(timeline().wanted_frame(), kFrames);
   session_.apply(act::StepBack{});
-  EXPECT_EQ(timeline().wanted_frame(), kFrames - 1) << "back from where it is to go";
+  EXPECT_EQ(timeline().wanted_frame(), kFrames - 1)
+      << "one back from the wanted frame, not from the shown one";
   session_.apply(act::Quit{});
   session_.apply(act::AnswerQuestion{act::Answer::discard});
   EXPECT_TRUE(session_.wants_quit());

@@ -86,8 +86,9 @@ TEST(SpawnTools, SpawnsAreFollowedAcrossAnEdit) {
   EXPECT_EQ(followed({a, b, c}, {a, c}), (Now{0, std::nullopt, 1}));
   EXPECT_EQ(followed({a, b, c}, {a, b}), (Now{0, 1, std::nullopt}));
   EXPECT_EQ(followed({a, c}, {a, b, c}), (Now{0, 2}));
-  EXPECT_EQ(followed({a, b, c}, {a, other, c}), (Now{0, 1, 2})) << "changed, it is the same one";
-  EXPECT_EQ(followed({a, a, b}, {a, b}), (Now{0, std::nullopt, 1})) << "which of two equal ones is gone?";
+  EXPECT_EQ(followed({a, b, c}, {a, other, c}), (Now{0, 1, 2})) << "a changed body is still the same body";
+  EXPECT_EQ(followed({a, a, b}, {a, b}), (Now{0, std::nullopt, 1}))
+      << "of two equal bodies the second counts as removed";
   EXPECT_EQ(followed({a, b}, {}), (Now{std::nullopt, std::nullopt}));
 }
 

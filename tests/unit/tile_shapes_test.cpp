@@ -48,7 +48,7 @@ TEST(TileShapes, AreProposedForTheStairsOfASlope) {
   EXPECT_EQ(suggested({"........", "#.......", "##......", "###.....", "####....", "#####...", "######..",
                        "#######."}),
             sloped({8, 0}))
-      << "one pixel lower everywhere is the same line";
+      << "a line that is one pixel lower gives the same shape";
   EXPECT_EQ(suggested({"", "", "", "", ".......#", ".....###", "...#####", ".#######"}), sloped({0, 4}));
   EXPECT_EQ(suggested({"", "", "", "", "", "########", "########", "########"}), sloped({3, 3}));
 }

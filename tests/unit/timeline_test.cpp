@@ -160,7 +160,7 @@ TEST(FrameHash, ChangesWithAnyBitOfTheState) {
   const std::uint64_t hash = frame_hash(state);
   State other = state;
   other.frame = 9;
-  EXPECT_EQ(frame_hash(other), hash) << "the frame is where it is kept";
+  EXPECT_EQ(frame_hash(other), hash) << "the number of the frame is not part of the hash";
   for (double Rect::*number : {&Rect::x, &Rect::y}) {
     other = state;
     other.bodies[1].box.*number += 1e-9;
@@ -237,7 +237,7 @@ TEST(Timeline, DroppingABranchKeepsTheOthers) {
   timeline.drop(timeline.current().id);
   EXPECT_EQ(timeline.current().id, second);
   timeline.drop(second);
-  EXPECT_EQ(timeline.branches().size(), 1u) << "one is always there";
+  EXPECT_EQ(timeline.branches().size(), 1u) << "one branch always stays";
   EXPECT_EQ(timeline.last_frame(), 0);
   EXPECT_EQ(timeline.frame(), 0);
 }
@@ -269,7 +269,7 @@ TEST(Timeline, ARerunFindsTheFirstDifferentFrame) {
   EXPECT_EQ(timeline.progress(), 0);
   timeline.catch_up(60);
   EXPECT_EQ(timeline.progress(), 0.5);
-  EXPECT_EQ(timeline.frame(), 60) << "follows to where it was";
+  EXPECT_EQ(timeline.frame(), 60) << "shows the frame that it has reached";
   finish(timeline);
   EXPECT_EQ(timeline.progress(), 1);
   EXPECT_EQ(timeline.frame(), 120);
@@ -309,7 +309,7 @@ TEST(Timeline, TheMouseKeepsABodyWhoseNumberChanges) {
   EXPECT_EQ(timeline.state().find(2)->origin.cell, (Cell{1, 0}));
   EXPECT_EQ(timeline.compared()->input(1).grab, 1) << "the old run keeps its own";
   timeline.edit_and_rerun(with_tile(level, {1, 0}, 0), nullptr, 0);
-  EXPECT_EQ(timeline.current().input(1).grab, 0) << "there is none to hold";
+  EXPECT_EQ(timeline.current().input(1).grab, 0) << "there is no such body to hold";
 }
 
 TEST(Timeline, ACancelledRerunEndsWhereItIs) {
@@ -395,7 +395,7 @@ TEST(Timeline, NewInputKeepsARunOnAnEditedLevel) {
   EXPECT_EQ(timeline.branches().size(), 3u) << "of one series";
   finish(timeline);
   timeline.edit_and_rerun(with_tile(drop(), {0, 2}, 1), nullptr, 0);
-  EXPECT_EQ(timeline.branches().size(), 4u) << "nor is other input a draft of an edited level";
+  EXPECT_EQ(timeline.branches().size(), 4u) << "a run with other input is no draft of an edited level";
 }
 
 TEST(Timeline, NewInputKeepsFramesPlayedOnADraft) {
