@@ -129,10 +129,9 @@ std::vector<std::string> overlay_keys() {
 void add_debugger_options(CLI::App& command, ShotCommandOptions& options) {
   WindowShotOptions& shot = options.window_shot;
   const std::string window = "--window";
-  command.add_option("--panel", shot.panels, "Open the debugger with these tabs")
+  command.add_option("--panel", shot.panels, "Show these tabs, and the debugger")
       ->delimiter(',')
-      ->check(CLI::IsMember(
-          {"inspector", "why", "tuning", "input_roll", "watch", "stops", "compare", "reach", "problems"}))
+      ->check(CLI::IsMember(panels_in_tabs()))
       ->needs(window);
   command.add_option("--break", shot.stops, "Condition of a breakpoint, such as 'penetration > 1'")
       ->needs(window);

@@ -7,6 +7,7 @@
 #include "app.h"
 #include "edit/level_settings.h"
 #include "panels/canvas/canvas_layers.h"
+#include "panels/window/panel_list.h"
 #include "picture.h"
 
 namespace talus {
@@ -83,6 +84,8 @@ tl::expected<void, std::string> write_shot(const Session& session, const ShotOpt
   if (!picture) return tl::unexpected(picture.error());
   return write_png(*picture, png_path, InPlace::write);
 }
+
+std::vector<std::string> panels_in_tabs() { return tab_ids(); }
 
 tl::expected<void, std::string> write_window_shot(const WindowShotOptions& options,
                                                   const std::string& png_path, WindowCost* cost) {

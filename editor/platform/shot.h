@@ -49,6 +49,8 @@ struct WindowCost {
   double ns_per_step = 0;  // of the simulation, all bodies; of the last step
 };
 
+// The ids that WindowShotOptions::panels may have.
+std::vector<std::string> panels_in_tabs();
 // Draws the editor's whole window, with the default settings.
 // cost: measured before the picture is drawn; null: not measured.
 tl::expected<void, std::string> write_window_shot(const WindowShotOptions& options,

@@ -1,6 +1,8 @@
 // Every panel and its region.
 #include "panel_list.h"
 
+#include <algorithm>
+
 #include "help_panel.h"
 #include "menu_panel.h"
 #include "message_panel.h"
@@ -87,6 +89,17 @@ std::vector<PanelPlace> make_panels() {
   panels.push_back(place<QuestionPanel>(Region::floating));
   panels.push_back(place<MessagePanel>(Region::floating));
   return panels;
+}
+
+std::vector<std::string> tab_ids() {
+  std::vector<std::string> ids;
+  const std::vector<PanelPlace> all = make_panels();
+  for (const auto& [panel, region] : all) {
+    const auto shares_it = [place = region](const PanelPlace& other) { return other.region == place; };
+    if (region != Region::floating && std::count_if(all.begin(), all.end(), shares_it) > 1)
+      ids.emplace_back(panel->id());
+  }
+  return ids;
 }
 
 }  // namespace talus

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "panels/panel.h"
@@ -31,5 +32,7 @@ struct PanelPlace {
 };
 
 std::vector<PanelPlace> make_panels();
+// The ids of the panels that have a tab, because they share a region.
+std::vector<std::string> tab_ids();
 
 }  // namespace talus
