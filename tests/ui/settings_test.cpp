@@ -1,9 +1,12 @@
 // Settings, keys, layouts, the command palette and other programs, by hand.
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "harness.h"
 #include "panels/commands/commands.h"
+#include "panels/window/programs.h"
 #include "platform/picture.h"
 
 namespace talus::settings_test {
@@ -33,6 +36,51 @@ class UiSettings : public UiTest {
     start(path("level.talus.json"));
   }
 };
+
+// A setting that the program takes and does not store again, or the other way round, comes back as it was
+// first.
+TEST_F(UiSettings, EverySettingIsTakenAndStoredAgain) {
+  using nlohmann::json;
+  const std::string file = path("config/settings.json");
+  stop();
+  const json standard = json::parse(bytes_of(file));
+  json unusual_overlays = json::array(), programs = json::object();
+  for (const Overlay* overlay : all_overlays())
+    if (!overlay->is_default) unusual_overlays.push_back(overlay->key);
+  for (const ProgramInfo& info : program_infos()) programs[std::string(info.key)] = "true {file}";
+  json layout = standard["layout"];
+  for (json& share : layout) share = share.get<double>() + 0.03125;
+  json changed = {
+      {"width", 1200},
+      {"height", 700},
+      {"layout", layout},
+      {"canvas", "map"},
+      {"ui_scale", 1.25},
+      {"overlays", unusual_overlays},
+      {"recent_files", {path("level.talus.json"), path("other.tic")}},
+      {"tabs", {"color", "why", "history", "stops"}},
+      {"breakpoints",
+       {{{"condition", "vx > 3"}, {"body", 2}, {"count", 4}, {"each_frame", true}, {"enabled", false}}}},
+      {"watches", {"vx"}},
+      {"overlay_palette", "colour_blind"},
+      {"preferences",
+       {{"theme", "light"},
+        {"font_size", 16},
+        {"keys", {{"canvas/grid", {"Ctrl+Shift+J", ""}}}},
+        {"programs", programs}}}};
+  for (const auto& [key, value] : standard.items()) {
+    if (value.is_boolean()) changed[key] = !value.get<bool>();
+    ASSERT_TRUE(changed.contains(key)) << "give " << key << " a value here that it does not have at first";
+    EXPECT_NE(changed[key], value) << key;
+  }
+  std::ofstream(file) << changed.dump();
+  start(path("level.talus.json"), 1200, 700);
+  stop();
+  json stored = json::parse(bytes_of(file));
+  for (json* list : {&stored["tabs"], &changed["tabs"]})
+    std::sort(list->begin(), list->end());  // any order will do
+  for (const auto& [key, value] : standard.items()) EXPECT_EQ(stored[key], changed[key]) << key;
+}
 
 TEST_F(UiSettings, TheLightThemeIsLightAndStored) {
   const auto brightness = [&] {
