@@ -40,6 +40,12 @@ const Format* format_of_name(std::string_view lower_name, bool must_write) {
   return best;
 }
 
+std::string labels_of_formats() {
+  std::string labels;
+  for (const Format& format : formats()) labels.append(labels.empty() ? "" : "; ").append(format.label);
+  return labels;
+}
+
 }  // namespace
 
 tl::unexpected<FormatError> error_at_line(std::string_view text, std::size_t offset, std::string message) {
@@ -105,10 +111,7 @@ FormatResult<LoadedLevel> read_level(std::string_view bytes, const FormatContext
                                       [&](const Format& format) { return format.accepts(bytes, context); });
   const Format* format =
       accepting != all.end() ? &*accepting : format_of_name("." + context.extension, false);
-  if (!format) {
-    return tl::unexpected(
-        FormatError{"", "is not a Talus level, TIC-80 cartridge, TIC-80 text project or Tiled map"});
-  }
+  if (!format) return tl::unexpected(FormatError{"", "is in none of these formats: " + labels_of_formats()});
   LoadedLevel loaded{Level(), format};
   FormatContext noting = context;
   noting.dropped = &loaded.dropped;
