@@ -24,8 +24,7 @@
 -- Parts. talus.parts lists the parts of this file.
 
 local floor, ceil, abs, sqrt, huge = math.floor, math.ceil, math.abs, math.sqrt, math.huge
-local TILE_W = 8.0                -- px, width of a cell
-local TILE_H = 8.0                -- px, height of a cell
+local TILE_W, TILE_H = 8.0, 8.0   -- px, a cell of the terrain that is looked at; see Terrain:use
 local ROUNDING = 8 * 2.0 ^ -52    -- relative error of a number after a few roundings
 local SLICE_TILES = 2             -- longer motions are cut, so that only cells near the way are looked at
 local SHORT = 16.0                -- px; motions up to this have the same slack

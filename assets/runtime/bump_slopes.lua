@@ -22,7 +22,6 @@ local slopes = {}
 
 local SLACK = 1e-6        -- px under the floor that still count as on it: more than rounding, less than a pixel
 local REACH = 1 / 64      -- px below a body in which it looks for ground
-local TILE = 8            -- px
 
 local function min(a, b) if b < a then return b end return a end
 local function max(a, b) if a < b then return b end return a end
@@ -32,7 +31,13 @@ local function clamp(v, least, most)
   return v
 end
 
-local ONE_WAY_TILE = {h0 = TILE, h1 = TILE, one_way = true}
+local one_way_tiles = {}  -- slopes of full tiles, by their height
+
+local function one_way_tile(height)
+  local tile = one_way_tiles[height] or {h0 = height, h1 = height, one_way = true}
+  one_way_tiles[height] = tile
+  return tile
+end
 
 -- The field `slope` of an item, or nil.
 local function slope_of(item)
@@ -41,7 +46,7 @@ local function slope_of(item)
   local properties = item.properties
   if type(properties) ~= "table" then return nil end
   if properties.h0 and properties.h1 then return properties end
-  return properties.one_way and ONE_WAY_TILE or nil
+  return properties.one_way and one_way_tile(item.height or 8) or nil
 end
 
 -- The way of a box to a goal, over the slope h0..h1 in `box`. t is the share of the way.
@@ -263,7 +268,8 @@ end
 local function add_layer(world, x, y, w, from, to, kind, heights)
   local slope = heights and {h0 = heights[1] - from, h1 = heights[2] - from, ceiling = kind.ceiling,
                              one_way = kind.one_way}
-  add_box(world, x, kind.ceiling and y + from or (TILE - to) + (y - TILE), w, to - from, slope)
+  local tile = kind.tile_height or 8
+  add_box(world, x, kind.ceiling and y + from or (tile - to) + (y - tile), w, to - from, slope)
 end
 
 -- One straight part of a line of ground. A part of a longer line becomes one box down to y: a seam in it could become
@@ -282,7 +288,7 @@ end
 
 -- Adds ground below a line of two or more heights at equal distances. x: its left end; y: the base of the heights,
 -- which go upwards; w: its width. kind, optional: {ceiling = true}: ground above the line, heights go downwards;
--- {one_way = true}: only the line.
+-- {one_way = true}: only the line; {tile_height = 16}: px, of the tiles that it is made of, 8 without it.
 function slopes.add_ground(world, x, y, w, heights, kind)
   local count = #heights - 1
   local from = 1
@@ -297,7 +303,8 @@ function slopes.add_ground(world, x, y, w, heights, kind)
 end
 
 -- Full tiles as few boxes: columns of them, widened over the next columns that have the same.
-local function add_merged(world, is_full, width, height)
+local function add_merged(world, is_full, level, tile_width, tile_height)
+  local width, height = level.width, level.height
   local open = {}  -- by top and bottom: the x where boxes that may still grow begin
   for x = 0, width do
     local runs = {}
@@ -314,7 +321,8 @@ local function add_merged(world, is_full, width, height)
     end
     table.sort(ended, function(a, b) return a.top < b.top end)
     for _, run in ipairs(ended) do
-      add_box(world, run.x * TILE, run.top * TILE, (x - run.x) * TILE, (run.bottom - run.top) * TILE)
+      add_box(world, run.x * tile_width, run.top * tile_height, (x - run.x) * tile_width,
+              (run.bottom - run.top) * tile_height)
     end
     open = runs
   end
@@ -327,22 +335,24 @@ end
 -- Curves are not ground here: Talus's own runtime (--to lua-runtime) has them.
 function slopes.add_level(world, level, options)
   options = options or {}
+  local tile_width, tile_height = level.tile_width or 8, level.tile_height or 8  -- px
   local function tile_at(x, y) return level.tiles[y * level.width + x + 1] end
   local function is_full(x, y)
     local shape = level.shapes[tile_at(x, y)]
     return shape ~= nil and shape.kind == "solid" and not shape.one_way
   end
-  if options.merge then add_merged(world, is_full, level.width, level.height) end
+  if options.merge then add_merged(world, is_full, level, tile_width, tile_height) end
   for x = 0, level.width - 1 do
     for y = 0, level.height - 1 do
       local tile = tile_at(x, y)
       local shape = level.shapes[tile]
       if shape and not (options.merge and is_full(x, y)) then
         local is_ceiling = shape.side == "ceiling" and shape.kind ~= "solid"
-        slopes.add_ground(world, x * TILE, (is_ceiling and y or y + 1) * TILE, (shape.tiles or 1) * TILE,
-                          shape.heights or {TILE, TILE}, {ceiling = is_ceiling, one_way = shape.one_way})
+        slopes.add_ground(world, x * tile_width, (is_ceiling and y or y + 1) * tile_height,
+                          (shape.tiles or 1) * tile_width, shape.heights or {tile_height, tile_height},
+                          {ceiling = is_ceiling, one_way = shape.one_way, tile_height = tile_height})
       elseif level.balls[tile] and options.on_ball then
-        options.on_ball(x * TILE, y * TILE, tile)
+        options.on_ball(x * tile_width, y * tile_height, tile)
       end
     end
   end

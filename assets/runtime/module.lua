@@ -2,7 +2,8 @@
 
 local talus = {parts = has}
 
--- Makes a world from an exported level: width, height, in cells; tiles, row by row; shapes and balls, by
+-- Makes a world from an exported level: width, height, in cells; tile_width, tile_height, of a
+-- cell in px (8); tiles, row by row; shapes and balls, by
 -- tile; curves; spawns; tuning; parts, the names of the parts that it needs.
 function talus.new(level)
   for _, part in ipairs(level.parts or {}) do

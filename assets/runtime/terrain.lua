@@ -6,8 +6,14 @@ function Terrain.outline_of() return {full = true} end
 -- Called when the tiles are known.
 function Terrain:begin() end
 
+-- Each question of the world begins with it: worlds may have cells of different sizes.
+function Terrain:use() TILE_W, TILE_H = self.tile_width, self.tile_height end
+
 local function new_terrain(level)
-  local terrain = setmetatable({width = level.width, height = level.height, tiles = {}, outlines = {}}, Terrain)
+  local terrain = setmetatable({width = level.width, height = level.height, tiles = {}, outlines = {},
+                                tile_width = (level.tile_width or 8) + 0.0,
+                                tile_height = (level.tile_height or 8) + 0.0}, Terrain)
+  terrain:use()
   for i = 1, level.width * level.height do terrain.tiles[i - 1] = level.tiles[i] end
   for tile, shape in pairs(level.shapes) do terrain.outlines[tile] = Terrain.outline_of(shape) end
   terrain:begin(level)

@@ -29,6 +29,7 @@ end
 -- Takes every body one frame further. input: the held keys, see the head; all of them may be missing.
 function World:step(input)
   input = input or {}
+  self.terrain:use()
   self:take_input(input)
   for _, body in ipairs(self.bodies) do step_body(self, body, input) end
   self.frame = self.frame + 1
@@ -37,6 +38,7 @@ end
 -- The first contact of a box that moves by dx, dy, or nil: t, the share of the motion; x, y, of the box at that
 -- time; nx, ny, the ground's normal. foot: "box", or "centre" if its middle stands on slopes.
 function World:cast(x, y, w, h, dx_, dy_, foot)
+  self.terrain:use()
   return cast_box(self.terrain, x + 0.0, y + 0.0, w + 0.0, h + 0.0, dx_ + 0.0, dy_ + 0.0, foot == "centre")
 end
 
@@ -50,10 +52,11 @@ end
 
 -- Whether a box is inside of the ground.
 function World:overlaps(x, y, w, h, foot)
+  self.terrain:use()
   return overlaps_ground(self.terrain, x + 0.0, y + 0.0, w + 0.0, h + 0.0, foot == "centre")
 end
 
--- Adds a body and returns it. The table needs kind, x and y; it may have w and h (8), vx and vy (0), and foot
+-- Adds a body and returns it. The table needs kind, x and y; it may have w and h (a tile's), vx and vy (0), and foot
 -- ("box", for players "centre"). It is an error if this module has no part for the kind.
 function World:add(body)
   local kind = kinds[body.kind]
@@ -69,7 +72,9 @@ function World:add(body)
           "set balls_block in the level's tuning to 0", 2)
   end
   body.id = #self.bodies + 1
-  body.x, body.y, body.w, body.h = body.x + 0.0, body.y + 0.0, (body.w or TILE_W) + 0.0, (body.h or TILE_H) + 0.0
+  body.x, body.y = body.x + 0.0, body.y + 0.0
+  body.w, body.h = body.w or self.terrain.tile_width, body.h or self.terrain.tile_height
+  body.w, body.h = body.w + 0.0, body.h + 0.0
   body.vx, body.vy = (body.vx or 0) + 0.0, (body.vy or 0) + 0.0
   body.foot = body.foot or kind.foot
   body.grounded, body.clear = false, false

@@ -1,9 +1,10 @@
 -- Where a game looks in its level. camera(level) gives the area that is used, {left, top, right, bottom} in px,
 -- and a function: from the bodies and the size of the view in px, the view's top left corner. The first player,
 -- or the first body, is in the middle as far as the area goes; an area smaller than the view is, too.
-local TILE, COLUMNS, ROWS = 8, 30, 17  -- px; cells of a screen of TIC-80: whole screens are shown
+local COLUMNS, ROWS = 30, 17  -- cells of a screen of TIC-80: whole screens are shown
 
 local function used_area(level)
+  local tile_width, tile_height = level.tile_width or 8, level.tile_height or 8  -- px
   local left, top, right, bottom = level.width, level.height, 0, 0
   local function note(x, y)
     left, top = math.min(left, x), math.min(top, y)
@@ -12,12 +13,14 @@ local function used_area(level)
   for i, tile in ipairs(level.tiles) do
     if tile ~= 0 then note((i - 1) % level.width, math.floor((i - 1) / level.width)) end
   end
-  for _, spawn in ipairs(level.spawns) do note(math.floor(spawn.x / TILE), math.floor(spawn.y / TILE)) end
-  local function whole(at, screen, most) return math.max(0, math.min(at * screen, most)) * TILE end
-  return {left = whole(math.floor(left / COLUMNS), COLUMNS, level.width),
-          top = whole(math.floor(top / ROWS), ROWS, level.height),
-          right = whole(math.ceil(right / COLUMNS), COLUMNS, level.width),
-          bottom = whole(math.ceil(bottom / ROWS), ROWS, level.height)}
+  for _, spawn in ipairs(level.spawns) do
+    note(math.floor(spawn.x / tile_width), math.floor(spawn.y / tile_height))
+  end
+  local function whole(at, screen, most, tile) return math.max(0, math.min(at * screen, most)) * tile end
+  return {left = whole(math.floor(left / COLUMNS), COLUMNS, level.width, tile_width),
+          top = whole(math.floor(top / ROWS), ROWS, level.height, tile_height),
+          right = whole(math.ceil(right / COLUMNS), COLUMNS, level.width, tile_width),
+          bottom = whole(math.ceil(bottom / ROWS), ROWS, level.height, tile_height)}
 end
 
 local function within(at, shown, least, most)

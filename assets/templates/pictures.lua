@@ -3,7 +3,6 @@
 --   draw_ground()      the tiles of the map; a cell with a ball, which is a body, shows tile 0
 --   draw_body(body)    its kind, x, y, w and h; a ball has the picture of its `tile`, without one that of the
 --                      level's first ball tile, and without any it is a disc; a player is a box with a face
-local TILE = 8  -- px
 local LIGHT, BLUE = {244 / 255, 244 / 255, 244 / 255}, {65 / 255, 166 / 255, 246 / 255}
 local DARK = {11 / 255, 12 / 255, 20 / 255}
 
@@ -14,10 +13,10 @@ local function image(picture)
 end
 
 -- Whether tile 0 has one colour: then the background is all that there is of it.
-local function is_plain(picture)
+local function is_plain(picture, tile_width, tile_height)
   local r, g, b = picture:getPixel(0, 0)
-  for y = 0, TILE - 1 do
-    for x = 0, TILE - 1 do
+  for y = 0, tile_height - 1 do
+    for x = 0, tile_width - 1 do
       local other_r, other_g, other_b = picture:getPixel(x, y)
       if other_r ~= r or other_g ~= g or other_b ~= b then return false end
     end
@@ -26,12 +25,13 @@ local function is_plain(picture)
 end
 
 -- The ground never changes: its tiles go into one batch.
-local function ground_of(level, sheet, quads, skips_empty)
+local function ground_of(level, sheet, quads, skips_empty, tile_width, tile_height)
   local batch = love.graphics.newSpriteBatch(sheet)
   for i, number in ipairs(level.tiles) do
     local tile = level.balls[number] and 0 or number
     if tile ~= 0 or not skips_empty then
-      batch:add(quads[tile], (i - 1) % level.width * TILE, math.floor((i - 1) / level.width) * TILE)
+      batch:add(quads[tile], (i - 1) % level.width * tile_width,
+                math.floor((i - 1) / level.width) * tile_height)
     end
   end
   return batch
@@ -52,6 +52,7 @@ local function draw_player(body)
 end
 
 return function(level, file)
+  local tile_width, tile_height = level.tile_width or 8, level.tile_height or 8  -- px
   local picture = love.image.newImageData(file)
   local r, g, b = picture:getPixel(0, 0)
   love.graphics.setBackgroundColor(r, g, b)
@@ -59,11 +60,12 @@ return function(level, file)
   picture:mapPixel(function(_, _, red, green, blue) return red, green, blue, 1 end)
   local quads, first_ball = {}, nil
   for tile = 255, 0, -1 do
-    quads[tile] = love.graphics.newQuad(tile % 16 * TILE, math.floor(tile / 16) * TILE, TILE, TILE,
-                                        picture:getDimensions())
+    quads[tile] = love.graphics.newQuad(tile % 16 * tile_width, math.floor(tile / 16) * tile_height, tile_width,
+                                        tile_height, picture:getDimensions())
     if level.balls[tile] then first_ball = tile end
   end
-  local ground = ground_of(level, image(picture), quads, is_plain(picture))
+  local ground = ground_of(level, image(picture), quads, is_plain(picture, tile_width, tile_height), tile_width,
+                           tile_height)
 
   local function draw_ground()
     love.graphics.setColor(1, 1, 1)
@@ -74,7 +76,7 @@ return function(level, file)
     if body.kind == "player" then return draw_player(body) end
     love.graphics.setColor(tile and {1, 1, 1} or LIGHT)
     if tile then
-      love.graphics.draw(clear, quads[tile], body.x, body.y, 0, body.w / TILE, body.h / TILE)
+      love.graphics.draw(clear, quads[tile], body.x, body.y, 0, body.w / tile_width, body.h / tile_height)
     else
       love.graphics.circle("fill", body.x + body.w / 2, body.y + body.h / 2, body.w / 2)
     end

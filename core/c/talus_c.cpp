@@ -155,6 +155,13 @@ int talus_restart(talus_game* game) {
 
 int64_t talus_frame(const talus_game* game) { return game == nullptr ? -1 : game->state.frame; }
 
+int32_t talus_tile_width(const talus_game* game) {
+  return game == nullptr ? 0 : game->scene->tile_size.width;
+}
+int32_t talus_tile_height(const talus_game* game) {
+  return game == nullptr ? 0 : game->scene->tile_size.height;
+}
+
 int32_t talus_body_count(const talus_game* game) {
   return game == nullptr ? 0 : static_cast<int32_t>(game->state.bodies.size());
 }

@@ -16,9 +16,9 @@ bool is_full(const TileShape& shape);
 bool is_line_shape(const TileShape& shape);
 // Height of its line, px, at a distance from its left side, px. The distance of a good shape goes up to its
 // width.
-double height_of_line(const TileShape& shape, double x, TileSize tile = {});
+double height_of_line(const TileShape& shape, double x, TileSize tile);
 // The first and the last of the cells whose outline such a shape may change.
-std::array<Cell, 2> cells_touched_by(const TileShape& shape, Cell cell, TileSize tile = {});
+std::array<Cell, 2> cells_touched_by(const TileShape& shape, Cell cell, TileSize tile);
 
 // The line of a slope or profile between two of its heights, or a flat side of a tile.
 struct OutlineLine {
@@ -55,7 +55,7 @@ struct TileOutline {
 class TileOutlines {
  public:
   // shapes: by tile number; they must be usable for tiles of that size (see problem_of).
-  explicit TileOutlines(std::span<const TileShape> shapes, TileSize tile = {});
+  TileOutlines(std::span<const TileShape> shapes, TileSize tile);
 
   TileSize tile_size() const { return tile_; }
   double x_of(int column) const { return static_cast<double>(column) * tile_.width; }  // px, of its left side

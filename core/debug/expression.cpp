@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include <talus/level/tileset.h>
+#include <talus/sim/scene.h>
 #include "../collision/sweep.h"
 #include "expression_nodes.h"
 
@@ -17,16 +17,18 @@ using Node = Expression::Node;
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
-Rect cell_box(double column, double row) {
-  return {column * kTileSize, row * kTileSize, kTileSize, kTileSize};
+// The arguments need not be whole.
+Rect cell_box(const Scene& scene, double column, double row) {
+  const double width = scene.tile_size.width, height = scene.tile_size.height;
+  return {column * width, row * height, width, height};
 }
 
 // Whether the tile of a contact is in the cell, or is a slope that reaches over it.
-bool is_at(const Obstacle& other, double column, double row) {
+bool is_at(const Scene& scene, const Obstacle& other, double column, double row) {
   if (other.body != 0 || other.curve >= 0) return false;
   if (other.cell.x == column && other.cell.y == row) return true;
   const bool is_slope = other.role == TileRole::up_slope || other.role == TileRole::down_slope;
-  return is_slope && intersect(other.box, cell_box(column, row));
+  return is_slope && intersect(other.box, cell_box(scene, column, row));
 }
 
 template <class Matches>
@@ -103,7 +105,8 @@ class Evaluator {
         return measure(node.metric, frame, *body);
       case Operation::touches: {
         const double column = argument(0), row = argument(1);
-        return touches(frame, body->id, [&](const Obstacle& o) { return is_at(o, column, row); });
+        return touches(frame, body->id,
+                       [&](const Obstacle& o) { return is_at(*frame.scene, o, column, row); });
       }
       case Operation::touches_body: {
         const double other = argument(0);
@@ -114,7 +117,7 @@ class Evaluator {
         return touches(frame, body->id, [&](const Obstacle& o) { return o.curve >= 0 && o.curve == curve; });
       }
       case Operation::in_cell:
-        return intersect(body->box, cell_box(argument(0), argument(1)));
+        return intersect(body->box, cell_box(*frame.scene, argument(0), argument(1)));
       default:
         assert(node.operation == Operation::in_rect);
         return intersect(body->box, {argument(0), argument(1), argument(2), argument(3)});

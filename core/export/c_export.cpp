@@ -14,8 +14,7 @@
 namespace talus {
 namespace {
 
-constexpr int kMaxCells =
-    (1 << 23) / kTileSize - 1;  // the largest number of px in 24.8, with a cell to spare
+constexpr int kMostPx = 1 << 23;  // in 24.8
 
 // The prefix of names: the file's name, with one _ in place of other characters than C allows in names.
 std::string c_name(const std::string& stem) {
@@ -98,10 +97,11 @@ std::string c_list(const Range& values) {
 
 // The floors of a shape's tile, or of a further column of it: 24.8 numbers, or `none`.
 std::string floor_row(const PlainShape& shape, int column, const std::string& none) {
+  const auto width = static_cast<int>(shape.columns.size()) / shape.tiles;  // px
   std::string text = "{";
-  for (int x = 0; x < kTileSize; ++x) {
+  for (int x = 0; x < width; ++x) {
     if (x > 0) text += ',';
-    const double y = shape.columns[static_cast<std::size_t>(column * kTileSize + x)];
+    const double y = shape.columns[static_cast<std::size_t>(column * width + x)];
     if (shape.has_floor_at(y))
       append_number(text, fixed(shape.is_ceiling ? 0 : y));
     else
@@ -169,6 +169,7 @@ class CHeader {
   void put_functions();
 
   const Level& level_;
+  TileSize tile_ = level_.map.tile_size();
   PlainBodies bodies_;
   std::string name_, macro_;
   std::vector<PlainShape> shapes_;
@@ -188,20 +189,22 @@ void CHeader::put_head() {
 )");
   define("WIDTH", level_.map.width());
   define("HEIGHT", level_.map.height());
-  define("TILE_SIZE", kTileSize);
+  define("TILE_WIDTH", tile_.width);
+  define("TILE_HEIGHT", tile_.height);
+  if (tile_.width == tile_.height) define("TILE_SIZE", tile_.width);
   define("BODIES", static_cast<std::int64_t>(bodies_.size()));
   for (const FlagRoleInfo& info : flag_role_infos()) {
     const int flag = level_.roles.*info.flag;
     if (flag != FlagRoles::kUnused) define("FLAG_" + upper(std::string(info.key)), flag);
   }
   int widest = 1;
-  double highest = kTileSize;
+  double highest = tile_.height;
   for (const PlainShape& shape : shapes_) {
     widest = std::max(widest, shape.tiles);
-    for (const double y : shape.ys) highest = std::max(highest, kTileSize - y);
+    for (const double y : shape.ys) highest = std::max(highest, tile_.height - y);
   }
-  define("WIDEST", widest);                                                      // tiles
-  define("HIGHEST", static_cast<std::int64_t>(std::ceil(highest / kTileSize)));  // tiles
+  define("WIDEST", widest);                                                         // tiles
+  define("HIGHEST", static_cast<std::int64_t>(std::ceil(highest / tile_.height)));  // tiles
   line("#define ^_NO_FLOOR INT32_MAX");
   line("");
 }
@@ -239,7 +242,7 @@ typedef struct @_shape {
   std::size_t row = 1, first = 0;
   std::vector<std::int64_t> ys;
   for (const PlainShape* shape : distinct_) {
-    const double width = shape->tiles * kTileSize;
+    const double width = shape->tiles * tile_.width;
     const bool is_slope = shape->kind == TileShape::Kind::slope;
     const double slope = is_slope ? (shape->ys.back() - shape->ys.front()) / width : 0;
     line(c_list(std::vector<std::int64_t>{
@@ -267,8 +270,11 @@ void CHeader::put_floors() {
   line(
       R"(/* Where bodies can stand, in the middle of each column of pixels: first of tiles without a shape, then of
    each tile that a shape reaches over to the right, see `row`. ^_NO_FLOOR: nowhere. */)");
-  line("static const int32_t @_floors[" + std::to_string(count) + "][8] = {");
-  line("{^_NO_FLOOR,^_NO_FLOOR,^_NO_FLOOR,^_NO_FLOOR,^_NO_FLOOR,^_NO_FLOOR,^_NO_FLOOR,^_NO_FLOOR},");
+  line("static const int32_t @_floors[" + std::to_string(count) + "][" + std::to_string(tile_.width) +
+       "] = {");
+  std::string no_floors = none;
+  for (int x = 1; x < tile_.width; ++x) no_floors += "," + none;
+  text_ += "{" + no_floors + "},\n";
   text_ += rows;
   line("};\n");
 }
@@ -316,29 +322,30 @@ void CHeader::put_tuning() {
 }
 
 void CHeader::put_functions() {
-  line(R"(/* The line of a shape, 0 <= x <= tiles * 8 px from its left side: its y from the tile's top. */
+  line(R"(/* The line of a shape, 0 <= x <= its width from its left side: its y from the tile's top. */
 static inline int32_t @_line_y(const @_shape *shape, int32_t x) {
-  const int32_t width = shape->tiles * 2048, at = x * shape->parts, part = at / width;
+  const int32_t width = shape->tiles * ^_TILE_WIDTH * 256, at = x * shape->parts, part = at / width;
   const int32_t *ys = @_ys + shape->first + part;
-  int32_t rise, half = width / 2;
+  int64_t rise, half = width / 2;
   if (part >= shape->parts) return ys[0];
-  rise = (ys[1] - ys[0]) * (at % width);
-  return ys[0] + (rise < 0 ? rise - half : rise + half) / width;
+  rise = (int64_t)(ys[1] - ys[0]) * (at % width);
+  return ys[0] + (int32_t)((rise < 0 ? rise - half : rise + half) / width);
 }
 
 /* The first floor of a tile at or below a point of the map that is not in the ground; ^_NO_FLOOR: there is
    none. */
 static inline int32_t @_floor_below(int32_t x, int32_t y) {
+  const int32_t width = ^_TILE_WIDTH * 256, height = ^_TILE_HEIGHT * 256;
   int32_t best = ^_NO_FLOOR, row, left;
-  if (x < 0 || x >= ^_WIDTH * 2048) return best;
-  for (row = y < 0 ? 0 : y >> 11; row < ^_HEIGHT && best > (row + 1 - ^_HIGHEST) * 2048; ++row) {
-    for (left = 0; left < ^_WIDEST && left <= x >> 11; ++left) {
-      const @_shape *shape = &@_shapes[@_shape_of[@_map[row][(x >> 11) - left]]];
+  if (x < 0 || x >= ^_WIDTH * width) return best;
+  for (row = y < 0 ? 0 : y / height; row < ^_HEIGHT && best > (row + 1 - ^_HIGHEST) * height; ++row) {
+    for (left = 0; left < ^_WIDEST && left <= x / width; ++left) {
+      const @_shape *shape = &@_shapes[@_shape_of[@_map[row][x / width - left]]];
       int32_t line, floor;
       if (left >= shape->tiles) continue;
-      line = @_line_y(shape, (x & 2047) + left * 2048);
-      if (shape->is_ceiling ? shape->one_way || line <= 0 : !shape->one_way && line >= 2048) continue;
-      floor = row * 2048 + (shape->is_ceiling ? 0 : line);
+      line = @_line_y(shape, x % width + left * width);
+      if (shape->is_ceiling ? shape->one_way || line <= 0 : !shape->one_way && line >= height) continue;
+      floor = row * height + (shape->is_ceiling ? 0 : line);
       if (floor >= y && floor < best) best = floor;
     }
   }
@@ -351,9 +358,12 @@ static inline int32_t @_floor_below(int32_t x, int32_t y) {
 
 FormatResult<Exported> export_c(const ExportRequest& request) {
   const TileMap& map = request.level.map;
-  if (map.width() > kMaxCells || map.height() > kMaxCells)
-    return tl::unexpected(
-        FormatError{"", "the map is longer than 1048575 cells, the most that 24.8 fixed point can hold"});
+  const auto [tile_width, tile_height] = map.tile_size();
+  const int columns = kMostPx / tile_width - 1, rows = kMostPx / tile_height - 1;  // a cell to spare
+  if (map.width() > columns || map.height() > rows)
+    return tl::unexpected(FormatError{"", "the map is longer than " +
+                                              std::to_string(map.width() > columns ? columns : rows) +
+                                              " cells, the most that 24.8 fixed point can hold"});
   std::vector<std::string> dropped = dropped_curves(request.level);
   for (std::string& phrase : dropped_numbers(request.level.spawns)) dropped.push_back(std::move(phrase));
   return exported_file(CHeader(request.level, c_name(request.stem())).take(), std::move(dropped));

@@ -56,6 +56,7 @@ FormatResult<CartContent> own_cart(const Level& level) {
 
 FormatResult<PlayableCart> playable_cart(const ExportRequest& request) {
   const Level& level = request.level;
+  if (auto problem = tile_problem_of_cart(level)) return tl::unexpected(FormatError{"", *std::move(problem)});
   if (!map_fits_cart(level)) {
     return tl::unexpected(FormatError{"", "the map has " + std::to_string(level.map.width()) + "x" +
                                               std::to_string(level.map.height()) +

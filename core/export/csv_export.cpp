@@ -66,14 +66,17 @@ std::string map_table(const TileMap& map, const Progress& progress) {
 
 // One row for each tile; a wide shape has one more for each further column of cells.
 std::string tile_table(const Level& level) {
-  CsvTable table("tile,flags,kind,side,one_way,tiles,column,y0,y1,y2,y3,y4,y5,y6,y7");
+  const int width = level.map.tile_size().width;
+  std::string header = "tile,flags,kind,side,one_way,tiles,column";
+  for (int x = 0; x < width; ++x) header += ",y" + std::to_string(x);
+  CsvTable table(header);
   const std::vector<PlainShape> shapes = plain_shapes(ground_of(level));
   auto shape = shapes.begin();
   for (int tile = 0; tile < kTileCount; ++tile) {
     const int flags = level.tile_flags(static_cast<std::uint8_t>(tile));
     if (shape == shapes.end() || shape->tile != tile) {
       table.number(tile).number(flags).word("none");
-      for (int empty = 0; empty < 12; ++empty) table.word("");
+      for (int empty = 0; empty < width + 4; ++empty) table.word("");
       table.end_row();
       continue;
     }
@@ -81,7 +84,7 @@ std::string tile_table(const Level& level) {
       table.number(tile).number(flags).word(kind_word(shape->kind));
       table.word(shape->is_ceiling ? "ceiling" : "floor").truth(shape->one_way);
       table.number(shape->tiles).number(column);
-      for (int x = 0; x < kTileSize; ++x) table.number(shape->columns[column * kTileSize + x]);
+      for (int x = 0; x < width; ++x) table.number(shape->columns[column * width + x]);
       table.end_row();
     }
     ++shape;
@@ -124,6 +127,15 @@ std::string line_table(const std::vector<PlainLine>& lines) {
       table.truth(lines[n].both_sides).number(i).number(point.x).number(point.y).end_row();
     }
   }
+  return table.take();
+}
+
+std::string size_table(const TileMap& map) {
+  CsvTable table("name,value,unit");
+  table.word("width").number(map.width()).word("cells").end_row();
+  table.word("height").number(map.height()).word("cells").end_row();
+  table.word("tile_width").number(map.tile_size().width).word("px").end_row();
+  table.word("tile_height").number(map.tile_size().height).word("px").end_row();
   return table.take();
 }
 
@@ -179,6 +191,7 @@ FormatResult<Exported> export_csv(const ExportRequest& request) {
   add("bodies.csv", body_table(level));
   add("roles.csv", role_table(level.roles));
   add("tuning.csv", tuning_table(level.tuning));
+  add("sizes.csv", size_table(level.map));
   return exported;
 }
 

@@ -36,8 +36,8 @@ constexpr Names<2> kRuntimeFiles = {"talus.lua", "level.lua"};
 constexpr Names<7> kBumpFiles = {"level.lua", "sheet.png",  "bump_slopes.lua", "main.lua",
                                  "conf.lua",  "camera.lua", "pictures.lua"};
 constexpr Names<3> kCppFiles = {"level.talus.json", "main.cpp", "CMakeLists.txt"};
-constexpr Names<8> kCsvFiles = {"map.csv",   "flags.csv",  "sprite_flags.csv", "polygons.csv",
-                                "lines.csv", "bodies.csv", "roles.csv",        "tuning.csv"};
+constexpr Names<9> kCsvFiles = {"map.csv",    "flags.csv", "sprite_flags.csv", "polygons.csv", "lines.csv",
+                                "bodies.csv", "roles.csv", "tuning.csv",       "sizes.csv"};
 
 }  // namespace
 

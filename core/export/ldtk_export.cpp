@@ -67,21 +67,22 @@ OrderedJson custom_data(const Level& level, const TerrainSource& ground) {
 }
 
 // Whole pixels, as LDtk needs them.
-OrderedJson tile_rect(int tile) {
+// side: px, of a tile.
+OrderedJson tile_rect(int tile, int side) {
   return {{"tilesetUid", int{kTilesetUid}},
-          {"x", tile % kSheetColumns * kTileSize},
-          {"y", tile / kSheetColumns * kTileSize},
-          {"w", kTileSize},
-          {"h", kTileSize}};
+          {"x", tile % kSheetColumns * side},
+          {"y", tile / kSheetColumns * side},
+          {"w", side},
+          {"h", side}};
 }
 
 // First the names, texts and numbers, then the tile of the map that the body is, or null.
-OrderedJson body_fields(const PlainBody& body) {
+OrderedJson body_fields(const PlainBody& body, int tile_side) {
   OrderedJson fields = plain_body_json(body);
   fields.erase("id");
   fields.erase("kind");  // the entity says which kind it is
   fields.erase("tile");
-  fields["tile"] = body.tile < 0 ? OrderedJson() : tile_rect(body.tile);
+  fields["tile"] = body.tile < 0 ? OrderedJson() : tile_rect(body.tile, tile_side);
   return fields;
 }
 
@@ -97,12 +98,15 @@ int uid_of(BodyKind kind) {
   return kFirstBodyUid + static_cast<int>(kind) * (kMostFields + 1);
 }
 
-OrderedJson entity_def(const LdtkSkeleton& skeleton, BodyKind kind) {
+OrderedJson entity_def(const LdtkSkeleton& skeleton, BodyKind kind, int tile_side) {
   int uid = uid_of(kind);
   const std::string identifier(traits_of(kind).ldtk_identifier), color(traits_of(kind).ldtk_color);
-  OrderedJson entity =
-      skeleton.filled("entity_definition", {{"identifier", identifier}, {"uid", uid}, {"color", color}});
-  const OrderedJson fields = body_fields({});
+  OrderedJson entity = skeleton.filled("entity_definition", {{"identifier", identifier},
+                                                             {"uid", uid},
+                                                             {"width", tile_side},
+                                                             {"height", tile_side},
+                                                             {"color", color}});
+  const OrderedJson fields = body_fields({}, tile_side);
   for (const auto& [name, value] : fields.items()) {
     const std::string type = field_type(name, value);
     OrderedJson& field = entity["fieldDefs"].emplace_back(skeleton.filled(
@@ -121,8 +125,9 @@ OrderedJson field_instance(const std::string& name, const OrderedJson& value, in
   const bool is_tile = type == "Tile";
   OrderedJson edited = OrderedJson::array();
   if (is_tile && !value.is_null()) {
-    const std::string rect =
-        std::to_string(value["x"].get<int>()) + "," + std::to_string(value["y"].get<int>()) + ",8,8";
+    std::string rect;
+    for (const char* const key : {"x", "y", "w", "h"})
+      rect += (rect.empty() ? "" : ",") + std::to_string(value[key].get<int>());
     edited.push_back({{"id", "V_String"}, {"params", OrderedJson::array({rect})}});
   } else if (!is_tile) {
     edited.push_back({{"id", "V_" + type}, {"params", OrderedJson::array({value})}});
@@ -132,11 +137,12 @@ OrderedJson field_instance(const std::string& name, const OrderedJson& value, in
           {"defUid", uid},        {"realEditorValues", edited}};
 }
 
-OrderedJson entity(const PlainBody& body) {
+OrderedJson entity(const PlainBody& body, int tile_side) {
   const Spawn& start = body.start;
   const int x = rounded_px(start.position.x), y = rounded_px(start.position.y);
   int uid = uid_of(start.kind);
-  const OrderedJson fields = body_fields(body);
+  const OrderedJson fields = body_fields(body, tile_side);
+  const auto cell_of = [&](int px) { return static_cast<int>(std::floor(1.0 * px / tile_side)); };
   OrderedJson instance = {{"__identifier", traits_of(start.kind).ldtk_identifier},
                           {"__grid", {cell_of(x), cell_of(y)}},
                           {"__pivot", {0, 0}},
@@ -196,9 +202,10 @@ void put_grid_tiles(const Level& level, const Progress& progress, std::string& t
   for (int tile = 0; tile < kTileCount; ++tile)
     blank[static_cast<std::size_t>(tile)] = is_blank(level, static_cast<std::uint8_t>(tile)) ||
                                             is_ball_tile(level, static_cast<std::uint8_t>(tile));
-  const auto put_place = [&text](int column, int row) {
-    append_number(text += '[', column * kTileSize);
-    append_number(text += ',', row * kTileSize);
+  const int side = level.map.tile_size().width;
+  const auto put_place = [&text, side](int column, int row) {
+    append_number(text += '[', column * side);
+    append_number(text += ',', row * side);
     text += ']';
   };
   const std::span<const std::uint8_t> cells = level.map.cells();
@@ -245,6 +252,7 @@ class LdtkProject {
     OrderedJson project =
         skeleton_.filled("project", {{"iid", iid(1)},
                                      {"nextUid", uid_of(static_cast<BodyKind>(body_kinds().size()))},
+                                     {"defaultGridSize", side_},
                                      {"defaultLevelBgColor", background},
                                      {"dummyWorldIid", iid(2)}});
     OrderedJson& defs = project["defs"];
@@ -261,16 +269,19 @@ class LdtkProject {
     }
     defs["layers"][2]["tilesetDefUid"] = int{kTilesetUid};
     for (std::size_t kind = 0; kind < body_kinds().size(); ++kind)
-      defs["entities"].push_back(entity_def(skeleton_, static_cast<BodyKind>(kind)));
+      defs["entities"].push_back(entity_def(skeleton_, static_cast<BodyKind>(kind), side_));
     defs["tilesets"] = OrderedJson::array(
         {skeleton_.filled("tileset_definition", {{"uid", kTilesetUid},
                                                  {"relPath", sheet_},
+                                                 {"pxWid", kSheetColumns * side_},
+                                                 {"pxHei", kSheetColumns * side_},
+                                                 {"tileGridSize", side_},
                                                  {"customData", custom_data(level_, ground_of(level_))}})});
     OrderedJson level = skeleton_.filled("level", {{"identifier", ldtk_identifier(stem_)},
                                                    {"iid", iid(3)},
                                                    {"uid", kLevelUid},
-                                                   {"pxWid", level_.map.width() * kTileSize},
-                                                   {"pxHei", level_.map.height() * kTileSize},
+                                                   {"pxWid", level_.map.width() * side_},
+                                                   {"pxHei", level_.map.height() * side_},
                                                    {"__bgColor", background},
                                                    {"__smartColor", background}});
     std::string text = opened(project);
@@ -287,8 +298,9 @@ class LdtkProject {
 
  private:
   OrderedJson layer_def(const char* name, const char* type, int uid) const {
-    return skeleton_.filled("layer_definition",
-                            {{"__type", type}, {"identifier", name}, {"type", type}, {"uid", uid}});
+    return skeleton_.filled(
+        "layer_definition",
+        {{"__type", type}, {"identifier", name}, {"type", type}, {"uid", uid}, {"gridSize", side_}});
   }
 
   // An open object, without the members that differ between layers.
@@ -298,7 +310,7 @@ class LdtkProject {
                    {"__type", type},
                    {"__cWid", level_.map.width()},
                    {"__cHei", level_.map.height()},
-                   {"__gridSize", kTileSize},
+                   {"__gridSize", side_},
                    {"__opacity", 1},
                    {"__pxTotalOffsetX", 0},
                    {"__pxTotalOffsetY", 0},
@@ -323,7 +335,7 @@ class LdtkProject {
     begin_member(text, "entityInstances") += '[';
     const PlainBodies bodies(level_);
     for (std::size_t i = 0; i < bodies.size(); ++i)
-      text.append(i == 0 ? "\n" : ",\n").append(dumped(entity(bodies.at(i))));
+      text.append(i == 0 ? "\n" : ",\n").append(dumped(entity(bodies.at(i), side_)));
     text += "]}";
   }
   void put_collision(std::string& text) const {
@@ -341,6 +353,7 @@ class LdtkProject {
 
   const LdtkSkeleton& skeleton_;
   const Level& level_;
+  int side_ = level_.map.tile_size().width;  // px, of a cell
   Progress progress_;
   std::string stem_, sheet_;
   LdtkShapes shapes_;
@@ -350,6 +363,12 @@ class LdtkProject {
 }  // namespace
 
 FormatResult<Exported> export_ldtk(const ExportRequest& request) {
+  const TileSize tile = request.level.map.tile_size();
+  if (tile.width != tile.height) {
+    return tl::unexpected(FormatError{"", "the level's tiles have " + std::to_string(tile.width) + "x" +
+                                              std::to_string(tile.height) +
+                                              " px, but those of LDtk must be square"});
+  }
   const FormatResult<LdtkSkeleton> skeleton = read_ldtk_skeleton(request.read_asset);
   if (!skeleton) return tl::unexpected(skeleton.error());
   const LdtkProject project(*skeleton, request.level, request.stem(), request.sheet_name(), request.progress);
@@ -358,7 +377,7 @@ FormatResult<Exported> export_ldtk(const ExportRequest& request) {
     dropped.push_back("a second shape in " + std::to_string(cells) + (cells == 1 ? " cell" : " cells") +
                       " that two shapes reach into");
   Exported exported = exported_file(project.text(), std::move(dropped));
-  exported.files.push_back({request.sheet_name(), write_png_part(request.level, PngPart::tiles)});
+  exported.files.push_back({request.sheet_name(), write_map_tiles(request.level)});
   return exported;
 }
 

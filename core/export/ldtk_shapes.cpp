@@ -29,9 +29,9 @@ std::string shape_name(const TileShape& shape, int tile) {
 }
 
 // The height of the line `x` px to the right of its left end.
-double height_at(const TileShape& shape, double x) {
+double height_at(const TileShape& shape, double x, TileSize tile) {
   const auto last = static_cast<double>(shape.heights.size() - 1);
-  const double at = x / (shape.tiles * kTileSize) * last;
+  const double at = x / (shape.tiles * tile.width) * last;
   const double from = std::min(std::floor(at), last - 1);
   const double a = shape.heights[static_cast<std::size_t>(from)],
                b = shape.heights[static_cast<std::size_t>(from) + 1];
@@ -39,12 +39,12 @@ double height_at(const TileShape& shape, double x) {
 }
 
 // The smallest and the largest height over a column of cells.
-std::pair<double, double> range_of(const TileShape& shape, int column) {
-  const double left = column * kTileSize, right = left + kTileSize;
-  auto [least, greatest] = std::minmax({height_at(shape, left), height_at(shape, right)});
+std::pair<double, double> range_of(const TileShape& shape, int column, TileSize tile) {
+  const double left = column * tile.width, right = left + tile.width;
+  auto [least, greatest] = std::minmax({height_at(shape, left, tile), height_at(shape, right, tile)});
   const auto last = static_cast<double>(shape.heights.size() - 1);
   for (std::size_t i = 0; i < shape.heights.size(); ++i) {
-    const double x = shape.tiles * kTileSize * (static_cast<double>(i) / last);
+    const double x = shape.tiles * tile.width * (static_cast<double>(i) / last);
     if (x <= left || x >= right) continue;
     least = std::min(least, shape.heights[i]);
     greatest = std::max(greatest, shape.heights[i]);
@@ -68,7 +68,7 @@ std::string ldtk_identifier(const std::string& name) {
   return id;
 }
 
-LdtkShapes::LdtkShapes(const TerrainSource& ground) {
+LdtkShapes::LdtkShapes(const TerrainSource& ground) : tile_(ground.tile) {
   index_.fill(-1);
   define({.kind = TileShape::Kind::solid}, "solid");
   define({.kind = TileShape::Kind::solid, .one_way = true}, "one_way");
@@ -93,9 +93,9 @@ void LdtkShapes::define(const TileShape& shape, const std::string& name) {
   };
   Shape defined{shape, add_value(name), {}};
   for (int column = 0; shape.kind != TileShape::Kind::solid && column < shape.tiles; ++column) {
-    const auto [least, greatest] = range_of(shape, column);
-    for (int row = column == 0 ? 1 : 0; row * kTileSize < greatest; ++row) {
-      const bool is_over_line = shape.one_way && least >= (row + 1) * kTileSize;
+    const auto [least, greatest] = range_of(shape, column, tile_);
+    for (int row = column == 0 ? 1 : 0; row * tile_.height < greatest; ++row) {
+      const bool is_over_line = shape.one_way && least >= (row + 1) * tile_.height;
       if (!is_over_line) defined.parts.push_back({column, row, add_value(part_name(name, column, row))});
     }
   }

@@ -49,6 +49,7 @@ class LdtkShapes {
   void define(const TileShape& shape, const std::string& name);
   const Shape& of_tile(std::uint8_t tile) const { return shapes_[static_cast<std::size_t>(index_[tile])]; }
 
+  TileSize tile_;
   std::vector<Value> values_;
   std::vector<Shape> shapes_;
   std::array<int, kTileCount> index_;  // by tile: index of its shape; -1: no shape

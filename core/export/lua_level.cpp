@@ -158,6 +158,10 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
   const auto number_key = [](int tile) { return "[" + std::to_string(tile) + "]"; };
   table.number("width", ground.width);
   table.number("height", ground.height);
+  if (ground.tile != TileSize()) {  // the runtime's default
+    table.number("tile_width", ground.tile.width);
+    table.number("tile_height", ground.tile.height);
+  }
   if (with_tiles) write_tiles(table.in_lines("tiles"), ground, progress);
   {
     LuaTable shapes = table.in_lines("shapes");

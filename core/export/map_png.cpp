@@ -1,6 +1,6 @@
 #include "map_png.h"
 
-#include "../formats/pictures/png_picture.h"
+#include "../formats/pictures/png_sheet.h"
 #include "export_targets.h"
 
 namespace talus {
@@ -11,8 +11,9 @@ constexpr double kPaintShare = 0.4;  // share of the time; the rest packs the pi
 }  // namespace
 
 FormatResult<std::string> map_png(const Level& level, const Progress& progress) {
-  const std::int64_t width = std::int64_t{level.map.width()} * kTileSize;
-  const std::int64_t height = std::int64_t{level.map.height()} * kTileSize;
+  const TileSize tile = level.map.tile_size();
+  const std::int64_t width = std::int64_t{level.map.width()} * tile.width;
+  const std::int64_t height = std::int64_t{level.map.height()} * tile.height;
   if (width > kMaxPictureSide || height > kMaxPictureSide || width * height > kMaxPicture) {
     return tl::unexpected(FormatError{"", "the map is " + std::to_string(width) + "x" +
                                               std::to_string(height) +
@@ -24,10 +25,10 @@ FormatResult<std::string> map_png(const Level& level, const Progress& progress) 
   bytes.reserve(static_cast<std::size_t>(width * height) * 3);
   for (int y = 0; y < height; ++y) {
     if (!progress.at(kPaintShare * y / static_cast<double>(height))) return std::string();
-    for (Cell c{0, y / kTileSize}; c.x < level.map.width(); ++c.x) {
+    for (Cell c{0, y / tile.height}; c.x < level.map.width(); ++c.x) {
       const TileImage& image = tiles.images[level.map.at(c)];
-      for (int x = 0; x < kTileSize; ++x) {
-        const Rgb color = level.palette[image[y % kTileSize * kTileSize + x]];
+      for (int x = 0; x < tile.width; ++x) {
+        const Rgb color = level.palette[color_at(image, tile, x, y % tile.height)];
         bytes.insert(bytes.end(), {color.r, color.g, color.b});
       }
     }

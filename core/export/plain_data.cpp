@@ -12,15 +12,16 @@
 namespace talus {
 namespace {
 
-PlainShape plain_shape(int tile, const TileShape& shape, const TileOutline& outline) {
-  PlainShape plain{tile, shape.kind, outline.line && !outline.is_floor, shape.one_way, 1, {}, {}};
+PlainShape plain_shape(int tile, const TileShape& shape, const TileOutline& outline, TileSize size) {
+  PlainShape plain{tile, shape.kind, outline.line && !outline.is_floor, shape.one_way, 1, {},
+                   {},   size.height};
   plain.tiles = static_cast<int>(outline.columns.size());
   std::vector<double> heights = shape.heights;
-  if (shape.kind == TileShape::Kind::solid) heights = {kTileSize, kTileSize};
+  if (shape.kind == TileShape::Kind::solid) heights.assign(2, size.height);
   for (const double height : heights)
-    plain.ys.push_back(plain.is_ceiling ? weld(height) : kTileSize - weld(height));
-  for (int column = 0; column < plain.tiles * kTileSize; ++column) {
-    const TileColumn& cell = outline.columns[static_cast<std::size_t>(column / kTileSize)];
+    plain.ys.push_back(plain.is_ceiling ? weld(height) : size.height - weld(height));
+  for (int column = 0; column < plain.tiles * size.width; ++column) {
+    const TileColumn& cell = outline.columns[static_cast<std::size_t>(column / size.width)];
     const auto& lines = plain.is_ceiling ? cell.bottom : cell.top;
     const double x = column + 0.5;
     const auto line = std::find_if(lines.begin(), lines.end(), [x](const auto& l) { return x <= l.x1; });
@@ -134,16 +135,16 @@ std::vector<Vec2> points_of(Curve curve) {
 
 bool PlainShape::has_floor_at(double y) const {
   if (is_ceiling) return !one_way && y > 0;
-  return one_way || y < kTileSize;
+  return one_way || y < tile_height;
 }
 
 std::vector<PlainShape> plain_shapes(const TerrainSource& ground) {
-  const TileOutlines outlines(ground.shapes);
+  const TileOutlines outlines(ground.shapes, ground.tile);
   std::vector<PlainShape> shapes;
   for (int tile = 0; tile < kTileCount; ++tile) {
     const TileShape& shape = ground.shapes[static_cast<std::size_t>(tile)];
     if (shape.kind != TileShape::Kind::none)
-      shapes.push_back(plain_shape(tile, shape, outlines[static_cast<std::size_t>(tile)]));
+      shapes.push_back(plain_shape(tile, shape, outlines[static_cast<std::size_t>(tile)], ground.tile));
   }
   return shapes;
 }
@@ -166,7 +167,9 @@ PlainBody PlainBodies::at(std::size_t index) const {
     body.start = level_.spawns[index - tiles_.size()];
   } else {
     body.tile = level_.map.at(tiles_[index]);
-    body.start.position = Vec2{1.0 * kTileSize * tiles_[index].x, 1.0 * kTileSize * tiles_[index].y};
+    const Rect box = level_.map.box_of(tiles_[index]);
+    body.start.position = box.position();
+    body.start.size = {box.w, box.h};
   }
   return body;
 }

@@ -20,9 +20,10 @@ struct PlainShape {
   bool one_way = false;    // only the line stops bodies, and only from its open side
   int tiles = 1;           // width; all but the first reach over the cells to the right
   std::vector<double> ys;  // of the line, at equal distances from end to end; at least 2
-  // Of the line in the middle of each column of pixels, x = 0.5, 1.5, ...; 8 * tiles numbers. A floor at 8,
-  // or a ceiling at 0, means that nothing is there, unless it is one-way.
+  // Of the line in the middle of each column of pixels, x = 0.5, 1.5, ...; as many as the tiles are wide. A
+  // floor at the tile's bottom, or a ceiling at 0, means that nothing is there, unless it is one-way.
   std::vector<double> columns;
+  int tile_height = 8;  // px
 
   // Whether bodies can stand on the shape at this y of its line. A ceiling has a flat top where it is thick.
   bool has_floor_at(double y) const;

@@ -222,7 +222,9 @@ FormatResult<std::string> plain_text(const Level& level, Dialect dialect, const 
   PlainPrinter printer(dialect);
   printer.put("width", ground.width);
   printer.put("height", ground.height);
-  printer.put("tile_size", kTileSize);
+  if (ground.tile.width == ground.tile.height) printer.put("tile_size", ground.tile.width);
+  printer.put("tile_width", ground.tile.width);
+  printer.put("tile_height", ground.tile.height);
   printer.put_list("map", static_cast<std::size_t>(ground.height), progress.part(0, 0.1),
                    [&](std::size_t y) { printer.print(cells.subspan(y * width, width)); });
   printer.put("flags", {{"tiles", level.sheet(SheetId::tiles).flags},

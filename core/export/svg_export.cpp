@@ -137,8 +137,8 @@ pugi::xml_node add(pugi::xml_node parent, const char* name, std::initializer_lis
 }
 
 pugi::xml_node add_root(pugi::xml_document& document, const Level& level, const std::string& png) {
-  const std::string width = std::to_string(level.map.width() * kTileSize);
-  const std::string height = std::to_string(level.map.height() * kTileSize);
+  const std::string width = number_text_of(level.map.px_width());
+  const std::string height = number_text_of(level.map.px_height());
   const auto root = add(document, "svg",
                         {{"xmlns", "http://www.w3.org/2000/svg"},
                          {"xmlns:xlink", "http://www.w3.org/1999/xlink"},

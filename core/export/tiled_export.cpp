@@ -33,7 +33,7 @@ std::string escaped_for_xml(std::string json) {
 FormatResult<std::string> rest_of(const Level& level) {
   Level rest = level;
   rest.sheet(SheetId::tiles) = {};
-  rest.map = TileMap(level.map.width(), level.map.height());
+  rest.map = TileMap(level.map.width(), level.map.height(), level.map.tile_size());
   auto written = write_native(rest, {});
   if (!written) return tl::unexpected(written.error());
   std::string line;
@@ -54,8 +54,7 @@ FormatResult<TiledMap> whole_map_of(const ExportRequest& request) {
 }
 
 Exported files_of(const ExportRequest& request, std::string text, std::vector<std::string> dropped = {}) {
-  return tiled_files(request, std::move(text), write_png_part(request.level, PngPart::tiles),
-                     std::move(dropped));
+  return tiled_files(request, std::move(text), write_map_tiles(request.level), std::move(dropped));
 }
 
 std::string number_word(double number) {
@@ -77,8 +76,8 @@ class TiledXmlWriter {
     put(root, "renderorder", "right-down");
     put(root, "width", map.width);
     put(root, "height", map.height);
-    put(root, "tilewidth", kTileSize);
-    put(root, "tileheight", kTileSize);
+    put(root, "tilewidth", map.tile_size.width);
+    put(root, "tileheight", map.tile_size.height);
     put(root, "infinite", 0);
     if (!map.background.empty()) put(root, "backgroundcolor", map.background);
     pugi::xml_attribute next_layer = root.append_attribute("nextlayerid");
@@ -138,8 +137,8 @@ class TiledXmlWriter {
     pugi::xml_node node = root.append_child("tileset");
     put(node, "firstgid", set.first_gid);
     put(node, "name", set.name);
-    put(node, "tilewidth", kTileSize);
-    put(node, "tileheight", kTileSize);
+    put(node, "tilewidth", set.tile_size.width);
+    put(node, "tileheight", set.tile_size.height);
     put(node, "tilecount", set.tile_count);
     put(node, "columns", set.columns);
     pugi::xml_node image = node.append_child("image");

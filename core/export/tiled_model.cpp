@@ -13,7 +13,9 @@ TiledTileset tileset_of(const ExportRequest& request) {
   TiledTileset tileset;
   tileset.name = "tiles";
   tileset.image = request.sheet_name();
-  tileset.image_width = tileset.image_height = kSheetSide;
+  tileset.tile_size = level.map.tile_size();
+  tileset.image_width = kSheetColumns * tileset.tile_size.width;
+  tileset.image_height = kSheetColumns * tileset.tile_size.height;
   tileset.columns = kSheetColumns;
   tileset.tile_count = kTileCount;
   for (int id = 0; id < kTileCount; ++id) {
@@ -24,7 +26,7 @@ TiledTileset tileset_of(const ExportRequest& request) {
     tile.properties = tiled_flag_properties(level, level.tile_flags(number));
     const TiledProperties words = tiled_properties(shape);
     tile.properties.insert(tile.properties.end(), words.begin(), words.end());
-    tile.objects = tiled_objects(shape);
+    tile.objects = tiled_objects(shape, tileset.tile_size);
     if (!tile.properties.empty()) tileset.tiles->push_back(std::move(tile));
   }
   return tileset;
@@ -47,6 +49,7 @@ TiledMap tiled_map_of(const ExportRequest& request) {
   TiledMap map;
   map.width = level.map.width();
   map.height = level.map.height();
+  map.tile_size = level.map.tile_size();
   map.background = tiled_color(level.palette[0]);
   map.tilesets.push_back(tileset_of(request));
   map.layers.push_back(tile_layer(level));

@@ -30,10 +30,10 @@ void describe_tiles(const Level& level, const TerrainSource& ground, TiledTilese
   }
 }
 
-TiledObject slope_object(const BumpBox& box, Cell cell) {
+TiledObject slope_object(const BumpBox& box, Cell cell, TileSize tile) {
   TiledObject object;
   object.type = box.line ? "slope" : "";
-  object.position = {box.box.x + cell.x * kTileSize, box.box.y + cell.y * kTileSize};
+  object.position = {box.box.x + 1.0 * cell.x * tile.width, box.box.y + 1.0 * cell.y * tile.height};
   object.size = {box.box.w, box.box.h};
   put(object.properties, "collidable", true);
   if (!box.line) return object;
@@ -56,7 +56,8 @@ TiledLayer slope_layer(const TerrainSource& ground, const Progress& progress) {
                       static_cast<std::size_t>(c.x);
       const TileShape& shape = ground.shapes[ground.cells[at]];
       if (is_full_tile(shape)) continue;
-      for (const BumpBox& box : bump_boxes(shape)) layer.objects.push_back(slope_object(box, c));
+      for (const BumpBox& box : bump_boxes(shape, ground.tile))
+        layer.objects.push_back(slope_object(box, c, ground.tile));
     }
   }
   return layer;
@@ -77,8 +78,7 @@ FormatResult<Exported> export_sti(const ExportRequest& request) {
   if (map.layers.back().objects.size() > kMostBoxes)
     return tl::unexpected(FormatError{
         "", "the slopes need more than 1000000 boxes, too many for an STI map: make the map smaller"});
-  return tiled_files(request, tiled_lua_text(map), write_png_part(request.level, PngPart::tiles),
-                     std::move(dropped));
+  return tiled_files(request, tiled_lua_text(map), write_map_tiles(request.level), std::move(dropped));
 }
 
 }  // namespace talus

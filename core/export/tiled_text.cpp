@@ -151,8 +151,8 @@ class TiledTextWriter {
     text_.put("renderorder", "right-down");
     text_.put("width", map.width);
     text_.put("height", map.height);
-    text_.put("tilewidth", kTileSize);
-    text_.put("tileheight", kTileSize);
+    text_.put("tilewidth", map.tile_size.width);
+    text_.put("tileheight", map.tile_size.height);
     if (!text_.is_lua()) text_.put("infinite", false);
     if (!map.background.empty()) background(map.background);
     properties(map.properties);
@@ -199,8 +199,8 @@ class TiledTextWriter {
     text_.open("", false);
     text_.put("name", set.name);
     text_.put("firstgid", set.first_gid);
-    text_.put("tilewidth", kTileSize);
-    text_.put("tileheight", kTileSize);
+    text_.put("tilewidth", set.tile_size.width);
+    text_.put("tileheight", set.tile_size.height);
     text_.put("spacing", set.spacing);
     text_.put("margin", set.margin);
     text_.put("columns", set.columns);

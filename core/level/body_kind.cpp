@@ -23,6 +23,12 @@ const BodyTraits& traits_of(BodyKind kind) {
   return body_kinds()[static_cast<std::size_t>(kind)];
 }
 
+Vec2 new_body_size(BodyKind kind, TileSize tile) {
+  constexpr TileSize kUsual;
+  const Vec2 size = traits_of(kind).size;
+  return {size.x * tile.width / kUsual.width, size.y * tile.height / kUsual.height};
+}
+
 std::optional<BodyKind> find_body_kind(std::string_view word) {
   return find_kind([&](const BodyTraits& traits) { return traits.word == word; });
 }

@@ -24,9 +24,9 @@ struct BumpBox {
   friend bool operator==(const BumpBox&, const BumpBox&) = default;
 };
 
-// Returns the boxes of a usable shape (see problem_of) from left to right, relative to its cell. With the
-// cell's corner added they are the same as those of add_ground() in assets/runtime/bump_slopes.lua, in the
-// same order and to the last bit. Empty for a shape without height.
-std::vector<BumpBox> bump_boxes(const TileShape& shape);
+// Returns the boxes of a usable shape of tiles of a size (see problem_of) from left to right, relative to its
+// cell. With the cell's corner added they are the same as those of add_ground() in
+// assets/runtime/bump_slopes.lua, in the same order and to the last bit. Empty for a shape without height.
+std::vector<BumpBox> bump_boxes(const TileShape& shape, TileSize tile);
 
 }  // namespace talus

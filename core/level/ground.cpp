@@ -29,8 +29,9 @@ std::size_t ground_boxes(const Level& level) {
   return sum_over_map(level, [&](std::uint8_t tile) -> std::size_t {
     const TileShape shape = shape_of_tile(level, tile);
     if (shape.kind == TileShape::Kind::none) return 0;
-    if (level.tuning.solver != SolverKind::bump || problem_of(shape)) return 1;
-    return bump_boxes(shape).size();
+    const TileSize size = level.map.tile_size();
+    if (level.tuning.solver != SolverKind::bump || problem_of(shape, size)) return 1;
+    return bump_boxes(shape, size).size();
   });
 }
 
@@ -40,10 +41,11 @@ TerrainSource ground_of(const Level& level) {
   TerrainSource source;
   source.width = level.map.width();
   source.height = level.map.height();
+  source.tile = level.map.tile_size();
   source.cells = level.map.cells();
   for (int tile = 0; tile < kTileCount; ++tile) {
     TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
-    if (!problem_of(shape)) source.shapes[tile] = std::move(shape);
+    if (!problem_of(shape, source.tile)) source.shapes[tile] = std::move(shape);
   }
   for (const LevelCurve& c : level.curves) {
     if (!problem_of(c.curve, level.map)) source.curves.push_back(c.curve);
@@ -51,18 +53,20 @@ TerrainSource ground_of(const Level& level) {
   return source;
 }
 
-std::size_t ground_lines(const TileShape& shape) {
-  if (shape.kind == TileShape::Kind::none || problem_of(shape)) return 0;
+std::size_t ground_lines(const TileShape& shape, TileSize tile) {
+  if (shape.kind == TileShape::Kind::none || problem_of(shape, tile)) return 0;
   if (shape.kind == TileShape::Kind::solid) return shape.one_way ? 1 : 0;
   const std::vector<double>& heights = shape.heights;
-  double cells = (heights.front() + heights.back()) / kTileSize;  // of the walls at its sides
+  double cells = (heights.front() + heights.back()) / tile.height;  // of the walls at its sides
   for (std::size_t i = 1; i < heights.size(); ++i)
-    cells += 1 + std::abs(heights[i] - heights[i - 1]) / kTileSize;
+    cells += 1 + std::abs(heights[i] - heights[i - 1]) / tile.height;
   return static_cast<std::size_t>(std::ceil(cells));
 }
 
 std::size_t ground_lines(const Level& level) {
-  return sum_over_map(level, [&](std::uint8_t tile) { return ground_lines(shape_of_tile(level, tile)); });
+  return sum_over_map(level, [&](std::uint8_t tile) {
+    return ground_lines(shape_of_tile(level, tile), level.map.tile_size());
+  });
 }
 
 std::optional<std::string> ground_problem(const Level& level) {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
+
+#include "transform.h"
 
 namespace talus {
 namespace {
@@ -31,6 +34,12 @@ double crest(const Sine& s, double left, double right) {
   return next < right ? next : left;
 }
 
+// Whether it is a number of px or px/frame, not a count or an angle.
+bool is_length(CaseCheck::Measure measure) {
+  using M = CaseCheck::Measure;
+  return measure != M::walls && measure != M::untouched && measure != M::normal && measure != M::changes;
+}
+
 Vec2 range_of(const Segment& s) { return {s.from.x, s.to.x}; }
 Vec2 range_of(const Arc& a) { return {a.x0, a.x1}; }
 Vec2 range_of(const Sine& s) { return {s.x0, s.x1}; }
@@ -51,6 +60,26 @@ std::optional<double> CaseFloor::top(double left, double right) const {
         part);
   }
   return highest;
+}
+
+HardCase scaled(const HardCase& hard, int factor) {
+  HardCase image = hard;
+  for (CaseInput& input : image.input) input.mouse = input.mouse * factor;
+  for (auto& part : image.floor.parts) {
+    part = std::visit(
+        [&](const auto& form) -> decltype(CaseFloor::parts)::value_type {
+          return std::get<std::decay_t<decltype(form)>>(scaled(Curve{form}, factor).form);
+        },
+        part);
+  }
+  for (CaseCheck& check : image.checks) {
+    if (!is_length(check.measure)) continue;
+    for (std::optional<double>* number : {&check.x, &check.y, &check.right, &check.bottom}) {
+      if (*number) **number *= factor;
+    }
+    check.bound *= factor;
+  }
+  return image;
 }
 
 const std::array<CaseMeasureInfo, kCaseMeasureCount>& case_measure_infos() {

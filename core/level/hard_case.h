@@ -72,4 +72,8 @@ struct HardCase {
   std::vector<CaseCheck> checks;
 };
 
+// The same case for scaled(level, factor), see transform.h: all that has a length or speed is `factor` times
+// as large.
+HardCase scaled(const HardCase& hard, int factor);
+
 }  // namespace talus

@@ -8,12 +8,13 @@
 namespace talus {
 namespace {
 
-TileShape article_slope(const SharedTuning& tuning, bool rises) {
+TileShape article_slope(const SharedTuning& tuning, TileSize tile, bool rises) {
   TileShape shape;
   shape.kind = TileShape::Kind::slope;
-  shape.tiles = static_cast<int>(std::clamp(std::ceil(tuning.slope_width / kTileSize), 1.0, 8.0));
-  const double low = std::max(0.0, kTileSize - tuning.slope_height);
-  shape.heights = {low, kTileSize};
+  shape.tiles =
+      static_cast<int>(std::clamp(std::ceil(tuning.slope_width / tile.width), 1.0, 1.0 * kMaxShapeTiles));
+  const double high = tile.height, low = std::max(0.0, high - tuning.slope_height);
+  shape.heights = {low, high};
   if (!rises) std::swap(shape.heights[0], shape.heights[1]);
   return shape;
 }
@@ -23,9 +24,9 @@ TileShape shape_before_modifiers(const Level& level, std::uint8_t flags) {
     case TileRole::solid:
       return {.kind = TileShape::Kind::solid};
     case TileRole::up_slope:
-      return article_slope(level.tuning.shared, true);
+      return article_slope(level.tuning.shared, level.map.tile_size(), true);
     case TileRole::down_slope:
-      return article_slope(level.tuning.shared, false);
+      return article_slope(level.tuning.shared, level.map.tile_size(), false);
     case TileRole::ball:
       return {};
     case TileRole::none:
@@ -75,10 +76,9 @@ bool is_ball_tile(const Level& level, std::uint8_t tile) {
 
 std::optional<std::string> problem_of(const Curve& curve, const TileMap& map) {
   if (auto problem = problem_of(curve)) return problem;
-  const double width = map.width() * kTileSize, height = map.height() * kTileSize;
   const auto is_on_map = [&](Vec2 p) {
-    return p.x >= -kCurveEndSlack && p.y >= -kCurveEndSlack && p.x <= width + kCurveEndSlack &&
-           p.y <= height + kCurveEndSlack;
+    return p.x >= -kCurveEndSlack && p.y >= -kCurveEndSlack && p.x <= map.px_width() + kCurveEndSlack &&
+           p.y <= map.px_height() + kCurveEndSlack;
   };
   const CurveSpan ends = span_of(curve);
   if (!is_on_map(ends.from)) return "has its first end off the map";

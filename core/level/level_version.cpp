@@ -53,6 +53,7 @@ LevelVersion version_of(const Level& level, const LevelVersion* before) {
                        shared_part(level.curves, old.curves),
                        shared_part(level.spawns, old.spawns),
                        level.tuning,
+                       level.map.tile_size(),
                        {}};
   version.rows.reserve(static_cast<std::size_t>(level.map.height()));
   for (int y = 0; y < level.map.height(); ++y) {
@@ -98,7 +99,8 @@ void put_version(const LevelVersion& version, Level& level) {
   level.curves = *version.curves;
   level.spawns = *version.spawns;
   level.tuning = version.tuning;
-  level.map = TileMap(static_cast<int>(version.rows.front()->size()), static_cast<int>(version.rows.size()));
+  level.map = TileMap(static_cast<int>(version.rows.front()->size()), static_cast<int>(version.rows.size()),
+                      version.tile_size);
   auto out = level.map.cells().begin();
   for (const auto& row : version.rows) out = std::copy(row->begin(), row->end(), out);
 }
@@ -113,8 +115,8 @@ std::optional<std::vector<Cell>> changed_cells(const LevelVersion& a, const Leve
                                                std::size_t most) {
   const auto same = [](const auto& x, const auto& y) { return x == y || *x == *y; };
   const bool only_cells = a.tuning == b.tuning && same(a.tiles, b.tiles) && same(a.curves, b.curves) &&
-                          same(a.spawns, b.spawns) && a.rows.size() == b.rows.size() &&
-                          a.rows.front()->size() == b.rows.front()->size();
+                          same(a.spawns, b.spawns) && a.tile_size == b.tile_size &&
+                          a.rows.size() == b.rows.size() && a.rows.front()->size() == b.rows.front()->size();
   if (!only_cells) return std::nullopt;
   std::vector<Cell> cells;
   for (std::size_t y = 0; y < a.rows.size(); ++y) {

@@ -27,6 +27,7 @@ struct LevelVersion {
   std::shared_ptr<const std::vector<LevelCurve>> curves;
   std::shared_ptr<const std::vector<Spawn>> spawns;
   Tuning tuning;
+  TileSize tile_size;                            // of the map
   std::vector<std::shared_ptr<const Row>> rows;  // of the map, from the top; all of one length
 };
 

@@ -27,7 +27,8 @@ Amounts amounts_of(const Level& level) {
   for (const LevelCurve& curve : level.curves) {
     count_texts(curve, amounts);
     if (const auto* line = std::get_if<Polyline>(&curve.curve.form)) amounts.heights += line->ys.size();
-    if (!problem_of(curve.curve)) amounts.curve_cells += static_cast<std::size_t>(cells_passed(curve.curve));
+    if (!problem_of(curve.curve))
+      amounts.curve_cells += static_cast<std::size_t>(cells_passed(curve.curve, level.map.tile_size()));
   }
   for (const Brush& brush : level.brushes) {
     count_texts(brush, amounts);

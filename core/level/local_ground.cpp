@@ -9,12 +9,14 @@ namespace talus {
 LocalGround ground_around(const Level& level, const Rect& box, int cells) {
   const TileMap& map = level.map;
   const int margin = cells + kMaxShapeTiles;  // slopes that begin further away may reach here
-  const auto cell = [margin](double px, int by, int count) {
+  const auto cell = [margin](double px, int side, int by, int count) {
     return static_cast<int>(
-        std::clamp(std::floor(px / kTileSize) + by * margin, 0.0, static_cast<double>(count - 1)));
+        std::clamp(std::floor(px / side) + by * margin, 0.0, static_cast<double>(count - 1)));
   };
-  const Cell first{cell(box.x, -1, map.width()), cell(box.y, -1, map.height())};
-  const Cell last{cell(box.right(), 1, map.width()), cell(box.bottom(), 1, map.height())};
+  const auto [tile_width, tile_height] = map.tile_size();
+  const Cell first{cell(box.x, tile_width, -1, map.width()), cell(box.y, tile_height, -1, map.height())};
+  const Cell last{cell(box.right(), tile_width, 1, map.width()),
+                  cell(box.bottom(), tile_height, 1, map.height())};
   std::vector<std::uint8_t> tiles;
   for (int y = first.y; y <= last.y; ++y) {
     for (int x = first.x; x <= last.x; ++x) tiles.push_back(map.at({x, y}));
@@ -22,12 +24,13 @@ LocalGround ground_around(const Level& level, const Rect& box, int cells) {
   TerrainSource source;
   source.width = last.x - first.x + 1;
   source.height = last.y - first.y + 1;
+  source.tile = map.tile_size();
   source.cells = tiles;
   for (int tile = 0; tile < kTileCount; ++tile) {
     TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
-    if (!problem_of(shape)) source.shapes[static_cast<std::size_t>(tile)] = std::move(shape);
+    if (!problem_of(shape, source.tile)) source.shapes[static_cast<std::size_t>(tile)] = std::move(shape);
   }
-  return {Terrain(source), {first.x * 1.0 * kTileSize, first.y * 1.0 * kTileSize}};
+  return {Terrain(source), map.corner_of(first)};
 }
 
 }  // namespace talus

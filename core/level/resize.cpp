@@ -16,7 +16,7 @@ class Resizer {
       : level_(level),
         frame_(frame),
         period_{std::max(level.map.width(), frame.width), std::max(level.map.height(), frame.height)},
-        result_{TileMap(frame.width, frame.height), {}, {}} {
+        result_{TileMap(frame.width, frame.height, level.map.tile_size()), {}, {}} {
     if (!frame.wrap) return;
     frame_.shift = {wrapped(frame.shift.x, period_.x), wrapped(frame.shift.y, period_.y)};
   }
@@ -47,15 +47,15 @@ class Resizer {
 
   // The distances, px, that may lead something to its new place; with wrap, also to the other side.
   std::vector<Vec2> ways() const {
-    const Vec2 by{frame_.shift.x * 1.0 * kTileSize, frame_.shift.y * 1.0 * kTileSize};
+    const Vec2 by = level_.map.corner_of(frame_.shift);
     if (!frame_.wrap) return {by};
-    const Vec2 back{period_.x * -1.0 * kTileSize, period_.y * -1.0 * kTileSize};
+    const Vec2 back = level_.map.corner_of({-period_.x, -period_.y});
     return {by, by + Vec2{back.x, 0}, by + Vec2{0, back.y}, by + back};
   }
 
   static bool meets(const Spawn& spawn, Vec2 by, const TileMap& map) {
     const Vec2 at = spawn.position + by;
-    return at.x < map.width() * kTileSize && at.y < map.height() * kTileSize && at.x + spawn.size.x > 0 &&
+    return at.x < map.px_width() && at.y < map.px_height() && at.x + spawn.size.x > 0 &&
            at.y + spawn.size.y > 0;
   }
 

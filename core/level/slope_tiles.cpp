@@ -30,16 +30,17 @@ struct Line {
   bool is_straight_over(double x0, double x1) const { return from.y == to.y || (x0 >= from.x && x1 <= to.x); }
 };
 
-int cells_up_to(double px) { return static_cast<int>(std::ceil(px / kTileSize)); }
+// side: px, of a cell.
+int cells_up_to(double px, int side) { return static_cast<int>(std::ceil(px / side)); }
 
-double highest_of(const TileShape& shape) {
-  if (shape.kind == TileShape::Kind::solid) return kTileSize;
+double highest_of(const TileShape& shape, TileSize tile) {
+  if (shape.kind == TileShape::Kind::solid) return tile.height;
   return *std::max_element(shape.heights.begin(), shape.heights.end());
 }
 
-bool is_floor(const TileShape& shape) {
+bool is_floor(const TileShape& shape, TileSize tile) {
   using Kind = TileShape::Kind;
-  if (shape.kind == Kind::none || problem_of(shape)) return false;
+  if (shape.kind == Kind::none || problem_of(shape, tile)) return false;
   return shape.kind == Kind::solid || shape.side == TileShape::Side::floor;
 }
 
@@ -77,12 +78,13 @@ class Layer {
 class Drawer {
  public:
   Drawer(const Level& level, const Line& line, const SlopeTilesOptions& options)
-      : level_(level), line_(line), options_(options), layer_(level.map) {
+      : level_(level), size_(level.map.tile_size()), line_(line), options_(options), layer_(level.map) {
     for (const std::uint8_t tile : level.map.cells()) used_[tile] = true;
   }
 
   Result run() {
-    for (int column = cell_of(line_.from.x); column < cells_up_to(line_.to.x); ++column) {
+    const int end = cells_up_to(line_.to.x, size_.width);
+    for (int column = level_.map.column_at(line_.from.x); column < end; ++column) {
       if (auto problem = draw_column(column)) return failure(*std::move(problem));
     }
     return layer_.take(std::move(drawn_), options_.below);
@@ -90,25 +92,27 @@ class Drawer {
 
  private:
   std::optional<std::string> draw_column(int column) {
-    const double x0 = column * static_cast<double>(kTileSize), x1 = x0 + kTileSize;
+    const double x0 = level_.map.x_of(column), x1 = level_.map.x_of(column + 1);
     const double lowest = std::max(line_.grained_y_at(x0), line_.grained_y_at(x1));
     const double highest = std::min(line_.grained_y_at(x0), line_.grained_y_at(x1));
-    int bottom_row = cells_up_to(lowest);
+    int bottom_row = cells_up_to(lowest, size_.height);
     // A level floor on the side of two cells belongs to the lower one.
-    if (highest == bottom_row * kTileSize) ++bottom_row;
-    const double bottom = bottom_row * kTileSize;
-    if (bottom - highest > kMaxShapeTiles * kTileSize)
-      return "the slope is too steep: the floor of a tile can rise by at most 64 px";
+    if (highest == level_.map.y_of(bottom_row)) ++bottom_row;
+    const double bottom = level_.map.y_of(bottom_row);
+    const int most = kMaxShapeTiles * size_.height;
+    if (bottom - highest > most)
+      return "the slope is too steep: the floor of a tile can rise by at most " + std::to_string(most) +
+             " px";
 
     TileShape shape;
     const bool straight = line_.is_straight_over(x0, x1);
     shape.kind = straight ? TileShape::Kind::slope : TileShape::Kind::profile;
-    for (double x = x0; x <= x1; x += straight ? kTileSize : 1)
+    for (double x = x0; x <= x1; x += straight ? size_.width : 1)
       shape.heights.push_back(bottom - line_.grained_y_at(x));
 
     const Cell owner = {column, bottom_row - 1};
     layer_.own(owner);
-    for (int row = owner.y; row == owner.y || (row + 1) * kTileSize > highest; --row) {
+    for (int row = owner.y; row == owner.y || level_.map.y_of(row + 1) > highest; --row) {
       const auto tile = tile_with(image_of({column, row}), row == owner.y ? shape : TileShape());
       if (!tile) return "there are too few blank tiles to draw the slope with";
       if (*tile != 0) layer_.place({column, row}, *tile);
@@ -116,14 +120,16 @@ class Drawer {
     return {};
   }
 
-  // The part of the ground that a cell shows.
+  // The part of the ground that a cell shows, on an image that fills the cell.
   TileImage image_of(Cell cell) const {
+    const double px_wide = 1.0 * size_.width / kTileSize, px_high = 1.0 * size_.height / kTileSize;
     TileImage image{};
     for (int x = 0; x < kTileSize; ++x) {
-      const double floor = line_.y_at(cell.x * kTileSize + x + 0.5) - cell.y * kTileSize;
+      const double floor =
+          line_.y_at(level_.map.x_of(cell.x) + (x + 0.5) * px_wide) - level_.map.y_of(cell.y);
       for (int y = 0; y < kTileSize; ++y) {
-        if (y + 0.5 < floor) continue;
-        image[y * kTileSize + x] = y - 0.5 < floor ? options_.line_color : options_.ground_color;
+        if ((y + 0.5) * px_high < floor) continue;
+        image[y * kTileSize + x] = (y - 0.5) * px_high < floor ? options_.line_color : options_.ground_color;
       }
     }
     return image;
@@ -153,6 +159,7 @@ class Drawer {
   }
 
   const Level& level_;
+  TileSize size_;  // of the map's cells
   const Line& line_;
   const SlopeTilesOptions& options_;
   Layer layer_;
@@ -165,21 +172,21 @@ class Drawer {
 class Chooser {
  public:
   Chooser(const Level& level, const Line& line, const SlopeTilesOptions& options)
-      : level_(level), line_(line), options_(options), layer_(level.map) {
+      : level_(level), size_(level.map.tile_size()), line_(line), options_(options), layer_(level.map) {
     for (const std::uint8_t tile : options.set) {
       TileShape shape = shape_of_tile(level, tile);
-      if (is_floor(shape)) candidates_.push_back({tile, std::move(shape)});
+      if (is_floor(shape, size_)) candidates_.push_back({tile, std::move(shape)});
     }
   }
 
   Result run() {
     if (candidates_.empty()) return failure("the set has no tile with a floor");
-    int column = cell_of(line_.from.x);
+    int column = level_.map.column_at(line_.from.x);
     std::optional<double> floor;  // px, at the end of the last tile
-    while (column < cells_up_to(line_.to.x)) {
+    while (column < cells_up_to(line_.to.x, size_.width)) {
       const std::optional<Choice> best = choose(column, floor);
       if (!best) return failure("the set has no tile that begins where the tile before it ends");
-      if (best->off > kTileSize)
+      if (best->off > size_.height)
         return failure("the tiles of the set would leave the line by more than a tile");
       lay(*best, column);
       column += best->candidate->shape.tiles;
@@ -204,10 +211,10 @@ class Chooser {
   std::optional<Choice> choose(int column, std::optional<double> floor) const {
     std::optional<Choice> best;
     for (const Candidate& candidate : candidates_) {
-      const double begin = height_of_line(candidate.shape, 0);
-      const double wanted = floor.value_or(line_.y_at(column * kTileSize)) + begin;
-      const double row = std::round(wanted / kTileSize);
-      if (floor && row * kTileSize != wanted) continue;
+      const double begin = height_of_line(candidate.shape, 0, size_);
+      const double wanted = floor.value_or(line_.y_at(level_.map.x_of(column))) + begin;
+      const double row = std::round(wanted / size_.height);
+      if (floor && row * size_.height != wanted) continue;
       const Choice choice = judged(candidate, column, static_cast<int>(row));
       if (!best || choice.off < best->off) best = choice;
     }
@@ -215,12 +222,12 @@ class Chooser {
   }
 
   Choice judged(const Candidate& candidate, int column, int bottom_row) const {
-    const int width = candidate.shape.tiles * kTileSize;
-    const double bottom = bottom_row * kTileSize;
-    Choice choice{&candidate, bottom_row, 0, bottom - height_of_line(candidate.shape, width)};
+    const int width = candidate.shape.tiles * size_.width;
+    const double bottom = level_.map.y_of(bottom_row);
+    Choice choice{&candidate, bottom_row, 0, bottom - height_of_line(candidate.shape, width, size_)};
     for (int x = 0; x <= width; ++x) {
-      const double y = bottom - height_of_line(candidate.shape, x);
-      choice.off = std::max(choice.off, std::abs(y - line_.y_at(column * kTileSize + x)));
+      const double y = bottom - height_of_line(candidate.shape, x, size_);
+      choice.off = std::max(choice.off, std::abs(y - line_.y_at(level_.map.x_of(column) + x)));
     }
     return choice;
   }
@@ -231,7 +238,7 @@ class Chooser {
     for (int i = 0; i < shape.tiles; ++i) {
       const Cell owner = {column + i, choice.bottom_row - 1};
       layer_.own(owner);
-      for (int up = 0; up < cells_up_to(highest_of(shape)); ++up) {
+      for (int up = 0; up < cells_up_to(highest_of(shape, size_), size_.height); ++up) {
         const int part = tile + i - up * kSheetColumns;
         const bool is_own = i == 0 && up == 0;
         if (is_own || (tile % kSheetColumns + i < kSheetColumns && is_mere_picture(part)))
@@ -246,6 +253,7 @@ class Chooser {
   }
 
   const Level& level_;
+  TileSize size_;  // of the map's cells
   const Line& line_;
   const SlopeTilesOptions& options_;
   Layer layer_;
@@ -256,7 +264,7 @@ class Chooser {
 
 tl::expected<SlopeTiles, std::string> slope_tiles(const Level& level, Vec2 a, Vec2 b,
                                                   const SlopeTilesOptions& options) {
-  const double width = level.map.width() * kTileSize, height = level.map.height() * kTileSize;
+  const double width = level.map.px_width(), height = level.map.px_height();
   for (const Vec2& p : {a, b}) {
     if (!(p.x >= 0 && p.y >= 0 && p.x <= width && p.y <= height))
       return failure("an end of the slope is not on the map");

@@ -44,6 +44,21 @@ struct Shift {
   }
 };
 
+struct Scale {
+  double by;
+  Segment operator()(const Segment& s) const { return {s.from * by, s.to * by}; }
+  Arc operator()(const Arc& a) const { return {a.center * by, a.radius * by, a.x0 * by, a.x1 * by, a.upper}; }
+  Parabola operator()(const Parabola& p) const { return {p.from * by, p.to * by, p.control_y * by}; }
+  Cubic operator()(const Cubic& c) const { return {c.from * by, c.to * by, c.from_slope, c.to_slope}; }
+  Sine operator()(const Sine& s) const {
+    return {s.x0 * by, s.x1 * by, s.middle * by, s.amplitude * by, s.wavelength * by, s.origin * by};
+  }
+  Polyline operator()(Polyline p) const {
+    for (double& y : p.ys) y *= by;
+    return {p.x0 * by, p.x1 * by, std::move(p.ys)};
+  }
+};
+
 template <class Change>
 void change_form(Curve& curve, const Change& change) {
   curve.form = std::visit([&](const auto& form) { return decltype(Curve::form)(change(form)); }, curve.form);
@@ -68,7 +83,7 @@ bool is_physical(const Level& level, std::uint8_t tile) {
 // A slope belongs to the cell at its left end, whichever way it is turned.
 void mirror_map(const Level& level, Level& image) {
   const TileMap& map = level.map;
-  image.map = TileMap(map.width(), map.height());
+  image.map = TileMap(map.width(), map.height(), map.tile_size());
   for (Cell cell{0, 0}; cell.y < map.height(); ++cell.y) {
     for (cell.x = 0; cell.x < map.width(); ++cell.x) {
       const std::uint8_t tile = map.at(cell);
@@ -84,7 +99,7 @@ void mirror_map(const Level& level, Level& image) {
 
 Level mirrored(const Level& level) {
   Level image = level;
-  const double width = level.map.width() * kTileSize;
+  const double width = level.map.px_width();
   mirror_map(level, image);
   std::swap(image.roles.up_slope, image.roles.down_slope);
   for (TileShape& shape : image.tile_shapes) std::reverse(shape.heights.begin(), shape.heights.end());
@@ -101,13 +116,13 @@ Level mirrored(const Level& level) {
 
 Level moved(const Level& level, int columns, int rows) {
   Level image = level;
-  image.map = TileMap(level.map.width() + columns, level.map.height() + rows);
+  image.map = TileMap(level.map.width() + columns, level.map.height() + rows, level.map.tile_size());
   for (Cell cell{0, 0}; cell.y < level.map.height(); ++cell.y) {
     for (cell.x = 0; cell.x < level.map.width(); ++cell.x) {
       image.map.set({cell.x + columns, cell.y + rows}, level.map.at(cell));
     }
   }
-  const Vec2 by{static_cast<double>(columns) * kTileSize, static_cast<double>(rows) * kTileSize};
+  const Vec2 by = level.map.corner_of({columns, rows});
   change_curves(image, Shift{by});
   for (Spawn& spawn : image.spawns) spawn.position = spawn.position + by;
   return image;
@@ -116,6 +131,34 @@ Level moved(const Level& level, int columns, int rows) {
 Curve moved(const Curve& curve, Vec2 by) {
   Curve image = curve;
   change_form(image, Shift{by});
+  return image;
+}
+
+Level scaled(const Level& level, int factor) {
+  Level image = level;
+  const auto [width, height] = level.map.tile_size();
+  image.map = TileMap(level.map.width(), level.map.height(), {width * factor, height * factor});
+  image.map.cells() = level.map.cells();
+  const auto scale = [factor](TileShape& shape) {
+    for (double& h : shape.heights) h *= factor;
+  };
+  std::for_each(image.tile_shapes.begin(), image.tile_shapes.end(), scale);
+  std::for_each(image.flag_shapes.begin(), image.flag_shapes.end(), scale);
+  change_curves(image, Scale{1.0 * factor});
+  for (Spawn& spawn : image.spawns) {
+    spawn.position = spawn.position * factor;
+    spawn.velocity = spawn.velocity * factor;
+    spawn.size = spawn.size * factor;
+  }
+  for (const TuningField& field : tuning_fields()) {
+    if (field.unit.starts_with("px")) field.in(image.tuning) *= factor;
+  }
+  return image;
+}
+
+Curve scaled(const Curve& curve, int factor) {
+  Curve image = curve;
+  change_form(image, Scale{1.0 * factor});
   return image;
 }
 

@@ -110,6 +110,22 @@ bool TuningField::accepts(double value) const {
   return value >= min && value <= max && (!whole || value == std::trunc(value));
 }
 
+Tuning new_tuning(TileSize tile) {
+  constexpr std::array<std::string_view, 6> kHorizontal = {"drift_speed", "slope_width", "run_speed",
+                                                           "run_gain",    "run_loss",    "air_gain"};
+  constexpr TileSize kUsual;
+  Tuning tuning;
+  for (const TuningField& field : kFields) {
+    if (!field.unit.starts_with("px")) continue;
+    const bool is_horizontal =
+        std::find(kHorizontal.begin(), kHorizontal.end(), field.key) != kHorizontal.end();
+    const double factor = is_horizontal ? 1.0 * tile.width / kUsual.width : 1.0 * tile.height / kUsual.height;
+    double& number = field.in(tuning);
+    number = std::clamp(number * factor, field.min, field.max);
+  }
+  return tuning;
+}
+
 std::span<const TuningField> tuning_fields() { return kFields; }
 
 std::span<const SolverKind> solver_kinds() { return kSolvers; }

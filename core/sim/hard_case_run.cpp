@@ -101,7 +101,7 @@ class Measurer {
   Measurer(const HardCase& hard, const Level& level)
       : hard_(hard),
         level_(level),
-        width_(level.map.width() * kTileSize),
+        width_(level.map.px_width()),
         run_(run(hard, level, {hard, false, {}, width_})) {}
 
   double measure(const CaseCheck& check) const {
@@ -242,8 +242,8 @@ class Measurer {
     }
     if (check.measure == M::translate) {
       const Vec2 by{check.x.value_or(0), check.y.value_or(0)};
-      const Level image =
-          moved(level_, static_cast<int>(by.x / kTileSize), static_cast<int>(by.y / kTileSize));
+      const Cell cells = level_.map.cell_at(by);
+      const Level image = moved(level_, cells.x, cells.y);
       return distance(run_, run(hard_, image, {hard_, false, by, width_}),
                       [&](const std::vector<Sample>& samples, std::size_t body) {
                         return samples[body].box.position() - by;

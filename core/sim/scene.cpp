@@ -35,7 +35,7 @@ std::optional<GroundLine> ground_line(const std::optional<BumpLine>& line) {
 }
 
 // A straight floor is a slope's box on a solid one. The article does not know other shapes.
-TileBoxes boxes_of(const TileShape& shape, SolverKind solver) {
+TileBoxes boxes_of(const TileShape& shape, TileSize size, SolverKind solver) {
   if (shape.kind == TileShape::Kind::none) return {};
   const bool is_known = !shape.one_way && shape.kind != TileShape::Kind::profile &&
                         (shape.kind == TileShape::Kind::solid || shape.side == TileShape::Side::floor);
@@ -43,7 +43,7 @@ TileBoxes boxes_of(const TileShape& shape, SolverKind solver) {
   const bool is_straight_floor =
       shape.heights.size() == 2 && shape.side == TileShape::Side::floor && !shape.one_way;
   TileBoxes boxes;
-  for (const BumpBox& box : bump_boxes(shape)) {
+  for (const BumpBox& box : bump_boxes(shape, size)) {
     const TileRole role = box.line ? role_of_line(box.line->h0, box.line->h1) : TileRole::solid;
     boxes.add(role, box.box, is_straight_floor ? std::nullopt : ground_line(box.line));
   }
@@ -52,6 +52,7 @@ TileBoxes boxes_of(const TileShape& shape, SolverKind solver) {
 
 TileBoxes boxes_of(const Level& level, std::uint8_t tile) {
   const SolverKind solver = level.tuning.solver;
+  const TileSize size = level.map.tile_size();
   const TileShape shape = shape_of_tile(level, tile);
   const TileRole role = level.tile_shapes[tile].kind != TileShape::Kind::none
                             ? TileRole::none
@@ -59,15 +60,15 @@ TileBoxes boxes_of(const Level& level, std::uint8_t tile) {
   const bool is_plain = !shape.one_way && shape.side == TileShape::Side::floor;
   const std::optional<BodyKind> body = body_kind_of(role);
   const bool is_turned = solver == SolverKind::bump && !is_plain && !body;
-  if (role == TileRole::none || (is_turned && !problem_of(shape))) return boxes_of(shape, solver);
+  if (role == TileRole::none || (is_turned && !problem_of(shape, size))) return boxes_of(shape, size, solver);
   TileBoxes boxes;
   const SharedTuning& tuning = level.tuning.shared;
   const bool is_slope = role == TileRole::up_slope || role == TileRole::down_slope;
+  const Rect whole{0, 0, 1.0 * size.width, 1.0 * size.height};
   if (body)
-    boxes.add(TileRole::ball, {0, 0, kTileSize, kTileSize}, {}, *body);
+    boxes.add(TileRole::ball, whole, {}, *body);
   else
-    boxes.add(role, is_slope ? Rect{0, 0, tuning.slope_width, tuning.slope_height}
-                             : Rect{0, 0, kTileSize, kTileSize});
+    boxes.add(role, is_slope ? Rect{0, 0, tuning.slope_width, tuning.slope_height} : whole);
   return boxes;
 }
 
@@ -79,10 +80,10 @@ std::array<TileBoxes, kTileCount> tile_boxes(const Level& level) {
   return boxes;
 }
 
-SceneItem item_at(Cell cell, const TileBoxes::Part& part) {
+SceneItem item_at(const TileMap& map, Cell cell, const TileBoxes::Part& part) {
   SceneItem item{.role = part.role, .box = part.box, .cell = cell, .velocity = {}, .spawn = -1};
-  item.box.x += static_cast<double>(cell.x) * kTileSize;
-  item.box.y += static_cast<double>(cell.y) * kTileSize;
+  item.box.x += map.x_of(cell.x);
+  item.box.y += map.y_of(cell.y);
   item.line = part.line;
   item.kind = part.kind;
   item.foot = traits_of(part.kind).foot;
@@ -134,8 +135,8 @@ std::size_t lines_after(const Scene& scene, const Level& edited, std::span<const
   std::size_t lines = scene.ground_lines;
   for (const Cell cell : changed) {
     const std::uint8_t old = scene.ground ? scene.ground->tile_at(cell) : scene.single_ground->tile_at(cell);
-    lines += ground_lines(shape_of_tile(edited, edited.map.at(cell)));
-    lines -= ground_lines(shape_of_tile(edited, old));
+    lines += ground_lines(shape_of_tile(edited, edited.map.at(cell)), edited.map.tile_size());
+    lines -= ground_lines(shape_of_tile(edited, old), edited.map.tile_size());
   }
   return lines;
 }
@@ -171,12 +172,13 @@ Scene make_scene(const Level& level, const std::function<bool(double)>& progress
 
   Scene scene;
   scene.tuning = level.tuning;
+  scene.tile_size = map.tile_size();
   if (level.tuning.solver == SolverKind::exact) compile_ground(level, progress, scene);
   scene.items.resize(next.back());
   for (Cell cell{0, 0}; cell.y < map.height(); ++cell.y) {
     for (cell.x = 0; cell.x < map.width(); ++cell.x) {
       for (const TileBoxes::Part& part : boxes[map.at(cell)].parts)
-        scene.items[next[cell.x]++] = item_at(cell, part);
+        scene.items[next[cell.x]++] = item_at(map, cell, part);
     }
   }
 
@@ -224,7 +226,7 @@ Scene recompile_scene(const Scene& scene, const Level& edited, std::span<const C
   std::vector<SceneItem> added;
   for (const Cell cell : cells) {
     const TileBoxes boxes = body_of(boxes_of(edited, edited.map.at(cell)));
-    for (const TileBoxes::Part& part : boxes.parts) added.push_back(item_at(cell, part));
+    for (const TileBoxes::Part& part : boxes.parts) added.push_back(item_at(edited.map, cell, part));
   }
   const auto middle = next.items.insert(next.items.end(), added.begin(), added.end());
   std::inplace_merge(next.items.begin(), middle, next.items.end(),
@@ -237,7 +239,8 @@ Scene recompile_scene(const Scene& scene, const Level& edited, std::span<const C
 bool operator==(const Scene& a, const Scene& b) {
   const auto same = [](const auto& x, const auto& y) { return x == y || (x && y && *x == *y); };
   return a.items == b.items && a.tuning == b.tuning && a.features == b.features &&
-         a.curve_names == b.curve_names && same(a.ground, b.ground) && same(a.single_ground, b.single_ground);
+         a.tile_size == b.tile_size && a.curve_names == b.curve_names && same(a.ground, b.ground) &&
+         same(a.single_ground, b.single_ground);
 }
 
 }  // namespace talus

@@ -28,11 +28,11 @@ class NearestEnd {
   }
   // Lines reach up to eight tiles to the right of their cell, and above or below it.
   void try_tiles() {
-    const auto cell = [](double px) { return static_cast<int>(std::floor(px / kTileSize)); };
-    const double far = kMaxShapeTiles * kTileSize + least_;
-    for (Cell at{0, cell(point_.y - far)}; at.y <= cell(point_.y + far); ++at.y) {
-      for (at.x = cell(point_.x - far); at.x <= cell(point_.x + least_); ++at.x) {
-        if (level_.map.contains(at)) try_shape(at, shape_of_tile(level_, level_.map.at(at)));
+    const TileMap& map = level_.map;
+    const Vec2 far{map.x_of(kMaxShapeTiles) + least_, map.y_of(kMaxShapeTiles) + least_};
+    for (Cell at{0, map.row_at(point_.y - far.y)}; at.y <= map.row_at(point_.y + far.y); ++at.y) {
+      for (at.x = map.column_at(point_.x - far.x); at.x <= map.column_at(point_.x + least_); ++at.x) {
+        if (map.contains(at)) try_shape(at, shape_of_tile(level_, map.at(at)));
       }
     }
   }
@@ -40,13 +40,12 @@ class NearestEnd {
 
  private:
   void try_shape(Cell cell, const TileShape& shape) {
-    if (shape.kind < TileShape::Kind::slope || problem_of(shape)) return;
-    const double x = cell.x * kTileSize, y = cell.y * kTileSize;
-    const auto at = [&](double height) {
-      return shape.side == TileShape::Side::floor ? y + kTileSize - height : y + height;
-    };
-    try_end({x, at(shape.heights.front())});
-    try_end({x + shape.tiles * kTileSize, at(shape.heights.back())});
+    if (shape.kind < TileShape::Kind::slope || problem_of(shape, level_.map.tile_size())) return;
+    const bool is_floor = shape.side == TileShape::Side::floor;
+    const double base = level_.map.y_of(is_floor ? cell.y + 1 : cell.y);
+    const auto at = [&](double height) { return is_floor ? base - height : base + height; };
+    try_end({level_.map.x_of(cell.x), at(shape.heights.front())});
+    try_end({level_.map.x_of(cell.x + shape.tiles), at(shape.heights.back())});
   }
   void try_end(Vec2 end) {
     const double distance = std::hypot(end.x - point_.x, end.y - point_.y);
@@ -61,9 +60,9 @@ class NearestEnd {
   std::optional<Vec2> found_;
 };
 
-// A coordinate at the border of a tile, if there is one near.
-std::optional<double> at_border(double px, double reach) {
-  const double border = std::round(px / kTileSize) * kTileSize;
+// A coordinate at the border of a tile, if there is one near. side: px, of a tile.
+std::optional<double> at_border(double px, int side, double reach) {
+  const double border = std::round(px / side) * side;
   return std::abs(px - border) < reach ? std::optional(border) : std::nullopt;
 }
 
@@ -76,13 +75,14 @@ SnappedPoint snap(const Level& level, Vec2 point, const SnapRules& rules) {
   nearest.try_curves(rules.without_curve);
   nearest.try_tiles();
   if (const auto end = nearest.found()) return {*end, To::end};
-  const auto x = at_border(point.x, kTileReach / rules.zoom), y = at_border(point.y, kTileReach / rules.zoom);
+  const auto [tile_width, tile_height] = level.map.tile_size();
+  const auto x = at_border(point.x, tile_width, kTileReach / rules.zoom);
+  const auto y = at_border(point.y, tile_height, kTileReach / rules.zoom);
   return {{x.value_or(std::round(point.x)), y.value_or(std::round(point.y))}, x || y ? To::tile : To::pixel};
 }
 
 Vec2 onto_map(const TileMap& map, Vec2 point) {
-  return {std::clamp<double>(point.x, 0, map.width() * kTileSize),
-          std::clamp<double>(point.y, 0, map.height() * kTileSize)};
+  return {std::clamp(point.x, 0.0, map.px_width()), std::clamp(point.y, 0.0, map.px_height())};
 }
 
 }  // namespace talus

@@ -11,6 +11,7 @@
 
 #include <talus/sim/solver.h>
 #include "formats/native/hard_case_file.h"
+#include "level/transform.h"
 #include "sim/hard_case_run.h"
 
 namespace talus::hard_cases_test {
@@ -121,6 +122,20 @@ TEST_P(HardCases, FailAsKnown) {
 TEST_P(HardCases, PassInTheExactSolver) {
   std::string details;
   EXPECT_EQ(failures_of(load_case(GetParam()), SolverKind::exact, &details), "") << details;
+}
+
+// With tiles of 16, 24 and 32 px, and everything else as many times larger, the answers are as many times
+// larger, too. Three times a number of the case is rounded, so that a bound of 0 cannot hold there.
+TEST_P(HardCases, PassInTheExactSolverWithLargerTiles) {
+  const CaseFile file = load_case(GetParam());
+  for (const int factor : {2, 3, 4}) {
+    CaseFile larger{file.name, scaled(file.level, factor), scaled(file.hard, factor)};
+    if (factor == 3) {
+      for (CaseCheck& check : larger.hard.checks) check.bound += 1e-9;
+    }
+    std::string details;
+    EXPECT_EQ(failures_of(larger, SolverKind::exact, &details), "") << 8 * factor << " px" << details;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, HardCases, testing::ValuesIn(case_names()), [](const auto& name) {

@@ -175,7 +175,7 @@ Level random_ground() {
 }
 
 bool is_usable(const Level& level) {
-  const auto good = [](const TileShape& shape) { return !problem_of(shape); };
+  const auto good = [&](const TileShape& shape) { return !problem_of(shape, level.map.tile_size()); };
   return std::all_of(level.tile_shapes.begin(), level.tile_shapes.end(), good) &&
          std::all_of(level.flag_shapes.begin(), level.flag_shapes.end(), good) &&
          std::all_of(level.curves.begin(), level.curves.end(),

@@ -322,7 +322,7 @@ std::vector<reference::WideCurve> RandomGround::wide() const {
 RandomGround random_ground(Dice& dice, int width, int height, GroundKinds kinds) {
   RandomGround ground;
   ground.width = width, ground.height = height;
-  if (kinds.sizes && dice.one_in(2)) ground.tile = random_tile_size(dice);
+  if (dice.one_in(2)) ground.tile = random_tile_size(dice);
   ground.cells.resize(static_cast<std::size_t>(width) * height);
   ground.shapes[1] = {.kind = Kind::solid};
   for (int i = 2; i < kShapeKinds; ++i) ground.shapes[i] = random_shape(dice, ground.tile, kinds);

@@ -54,7 +54,6 @@ struct RandomGround {
 
 struct GroundKinds {
   bool shapes = true, one_way = false, segments = false, curves = false;
-  bool sizes = true;  // of tiles; false: all have 8x8 px
 };
 RandomGround random_ground(Dice& dice, int width, int height, GroundKinds kinds);
 

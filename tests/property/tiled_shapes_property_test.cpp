@@ -74,7 +74,7 @@ RC_GTEST_PROP(TiledShapesProperty, FloorsAndCeilingsAreReadExactly, ()) {
   };
   RC_PRE(!all_are(0) && !all_are(8));  // neither empty nor a box, which is both a floor and a ceiling
   const bool one_way = *rc::gen::arbitrary<bool>();
-  const auto found = tile_shape_of(outline_of(redrawn(tiled_objects(shape).at(0))), one_way);
+  const auto found = tile_shape_of(outline_of(redrawn(tiled_objects(shape, {}).at(0))), one_way, {});
   RC_ASSERT(found.has_value());
   RC_ASSERT(found->heights == shape.heights);
   RC_ASSERT(found->kind == shape.kind);
@@ -125,12 +125,12 @@ TEST(TiledShapesProperty, APolygonMatchesTheShapeThatIsReadFromIt) {
   EXPECT_TRUE(rc::check([&] {
     for (int round = 0; round < 10; ++round) {
       const Points outline = random_outline();
-      if (const auto shape = tile_shape_of(outline, false)) {
+      if (const auto shape = tile_shape_of(outline, false, {})) {
         ++taken;  // heights are rounded to 1/256 px
         RC_ASSERT(difference(outline, *shape) < 0.05);
-      } else if (const auto nearest = nearest_tile_shape(outline)) {
+      } else if (const auto nearest = nearest_tile_shape(outline, {})) {
         ++nearest_ones;
-        RC_ASSERT(!problem_of(nearest->shape));
+        RC_ASSERT(!problem_of(nearest->shape, {}));
         if (nearest->shape.one_way) continue;
         RC_ASSERT(std::abs(difference(outline, nearest->shape) - nearest->more - nearest->less) < 1.0);
       }

@@ -41,6 +41,8 @@ TEST(ExportJson, HoldsMapAndFlags) {
   EXPECT_EQ(json["width"], 4);
   EXPECT_EQ(json["height"], 3);
   EXPECT_EQ(json["tile_size"], 8);
+  EXPECT_EQ(json["tile_width"], 8);
+  EXPECT_EQ(json["tile_height"], 8);
   EXPECT_EQ(json["map"], (Json{{0, 7, 0, 0}, {0, 2, 0, 0}, {1, 1, 1, 5}}));
   EXPECT_EQ(json["flags"]["tiles"].size(), 256U);
   EXPECT_EQ(json["flags"]["tiles"][1], 1);
@@ -93,8 +95,8 @@ TEST(ExportJson, AnEmptyMapHasEmptyLists) {
   Level level;
   level.map = TileMap(2, 1);
   const std::string text = exported_file("json", level);
-  EXPECT_THAT(text,
-              StartsWith("{\n \"width\":2,\n \"height\":1,\n \"tile_size\":8,\n \"map\":[\n  [0,0]\n ],\n"));
+  EXPECT_THAT(text, StartsWith("{\n \"width\":2,\n \"height\":1,\n \"tile_size\":8,\n \"tile_width\":8,\n "
+                               "\"tile_height\":8,\n \"map\":[\n  [0,0]\n ],\n"));
   EXPECT_THAT(
       text, HasSubstr(" \"shapes\":{},\n \"polygons\":[],\n \"lines\":[],\n \"bodies\":[],\n \"tuning\":{"));
 }
@@ -235,9 +237,25 @@ TEST(ExportCsv, IsAFolderOfTables) {
   ASSERT_TRUE(files);
   std::vector<std::string> names;
   for (const ExportedFile& file : files->files) names.push_back(file.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"map.csv", "flags.csv", "sprite_flags.csv", "polygons.csv",
-                                             "lines.csv", "bodies.csv", "roles.csv", "tuning.csv"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"map.csv", "flags.csv", "sprite_flags.csv", "polygons.csv", "lines.csv",
+                                      "bodies.csv", "roles.csv", "tuning.csv", "sizes.csv"}));
   EXPECT_EQ(exported_file("csv", cave(), "map.csv"), "0,7,0,0\n0,2,0,0\n1,1,1,5\n");
+}
+
+TEST(ExportJson, GivesTheSizeOfOtherTiles) {
+  Level level;
+  level.map = TileMap(2, 2, {18, 12});
+  level.map.set({1, 1}, 1);
+  level.sheet(SheetId::tiles).flags[1] = 1;
+  const Json json = json_of(level);
+  EXPECT_FALSE(json.contains("tile_size")) << "they are not square";
+  EXPECT_EQ(json["tile_width"], 18);
+  EXPECT_EQ(json["tile_height"], 12);
+  EXPECT_EQ(json["polygons"][0]["points"], (Json{18, 12, 36, 12, 36, 24, 18, 24}));
+  EXPECT_EQ(json["shapes"]["1"]["floor"].size(), 18U);
+  EXPECT_THAT(exported_file("csv", level, "sizes.csv"), HasSubstr("tile_width,18,px\ntile_height,12,px\n"));
+  EXPECT_THAT(exported_file("csv", level, "flags.csv"), HasSubstr(",y16,y17\n0,0,none"));
 }
 
 TEST(ExportCsv, HasARowForEachTileAndForEachColumnOfCells) {

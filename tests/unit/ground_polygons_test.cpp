@@ -140,7 +140,8 @@ TEST(GroundPolygons, MillionsOfSidesAreRefused) {
   std::fill(map.cells.begin(), map.cells.end(), std::uint8_t{1});
   TerrainSource ground = map.source();
   ground.shapes[1] = {.kind = TileShape::Kind::profile};
-  for (int i = 0; i < max_shape_heights(); ++i) ground.shapes[1].heights.push_back(i % 2 == 0 ? 2 : 6);
+  for (int i = 0; i < max_shape_heights(ground.tile); ++i)
+    ground.shapes[1].heights.push_back(i % 2 == 0 ? 2 : 6);
   const auto polygons = ground_polygons(ground);
   ASSERT_FALSE(polygons);
   EXPECT_EQ(polygons.error().message,

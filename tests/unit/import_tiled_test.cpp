@@ -261,8 +261,9 @@ TEST(ImportTiled, RefusesMapsThatCannotBeALevel) {
   EXPECT_EQ(with(good, "\"infinite\":false", "\"infinite\":true"),
             "map:key infinite: error: is an infinite map: switch Infinite off in Tiled, under Map > Map "
             "Properties");
-  EXPECT_EQ(with(good, "\"tilewidth\":8,\"tileheight\":8", "\"tilewidth\":16,\"tileheight\":16"),
-            "map:key tilewidth: error: has tiles of 16x16 px, but a level needs tiles of 8x8 px");
+  EXPECT_EQ(
+      with(good, "\"tilewidth\":8,\"tileheight\":8", "\"tilewidth\":257,\"tileheight\":16"),
+      "map:key tilewidth: error: has tiles of 257x16 px, but a level needs tiles of 1 to 256 px a side");
   EXPECT_EQ(with(good, "\"width\":2", "\"width\":0"),
             "map:key width: error: must have a whole number from 1 to 2097152 as width");
   EXPECT_EQ(with(good, "\"width\":2,\"height\":2", "\"width\":2000000,\"height\":2000000"),
@@ -631,9 +632,10 @@ TEST_F(ImportTiledFiles, NamesTheFileThatIsMissingOrOutside) {
             "map:file /etc/passwd: error: must be relative to the folder of the map");
   EXPECT_EQ(error_with("C:\\t.tsx"), "map:file C:/t.tsx: error: must be relative to the folder of the map");
   EXPECT_EQ(error_with("."), "map:file .: error: is not a file");
-  put("t.tsx", "<tileset tilewidth=\"16\" tileheight=\"8\"/>");
-  EXPECT_EQ(error_with("t.tsx"),
-            "map:file t.tsx, line 1: error: has tiles of 16x8 px, but a level needs tiles of 8x8 px");
+  put("t.tsx", "<tileset tilewidth=\"16\" tileheight=\"0\"/>");
+  EXPECT_EQ(
+      error_with("t.tsx"),
+      "map:file t.tsx, line 1: error: has tiles of 16x0 px, but a level needs tiles of 1 to 256 px a side");
   put("t.tsx", "<tileset tilewidth=\"8\" tileheight=\"8\"><image source=\"t.jpg\"/></tileset>");
   put("t.jpg", "JPEG");
   EXPECT_EQ(error_with("t.tsx"), "map:file t.jpg: error: is not a PNG picture");

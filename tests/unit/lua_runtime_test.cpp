@@ -181,11 +181,10 @@ Level random_level(Dice& dice) {
   const GroundKinds kinds{.shapes = !dice.one_in(5),
                           .one_way = dice.one_in(2),
                           .segments = dice.one_in(3),
-                          .curves = dice.one_in(3),
-                          .sizes = false};
+                          .curves = dice.one_in(3)};
   const RandomGround ground = random_ground(dice, 6 + dice.up_to(14), 6 + dice.up_to(10), kinds);
   Level level;
-  level.map = TileMap(ground.width, ground.height);
+  level.map = TileMap(ground.width, ground.height, ground.tile);
   for (int i = 0; i < ground.width * ground.height; ++i)
     level.map.set({i % ground.width, i / ground.width}, ground.cells[i]);
   level.tile_shapes = ground.shapes;
@@ -193,7 +192,8 @@ Level random_level(Dice& dice) {
   const double grid = dice.one_in(2) ? 4 : 1e10;
   for (int i = 1 + dice.up_to(5); i > 0; --i) {
     Spawn& spawn = level.spawns.emplace_back();
-    spawn.position = {dice.step(0, ground.width * 8 - 8, grid), dice.step(0, ground.height * 8 - 8, grid)};
+    spawn.position = {dice.step(0, std::max(0.0, ground.right() - 8), grid),
+                      dice.step(0, std::max(0.0, ground.bottom() - 8), grid)};
     spawn.velocity = {dice.step(-4, 4, grid), dice.step(-4, 4, grid)};
     if (dice.one_in(3)) spawn.size = {dice.step(1, 20, grid), dice.step(1, 20, grid)};
     if (dice.one_in(2)) spawn.kind = BodyKind::player;
@@ -214,7 +214,7 @@ TEST_F(LuaRuntime, GivesTheBitsOfRandomLevels) {
     const Level level = random_level(dice);
     constexpr int kFrames = 45;
     const auto input = dice.one_in(2)
-                           ? random_input(dice, kFrames, level.map.width() * 8.0, level.map.height() * 8.0)
+                           ? random_input(dice, kFrames, level.map.px_width(), level.map.px_height())
                            : std::vector<CaseInput>();
     add(level, kFrames, input, "seed " + std::to_string(seed));
   }

@@ -13,6 +13,7 @@ namespace talus::native_test {
 
 using testing::HasSubstr;
 using testing::Not;
+using testing::StartsWith;
 
 Level small_level() {
   Level level;
@@ -145,11 +146,39 @@ TEST(Native, UnknownKeysSurviveTheDataBesideThem) {
 }
 
 TEST(Native, ANewerVersionIsRefused) {
-  expect_native_error(R"({"talus": 2, "palette": 7})", "key talus",
-                      "has version 2, but this Talus reads only up to version 1");
+  expect_native_error(R"({"talus": 3, "palette": 7})", "key talus",
+                      "has version 3, but this Talus reads only up to version 2");
   expect_native_error(R"({"talus": "1"})", "key talus", "must be the version, a whole number from 1");
   expect_native_error(R"({"map": {}})", "key talus", "is missing, so this is not a Talus level");
   expect_native_error("[]", "", "is JSON, but not a Talus level");
+}
+
+TEST(Native, OtherTilesThan8x8AreKeptInVersion2) {
+  Level level;
+  level.map = TileMap(3, 2, {16, 24});
+  level.map.set({2, 1}, 5);
+  level.tile_shapes[5] = {.kind = TileShape::Kind::slope, .tiles = 2, .heights = {0, 192}};
+  level.curves.push_back({"", {Segment{{0, 48}, {48, 0}}, Curve::Faces::up}, ""});
+  const std::string text = native_of_level(level);
+  EXPECT_THAT(text, StartsWith("{\n  \"talus\": 2,\n"));
+  EXPECT_THAT(text, HasSubstr("\"tile_size\": [16, 24]"));
+  EXPECT_EQ(level_of_native(text), level);
+  level.map = TileMap(3, 2);
+  level.tile_shapes[5].heights = {0, 64};
+  level.curves.clear();
+  EXPECT_THAT(native_of_level(level), StartsWith("{\n  \"talus\": 1,\n"));
+  EXPECT_EQ(level_of_native(native_with(R"("tile_size": [16, 1])")).map, TileMap(240, 136, {16, 1}));
+}
+
+TEST(Native, SizesOfTilesAreChecked) {
+  for (const char* size : {"8", "[8]", "[0, 8]", "[8, 257]", "[8, 8.5]", "[8, 8, 8]", "[\"8\", 8]"})
+    expect_native_error(native_with(R"("tile_size": )" + std::string(size)), "key tile_size",
+                        "must be [width, height], whole numbers from 1 to 256 px");
+  expect_native_error(
+      native_with(R"("tile_size": [4, 8], "tile_shapes": {"1": {"kind": "slope", "heights": [0, 64.5]}})"),
+      "key tile_shapes.1", "has a height that is not from 0 to 64 px");
+  expect_native_error(native_with(R"("tile_size": [16, 8], "map": {"width": 1048577, "height": 1})"),
+                      "key map", "is longer than 16777216 px");
 }
 
 TEST(Native, ErrorsSayWhere) {

@@ -115,7 +115,7 @@ TEST(Scene, GroundIsCountedByTheHeightsOfItsTiles) {
   level.map = TileMap(400, 400);
   std::fill(level.map.cells().begin(), level.map.cells().end(), std::uint8_t{1});
   std::vector<double> heights;
-  for (int i = 0; i < max_shape_heights(); ++i) heights.push_back(i % 2 == 0 ? 0 : 8);
+  for (int i = 0; i < max_shape_heights({}); ++i) heights.push_back(i % 2 == 0 ? 0 : 8);
   level.tile_shapes[1] = {.kind = TileShape::Kind::profile, .one_way = true, .heights = heights};
   level.spawns.resize(1);
   level.tuning.solver = SolverKind::bump;

@@ -13,7 +13,7 @@ namespace talus::shape_test {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-std::string problem(const TileShape& shape) { return problem_of(shape).value_or(""); }
+std::string problem(const TileShape& shape) { return problem_of(shape, {8, 8}).value_or(""); }
 
 template <class Form>
 std::string problem(Form form) {
@@ -163,8 +163,8 @@ TEST(CellsPassed, AreCloseToThoseOfTheTerrain) {
     double pieces = 0;
     for (Cell c; c.y < 64; ++c.y)
       for (c.x = 0; c.x < 64; ++c.x) pieces += static_cast<double>(terrain.pieces_in(c).size());
-    EXPECT_GT(cells_passed(curve), pieces / 2) << curve.form.index();
-    EXPECT_LT(cells_passed(curve), pieces * 2) << curve.form.index();
+    EXPECT_GT(cells_passed(curve, {}), pieces / 2) << curve.form.index();
+    EXPECT_LT(cells_passed(curve, {}), pieces * 2) << curve.form.index();
   }
 }
 

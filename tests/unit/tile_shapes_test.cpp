@@ -134,7 +134,7 @@ TEST(TileShapes, KindsAndWidthsKeepTheLine) {
   EXPECT_EQ(wide.tiles, 2);
   ASSERT_EQ(wide.heights.size(), 17u);
   EXPECT_EQ(wide.heights[8], 4);
-  EXPECT_FALSE(problem_of(with_width(profile, 8)));
+  EXPECT_FALSE(problem_of(with_width(profile, 8), {}));
   EXPECT_EQ(with_width(sloped({2, 6}), 3), sloped({2, 6}, Side::floor, 3));
   EXPECT_EQ(with_kind(sloped({2, 6}, Side::ceiling, 3), Kind::solid), TileShape{.kind = Kind::solid});
 }

@@ -6,9 +6,10 @@ local _, camera = require "camera"(level)
 local pictures = require "pictures"
 local tuning = level.tuning
 
-local TILE, STEP = 8, 1 / 60  -- px, s
+local TILE_WIDTH, TILE_HEIGHT = level.tile_width or 8, level.tile_height or 8  -- px
+local STEP = 1 / 60           -- s
 local SOFT = {floor_bounce = 0, floor_grip = 1, wall_bounce = 0, slope_bounce = 0}  -- a player's, in bounce()
-local SNAP = 3                -- px below a player who walks where it still finds ground
+local SNAP = 3 / 8 * TILE_HEIGHT  -- px below a player who walks where it still finds ground
 local HELP = "arrows: run, jump     R: start again     Esc: end"
 local world, bodies, drawing, due
 
@@ -21,7 +22,7 @@ local function start()
   world, bodies, due = bump.newWorld(tuning.cell_size), {}, 0
   slopes.install(world)
   slopes.add_level(world, level, {merge = true, on_ball = function(x, y, tile)
-    add_body {kind = "ball", tile = tile, x = x, y = y, w = TILE, h = TILE, vx = 0, vy = 0}
+    add_body {kind = "ball", tile = tile, x = x, y = y, w = TILE_WIDTH, h = TILE_HEIGHT, vx = 0, vy = 0}
   end})
   for _, spawn in ipairs(level.spawns) do
     local body = {}
@@ -89,7 +90,7 @@ function love.draw()
     return love.graphics.print("bump.lua is missing: get it from https://github.com/kikito/bump.lua", 20, 20)
   end
   local width, height = love.graphics.getDimensions()
-  local zoom = math.max(1, math.floor(height / 180))
+  local zoom = math.max(1, math.floor(height / (22.5 * TILE_HEIGHT)))
   local left, top = camera(bodies, width / zoom, height / zoom)
   love.graphics.push()
   love.graphics.scale(zoom)

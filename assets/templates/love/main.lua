@@ -35,11 +35,12 @@ local function input()
           mouse_x = left + x / zoom, mouse_y = top + y / zoom, mouse_down = love.mouse.isDown(1)}
 end
 
--- Pixels are squares of whole pixels of the screen: 180 of them from top to bottom, or fewer for a small level.
+-- Pixels are squares of whole pixels of the screen: 22.5 tiles of them from top to bottom, or fewer for a small
+-- level.
 local function place_view()
   local width, height = love.graphics.getDimensions()
   local whole = math.min(width / (area.right - area.left), height / (area.bottom - area.top))
-  zoom = math.max(1, math.floor(math.max(height / 180, whole)))
+  zoom = math.max(1, math.floor(math.max(height / (22.5 * (level.tile_height or 8)), whole)))
   left, top = camera(world.bodies, width / zoom, height / zoom)
 end
 

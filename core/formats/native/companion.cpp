@@ -182,7 +182,7 @@ FormatResult<std::string> write_companion(const Level& level, const Level& held,
   if (!part) return tl::unexpected(part.error());
   Json companion = difference(*whole, *part);
   if (companion.empty() && !even_empty) return std::string();
-  companion["talus"] = kNativeVersion;
+  companion["talus"] = (*whole)["talus"];
   Json& about = companion[kAbout] = {{"file", file}};
   for (const std::string_view member : format.holds)
     about["with"][std::string(member)] = hash_of_member(*part, std::string(member));

@@ -34,6 +34,7 @@ class Reader {
   FormatResult<Level> read(Json document) {
     read_version(document);
     if (error_) return tl::unexpected(*error_);  // nothing else in a file of a newer version can be trusted
+    take(document, "tile_size", [this](Json& v) { read_tile_size(v); });
     take(document, "palette", [this](Json& v) { read_palette(v); });
     take(document, "flag_names", [this](Json& v) { read_flag_names(v); });
     take(document, "flag_fields",
@@ -112,6 +113,15 @@ class Reader {
     });
   }
 
+  // Shapes, map and curves depend on it.
+  void read_tile_size(const Json& size) {
+    const auto is_side = [](const Json& side) { return is_whole(side, 1, kMaxTileSide); };
+    const bool good = size.is_array() && size.size() == 2 && std::all_of(size.begin(), size.end(), is_side);
+    if (!good) return fail_key("tile_size", "must be [width, height], whole numbers from 1 to 256 px");
+    tile_size_ = {size[0].get<int>(), size[1].get<int>()};
+    level_.map = TileMap(kTicMapWidth, kTicMapHeight, tile_size_);
+  }
+
   void read_palette(const Json& colors) {
     if (!colors.is_array() || colors.size() != kColorCount)
       return fail_key("palette", "must be a list of 16 colours");
@@ -177,7 +187,7 @@ class Reader {
   void read_shapes(Json& shapes, const std::string& path, const char* no_number, std::span<TileShape> out) {
     for (std::size_t i = 0; i < out.size(); ++i) {
       const std::string key = std::to_string(i), entry = path + "." + key;
-      take_object(shapes, key, entry, [&](Json& json) { keep(take_shape(json, entry), out[i]); });
+      take_object(shapes, key, entry, [&](Json& json) { keep(take_shape(json, entry, tile_size_), out[i]); });
     }
     check_numbers(shapes, path, no_number, out.size());
   }
@@ -239,7 +249,8 @@ class Reader {
     take_side("height", height);
     if (error_) return;
     if (!is_terrain_size(width, height)) return fail_key("map", "has more than 16777216 cells");
-    level_.map = TileMap(width, height);
+    if (!is_terrain_size(width, height, tile_size_)) return fail_key("map", "is longer than 16777216 px");
+    level_.map = TileMap(width, height, tile_size_);
     take(map, "rows", [this](const Json& rows) { read_map_rows(rows); });
   }
 
@@ -284,6 +295,7 @@ class Reader {
   }
 
   Level level_;
+  TileSize tile_size_;
   std::optional<FormatError> error_;
   Progress progress_;
 };
@@ -381,12 +393,13 @@ FormatResult<void> put_tuning(const Tuning& tuning, Json& json) {
   return {};
 }
 
-FormatResult<void> put_shapes(std::span<const TileShape> shapes, const std::string& key, Json& document) {
+FormatResult<void> put_shapes(std::span<const TileShape> shapes, const std::string& key, TileSize tile,
+                              Json& document) {
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     if (shapes[i] == TileShape()) continue;
     const std::string number = std::to_string(i);
     Json& json = object_in(object_in(document, key), number);
-    if (const auto good = put_shape(shapes[i], key + "." + number, json); !good) return good;
+    if (const auto good = put_shape(shapes[i], key + "." + number, tile, json); !good) return good;
   }
   return {};
 }
@@ -411,24 +424,25 @@ void put_roles(const FlagRoles& roles, Json& json) {
 
 // Checks a level for errors, in the order of the file.
 FormatResult<void> put_physics(const Level& level, Json& document) {
+  const TileSize tile = level.map.tile_size();
   put_roles(level.roles, object_in(document, "roles"));
-  if (auto good = put_shapes(level.flag_shapes, "flag_shapes", document); !good) return good;
+  if (auto good = put_shapes(level.flag_shapes, "flag_shapes", tile, document); !good) return good;
   if (auto good = put_tuning(level.tuning, object_in(document, "tuning")); !good) return good;
   if (auto good = put_list(json_of(level.spawns, "spawns"), "spawns", document); !good) return good;
   if (auto good = put_list(json_of(level.curves, "curves", level.map), "curves", document); !good)
     return good;
-  return put_shapes(level.tile_shapes, "tile_shapes", document);
+  return put_shapes(level.tile_shapes, "tile_shapes", tile, document);
 }
 
 // For all objects at once: no two of them want a pair of keys in different orders.
 std::vector<std::string_view> key_order() {
   std::vector<std::string_view> order = {
-      "talus",       "companion", "file",       "with",        "palette",     "flag_names",
-      "flag_fields", "name",      "first",      "bits",        "values",      "kind",
-      "side",        "faces",     "roles",      "solid",       "up_slope",    "down_slope",
-      "ball",        "one_way",   "ceiling",    "flag_shapes", "tuning",      "spawns",
-      "curves",      "brushes",   "auto_tiles", "exports",     "tile_shapes", "tiles",
-      "random",      "heights",   "sprites",    "map",         "cart",        "solver"};
+      "talus",       "companion", "file",     "with",       "palette", "flag_names", "flag_fields",
+      "name",        "first",     "bits",     "values",     "kind",    "side",       "faces",
+      "roles",       "solid",     "up_slope", "down_slope", "ball",    "one_way",    "ceiling",
+      "flag_shapes", "tuning",    "spawns",   "curves",     "brushes", "auto_tiles", "exports",
+      "tile_shapes", "tiles",     "random",   "heights",    "sprites", "tile_size",  "map",
+      "cart",        "solver"};
   for (const TuningField& field : tuning_fields()) order.push_back(field.key);
   order.insert(
       order.end(),
@@ -455,7 +469,10 @@ FormatResult<Json> native_document(const Level& level) {
   auto parsed = parse_extra(level.extra);
   if (!parsed) return parsed;
   Json& document = *parsed;
-  document["talus"] = kNativeVersion;
+  const TileSize tile = level.map.tile_size();
+  const bool has_other_tiles = tile != TileSize();
+  document["talus"] = has_other_tiles ? kNativeVersion : 1;
+  if (has_other_tiles) document["tile_size"] = {tile.width, tile.height};
   document["palette"] = json_of(level.palette);
   const bool named =
       std::any_of(level.flag_names.begin(), level.flag_names.end(), [](const auto& n) { return !n.empty(); });

@@ -1,7 +1,7 @@
 // Talus's own levels, `.talus.json`: JSON that people can read, and that diffs row by row.
 //
-//   "talus"        version of the file, 1. A newer version is refused. This is the only key that must be
-//                  there.
+//   "talus"        version of the file: 2 if its tiles do not have 8x8 px, which Talus could not read before
+//                  version 2; else 1. A newer version is refused. This is the only key that must be there.
 //   "palette"      16 colours "rrggbb". Default: Sweetie 16.
 //   "flag_names"   up to 8 strings, by flag; "" for a flag without a name. Default: no names.
 //   "flag_fields"  numbers over several flags: "name" (""); "first", the flag of the lowest bit, 0..6;
@@ -33,14 +33,17 @@
 //                  exports it whenever it saves the level (false). Default: no presets.
 //   "tile_shapes"  by tile number "0".."255": "kind", "solid", "slope" or "profile" (default: the flags
 //                  give the shape); "side", "floor" or "ceiling" ("floor"); "one_way" (false); "tiles",
-//                  1..8 (1); "heights", a list of numbers, 0..64 px: 2 for a slope, 3..65 for a profile.
+//                  1..8 (1); "heights", a list of numbers: 2 for a slope, 3 to 8 times the tile's width and
+//                  one for a profile; each 0 px to 8 times the tile's height.
 //   "tiles"        by tile number "0".."255": "flags", a list of the flags that are set (default: no
 //                  flags), and "pixels", eight rows of eight hexadecimal palette indices, "." for 0
 //                  (default: all 0). Blank tiles are left out.
 //   "sprites"      the same for the images that are not on the map.
-//   "map"          "width" (240) and "height" (136), 1..2097152 cells each and 16777216 cells in all;
-//                  "rows", from the top: two hexadecimal digits for each cell, ".." for tile 0. Empty cells
-//                  at the end of a row and empty rows at the end are left out.
+//   "tile_size"    [width, height] of the cells of the map, 1..256 px each. Default: [8, 8].
+//   "map"          "width" (240) and "height" (136), 1..2097152 cells each, 16777216 cells in all, and at
+//   most
+//                  16777216 px each; "rows", from the top: two hexadecimal digits for each cell, ".." for
+//                  tile 0. Empty cells at the end of a row and empty rows at the end are left out.
 //   "cart"         the rest of the cart that the level came from (see native_cart.h). Default: no cart.
 //
 // With the member "companion" a file is not a level, but what a cart's level has beyond the cart (see
@@ -57,7 +60,7 @@
 
 namespace talus {
 
-inline constexpr int kNativeVersion = 1;
+inline constexpr int kNativeVersion = 2;
 
 bool accepts_native(std::string_view bytes, const FormatContext& context);
 FormatResult<Level> read_native(std::string_view bytes, const FormatContext& context);

@@ -142,7 +142,7 @@ FormatResult<Json> json_of(const Spawn& spawn, const std::string& path) {
 
 }  // namespace
 
-FormatResult<TileShape> take_shape(Json& json, const std::string& path) {
+FormatResult<TileShape> take_shape(Json& json, const std::string& path, TileSize tile) {
   MemberTaker take(json, path);
   TileShape shape;
   take.choice("kind", kShapeKinds, shape.kind);
@@ -150,12 +150,12 @@ FormatResult<TileShape> take_shape(Json& json, const std::string& path) {
   take.optional("one_way", shape.one_way);
   take.optional("tiles", shape.tiles);
   take.optional("heights", shape.heights);
-  auto problem = problem_of(shape);
+  auto problem = problem_of(shape, tile);
   return take.result(std::move(shape), std::move(problem));
 }
 
-FormatResult<void> put_shape(const TileShape& shape, const std::string& path, Json& json) {
-  if (auto problem = problem_of(shape))
+FormatResult<void> put_shape(const TileShape& shape, const std::string& path, TileSize tile, Json& json) {
+  if (auto problem = problem_of(shape, tile))
     return tl::unexpected(FormatError{"key " + path, *std::move(problem)});
   if (shape.kind != TileShape::Kind::none) json["kind"] = kShapeKinds[static_cast<std::size_t>(shape.kind)];
   if (shape.side != TileShape::Side::floor) json["side"] = kSides[static_cast<std::size_t>(shape.side)];

@@ -9,9 +9,10 @@
 
 namespace talus {
 
-FormatResult<TileShape> take_shape(Json& json, const std::string& path);
+// tile: the size of the tiles that it is a shape of.
+FormatResult<TileShape> take_shape(Json& json, const std::string& path, TileSize tile);
 // Sets the members that differ from their defaults. A shape that take_shape would refuse is an error.
-FormatResult<void> put_shape(const TileShape& shape, const std::string& path, Json& json);
+FormatResult<void> put_shape(const TileShape& shape, const std::string& path, TileSize tile, Json& json);
 
 // Reads a list; the unknown keys of each entry go into its `extra`. The ends of a curve must lie on the map.
 FormatResult<std::vector<LevelCurve>> take_curves(Json& list, const std::string& path, const TileMap& map);

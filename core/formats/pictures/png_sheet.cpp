@@ -19,12 +19,13 @@ void append(std::vector<std::uint8_t>& bytes, Rgb color) {
 }
 
 // clear_zero: adds a fourth byte for each pixel, 0 if its colour is colour 0.
-std::vector<std::uint8_t> bytes_of_sheet(const Sheet& sheet, const Palette& palette, bool clear_zero) {
+std::vector<std::uint8_t> bytes_of_sheet(const Sheet& sheet, const Palette& palette, TileSize tile,
+                                         bool clear_zero) {
   std::vector<std::uint8_t> bytes;
-  for (int y = 0; y < kSheetSide; ++y) {
-    for (int x = 0; x < kSheetSide; ++x) {
-      const TileImage& image = sheet.images[y / kTileSize * kSheetColumns + x / kTileSize];
-      const std::uint8_t color = image[static_cast<std::size_t>(y % kTileSize * kTileSize + x % kTileSize)];
+  for (int y = 0; y < kSheetColumns * tile.height; ++y) {
+    for (int x = 0; x < kSheetColumns * tile.width; ++x) {
+      const TileImage& image = sheet.images[y / tile.height * kSheetColumns + x / tile.width];
+      const std::uint8_t color = color_at(image, tile, x % tile.width, y % tile.height);
       append(bytes, palette[color]);
       if (clear_zero) bytes.push_back(color == 0 ? 0 : 255);
     }
@@ -72,12 +73,26 @@ std::string write_png_part(const Level& level, PngPart part) {
     return encode_png(kColorCount, 1, 3, bytes.data());
   }
   const SheetId id = part == PngPart::tiles ? SheetId::tiles : SheetId::sprites;
-  return encode_png(kSheetSide, kSheetSide, 3, bytes_of_sheet(level.sheet(id), level.palette, false).data());
+  return encode_png(kSheetSide, kSheetSide, 3,
+                    bytes_of_sheet(level.sheet(id), level.palette, TileSize(), false).data());
+}
+
+std::string write_map_tiles(const Level& level) {
+  const TileSize tile = level.map.tile_size();
+  const auto bytes = bytes_of_sheet(level.sheet(SheetId::tiles), level.palette, tile, false);
+  return encode_png(kSheetColumns * tile.width, kSheetColumns * tile.height, 3, bytes.data());
 }
 
 std::string write_clear_tiles(const Level& level) {
-  const auto bytes = bytes_of_sheet(level.sheet(SheetId::tiles), level.palette, true);
-  return encode_png(kSheetSide, kSheetSide, 4, bytes.data());
+  const TileSize tile = level.map.tile_size();
+  const auto bytes = bytes_of_sheet(level.sheet(SheetId::tiles), level.palette, tile, true);
+  return encode_png(kSheetColumns * tile.width, kSheetColumns * tile.height, 4, bytes.data());
+}
+
+std::uint8_t color_at(const TileImage& image, TileSize tile, int x, int y) {
+  const int column = (2 * x + 1) * kTileSize / (2 * tile.width);
+  const int row = (2 * y + 1) * kTileSize / (2 * tile.height);
+  return image[static_cast<std::size_t>(row * kTileSize + column)];
 }
 
 MatchedPicture match_colors(const PngPicture& picture, const Palette& palette) {

@@ -11,8 +11,15 @@ enum class PngPart { tiles, sprites, palette };
 // Opaque RGB: a sheet of 128x128 px, or the palette, 16x1 px.
 std::string write_png_part(const Level& level, PngPart part);
 
-// The tiles for games, RGBA: colour 0 is transparent, as on bodies, but keeps its RGB values.
+// The sheet of tiles for maps of other programs, opaque RGB: 16x16 images of the size of the map's tiles. Of
+// tiles of another size than 8x8 px the pixels are repeated or left out.
+std::string write_map_tiles(const Level& level);
+
+// The same for games, RGBA: colour 0 is transparent, as on bodies, but keeps its RGB values.
 std::string write_clear_tiles(const Level& level);
+
+// The colour, 0..15, of an image at a pixel of a tile of that size, which it fills.
+std::uint8_t color_at(const TileImage& image, TileSize tile, int x, int y);
 
 // A picture in 16 colours.
 struct MatchedPicture {

@@ -196,7 +196,15 @@ Level level_of_bank(const Bank& bank) {
   return level;
 }
 
+std::optional<std::string> tile_problem_of_cart(const Level& level) {
+  const auto [width, height] = level.map.tile_size();
+  if (level.map.tile_size() == TileSize()) return {};
+  return "the tiles have " + std::to_string(width) + "x" + std::to_string(height) +
+         " px, but those of a cart have 8x8 px";
+}
+
 FormatResult<void> check_fits_cart(const Level& level) {
+  if (auto problem = tile_problem_of_cart(level)) return tl::unexpected(FormatError{"", *std::move(problem)});
   if (map_fits_cart(level)) return {};
   return tl::unexpected(
       FormatError{"", "the map is " + size_text(level.map) + " cells, but a cart's map has at most 240x136"});

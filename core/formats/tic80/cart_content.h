@@ -83,7 +83,10 @@ Bank edited_bank(const Level& level, const Bank& before);
 // TIC-80's palette for carts from before there were palettes.
 Level level_of_bank(const Bank& bank);
 
-// Returns an error if the map does not fit. Anything else that carts cannot hold goes into the companion.
+// Why a cart cannot have the level's tiles: they do not have 8x8 px; nothing if it can.
+std::optional<std::string> tile_problem_of_cart(const Level& level);
+// Returns an error if the tiles or the map do not fit. Anything else that carts cannot hold goes into the
+// companion.
 FormatResult<void> check_fits_cart(const Level& level);
 
 }  // namespace talus

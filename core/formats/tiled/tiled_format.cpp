@@ -117,6 +117,7 @@ FormatResult<TiledMap> TiledFiles::read_map(std::string_view bytes) {
     if (!tileset) return tl::unexpected(tileset.error());
     map->width = kTicMapWidth;
     map->height = kTicMapHeight;
+    map->tile_size = tileset->tile_size;
     TiledLayer layer;
     layer.has_tiles = true;
     layer.cells.resize(kTicMapWidth * kTicMapHeight);

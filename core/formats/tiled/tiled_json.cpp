@@ -73,7 +73,7 @@ class TiledReader {
   };
 
   bool check_map(const TiledNode& node);
-  void check_tile_size(const TiledNode& node);
+  TileSize tile_size(const TiledNode& node);
   void layers(const TiledNode& node, const Group& group, const Progress& progress, TiledMap& map);
   void tile_layer(const TiledNode& node, Vec2 offset, const TiledMap& map, TiledLayer& layer);
   std::vector<std::uint32_t> cells(const TiledNode& node, std::size_t count);
@@ -163,7 +163,9 @@ TiledMap TiledReader::map(const Json& json, const Progress& progress) {
              std::to_string(map.height) + " tiles, but all layers of a map may have at most " +
              std::to_string(kMaxTiledCells) + " cells together");
   }
-  check_tile_size(node);
+  map.tile_size = tile_size(node);
+  if (!error_ && !is_terrain_size(map.width, map.height, map.tile_size))
+    fail(node, "width", "is longer than 16777216 px, the most that a level has");
   map.properties = properties(node, "the map");
   map.background = text(node, "backgroundcolor");
   for_each(node, "tilesets", [&](const TiledNode& entry) { map.tilesets.push_back(tileset(entry)); });
@@ -190,12 +192,16 @@ bool TiledReader::check_map(const TiledNode& node) {
   return !error_;
 }
 
-void TiledReader::check_tile_size(const TiledNode& node) {
+TileSize TiledReader::tile_size(const TiledNode& node) {
   const double width = number(node, "tilewidth"), height = number(node, "tileheight");
-  if (width == kTileSize && height == kTileSize) return;
+  const auto is_side = [](double side) {
+    return side >= 1 && side <= kMaxTileSide && side == std::floor(side);
+  };
+  if (is_side(width) && is_side(height)) return {static_cast<int>(width), static_cast<int>(height)};
   fail(node, "tilewidth",
        "has tiles of " + json_number(width).dump() + "x" + json_number(height).dump() +
-           " px, but a level needs tiles of 8x8 px");
+           " px, but a level needs tiles of 1 to 256 px a side");
+  return {};
 }
 
 void TiledReader::layers(const TiledNode& node, const Group& group, const Progress& progress, TiledMap& map) {
@@ -324,7 +330,7 @@ TiledTileset TiledReader::tileset(const TiledNode& node) {
   if (!tileset.source.empty()) return tileset;
   tileset.name = text(node, "name");
   const std::string of = "the tileset " + tiled_quoted(tileset.name);
-  check_tile_size(node);
+  tileset.tile_size = tile_size(node);
   tileset.image = text(node, "image");
   tileset.image_width = whole(node, "imagewidth", 0, kMost, 0);
   tileset.image_height = whole(node, "imageheight", 0, kMost, 0);

@@ -132,7 +132,7 @@ std::string text_of(const NearestShape& nearest) {
 
 // With the heights in the tile's properties, if these give the same line: it may have more of them than its
 // corners need.
-TileShape as_in_words(const TileShape& shape, const TiledTile& tile) {
+TileShape as_in_words(const TileShape& shape, const TiledTile& tile, TileSize size) {
   const auto* const text = find_property<std::string>(tile.properties, "shape_heights");
   if (text == nullptr || shape.heights.empty()) return shape;
   TileShape said = shape;
@@ -141,9 +141,9 @@ TileShape as_in_words(const TileShape& shape, const TiledTile& tile) {
   words.imbue(std::locale::classic());
   for (double height = 0; words >> height;) said.heights.push_back(height);
   said.kind = said.heights.size() == 2 ? TileShape::Kind::slope : TileShape::Kind::profile;
-  const std::vector<TiledObject> outline = tiled_objects(said);
+  const std::vector<TiledObject> outline = tiled_objects(said, size);
   if (outline.empty()) return shape;
-  return tile_shape_of(outline_of(outline.front()), shape.one_way) == shape ? said : shape;
+  return tile_shape_of(outline_of(outline.front()), shape.one_way, size) == shape ? said : shape;
 }
 
 // The number in the text, from 1; else 0.
@@ -198,6 +198,9 @@ FormatResult<void> TiledLevelMaker::read_base() {
     if (!read) return tl::unexpected(error_within("property talus_level", read.error()));
     is_own_ = true;
     base_ = *std::move(read);
+    if (base_.map.tile_size() != map_.tile_size)
+      return tl::unexpected(FormatError{"property talus_level",
+                                        "is of a level whose tiles have another size than those of the map"});
     for (const Spawn& spawn : base_.spawns) spawns_by_x_.push_back(&spawn);
     sort_by_x(spawns_by_x_);
     for (const LevelCurve& curve : base_.curves) {
@@ -206,6 +209,7 @@ FormatResult<void> TiledLevelMaker::read_base() {
     sort_by_x(curves_by_x_);
   }
   level_ = base_;
+  if (!is_own_) level_.tuning = new_tuning(map_.tile_size);
   level_.spawns.clear();
   level_.curves.clear();
   level_.sheet(SheetId::tiles) = {};
@@ -222,6 +226,12 @@ void TiledLevelMaker::forget_numbers() {
 }
 
 void TiledLevelMaker::take_pixels() {
+  const auto [tile_width, tile_height] = map_.tile_size;
+  const bool has_pictures =
+      std::any_of(pictures_.begin(), pictures_.end(), [](auto& p) { return p != nullptr; });
+  if (has_pictures && !is_own_ && map_.tile_size != TileSize())
+    drops_.add("most pixels of the pictures of tiles, which have " + std::to_string(tile_width) + "x" +
+               std::to_string(tile_height) + " px: a level shows 8x8 px of each");
   PngPicture picture = picture_of_tiles(tiles_, map_, pictures_);
   const bool has_one = map_.tilesets.size() == 1 && pictures_[0];
   if (has_one && !is_own_) picture.palette = pictures_[0]->palette;
@@ -329,7 +339,7 @@ void TiledLevelMaker::take_tile(std::uint8_t number) {
   TileShape own = own_shape_of(number, source, *tile, before);
   if (own == before || own != of_flags) level_.tile_shapes[number] = std::move(own);
   const TileShape shape = shape_of_tile(level_, number);
-  if (is_own_ && tile->objects.empty() && !tiled_objects(shape).empty() && source.turn == 0)
+  if (is_own_ && tile->objects.empty() && !tiled_objects(shape, map_.tile_size).empty() && source.turn == 0)
     drops_.add("that a tile has no outline: its flags give it one");
   tell_stale_words(*tile, shape);
 }
@@ -344,9 +354,9 @@ TileShape TiledLevelMaker::own_shape_of(std::uint8_t number, const TiledSource& 
       tile.objects.empty() ? nullptr : find_property<bool>(tile.objects.front().properties, "one_way");
   const bool one_way = word != nullptr ? *word : of_outline != nullptr && *of_outline;
   std::vector<TiledObject> objects = tile.objects;
-  if (objects.empty() && source.turn != 0) objects = tiled_objects(of_flags);
-  for (TiledObject& object : objects) object = turned(object, source.turn);
-  const std::vector<TiledObject> old = tiled_objects(expected);
+  if (objects.empty() && source.turn != 0) objects = tiled_objects(of_flags, map_.tile_size);
+  for (TiledObject& object : objects) object = turned(object, source.turn, map_.tile_size);
+  const std::vector<TiledObject> old = tiled_objects(expected, map_.tile_size);
   const bool is_unchanged =
       is_own_ && tiles_.keeps_numbers && one_way == expected.one_way &&
       std::equal(old.begin(), old.end(), objects.begin(), objects.end(), is_same_outline);
@@ -356,7 +366,7 @@ TileShape TiledLevelMaker::own_shape_of(std::uint8_t number, const TiledSource& 
   const bool stops_one_way = one_way || (!is_own_ && of_flags.one_way);
   if (is_solid && objects.empty()) return {.kind = TileShape::Kind::solid, .one_way = stops_one_way};
   const TileShape shape = shape_of_objects(name_of_tile(number, source), objects, stops_one_way);
-  return source.turn == 0 ? as_in_words(shape, tile) : shape;
+  return source.turn == 0 ? as_in_words(shape, tile, map_.tile_size) : shape;
 }
 
 // Of several outlines, takes the first one that is a shape of a level; if there is none, the shape nearest to
@@ -379,10 +389,10 @@ TileShape TiledLevelMaker::shape_of_objects(const std::string& tile, const std::
                " collision shapes: a level's has one");
   }
   for (const auto& outline : outlines) {
-    if (auto shape = tile_shape_of(outline, one_way)) return *std::move(shape);
+    if (auto shape = tile_shape_of(outline, one_way, map_.tile_size)) return *std::move(shape);
   }
   for (const auto& outline : outlines) {
-    auto nearest = nearest_tile_shape(outline);
+    auto nearest = nearest_tile_shape(outline, map_.tile_size);
     if (!nearest) continue;
     drops_.add("the outline of " + tile + ", " + text_of(*nearest));
     nearest->shape.one_way = nearest->shape.one_way || one_way;
@@ -407,7 +417,7 @@ void TiledLevelMaker::tell_stale_words(const TiledTile& tile, const TileShape& s
 
 void TiledLevelMaker::take_objects(const TiledLayer& layer) {
   for (const TiledObject& object : layer.objects) {
-    if (auto spawn = spawn_of(object)) {
+    if (auto spawn = spawn_of(object, map_.tile_size)) {
       take_spawn(object, *std::move(spawn));
     } else if (object.form == TiledObject::Form::polyline &&
                (object.type == kTiledCurveType || layer.name == kTiledCurveLayer)) {

@@ -83,6 +83,7 @@ struct TiledTileset {
   std::string name;
   std::string source;  // its own file, relative to the map's folder; empty: it is in the map
   std::string image;   // relative to the map's folder or that of its own file; empty: it has none
+  TileSize tile_size;  // of its tiles in the picture
   int columns = 0, tile_count = 0;
   int spacing = 0, margin = 0;  // px, between and around the tiles in the picture
   int image_width = 0, image_height = 0;
@@ -100,6 +101,7 @@ struct TiledLayer {
 
 struct TiledMap {
   int width = 0, height = 0;  // cells
+  TileSize tile_size;         // of each cell
   std::string background;     // colour, see tiled_color; empty: not set
   std::vector<TiledTileset> tilesets;
   std::vector<TiledLayer> layers;  // groups are taken apart

@@ -117,18 +117,18 @@ std::array<std::string, kFlagCount> tiled_flag_names(const Level& level) {
   return names;
 }
 
-std::vector<TiledObject> tiled_objects(const TileShape& shape) {
-  if (shape.kind == TileShape::Kind::none || problem_of(shape)) return {};
+std::vector<TiledObject> tiled_objects(const TileShape& shape, TileSize tile) {
+  if (shape.kind == TileShape::Kind::none || problem_of(shape, tile)) return {};
   TiledObject object;
   if (shape.one_way) object.properties.push_back({"one_way", true});
   if (shape.kind == TileShape::Kind::solid) {
-    object.size = {kTileSize, kTileSize};
+    object.size = {1.0 * tile.width, 1.0 * tile.height};
     return {object};
   }
   object.form = TiledObject::Form::polygon;
-  const double width = shape.tiles * kTileSize;
+  const double width = shape.tiles * tile.width;
   const bool is_floor = shape.side == TileShape::Side::floor;
-  const double base = is_floor ? kTileSize : 0;
+  const double base = is_floor ? tile.height : 0;
   const auto last = static_cast<double>(shape.heights.size() - 1);
   for (std::size_t i = 0; i < shape.heights.size(); ++i) {
     const double h = shape.heights[i];
@@ -168,14 +168,14 @@ TiledObject tiled_object(const Spawn& spawn) {
   return object;
 }
 
-std::optional<Spawn> spawn_of(const TiledObject& object) {
+std::optional<Spawn> spawn_of(const TiledObject& object, TileSize tile) {
   const std::optional<BodyKind> kind = find_body_kind(object.type);
   if (object.form != TiledObject::Form::box || !kind) return {};
   Spawn spawn;
   spawn.name = object.name;
   spawn.kind = *kind;
   spawn.position = object.position;
-  spawn.size = object.size != Vec2{0, 0} ? object.size : traits_of(*kind).size;
+  spawn.size = object.size != Vec2{0, 0} ? object.size : new_body_size(*kind, tile);
   const auto number = [&](std::string_view name, double& value) {
     if (const auto* real = find_property<double>(object.properties, name)) value = *real;
     if (const auto* whole = find_property<std::int64_t>(object.properties, name))

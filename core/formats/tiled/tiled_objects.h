@@ -14,17 +14,18 @@ inline constexpr double kTiledTolerance = 0.125;  // px, from a curve to its pol
 // one that would be another's in XML (xml_text).
 std::array<std::string, kFlagCount> tiled_flag_names(const Level& level);
 
-// Returns the outline of a shape on its tile; nothing for kind none, or for a shape that cannot be used.
-// One-way shapes get the whole outline, too, though only their line stops bodies.
-std::vector<TiledObject> tiled_objects(const TileShape& shape);
+// Returns the outline of a shape on its tile of that size; nothing for kind none, or for a shape that cannot
+// be used. One-way shapes get the whole outline, too, though only their line stops bodies.
+std::vector<TiledObject> tiled_objects(const TileShape& shape, TileSize tile);
 // Returns the properties that describe a tile's shape: `shape`, "solid", "slope" or "profile"; unless
 // default, `shape_side`, "floor", and `shape_one_way`, false; `shape_heights`, "0 8", in px. Empty for no
 // shape.
 TiledProperties tiled_properties(const TileShape& shape);
 
 TiledObject tiled_object(const Spawn& spawn);
-// For an object whose type is the word of a kind of body; nothing for others. A point gets the kind's size.
-std::optional<Spawn> spawn_of(const TiledObject& object);
+// For an object whose type is the word of a kind of body; nothing for others. A point gets the size of a new
+// body of the kind among tiles of that size.
+std::optional<Spawn> spawn_of(const TiledObject& object, TileSize tile);
 
 // A polyline from the first point of the curve on; nothing for a curve that cannot be used.
 std::optional<TiledObject> tiled_object(const LevelCurve& curve);

@@ -11,9 +11,13 @@ namespace talus {
 namespace {
 
 constexpr double kSamePlace = 1.0 / 1024;  // px; numbers nearer than that count as equal
-constexpr double kHighest = kMaxShapeTiles * kTileSize;
+constexpr int kMostParts = 512;            // of a nearest shape, whose parts are matched one by one
 
 using Line = std::vector<Vec2>;  // from left to right
+
+// px, how far shapes reach up from a tile's bottom, and right from its left side.
+double highest_of(TileSize tile) { return kMaxShapeTiles * tile.height; }
+double widest_of(TileSize tile) { return kMaxShapeTiles * tile.width; }
 
 bool is_at(double a, double b) { return std::abs(a - b) <= kSamePlace; }
 
@@ -28,14 +32,14 @@ double area_of(const Line& points) {
 }
 
 // Whole tiles from x 0 to an outline's right end.
-double width_of(const Line& points) {
+double width_of(const Line& points, TileSize tile) {
   double right = 0;
   for (const Vec2 p : points) right = std::max(right, p.x);
-  return std::clamp(std::ceil((right - kSamePlace) / kTileSize), 1.0, double{kMaxShapeTiles}) * kTileSize;
+  return std::clamp(std::ceil((right - kSamePlace) / tile.width), 1.0, double{kMaxShapeTiles}) * tile.width;
 }
 
-Line upside_down(Line points) {
-  for (Vec2& p : points) p.y = kTileSize - p.y;
+Line upside_down(Line points, TileSize tile) {
+  for (Vec2& p : points) p.y = tile.height - p.y;
   return points;
 }
 
@@ -54,9 +58,9 @@ Line corners_of(const Line& line) {
   return corners;
 }
 
-// The edges of an outline that go to the right, in order, if all other edges are level at y 8, or upright at
-// x 0 and `width`. The outline must be clockwise. Empty if it is not like this.
-Line upper_line(const Line& points, double width) {
+// The edges of an outline that go to the right, in order, if all other edges are level at the tile's
+// bottom, or upright at x 0 and `width`. The outline must be clockwise. Empty if it is not like this.
+Line upper_line(const Line& points, double width, TileSize tile) {
   const std::size_t count = points.size();
   const auto at = [&](std::size_t i) { return points[i % count]; };
   const auto goes_right = [&](std::size_t i) { return at(i + 1).x > at(i).x + kSamePlace; };
@@ -72,7 +76,7 @@ Line upper_line(const Line& points, double width) {
       if (!is_at(from.x, line.back().x) || !is_at(from.y, line.back().y)) return {};
       line.push_back(to);
     } else if (to.x < from.x - kSamePlace) {
-      if (!is_at(from.y, kTileSize) || !is_at(to.y, kTileSize)) return {};
+      if (!is_at(from.y, tile.height) || !is_at(to.y, tile.height)) return {};
     } else if (!is_at(from.y, to.y) && !is_at(from.x, 0) && !is_at(from.x, width)) {
       return {};
     }
@@ -81,22 +85,23 @@ Line upper_line(const Line& points, double width) {
 }
 
 // Adds the parts at the bottom beside it, from x 0 to `width`. Empty if the line does not end there.
-Line over_whole_tiles(Line line, double width) {
+Line over_whole_tiles(Line line, double width, TileSize tile) {
+  const double bottom = tile.height;
   if (line.empty() || line.front().x < -kSamePlace || line.back().x > width + kSamePlace) return {};
   if (line.front().x > kSamePlace) {
-    if (!is_at(line.front().y, kTileSize)) return {};
-    line.insert(line.begin(), {0, kTileSize});
+    if (!is_at(line.front().y, bottom)) return {};
+    line.insert(line.begin(), {0, bottom});
   }
   if (line.back().x < width - kSamePlace) {
-    if (!is_at(line.back().y, kTileSize)) return {};
-    line.push_back({width, kTileSize});
+    if (!is_at(line.back().y, bottom)) return {};
+    line.push_back({width, bottom});
   }
   return line;
 }
 
 // The heights of a line at the fewest equal distances that include all its corners; empty if there are none.
-std::vector<double> heights_of(const Line& line, double width) {
-  for (int parts = 1; parts < max_shape_heights(); ++parts) {
+std::vector<double> heights_of(const Line& line, double width, TileSize tile) {
+  for (int parts = 1; parts < max_shape_heights(tile); ++parts) {
     const double step = width / parts;
     const bool fits = std::all_of(line.begin(), line.end(),
                                   [&](Vec2 p) { return is_at(p.x, std::round(p.x / step) * step); });
@@ -110,25 +115,25 @@ std::vector<double> heights_of(const Line& line, double width) {
       const double y = is_at(x, from.x) ? from.y
                        : is_at(x, to.x) ? to.y
                                         : from.y + (to.y - from.y) * ((x - from.x) / (to.x - from.x));
-      heights.push_back(std::clamp(weld(kTileSize - y), 0.0, kHighest));
+      heights.push_back(std::clamp(weld(tile.height - y), 0.0, highest_of(tile)));
     }
     return heights;
   }
   return {};
 }
 
-std::optional<TileShape> shape_under(const Line& line, double width, TileShape::Side side) {
+std::optional<TileShape> shape_under(const Line& line, double width, TileShape::Side side, TileSize tile) {
   if (line.empty()) return {};
   TileShape shape;
   shape.side = side;
-  shape.tiles = static_cast<int>(std::lround(width / kTileSize));
-  shape.heights = heights_of(corners_of(line), width);
+  shape.tiles = static_cast<int>(std::lround(width / tile.width));
+  shape.heights = heights_of(corners_of(line), width, tile);
   shape.kind = shape.heights.size() == 2 ? TileShape::Kind::slope : TileShape::Kind::profile;
-  const bool in_range = std::all_of(line.begin(), line.end(), [](Vec2 p) {
-    return p.y <= kTileSize + kSamePlace && p.y >= kTileSize - kHighest - kSamePlace;
+  const bool in_range = std::all_of(line.begin(), line.end(), [&](Vec2 p) {
+    return p.y <= tile.height + kSamePlace && p.y >= tile.height - highest_of(tile) - kSamePlace;
   });
-  if (!in_range || problem_of(shape)) return {};
-  const bool is_full = shape.tiles == 1 && shape.heights == std::vector<double>{kTileSize, kTileSize};
+  if (!in_range || problem_of(shape, tile)) return {};
+  const bool is_full = shape.tiles == 1 && shape.heights == std::vector<double>(2, tile.height);
   return is_full ? TileShape{.kind = TileShape::Kind::solid} : shape;
 }
 
@@ -140,12 +145,13 @@ struct Stretch {  // of a column, from the upper y to the lower one
 };
 
 // The part of an upright line that is in the outline, from top to bottom, as far as shapes reach.
-std::vector<Stretch> column_at(const Line& outline, double x) {
+std::vector<Stretch> column_at(const Line& outline, double x, TileSize tile) {
+  const double highest = highest_of(tile);
   std::vector<double> crossings;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2 a = outline[i], b = outline[(i + 1) % outline.size()];
     if ((a.x <= x) != (b.x <= x))
-      crossings.push_back(std::clamp(a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x)), -kHighest, 2 * kHighest));
+      crossings.push_back(std::clamp(a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x)), -highest, 2 * highest));
   }
   std::sort(crossings.begin(), crossings.end());
   std::vector<Stretch> column;
@@ -156,10 +162,10 @@ std::vector<Stretch> column_at(const Line& outline, double x) {
 }
 
 // The upper line at x; the bottom if nothing is there.
-double top_at(const Line& outline, double x) {
-  const std::vector<Stretch> column = column_at(outline, x);
-  return column.empty() ? kTileSize
-                        : std::clamp(column.front().from, kTileSize - kHighest, double{kTileSize});
+double top_at(const Line& outline, double x, TileSize tile) {
+  const double bottom = tile.height;
+  const std::vector<Stretch> column = column_at(outline, x, tile);
+  return column.empty() ? bottom : std::clamp(column.front().from, bottom - highest_of(tile), bottom);
 }
 
 struct Candidate {
@@ -169,28 +175,28 @@ struct Candidate {
 };
 
 // A floor along the upper line, with corners as near to one another as a profile can have them.
-std::optional<Candidate> nearest_floor(const Line& outline) {
-  constexpr int kParts = max_shape_heights() - 1;
+std::optional<Candidate> nearest_floor(const Line& outline, TileSize tile) {
+  const int count = std::min(max_shape_heights(tile) - 1, kMostParts);
   constexpr double kBeside = 1.0 / 4096;  // px, to either side of a corner
-  const double width = width_of(outline), step = width / kParts;
+  const double width = width_of(outline, tile), step = width / count;
   Line line;
-  for (int i = 0; i <= kParts; ++i) {
+  for (int i = 0; i <= count; ++i) {
     const double x = i * step;
-    const double left = top_at(outline, i == 0 ? kBeside : x - kBeside);
-    const double right = top_at(outline, i == kParts ? width - kBeside : x + kBeside);
+    const double left = top_at(outline, i == 0 ? kBeside : x - kBeside, tile);
+    const double right = top_at(outline, i == count ? width - kBeside : x + kBeside, tile);
     line.push_back({x, weld(std::min(left, right))});
   }
-  auto shape = shape_under(line, width, TileShape::Side::floor);
+  auto shape = shape_under(line, width, TileShape::Side::floor, tile);
   if (!shape) return {};
   Candidate nearest{*std::move(shape)};
   constexpr int kSamples = 4;  // for each part
   const double thickness = step / kSamples;
-  for (int i = 0; i < kParts * kSamples; ++i) {
+  for (int i = 0; i < count * kSamples; ++i) {
     const std::size_t part = static_cast<std::size_t>(i / kSamples);
     const double along = (i % kSamples + 0.5) / kSamples;
-    const Stretch ground{line[part].y + (line[part + 1].y - line[part].y) * along, kTileSize};
+    const Stretch ground{line[part].y + (line[part + 1].y - line[part].y) * along, 1.0 * tile.height};
     double both = 0, there = 0;
-    for (const Stretch& s : column_at(outline, (i + 0.5) * thickness)) {
+    for (const Stretch& s : column_at(outline, (i + 0.5) * thickness, tile)) {
       there += s.length();
       both += Stretch{std::max(s.from, ground.from), std::min(s.to, ground.to)}.length();
     }
@@ -198,8 +204,8 @@ std::optional<Candidate> nearest_floor(const Line& outline) {
     nearest.more += (ground.length() - both) * thickness;
     nearest.less += (there - both) * thickness;
   }
-  for (double x = -kHighest + 0.25; x < 0; x += 0.5) {  // left of the tile
-    for (const Stretch& s : column_at(outline, x)) nearest.less += s.length() / 2;
+  for (double x = -widest_of(tile) + 0.25; x < 0; x += 0.5) {  // left of the tile
+    for (const Stretch& s : column_at(outline, x, tile)) nearest.less += s.length() / 2;
   }
   return nearest;
 }
@@ -219,20 +225,20 @@ std::vector<Vec2> outline_of(const TiledObject& object) {
   return points;
 }
 
-std::optional<TileShape> tile_shape_of(const std::vector<Vec2>& outline, bool one_way) {
+std::optional<TileShape> tile_shape_of(const std::vector<Vec2>& outline, bool one_way, TileSize tile) {
   Line points = outline;
-  const double area = area_of(points), width = width_of(points);
+  const double area = area_of(points), width = width_of(points, tile);
   if (std::abs(area) < kSamePlace) return {};
   if (area < 0) std::reverse(points.begin(), points.end());
   for (const auto side : {TileShape::Side::floor, TileShape::Side::ceiling}) {
     if (side == TileShape::Side::ceiling) {
-      points = upside_down(points);
+      points = upside_down(points, tile);
       std::reverse(points.begin(), points.end());  // clockwise again
     }
-    const Line upper = upper_line(points, width), line = over_whole_tiles(upper, width);
+    const Line upper = upper_line(points, width, tile), line = over_whole_tiles(upper, width, tile);
     // The line of a one-way tile stops bodies at the bottom, too.
     if (one_way && line.size() != upper.size()) continue;
-    if (auto shape = shape_under(line, width, side)) {
+    if (auto shape = shape_under(line, width, side, tile)) {
       shape->one_way = one_way;
       return shape;
     }
@@ -240,12 +246,12 @@ std::optional<TileShape> tile_shape_of(const std::vector<Vec2>& outline, bool on
   return {};
 }
 
-std::optional<NearestShape> nearest_tile_shape(const std::vector<Vec2>& outline) {
+std::optional<NearestShape> nearest_tile_shape(const std::vector<Vec2>& outline, TileSize tile) {
   const bool is_in_reach = std::all_of(outline.begin(), outline.end(), [](Vec2 p) {
     return std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate;
   });
   if (!is_in_reach) return {};
-  auto floor = nearest_floor(outline), ceiling = nearest_floor(upside_down(outline));
+  auto floor = nearest_floor(outline, tile), ceiling = nearest_floor(upside_down(outline, tile), tile);
   if (!floor || !ceiling || floor->both + ceiling->both < kSamePlace) return {};
   if (floor->is_mostly_air() && ceiling->is_mostly_air()) {
     floor->shape.one_way = true;

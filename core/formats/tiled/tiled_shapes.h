@@ -16,7 +16,8 @@ std::vector<Vec2> outline_of(const TiledObject& object);
 // first point of the outline do not matter. Beside the ground, the line may lie on the bottom or the top.
 // Corners of the line must be at equal distances, as those of a profile. Returns nothing for any other
 // outline. one_way: whether only the line should stop bodies, which an outline cannot say.
-std::optional<TileShape> tile_shape_of(const std::vector<Vec2>& outline, bool one_way);
+// tile: the size of the tiles.
+std::optional<TileShape> tile_shape_of(const std::vector<Vec2>& outline, bool one_way, TileSize tile);
 
 // The shape that comes nearest to an outline.
 struct NearestShape {
@@ -25,8 +26,8 @@ struct NearestShape {
 };
 // Returns a floor through the outline's upper line or a ceiling through its lower one, whichever covers it
 // better. If most of either would lie outside of the outline, the outline hangs in the air: then it is a
-// one-way floor along the upper line. Returns nothing if no area of it is within 64 px to the right of the
-// tile's left side and 64 px up.
-std::optional<NearestShape> nearest_tile_shape(const std::vector<Vec2>& outline);
+// one-way floor along the upper line. Returns nothing if no area of it is within kMaxShapeTiles tiles to
+// the right of the tile's left side, and as many up.
+std::optional<NearestShape> nearest_tile_shape(const std::vector<Vec2>& outline, TileSize tile);
 
 }  // namespace talus

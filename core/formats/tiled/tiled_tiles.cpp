@@ -31,15 +31,20 @@ struct TilesetGrid {
   int columns, count;
 };
 TilesetGrid grid_of(const TiledTileset& tileset) {
-  const auto along = [&](int length) {
-    return std::max(0, (length - 2 * tileset.margin + tileset.spacing) / (kTileSize + tileset.spacing));
+  const auto along = [&](int length, int side) {
+    return std::max(0, (length - 2 * tileset.margin + tileset.spacing) / (side + tileset.spacing));
   };
-  const int columns = tileset.columns > 0 ? tileset.columns : along(tileset.image_width);
+  const auto [tile_width, tile_height] = tileset.tile_size;
+  const int columns = tileset.columns > 0 ? tileset.columns : along(tileset.image_width, tile_width);
   constexpr std::int64_t kMost = 1 << 20;
-  const std::int64_t in_picture = std::int64_t{columns} * along(tileset.image_height);
+  const std::int64_t in_picture = std::int64_t{columns} * along(tileset.image_height, tile_height);
   const int count =
       tileset.tile_count > 0 ? tileset.tile_count : static_cast<int>(std::min(in_picture, kMost));
   return {columns > 0 ? columns : kSheetColumns, count > 0 ? count : kTileCount};
+}
+
+std::string size_text(TileSize size) {
+  return std::to_string(size.width) + "x" + std::to_string(size.height) + " px";
 }
 
 // By the number in the layer, with the bits that turn the tile.
@@ -55,7 +60,7 @@ class TileNumberer {
         pictures_(pictures),
         background_(background),
         drops_(drops),
-        tiles_{{}, TileMap(map.width, map.height)} {
+        tiles_{{}, TileMap(map.width, map.height, map.tile_size)} {
     for (std::size_t i = 0; i < map.tilesets.size(); ++i) order_.push_back(static_cast<int>(i));
     std::stable_sort(order_.begin(), order_.end(),
                      [&](int a, int b) { return tileset(a).first_gid < tileset(b).first_gid; });
@@ -68,6 +73,8 @@ class TileNumberer {
   const TiledTileset& tileset(int i) const { return map_.tilesets[static_cast<std::size_t>(i)]; }
   // The tiles that the different cells show; blank sources for empty cells.
   FormatResult<SourceOfCell> sources_of_cells() const;
+  // Why a cell cannot show a tile of a tileset; nothing when it can.
+  std::optional<std::string> problem_of_tile(const TiledTileset& tileset, std::uint32_t cell) const;
   FormatResult<int> only_tileset(const SourceOfCell& cells) const;
   bool is_blank(const TiledSource& source) const;
   FormatResult<void> free_tile_0();
@@ -108,9 +115,23 @@ FormatResult<SourceOfCell> TileNumberer::sources_of_cells() const {
       return tl::unexpected(
           cell_error(layer_, map_, i, "holds tile " + std::to_string(gid) + ", which no tileset has"));
     }
+    if (auto problem = problem_of_tile(tileset(of), cell))
+      return tl::unexpected(cell_error(layer_, map_, i, *std::move(problem)));
     sources[cell] = {of, static_cast<int>(id), cell & kTurns};
   }
   return sources;
+}
+
+std::optional<std::string> TileNumberer::problem_of_tile(const TiledTileset& tileset,
+                                                         std::uint32_t cell) const {
+  const TileSize size = map_.tile_size;
+  if (tileset.tile_size != size) {
+    return "holds a tile of the tileset \"" + tileset.name + "\", whose tiles have " +
+           size_text(tileset.tile_size) + ", but those of the map have " + size_text(size);
+  }
+  if ((cell & kTiledFlipXY) != 0 && size.width != size.height)
+    return "holds a tile that is turned by a quarter, but its " + size_text(size) + " are not square";
+  return {};
 }
 
 // -1 if there is none.
@@ -225,13 +246,16 @@ FormatResult<TiledTiles> TileNumberer::used() {
   return std::move(tiles_);
 }
 
-// The pixel of the tileset's picture that a turned tile shows at its own (x, y).
+// The pixel of the tileset's picture that a turned tile shows at (x, y) of its image in the level. Of a tile
+// of another size than the image it is the pixel in the middle of the part that stands for (x, y).
 Cell pixel_of(const TiledTileset& tileset, const TiledSource& source, int x, int y) {
   if (source.turn & kTiledFlipY) y = kTileSize - 1 - y;
   if (source.turn & kTiledFlipX) x = kTileSize - 1 - x;
   if (source.turn & kTiledFlipXY) std::swap(x, y);
-  const int columns = grid_of(tileset).columns, step = kTileSize + tileset.spacing;
-  return {tileset.margin + source.id % columns * step + x, tileset.margin + source.id / columns * step + y};
+  const auto [width, height] = tileset.tile_size;
+  const int columns = grid_of(tileset).columns, row = source.id / columns, column = source.id % columns;
+  return {tileset.margin + column * (width + tileset.spacing) + (2 * x + 1) * width / (2 * kTileSize),
+          tileset.margin + row * (height + tileset.spacing) + (2 * y + 1) * height / (2 * kTileSize)};
 }
 
 }  // namespace
@@ -267,15 +291,15 @@ PngPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const 
   return sheet;
 }
 
-TiledObject turned(const TiledObject& object, std::uint32_t turn) {
+TiledObject turned(const TiledObject& object, std::uint32_t turn, TileSize tile) {
   TiledObject result;
   result.form = TiledObject::Form::polygon;
   result.points = outline_of(object);
   if (turn == 0 || result.points.empty()) return object;
   for (Vec2& p : result.points) {
     if (turn & kTiledFlipXY) std::swap(p.x, p.y);
-    if (turn & kTiledFlipX) p.x = kTileSize - p.x;
-    if (turn & kTiledFlipY) p.y = kTileSize - p.y;
+    if (turn & kTiledFlipX) p.x = tile.width - p.x;
+    if (turn & kTiledFlipY) p.y = tile.height - p.y;
   }
   return result;
 }

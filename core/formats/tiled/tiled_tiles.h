@@ -38,11 +38,12 @@ FormatResult<TiledTiles> number_tiles(const TiledMap& map, const TiledLayer& lay
                                       const TiledPictures& pictures, bool used_tiles, Rgb background,
                                       TiledDrops& drops, const Progress& progress);
 
-// The sheet of 128x128 px with the level's tiles. Unknown pixels are transparent.
+// The sheet of 128x128 px with the level's tiles, each as 8x8 px of it: of tiles of another size only some
+// pixels are taken. Unknown pixels are transparent.
 PngPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const TiledPictures& pictures);
 
-// A box or polygon as it appears in cells that turn it; other objects stay as they are.
-TiledObject turned(const TiledObject& object, std::uint32_t turn);
+// A box or polygon of a tile of that size as it appears in cells that turn it; other objects stay as they are.
+TiledObject turned(const TiledObject& object, std::uint32_t turn, TileSize tile);
 
 const TiledTile* find_tile(const TiledTileset& tileset, int id);  // null if the file says nothing about it
 

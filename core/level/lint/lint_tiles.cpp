@@ -21,7 +21,7 @@ std::array<TileShape, kTileCount> usable_shapes(const Level& level) {
   std::array<TileShape, kTileCount> shapes;
   for (int tile = 0; tile < kTileCount; ++tile) {
     TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
-    if (!problem_of(shape)) shapes[static_cast<std::size_t>(tile)] = std::move(shape);
+    if (!problem_of(shape, level.map.tile_size())) shapes[static_cast<std::size_t>(tile)] = std::move(shape);
   }
   return shapes;
 }
@@ -36,20 +36,20 @@ std::vector<Curve> usable_curves(const Level& level) {
 
 // See Tile::to_draw. A cell counts if the ground in it is higher than a px in half of its columns of pixels;
 // for a one-way line, if the line goes through it. The picture of a shape one tile wide is the tile itself.
-std::vector<Cell> cells_to_draw(const TileShape& shape) {
+std::vector<Cell> cells_to_draw(const TileShape& shape, TileSize tile) {
   std::vector<Cell> cells;
   if (shape.kind == TileShape::Kind::solid || shape.tiles < 2) return cells;
   for (int column = 0; column < shape.tiles; ++column) {
     std::array<int, kMaxShapeTiles> pixels{};  // by row
-    for (int x = 0; x < kTileSize; ++x) {
-      const double height = height_of_line(shape, column * kTileSize + x + 0.5);
-      const int rows = static_cast<int>(std::ceil((height - 1) / kTileSize));
+    for (int x = 0; x < tile.width; ++x) {
+      const double height = height_of_line(shape, column * tile.width + x + 0.5, tile);
+      const int rows = static_cast<int>(std::ceil((height - 1) / tile.height));
       const int last = std::clamp(rows, 0, kMaxShapeTiles);
       for (int row = shape.one_way ? std::max(last - 1, 0) : 0; row < last; ++row)
         ++pixels[static_cast<std::size_t>(row)];
     }
     for (int row = 0; row < kMaxShapeTiles; ++row) {
-      if ((column == 0 && row == 0) || pixels[static_cast<std::size_t>(row)] < kTileSize / 2) continue;
+      if ((column == 0 && row == 0) || pixels[static_cast<std::size_t>(row)] < tile.width / 2) continue;
       cells.push_back({column, shape.side == TileShape::Side::floor ? -row : row});
     }
   }
@@ -60,12 +60,13 @@ std::vector<Cell> cells_to_draw(const TileShape& shape) {
 
 LintTiles::LintTiles(const Level& level, const LintOptions& options)
     : options_(options),
+      tile_(level.map.tile_size()),
       shapes_(usable_shapes(level)),
-      outlines_(shapes_),
+      outlines_(shapes_, tile_),
       sources_(usable_curves(level)),
       curves_(cut_curves(sources_)),
-      slope_cells_(static_cast<int>(std::ceil(level.tuning.shared.slope_width / kTileSize))),
-      slope_rows_(static_cast<int>(std::ceil(level.tuning.shared.slope_height / kTileSize))) {
+      slope_cells_(static_cast<int>(std::ceil(level.tuning.shared.slope_width / tile_.width))),
+      slope_rows_(static_cast<int>(std::ceil(level.tuning.shared.slope_height / tile_.height))) {
   for (std::size_t i = 0; i < kTileCount; ++i) {
     Tile& tile = tiles_[i];
     tile.role = role_of(level.tile_flags(static_cast<std::uint8_t>(i)), level.roles);
@@ -75,9 +76,9 @@ LintTiles::LintTiles(const Level& level, const LintOptions& options)
     tile.shapeless = tile.role == TileRole::none && shapes_[i].kind == TileShape::Kind::none;
     if (!tile.line) continue;
     // The shape touches these neighbours, but does not cover them.
-    const std::array<Cell, 2> touched = cells_touched_by(shapes_[i], {0, 0});
+    const std::array<Cell, 2> touched = cells_touched_by(shapes_[i], {0, 0}, tile_);
     tile.covered = {Cell{touched[0].x + 1, touched[0].y + 1}, Cell{touched[1].x - 1, touched[1].y - 1}};
-    tile.to_draw = cells_to_draw(shapes_[i]);
+    tile.to_draw = cells_to_draw(shapes_[i], tile_);
   }
   note_masks(level);
   note_likeness();
@@ -105,8 +106,8 @@ int LintTiles::reach() const {
   int reach = std::max({kOutlineReach, slope_cells_ + 1, slope_rows_ + 1});
   // A gap is checked from one mouth to the other. The player must fit at both.
   if (player_) {
-    const double side = std::max(player_->x, player_->y);
-    reach = std::max(reach, 2 * static_cast<int>(std::ceil(side / kTileSize)) + kLongestGap + 1);
+    const double cells = std::max(player_->x / tile_.width, player_->y / tile_.height);
+    reach = std::max(reach, 2 * static_cast<int>(std::ceil(cells)) + kLongestGap + 1);
   }
   return reach;
 }
@@ -125,7 +126,7 @@ void LintTiles::note_likeness() {
 }
 
 bool operator==(const LintTiles& a, const LintTiles& b) {
-  return a.options_ == b.options_ && a.shapes_ == b.shapes_ && a.tiles_ == b.tiles_ &&
+  return a.options_ == b.options_ && a.tile_ == b.tile_ && a.shapes_ == b.shapes_ && a.tiles_ == b.tiles_ &&
          a.sources_ == b.sources_ && a.slope_cells_ == b.slope_cells_ && a.slope_rows_ == b.slope_rows_ &&
          a.player_ == b.player_;
 }

@@ -63,6 +63,7 @@ class LintTiles {
   void note_likeness();
 
   LintOptions options_;
+  TileSize tile_;                             // of the map
   std::array<TileShape, kTileCount> shapes_;  // only valid ones
   std::array<Tile, kTileCount> tiles_;
   std::array<std::uint64_t, kTileCount> masks_{};  // for each pixel, row by row: whether it is not colour 0

@@ -48,7 +48,7 @@ Level cut_out(const Level& level, Cell cell, int reach, Cell& corner) {
   local.tile_shapes = level.tile_shapes;
   local.flag_shapes = level.flag_shapes;
   local.tuning = level.tuning;
-  local.map = TileMap(last.x - corner.x + 1, last.y - corner.y + 1);
+  local.map = TileMap(last.x - corner.x + 1, last.y - corner.y + 1, map.tile_size());
   for (Cell c = corner; c.y <= last.y; ++c.y) {
     for (c.x = corner.x; c.x <= last.x; ++c.x) local.map.set({c.x - corner.x, c.y - corner.y}, map.at(c));
   }
@@ -122,7 +122,7 @@ class SeamFixer {
     height += after.side == TileShape::Side::floor ? up : -up;
     const bool is_nothing =
         std::all_of(after.heights.begin(), after.heights.end(), [](double h) { return h == 0; });
-    if (is_nothing || problem_of(after)) return;
+    if (is_nothing || problem_of(after, level_.map.tile_size())) return;
     edits_.push_back(single_change(std::string(height > now ? "Raise" : "Lower") + " the " +
                                        (left ? "right" : "left") + " end of " + tile_text(tile) +
                                        "'s slope from " + px_text(now) + " to " + px_text(height) +

@@ -73,12 +73,13 @@ void check_edges(const LintContext& context, std::array<Cell, 2> area, std::vect
 }
 
 void check_usable(const LintContext& context, std::vector<Problem>& out) {
+  const TileSize size = context.level.map.tile_size();
   for (int flag = 0; flag < kFlagCount; ++flag) {
-    if (const auto problem = problem_of(context.level.flag_shapes[static_cast<std::size_t>(flag)]))
+    if (const auto problem = problem_of(context.level.flag_shapes[static_cast<std::size_t>(flag)], size))
       report(out, kBadShape, "the shape of flag " + std::to_string(flag) + " " + *problem, {}, -1, flag);
   }
   for (int tile = 0; tile < kTileCount; ++tile) {
-    if (const auto problem = problem_of(context.level.tile_shapes[static_cast<std::size_t>(tile)]))
+    if (const auto problem = problem_of(context.level.tile_shapes[static_cast<std::size_t>(tile)], size))
       report(out, kBadShape, "the shape of " + tile_text(tile) + " " + *problem, {}, tile);
   }
 }

@@ -18,7 +18,7 @@ Shapes usable_shapes(const Level& level) {
   Shapes shapes;
   for (int tile = 0; tile < kTileCount; ++tile) {
     TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
-    if (!problem_of(shape)) shapes[static_cast<std::size_t>(tile)] = std::move(shape);
+    if (!problem_of(shape, level.map.tile_size())) shapes[static_cast<std::size_t>(tile)] = std::move(shape);
   }
   return shapes;
 }

@@ -6,9 +6,9 @@
        if (!game) fail(error);
        talus_step(game, TALUS_RIGHT | TALUS_JUMP, 0, 0, 0);
 
-   C99. All lengths are px of the level with y down, 8 px a tile; velocities are px a frame. Games share
-   nothing: each may be used by another thread, but one by only one thread at a time. No function throws.
-   Where one takes a game, null is allowed, and gets what its comment says.
+   C99. All lengths are px of the level with y down; velocities are px a frame. Games share nothing: each may
+   be used by another thread, but one by only one thread at a time. No function throws. Where one takes a
+   game, null is allowed, and gets what its comment says.
 
    For LuaJIT's ffi.cdef take out what is from an #ifdef to its #endif, and then all lines that begin
    with #. */
@@ -68,6 +68,10 @@ int talus_restart(talus_game* game);
 
 /* Frames that were stepped, from 0. Null: -1. */
 int64_t talus_frame(const talus_game* game);
+
+/* Width and height of a tile of the level's map, px, 1..256. Null: 0. */
+int32_t talus_tile_width(const talus_game* game);
+int32_t talus_tile_height(const talus_game* game);
 
 /* How many bodies there are; it does not change. Null: 0. */
 int32_t talus_body_count(const talus_game* game);

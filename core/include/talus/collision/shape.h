@@ -27,7 +27,7 @@ constexpr bool is_tile_size(TileSize size) {
 inline constexpr int kMaxShapeTiles = 8;  // tiles that one slope may span, in width or in height
 
 // How many heights a profile has at most: one for each column of pixels of the widest, and one more.
-constexpr int max_shape_heights(TileSize tile = {}) { return kMaxShapeTiles * tile.width + 1; }
+constexpr int max_shape_heights(TileSize tile) { return kMaxShapeTiles * tile.width + 1; }
 
 // Which part of a body's box stands on slopes: its whole bottom edge, or the middle of it.
 enum class Foot : std::uint8_t { box, centre };
@@ -59,7 +59,7 @@ struct TileShape {
 
 // Why a shape is invalid for tiles of a size, as the end of a sentence ("has a height that is not a number");
 // nothing if it is valid.
-std::optional<std::string> problem_of(const TileShape& shape, TileSize tile = {});
+std::optional<std::string> problem_of(const TileShape& shape, TileSize tile);
 
 inline constexpr int kWeldParts = 256;  // of a px; ends are rounded to it
 
@@ -154,6 +154,6 @@ std::optional<std::string> problem_of(const Curve& curve);
 // About how many cells of a size a curve crosses, on a map or off it. A cell counts each time that the curve
 // enters it, and twice if the curve faces both ways. The memory of a terrain for a curve grows with this
 // number. At least 0, and finite for valid curves.
-double cells_passed(const Curve& curve, TileSize tile = {});
+double cells_passed(const Curve& curve, TileSize tile);
 
 }  // namespace talus

@@ -28,15 +28,15 @@ enum class BodyLook : std::uint8_t {
 
 // The properties of a kind.
 struct BodyTraits {
-  std::string_view word;             // in files, in exports, on screen: "ball"; no two kinds share one
-  std::string_view help;             // one sentence: "A ball falls and bounces."
-  BodyRule rule = BodyRule::fall;    // what moves it
-  bool takes_keys = false;           // whether it does what the keys say; its Gait is part of hashes then
-  Vec2 size = {8, 8};                // px, kMinBodySize..kMaxBodySize: of a body for which no size is given
-  Foot foot = Foot::box;             // what stands on slopes, if nothing is given
-  TileRole role = TileRole::none;    // tiles with this role are such bodies; none: no tiles are
-  BodyLook look = BodyLook::tile;    // how it is drawn
-  std::string_view lua_part;         // the part of the Lua runtime that has its rule: "balls"
+  std::string_view word;           // in files, in exports, on screen: "ball"; no two kinds share one
+  std::string_view help;           // one sentence: "A ball falls and bounces."
+  BodyRule rule = BodyRule::fall;  // what moves it
+  bool takes_keys = false;         // whether it does what the keys say; its Gait is part of hashes then
+  Vec2 size = {8, 8};              // px, kMinBodySize..kMaxBodySize: of a body for which a file gives no size
+  Foot foot = Foot::box;           // what stands on slopes, if nothing is given
+  TileRole role = TileRole::none;  // tiles with this role are such bodies; none: no tiles are
+  BodyLook look = BodyLook::tile;  // how it is drawn
+  std::string_view lua_part;       // the part of the Lua runtime that has its rule: "balls"
   std::string_view ldtk_identifier;  // of its entity in LDtk: "Ball"
   std::string_view ldtk_color;       // "#RRGGBB"
   std::string_view svg_color;        // of its outline in an SVG, "#rrggbb"
@@ -46,6 +46,8 @@ struct BodyTraits {
 std::span<const BodyTraits> body_kinds();
 // The row of a kind, which must have one (asserted).
 const BodyTraits& traits_of(BodyKind kind);
+// The size, px, of a new body of a kind among tiles of a size: the kind's, made for tiles of 8x8 px, scaled.
+Vec2 new_body_size(BodyKind kind, TileSize tile);
 // The kind with this word; nothing if no kind has it.
 std::optional<BodyKind> find_body_kind(std::string_view word);
 // The kind whose tiles have this role; nothing for roles of the ground.

@@ -20,8 +20,8 @@ inline constexpr std::size_t kMaxGroundBoxes = std::size_t{1} << 21;  // for art
 inline constexpr std::size_t kMaxGroundLines = std::size_t{1} << 24;  // for exact
 
 // About how many lines a shape has; a line counts again in each cell that it crosses. 0 for a full tile,
-// which needs no lines, and for an invalid shape.
-std::size_t ground_lines(const TileShape& shape);
+// which needs no lines, and for a shape that is invalid for tiles of that size.
+std::size_t ground_lines(const TileShape& shape, TileSize tile);
 // For all tiles of the map together.
 std::size_t ground_lines(const Level& level);
 

@@ -92,9 +92,9 @@ bool operator==(const Level& a, const Level& b);
 // The shape of a tile: its own shape, or, if it has none, the shape of its flags.
 TileShape shape_of_tile(const Level& level, std::uint8_t tile);
 // The shape of the flags' role: a solid tile, or the slope of the article's box, which reaches from the
-// tile's left side over so many tiles as `slope_width` needs and is lowest at 8 px less `slope_height`, or at
-// 0. A ball has none. Without a role, it is the shape that the lowest flag with a shape stands for. `one_way`
-// and `ceiling` flags change the result.
+// tile's left side over so many tiles as `slope_width` needs and is lowest at the tile's height less
+// `slope_height`, or at 0. A ball has none. Without a role, it is the shape that the lowest flag with a shape
+// stands for. `one_way` and `ceiling` flags change the result.
 TileShape shape_of_flags(const Level& level, std::uint8_t flags);
 
 // The kind of body that a tile on the map stands for: that of its flags, if it has no shape of its own;

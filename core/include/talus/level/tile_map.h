@@ -1,7 +1,8 @@
-// A rectangle of tile numbers.
+// A rectangle of tile numbers, and the size of its cells.
 #pragma once
 
 #include <cassert>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -17,14 +18,26 @@ inline constexpr int kScreenRows = 17;     // cells, the same
 // A map is a value; at first every cell has tile 0.
 class TileMap {
  public:
-  // width, height: cells; is_terrain_size must allow them (asserted).
-  explicit TileMap(int width = kTicMapWidth, int height = kTicMapHeight)
-      : width_(width), height_(height), cells_(static_cast<std::size_t>(width) * height) {
-    assert(is_terrain_size(width, height));
+  // width, height: cells; tile: the size of each. is_terrain_size must allow them (asserted).
+  explicit TileMap(int width = kTicMapWidth, int height = kTicMapHeight, TileSize tile = {})
+      : width_(width), height_(height), tile_(tile), cells_(static_cast<std::size_t>(width) * height) {
+    assert(is_terrain_size(width, height, tile));
   }
 
-  int width() const { return width_; }    // cells
-  int height() const { return height_; }  // cells
+  int width() const { return width_; }                                  // cells
+  int height() const { return height_; }                                // cells
+  TileSize tile_size() const { return tile_; }                          // of each cell
+  double px_width() const { return x_of(width_); }                      // px, of the whole map
+  double px_height() const { return y_of(height_); }                    // px, of the whole map
+  double x_of(int column) const { return 1.0 * column * tile_.width; }  // px, of its left side
+  double y_of(int row) const { return 1.0 * row * tile_.height; }       // px, of its top
+  Vec2 corner_of(Cell c) const { return {x_of(c.x), y_of(c.y)}; }       // px, its top left
+  Rect box_of(Cell c) const { return {x_of(c.x), y_of(c.y), 1.0 * tile_.width, 1.0 * tile_.height}; }  // px
+  // The column or row that holds a coordinate of px, on the map or off it. The coordinate must be within
+  // kMaxCoordinate of the origin, or so.
+  int column_at(double x) const { return static_cast<int>(std::floor(x / tile_.width)); }
+  int row_at(double y) const { return static_cast<int>(std::floor(y / tile_.height)); }
+  Cell cell_at(Vec2 point) const { return {column_at(point.x), row_at(point.y)}; }
   // Whether the cell lies inside the map.
   bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width_ && c.y < height_; }
 
@@ -44,6 +57,7 @@ class TileMap {
   }
   int width_;
   int height_;
+  TileSize tile_;
   std::vector<std::uint8_t> cells_;
 };
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include <talus/collision/shape.h>
+
 namespace talus {
 
 // How bodies are moved.
@@ -72,6 +74,10 @@ struct Tuning {
   PlayerTuning player;                    // for players; article and bump move them as balls
   friend bool operator==(const Tuning&, const Tuning&) = default;
 };
+
+// The numbers of a new level with tiles of that size: the defaults, made for tiles of 8x8 px, with lengths
+// and speeds scaled, but within their ranges.
+Tuning new_tuning(TileSize tile);
 
 // One row for each number, for everything that lists the numbers: files, tuning panel, documentation.
 struct TuningField {

@@ -69,6 +69,7 @@ struct Scene {
   // there is no ground.
   std::size_t ground_lines = 0;
   SceneFeatures features;  // what its bodies need
+  TileSize tile_size;      // of the level's map
   Tuning tuning;           // the level's
 };
 bool operator==(const Scene& a, const Scene& b);  // grounds are compared by their cells and outlines
