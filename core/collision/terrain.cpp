@@ -86,6 +86,8 @@ BasicTerrain<Real>::BasicTerrain(const TerrainSource& source)
     : width_(source.width),
       height_(source.height),
       tile_(source.tile),
+      tile_width_(Real(source.tile.width)),
+      tile_height_(Real(source.tile.height)),
       columns_per_px_(1 / Real(source.tile.width)),
       rows_per_px_(1 / Real(source.tile.height)),
       chunk_columns_((source.width + kSide - 1) / kSide) {

@@ -32,8 +32,9 @@ bool spawn_balls(Level& level, int count, std::uint64_t seed) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     std::swap(cells[i], cells[i + next_random(seed) % (cells.size() - i)]);
     Spawn spawn;
-    spawn.position = {static_cast<double>(cells[i].x) * kTileSize,
-                      static_cast<double>(cells[i].y) * kTileSize};
+    const Rect cell = level.map.box_of(cells[i]);
+    spawn.position = cell.position();
+    spawn.size = {cell.w, cell.h};
     level.spawns.push_back(spawn);
   }
   return true;

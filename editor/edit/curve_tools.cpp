@@ -307,8 +307,8 @@ tl::expected<Edit, std::string> duplicate_curve(const Level& level, int curve) {
   assert(curve >= 0 && static_cast<std::size_t>(curve) < level.curves.size());
   LevelCurve copy = level.curves[static_cast<std::size_t>(curve)];
   const Curve original = copy.curve;
-  for (const Vec2 tiles : {Vec2{1, 1}, Vec2{1, -1}, Vec2{-1, 1}, Vec2{-1, -1}}) {
-    copy.curve = moved(original, tiles * kTileSize);
+  for (const Cell by : {Cell{1, 1}, Cell{1, -1}, Cell{-1, 1}, Cell{-1, -1}}) {
+    copy.curve = moved(original, level.map.corner_of(by));
     if (!problem_of(copy.curve, level.map)) break;
   }
   return add_curve(level, std::move(copy));

@@ -25,8 +25,9 @@ Edit remove_spawn(const Level& level, int index) {
 Edit duplicate_spawn(const Level& level, int index) {
   assert(index >= 0 && static_cast<std::size_t>(index) < level.spawns.size());
   Spawn copy = level.spawns[static_cast<std::size_t>(index)];
-  const bool fits = copy.position.x + copy.size.x + kTileSize <= level.map.width() * kTileSize;
-  copy.position.x += fits ? kTileSize : -kTileSize;
+  const int tile = level.map.tile_size().width;
+  const bool fits = copy.position.x + copy.size.x + tile <= level.map.px_width();
+  copy.position.x += fits ? tile : -tile;
   Edit edit = add_spawn(level, std::move(copy));
   edit.label = "Duplicate a body";
   return edit;

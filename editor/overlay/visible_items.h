@@ -18,16 +18,18 @@ void for_each_visible_item(const Scene& scene, const Rect& visible, Visit visit)
                                         [](const SceneItem& item) { return item.spawn < 0; });
   if (end == scene.items.begin()) return;
   // A box may reach this far beyond its cell.
-  const auto cell = [](double px, int margin) {
-    return static_cast<int>(std::clamp(std::floor(px / kTileSize) + margin, -1.0, double{kMaxTerrainSide}));
+  const auto cell = [](double px, int side, int margin) {
+    return static_cast<int>(std::clamp(std::floor(px / side) + margin, -1.0, double{kMaxTerrainSide}));
   };
-  const int top = cell(visible.y, -kMaxShapeTiles), bottom = cell(visible.bottom(), kMaxShapeTiles);
-  const int right = std::min(cell(visible.right(), 0), std::prev(end)->cell.x);
+  const auto [tile_width, tile_height] = scene.tile_size;
+  const int top = cell(visible.y, tile_height, -kMaxShapeTiles);
+  const int bottom = cell(visible.bottom(), tile_height, kMaxShapeTiles);
+  const int right = std::min(cell(visible.right(), tile_width, 0), std::prev(end)->cell.x);
   const auto before = [](const SceneItem& item, Cell at) {
     return std::tie(item.cell.x, item.cell.y) < std::tie(at.x, at.y);
   };
   auto item = scene.items.begin();
-  for (int x = std::max(0, cell(visible.x, -kMaxShapeTiles)); x <= right; ++x) {
+  for (int x = std::max(0, cell(visible.x, tile_width, -kMaxShapeTiles)); x <= right; ++x) {
     item = std::lower_bound(item, end, Cell{x, top}, before);
     if (item == end) return;
     if (item->cell.x > x) {  // skips empty columns at once

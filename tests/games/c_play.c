@@ -43,6 +43,7 @@ static void check_null(void) {
   MUST(talus_step(NULL, 0, 0, 0, 0) == 0);
   MUST(talus_restart(NULL) == 0);
   MUST(talus_frame(NULL) == -1);
+  MUST(talus_tile_width(NULL) == 0 && talus_tile_height(NULL) == 0);
   MUST(talus_body_count(NULL) == 0);
   MUST(talus_body_at(NULL, 0, &body) == 0 && body.id == 7);
   MUST(talus_hash(NULL) == 0);

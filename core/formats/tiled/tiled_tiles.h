@@ -42,7 +42,8 @@ FormatResult<TiledTiles> number_tiles(const TiledMap& map, const TiledLayer& lay
 // pixels are taken. Unknown pixels are transparent.
 PngPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const TiledPictures& pictures);
 
-// A box or polygon of a tile of that size as it appears in cells that turn it; other objects stay as they are.
+// A box or polygon of a tile of that size as it appears in cells that turn it; other objects stay as they
+// are.
 TiledObject turned(const TiledObject& object, std::uint32_t turn, TileSize tile);
 
 const TiledTile* find_tile(const TiledTileset& tileset, int id);  // null if the file says nothing about it

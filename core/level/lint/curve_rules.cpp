@@ -25,7 +25,7 @@ std::string curve_name(const Level& level, int index) {
 // Whether a curve whose ends are on the map goes above or below it. Each piece rises or falls throughout.
 bool leaves_map(const Curve& curve, const TileMap& map) {
   const auto is_off_map = [&](double y) {
-    return y < -kCurveEndSlack || y > map.height() * kTileSize + kCurveEndSlack;
+    return y < -kCurveEndSlack || y > map.px_height() + kCurveEndSlack;
   };
   const std::vector<Piece<double>> pieces = cut_curves({&curve, 1}).pieces;
   return std::any_of(pieces.begin(), pieces.end(), [&](const Piece<double>& piece) {

@@ -19,7 +19,8 @@ class GapFinder {
         tiles_(tiles),
         turned_(turned),
         size_(size),
-        needed_(static_cast<int>(std::ceil(size / kTileSize))),
+        tile_(turned ? level.map.tile_size().width : level.map.tile_size().height),
+        needed_(static_cast<int>(std::ceil(size / tile_))),
         out_(out) {}
 
   // cell: on the map, with x and y exchanged if `turned`.
@@ -64,7 +65,7 @@ class GapFinder {
   void add(Cell cell, int cells) {
     const Cell at = on_map(cell);
     report(out_, kGap,
-           "the gap at " + cell_text(at) + " is " + std::to_string(cells * kTileSize) + " px " +
+           "the gap at " + cell_text(at) + " is " + std::to_string(cells * tile_) + " px " +
                (turned_ ? "wide, and a player is " : "high, and a player is ") + px_text(size_) + " px",
            at);
   }
@@ -73,6 +74,7 @@ class GapFinder {
   const LintTiles& tiles_;
   const bool turned_;
   const double size_;
+  const int tile_;    // px, of a cell across the gaps
   const int needed_;  // cells
   std::vector<Problem>& out_;
 };
@@ -84,8 +86,8 @@ void check_gaps(const LintContext& context, std::array<Cell, 2> area, std::vecto
   GapFinder tunnels(level, tiles, false, height, out), shafts(level, tiles, true, width, out);
   for (Cell c = area[0]; c.y <= area[1].y; ++c.y) {
     for (c.x = area[0].x; c.x <= area[1].x; ++c.x) {
-      if (height > kTileSize) tunnels.check(c);
-      if (width > kTileSize) shafts.check({c.y, c.x});
+      if (height > level.map.tile_size().height) tunnels.check(c);
+      if (width > level.map.tile_size().width) shafts.check({c.y, c.x});
     }
   }
 }

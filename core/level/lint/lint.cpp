@@ -33,10 +33,11 @@ Problem& report(std::vector<Problem>& out, const LintRule& rule, std::string mes
 std::optional<Cell> nearest_cell(const TileMap& map, Vec2 at) {
   const int width = map.width(), height = map.height();
   if (width == 0 || height == 0 || std::isnan(at.x) || std::isnan(at.y)) return std::nullopt;
-  const auto clamped = [](double px, int cells) {  // a far place may not fit into an int
-    return static_cast<int>(std::clamp(std::floor(px / kTileSize), 0.0, cells - 1.0));
+  const auto clamped = [](double px, int side, int cells) {  // a far place may not fit into an int
+    return static_cast<int>(std::clamp(std::floor(px / side), 0.0, cells - 1.0));
   };
-  return Cell{clamped(at.x, width), clamped(at.y, height)};
+  const TileSize tile = map.tile_size();
+  return Cell{clamped(at.x, tile.width, width), clamped(at.y, tile.height, height)};
 }
 
 void check_tile(const LintContext& context, int tile, std::vector<Problem>& out) {

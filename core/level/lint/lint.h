@@ -43,12 +43,12 @@ struct Problem {
 
 // Settings for problems that depend on taste.
 struct LintOptions {
-  // Floors and ceilings may jump by this many px where two tiles meet; 0 to below kTileSize. Jumps of a whole
-  // tile and more are taken for intended steps.
+  // Floors and ceilings may jump by this many px where two tiles meet; 0 to kMaxSeam. Jumps of a whole tile
+  // and more are taken for intended steps.
   double seam = 0;
   friend bool operator==(const LintOptions&, const LintOptions&) = default;
 };
-inline constexpr double kMaxSeam = kTileSize - 1.0 / 256;
+inline constexpr double kMaxSeam = kMaxTileSide - 1.0 / 256;
 
 // Every kind of problem, except the one that counts problems that are not listed.
 std::span<const LintRule* const> lint_rules();

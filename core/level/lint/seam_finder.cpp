@@ -30,7 +30,8 @@ class SeamFinder {
                     return level.map.contains(c) ? tiles.outlines()[level.map.at(c)] : kNothing;
                   }),
         out_(out),
-        least_body_(tiles.player() ? std::min<double>(tiles.player()->y, kTileSize) : kTileSize) {}
+        tile_height_(level.map.tile_size().height),
+        least_body_(tiles.player() ? std::min(tiles.player()->y, tile_height_) : tile_height_) {}
 
   void find(std::array<Cell, 2> area) {
     // A floor may go on in the row above or below, and so may the ceiling over it.
@@ -90,8 +91,8 @@ class SeamFinder {
   // Collects the exposed ends of floors and ceilings at one side of a cell.
   void ends_of(Cell cell, bool right, std::vector<End>& ends) {
     if (!ground_[index_of(cell)]) return;
-    const double x = (cell.x + (right ? 1.0 : 0.0)) * kTileSize;
-    const double row0 = cell.y * 1.0 * kTileSize, row1 = row0 + kTileSize;
+    const double x = level_.map.x_of(right ? cell.x + 1 : cell.x);
+    const double row0 = level_.map.y_of(cell.y), row1 = level_.map.y_of(cell.y + 1);
     for (const Piece<double>& piece : pieces_at(cell)) {
       const bool ends_here = right ? piece.x1 == x : piece.x0 == x;
       if (piece.is_wall() || !ends_here) continue;
@@ -165,7 +166,7 @@ class SeamFinder {
   }
 
   void find_jump(Cell cell, const End& end) {
-    double jump = kTileSize;  // the smallest jump below a whole tile
+    double jump = tile_height_;  // the smallest jump below a whole tile
     Seam seam{cell, {}, end.y, 0, end.tile, {}, end.floor};
     for (const End& next : there_) {
       const double by = std::abs(next.y - end.y);
@@ -175,7 +176,7 @@ class SeamFinder {
       seam.right_y = next.y;
       seam.right_tile = next.tile;
     }
-    if (jump == kTileSize || jump <= tiles_.seam() || is_on_curve(cell, end)) return;
+    if (jump == tile_height_ || jump <= tiles_.seam() || is_on_curve(cell, end)) return;
     // Cracks and slopes that lack a half have rules of their own.
     if (is_in_slit({cell.x, end.row}, true, end.y, end.floor) ||
         is_in_slit(seam.right, false, seam.right_y, end.floor))
@@ -197,7 +198,7 @@ class SeamFinder {
 
   // Whether a curve continues where a floor or a ceiling ends.
   bool is_on_curve(Cell cell, const End& end) const {
-    const double x = (cell.x + 1.0) * kTileSize;
+    const double x = level_.map.x_of(cell.x + 1);
     const auto ends = tiles_.curves().ends.at({x, end.y}, true);
     return std::any_of(ends.begin(), ends.end(), [&](const CurveEnds::End& curve) {
       return (tiles_.curves().pieces[curve.piece].facing == Facing::up) == end.floor;
@@ -208,6 +209,7 @@ class SeamFinder {
   const LintTiles& tiles_;
   OutlineCompiler compiler_;
   SeamsAndCracks& out_;
+  const double tile_height_;      // px
   const double least_body_;       // height of the lowest body, px
   std::array<Cell, 2> around_{};  // the area and its neighbours
   // For each cell around the area: whether a line may change the outline there, and whether there is ground.

@@ -74,15 +74,11 @@ class SeamFixer {
     shape_ = shape_of_tile(level_, level_.map.at(cell));
     return is_line_shape(shape_) && shape_.heights.size() > 1 ? &shape_ : nullptr;
   }
-  static double left_end(const TileShape& shape, Cell cell) {
-    return end(shape, cell, shape.heights.front());
-  }
-  static double right_end(const TileShape& shape, Cell cell) {
-    return end(shape, cell, shape.heights.back());
-  }
-  static double end(const TileShape& shape, Cell cell, double height) {
+  double left_end(const TileShape& shape, Cell cell) const { return end(shape, cell, shape.heights.front()); }
+  double right_end(const TileShape& shape, Cell cell) const { return end(shape, cell, shape.heights.back()); }
+  double end(const TileShape& shape, Cell cell, double height) const {
     const bool floor = shape.side == TileShape::Side::floor;
-    const double base = (cell.y + (floor ? 1.0 : 0.0)) * kTileSize;
+    const double base = level_.map.y_of(floor ? cell.y + 1 : cell.y);
     return floor ? base - weld(height) : base + weld(height);
   }
 

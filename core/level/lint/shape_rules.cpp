@@ -26,7 +26,8 @@ void check_steepness(const LintContext& context, int tile, std::vector<Problem>&
   const TileShape& shape = context.tiles.shape(tile);
   const bool floor = is_line_shape(shape) && shape.side == TileShape::Side::floor && shape.heights.size() > 1;
   if (!floor || level.tuning.solver != SolverKind::exact) return;
-  const double width = shape.tiles * kTileSize / static_cast<double>(shape.heights.size() - 1);
+  const double width =
+      shape.tiles * level.map.tile_size().width / static_cast<double>(shape.heights.size() - 1);
   double rise = 0;
   for (std::size_t i = 1; i < shape.heights.size(); ++i)
     rise = std::max(rise, std::abs(weld(shape.heights[i]) - weld(shape.heights[i - 1])));
@@ -84,16 +85,17 @@ void check_usable(const LintContext& context, std::vector<Problem>& out) {
   }
 }
 
-// Whether the middle of a pixel of the tile's own cell is inside the ground, or inside the ball.
-bool is_inside(const TileShape& shape, int x, int y) {
-  const double at = x + 0.5, down = y + 0.5;
-  if (shape.kind == TileShape::Kind::none) return std::hypot(at - 4, down - 4) < 4;
+// Whether the middle of a pixel of the tile's own image is inside the ground, or inside the ball.
+bool is_inside(const TileShape& shape, TileSize tile, int x, int y) {
+  constexpr double kMiddle = kTileSize / 2.0;
+  if (shape.kind == TileShape::Kind::none) return std::hypot(x + 0.5 - kMiddle, y + 0.5 - kMiddle) < kMiddle;
+  const double at = (x + 0.5) * tile.width / kTileSize, down = (y + 0.5) * tile.height / kTileSize;
   if (shape.heights.size() < 2) return true;
-  const double step = shape.tiles * kTileSize / static_cast<double>(shape.heights.size() - 1);
+  const double step = shape.tiles * tile.width / static_cast<double>(shape.heights.size() - 1);
   const auto i = std::min(static_cast<std::size_t>(at / step), shape.heights.size() - 2);
   const double part = at / step - static_cast<double>(i);
   const double height = shape.heights[i] + (shape.heights[i + 1] - shape.heights[i]) * part;
-  return shape.side == TileShape::Side::floor ? kTileSize - down <= height : down <= height;
+  return shape.side == TileShape::Side::floor ? tile.height - down <= height : down <= height;
 }
 
 Edit draw_shape(const Level& level, std::uint8_t tile) {
@@ -101,7 +103,7 @@ Edit draw_shape(const Level& level, std::uint8_t tile) {
   Edit edit{"Draw " + tile_text(tile) + " as what it is", {}};
   for (int pixel = 0; pixel < kTileSize * kTileSize; ++pixel) {
     const std::uint8_t before = level.sheet(SheetId::tiles).images[tile][static_cast<std::size_t>(pixel)];
-    if (is_inside(shape, pixel % kTileSize, pixel / kTileSize))
+    if (is_inside(shape, level.map.tile_size(), pixel % kTileSize, pixel / kTileSize))
       edit.changes.push_back(
           PixelChange{SheetId::tiles, tile, pixel, before, SlopeTilesOptions{}.ground_color});
   }
@@ -113,7 +115,8 @@ void fix_steepness(const LintContext& context, const Problem& problem, std::vect
   const auto tile = static_cast<std::uint8_t>(problem.tile);
   TileShape shape = shape_of_tile(level, tile);
   const double steepest = level.tuning.exact.steepest;
-  const double width = shape.tiles * kTileSize / static_cast<double>(shape.heights.size() - 1);
+  const double width =
+      shape.tiles * level.map.tile_size().width / static_cast<double>(shape.heights.size() - 1);
   double rise = 0;
   for (std::size_t i = 1; i < shape.heights.size(); ++i)
     rise = std::max(rise, std::abs(shape.heights[i] - shape.heights[i - 1]));

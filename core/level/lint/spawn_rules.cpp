@@ -21,17 +21,16 @@ constexpr LintRule kOutside{.code = "spawn-outside", .label = "body off the map"
 constexpr LintRule kTooFast{.code = "spawn-too-fast", .label = "body that is too fast"};
 constexpr LintRule kNoBalls{.code = "no-balls", .label = "nothing to move"};
 
-constexpr double kFastest = 4096;   // px/frame; the solvers limit speeds to this after a step
-constexpr Vec2 kBallSize = {8, 8};  // size of a ball tile's ball, px
-constexpr int kMostUp = 16;         // cells
-constexpr int kMostAway = 16;       // cells
+constexpr double kFastest = 4096;  // px/frame; the solvers limit speeds to this after a step
+constexpr int kMostUp = 16;        // cells
+constexpr int kMostAway = 16;      // cells
 
 // Returns how many px a body of this size with this top left corner (px) lies below the floor that the
 // article computes for a slope flagged in the cell. Returns 0 if it is above the floor, or beside the slope's
 // box.
 double depth_in_slope(const Level& level, Vec2 corner, Vec2 size, Cell at) {
   const double w = level.tuning.shared.slope_width, h = level.tuning.shared.slope_height;
-  const Vec2 slope = {static_cast<double>(at.x) * kTileSize, static_cast<double>(at.y) * kTileSize};
+  const Vec2 slope = level.map.corner_of(at);
   const bool overlaps = corner.x < slope.x + w && corner.x + size.x > slope.x && corner.y < slope.y + h &&
                         corner.y + size.y > slope.y;
   if (!overlaps) return 0;
@@ -50,7 +49,7 @@ class SpawnLinter {
     const Vec2 corner = spawn.position, size = spawn.size;
     const std::string subject =
         spawn_name(level_, index) + " at " + px_text(corner.x) + ", " + px_text(corner.y) + " px";
-    const double width = level_.map.width() * kTileSize, height = level_.map.height() * kTileSize;
+    const double width = level_.map.px_width(), height = level_.map.px_height();
     const bool inside =
         corner.x >= 0 && corner.y >= 0 && corner.x + size.x <= width && corner.y + size.y <= height;
     // Farther away there are no tiles, and the cell may not fit into an int.
@@ -72,10 +71,11 @@ class SpawnLinter {
   // it returns true. Returns whether it did.
   template <class Visit>
   bool any_cell(Vec2 first, Vec2 end, Visit visit) const {
-    const int x1 = std::min(level_.map.width(), static_cast<int>(std::ceil(end.x / kTileSize)));
-    const int y1 = std::min(level_.map.height(), static_cast<int>(std::ceil(end.y / kTileSize)));
-    for (int y = std::max(0, cell_of(first.y)); y < y1; ++y) {
-      for (int x = std::max(0, cell_of(first.x)); x < x1; ++x) {
+    const TileSize tile = level_.map.tile_size();
+    const int x1 = std::min(level_.map.width(), static_cast<int>(std::ceil(end.x / tile.width)));
+    const int y1 = std::min(level_.map.height(), static_cast<int>(std::ceil(end.y / tile.height)));
+    for (int y = std::max(0, level_.map.row_at(first.y)); y < y1; ++y) {
+      for (int x = std::max(0, level_.map.column_at(first.x)); x < x1; ++x) {
         if (visit(Cell{x, y})) return true;
       }
     }
@@ -114,7 +114,7 @@ class SpawnLinter {
   void check_shapes(int index, const std::string& subject, std::optional<Cell> cell) {
     if (level_.tuning.solver != SolverKind::exact) return;
     const Spawn& spawn = level_.spawns[static_cast<std::size_t>(index)];
-    const Vec2 reach = {kMaxShapeTiles * kTileSize, kMaxShapeTiles * kTileSize};
+    const Vec2 reach = level_.map.corner_of({kMaxShapeTiles, kMaxShapeTiles});
     const Vec2 end = spawn.position + spawn.size;
     const bool is_covered = any_cell(spawn.position - reach, end + reach, [&](Cell at) {
       const LintTiles::Tile& tile = tiles_[level_.map.at(at)];
@@ -149,14 +149,14 @@ void check_spawns(const LintContext& context, std::vector<Problem>& out) {
 
 void check_ball(const LintContext& context, Cell cell, int tile, std::vector<Problem>& out) {
   const LintTiles& tiles = context.tiles;
-  const Vec2 corner = {static_cast<double>(cell.x) * kTileSize, static_cast<double>(cell.y) * kTileSize};
+  const Rect ball = context.level.map.box_of(cell);
   const int left = std::max(0, cell.x - tiles.slope_cells());
   const int up = std::max(0, cell.y - tiles.slope_rows());
   for (Cell at{left, up}; at.y <= cell.y; ++at.y) {
     for (at.x = left; at.x <= cell.x; ++at.x) {
       const std::uint8_t slope = context.level.map.at(at);
       if (!tiles.is_slope(slope) || tiles[slope].own_shape) continue;
-      const double depth = depth_in_slope(context.level, corner, kBallSize, at);
+      const double depth = depth_in_slope(context.level, ball.position(), {ball.w, ball.h}, at);
       if (!(depth > 0)) continue;
       report(out, kInSlope,
              "the ball at " + cell_text(cell) + " starts " + px_text(depth) + " px inside the " +
@@ -179,8 +179,8 @@ void check_balls(const LintContext& context, std::array<Cell, 2> area, std::vect
 std::string position_text(Vec2 at) { return px_text(at.x) + ", " + px_text(at.y) + " px"; }
 
 bool is_on_map(const Level& level, const Rect& box) {
-  return box.x >= 0 && box.y >= 0 && box.right() <= level.map.width() * kTileSize &&
-         box.bottom() <= level.map.height() * kTileSize;
+  return box.x >= 0 && box.y >= 0 && box.right() <= level.map.px_width() &&
+         box.bottom() <= level.map.px_height();
 }
 
 // Returns the nearest place on the map that is free of the ground, among the corners of cells.
@@ -188,10 +188,11 @@ std::optional<Vec2> nearest_free_corner(const Level& level, const Rect& box, con
                                         Foot foot) {
   std::optional<Vec2> nearest;
   double least = 0;
+  const Cell home = level.map.cell_at(box.position());
   for (int y = -kMostAway; y <= kMostAway; ++y) {
     for (int x = -kMostAway; x <= kMostAway; ++x) {
-      const Rect there{(std::floor(box.x / kTileSize) + x) * kTileSize,
-                       (std::floor(box.y / kTileSize) + y) * kTileSize, box.w, box.h};
+      const Vec2 corner = level.map.corner_of({home.x + x, home.y + y});
+      const Rect there{corner.x, corner.y, box.w, box.h};
       const Vec2 way = there.position() - box.position();
       const double squared = way.x * way.x + way.y * way.y;
       if ((nearest && squared >= least) || !is_on_map(level, there)) continue;
@@ -211,7 +212,7 @@ std::optional<Vec2> free_place(const Level& level, const Spawn& spawn) {
   const Foot foot = spawn.used_foot();
   for (int i = 0; i <= kMostUp; ++i) {
     Rect up = box;
-    up.y = (std::floor(box.bottom() / kTileSize) - i) * kTileSize - box.h;
+    up.y = level.map.y_of(level.map.row_at(box.bottom()) - i) - box.h;
     const Rect local = ground.to_local(up);
     if (up.y >= box.y || !is_on_map(level, up) || overlaps_ground(ground.terrain, local, foot)) continue;
     if (const auto floor = floor_below(ground.terrain, local, box.y - up.y, foot))
@@ -241,12 +242,12 @@ void fix_outside(const LintContext& context, const Problem& problem, std::vector
   const Level& level = context.level;
   const int index = problem.object;
   const Spawn& spawn = level.spawns[static_cast<std::size_t>(index)];
-  const auto inside = [](double at, double size, int cells) {
-    return std::max(0.0, std::min(at, cells * kTileSize - size));
+  const auto inside = [](double at, double size, double length) {
+    return std::max(0.0, std::min(at, length - size));
   };
   move_spawn(level, index,
-             {inside(spawn.position.x, spawn.size.x, level.map.width()),
-              inside(spawn.position.y, spawn.size.y, level.map.height())},
+             {inside(spawn.position.x, spawn.size.x, level.map.px_width()),
+              inside(spawn.position.y, spawn.size.y, level.map.px_height())},
              out);
 }
 

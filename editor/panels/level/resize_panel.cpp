@@ -24,11 +24,16 @@ std::string text_of_limits() {
          std::to_string(kMaxTerrainCells) + " cells in all.";
 }
 
-// Why such a map is not possible; empty if it is.
-std::string problem_of(const MapFrame& frame) {
+// The longest side of a map, in cells. tile: px, of a cell.
+int longest_side(int tile) { return std::min(kMaxTerrainSide, static_cast<int>(kMaxCoordinate) / tile); }
+
+// Why such a map of tiles of a size is not possible; empty if it is.
+std::string problem_of(const MapFrame& frame, TileSize tile) {
   const std::string most = std::to_string(kMaxTerrainSide);
-  if (!is_in(frame.width, 1, kMaxTerrainSide)) return "The width must be 1 to " + most + " cells.";
-  if (!is_in(frame.height, 1, kMaxTerrainSide)) return "The height must be 1 to " + most + " cells.";
+  const int widest = longest_side(tile.width), highest = longest_side(tile.height);
+  if (!is_in(frame.width, 1, widest)) return "The width must be 1 to " + std::to_string(widest) + " cells.";
+  if (!is_in(frame.height, 1, highest))
+    return "The height must be 1 to " + std::to_string(highest) + " cells.";
   const auto cells = std::int64_t{frame.width} * frame.height;
   if (cells > kMaxTerrainCells)
     return "These are " + std::to_string(cells) + " cells; a map has at most " +
@@ -102,7 +107,7 @@ void ResizePanel::draw_fields(const TileMap& map, Ui& ui) {
   draw_shift(ui);
   ImGui::EndGroup();
   ImGui::EndDisabled();
-  if (problem_of(typed_).empty()) frame_ = typed_;
+  if (problem_of(typed_, map.tile_size()).empty()) frame_ = typed_;
 }
 
 void ResizePanel::draw_sizes(const TileMap& map, Ui& ui) {
@@ -140,7 +145,7 @@ void ResizePanel::draw_anchors(const TileMap& map, Ui& ui) {
 }
 
 void ResizePanel::choose_anchor(const TileMap& map) {
-  if (!is_terrain_size(typed_.width, typed_.height)) return;
+  if (!is_terrain_size(typed_.width, typed_.height, map.tile_size())) return;
   typed_.shift = {(typed_.width - map.width()) * anchor_.x / 2,
                   (typed_.height - map.height()) * anchor_.y / 2};
 }
@@ -193,7 +198,7 @@ void ResizePanel::draw_preview(const TileMap& map, const Ui& ui) const {
 
 void ResizePanel::draw_answers(const Session& session, Actions& actions, Ui& ui) {
   const TileMap& map = session.level().map;
-  const std::string problem = problem_of(typed_);
+  const std::string problem = problem_of(typed_, map.tile_size());
   const bool fits = problem.empty();
   const bool changes =
       frame_.width != map.width() || frame_.height != map.height() || frame_.shift != Cell{0, 0};

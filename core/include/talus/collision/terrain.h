@@ -94,8 +94,8 @@ class BasicTerrain {
   int width() const { return width_; }    // cells
   int height() const { return height_; }  // cells
   TileSize tile_size() const { return tile_; }
-  Real x_of(int column) const { return Real(column) * Real(tile_.width); }  // px, of its left side
-  Real y_of(int row) const { return Real(row) * Real(tile_.height); }       // px, of its top
+  Real x_of(int column) const { return Real(column) * tile_width_; }  // px, of its left side
+  Real y_of(int row) const { return Real(row) * tile_height_; }       // px, of its top
   Real columns_per_px() const { return columns_per_px_; }  // rounded: a product may be off by an ulp
   Real rows_per_px() const { return rows_per_px_; }        // the same
   // Whether a cell is one of the terrain's.
@@ -224,6 +224,7 @@ class BasicTerrain {
 
   int width_ = 1, height_ = 1;
   TileSize tile_;
+  Real tile_width_ = 0, tile_height_ = 0;  // px, so that a cast converts no integers
   Real columns_per_px_ = 0, rows_per_px_ = 0;
   int chunk_columns_ = 1;
   std::shared_ptr<const Parts> parts_;

@@ -20,14 +20,15 @@ constexpr double kRestDistance = 10;  // px of the screen, from a resting body u
 Spawn next_spawn(const Session& session, Vec2 at) {
   Spawn spawn;
   spawn.kind = BodyKind::player;
-  spawn.size = traits_of(spawn.kind).size;
+  spawn.size = new_body_size(spawn.kind, session.level().map.tile_size());
   if (const int like = chosen_spawn(session); like >= 0) {
     const Spawn& chosen = session.level().spawns[static_cast<std::size_t>(like)];
     spawn.kind = chosen.kind;
     spawn.foot = chosen.foot;
     spawn.size = chosen.size;
   }
-  spawn.position = {std::floor(at.x / kTileSize) * kTileSize, std::floor(at.y / kTileSize) * kTileSize};
+  const TileMap& map = session.level().map;
+  spawn.position = map.corner_of(map.cell_at(at));
   return spawn;
 }
 
