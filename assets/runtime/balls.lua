@@ -1,4 +1,4 @@
--- ---- Balls: the article's velocities, restitution and friction, with the true normal ----
+-- ---- Bodies that fall, such as balls: the article's velocities, restitution and friction, with the true normal ----
 has.balls = true
 
 -- Under constant gravity a ball flies along a parabola through the ends of the parts. It bounces from level
@@ -68,14 +68,15 @@ local function fall(world, body, ball)
   end
   body.grounded = ball.landed
 end
-kinds.ball = {step = fall, foot = "box"}
+rules.fall = fall
 
--- Tiles of the map that are balls.
+-- Tiles of the map that are bodies, such as balls.
 function World:place_tiles(level)
   for x = 0, level.width - 1 do
     for y = 0, level.height - 1 do
       local tile = level.tiles[y * level.width + x + 1]
-      if level.balls[tile] then self:add {kind = "ball", x = x * TILE_W, y = y * TILE_H, tile = tile} end
+      local kind = level.balls[tile]
+      if kind then self:add {kind = kind, x = x * TILE_W, y = y * TILE_H, w = TILE_W, h = TILE_H, tile = tile} end
     end
   end
 end

@@ -7,7 +7,8 @@
 --   world:step {left = false, right = true, jump = false}   -- one frame further; all keys may be missing
 --   for _, body in ipairs(world.bodies) do draw(body.x, body.y, body.w, body.h) end
 --
--- A body has kind ("ball" or "player"), x, y, w, h, vx, vy, grounded, and tile, if it is a tile of the map.
+-- A body has kind (a key of level.kinds, such as "ball"), x, y, w, h, vx, vy, grounded, and tile, if it is a tile
+-- of the map.
 -- Between steps you may change vx and vy, or x and y; then also set clear to false, which frees it from walls.
 -- With the part mouse, step() also takes mouse_x, mouse_y and mouse_down, and drags bodies; games for LÖVE and
 -- TIC-80 have it. You can ask about the ground, for any box:
@@ -18,8 +19,8 @@
 -- What the game adds to the level while it runs:
 --   world:add {kind = "player", x = 40, y = 8}   -- a body, which it returns
 --   world.terrain:set_tile(x, y, tile)           -- another tile in a cell, counted from 0
--- needs the parts for it: players and balls, for such bodies; pairs, for several bodies that block one another;
--- slopes and one_way, for tiles of these shapes. Parts that the level itself does not use are named in the
+-- needs the parts for it: balls and players, for bodies that fall or run; pairs, for several bodies that block one
+-- another; slopes and one_way, for tiles of these shapes. Parts that the level itself does not use are named in the
 -- export, as in `talus export FILE --to lua-runtime --parts players,pairs -o OUT`, or in the preset's field
 -- Parts. talus.parts lists the parts of this file.
 
@@ -77,5 +78,5 @@ local Terrain = {}  -- methods of the ground
 Terrain.__index = Terrain
 local World = {}    -- methods of the world
 World.__index = World
-local kinds = {}    -- by name: step(world, body, box, input), one frame; foot, "box" or "centre"
+local rules = {}    -- by name, which kinds of bodies have: a function(world, body, box, input), one frame
 local has = {}      -- by name: true for each part of this file

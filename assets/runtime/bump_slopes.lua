@@ -331,7 +331,8 @@ end
 -- Adds the tiles of an exported level, but no bodies. options, all optional:
 --   merge      true: full tiles become as few boxes as they can, so that less snags at seams. Without, bodies
 --              move to the last bit as in Talus with the solver "bump"
---   on_ball    function(x, y, tile), called where a tile is a ball, in the order in which tiles are added
+--   on_ball    function(x, y, tile, kind), called where a tile is a body, such as a ball, in the order in which
+--              tiles are added
 -- Curves are not ground here: Talus's own runtime (--to lua-runtime) has them.
 function slopes.add_level(world, level, options)
   options = options or {}
@@ -352,7 +353,7 @@ function slopes.add_level(world, level, options)
                           (shape.tiles or 1) * tile_width, shape.heights or {tile_height, tile_height},
                           {ceiling = is_ceiling, one_way = shape.one_way, tile_height = tile_height})
       elseif level.balls[tile] and options.on_ball then
-        options.on_ball(x * tile_width, y * tile_height, tile)
+        options.on_ball(x * tile_width, y * tile_height, tile, level.balls[tile])
       end
     end
   end

@@ -1,4 +1,4 @@
--- ---- Players: they run along the ground at the speed asked for, and jump off it ----
+-- ---- Bodies that run, such as players: they go along the ground at the speed asked for, and jump off it ----
 has.players = true
 
 local function take_keys(n, body, box, input)
@@ -83,4 +83,4 @@ local function run(world, body, box, input)
     if walked then body.coyote = n.coyote_frames end
   end
 end
-kinds.player = {step = run, foot = "centre"}
+rules.run = run

@@ -12,7 +12,7 @@ end
 
 -- Parts add what the input does to the world, and what takes a body one frame further.
 function World:take_input() end
-function World:step_of(body) return kinds[body.kind].step end
+function World:step_of(body) return rules[self.kinds[body.kind].rule] end
 
 local function step_body(world, body, input)
   local box = {x = body.x, y = body.y, w = body.w, h = body.h, vx = body.vx, vy = body.vy,
@@ -56,25 +56,27 @@ function World:overlaps(x, y, w, h, foot)
   return overlaps_ground(self.terrain, x + 0.0, y + 0.0, w + 0.0, h + 0.0, foot == "centre")
 end
 
--- Adds a body and returns it. The table needs kind, x and y; it may have w and h (a tile's), vx and vy (0), and foot
--- ("box", for players "centre"). It is an error if this module has no part for the kind.
+-- Adds a body and returns it. The table needs kind, x and y; it may have vx and vy (0), and w, h and foot ("box" or
+-- "centre"; those of its kind). It is an error if the level has no such kind, or this module no part with its rule.
 function World:add(body)
-  local kind = kinds[body.kind]
+  local kind = self.kinds[body.kind]
   if not kind then
     local known = {}
-    for name in pairs(kinds) do known[#known + 1] = '"' .. name .. '"' end
+    for name in pairs(self.kinds) do known[#known + 1] = '"' .. name .. '"' end
     table.sort(known)
-    error(("there is no kind of body %q here, but %s; more is in the parts that an export takes"):format(
-            tostring(body.kind), #known > 0 and table.concat(known, " and ") or "none"), 2)
+    local problem = "there is no kind of body %q in the level, but %s"
+    error(problem:format(tostring(body.kind), table.concat(known, " and ")), 2)
+  end
+  if not rules[kind.rule] then
+    local problem = "a body of the kind %q takes the part with the rule %q: name it in the export"
+    error(problem:format(body.kind, kind.rule), 2)
   end
   if #self.bodies > 0 and self.tuning.balls_block ~= 0 and not has.pairs then
     error("a second body takes the part pairs, as bodies block one another here: name it in the export, or " ..
           "set balls_block in the level's tuning to 0", 2)
   end
   body.id = #self.bodies + 1
-  body.x, body.y = body.x + 0.0, body.y + 0.0
-  body.w, body.h = body.w or self.terrain.tile_width, body.h or self.terrain.tile_height
-  body.w, body.h = body.w + 0.0, body.h + 0.0
+  body.x, body.y, body.w, body.h = body.x + 0.0, body.y + 0.0, (body.w or kind.w) + 0.0, (body.h or kind.h) + 0.0
   body.vx, body.vy = (body.vx or 0) + 0.0, (body.vy or 0) + 0.0
   body.foot = body.foot or kind.foot
   body.grounded, body.clear = false, false

@@ -1,6 +1,6 @@
 -- Where a game looks in its level. camera(level) gives the area that is used, {left, top, right, bottom} in px,
--- and a function: from the bodies and the size of the view in px, the view's top left corner. The first player,
--- or the first body, is in the middle as far as the area goes; an area smaller than the view is, too.
+-- and a function: from the bodies and the size of the view in px, the view's top left corner. The first body
+-- that takes keys, or else the first one, is in the middle as far as the area goes; an area smaller than the view is, too.
 local COLUMNS, ROWS = 30, 17  -- cells of a screen of TIC-80: whole screens are shown
 
 local function used_area(level)
@@ -33,7 +33,8 @@ return function(level)
   return area, function(bodies, width, height)
     local seen = bodies[1] or {x = area.left, y = area.top, w = 0, h = 0}
     for i = #bodies, 1, -1 do
-      if bodies[i].kind == "player" then seen = bodies[i] end
+      local kind = level.kinds[bodies[i].kind]
+      if kind and kind.takes_keys then seen = bodies[i] end
     end
     return within(seen.x + seen.w / 2, width, area.left, area.right),
            within(seen.y + seen.h / 2, height, area.top, area.bottom)

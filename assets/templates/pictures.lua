@@ -1,8 +1,9 @@
 -- Draws a level in LÖVE 11 as Talus's editor does, from its sheet: a picture of the 256 tiles in which colour 0 is
 -- clear. pictures(level, file) gives
 --   draw_ground()      the tiles of the map; a cell with a ball, which is a body, shows tile 0
---   draw_body(body)    its kind, x, y, w and h; a ball has the picture of its `tile`, without one that of the
---                      level's first ball tile, and without any it is a disc; a player is a box with a face
+--   draw_body(body)    its kind, x, y, w and h. Kinds that look like a figure, such as players, are boxes with a
+--                      face. Others have the picture of their `tile`, without one that of the level's first ball
+--                      tile, and without any they are discs
 local LIGHT, BLUE = {244 / 255, 244 / 255, 244 / 255}, {65 / 255, 166 / 255, 246 / 255}
 local DARK = {11 / 255, 12 / 255, 20 / 255}
 
@@ -43,7 +44,7 @@ local function rectangle(color, x, y, w, h)
 end
 
 -- The bar below is what it stands on: all of its bottom side, or the middle of it.
-local function draw_player(body)
+local function draw_figure(body)
   local x, y, w, h = body.x, body.y, body.w, body.h
   rectangle(BLUE, x, y, w, h)
   for _, eye in ipairs {0.3, 0.6} do rectangle(DARK, x + w * eye, y + h * 0.2, w * 0.12, h * 0.25) end
@@ -72,8 +73,8 @@ return function(level, file)
     love.graphics.draw(ground)
   end
   local function draw_body(body)
-    local tile = body.tile or first_ball
-    if body.kind == "player" then return draw_player(body) end
+    local kind, tile = level.kinds[body.kind], body.tile or first_ball
+    if kind and kind.look == "figure" then return draw_figure(body) end
     love.graphics.setColor(tile and {1, 1, 1} or LIGHT)
     if tile then
       love.graphics.draw(clear, quads[tile], body.x, body.y, 0, body.w / tile_width, body.h / tile_height)

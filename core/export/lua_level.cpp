@@ -42,6 +42,8 @@ class LuaTable {
   void number(std::string_view key, double value) { append_number(member(key), value); }
   void word(std::string_view key, std::string_view value) { member(key).append("\"").append(value) += '"'; }
   void truth(std::string_view key) { member(key) += "true"; }
+  // Whether members are written whose values the runtime takes anyway when they are missing.
+  bool writes_defaults() const { return layout_ != Layout::small; }
   template <class Range>
   void numbers(std::string_view key, const Range& values) {
     LuaTable list = in_a_row(key);
@@ -134,11 +136,25 @@ void write_spawn(LuaTable&& table, const Spawn& spawn) {
   if (!spawn.name.empty()) table.member("name") += lua_string(spawn.name);
   table.number("x", spawn.position.x);
   table.number("y", spawn.position.y);
-  table.number("w", spawn.size.x);
-  table.number("h", spawn.size.y);
-  table.number("vx", spawn.velocity.x);
-  table.number("vy", spawn.velocity.y);
-  table.word("foot", foot_word(spawn.used_foot()));
+  const BodyTraits& traits = traits_of(spawn.kind);
+  const auto number = [&](std::string_view key, double value, double usual) {
+    if (table.writes_defaults() || value != usual) table.number(key, value);
+  };
+  number("w", spawn.size.x, traits.size.x);
+  number("h", spawn.size.y, traits.size.y);
+  number("vx", spawn.velocity.x, 0);
+  number("vy", spawn.velocity.y, 0);
+  if (table.writes_defaults() || spawn.used_foot() != traits.foot)
+    table.word("foot", foot_word(spawn.used_foot()));
+}
+
+void write_kind(LuaTable&& table, const BodyTraits& traits) {
+  table.word("rule", rule_word(traits.rule));
+  if (traits.takes_keys) table.truth("takes_keys");
+  table.number("w", traits.size.x);
+  table.number("h", traits.size.y);
+  table.word("foot", foot_word(traits.foot));
+  table.word("look", look_word(traits.look));
 }
 
 void write_tiles(LuaTable&& rows, const TerrainSource& ground, const Progress& progress) {
@@ -173,7 +189,8 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
   {
     LuaTable balls = table.in_a_row("balls");
     for (int tile = 0; tile < kTileCount; ++tile) {
-      if (is_ball_tile(level, static_cast<std::uint8_t>(tile))) balls.truth(number_key(tile));
+      const auto kind = body_kind_of_tile(level, static_cast<std::uint8_t>(tile));
+      if (kind) balls.word(number_key(tile), traits_of(*kind).word);
     }
   }
   {
@@ -183,6 +200,11 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
   {
     LuaTable spawns = table.in_lines("spawns");
     for (const Spawn& spawn : level.spawns) write_spawn(spawns.in_a_row(""), spawn);
+  }
+  {
+    LuaTable kinds = table.in_lines("kinds");
+    for (const BodyTraits& traits : body_kinds())
+      write_kind(kinds.in_a_row("[" + lua_string(traits.word) + "]"), traits);
   }
   {
     LuaTable tuning = table.in_lines("tuning");

@@ -5,11 +5,13 @@
 //   tiles             width * height tile numbers, row by row
 //   shapes            by tile number: kind ("solid", "slope", "profile"); unless default: side ("floor"),
 //                     one_way (false), tiles (width, 1); heights, for slopes and profiles
-//   balls             by tile number: true where a tile of the map is a ball
-//   curves            kind, faces ("up", "down", "both") and the numbers of
-//   core/include/talus/collision/shape.h spawns            kind, name, x, y, w, h, vx, vy, foot ("box",
-//   "centre") tuning            of exact, player, and what they share with the article, by key parts of the
-//   runtime, that the level needs (lua_parts.h)
+//   balls             by tile number, of tiles that are bodies: their kind, such as "ball"
+//   curves            kind, faces ("up", "down", "both") and the numbers of talus/collision/shape.h
+//   spawns            kind, name, x, y, w, h, vx, vy, foot ("box", "centre")
+//   kinds             by their word, all kinds of bodies: rule ("fall", "run"), w, h, foot, look ("tile",
+//                     "figure"); takes_keys (false)
+//   tuning            of exact, player, and what they share with the article, by key
+//   parts             of the runtime, that the level needs (lua_parts.h)
 #pragma once
 
 #include <string>
@@ -21,7 +23,8 @@ namespace talus {
 
 // "return {...}", with numbers as the shortest decimals that read back as the same doubles. Unusable shapes
 // (see lint) are left out, as the solver ignores them. readable: one line for each row of the map, shape,
-// curve, body and number of the tuning. small: without tiles and parts, as a cart has the map itself.
+// curve, body and number of the tuning. small: without tiles and parts, as a cart has the map itself, and
+// without what the runtime takes anyway for a spawn: size and foot of its kind, no velocity.
 std::string lua_level(const Level& level, LuaForm form = LuaForm::readable, const Progress& progress = {});
 
 }  // namespace talus

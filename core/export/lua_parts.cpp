@@ -33,6 +33,17 @@ constexpr LuaPart kLuaParts[] = {
     {"end", {"module"}},
 };
 
+// The part that has the rule.
+std::string_view part_of(BodyRule rule) {
+  switch (rule) {
+    case BodyRule::fall:
+      return "balls";
+    case BodyRule::run:
+      return "players";
+  }
+  return {};
+}
+
 bool is_always_there(const LuaPart& part) {
   return part.name == "core" || part.name == "bodies" || part.name == "end";
 }
@@ -45,12 +56,15 @@ PartNames used_parts(const Level& level) {
   const auto any_curve = [&](auto is) { return std::any_of(ground.curves.begin(), ground.curves.end(), is); };
   PartNames used;
   std::size_t bodies = level.spawns.size();
-  for (const Spawn& spawn : level.spawns) used.emplace(traits_of(spawn.kind).lua_part);
+  for (const Spawn& spawn : level.spawns) used.emplace(part_of(traits_of(spawn.kind).rule));
   for (int tile = 0; tile < kTileCount; ++tile) {
     const auto kind = body_kind_of_tile(level, static_cast<std::uint8_t>(tile));
     if (!kind) continue;
     const auto count = std::count(ground.cells.begin(), ground.cells.end(), tile);
-    if (count > 0) used.emplace(traits_of(*kind).lua_part);
+    if (count > 0) {
+      used.emplace("balls");  // which places them
+      used.emplace(part_of(traits_of(*kind).rule));
+    }
     bodies += static_cast<std::size_t>(count);
   }
   const auto is_line = [&](std::uint8_t tile) { return is_line_shape(ground.shapes[tile]); };

@@ -187,6 +187,18 @@ std::string_view kind_word(TileShape::Kind kind) {
 
 std::string_view foot_word(Foot foot) { return foot == Foot::centre ? "centre" : "box"; }
 
+std::string_view rule_word(BodyRule rule) {
+  switch (rule) {
+    case BodyRule::fall:
+      return "fall";
+    case BodyRule::run:
+      return "run";
+  }
+  return {};
+}
+
+std::string_view look_word(BodyLook look) { return look == BodyLook::figure ? "figure" : "tile"; }
+
 std::vector<PlainLine> plain_lines(const Level& level, const Progress& progress) {
   std::vector<PlainLine> lines;
   TerrainSource ground = ground_of(level);

@@ -55,9 +55,12 @@ class PlainBodies {
 // "2 curves", for Exported::dropped of exports that cannot hold curves; empty if the level has no curves.
 std::vector<std::string> dropped_curves(const Level& level);
 
-// The words of the exports: "solid", "slope", "profile" or "none"; "box" or "centre".
+// The words of the exports: "solid", "slope", "profile" or "none"; "box" or "centre"; "fall" or "run"; "tile"
+// or "figure".
 std::string_view kind_word(TileShape::Kind kind);
 std::string_view foot_word(Foot foot);
+std::string_view rule_word(BodyRule rule);
+std::string_view look_word(BodyLook look);
 
 // How far the points of a curve's line may be from the curve. A line between two of them stays as near.
 inline constexpr double kPlainLineError = 1.0 / 64;  // px

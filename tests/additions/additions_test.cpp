@@ -1,6 +1,7 @@
-// Adds one overlay, one rule of the lint and one kind of body, and shows that the files named in
-// docs/adding.md are enough. The three lists of this program have one more row each (see
-// tests/CMakeLists.txt), and everything else is as in `talus`.
+// Adds one overlay, one rule of the lint and two kinds of bodies, and shows that the files named in
+// docs/adding.md are enough. The three lists of this program have one or two more rows each (see
+// tests/CMakeLists.txt), and everything else is as in `talus`. body_kinds_test.cpp shows the added bodies in
+// games and in the window.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

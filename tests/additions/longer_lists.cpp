@@ -1,5 +1,6 @@
-// The lists of overlays, rules and body kinds with one more row each. They replace the program's own lists,
-// which are compiled here under another name.
+// The lists of overlays, rules and body kinds with one or two more rows each. They replace the program's own
+// lists, which are compiled here under another name.
+#include <initializer_list>
 #include <vector>
 
 #include <talus/level/body_kind.h>
@@ -25,32 +26,42 @@ const RuleGroup& name_rules();
 namespace {
 
 template <class Row>
-std::vector<Row> longer(std::span<const Row> rows, const Row& row) {
+std::vector<Row> longer(std::span<const Row> rows, std::initializer_list<Row> more) {
   std::vector<Row> all(rows.begin(), rows.end());
-  all.push_back(row);
+  all.insert(all.end(), more);
   return all;
 }
 
 }  // namespace
 
 std::span<const Overlay* const> all_overlays() {
-  static const auto kAll = longer<const Overlay*>(own_overlays(), &overlay::centres);
+  static const auto kAll = longer<const Overlay*>(own_overlays(), {&overlay::centres});
   return kAll;
 }
 
 std::span<const RuleGroup* const> rule_groups() {
-  static const auto kAll = longer<const RuleGroup*>(own_rule_groups(), &name_rules());
+  static const auto kAll = longer<const RuleGroup*>(own_rule_groups(), {&name_rules()});
   return kAll;
 }
 
 std::span<const BodyTraits> body_kinds() {
-  static const auto kAll = longer<BodyTraits>(own_body_kinds(), {.word = "crate",
-                                                                 .help = "A crate falls.",
-                                                                 .size = {16, 12},
-                                                                 .lua_part = "balls",
-                                                                 .ldtk_identifier = "Crate",
-                                                                 .ldtk_color = "#A0703C",
-                                                                 .svg_color = "#a0703c"});
+  static constexpr BodyTraits kCrate{.word = "crate",
+                                     .help = "A crate falls.",
+                                     .size = {16, 12},
+                                     .foot = Foot::centre,
+                                     .ldtk_identifier = "Crate",
+                                     .ldtk_color = "#A0703C",
+                                     .svg_color = "#a0703c"};
+  static constexpr BodyTraits kRunner{.word = "runner",
+                                      .help = "A runner runs by the keys.",
+                                      .rule = BodyRule::run,
+                                      .takes_keys = true,
+                                      .size = {6, 12},
+                                      .look = BodyLook::figure,
+                                      .ldtk_identifier = "Runner",
+                                      .ldtk_color = "#70A03C",
+                                      .svg_color = "#70a03c"};
+  static const auto kAll = longer<BodyTraits>(own_body_kinds(), {kCrate, kRunner});
   return kAll;
 }
 

@@ -184,6 +184,11 @@ TEST(LuaLevel, HasALineForEachRowTileAndBody) {
       "foot = "
       "\"box\"},\n"
       "  },\n"
+      "  kinds = {\n"
+      "    [\"ball\"] = {rule = \"fall\", w = 8, h = 8, foot = \"box\", look = \"tile\"},\n"
+      "    [\"player\"] = {rule = \"run\", takes_keys = true, w = 8, h = 8, foot = \"centre\", look = "
+      "\"figure\"},\n"
+      "  },\n"
       "  tuning = {\n";
   EXPECT_EQ(text.substr(0, begin.size()), begin);
   EXPECT_NE(text.find("\n    fall_speed = 5,\n"), std::string::npos);
@@ -199,6 +204,7 @@ TEST(LuaLevel, IsOneLineInACart) {
       0U)
       << text;
   EXPECT_EQ(text.find('\n'), text.size() - 1);
+  EXPECT_NE(text.find(",spawns={{kind=\"ball\",x=16,y=8}},"), std::string::npos) << text;
   EXPECT_EQ(text.find("parts"), std::string::npos);
 }
 
@@ -219,11 +225,8 @@ class LuaModule : public FolderTest {
 
 TEST_F(LuaModule, AnUnknownKindOfBodyIsAnError) {
   const std::string add = "try(world.add, world, {kind = 'plyer', x = 8, y = 8})";
-  EXPECT_EQ(
-      run(flat_level(), add),
-      "there is no kind of body \"plyer\" here, but \"ball\"; more is in the parts that an export takes\n");
-  EXPECT_EQ(run(Level(), add),
-            "there is no kind of body \"plyer\" here, but none; more is in the parts that an export takes\n");
+  EXPECT_EQ(run(flat_level(), add),
+            "there is no kind of body \"plyer\" in the level, but \"ball\" and \"player\"\n");
 }
 
 TEST_F(LuaModule, ABodyWhosePartIsLeftOutIsAnError) {
@@ -231,8 +234,7 @@ TEST_F(LuaModule, ABodyWhosePartIsLeftOutIsAnError) {
       "level.tuning.balls_block = 0\nworld = talus.new(level)\n"
       "try(world.add, world, {kind = 'player', x = 40, y = 8})\nprint(#world.bodies)";
   EXPECT_EQ(run(flat_level(), add),
-            "there is no kind of body \"player\" here, but \"ball\"; more is in the parts that an export "
-            "takes\n1\n");
+            "a body of the kind \"player\" takes the part with the rule \"run\": name it in the export\n1\n");
   EXPECT_EQ(run(flat_level(), add, "players").substr(0, 6), "table:");
 }
 

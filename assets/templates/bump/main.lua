@@ -21,8 +21,8 @@ end
 local function start()
   world, bodies, due = bump.newWorld(tuning.cell_size), {}, 0
   slopes.install(world)
-  slopes.add_level(world, level, {merge = true, on_ball = function(x, y, tile)
-    add_body {kind = "ball", tile = tile, x = x, y = y, w = TILE_WIDTH, h = TILE_HEIGHT, vx = 0, vy = 0}
+  slopes.add_level(world, level, {merge = true, on_ball = function(x, y, tile, kind)
+    add_body {kind = kind, tile = tile, x = x, y = y, w = TILE_WIDTH, h = TILE_HEIGHT, vx = 0, vy = 0}
   end})
   for _, spawn in ipairs(level.spawns) do
     local body = {}
@@ -79,7 +79,7 @@ function love.update(seconds)
   due = math.min(due + seconds, 4 * STEP)
   while due >= STEP do
     for _, body in ipairs(bodies) do
-      if body.kind == "player" then run(body) else fall(body) end
+      if level.kinds[body.kind].takes_keys then run(body) else fall(body) end
     end
     due = due - STEP
   end

@@ -24,7 +24,7 @@ local function without_balls(tile)
 end
 
 -- The bar below is what it stands on: all of its bottom side, or the middle of it.
-local function draw_player(body, x, y, w, h)
+local function draw_figure(body, x, y, w, h)
   rect(x, y, w, h, 10)
   for _, eye in ipairs {0.3, 0.6} do rect(x + w * eye, y + h * 0.2, math.max(1, w * 0.12), math.max(1, h * 0.25), 0) end
   local inset, foot = body.foot == "centre" and w * 0.38 or 0, math.max(1, h * 0.15)
@@ -34,8 +34,8 @@ end
 -- As Talus's editor does it: a ball without a tile has the picture of the first ball tile, or is a disc.
 local function draw_body(body, left, top)
   local x, y, w, h, tile = (body.x - left) // 1, (body.y - top) // 1, body.w, body.h, body.tile or first_ball
-  if body.kind == "player" then
-    draw_player(body, x, y, w, h)
+  if level.kinds[body.kind].look == "figure" then
+    draw_figure(body, x, y, w, h)
   elseif not tile then
     circ(x + w / 2, y + h / 2, w / 2, 12)
   elseif w == TILE and h == TILE then

@@ -31,7 +31,7 @@ enum { TALUS_LEFT = 1, TALUS_RIGHT = 2, TALUS_JUMP = 4 };
 /* A body of the current frame. */
 typedef struct talus_body {
   int32_t id;          /* from 1, in the order of the map's ball tiles, columns from the left, then spawns */
-  int32_t is_player;   /* 0: a ball; 1: a player, who does what the keys say */
+  int32_t is_player;   /* 1: a player, or of another kind that does what the keys say; else 0 */
   int32_t is_grounded; /* 1: it stood on ground after the last frame; solver `exact` alone, else 0 */
   int32_t is_held;     /* 1: the mouse holds it; else 0 */
   double x;            /* px, left side of its box */

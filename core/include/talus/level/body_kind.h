@@ -36,7 +36,6 @@ struct BodyTraits {
   Foot foot = Foot::box;           // what stands on slopes, if nothing is given
   TileRole role = TileRole::none;  // tiles with this role are such bodies; none: no tiles are
   BodyLook look = BodyLook::tile;  // how it is drawn
-  std::string_view lua_part;       // the part of the Lua runtime that has its rule: "balls"
   std::string_view ldtk_identifier;  // of its entity in LDtk: "Ball"
   std::string_view ldtk_color;       // "#RRGGBB"
   std::string_view svg_color;        // of its outline in an SVG, "#rrggbb"
