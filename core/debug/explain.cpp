@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <utility>
 
 #include "metrics.h"
@@ -11,7 +10,6 @@
 namespace talus {
 namespace {
 
-double length(Vec2 v) { return std::sqrt(dot(v, v)); }
 bool is_slanted(Vec2 normal) { return normal.x != 0 && normal.y != 0; }
 std::string px(double distance) { return short_text(distance) + " px"; }
 

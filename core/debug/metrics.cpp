@@ -49,8 +49,6 @@ constexpr std::array kInfos = {
                "distance from the same body of the run compared with; infinite when that has no such body"},
 };
 
-double length(Vec2 v) { return std::sqrt(dot(v, v)); }
-
 // The entries of a body in a list that is sorted by body.
 template <class Entry>
 auto range_of(const std::vector<Entry>& entries, int body) {
@@ -123,6 +121,8 @@ double contact_count(const Frame& frame, int body) {
 }
 
 }  // namespace
+
+double length(Vec2 v) { return std::sqrt(dot(v, v)); }
 
 std::span<const MetricInfo> metric_infos() { return kInfos; }
 

@@ -53,6 +53,9 @@ std::span<const MetricInfo> metric_infos();  // in the order of the enum
 // later. Then a flight keeps its energy to rounding.
 double measure(Metric metric, const Frame& frame, const Body& body);
 
+// Of a way, px, or of a velocity, px/frame.
+double length(Vec2 v);
+
 // The record of a step has the bodies one after the other, by id.
 std::span<const ContactRecord> contacts_of(const StepRecord& record, int body);
 const BodyPath* path_of(const StepRecord& record, int body);  // null if there is none
