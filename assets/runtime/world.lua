@@ -60,16 +60,8 @@ end
 -- "centre"; those of its kind). It is an error if the level has no such kind, or this module no part with its rule.
 function World:add(body)
   local kind = self.kinds[body.kind]
-  if not kind then
-    local known = {}
-    for name in pairs(self.kinds) do known[#known + 1] = '"' .. name .. '"' end
-    table.sort(known)
-    local problem = "there is no kind of body %q in the level, but %s"
-    error(problem:format(tostring(body.kind), table.concat(known, " and ")), 2)
-  end
-  if not rules[kind.rule] then
-    local problem = "a body of the kind %q takes the part with the rule %q: name it in the export"
-    error(problem:format(body.kind, kind.rule), 2)
+  if not kind or not rules[kind.rule] then
+    error(("no part of this module moves bodies of the kind %q: name it in the export"):format(tostring(body.kind)), 2)
   end
   if #self.bodies > 0 and self.tuning.balls_block ~= 0 and not has.pairs then
     error("a second body takes the part pairs, as bodies block one another here: name it in the export, or " ..

@@ -226,7 +226,7 @@ class LuaModule : public FolderTest {
 TEST_F(LuaModule, AnUnknownKindOfBodyIsAnError) {
   const std::string add = "try(world.add, world, {kind = 'plyer', x = 8, y = 8})";
   EXPECT_EQ(run(flat_level(), add),
-            "there is no kind of body \"plyer\" in the level, but \"ball\" and \"player\"\n");
+            "no part of this module moves bodies of the kind \"plyer\": name it in the export\n");
 }
 
 TEST_F(LuaModule, ABodyWhosePartIsLeftOutIsAnError) {
@@ -234,7 +234,7 @@ TEST_F(LuaModule, ABodyWhosePartIsLeftOutIsAnError) {
       "level.tuning.balls_block = 0\nworld = talus.new(level)\n"
       "try(world.add, world, {kind = 'player', x = 40, y = 8})\nprint(#world.bodies)";
   EXPECT_EQ(run(flat_level(), add),
-            "a body of the kind \"player\" takes the part with the rule \"run\": name it in the export\n1\n");
+            "no part of this module moves bodies of the kind \"player\": name it in the export\n1\n");
   EXPECT_EQ(run(flat_level(), add, "players").substr(0, 6), "table:");
 }
 
