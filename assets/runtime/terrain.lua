@@ -7,12 +7,12 @@ function Terrain.outline_of() return {full = true} end
 function Terrain:begin() end
 
 -- Each question of the world begins with it: worlds may have cells of different sizes.
-function Terrain:use() TILE_W, TILE_H = self.tile_width, self.tile_height end
+function Terrain:use() TILE_W, TILE_H = self.tile_w, self.tile_h end
 
 local function new_terrain(level)
   local terrain = setmetatable({width = level.width, height = level.height, tiles = {}, outlines = {},
-                                tile_width = (level.tile_width or 8) + 0.0,
-                                tile_height = (level.tile_height or 8) + 0.0}, Terrain)
+                                tile_w = (level.tile_width or 8) + 0.0,  -- px
+                                tile_h = (level.tile_height or 8) + 0.0}, Terrain)
   terrain:use()
   for i = 1, level.width * level.height do terrain.tiles[i - 1] = level.tiles[i] end
   for tile, shape in pairs(level.shapes) do terrain.outlines[tile] = Terrain.outline_of(shape) end

@@ -131,7 +131,8 @@ void write_curve(LuaTable&& table, const Curve& curve) {
     table.word("faces", curve.faces == Curve::Faces::down ? "down" : "both");
 }
 
-void write_spawn(LuaTable&& table, const Spawn& spawn) {
+// tile: the size of the level's tiles, of which new bodies of a kind have their size.
+void write_spawn(LuaTable&& table, const Spawn& spawn, TileSize tile) {
   table.word("kind", traits_of(spawn.kind).word);
   if (!spawn.name.empty()) table.member("name") += lua_string(spawn.name);
   table.number("x", spawn.position.x);
@@ -140,19 +141,22 @@ void write_spawn(LuaTable&& table, const Spawn& spawn) {
   const auto number = [&](std::string_view key, double value, double usual) {
     if (table.writes_defaults() || value != usual) table.number(key, value);
   };
-  number("w", spawn.size.x, traits.size.x);
-  number("h", spawn.size.y, traits.size.y);
+  const Vec2 usual_size = new_body_size(spawn.kind, tile);
+  number("w", spawn.size.x, usual_size.x);
+  number("h", spawn.size.y, usual_size.y);
   number("vx", spawn.velocity.x, 0);
   number("vy", spawn.velocity.y, 0);
   if (table.writes_defaults() || spawn.used_foot() != traits.foot)
     table.word("foot", foot_word(spawn.used_foot()));
 }
 
-void write_kind(LuaTable&& table, const BodyTraits& traits) {
+void write_kind(LuaTable&& table, BodyKind kind, TileSize tile) {
+  const BodyTraits& traits = traits_of(kind);
+  const Vec2 size = new_body_size(kind, tile);
   table.word("rule", rule_word(traits.rule));
   if (traits.takes_keys) table.truth("takes_keys");
-  table.number("w", traits.size.x);
-  table.number("h", traits.size.y);
+  table.number("w", size.x);
+  table.number("h", size.y);
   table.word("foot", foot_word(traits.foot));
   table.word("look", look_word(traits.look));
 }
@@ -199,12 +203,14 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
   }
   {
     LuaTable spawns = table.in_lines("spawns");
-    for (const Spawn& spawn : level.spawns) write_spawn(spawns.in_a_row(""), spawn);
+    for (const Spawn& spawn : level.spawns) write_spawn(spawns.in_a_row(""), spawn, ground.tile);
   }
   {
     LuaTable kinds = table.in_lines("kinds");
-    for (const BodyTraits& traits : body_kinds())
-      write_kind(kinds.in_a_row("[" + lua_string(traits.word) + "]"), traits);
+    for (std::size_t i = 0; i < body_kinds().size(); ++i) {
+      const auto kind = static_cast<BodyKind>(i);
+      write_kind(kinds.in_a_row("[" + lua_string(traits_of(kind).word) + "]"), kind, ground.tile);
+    }
   }
   {
     LuaTable tuning = table.in_lines("tuning");

@@ -5,6 +5,7 @@
 #include <talus/level/tuning.h>
 #include <talus/sim/scene.h>
 #include <talus/sim/solver.h>
+#include "export/lua_level.h"
 #include "exported_level.h"
 #include "formats/tic80/tic_cart.h"
 #include "level/lint/lint.h"
@@ -112,6 +113,16 @@ TEST(TileSizes, ACartRefusesOtherTiles) {
   const auto playable = exported("tic-playable", level, "game.tic");
   ASSERT_FALSE(playable);
   EXPECT_EQ(playable.error().message, written.error().message);
+}
+
+TEST(TileSizes, TheLevelInLuaSaysThem) {
+  Level level;
+  level.map = TileMap(10, 10, kWide);
+  const std::string text = lua_level(level, LuaForm::readable);
+  EXPECT_THAT(text, HasSubstr("tile_width = 18"));
+  EXPECT_THAT(text, HasSubstr("tile_height = 12"));
+  EXPECT_THAT(text, HasSubstr("w = 18, h = 12")) << "of new bodies of a kind";
+  EXPECT_THAT(lua_level(Level(), LuaForm::readable), testing::Not(HasSubstr("tile_width")));
 }
 
 TEST(TileSizes, LdtkRefusesTilesThatAreNotSquare) {
