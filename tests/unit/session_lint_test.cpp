@@ -55,7 +55,7 @@ TEST(SessionLint, AllowedJumpsAreNotListed) {
   session.apply(action::SetLintOptions{{std::numeric_limits<double>::quiet_NaN()}});
   EXPECT_EQ(session.lint_options().seam, 0);
   session.apply(action::SetLintOptions{{100}});
-  EXPECT_EQ(session.lint_options().seam, kMaxSeam);
+  EXPECT_EQ(session.lint_options().seam, max_seam({}));
 }
 
 TEST(SessionLint, AnotherLevelHasItsOwnProblems) {

@@ -43,12 +43,13 @@ struct Problem {
 
 // Settings for problems that depend on taste.
 struct LintOptions {
-  // Floors and ceilings may jump by this many px where two tiles meet; 0 to kMaxSeam. Jumps of a whole tile
+  // Floors and ceilings may jump by this many px where two tiles meet; 0 to max_seam(). Jumps of a whole tile
   // and more are taken for intended steps.
   double seam = 0;
   friend bool operator==(const LintOptions&, const LintOptions&) = default;
 };
-inline constexpr double kMaxSeam = kMaxTileSide - 1.0 / 256;
+// The largest jump, px, that is not a whole tile.
+constexpr double max_seam(TileSize tile) { return tile.height - 1.0 / 256; }
 
 // Every kind of problem, except the one that counts problems that are not listed.
 std::span<const LintRule* const> lint_rules();

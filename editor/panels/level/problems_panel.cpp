@@ -106,7 +106,8 @@ void ProblemsPanel::draw_seam(const Session& session, Actions& actions, Ui& ui) 
   double seam = session.lint_options().seam;
   ImGui::SetNextItemWidth(ui.px(56));
   if (ImGui::InputDouble("##seam", &seam, 0, 0, "%.6g")) actions.push_back(action::SetLintOptions{{seam}});
-  ui.item("problems/seam", "Jumps of a floor or a ceiling up to this many px, below 8, are not listed.");
+  ui.item("problems/seam",
+          "Jumps of a floor or a ceiling up to this many px, less than a tile, are not listed.");
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("px");

@@ -16,7 +16,8 @@ constexpr double kReachSeconds = 0.006;  // the same
 
 template <>
 void CheckHandler::carry_out(const action::SetLintOptions& a) {
-  lint_options_.seam = a.options.seam >= 0 ? std::min(a.options.seam, kMaxSeam) : 0;
+  const double most = max_seam(open_.level.map.tile_size());
+  lint_options_.seam = a.options.seam >= 0 ? std::min(a.options.seam, most) : 0;
   lint_cache_.note_rest();
 }
 
