@@ -170,6 +170,20 @@ TEST_F(UiDebugger, ABreakpointStopsInBothDirections) {
   EXPECT_EQ(frame(), stopped);
 }
 
+TEST_F(UiDebugger, RunningBackTakesTheTypedCondition) {
+  play(20);
+  key(ctrl(kKeyF9));
+  frames(3);
+  type("frame == 7");
+  key(shift(kKeyF9));
+  frames(10);
+  EXPECT_EQ(frame(), 7);
+  key(kKeyEnter);
+  frames(3);
+  ASSERT_EQ(session().debugger().stops().breakpoints().size(), 1u) << "the same one is not added twice";
+  EXPECT_EQ(session().debugger().stops().breakpoints()[0].condition, "frame == 7");
+}
+
 TEST_F(UiDebugger, AWrongConditionSaysWhereAndStopsNothing) {
   session().apply(action::SetBreakpoint{{.condition = "vy > 1"}});
   open_tab("stops");

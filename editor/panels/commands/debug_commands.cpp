@@ -6,6 +6,7 @@
 #include "debug/compare.h"
 #include "panels/debugger/compare_choice.h"
 #include "panels/debugger/frame_zoom.h"
+#include "panels/debugger/typed_condition.h"
 
 namespace talus {
 namespace {
@@ -18,8 +19,19 @@ bool in_past(S session, const Ui&) { return session.timeline().in_past(); }
 bool has_frames(S session, const Ui&) { return session.timeline().last_frame() > 0; }
 bool after_start(S session, const Ui&) { return session.state().frame > 0; }
 bool has_stops(S session, const Ui&) { return !session.debugger().stops().breakpoints().empty(); }
+bool has_stops_or_typed_one(S session, const Ui& ui) {
+  return has_stops(session, ui) || is_condition(ui.view.debugger.new_condition);
+}
 bool has_marks(S session, const Ui&) { return !session.timeline().current().marks.empty(); }
 bool has_stages(S session, const Ui&) { return !session.stages().empty(); }
+
+// Who types a condition and then runs means that condition.
+template <SearchDirection direction>
+void run_to_stop(S session, A actions, U ui) {
+  const std::string& typed = ui.view.debugger.new_condition;
+  if (is_condition(typed)) add_breakpoint(typed, session, actions);
+  actions.push_back(action::RunToStop{direction});
+}
 
 void toggle_mark(S session, A actions, U) {
   const std::int64_t frame = session.state().frame;
@@ -288,16 +300,16 @@ std::vector<Command> stop_commands() {
        .key = KeyChord{kKeyF9},
        .menu = menus::kStopsRun,
        .icon = Icon::run_on,
-       .run = [](S, A actions, U) { actions.push_back(action::RunToStop{SearchDirection::forwards}); },
-       .enabled = has_stops},
+       .run = run_to_stop<SearchDirection::forwards>,
+       .enabled = has_stops_or_typed_one},
       {.id = "stops/back",
        .label = "Run back to a breakpoint",
        .help = "Shows the last frame before this one at which a breakpoint stops.",
        .key = shift(kKeyF9),
        .menu = menus::kStopsRun,
        .icon = Icon::run_back,
-       .run = [](S, A actions, U) { actions.push_back(action::RunToStop{SearchDirection::backwards}); },
-       .enabled = has_stops},
+       .run = run_to_stop<SearchDirection::backwards>,
+       .enabled = has_stops_or_typed_one},
       {.id = "stops/new",
        .label = "New breakpoint...",
        .help = "Opens the breakpoints, to type a condition.",

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace talus {
 
@@ -19,6 +20,7 @@ struct DebuggerView {
   int input_row = 0;                        // of the input roll, that its keys change
   std::optional<std::int64_t> input_range;  // where the range of its keys began; it ends at the shown frame
   bool shows_times = false;                 // the time of each step is plotted
+  std::string new_condition;                // in the field for a new breakpoint, not entered yet
   bool picks_cell = false;                  // the next click on a canvas chooses a cell for a breakpoint
 
   void forget_level() {  // another level is open

@@ -7,6 +7,7 @@
 
 #include "panels/commands/commands.h"
 #include "panels/ui/text_focus.h"
+#include "typed_condition.h"
 
 namespace talus {
 namespace {
@@ -68,7 +69,7 @@ void StopsPanel::draw_run(const Session& session, Actions& actions, Ui& ui) {
   }
   if (session.debugger().stop()) {
     ui.label(text_of(*session.debugger().stop()));
-  } else if (session.debugger().search_failed()) {
+  } else if (session.debugger().search_failed() && !stops.breakpoints().empty()) {
     ui.label(stops.direction() == SearchDirection::backwards ? "No frame before this one stops."
              : session.playback().running ? "No recorded frame stops: playing on to the next stop."
                                           : "No recorded frame after this one stops.");
@@ -107,10 +108,11 @@ void StopsPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
                                .body = body,
                                .each_frame = info.each_frame}});
   ui.same_line_if_fits(ui.px(kConditionWidth), ui.px(16));
-  if (new_field_.draw("stops/new", new_text_, true, -1, "or a condition: vy > 3 && grounded", ui) &&
-      !new_text_.empty()) {
-    actions.push_back(action::SetBreakpoint{{.condition = new_text_, .body = body}});
-    new_text_.clear();
+  std::string& typed = ui.view.debugger.new_condition;
+  if (new_field_.draw("stops/new", typed, true, -1, "or a condition: vy > 3 && grounded", ui) &&
+      !typed.empty()) {
+    add_breakpoint(typed, session, actions);
+    typed.clear();
   }
   ui.end_row();
   const auto& all = session.debugger().stops().breakpoints();

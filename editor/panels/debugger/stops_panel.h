@@ -29,7 +29,6 @@ class StopsPanel final : public Panel {
   std::array<double, 4> fields_{};          // its numbers
   bool fields_set_ = false;
   bool fields_typed_ = false;  // typed by the user, or picked: they no longer follow what is clicked
-  std::string new_text_;       // a condition that is being typed
   ExpressionField new_field_;
   std::map<int, std::string> texts_;  // by id: texts as they are being typed
   std::map<int, ExpressionField> condition_fields_;
