@@ -165,9 +165,12 @@ Autosave::~Autosave() {
   if (lock_ >= 0) ::close(lock_);
 }
 
-// The first free name: a process may have several sessions, and process ids are used again.
+// The first free name: a process may have several sessions, and process ids are used again. The lock is lost
+// with the folder, if somebody removes that.
 tl::expected<void, std::string> Autosave::hold_lock() {
-  if (lock_ >= 0) return {};
+  if (lock_ >= 0 && has_name(lock_, lock_file(file_))) return {};
+  if (lock_ >= 0) ::close(lock_);
+  lock_ = -1;
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) return tl::unexpected("the folder cannot be created: " + error.message());

@@ -214,6 +214,22 @@ TEST_F(AutosaveTest, AFailedWriteIsRetriedUntilItSucceeds) {
   EXPECT_EQ(works[0].level->map.at({1, 1}), 5);
 }
 
+TEST_F(AutosaveTest, ARemovedFolderIsMadeAgain) {
+  Session session;
+  {
+    Autosave autosave(folder());
+    paint(session, 5);
+    ASSERT_TRUE(autosave.save_now(session));
+    fs::remove_all(folder());
+    paint(session, 6);
+    ASSERT_TRUE(autosave.save_now(session));
+    EXPECT_TRUE(Autosave(folder()).left_behind().empty()) << "its process runs";
+  }
+  const std::vector<SavedWork> works = Autosave(folder()).left_behind();
+  ASSERT_EQ(works.size(), 1u);
+  EXPECT_EQ(works[0].level->map.at({1, 1}), 6);
+}
+
 TEST_F(AutosaveTest, HalfWrittenFilesOfKilledProcessesAreRemoved) {
   fs::create_directories(folder());
   put("state/.1-0.talus-autosave.0.tmp", "half");

@@ -11,13 +11,17 @@
 
 namespace talus {
 
+bool has_name(int descriptor, const std::string& name) {
+  struct stat held = {}, named = {};
+  return ::fstat(descriptor, &held) == 0 && ::lstat(name.c_str(), &named) == 0 &&
+         held.st_dev == named.st_dev && held.st_ino == named.st_ino;
+}
+
 bool try_lock(int descriptor, const std::string& name) {
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return false;
-  struct stat held = {}, named = {};
-  const bool is_named = ::fstat(descriptor, &held) == 0 && ::lstat(name.c_str(), &named) == 0 &&
-                        held.st_dev == named.st_dev && held.st_ino == named.st_ino;
-  if (!is_named) errno = ENOENT;
-  return is_named;
+  if (has_name(descriptor, name)) return true;
+  errno = ENOENT;
+  return false;
 }
 
 bool remove_if_unlocked(const std::string& name) {

@@ -6,6 +6,9 @@
 
 namespace talus {
 
+// Whether an open file still has this name, in the same folder. False, too, if that cannot be found out.
+bool has_name(int descriptor, const std::string& name);
+
 // Locks an open file that has this name, until the descriptor is closed. Returns false with errno otherwise:
 // EWOULDBLOCK if somebody else holds the lock, ENOENT if the file no longer has the name, other numbers if
 // locks are not supported here.
