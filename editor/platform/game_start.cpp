@@ -2,6 +2,8 @@
 #include "game_start.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "external_program.h"
 
@@ -16,9 +18,26 @@ std::optional<std::size_t> game_preset(const Level& level) {
   return std::nullopt;
 }
 
+namespace {
+
+// Whether the folder of the level is that of a game.
+bool has_game_beside(const Session& session) {
+  std::error_code unknown;
+  return !session.path().empty() &&
+         std::filesystem::exists(std::filesystem::path(session.path()).parent_path() / "main.lua", unknown);
+}
+
+}  // namespace
+
 bool GameStart::begin(Session& session, const ProgramCommands& commands) {
   const auto preset = game_preset(session.level());
-  if (!preset) return false;
+  if (!preset && has_game_beside(session)) return false;
+  if (!preset) {
+    session.apply(action::ShowMessage{
+        "The level has no preset for LÖVE, and no main.lua is in its folder: add a preset in File > Export.",
+        true});
+    return true;
+  }
   if (!can_open(session, ProgramId::love, commands)) return true;
   if (session.modified() || session.path().empty()) session.apply(action::SaveFile{});
   if (session.modified() || session.path().empty()) return true;  // the session asks for something

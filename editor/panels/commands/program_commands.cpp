@@ -175,8 +175,7 @@ std::vector<Command> file_guard_commands() {
       {.id = "program/love",
        .label = "Run in LÖVE",
        .help = "Saves the level, exports its first preset of a game for LÖVE and runs it; without such a "
-               "preset, "
-               "runs the game in the folder of the level.",
+               "preset, runs the game whose main.lua is in the folder of the level.",
        .key = ctrl_shift('l'),
        .menu = menus::kFilePrograms,
        .run = open_program(ProgramId::love)},
