@@ -146,12 +146,13 @@ std::vector<Command> view_commands() {
        .checked = [](S, const Ui& ui) { return ui.view.window.focus == Focus::map; }},
       {.id = "view/reset_layout",
        .label = "Reset layout",
-       .help = "Puts every panel back to its first size, and shows map and play view.",
+       .help = "Puts every panel back to its first size, hides the debugger, and shows map and play view.",
        .key = ctrl('0'),
        .menu = menus::kViewLayouts,
        .run =
            [](S, A, U ui) {
              ui.view.window.layout = Layout{};
+             ui.view.window.dock_open = false;
              ui.view.sprites.pixels.enlarged = false;
              ui.view.canvas.mode = CanvasMode::both;
            }},
