@@ -170,11 +170,8 @@ void ExportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 void ExportPanel::draw_presets(const Session& session, Actions& actions, Ui& ui) {
   ui.heading("Presets of the level");
   const std::vector<ExportPreset>& exports = session.level().exports;
-  const Format* format = session.path().empty() ? nullptr : format_for_file(session.path());
-  const bool is_kept = format == nullptr || format == find_format("native");
-  const float notes = is_kept ? 0 : 4 * ImGui::GetTextLineHeightWithSpacing();
   ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, 1);
-  ImGui::BeginChild("list", {0, -(2 * ui.px(theme::kButton) + ui.px(12) + notes)}, true);
+  ImGui::BeginChild("list", {0, -(2 * ui.px(theme::kButton) + ui.px(12))}, true);
   const float line = ImGui::GetTextLineHeight();
   for (std::size_t i = 0; i < exports.size(); ++i) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -194,9 +191,6 @@ void ExportPanel::draw_presets(const Session& session, Actions& actions, Ui& ui)
   ImGui::EndChild();
   ImGui::PopStyleVar();
   draw_preset_buttons(session, actions, ui);
-  if (!is_kept)
-    ui.hint("A " + std::string(format->label) +
-            " cannot hold presets: save the level as .talus.json to keep them.");
 }
 
 // Tooltips of the buttons stand above all of them, not over the next one.
