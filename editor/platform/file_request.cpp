@@ -1,6 +1,7 @@
 // One request for each kind of dialog.
 #include "file_request.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <talus/formats/format.h>
@@ -71,10 +72,18 @@ FileRequest open_level(const Session& session, const View& view) {
   return {FileDialog::open, Purpose::opens, "Open a level, cart or recording", near, endings, ""};
 }
 
-// For a cart whose format cannot be written, such as a PNG, the proposed name is of a format that can.
+// Whether a cart alone can hold the level, as when it came from a cart in a PNG.
+bool is_mere_cart(const Level& level) {
+  const auto has_shape = [](const TileShape& shape) { return shape.kind != TileShape::Kind::none; };
+  return level.cart != nullptr && level.tuning == Tuning() && level.spawns.empty() && level.curves.empty() &&
+         level.exports.empty() && std::none_of(level.tile_shapes.begin(), level.tile_shapes.end(), has_shape);
+}
+
+// A level without a file gets a name of a format that holds all of it.
 FileRequest save_level_as(const Session& session) {
-  const bool is_cart = session.path().empty() && session.level().cart != nullptr;
-  const std::string near = is_cart ? named_like(session, ".tic") : session.path();
+  std::string near = session.path();
+  if (near.empty() && session.level().cart != nullptr)
+    near = named_like(session, is_mere_cart(session.level()) ? ".tic" : ".talus.json");
   return {FileDialog::save_as, Purpose::saves,       "Save the level as", near,
           level_endings(true), "." + ending_of(near)};
 }

@@ -2,6 +2,7 @@
 #include <fstream>
 
 #include "harness.h"
+#include "platform/file_request.h"
 
 namespace talus::file_test {
 
@@ -66,6 +67,8 @@ TEST_F(UiFile, DemoIsACopyThatAsksForAPlace) {
   key(ctrl('s'));
   frames(3);
   EXPECT_NE(find("files/name"), nullptr);
+  const auto wanted = wanted_file(session(), app().ui().view);
+  EXPECT_EQ(wanted->near, "demo (copy).talus.json") << "a cart alone cannot hold its tuning";
   EXPECT_TRUE(session().path().empty());
   key(kEscape);
   frames(3);
