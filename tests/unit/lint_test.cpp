@@ -138,11 +138,11 @@ TEST(Lint, TheRestOfAShapeIsNotDrawn) {
   EXPECT_THAT(only(), ElementsAre("W slope-half-missing (1, 2) 102: tile 102 at (1, 2) has a shape that also "
                                   "covers (2, 2) and 1 more cell, where no tile shows it"));
   level.tile_shapes[kTall].one_way = true;
-  EXPECT_THAT(only(), ElementsAre(testing::HasSubstr("over (2, 1), where"))) << "the line alone";
+  EXPECT_THAT(only(), ElementsAre(testing::HasSubstr("covers (2, 1), where"))) << "the line alone";
   level.tile_shapes[kTall].side = TileShape::Side::ceiling;
   level.map.set({1, 2}, 0);
   level.map.set({1, 0}, kTall);
-  EXPECT_THAT(only(), ElementsAre(testing::HasSubstr("over (2, 1), where"))) << "it hangs down";
+  EXPECT_THAT(only(), ElementsAre(testing::HasSubstr("covers (2, 1), where"))) << "it hangs down";
 
   level.map.set({1, 0}, 0);
   level.map.set({1, 2}, kLast);
