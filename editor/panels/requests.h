@@ -16,6 +16,7 @@
 #include <vector>
 
 #include <talus/collision/geometry.h>
+#include "panels/files/file_dialog.h"
 #include "panels/window/programs.h"
 
 namespace talus {
@@ -60,6 +61,10 @@ struct ShowProblem {};
 struct PutStopAt {
   Cell cell;
 };
+// To the application: opens a dialog for a file.
+struct ShowFileDialog {
+  FileDialog dialog;
+};
 // To the application: opens the level in another program.
 struct OpenProgram {
   ProgramId program;
@@ -67,9 +72,10 @@ struct OpenProgram {
 
 }  // namespace request
 
-using Request = std::variant<request::ShowTab, request::FocusField, request::FocusPanel, request::ShowCell,
-                             request::Scroll, request::Zoom, request::FitMap, request::FitFirstScreen,
-                             request::ShowProblem, request::PutStopAt, request::OpenProgram>;
+using Request =
+    std::variant<request::ShowTab, request::FocusField, request::FocusPanel, request::ShowCell,
+                 request::Scroll, request::Zoom, request::FitMap, request::FitFirstScreen,
+                 request::ShowProblem, request::PutStopAt, request::ShowFileDialog, request::OpenProgram>;
 
 class Requests {
  public:

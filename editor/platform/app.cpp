@@ -313,17 +313,7 @@ void App::draw(Actions& actions) {
 // When a dialog opens or closes, the next presses are meant for the new state. They wait until it is drawn
 // and has the focus.
 void App::hold_keys_while_dialogs_change() {
-  const std::array<bool, 11> wanted = {ui_.view.files.dialog != FileDialog::none,
-                                       session_->wants_save_as(),
-                                       session_->wants_save_recording(),
-                                       session_->question().has_value(),
-                                       ui_.view.commands.palette_open,
-                                       ui_.view.commands.keys_open,
-                                       ui_.view.window.recovery_open,
-                                       session_->png_import().has_value(),
-                                       session_->level_import().has_value(),
-                                       ui_.view.level.resize_open,
-                                       shows_reading(*session_)};
+  std::vector<std::string> wanted = ui_.wanted_dialogs(*session_);
   if (wanted != std::exchange(wanted_dialogs_, wanted))
     frames_to_hold_ = kDialogOpeningFrames;
   else if (frames_to_hold_ > 0)
@@ -453,11 +443,15 @@ bool App::keys_are_taken(KeyChord chord) const {
 }
 
 void App::draw_file_dialog(Actions& actions) {
-  const auto request = wanted_file(*session_, ui_.view);
-  const auto answer = browser_.draw(request, ui_);
+  if (const auto asked = ui_.view.requests.take<request::ShowFileDialog>()) asked_dialog_ = asked->dialog;
+  const auto is_wanted = [this](const Session& session, const View& view) {
+    return wanted_file(session, view, asked_dialog_).has_value();
+  };
+  const auto request = wanted_file(*session_, ui_.view, asked_dialog_);
+  const auto answer = browser_.draw(request, is_wanted, *session_, ui_);
   if (!answer) return;
   if (answer->cancelled) {
-    ui_.view.files.dialog = FileDialog::none;
+    asked_dialog_.reset();
     if (session_->wants_save_as() || session_->wants_save_recording())
       actions.push_back(action::CancelSaveAs{});
     return;
@@ -474,7 +468,7 @@ void App::note_dialog_result() {
     browser_.show_error(session_->message()->text);
     session_->apply(action::DismissMessage{});
   } else {
-    ui_.view.files.dialog = FileDialog::none;
+    asked_dialog_.reset();
   }
 }
 

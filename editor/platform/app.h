@@ -1,11 +1,12 @@
 // App: the editor. Owns the window, the session and the workspace, and runs them frame by frame.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "event_queue.h"
 #include "file_browser.h"
@@ -99,15 +100,16 @@ class App {
   std::uint64_t noted_revision_ = 0;
   std::string title_;
   bool dialog_answered_ = false;
-  std::array<bool, 11> wanted_dialogs_{};  // one for each dialog, at the last look
-  std::string wanted_field_;               // the field that should get the keys, at the last look
-  int frames_to_hold_ = 0;                 // number of frames in which presses wait
-  std::string note_;                       // the message whose time is measured
-  double note_since_ = 0;                  // s
-  bool note_waits_ = false;                // the user was elsewhere: its time has not begun
-  Preferences noted_preferences_;          // the preferences that were saved last
-  std::string remember_problem_;           // the last problem that was shown
-  bool remembers_settings_ = true;         // false: the file has settings that could not be read
+  std::optional<FileDialog> asked_dialog_;   // the dialog for a file that the user has opened
+  std::vector<std::string> wanted_dialogs_;  // titles, at the last look
+  std::string wanted_field_;                 // the field that should get the keys, at the last look
+  int frames_to_hold_ = 0;                   // number of frames in which presses wait
+  std::string note_;                         // the message whose time is measured
+  double note_since_ = 0;                    // s
+  bool note_waits_ = false;                  // the user was elsewhere: its time has not begun
+  Preferences noted_preferences_;            // the preferences that were saved last
+  std::string remember_problem_;             // the last problem that was shown
+  bool remembers_settings_ = true;           // false: the file has settings that could not be read
   int drawn_frames_ = 0;
 };
 

@@ -35,12 +35,13 @@ bool comes_before(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-std::optional<FileBrowser::Answer> FileBrowser::draw(const std::optional<FileRequest>& request, Ui& ui) {
+std::optional<FileBrowser::Answer> FileBrowser::draw(const std::optional<FileRequest>& request,
+                                                     DialogTest wanted, const Session& session, Ui& ui) {
   if (request && (!shown_ || request->dialog != request_.dialog)) start(*request);
   shown_ = request.has_value();
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   const ImVec2 size{std::min(ui.px(640), window.x - ui.px(64)), std::min(ui.px(460), window.y - ui.px(64))};
-  if (!begin_dialog(kTitle, shown_, size, ui)) return std::nullopt;
+  if (!begin_dialog(kTitle, std::move(wanted), size, session, ui)) return std::nullopt;
   draw_place(ui);
   const float below = 2 * ui.px(theme::kButton) + 2 * ImGui::GetTextLineHeightWithSpacing() + ui.px(16);
   std::optional<Answer> answer = draw_list(ui, -below);

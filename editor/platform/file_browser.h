@@ -17,9 +17,11 @@ class FileBrowser {
     std::string path;  // absolute; empty when cancelled
   };
 
-  // Draws the dialog while there is a request. When it appears it starts in the folder of `near`, or where it
-  // was before if that is empty; for saving it suggests the name of `near`.
-  std::optional<Answer> draw(const std::optional<FileRequest>& request, Ui& ui);
+  // Draws the dialog while there is a request, which is as long as `wanted` holds. When it appears it starts
+  // in the folder of `near`, or where it was before if that is empty; for saving it suggests the name of
+  // `near`.
+  std::optional<Answer> draw(const std::optional<FileRequest>& request, DialogTest wanted,
+                             const Session& session, Ui& ui);
   // Shows why the answer did not work; until the next answer or folder.
   void show_error(std::string text) { error_ = std::move(text); }
 

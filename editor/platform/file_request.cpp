@@ -90,14 +90,16 @@ FileRequest save_level_as(const Session& session) {
 
 }  // namespace
 
-std::optional<FileRequest> wanted_file(const Session& session, const View& view) {
+std::optional<FileRequest> wanted_file(const Session& session, const View& view,
+                                       std::optional<FileDialog> asked) {
   const std::string recording = "." + std::string(kRecordingExtension);
-  const FileDialog dialog = session.wants_save_as()          ? FileDialog::save_as
-                            : session.wants_save_recording() ? FileDialog::save_recording
-                                                             : view.files.dialog;
+  if (session.wants_save_as())
+    asked = FileDialog::save_as;
+  else if (session.wants_save_recording())
+    asked = FileDialog::save_recording;
+  if (!asked) return std::nullopt;
+  const FileDialog dialog = *asked;
   switch (dialog) {
-    case FileDialog::none:
-      return std::nullopt;
     case FileDialog::open:
       return open_level(session, view);
     case FileDialog::save_as:

@@ -24,8 +24,10 @@ struct FileRequest {
   bool names_folder() const { return purpose == Purpose::names_folder; }
 };
 
-// The request of the open dialog; nothing if no dialog is open.
-std::optional<FileRequest> wanted_file(const Session& session, const View& view);
+// The dialog that should be open: for a file that the session needs, or else `asked`, the one that the user
+// has opened. Nothing if none should be open.
+std::optional<FileRequest> wanted_file(const Session& session, const View& view,
+                                       std::optional<FileDialog> asked);
 // Acts on the chosen file.
 Action answer_to(FileDialog dialog, const std::string& path, const Session& session, const View& view);
 

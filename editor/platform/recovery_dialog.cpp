@@ -42,9 +42,10 @@ std::vector<std::string> about_work(const SavedWork& work) {
 }
 
 std::optional<RecoveryDialog::Answer> RecoveryDialog::draw(std::span<const SavedWork> works, bool reading,
-                                                           bool unsaved, Ui& ui) {
-  bool& open = ui.view.window.recovery_open;
-  if (!begin_dialog("Recover unsaved work", open, {ui.px(640), 0}, ui)) return std::nullopt;
+                                                           const Session& session, Ui& ui) {
+  const auto is_open = [](const Session&, const View& view) { return view.window.recovery_open; };
+  if (!begin_dialog("Recover unsaved work", is_open, {ui.px(640), 0}, session, ui)) return std::nullopt;
+  const bool unsaved = session.modified() || !session.unsaved_runs().empty();
   const auto readable =
       std::find_if(works.begin(), works.end(), [](const SavedWork& work) { return work.level != nullptr; });
   // Keys that are pressed before the dialog is seen must not discard anything.
@@ -80,7 +81,7 @@ std::optional<RecoveryDialog::Answer> RecoveryDialog::draw(std::span<const Saved
                            .is_cancel = true,
                            .width = ui.px(96),
                            .gets_the_keys = later_is_first};
-  if (dialog_button(later, ui)) open = false;
+  if (dialog_button(later, ui)) ui.view.window.recovery_open = false;
   ImGui::EndPopup();
   return answer;
 }

@@ -8,6 +8,7 @@
 
 #include "autosave.h"
 #include "panels/ui/ui.h"
+#include "session/session.h"
 
 namespace talus {
 
@@ -22,9 +23,8 @@ class RecoveryDialog {
     Choice choice = Choice::recover;
   };
   // Draws the dialog while ui.view.window.recovery_open. `reading`: the offered work is still being read.
-  // `unsaved`: the open level has unsaved changes, or a run that the user has worked on, so nothing may
-  // replace it.
-  std::optional<Answer> draw(std::span<const SavedWork> works, bool reading, bool unsaved, Ui& ui);
+  // While the open level has unsaved changes, or a run that the user has worked on, nothing may replace it.
+  std::optional<Answer> draw(std::span<const SavedWork> works, bool reading, const Session& session, Ui& ui);
 
  private:
   std::optional<Answer> draw_work(std::size_t index, const SavedWork& work, bool unsaved, Ui& ui);

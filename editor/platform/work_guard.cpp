@@ -100,8 +100,7 @@ void WorkGuard::draw(Session& session, Ui& ui) {
     look_for_works();
   }
   was_open_ = open;
-  const bool unsaved = session.modified() || !session.unsaved_runs().empty();
-  const auto answer = dialog_.draw(works_, reader_.is_busy(), unsaved, ui);
+  const auto answer = dialog_.draw(works_, reader_.is_busy(), session, ui);
   if (!answer) return;
   if (answer->choice == RecoveryDialog::Choice::recover) {
     recover(answer->index, session, ui.view);

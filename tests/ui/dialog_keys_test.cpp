@@ -1,7 +1,11 @@
 // Dialogs, windows and panels without a mouse.
 #include <imgui_internal.h>
 
+#include <functional>
+#include <map>
+
 #include "formats/files/atomic_file.h"
+#include "formats/pictures/png_sheet.h"
 #include "harness.h"
 #include "panels/commands/commands.h"
 
@@ -56,6 +60,44 @@ class UiDialogKeys : public UiTest {
   }
   const View& view() { return app().ui().view; }
 };
+
+// A dialog that did not say so in time would lose keys that are pressed before it is drawn.
+TEST_F(UiDialogKeys, EachDialogIsWantedInTheFrameThatOpensIt) {
+  using Titles = std::vector<std::string>;
+  const auto run = [&](CommandId id) {
+    Actions actions;
+    find_command(id).run(session(), actions, app().ui());
+    session().apply(actions);
+  };
+  ASSERT_TRUE(write_file_atomic(path("tiles.png"), write_png_part(level(), PngPart::tiles)));
+  paint({12, 9});
+  const std::map<std::string, std::function<void()>> openers = {
+      {"Find a command", [&] { run("help/commands"_command); }},
+      {"Keys of the commands", [&] { run("edit/keys"_command); }},
+      {"Size of the map", [&] { run("map/resize"_command); }},
+      {"Recover unsaved work", [&] { run("file/recover"_command); }},
+      {"Unsaved changes", [&] { run("file/quit"_command); }},
+      {"Import a picture", [&] { session().apply(action::OpenPng{path("tiles.png")}); }},
+  };
+  for (const auto& [title, open] : openers) {
+    EXPECT_TRUE(app().ui().wanted_dialogs(session()).empty()) << title;
+    open();
+    EXPECT_EQ(app().ui().wanted_dialogs(session()), Titles{title});
+    frames(3);
+    const ImGuiWindow* shown = ImGui::GetTopMostPopupModal();
+    ASSERT_NE(shown, nullptr) << title;
+    EXPECT_EQ(shown->Name, title);
+    press_key(kEscapeKey);
+    frames(3);
+  }
+  push_stroke(ctrl('o'));
+  push_typing("x");
+  frames(6);
+  EXPECT_EQ(app().ui().wanted_dialogs(session()), Titles{"Files"});
+  EXPECT_EQ(tile_at({12, 9}), 1);
+  press_key(kEscapeKey);
+  EXPECT_TRUE(app().ui().wanted_dialogs(session()).empty());
+}
 
 TEST_F(UiDialogKeys, EnterPressesTheHighlightedAnswer) {
   ask_to_quit();

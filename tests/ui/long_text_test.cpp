@@ -269,7 +269,7 @@ TEST_F(UiLongList, TheFilesOfAFolder) {
     std::ofstream(path("many/" + std::string(180, 'W') + std::to_string(1000000 + i) + ".tic"));
   std::ofstream(path("many/\xff\xfe\x01\x1b[2J.tic"));
   app().ui().view.files.recent_files = {path("many/x.tic")};
-  app().ui().view.files.dialog = FileDialog::open;
+  app().ui().ask(request::ShowFileDialog{FileDialog::open});
   frames(3);
   push_typing(path("many"));
   key(SDLK_RETURN);

@@ -1,5 +1,6 @@
 // A monkey at the mouse and the keys: random events, after which all edits are undone. TALUS_MONKEY_EVENTS
 // and TALUS_MONKEY_SEED choose how many and which.
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -72,12 +73,17 @@ class UiMonkey : public UiTest {
     }
   }
 
+  bool shows_files() {
+    const std::vector<std::string> dialogs = app().ui().wanted_dialogs(session());
+    return std::find(dialogs.begin(), dialogs.end(), "Files") != dialogs.end();
+  }
+
   // Lets the monkey write into the test's folder only, and start no other program.
   void keep_in_the_cage() {
     View& view = app().ui().view;
-    view.files.dialog = FileDialog::none;
     view.preferences.programs = {};
     if (session().wants_save_as()) session().apply(action::CancelSaveAs{});
+    for (int i = 0; i < 5 && shows_files(); ++i) key(kKeyEscape);
     if (view.canvas.level_number == level_number_) return;
     level_number_ = view.canvas.level_number;
     first_ = level();

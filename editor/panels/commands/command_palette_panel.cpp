@@ -15,7 +15,8 @@ constexpr int kNoRow = -1;
 }  // namespace
 
 void CommandPalettePanel::draw(const Session& session, Actions& actions, Ui& ui) {
-  if (!begin_dialog("Find a command", ui.view.commands.palette_open, {ui.px(460), ui.px(360)}, ui)) return;
+  const auto is_open = [](const Session&, const View& view) { return view.commands.palette_open; };
+  if (!begin_dialog("Find a command", is_open, {ui.px(460), ui.px(360)}, session, ui)) return;
   if (ImGui::IsWindowAppearing()) {
     typed_.clear();
     chosen_.reset();

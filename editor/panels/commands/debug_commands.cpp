@@ -287,7 +287,7 @@ std::vector<Command> branch_commands() {
            "Saves the run that is shown, with its level, as one file: a bug report that can be run again.",
        .key = ctrl_shift('e'),
        .menu = menus::kDebugRecording,
-       .run = [](S, A, U ui) { ui.view.files.dialog = FileDialog::save_recording; },
+       .run = [](S, A, U ui) { ui.ask(request::ShowFileDialog{FileDialog::save_recording}); },
        .enabled = has_frames},
   };
 }

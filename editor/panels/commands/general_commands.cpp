@@ -88,7 +88,7 @@ std::vector<Command> file_commands() {
        .help = "Opens a level or a TIC-80 cart.",
        .key = ctrl('o'),
        .menu = menus::kFileOpen,
-       .run = [](S, A, U ui) { ui.view.files.dialog = FileDialog::open; }},
+       .run = [](S, A, U ui) { ui.ask(request::ShowFileDialog{FileDialog::open}); }},
       {.id = "file/save",
        .label = "Save",
        .help = "Saves to the level's own file, in its own format; what a cart cannot hold, in a companion "
@@ -101,7 +101,7 @@ std::vector<Command> file_commands() {
        .help = "Saves under another name; the ending chooses the format.",
        .key = ctrl_shift('s'),
        .menu = menus::kFileSave,
-       .run = [](S, A, U ui) { ui.view.files.dialog = FileDialog::save_as; }},
+       .run = [](S, A, U ui) { ui.ask(request::ShowFileDialog{FileDialog::save_as}); }},
       {.id = "file/quit",
        .label = "Quit",
        .help = "Ends the program; unsaved changes are asked about.",

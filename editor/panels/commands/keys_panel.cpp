@@ -19,11 +19,12 @@ bool is_captured(const std::optional<KeyCapture>& capture, const Command& comman
 
 }  // namespace
 
-void KeysPanel::draw(const Session&, Actions&, Ui& ui) {
+void KeysPanel::draw(const Session& session, Actions&, Ui& ui) {
   CommandsView& view = ui.view.commands;
   const ImVec2 window = ImGui::GetIO().DisplaySize;
-  if (!begin_dialog("Keys of the commands", view.keys_open,
-                    {std::min(ui.px(760), window.x - ui.px(64)), window.y - ui.px(96)}, ui,
+  const auto is_open = [](const Session&, const View& now) { return now.commands.keys_open; };
+  if (!begin_dialog("Keys of the commands", is_open,
+                    {std::min(ui.px(760), window.x - ui.px(64)), window.y - ui.px(96)}, session, ui,
                     DialogKeys::its_own))
     return;
   if (ImGui::IsWindowAppearing()) {

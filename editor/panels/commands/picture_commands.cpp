@@ -5,7 +5,7 @@ namespace talus {
 namespace {
 
 CommandRun ask_for_file(FileDialog dialog) {
-  return [dialog](const Session&, Actions&, Ui& ui) { ui.view.files.dialog = dialog; };
+  return [dialog](const Session&, Actions&, Ui& ui) { ui.ask(request::ShowFileDialog{dialog}); };
 }
 
 }  // namespace

@@ -326,7 +326,7 @@ void ExportPanel::draw_path(const Session& session, Actions& actions, Ui& ui) {
   ImGui::SameLine();
   if (ui.text_button("export/browse", "Browse...", false, "Chooses the file or folder.", {},
                      find_exporter(preset.exporter) != nullptr, ui.px(kBrowse)))
-    ui.view.files.dialog = FileDialog::export_path;
+    ui.ask(request::ShowFileDialog{FileDialog::export_path});
   ImGui::SetCursorPosX(ui.px(kExportLabels));
   ImGui::BeginGroup();
   const ExportOutcome* outcome = shown_outcome(session, ui);

@@ -7,19 +7,6 @@
 
 namespace talus {
 
-// The file dialog that is asked for.
-enum class FileDialog {
-  none,
-  open,
-  save_as,
-  save_recording,
-  import_png,
-  export_tiles,
-  export_sprites,
-  export_palette,
-  export_path  // of the preset that is shown
-};
-
 // What the export window shows, besides what the session knows.
 struct ExportView {
   bool open = false;
@@ -27,7 +14,6 @@ struct ExportView {
 };
 
 struct FilesView {
-  FileDialog dialog = FileDialog::none;
   ExportView exports;
   std::vector<std::string> recent_files;  // absolute paths, the latest first
   std::vector<std::string> hard_cases;    // paths of the levels that come with the program, in order

@@ -44,7 +44,8 @@ std::string layer_label(const TiledLayerName& layer) {
 }  // namespace
 
 void LevelImportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
-  if (!begin_dialog("What to open", session.level_import() && !shows_reading(session), {0, 0}, ui)) return;
+  const auto asks = [](const Session& now, const View&) { return now.level_import() && !shows_reading(now); };
+  if (!begin_dialog("What to open", asks, {0, 0}, session, ui)) return;
   if (const auto& import = session.level_import()) {
     ui.heading(shown_line(std::filesystem::path(import->path).filename().string(), kMostLabel) +
                " holds more than a level can");

@@ -132,7 +132,8 @@ void draw_choices(PngImportOptions& options, bool enabled, Ui& ui) {
 }  // namespace
 
 void PictureImportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
-  if (!begin_dialog("Import a picture", session.png_import().has_value(), {0, 0}, ui)) return;
+  const auto imports = [](const Session& now, const View&) { return now.png_import().has_value(); };
+  if (!begin_dialog("Import a picture", imports, {0, 0}, session, ui)) return;
   if (const auto& import = session.png_import()) {
     const std::string name = std::filesystem::path(import->path).filename().string();
     ui.heading(name + ", " + std::to_string(import->picture.width) + "x" +

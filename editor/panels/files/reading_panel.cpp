@@ -20,7 +20,8 @@ bool shows_reading(const Session& session) {
 
 void ReadingPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const auto reading = session.reading();
-  if (!begin_dialog("Reading a file", shows_reading(session), {0, 0}, ui)) return;
+  const auto reads = [](const Session& now, const View&) { return shows_reading(now); };
+  if (!begin_dialog("Reading a file", reads, {0, 0}, session, ui)) return;
   if (reading) {
     draw_short_text("Reading " + reading->name, ui.px(kBarWidth), theme::tone(theme::kText));
     ui.item("reading/name", reading->name);

@@ -88,7 +88,8 @@ void ResizePanel::draw(const Session& session, Actions& actions, Ui& ui) {
     asks_ = false;
   }
   was_open_ = ui.view.level.resize_open;
-  if (!begin_dialog("Size of the map", ui.view.level.resize_open, {0, 0}, ui)) return;
+  const auto is_open = [](const Session&, const View& view) { return view.level.resize_open; };
+  if (!begin_dialog("Size of the map", is_open, {0, 0}, session, ui)) return;
   ui.begin_row();
   draw_fields(map, ui);
   ImGui::SameLine(0, ui.px(16));

@@ -4,6 +4,7 @@
 #include <imgui_internal.h>
 
 #include <cctype>
+#include <utility>
 
 namespace talus {
 namespace {
@@ -42,7 +43,10 @@ std::string keys_of_button(const DialogButton& button) {
 
 }  // namespace
 
-bool begin_dialog(const char* title, bool wanted, ImVec2 size, const Ui& ui, DialogKeys keys) {
+bool begin_dialog(const char* title, DialogTest test, ImVec2 size, const Session& session, Ui& ui,
+                  DialogKeys keys) {
+  const bool wanted = test(session, ui.view);
+  ui.add_dialog(title, std::move(test));
   if (wanted && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});

@@ -10,8 +10,9 @@ namespace talus {
 enum class DialogKeys { from_control_to_control, its_own };
 
 // Begins the modal in the middle of the window while `wanted` holds. ImGui::EndPopup() must follow if it
-// returns true. size: px; {0,0} fits the content.
-bool begin_dialog(const char* title, bool wanted, ImVec2 size, const Ui& ui,
+// returns true. size: px; {0,0} fits the content. Call this in every frame, also while the dialog is closed:
+// `wanted` is asked again after the frame's actions, see Ui::wanted_dialogs().
+bool begin_dialog(const char* title, DialogTest wanted, ImVec2 size, const Session& session, Ui& ui,
                   DialogKeys keys = DialogKeys::from_control_to_control);
 
 struct DialogButton {

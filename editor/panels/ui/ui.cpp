@@ -159,9 +159,17 @@ void Ui::same_line_if_fits(float width, float gap) {
   if (ImGui::GetItemRectMax().x + space + width <= right) ImGui::SameLine(0, space);
 }
 
+std::vector<std::string> Ui::wanted_dialogs(const Session& session) const {
+  std::vector<std::string> titles;
+  for (const auto& [title, is_wanted] : dialogs_)
+    if (is_wanted(session, view)) titles.push_back(title);
+  return titles;
+}
+
 UiFrame::UiFrame(Ui& ui) : ui_(ui) {
   ui_.widgets.begin_frame();
   ui_.rests_on_ = 0;
+  ui_.dialogs_.clear();
   ui_.view.canvas.hover_before = std::exchange(ui_.view.canvas.hover, {});
 }
 

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <array>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -18,6 +19,11 @@
 #include "widget_registry.h"
 
 namespace talus {
+
+class Session;
+
+// Whether a dialog should be open.
+using DialogTest = std::function<bool(const Session&, const View&)>;
 
 class Ui {
  public:
@@ -46,6 +52,13 @@ class Ui {
   void ask(R request) {
     view.requests.ask(std::move(request));
   }
+
+  // Called by begin_dialog(): `wanted` is kept until the next frame begins.
+  void add_dialog(std::string_view title, DialogTest wanted) {
+    dialogs_.emplace_back(title, std::move(wanted));
+  }
+  // The titles of the dialogs that should be open now, of those that were begun in this frame.
+  std::vector<std::string> wanted_dialogs(const Session& session) const;
 
   // The next enabled control with a name gets the focus and shows it.
   void focus_next_item(bool on = true) { focuses_next_ = on; }
@@ -89,6 +102,7 @@ class Ui {
   ImGuiID rested_on_ = 0;    // what the mouse was on at the end of the last frame, if it has help
   double rested_since_ = 0;  // s
   ImGuiID rests_on_ = 0;     // the same in this frame; of overlapping items the one that was drawn last
+  std::vector<std::pair<std::string, DialogTest>> dialogs_;  // title and test
   bool tooltip_pending_ = false;
   bool focuses_next_ = false;
 

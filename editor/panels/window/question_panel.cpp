@@ -103,10 +103,13 @@ void draw_answers(std::span<const AnswerChoice> choices, Actions& actions, Ui& u
 void QuestionPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const auto& question = session.question();
   for (const QuestionDialog& dialog : kQuestionDialogs) {
-    const bool asked = question && static_cast<std::size_t>(question->kind) ==
-                                       static_cast<std::size_t>(&dialog - kQuestionDialogs.data());
-    const bool has_list = asked && question->kind == Question::Kind::allow_exports;
-    if (!begin_dialog(dialog.title, asked, has_list ? size_of_list(ui) : ImVec2{0, 0}, ui)) continue;
+    const auto kind = static_cast<Question::Kind>(&dialog - kQuestionDialogs.data());
+    const auto asks = [kind](const Session& now, const View&) {
+      return now.question() && now.question()->kind == kind;
+    };
+    const bool asked = asks(session, ui.view);
+    const bool has_list = asked && kind == Question::Kind::allow_exports;
+    if (!begin_dialog(dialog.title, asks, has_list ? size_of_list(ui) : ImVec2{0, 0}, session, ui)) continue;
     if (asked) {
       draw_scrolled_text("text", question->text,
                          {has_list ? ImGui::GetContentRegionAvail().x : ui.px(kQuestionWidth),
