@@ -14,7 +14,7 @@ namespace {
 std::string keys_from_here(const Command& command, const Session& session, const Ui& ui) {
   const std::string key = keys_of(command, ui);
   if (has_focus(command, session, ui.view)) return key;
-  return keys_of(focus_command(command.scope), ui) + ", " + key;
+  return keys_of(focus_command(command.scope), ui) + " then " + key;
 }
 
 void draw_command(const Command& command, const Session& session, Actions& actions, Ui& ui) {
