@@ -67,7 +67,7 @@ TEST_F(UiFile, DemoIsACopyThatAsksForAPlace) {
   key(ctrl('s'));
   frames(3);
   EXPECT_NE(find("files/name"), nullptr);
-  const auto wanted = wanted_file(session(), app().ui().view);
+  const auto wanted = wanted_file(session(), app().ui().view, FileDialog::save_as);
   EXPECT_EQ(wanted->near, "demo (copy).talus.json") << "a cart alone cannot hold its tuning";
   EXPECT_TRUE(session().path().empty());
   key(kEscape);
