@@ -67,18 +67,41 @@ std::vector<Sample> sample(const State& state, const StepRecord& record) {
   return samples;
 }
 
+// Thrown and caught in this file only: a run that would keep too much.
+struct TooMuch {
+  std::string message;
+};
+
+// bodies, contacts: of all frames of the run.
+void check_amounts(std::size_t bodies, std::size_t contacts, const HardCase& hard, const State& state) {
+  if (bodies <= kMaxCaseBodies && contacts <= kMaxCaseContacts) return;
+  throw TooMuch{"makes " + std::to_string(hard.frames) + " frames of " + std::to_string(state.bodies.size()) +
+                " bodies, but all frames together may have at most " + std::to_string(kMaxCaseBodies) +
+                " bodies and " + std::to_string(kMaxCaseContacts) + " contacts"};
+}
+
+std::size_t normals_of(const std::vector<Sample>& samples) {
+  std::size_t count = 0;
+  for (const Sample& sample : samples) count += sample.normals.size();
+  return count;
+}
+
 enum class Solvers { one, one_a_frame };
 
 Run run(const HardCase& hard, const Level& level, InputAt input, Solvers solvers = Solvers::one) {
   const auto scene = std::make_shared<const Scene>(compile_scene(level));
   auto solver = make_solver(scene);
   State state = initial_state(*scene);
+  const std::size_t bodies = state.bodies.size() * static_cast<std::size_t>(hard.frames + 1);
+  std::size_t contacts = 0;
+  check_amounts(bodies, contacts, hard, state);
   StepRecord record;
   Run frames = {sample(state, record)};
   for (std::int64_t frame = 1; frame <= hard.frames; ++frame) {
     if (solvers == Solvers::one_a_frame) solver = make_solver(scene);
     solver->step(state, input(frame), &record);
     frames.push_back(sample(state, record));
+    check_amounts(bodies, contacts += normals_of(frames.back()), hard, state);
   }
   return frames;
 }
@@ -266,14 +289,18 @@ class Measurer {
 
 }  // namespace
 
-std::vector<CaseResult> run_hard_case(const HardCase& hard, const Level& level) {
-  const Measurer measurer(hard, level);
-  std::vector<CaseResult> results;
-  for (const CaseCheck& check : hard.checks) {
-    const double measured = measurer.measure(check);
-    results.push_back({check, measured <= check.bound, measured});
+tl::expected<std::vector<CaseResult>, std::string> run_hard_case(const HardCase& hard, const Level& level) {
+  try {
+    const Measurer measurer(hard, level);
+    std::vector<CaseResult> results;
+    for (const CaseCheck& check : hard.checks) {
+      const double measured = measurer.measure(check);
+      results.push_back({check, measured <= check.bound, measured});
+    }
+    return results;
+  } catch (TooMuch& too_much) {
+    return tl::unexpected(std::move(too_much.message));
   }
-  return results;
 }
 
 }  // namespace talus

@@ -45,7 +45,9 @@ void verify(CommandContext& context, const SimOptions& options, const Level& lev
   const auto hard = hard_case_of(level);
   if (!hard) return fail(context, options.file, hard.error().place, hard.error().message);
   if (!*hard) return fail(context, options.file, "", "has no key \"hard_case\" to verify");
-  for (const CaseResult& result : run_hard_case(**hard, level)) {
+  const auto results = run_hard_case(**hard, level);
+  if (!results) return fail(context, options.file, "key hard_case", results.error());
+  for (const CaseResult& result : *results) {
     std::string line = result.passed ? "passed " : "failed ";
     line += case_measure_infos()[static_cast<std::size_t>(result.check.measure)].key;
     line += " body " + std::to_string(result.check.body) + ": ";

@@ -1,6 +1,9 @@
 #include "answer.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
 
 #include "overlay_pen.h"
 
@@ -9,12 +12,17 @@ namespace {
 
 constexpr const Overlay* kId = &overlay::answer;
 constexpr int kCurveLines = 24;  // drawn for each curve of the floor
-constexpr double kPathStep = 8;  // px between the points of a path along the floor
+constexpr double kPathStep =
+    8;  // px between the points of a path along the floor, unless more of it is visible
+constexpr double kMostOfPath = 1024;  // points of one path
+constexpr int kMostOfPaths = 2048;    // of all
 
 class AnswerDrawer {
  public:
-  AnswerDrawer(const HardCase& hard, const Level& level, OverlayDrawing& out)
-      : hard_(hard), level_(level), out_(out) {}
+  AnswerDrawer(const HardCase& hard, const Level& level, Rect visible, OverlayDrawing& out)
+      : hard_(hard), level_(level), pen_(*kId, visible, out) {
+    for (const CaseCheck& check : hard.checks) checks_[check.body].push_back(&check);
+  }
 
   void draw() {
     for (const auto& part : hard_.floor.parts) draw_part(part);
@@ -36,10 +44,8 @@ class AnswerDrawer {
     return box;
   }
 
-  void line(Vec2 from, Vec2 to, bool arrow = false) { out_.lines.push_back({kId, from, to, arrow}); }
-
   void draw_part(const std::variant<Segment, Arc, Sine>& part) {
-    if (const auto* segment = std::get_if<Segment>(&part)) return line(segment->from, segment->to);
+    if (const auto* segment = std::get_if<Segment>(&part)) return pen_.line(segment->from, segment->to);
     CaseFloor alone;
     alone.parts.push_back(part);
     const auto [x0, x1] = part.index() == 1 ? std::pair(std::get<Arc>(part).x0, std::get<Arc>(part).x1)
@@ -48,34 +54,35 @@ class AnswerDrawer {
       const double x = left + width * i / kCurveLines;
       return Vec2{x, alone.top(x, x).value_or(0)};
     };
-    for (int i = 0; i < kCurveLines; ++i) line(at(i), at(i + 1));
+    for (int i = 0; i < kCurveLines; ++i) pen_.line(at(i), at(i + 1));
   }
 
   void draw_body(int body) {
     Rect at = start_of(body);
-    out_.boxes.push_back({kId, at, false});
-    const bool stands = draw_positions(body, at);
-    for (const CaseCheck& check : hard_.checks) {
-      if (check.body != body) continue;
-      if (check.measure == CaseCheck::Measure::reaches && check.x && !stands)
-        draw_way(start_of(body), *check.x);
-      if (check.measure == CaseCheck::Measure::velocity)
-        line(at.center(), at.center() + Vec2{check.x.value_or(0), check.y.value_or(0)} * kPixelsPerVelocity,
-             true);
+    pen_.box(at);
+    const auto checks = checks_.find(body);
+    if (checks == checks_.end()) return;
+    const bool stands = draw_positions(checks->second, at);
+    for (const CaseCheck* check : checks->second) {
+      if (check->measure == CaseCheck::Measure::reaches && check->x && !stands)
+        draw_way(start_of(body), *check->x);
+      if (check->measure == CaseCheck::Measure::velocity)
+        pen_.line(at.center(),
+                  at.center() + Vec2{check->x.value_or(0), check->y.value_or(0)} * kPixelsPerVelocity, true);
     }
   }
 
   // Draws ghosts of the body where it should be, each with an arrow from the one before. Sets `at` to the
   // last of them. Returns whether a check gives an x.
-  bool draw_positions(int body, Rect& at) {
+  bool draw_positions(const std::vector<const CaseCheck*>& checks, Rect& at) {
     bool any = false;
-    for (const CaseCheck& check : hard_.checks) {
-      if (check.body != body || check.measure != CaseCheck::Measure::position) continue;
-      const Rect next = wanted(check);
-      any = any || check.x || check.right;
-      if (next == at || !(check.x || check.right || check.y)) continue;
-      out_.boxes.push_back({kId, next, true});
-      line(at.center(), next.center(), true);
+    for (const CaseCheck* check : checks) {
+      if (check->measure != CaseCheck::Measure::position) continue;
+      const Rect next = wanted(*check);
+      any = any || check->x || check->right;
+      if (next == at || !(check->x || check->right || check->y)) continue;
+      pen_.box(next, true);
+      pen_.line(at.center(), next.center(), true);
       at = next;
     }
     return any;
@@ -84,32 +91,44 @@ class AnswerDrawer {
   // Draws the path of the body's centre to where it should get: along the floor, or straight if there is no
   // floor.
   void draw_way(const Rect& start, double x) {
-    const double step = x < start.x ? -kPathStep : kPathStep;
-    Vec2 from = start.center();
-    for (double left = start.x + step; step > 0 ? left <= x : left >= x; left += step) {
+    const Rect& seen = pen_.visible();
+    const double sign = x < start.x ? -1 : 1, length = std::abs(x - start.x);
+    const double step = std::max(kPathStep, std::ceil(seen.w / kMostOfPath));
+    // The points from just before the visible part to just behind it.
+    const double near = sign > 0 ? seen.x - start.center().x : start.center().x - seen.right();
+    const double first = std::max(1.0, std::floor(near / step));
+    const double last = std::min(std::floor(length / step), std::ceil((near + seen.w) / step));
+    const auto point = [&](double i) -> std::optional<Vec2> {
+      const double left = start.x + sign * step * i;
       const auto top = hard_.floor.parts.empty() ? start.bottom() : hard_.floor.top(left, left + start.w);
-      if (!top) continue;
-      const Vec2 to{left + start.w / 2, *top - start.h / 2};
-      line(from, to, step > 0 ? left + step > x : left + step < x);
-      from = to;
+      if (!top) return std::nullopt;
+      return Vec2{left + start.w / 2, *top - start.h / 2};
+    };
+    std::optional<Vec2> from = first > 1 ? point(first - 1) : start.center();
+    for (double i = first; i <= last && points_ < kMostOfPaths; ++i, ++points_) {
+      const auto to = point(i);
+      if (from && to) pen_.line(*from, *to, step * (i + 1) > length);
+      if (to) from = to;
     }
   }
 
   const HardCase& hard_;
   const Level& level_;
-  OverlayDrawing& out_;
+  OverlayPen pen_;
+  std::map<int, std::vector<const CaseCheck*>> checks_;  // by body
+  int points_ = 0;                                       // of paths, so far
 };
 
 }  // namespace
 
-void add_answer(const HardCase& hard, const Level& level, OverlayDrawing& drawing) {
-  AnswerDrawer(hard, level, drawing).draw();
+void add_answer(const HardCase& hard, const Level& level, Rect visible, OverlayDrawing& drawing) {
+  AnswerDrawer(hard, level, visible, drawing).draw();
 }
 
 namespace {
 
 void draw_answer(const OverlaySource& source, OverlayPen& pen) {
-  if (source.hard_case != nullptr) add_answer(*source.hard_case, *source.level, pen.drawing());
+  if (source.hard_case != nullptr) add_answer(*source.hard_case, *source.level, pen.visible(), pen.drawing());
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ std::string failures_of(const CaseFile& file, SolverKind solver, std::string* de
   Level level = file.level;
   level.tuning.solver = solver;
   std::string failures;
-  for (const CaseResult& result : run_hard_case(file.hard, level)) {
+  for (const CaseResult& result : run_hard_case(file.hard, level).value()) {
     if (result.passed) continue;
     const auto& info = case_measure_infos()[static_cast<std::size_t>(result.check.measure)];
     failures +=

@@ -7,12 +7,13 @@
 namespace talus::answer_test {
 
 // What is drawn for a body with this start and check.
-OverlayDrawing drawn_answer(HardCase hard, Vec2 start, const CaseCheck& check) {
+OverlayDrawing drawn_answer(HardCase hard, Vec2 start, const CaseCheck& check,
+                            Rect visible = {0, 0, 320, 136}) {
   Level level;
   level.spawns.emplace_back().position = start;
   hard.checks = {check};
   OverlayDrawing drawing;
-  add_answer(hard, level, drawing);
+  add_answer(hard, level, visible, drawing);
   return drawing;
 }
 
@@ -58,6 +59,29 @@ TEST(AnswerOverlay, APathWithoutAFloorIsStraight) {
   ASSERT_EQ(drawing.lines.size(), 3u);
   EXPECT_EQ(drawing.lines[2].to, (Vec2{20, 60}));
   EXPECT_TRUE(drawing.lines[2].arrow);
+}
+
+// A path has as many lines as can be seen, however far away its end is.
+TEST(AnswerOverlay, APathIsDrawnWhereItIsVisible) {
+  const OverlayDrawing near = drawn_answer({}, {40, 56}, reaching(1e8));
+  EXPECT_GE(near.lines.size(), 280u / 8);
+  EXPECT_LE(near.lines.size(), 320u / 8 + 2);
+  const OverlayDrawing backwards = drawn_answer({}, {1e8, 56}, reaching(-1e8));
+  EXPECT_GE(backwards.lines.size(), 320u / 8);
+  EXPECT_LE(backwards.lines.size(), 320u / 8 + 2);
+  EXPECT_TRUE(drawn_answer({}, {40, 56}, reaching(1e8), {0, 500, 320, 136}).lines.empty()) << "below it";
+  const OverlayDrawing far = drawn_answer(on_a_floor(), {-1e8, 56}, reaching(1e8), {-1e7, 0, 2e7, 136});
+  EXPECT_LE(far.lines.size(), 2000u);
+}
+
+TEST(AnswerOverlay, OfManyPathsTheFirstAreDrawn) {
+  HardCase hard;
+  hard.checks.assign(256, reaching(300));
+  Level level;
+  level.spawns.emplace_back();
+  OverlayDrawing drawing;
+  add_answer(hard, level, {0, 0, 320, 136}, drawing);
+  EXPECT_LE(drawing.lines.size(), 2100u);
 }
 
 }  // namespace talus::answer_test

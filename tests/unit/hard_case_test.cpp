@@ -73,6 +73,44 @@ TEST(HardCase, ErrorsNameTheirKey) {
   EXPECT_EQ(place_of(case_text(R"(,"input":[{"frame":2},{"frame":1}])")), "key hard_case.input[1].frame");
 }
 
+// Memory and time would have no bound.
+TEST(HardCase, NumbersAndAmountsAreLimited) {
+  const auto error_of = [](const std::string& members) {
+    const auto hard = hard_case_of(level_with(case_text(members)));
+    return hard ? std::string("none") : hard.error().place + " " + hard.error().message;
+  };
+  const std::string range = " must be a number from -100000000 to 100000000";
+  for (const char* key : {"x", "y", "right", "bottom", "bound"}) {
+    const std::string check = R"(,"checks":[{"measure":"reaches",")" + std::string(key) + "\":";
+    EXPECT_EQ(error_of(check + "1e300}]"), "key hard_case.checks[0]." + std::string(key) + range);
+    EXPECT_EQ(error_of(check + "-1e8}]"), "none");
+  }
+  EXPECT_EQ(error_of(R"(,"input":[{"frame":1,"mouse":[1e9,0]}])"), "key hard_case.input[0].mouse" + range);
+  EXPECT_EQ(error_of(R"(,"floor":[{"arc":[1,2,3,4,1e9]}])"), "key hard_case.floor[0].arc" + range);
+  std::string checks, points;
+  for (int i = 0; i < 257; ++i) checks += R"({"measure":"gap"},)";
+  for (int i = 0; i < 258; ++i) points += "[" + std::to_string(i) + ",0],";
+  checks.pop_back(), points.pop_back();
+  EXPECT_EQ(error_of(",\"checks\":[" + checks + "]"), "key hard_case.checks may have at most 256 checks");
+  EXPECT_EQ(error_of(",\"floor\":[[" + points + "]]"),
+            "key hard_case.floor may have at most 256 lines and curves");
+}
+
+TEST(HardCase, ATranslatedLevelIsOneAsWell) {
+  const auto error_of = [](const std::string& by) {
+    const auto hard =
+        hard_case_of(level_with(case_text(R"(,"checks":[{"measure":"translate",)" + by + "}]")));
+    return hard ? std::string("none") : hard.error().place + " " + hard.error().message;
+  };
+  EXPECT_EQ(error_of(R"("x":800,"y":16)"), "none");
+  EXPECT_EQ(
+      error_of(R"("x":480000,"y":480000)"),
+      "key hard_case.checks[0] moves the level by 60000x60000 tiles, which makes it larger than a level "
+      "may be");
+  EXPECT_EQ(error_of(R"("x":4)"), "key hard_case.checks[0].x must be whole tiles to move by, 0 or more");
+  EXPECT_EQ(error_of(R"("y":-8)"), "key hard_case.checks[0].y must be whole tiles to move by, 0 or more");
+}
+
 TEST(CaseFloor, IsHighestAtAnEndOrAtACrestBetween) {
   CaseFloor floor;
   floor.parts.emplace_back(Segment{{0, 20}, {10, 10}});
@@ -98,7 +136,7 @@ double measured(CaseCheck check) {
   hard.frames = 20;
   hard.floor.parts.emplace_back(Segment{{0, 16}, {24, 16}});
   hard.checks = {check};
-  return run_hard_case(hard, level).at(0).measured;
+  return run_hard_case(hard, level).value().at(0).measured;
 }
 
 CaseCheck check_of(CaseCheck::Measure measure) {
@@ -140,6 +178,18 @@ TEST(HardCaseRun, MeasuresWhereABodyIs) {
   EXPECT_EQ(measured(changes), 2);
   EXPECT_EQ(measured(check_of(M::repeat)), 0);
   EXPECT_EQ(measured(check_of(M::mirror)), 0);
+}
+
+TEST(HardCaseRun, KeepsABoundedNumberOfBodies) {
+  Level level = level_of({"o..", "...", "###"});
+  level.spawns.resize(2999);
+  HardCase hard;
+  hard.frames = 1'000'000;
+  hard.checks = {check_of(CaseCheck::Measure::position)};
+  EXPECT_EQ(
+      run_hard_case(hard, level).error(),
+      "makes 1000000 frames of 3000 bodies, but all frames together may have at most 2097152 bodies and "
+      "4194304 contacts");
 }
 
 TEST(HardCaseRun, ACheckOfAMissingBodyFails) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "../text/json_text.h"
 
@@ -9,6 +10,9 @@ namespace talus {
 namespace {
 
 constexpr std::int64_t kMaxFrames = 1'000'000;
+constexpr double kMaxCaseNumber = 1e8;  // px or px/frame; farther away than any level reaches
+constexpr std::size_t kMaxFloorParts = 256;
+constexpr std::size_t kMaxChecks = 256;  // some of them take a run each
 
 // Thrown and caught in this file only: ends the reading of nested values at the first error.
 struct Wrong {
@@ -37,8 +41,9 @@ std::int64_t whole(const Json& value, const std::string& path, std::int64_t min,
 }
 
 double number(const Json& value, const std::string& path) {
-  if (!value.is_number()) fail(path, "must be a number");
-  return value.get<double>();
+  const double number = value.is_number() ? value.get<double>() : 2 * kMaxCaseNumber;
+  if (!(std::abs(number) <= kMaxCaseNumber)) fail(path, "must be a number from -100000000 to 100000000");
+  return number;
 }
 
 std::vector<double> numbers(const Json& value, const std::string& path, std::size_t count) {
@@ -85,6 +90,7 @@ void read_line(const Json& points, const std::string& path, CaseFloor& floor) {
   for (std::size_t i = 1; i < ends.size(); ++i) {
     if (ends[i].x <= ends[i - 1].x) fail(path, "must go from left to right");
     floor.parts.emplace_back(Segment{ends[i - 1], ends[i]});
+    if (floor.parts.size() > kMaxFloorParts) return;  // read_case() reports it
   }
 }
 
@@ -134,7 +140,22 @@ CaseCheck read_check(const Json& json, const std::string& path, std::int64_t fra
   return check;
 }
 
-HardCase read_case(const Json& json) {
+// The moved level must be one, too.
+void check_translate(const CaseCheck& check, const std::string& path, const Level& level) {
+  const TileSize tile = level.map.tile_size();
+  const auto tiles = [&](const std::optional<double>& px, int side, const char* key) {
+    const double count = px.value_or(0) / side;
+    if (!(count >= 0) || count != std::floor(count))
+      fail(path + "." + key, "must be whole tiles to move by, 0 or more");
+    return static_cast<std::int64_t>(count);
+  };
+  const std::int64_t columns = tiles(check.x, tile.width, "x"), rows = tiles(check.y, tile.height, "y");
+  if (is_terrain_size(level.map.width() + columns, level.map.height() + rows, tile)) return;
+  fail(path, "moves the level by " + std::to_string(columns) + "x" + std::to_string(rows) +
+                 " tiles, which makes it larger than a level may be");
+}
+
+HardCase read_case(const Json& json, const Level& level) {
   if (!json.is_object()) throw Wrong{{"key hard_case", "must be an object"}};
   HardCase hard;
   hard.number = static_cast<int>(whole(member(json, "", "number"), "number", 1, 999));
@@ -153,9 +174,17 @@ HardCase read_case(const Json& json) {
     if (count > 1 && hard.input[count - 1].frame < hard.input[count - 2].frame)
       fail(path + ".frame", "goes backwards");
   });
-  each("floor", [&](const Json& part, const std::string& path) { read_floor_part(part, path, hard.floor); });
+  each("floor", [&](const Json& part, const std::string& path) {
+    read_floor_part(part, path, hard.floor);
+    if (hard.floor.parts.size() > kMaxFloorParts)
+      fail("floor", "may have at most " + std::to_string(kMaxFloorParts) + " lines and curves");
+  });
   each("checks", [&](const Json& check, const std::string& path) {
+    if (hard.checks.size() == kMaxChecks)
+      fail("checks", "may have at most " + std::to_string(kMaxChecks) + " checks");
     hard.checks.push_back(read_check(check, path, hard.frames));
+    if (hard.checks.back().measure == CaseCheck::Measure::translate)
+      check_translate(hard.checks.back(), path, level);
   });
   return hard;
 }
@@ -176,7 +205,7 @@ FormatResult<std::optional<HardCase>> hard_case_of(const Level& level) {
   if (!keys) return tl::unexpected(keys.error());
   if (!keys->contains("hard_case")) return std::nullopt;
   try {
-    return read_case((*keys)["hard_case"]);
+    return read_case((*keys)["hard_case"], level);
   } catch (const Wrong& wrong) {
     return tl::unexpected(wrong.error);
   }

@@ -9,6 +9,8 @@
 //                   origin]}.
 //   "checks"        objects with "measure", one of level/hard_case.h; "body" (1); "frame", or "frames": [a, b];
 //                   "x", "y", "right", "bottom"; "bound" (0).
+// Numbers are from -100000000 to 100000000. A floor has at most 256 lines and curves, and a case 256 checks.
+// "translate" moves by whole tiles, right and down, as far as a level may be large.
 // clang-format on
 #pragma once
 
