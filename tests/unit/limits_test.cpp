@@ -360,6 +360,58 @@ TEST(TiledLimits, ObjectsAreCountedBeforeTheyAreRead) {
       "map:key layers[0].objects[262144]: error: is one object too many: a map may have at most 262144");
 }
 
+TEST(TiledLimits, LayersTilesetsAndPointsAreCounted) {
+  const auto xml_error = [](const std::string& parts) {
+    const std::string map =
+        R"(<map orientation="orthogonal" width="1" height="1" tilewidth="8" tileheight="8">)";
+    return to_string(read_level(map + parts + "</map>", {"tmx"}).error(), "map");
+  };
+  const auto times = [](std::size_t count, const std::string& part) {
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i) text += part;
+    return text;
+  };
+  EXPECT_EQ(xml_error(times(kMaxTiledLayers, "<objectgroup/>") + "\n<layer/>"),
+            "map:line 2: error: is one layer too many: a map may have at most 4096");
+  EXPECT_EQ(xml_error(times(kMaxTiledTilesets, R"(<tileset source="a.tsx"/>)") + "\n<tileset/>"),
+            "map:line 2: error: is one tileset too many: a map may have at most 4096");
+  EXPECT_EQ(xml_error("<polygon points=\"" + times(kMaxTiledPoints, "1,2 ") + "\"/>"),
+            "map: error: has 2097153 points, but a map may have at most 2097152");
+  const std::string groups = times(kMaxTiledLayers, R"({"type":"objectgroup"},)") + R"({"type":"group"})";
+  EXPECT_EQ(to_string(read_level(tiled_map(1, "", groups), {"tmj"}).error(), "map"),
+            "map:key layers[4096]: error: is one layer too many: a map may have at most 4096");
+  const std::string sets = times(kMaxTiledTilesets, R"({"source":"a.tsj"},)") + R"({"source":"a.tsj"})";
+  EXPECT_EQ(to_string(read_level(tiled_map(1, sets, ""), {"tmj"}).error(), "map"),
+            "map:key tilesets[4096]: error: is one tileset too many: a map may have at most 4096");
+}
+
+// Each line of a curve gets its name: 1 MB of them took 7 GB.
+TEST(TiledLimits, NamesOfCurvesAreCountedBeforeTheyAreCopied) {
+  std::string points;
+  for (int i = 0; i < 3000; ++i)
+    points += std::string(i > 0 ? "," : "") + R"({"x":)" + std::to_string(i / 1000.0 + (i == 1 ? 1e-4 : 0)) +
+              R"(,"y":0})";
+  const std::string layers =
+      R"({"type":"tilelayer","data":[0]},{"type":"objectgroup","objects":[{"x":0,"y":0,)"
+      R"("type":"curve","name":")" +
+      std::string(100'000, 'n') + R"(","polyline":[)" + points + "]}]}";
+  const auto read = read_level(tiled_map(1, "", layers), {"tmj"});
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().message, "has 4200000 bytes of names, but a level holds at most 4194304");
+}
+
+TEST(TiledLimits, NamesInMessagesAreCut) {
+  std::string properties;
+  for (int i = 0; i < 1002; ++i)
+    properties += std::string(i > 0 ? "," : "") + R"({"name":"p)" + std::to_string(i) + R"(","value":1})";
+  const std::string layer = R"({"type":"tilelayer","data":[0],"name":")" + std::string(100'000, 'n') +
+                            R"(","properties":[)" + properties + "]}";
+  const auto read = read_level(tiled_map(1, "", layer), {"tmj"});
+  ASSERT_TRUE(read) << to_string(read.error(), "map");
+  ASSERT_EQ(read->dropped.size(), 1001u);
+  EXPECT_EQ(read->dropped[0], "the property \"p0\" of the layer \"" + std::string(77, 'n') + "...\"");
+}
+
 TEST(TiledLimits, MapsBeyondTheLimitsOfALevelAreNotRead) {
   const std::string layers =
       R"({"type":"tilelayer","data":[0]},{"type":"objectgroup","objects":[{"type":"ball","name":")" +

@@ -171,7 +171,7 @@ FormatResult<TiledPictures> TiledFiles::read_pictures(const TiledMap& map) {
   for (const TiledTileset& tileset : map.tilesets) {
     pictures.emplace_back();
     if (tileset.image.empty() || context_.folder.empty()) {
-      drops_.add("the picture of the tileset \"" + tileset.name + "\"");
+      drops_.add("the picture of the tileset " + tiled_quoted(tileset.name));
       continue;
     }
     const std::string name = with_slashes(tileset.image);

@@ -2,9 +2,11 @@
 #include "tiled_json.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 
+#include "../text/utf8_text.h"
 #include "tiled_cells.h"
 
 namespace talus {
@@ -37,8 +39,6 @@ bool says_nothing(std::string_view key, const Json& value) {
   if (key == "x" || key == "y" || key == "offsetx" || key == "offsety") return value == 0;
   return value == "" || (value.is_structured() && value.empty()) || key == kTiledLineKey;
 }
-
-std::string tiled_quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
 
 // Counts the tile layers in a map or group, which is at most kMaxJsonDepth deep. Values other than lists and
 // objects have none.
@@ -80,6 +80,9 @@ class TiledReader {
   std::vector<TiledObject> objects(const TiledNode& node, Vec2 offset);
   TiledObject object(const TiledNode& node, Vec2 offset);
   std::vector<Vec2> points(const TiledNode& node, const char* key);
+  void points_of_text(const TiledNode& node, const char* key, std::string_view text,
+                      std::vector<Vec2>& points);
+  bool has_room_for_point(const TiledNode& node, const char* key);
   TiledTile tile(const TiledNode& node);
   TiledProperties properties(const TiledNode& node, const std::string& of);
   std::optional<TiledProperty> property(const TiledNode& node);
@@ -137,7 +140,7 @@ class TiledReader {
 
   TiledDrops& drops_;
   std::optional<FormatError> error_;
-  std::size_t objects_ = 0;  // objects read so far
+  std::size_t objects_ = 0, layers_ = 0, points_ = 0;  // read so far
 };
 
 TiledMap TiledReader::map(const Json& json, const Progress& progress) {
@@ -168,7 +171,11 @@ TiledMap TiledReader::map(const Json& json, const Progress& progress) {
     fail(node, "width", "is longer than 16777216 px, the most that a level has");
   map.properties = properties(node, "the map");
   map.background = text(node, "backgroundcolor");
-  for_each(node, "tilesets", [&](const TiledNode& entry) { map.tilesets.push_back(tileset(entry)); });
+  for_each(node, "tilesets", [&](const TiledNode& entry) {
+    if (map.tilesets.size() == kMaxTiledTilesets)
+      return fail(entry, "", tiled_too_many("tileset", kMaxTiledTilesets));
+    map.tilesets.push_back(tileset(entry));
+  });
   if (!error_) layers(node, {}, progress, map);
   drop_others(
       node, "the map",
@@ -215,6 +222,7 @@ void TiledReader::layers(const TiledNode& node, const Group& group, const Progre
       error_ = was_cancelled().value();
       return;
     }
+    if (++layers_ > kMaxTiledLayers) return fail(entry, "", tiled_too_many("layer", kMaxTiledLayers));
     const std::string type = text(entry, "type");
     TiledLayer layer;
     layer.name = text(entry, "name");
@@ -275,10 +283,7 @@ std::vector<std::uint32_t> TiledReader::cells(const TiledNode& node, std::size_t
 std::vector<TiledObject> TiledReader::objects(const TiledNode& node, Vec2 offset) {
   std::vector<TiledObject> all;
   for_each(node, "objects", [&](const TiledNode& entry) {
-    if (++objects_ > kMaxTiledObjects) {
-      return fail(entry, "",
-                  "is one object too many: a map may have at most " + std::to_string(kMaxTiledObjects));
-    }
+    if (++objects_ > kMaxTiledObjects) return fail(entry, "", tiled_too_many("object", kMaxTiledObjects));
     all.push_back(object(entry, offset));
   });
   return all;
@@ -311,14 +316,47 @@ TiledObject TiledReader::object(const TiledNode& node, Vec2 offset) {
 
 std::vector<Vec2> TiledReader::points(const TiledNode& node, const char* key) {
   std::vector<Vec2> points;
+  const Json* list = node.find(key);
+  if (list != nullptr && list->is_string()) {
+    points_of_text(node, key, list->get_ref<const std::string&>(), points);
+    return points;
+  }
   for_each(node, key, [&](const TiledNode& point) {
-    points.push_back({number(point, "x"), number(point, "y")});
+    if (has_room_for_point(point, "")) points.push_back({number(point, "x"), number(point, "y")});
   });
   return points;
 }
 
+// "0,8 16,0.5", as in XML.
+void TiledReader::points_of_text(const TiledNode& node, const char* key, std::string_view text,
+                                 std::vector<Vec2>& points) {
+  const auto coordinate = [&](std::string_view digits) {
+    double number = 0;
+    const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    const bool is_number = problem == std::errc() && end == digits.data() + digits.size();
+    if (!is_number || !std::isfinite(number))
+      fail(node, key, "must have two numbers for each point of its " + std::string(key));
+    return number;
+  };
+  while (!text.empty() && !error_) {
+    const std::string_view pair = text.substr(0, text.find(' '));
+    text.remove_prefix(std::min(text.size(), pair.size() + 1));
+    if (pair.empty() || !has_room_for_point(node, key)) continue;
+    const std::size_t comma = pair.find(',');
+    const double x = coordinate(pair.substr(0, comma));
+    points.push_back({x, coordinate(comma == pair.npos ? "" : pair.substr(comma + 1))});
+  }
+}
+
+bool TiledReader::has_room_for_point(const TiledNode& node, const char* key) {
+  if (++points_ > kMaxTiledPoints) fail(node, key, tiled_too_many("point", kMaxTiledPoints));
+  return !error_;
+}
+
 TiledTileset TiledReader::tileset(const TiledNode& node) {
   constexpr int kMost = 1 << 20, kMostSpace = 1024;  // px; products of them fit an int
+  // Bytes; a map may name one file many times, each with its name and its picture's.
+  constexpr std::size_t kMostName = 200, kMostPath = 4096;
   TiledTileset tileset;
   if (!node.json.is_object()) {
     fail(node, "", "is not a Tiled tileset");
@@ -328,10 +366,13 @@ TiledTileset TiledReader::tileset(const TiledNode& node) {
       static_cast<std::uint32_t>(whole(node, "firstgid", 1, static_cast<int>(kTiledIdBits), 1));
   tileset.source = text(node, "source");
   if (!tileset.source.empty()) return tileset;
-  tileset.name = text(node, "name");
-  const std::string of = "the tileset " + tiled_quoted(tileset.name);
+  const std::string name = text(node, "name");
+  const std::string of = "the tileset " + tiled_quoted(name);
+  tileset.name = shortened(name, kMostName);
   tileset.tile_size = tile_size(node);
   tileset.image = text(node, "image");
+  if (tileset.image.size() > kMostPath)
+    fail(node, "image", "names a picture by a path of more than " + std::to_string(kMostPath) + " bytes");
   tileset.image_width = whole(node, "imagewidth", 0, kMost, 0);
   tileset.image_height = whole(node, "imageheight", 0, kMost, 0);
   tileset.columns = whole(node, "columns", 0, kMost, 0);

@@ -72,7 +72,7 @@ class TiledLevelMaker {
   void take_spawn(const TiledObject& object, Spawn spawn);
   const Spawn* base_spawn_like(const Spawn& spawn, const TiledObject& object) const;
   void take_curve(const TiledObject& object);
-  void add_curve(const LevelCurve& curve);
+  bool takes(const Curve& curve, const std::string& name);
 
   const TiledTile* tile_of(const TiledSource& source) const {
     return source.tileset < 0 ? nullptr
@@ -90,6 +90,7 @@ class TiledLevelMaker {
   TiledTiles tiles_;
   std::map<std::string, int> flags_;                                    // by the name of their bools
   std::vector<std::pair<const LevelCurve*, TiledObject>> curves_by_x_;  // of base_
+  std::size_t curve_name_bytes_ = 0;                                    // of curves that are no base_'s
 };
 
 // Whether an object has the name that Talus wrote, which in XML may lack characters of the true one.
@@ -98,7 +99,7 @@ bool is_name_of(const std::string& written, const std::string& name) {
 }
 
 std::string named(std::string_view what, const std::string& name) {
-  return std::string(what) + (name.empty() ? "" : " \"" + name + "\"");
+  return std::string(what) + (name.empty() ? "" : " " + tiled_quoted(name));
 }
 
 // The tile's number in the level and, if that differs, its number in the tileset.
@@ -160,7 +161,7 @@ FormatResult<const TiledLayer*> TiledLevelMaker::layer_of(const ImportChoices& c
   for (const TiledLayer& layer : map_.layers) {
     if (!layer.has_tiles) continue;
     layers.push_back(&layer);
-    names += (names.empty() ? "\"" : ", \"") + layer.name + "\"";
+    names += (names.empty() ? "" : ", ") + tiled_quoted(layer.name);
   }
   const auto fail = [](std::string message, std::string remedy = {}) {
     return tl::unexpected(FormatError{"", std::move(message), std::move(remedy)});
@@ -323,7 +324,7 @@ std::uint8_t TiledLevelMaker::flags_of(const TiledTile& tile) {
       if (is_false) pattern.bits = 0;
       flags = pattern.put_in(flags);
     } else if (!knows_property(property) && !is_false) {
-      drops_.add("the property \"" + property.name + "\" of a tile");
+      drops_.add("the property " + tiled_quoted(property.name) + " of a tile");
     }
   }
   return flags;
@@ -411,7 +412,7 @@ void TiledLevelMaker::tell_stale_words(const TiledTile& tile, const TileShape& s
       continue;
     if (property == TiledProperty{"shape_one_way", false}) continue;
     if (std::find(words.begin(), words.end(), property) == words.end())
-      drops_.add("the property \"" + property.name + "\" of a tile, as its outline says otherwise");
+      drops_.add("the property " + tiled_quoted(property.name) + " of a tile, as its outline says otherwise");
   }
 }
 
@@ -423,7 +424,7 @@ void TiledLevelMaker::take_objects(const TiledLayer& layer) {
                (object.type == kTiledCurveType || layer.name == kTiledCurveLayer)) {
       take_curve(object);
     } else {
-      drops_.add("an object of the layer \"" + layer.name + "\"");
+      drops_.add("an object of the layer " + tiled_quoted(layer.name));
     }
   }
 }
@@ -432,7 +433,7 @@ void TiledLevelMaker::take_spawn(const TiledObject& object, Spawn spawn) {
   constexpr std::array<std::string_view, 3> kKnown = {"vx", "vy", "foot"};
   for (const TiledProperty& property : object.properties) {
     if (std::find(kKnown.begin(), kKnown.end(), property.name) == kKnown.end())
-      drops_.add("the property \"" + property.name + "\" of a body");
+      drops_.add("the property " + tiled_quoted(property.name) + " of a body");
   }
   if (object.rotation != 0) drops_.add("the rotation of a body");
   if (level_.spawns.size() == kMaxSpawns) return drops_.add("a body, since a level holds at most 65536");
@@ -457,27 +458,40 @@ const Spawn* TiledLevelMaker::base_spawn_like(const Spawn& spawn, const TiledObj
 }
 
 void TiledLevelMaker::take_curve(const TiledObject& object) {
-  std::vector<LevelCurve> curves = curves_of(object);
+  const std::vector<Curve> curves = curves_of(object);
   if (curves.empty()) return drops_.add(named("the curve", object.name));
   const auto near = near_in_x(std::span(std::as_const(curves_by_x_)), object.position.x);
   const auto same = std::find_if(near.begin(), near.end(), [&](const auto& old) {
-    return is_name_of(old.first->name, object.name) && old.first->curve.faces == curves.front().curve.faces &&
+    return is_name_of(old.first->name, object.name) && old.first->curve.faces == curves.front().faces &&
            is_same_outline(old.second, object);
   });
-  if (same != near.end()) return add_curve(*same->first);
+  if (same != near.end()) {
+    const LevelCurve& old = *same->first;
+    if (takes(old.curve, old.name)) level_.curves.push_back(old);
+    return;
+  }
   const auto* const kind = find_property<std::string>(object.properties, "kind");
   if (kind != nullptr && *kind != "segment" && *kind != "polyline")
     drops_.add("the exact form of a curve that was changed in Tiled: it has lines now");
-  for (const LevelCurve& curve : curves) add_curve(curve);
+  for (const Curve& curve : curves) {
+    // Each line of the object has its name. Beyond the limit of names, which is reported at the end, none is
+    // copied.
+    if (curve_name_bytes_ > kMaxNameBytes) return;
+    if (!takes(curve, object.name)) continue;
+    curve_name_bytes_ += object.name.size();
+    level_.curves.push_back({object.name, curve, ""});
+  }
 }
 
-void TiledLevelMaker::add_curve(const LevelCurve& curve) {
+// Whether the curve can be in the level; if not, says why.
+bool TiledLevelMaker::takes(const Curve& curve, const std::string& name) {
   if (level_.curves.size() == kMaxCurves)
     drops_.add("a curve, since a level holds at most 16384");
-  else if (const auto problem = problem_of(curve.curve, level_.map))
-    drops_.add(named("the curve", curve.name) + ", which " + *problem);
+  else if (const auto problem = problem_of(curve, level_.map))
+    drops_.add(named("the curve", name) + ", which " + *problem);
   else
-    level_.curves.push_back(curve);
+    return true;
+  return false;
 }
 
 FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {

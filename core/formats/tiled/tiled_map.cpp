@@ -13,18 +13,34 @@ std::string tiled_color(Rgb color) {
   return text;
 }
 
+std::string tiled_quoted(std::string_view name) {
+  constexpr std::size_t kMost = 80;  // bytes
+  return "\"" + shortened(name, kMost) + "\"";
+}
+
+std::string tiled_too_many(std::string_view thing, std::size_t most) {
+  return "is one " + std::string(thing) + " too many: a map may have at most " + std::to_string(most);
+}
+
+void TiledDrops::add(std::string_view phrase) {
+  constexpr std::size_t kMostPhrases = 1000;
+  constexpr std::size_t kMostShown = 200;  // bytes
+  const std::string shown = shortened(phrase, kMostShown);
+  if (const auto known = counts_.find(shown); known != counts_.end())
+    ++known->second;
+  else if (counts_.size() < kMostPhrases)
+    counts_.emplace(shown, 1);
+  else
+    ++more_;
+}
+
 std::vector<std::string> TiledDrops::phrases() const {
   std::vector<std::string> phrases;
-  constexpr std::size_t kMostPhrases = 1000;
-  constexpr std::size_t kMostShown = 200;  // bytes; names in files may be of any length
   for (const auto& [phrase, count] : counts_) {
-    if (phrases.size() == kMostPhrases) {
-      phrases.push_back("and " + std::to_string(counts_.size() - kMostPhrases) + " more");
-      break;
-    }
-    const std::string shown = printable(shortened(phrase, kMostShown));
+    const std::string shown = printable(phrase);
     phrases.push_back(count == 1 ? shown : shown + " (" + std::to_string(count) + " times)");
   }
+  if (more_ > 0) phrases.push_back("and " + std::to_string(more_) + " more");
   return phrases;
 }
 

@@ -38,6 +38,9 @@ inline constexpr std::string_view kTiledCurveType = "curve";
 // Limits for a map that is read, over all of its layers and tilesets.
 inline constexpr std::size_t kMaxTiledCells = std::size_t{4} * kMaxTerrainCells;
 inline constexpr std::size_t kMaxTiledObjects = 262'144;
+inline constexpr std::size_t kMaxTiledPoints = std::size_t{1} << 21;  // of polygons and polylines
+inline constexpr std::size_t kMaxTiledLayers = 4096;                  // groups count, too
+inline constexpr std::size_t kMaxTiledTilesets = 4096;
 inline constexpr std::size_t kMaxTiledPixels = std::size_t{1} << 25;  // of different pictures
 
 struct TiledProperty {
@@ -110,16 +113,24 @@ struct TiledMap {
 
 std::string tiled_color(Rgb color);  // "#1a1c2c"
 
+// Returns a name in quotes, for messages. Names in files may be of any length, so a long one is cut.
+std::string tiled_quoted(std::string_view name);
+// "is one layer too many: a map may have at most 4096", for what a map has one of above a limit.
+std::string tiled_too_many(std::string_view thing, std::size_t most);
+
 // What was found and cannot be kept, each thing once.
 class TiledDrops {
  public:
-  void add(const std::string& phrase) { ++counts_[phrase]; }
+  // Cuts the phrase to 200 bytes. Of different phrases it keeps the first 1000, and counts how often others
+  // came.
+  void add(std::string_view phrase);
   // In alphabetical order. A thing that was found several times has its count: "the animation of a tile (3
-  // times)". If there are more than 1000, the last one is "and 234 more".
+  // times)". If some were not kept, the last one is "and 234 more".
   std::vector<std::string> phrases() const;
 
  private:
   std::map<std::string, int> counts_;
+  std::size_t more_ = 0;
 };
 
 }  // namespace talus

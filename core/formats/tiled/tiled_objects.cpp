@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include <talus/level/limits.h>
 #include "../../collision/outline_compiler.h"
 #include "../text/append_number.h"
 #include "../text/xml_text.h"
@@ -207,26 +208,25 @@ std::optional<TiledObject> tiled_object(const LevelCurve& level_curve) {
   return object;
 }
 
-std::vector<LevelCurve> curves_of(const TiledObject& object) {
+std::vector<Curve> curves_of(const TiledObject& object) {
   if (object.form != TiledObject::Form::polyline || object.rotation != 0 || object.points.size() < 2)
     return {};
   std::vector<Vec2> points;
   for (const Vec2 p : object.points) points.push_back(weld(object.position + p));
-  LevelCurve made;
-  made.name = object.name;
+  Curve made;
   if (const auto* faces = find_property<std::string>(object.properties, "faces")) {
     const auto word = std::find(kFaceWords.begin(), kFaceWords.end(), *faces);
-    if (word != kFaceWords.end()) made.curve.faces = static_cast<Curve::Faces>(word - kFaceWords.begin());
+    if (word != kFaceWords.end()) made.faces = static_cast<Curve::Faces>(word - kFaceWords.begin());
   }
   if (points.size() > 2 && goes_in_equal_steps(points)) {
     Polyline line{points.front().x, points.back().x, {}};
     for (const Vec2 p : points) line.ys.push_back(p.y);
-    made.curve.form = std::move(line);
+    made.form = std::move(line);
     return {made};
   }
-  std::vector<LevelCurve> curves;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    made.curve.form = segment_between(points[i - 1], points[i]);
+  std::vector<Curve> curves;
+  for (std::size_t i = 1; i < points.size() && curves.size() <= kMaxCurves; ++i) {
+    made.form = segment_between(points[i - 1], points[i]);
     curves.push_back(made);
   }
   return curves;

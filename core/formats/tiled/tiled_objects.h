@@ -30,9 +30,10 @@ std::optional<Spawn> spawn_of(const TiledObject& object, TileSize tile);
 // A polyline from the first point of the curve on; nothing for a curve that cannot be used.
 std::optional<TiledObject> tiled_object(const LevelCurve& curve);
 // A polyline of two points becomes a segment. A longer one becomes a polyline if its points go to the right
-// at equal distances; if not, one segment for each line. Other objects become nothing. The result faces up,
-// or where the property `faces` says.
-std::vector<LevelCurve> curves_of(const TiledObject& object);
+// at equal distances; if not, one segment for each line, of which those are left out that no level could
+// hold, beyond kMaxCurves + 1. Other objects become nothing. The result faces up, or where the property
+// `faces` says.
+std::vector<Curve> curves_of(const TiledObject& object);
 
 // How far off a number may be that Tiled has written, in either direction.
 double tiled_slack(double number);

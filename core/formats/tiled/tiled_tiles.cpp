@@ -17,7 +17,7 @@ constexpr const char* kTakeUsed = "`talus import --tiles-used` takes only those 
 FormatError cell_error(const TiledLayer& layer, const TiledMap& map, std::size_t cell, std::string message,
                        std::string remedy = {}) {
   const auto width = static_cast<std::size_t>(map.width);
-  return {"layer \"" + layer.name + "\", cell (" + std::to_string(cell % width) + ", " +
+  return {"layer " + tiled_quoted(layer.name) + ", cell (" + std::to_string(cell % width) + ", " +
               std::to_string(cell / width) + ")",
           std::move(message), std::move(remedy)};
 }
@@ -146,7 +146,8 @@ FormatResult<int> TileNumberer::only_tileset(const SourceOfCell& cells) const {
   }
   const int only = !shown.empty() ? *shown.begin() : order_.empty() ? -1 : order_.front();
   for (const int i : order_) {
-    if (i != only) drops_.add("the tileset \"" + tileset(i).name + "\", which the map does not show");
+    if (i != only)
+      drops_.add("the tileset " + tiled_quoted(tileset(i).name) + ", which the map does not show");
   }
   if (only >= 0 && grid_of(tileset(only)).count > kTileCount) {
     return tl::unexpected(whole_error("has a tileset of " + std::to_string(grid_of(tileset(only)).count) +

@@ -21,6 +21,8 @@ namespace {
 constexpr int kMaxGroups = 32;  // nested layers; well below kMaxJsonDepth
 constexpr std::size_t kMaxXmlParts =
     2'500'000;  // elements and attributes; CSV needs none for 4096x4096 cells
+// JSON values that are made of them. Maps that Talus writes need hardly more than they have parts.
+constexpr std::size_t kMaxXmlValues = 2'600'000;
 
 constexpr std::array<std::string_view, 21> kXmlNumbers = {
     "width",      "height",    "x",       "y",       "id",      "firstgid",  "tilewidth",
@@ -64,6 +66,18 @@ std::size_t count_objects(std::string_view xml) {
   return count;
 }
 
+// Those in the manner in which Talus writes them.
+std::size_t count_points(std::string_view xml) {
+  constexpr std::string_view kPoints = " points=\"";
+  std::size_t count = 0;
+  for (std::size_t at = xml.find(kPoints); at != xml.npos; at = xml.find(kPoints, at)) {
+    at += kPoints.size();
+    const std::string_view points = xml.substr(at, xml.find('"', at) - at);
+    count += 1 + static_cast<std::size_t>(std::count(points.begin(), points.end(), ' '));
+  }
+  return count;
+}
+
 // A number that JSON can hold; other text stays text, which the reader reports.
 Json number_or_text(std::string_view text) {
   double number = 0;
@@ -81,20 +95,6 @@ Json property_value(const pugi::xml_node& property) {
   return text;
 }
 
-// "0,8 16,0.5": points. A bad point stays text, without numbers.
-Json points_of_text(std::string_view text) {
-  Json points = Json::array();
-  while (!text.empty()) {
-    const std::string_view pair = text.substr(0, text.find(' '));
-    text.remove_prefix(std::min(text.size(), pair.size() + 1));
-    const std::size_t comma = pair.find(',');
-    if (pair.empty()) continue;
-    points.push_back({{"x", number_or_text(pair.substr(0, comma))},
-                      {"y", number_or_text(comma == pair.npos ? "" : pair.substr(comma + 1))}});
-  }
-  return points;
-}
-
 std::string_view layer_type(std::string_view element) {
   if (element == "layer") return "tilelayer";
   const bool is_layer = element == "objectgroup" || element == "imagelayer" || element == "group";
@@ -109,6 +109,16 @@ class TiledXml {
   TiledXml(std::string_view text, const Progress& progress) : text_(text), progress_(progress) {}
 
   FormatResult<Json> read() {
+    try {
+      return read_document();
+    } catch (const XmlStopped&) {
+      if (error_) return tl::unexpected(*error_);
+      return was_cancelled();
+    }
+  }
+
+ private:
+  FormatResult<Json> read_document() {
     pugi::xml_document document;
     const auto parsed = document.load_buffer(text_.data(), text_.size(),
                                              pugi::parse_default | pugi::parse_fragment, pugi::encoding_utf8);
@@ -135,12 +145,13 @@ class TiledXml {
     return json;
   }
 
- private:
   // The attributes, with the line. Elements come in the order of the file, so lines are counted once.
   Json attributes(const pugi::xml_node& node) {
     Json json = Json::object();
+    count_values(node, 2);
     json[kTiledLineKey] = line_of(node);
     for (const pugi::xml_attribute attribute : node.attributes()) {
+      count_values(node, 1);
       std::string name = attribute.name();
       const bool is_number = is_one_of(kXmlNumbers, name);
       if (is_one_of(kElementMembers, name) || is_one_of(kMarkElements, name))
@@ -170,12 +181,15 @@ class TiledXml {
 
   void add_to_map(const pugi::xml_node& child, int groups, Json& json) {
     const std::string_view name = child.name();
-    if (name == "tileset" && groups == 0)
+    if (name == "tileset" && groups == 0) {
+      if (++tilesets_ > kMaxTiledTilesets) stop(child, tiled_too_many("tileset", kMaxTiledTilesets));
       json["tilesets"].push_back(tileset(child));
-    else if (!layer_type(name).empty())
+    } else if (!layer_type(name).empty()) {
+      if (++layers_ > kMaxTiledLayers) stop(child, tiled_too_many("layer", kMaxTiledLayers));
       json["layers"].push_back(layer(child, groups));
-    else
+    } else {
       add_common(child, json);
+    }
   }
 
   // For elements that nobody reads the name is enough: the reader reports it.
@@ -190,6 +204,7 @@ class TiledXml {
   Json properties(const pugi::xml_node& node) {
     Json list = Json::array();
     for (const pugi::xml_node child : node.children("property")) {
+      count_values(child, 4);
       Json json = {{"name", child.attribute("name").value()}, {"value", property_value(child)}};
       json[kTiledLineKey] = line_of(child);
       if (child.child("properties")) json.erase("value");  // a value with members
@@ -200,6 +215,7 @@ class TiledXml {
 
   Json tileset(const pugi::xml_node& node) {
     Json json = attributes(node);
+    count_values(node, 1);
     json["tiles"] = Json::array();
     for (const pugi::xml_node child : node.children()) {
       const std::string_view name = child.name();
@@ -232,6 +248,7 @@ class TiledXml {
 
   Json layer(const pugi::xml_node& node, int groups) {
     Json json = attributes(node);
+    count_values(node, 3);
     json["type"] = layer_type(node.name());
     json["layers"] = json["objects"] = Json::array();
     if (groups > kMaxGroups) {
@@ -270,7 +287,7 @@ class TiledXml {
     for (const pugi::xml_node child : node.children()) {
       const std::string_view name = child.name();
       if (name == "polygon" || name == "polyline")
-        put_once(child, child.name(), points_of_text(child.attribute("points").value()), json);
+        put_once(child, child.name(), child.attribute("points").value(), json);
       else
         add_common(child, json);
     }
@@ -287,8 +304,19 @@ class TiledXml {
     if (!error_) error_ = FormatError{"line " + std::to_string(line_of(node)), std::move(message)};
   }
 
+  [[noreturn]] void stop(const pugi::xml_node& node, std::string message) {
+    fail(node, std::move(message));
+    throw XmlStopped();
+  }
+
+  // node: the element of which so many values are about to be made.
+  void count_values(const pugi::xml_node& node, std::size_t count) {
+    if (values_ += count; values_ > kMaxXmlValues) stop(node, "is one element too many");
+  }
+
   std::string_view text_;
-  std::size_t counted_ = 0;  // bytes of the text in which lines have been counted
+  std::size_t layers_ = 0, tilesets_ = 0, values_ = 0;  // made so far
+  std::size_t counted_ = 0;                             // bytes of the text in which lines have been counted
   std::int64_t lines_ = 1;
   std::optional<FormatError> error_;
   const Progress& progress_;
@@ -306,17 +334,17 @@ std::optional<std::string> problem_of_tiled_xml(std::string_view text) {
     return "has " + std::to_string(objects) + " objects, but a map may have at most " +
            std::to_string(kMaxTiledObjects);
   }
+  if (const std::size_t points = count_points(text); points > kMaxTiledPoints) {
+    return "has " + std::to_string(points) + " points, but a map may have at most " +
+           std::to_string(kMaxTiledPoints);
+  }
   return std::nullopt;
 }
 
 FormatResult<Json> tiled_json_of_xml(std::string_view text, const Progress& progress) {
   if (auto problem = problem_of_tiled_xml(text)) return tl::unexpected(FormatError{"", *std::move(problem)});
   if (!is_utf8(text)) return tl::unexpected(FormatError{"", "is not UTF-8 text"});
-  try {
-    return TiledXml(text, progress).read();
-  } catch (const XmlStopped&) {
-    return was_cancelled();
-  }
+  return TiledXml(text, progress).read();
 }
 
 }  // namespace talus
