@@ -169,9 +169,10 @@ bool overlaps_counted(const BasicTerrain<Real>& ground, const BasicRect<Real>& b
 
 }  // namespace
 
-std::optional<Surface> floor_below(const Terrain& ground, const Rect& box, double reach, Foot foot) {
-  if (!(reach >= 0)) return std::nullopt;
-  const auto contact = cast_box(ground, {box, {0, within_reach(reach)}, foot});
+std::optional<Surface> floor_below(const Terrain& ground, const Rect& box, double reach, Foot foot,
+                                   CastBudget* budget) {
+  if (!(reach >= 0) || (budget != nullptr && budget->left <= 0)) return std::nullopt;
+  const auto contact = cast_box<double>(ground, {box, {0, within_reach(reach)}, foot}, {}, nullptr, budget);
   if (!contact || overlaps_ground(ground, box, foot)) return std::nullopt;
   return Surface{contact.position.y + box.h, contact.normal, contact.origin};
 }
@@ -214,6 +215,7 @@ std::optional<BasicVec2<Real>> way_out(const BasicTerrain<Real>& ground, const B
   const CellBlock block = cells_met(ground, box, slack).on(ground);
   for (Cell c{0, block.top}; c.y <= block.bottom; ++c.y) {
     for (c.x = block.left; c.x <= block.right; ++c.x) {
+      if (looks / kCellsPerWork > most) return answer(std::nullopt);
       ++looks;
       if (ground.is_detailed(c)) {
         for (const Piece<Real>& piece : ground.pieces_in(c)) consider(piece);

@@ -9,6 +9,9 @@
 
 namespace talus {
 
+// A limit for the work of one query about a body, for callers that ask about many: about 1 ms.
+inline constexpr std::int64_t kMostQueryWork = 1 << 15;
+
 // The floor straight below a box, or the ceiling straight above it.
 struct Surface {
   // px; for a floor the y of the box's bottom when it stands there, for a ceiling the y of its top
@@ -18,9 +21,10 @@ struct Surface {
 };
 
 // reach: px, how far to search; may be infinite. Returns nothing if there is no floor (or ceiling) within
-// reach, if the box is inside the ground, or if reach is negative or NaN.
+// reach, if the box is inside the ground, or if reach is negative or NaN. budget: the work of the search is
+// taken from it, and once it is used up, the function returns nothing; null: no limit.
 std::optional<Surface> floor_below(const Terrain& ground, const Rect& box, double reach,
-                                   Foot foot = Foot::box);
+                                   Foot foot = Foot::box, CastBudget* budget = nullptr);
 std::optional<Surface> ceiling_above(const Terrain& ground, const Rect& box, double reach);
 
 // The place where a straight line first meets the outline from outside. Returns nothing if it meets none, or

@@ -80,19 +80,27 @@ bool ArmedBreakpoint::hits_for(const FrameView& view, int body) const {
 }
 
 std::optional<int> ArmedBreakpoint::hit(const FrameView& view) const {
-  if (!condition_.asks_body() || breakpoint_.body != 0) {
-    const int body = condition_.asks_body() ? breakpoint_.body : 0;
-    return hits_for(view, body) ? std::optional(body) : std::nullopt;
-  }
-  for (const Body& body : view.now().state.bodies) {
-    if (hits_for(view, body.id)) return body.id;
+  for (std::size_t i = 0; i < questions(view); ++i) {
+    if (const auto body = hit(view, i)) return body;
   }
   return std::nullopt;
+}
+
+std::size_t ArmedBreakpoint::questions(const FrameView& view) const {
+  return condition_.asks_body() && breakpoint_.body == 0 ? view.now().state.bodies.size() : 1;
+}
+
+std::optional<int> ArmedBreakpoint::hit(const FrameView& view, std::size_t question) const {
+  int body = 0;
+  if (condition_.asks_body())
+    body = breakpoint_.body != 0 ? breakpoint_.body : view.now().state.bodies[question].id;
+  return hits_for(view, body) ? std::optional(body) : std::nullopt;
 }
 
 HitCounter::HitCounter(std::vector<ArmedBreakpoint> breakpoints) : breakpoints_(std::move(breakpoints)) {
   std::erase_if(breakpoints_, [](const ArmedBreakpoint& armed) { return !armed.breakpoint().enabled; });
   hits_.assign(breakpoints_.size(), 0);
+  hit_.resize(breakpoints_.size());
   for (const ArmedBreakpoint& armed : breakpoints_)
     frames_before_ = std::max(frames_before_, armed.frames_before());
 }
@@ -109,17 +117,38 @@ int HitCounter::hits(int breakpoint) const {
   return 0;
 }
 
-std::optional<Stop> HitCounter::judge(const FrameView& view) {
-  std::optional<Stop> stop;
+bool HitCounter::was_hit(int breakpoint) const {
   for (std::size_t i = 0; i < breakpoints_.size(); ++i) {
-    const std::optional<int> body = breakpoints_[i].hit(view);
-    if (!body) continue;
+    if (breakpoints_[i].breakpoint().id == breakpoint) return hit_[i].has_value();
+  }
+  return false;
+}
+
+bool HitCounter::advance(const FrameView& view, std::size_t bodies) {
+  for (; breakpoint_ < breakpoints_.size(); ++breakpoint_, question_ = 0) {
+    const ArmedBreakpoint& armed = breakpoints_[breakpoint_];
+    std::optional<int>& body = hit_[breakpoint_];
+    if (question_ == 0) body.reset();
+    for (const std::size_t all = armed.questions(view); question_ < all && !body; ++question_) {
+      if (bodies-- == 0) return false;
+      body = armed.hit(view, question_);
+    }
+  }
+  forget_frame();
+  count_hits(view.now().state.frame);
+  return true;
+}
+
+void HitCounter::forget_frame() { breakpoint_ = question_ = 0; }
+
+void HitCounter::count_hits(std::int64_t frame) {
+  stop_.reset();
+  for (std::size_t i = 0; i < breakpoints_.size(); ++i) {
+    if (!hit_[i]) continue;
     const Breakpoint& breakpoint = breakpoints_[i].breakpoint();
     ++hits_[i];
-    if (!stop && hits_[i] >= breakpoint.count)
-      stop = Stop{view.now().state.frame, breakpoint.id, *body, hits_[i]};
+    if (!stop_ && hits_[i] >= breakpoint.count) stop_ = Stop{frame, breakpoint.id, *hit_[i], hits_[i]};
   }
-  return stop;
 }
 
 }  // namespace talus

@@ -64,6 +64,10 @@ class ArmedBreakpoint {
   // condition is about no body; nothing if the frame is no hit. A condition does not hold for a body that the
   // frame does not have, and held for no body before the first frame.
   std::optional<int> hit(const FrameView& view) const;
+  // The same for one body at a time: the number of bodies that the condition is asked about in the newest
+  // frame, 1 if it is about no body; and what hit() returns if it is asked about that one alone, from 0.
+  std::size_t questions(const FrameView& view) const;
+  std::optional<int> hit(const FrameView& view, std::size_t question) const;
 
  private:
   ArmedBreakpoint(Breakpoint breakpoint, Expression condition)
@@ -83,6 +87,9 @@ struct Stop {
   friend bool operator==(const Stop&, const Stop&) = default;
 };
 
+// The bodies that are judged in one go: a condition may take 1 ms for each.
+inline constexpr std::size_t kBodiesAtOnce = 8;
+
 // Counts the hits of several breakpoints in frames that follow one another.
 class HitCounter {
  public:
@@ -94,13 +101,24 @@ class HitCounter {
   bool empty() const { return breakpoints_.empty(); }
   int hits(int breakpoint) const;  // hits so far, by id; 0 for an unknown id
 
-  // Returns the stop at the newest frame, by the first breakpoint of the list that stops there. Counts the
-  // hits of all.
-  std::optional<Stop> judge(const FrameView& view);
+  // Judges the newest frame for so many more bodies, at least 1. The view must be the same until it returns
+  // true: the frame is judged by all breakpoints, and its hits are counted.
+  bool advance(const FrameView& view, std::size_t bodies);
+  void forget_frame();  // the one that is judged in part
+  // Of the frame that was judged last: the stop there, by the first breakpoint of the list that stops;
+  // nothing: none does. And whether it was a hit of a breakpoint, by id; false for an unknown id.
+  const std::optional<Stop>& stop() const { return stop_; }
+  bool was_hit(int breakpoint) const;
 
  private:
+  void count_hits(std::int64_t frame);
+
   std::vector<ArmedBreakpoint> breakpoints_;
-  std::vector<int> hits_;  // one for each breakpoint
+  std::vector<int> hits_;                // one for each breakpoint
+  std::vector<std::optional<int>> hit_;  // in the frame that is judged, the same: the body
+  std::size_t breakpoint_ = 0;           // judges now
+  std::size_t question_ = 0;             // its next one
+  std::optional<Stop> stop_;
   int frames_before_ = 0;
 };
 

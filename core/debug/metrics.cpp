@@ -31,7 +31,7 @@ constexpr std::array kInfos = {
     MetricInfo{Metric::grounded, "grounded", "", true, "the body stood on ground in this step"},
     MetricInfo{Metric::contacts, "contacts", "", false, "contacts of the step that changed its way or speed"},
     MetricInfo{Metric::penetration, "penetration", "px", false,
-               "how far the box is inside the ground; 0 outside, infinite when no straight way leads out"},
+               "how far the box is inside the ground; 0 outside, infinite when no straight way out is found"},
     MetricInfo{Metric::floor_error, "floor_error", "px", false,
                "feet below (+) or above (-) the exact floor while grounded; nothing in the air"},
     MetricInfo{Metric::normal_x, "normal.x", "", false, "normal of the step's last contact, to the right"},
@@ -87,14 +87,17 @@ double energy(const Frame& frame, const Body& body) {
 
 double penetration(const Terrain& ground, const Body& body) {
   if (!overlaps_ground(ground, body.box, body.foot)) return 0;
-  const auto out = way_out(ground, body.box, body.foot);
+  CastBudget budget{kMostQueryWork};
+  const auto out = way_out(ground, body.box, body.foot, &budget);
   return out ? length(*out) : std::numeric_limits<double>::infinity();
 }
 
 double floor_error(const Frame& frame, const Body& body) {
   if (frame.ground == nullptr || !is_grounded(frame, body)) return kNothing;
-  if (const auto out = way_out(*frame.ground, body.box, body.foot)) return out->y < 0 ? -out->y : kNothing;
-  const auto floor = floor_below(*frame.ground, body.box, kFloorReach, body.foot);
+  CastBudget budget{kMostQueryWork};
+  if (const auto out = way_out(*frame.ground, body.box, body.foot, &budget))
+    return out->y < 0 ? -out->y : kNothing;
+  const auto floor = floor_below(*frame.ground, body.box, kFloorReach, body.foot, &budget);
   return floor ? body.box.bottom() - floor->y : kNothing;
 }
 

@@ -39,8 +39,10 @@ void StopSearch::judge(const FrameSource& source) {
     is_done_ = true;
     return;
   }
-  if (!history_.approach(source, next_)) return;
-  std::optional<Stop> stop = counter_.judge(history_.view());
+  is_judging_ = is_judging_ || history_.approach(source, next_);
+  if (!is_judging_ || !counter_.advance(history_.view(), kBodiesAtOnce)) return;
+  is_judging_ = false;
+  std::optional<Stop> stop = counter_.stop();
   if (stop && !counter_.counts()) stop->hit = 0;
   ++judged_;
   ++next_;

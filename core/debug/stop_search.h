@@ -15,9 +15,9 @@ class StopSearch {
   // from: the frame to go on from, which is not a stop itself. Forwards, -1 means before the first frame.
   StopSearch(std::vector<ArmedBreakpoint> breakpoints, std::int64_t from, SearchDirection direction);
 
-  // Judges up to `most` frames of the source, fewer if it has to run to them first. The source must be the
-  // same in every call but may have grown. Returns true at the end of the search. To cancel a search, drop
-  // it.
+  // Judges up to `frames` frames of the source, fewer if it has to run to them first, or if they have more
+  // than kBodiesAtOnce bodies. The source must be the same in every call but may have grown. Returns true at
+  // the end of the search. To cancel a search, drop it.
   bool advance(const FrameSource& source, std::int64_t frames);
   bool is_done() const { return is_done_; }
   // Share of the source's frames that are judged, 0 to 1.
@@ -37,6 +37,7 @@ class StopSearch {
   std::int64_t block_ = 0;      // first frame of the current block
   std::int64_t block_end_ = 0;  // backwards: the frame after the block's last one
   std::int64_t judged_ = 0;     // frames judged so far
+  bool is_judging_ = false;     // the frame to judge is read, and judged in part
   bool is_done_ = false;
   std::optional<Stop> found_;
 };

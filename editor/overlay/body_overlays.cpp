@@ -27,7 +27,9 @@ void draw_velocity(const OverlaySource&, const Body& body, OverlayPen& pen) {
 // Draws the part of the body that is in the ground: the strip at the side with the shortest way out.
 void draw_penetration(const OverlaySource& source, const Body& body, OverlayPen& pen) {
   if (source.ground == nullptr || !pen.sees(body.box)) return;
-  const auto out = way_out(*source.ground, body.box, body.foot);
+  BodyWork work(pen.drawing(), body.id == source.chosen_body);
+  if (!work.is_left()) return;
+  const auto out = way_out(*source.ground, body.box, body.foot, work.budget());
   if (!out) return;
   Rect inside = body.box;
   if (out->x != 0) {

@@ -28,12 +28,13 @@ std::pair<Vec2, Vec2> slope_surface(const Obstacle& slope) {
   return {{b.x, b.y}, {b.right(), b.bottom()}};
 }
 
-void draw_floor_profile(const Terrain& ground, const Rect& box, double reach, OverlayPen& pen) {
+void draw_floor_profile(const Terrain& ground, const Rect& box, double reach, BodyWork& work,
+                        OverlayPen& pen) {
   const int parts = std::clamp(static_cast<int>(std::ceil(box.w / kFloorStep)), 1, kMostFloorParts);
   std::optional<Vec2> before;
   for (int i = 0; i <= parts; ++i) {
     const double x = box.x + box.w * i / parts;
-    const auto floor = floor_below(ground, {x, box.y, 0, box.h}, reach);
+    const auto floor = floor_below(ground, {x, box.y, 0, box.h}, reach, Foot::box, work.budget());
     if (floor) pen.line({x, floor->y}, {x, floor->y + kFloorTick});
     if (floor && before) pen.line(*before, {x, floor->y});
     before = floor ? std::optional<Vec2>({x, floor->y}) : std::nullopt;
@@ -46,13 +47,14 @@ void draw_floor(const OverlaySource& source, const Body& body, OverlayPen& pen) 
   if (source.ground == nullptr || !pen.sees(b)) return;
   const bool is_chosen = body.id == source.chosen_body;
   const double reach = is_chosen ? source.ground->y_of(source.ground->height()) : kFloorReach;
-  const auto floor = floor_below(*source.ground, b, reach, body.foot);
+  BodyWork work(pen.drawing(), is_chosen);
+  const auto floor = floor_below(*source.ground, b, reach, body.foot, work.budget());
   if (!floor) return;
   const double x = b.center().x;
   const Vec2 end{b.right() + kFloorMargin, floor->y};
   pen.line({b.x - kFloorMargin, floor->y}, end);
   if (floor->y > b.bottom()) pen.line({x, b.bottom()}, {x, floor->y});
-  if (is_chosen) draw_floor_profile(*source.ground, b, reach, pen);
+  if (is_chosen) draw_floor_profile(*source.ground, b, reach, work, pen);
   pen.label(end, "floor " + two_decimals(floor->y), body);
 }
 

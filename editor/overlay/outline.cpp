@@ -103,22 +103,31 @@ void each_visible_cell(const Terrain& ground, const Rect& visible, Fn fn) {
   }
 }
 
-// Finds the pieces that were not met before, as a piece may be in several cells.
+// Finds the pieces that were not met before, as a piece may be in several cells. A cell may have thousands of
+// curves, so it finds no more once too much is drawn.
 class NewPieces {
  public:
+  explicit NewPieces(OverlayDrawing& drawing) : drawing_(drawing) {}
+
   bool has(const Piece<double>& piece) {
+    if (drawing_.lines.size() >= kMostDrawnLines || ++looked_at_ > kMostDrawnLines) {
+      drawing_.is_cut = true;
+      return false;
+    }
     return met_.insert({piece.origin, piece.stretch, piece.facing, piece.x0, piece.y0, piece.x1, piece.y1})
         .second;
   }
 
  private:
+  OverlayDrawing& drawing_;
+  std::size_t looked_at_ = 0;  // pieces
   std::set<std::tuple<std::int32_t, std::uint32_t, Facing, double, double, double, double>> met_;
 };
 
 class OutlineDrawer {
  public:
   OutlineDrawer(const Terrain& ground, const Rect& visible, OverlayDrawing& out)
-      : ground_(ground), pen_(overlay::outline, visible, out) {}
+      : ground_(ground), pen_(overlay::outline, visible, out), new_pieces_(out) {}
 
   void draw_cell(Cell cell) {
     if (ground_.is_detailed(cell)) {
@@ -166,7 +175,7 @@ void add_outline(const Terrain& ground, Rect visible, OverlayDrawing& drawing) {
 
 void add_one_way_arrows(const Terrain& ground, Rect visible, OverlayDrawing& drawing) {
   OverlayPen pen(overlay::one_way, visible, drawing);
-  NewPieces new_pieces;
+  NewPieces new_pieces(drawing);
   each_visible_cell(ground, visible, [&](Cell cell) {
     if (!ground.is_detailed(cell)) return;
     for (const Piece<double>& piece : ground.pieces_in(cell)) {

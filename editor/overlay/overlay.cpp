@@ -2,7 +2,9 @@
 #include "overlay.h"
 
 #include <algorithm>
+#include <iterator>
 
+#include "debug/metrics.h"
 #include "overlay_pen.h"
 
 namespace talus {
@@ -74,10 +76,74 @@ class Drawer {
   OverlayDrawing out_;
 };
 
+// The part of a source that is drawn of very many bodies: the chosen one, and the first ones in view.
+class ManyBodies {
+ public:
+  ManyBodies(const OverlaySource& whole, OverlaySet overlays, Rect visible) : whole_(whole) {
+    for (const Body& body : whole.state.bodies) {
+      if (body.id != whole.chosen_body && !is_seen(body, visible)) continue;
+      if (body.id == whole.chosen_body || state_.bodies.size() < kMostDrawnBodies)
+        state_.bodies.push_back(body);
+      else
+        is_cut_ = true;
+      if (is_cut_ && body.id > whole.chosen_body) break;
+    }
+    state_.frame = whole.state.frame;
+    state_.grabbed = whole.state.grabbed;
+    state_.next_id = whole.state.next_id;
+    keep(whole.record.paths, record_.paths);
+    keep(whole.record.contacts, record_.contacts);
+    if (overlays.has(overlay::tested_tiles)) keep(whole.record.tested, record_.tested);
+    record_.work = whole.record.work;
+  }
+
+  bool is_cut() const { return is_cut_; }  // whether bodies in view are left out
+  OverlaySource source() const {
+    return {.scene = whole_.scene,
+            .state = state_,
+            .record = record_,
+            .ground = whole_.ground,
+            .chosen_body = whole_.chosen_body,
+            .level = whole_.level,
+            .hard_case = whole_.hard_case,
+            .reach = whole_.reach,
+            .reach_is_stale = whole_.reach_is_stale,
+            .trails = whole_.trails,
+            .stages = whole_.stages};
+  }
+
+ private:
+  // Whether the body, its velocity or its last path may be seen.
+  bool is_seen(const Body& body, Rect visible) const {
+    const Vec2 from = body.box.center();
+    if (meet(body.box, visible) || meets(from, from + body.velocity * kPixelsPerVelocity, visible))
+      return true;
+    const BodyPath* path = path_of(whole_.record, body.id);
+    return path != nullptr &&
+           (meet(path->from, visible) || meets(path->from.center(), path->to.center(), visible));
+  }
+
+  template <class Entry>
+  void keep(const std::vector<Entry>& all, std::vector<Entry>& kept) const {
+    std::copy_if(all.begin(), all.end(), std::back_inserter(kept),
+                 [this](const Entry& entry) { return state_.find(entry.body) != nullptr; });
+  }
+
+  const OverlaySource& whole_;
+  State state_;
+  StepRecord record_;
+  bool is_cut_ = false;
+};
+
 }  // namespace
 
 OverlayDrawing make_overlays(const OverlaySource& source, OverlaySet overlays, Rect visible) {
-  return Drawer(source, overlays, visible).draw();
+  if (source.state.bodies.size() <= kMostDrawnBodies) return Drawer(source, overlays, visible).draw();
+  const ManyBodies many(source, overlays, visible);
+  const OverlaySource part = many.source();
+  OverlayDrawing drawing = Drawer(part, overlays, visible).draw();
+  drawing.is_cut = drawing.is_cut || many.is_cut();
+  return drawing;
 }
 
 }  // namespace talus

@@ -18,6 +18,10 @@
 namespace talus {
 
 inline constexpr double kPixelsPerVelocity = 4;  // length in px of a velocity's arrow for each px/frame
+inline constexpr std::size_t kMostDrawnLines = 262'144;  // of the ground; as many as tiles may have
+inline constexpr std::size_t kMostDrawnBodies = 2000;    // of a picture
+// The work of all queries of the ground for a picture, as CastBudget counts it: about 10 ms.
+inline constexpr std::int64_t kMostOverlayWork = 1 << 19;
 
 struct OverlayLine {
   const Overlay* overlay;
@@ -56,6 +60,8 @@ struct OverlayDrawing {
   std::vector<OverlayBar> bars;
   std::vector<OverlayLabel> labels;
   OverlayPalette palette = OverlayPalette::standard;
+  std::int64_t work_left = kMostOverlayWork;  // for queries of the ground
+  bool is_cut = false;                        // something in view is left out, as there is too much
 };
 
 // The body's centre in each frame, px.
@@ -81,7 +87,8 @@ struct OverlaySource {
   std::function<std::vector<Stage>()> stages = {};  // of the chosen body's step; empty: there are no stages
 };
 
-// Returns the drawing. visible: level px; things that lie wholly outside are left out.
+// Returns the drawing. visible: level px; things that lie wholly outside are left out. Of more than
+// kMostDrawnBodies bodies, the chosen one and the first ones in view are drawn.
 OverlayDrawing make_overlays(const OverlaySource& source, OverlaySet overlays, Rect visible);
 
 }  // namespace talus

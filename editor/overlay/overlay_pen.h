@@ -1,8 +1,10 @@
 // OverlayPen draws for an overlay in the overlay's colour, in level pixels.
 #pragma once
 
+#include <algorithm>
 #include <string>
 
+#include "collision/ground_queries.h"
 #include "overlay.h"
 #include "visible.h"
 
@@ -42,6 +44,30 @@ class OverlayPen {
   const Rect visible_;
   OverlayDrawing& out_;
   const int chosen_;
+};
+
+// The work that an overlay may spend on queries of the ground about a body. The chosen body always has some.
+class BodyWork {
+ public:
+  BodyWork(OverlayDrawing& drawing, bool is_chosen)
+      : drawing_(drawing),
+        given_(is_chosen ? 8 * kMostQueryWork
+                         : std::clamp<std::int64_t>(drawing.work_left, 0, kMostQueryWork)),
+        budget_{given_} {}
+  ~BodyWork() {
+    drawing_.work_left -= given_ - budget_.left;
+    drawing_.is_cut = drawing_.is_cut || budget_.left <= 0;
+  }
+  BodyWork(const BodyWork&) = delete;
+  BodyWork& operator=(const BodyWork&) = delete;
+
+  bool is_left() const { return budget_.left > 0; }
+  CastBudget* budget() { return &budget_; }
+
+ private:
+  OverlayDrawing& drawing_;
+  const std::int64_t given_;
+  CastBudget budget_;
 };
 
 }  // namespace talus

@@ -67,6 +67,10 @@ class Collector {
   void gather(Cell c) {
     if (ground_.is_detailed(c)) {
       for (const Piece<double>& piece : ground_.pieces_in(c)) {
+        if (outline_.size() == kMostDrawnLines) {  // a cell may have thousands of curves
+          out_.is_cut = true;
+          break;
+        }
         if (piece.is_wall()) {
           outline_.push_back({true, piece.x0, piece.y0, piece.y1});
         } else if (piece.stretch == 0 && piece.y0 == piece.y1) {

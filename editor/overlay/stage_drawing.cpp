@@ -2,18 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <tuple>
 
 #include "number_label.h"
+#include "visible.h"
 
 namespace talus {
 namespace {
 
-constexpr double kStageNormalLength = 10;  // px
+constexpr double kStageNormalLength = 10;     // px
+constexpr std::size_t kMostVisited = 10'000;  // boxes; a step may pass thousands of bodies
 
 class StageDrawer {
  public:
-  StageDrawer(const Stage& stage, int body, const StepRecord& record, OverlayDrawing& out)
-      : stage_(stage), body_(body), record_(record), out_(out) {}
+  StageDrawer(const Stage& stage, int body, const StepRecord& record, Rect visible, OverlayDrawing& out)
+      : stage_(stage), body_(body), record_(record), visible_(visible), out_(out) {}
 
   void draw() {
     out_.boxes.push_back({&overlay::swept_path, stage_.box});
@@ -47,7 +51,7 @@ class StageDrawer {
   }
 
   void draw_search() {
-    add_visited({&stage_, 1}, out_);
+    add_visited({&stage_, 1}, visible_, out_);
     for (const CastCandidate& c : stage_.candidates) {
       const bool is_met = std::isfinite(c.t);
       out_.lines.push_back({.overlay = c.is_first ? &overlay::touch_points : &overlay::outline,
@@ -77,16 +81,21 @@ class StageDrawer {
   const Stage& stage_;
   const int body_;
   const StepRecord& record_;
+  const Rect visible_;
   OverlayDrawing& out_;
 };
 
 }  // namespace
 
-void add_visited(std::span<const Stage> stages, OverlayDrawing& drawing) {
-  std::vector<Rect> seen;
+void add_visited(std::span<const Stage> stages, Rect visible, OverlayDrawing& drawing) {
+  std::set<std::tuple<double, double, double, double>> seen;
   const auto add = [&](const Rect& box) {
-    if (std::find(seen.begin(), seen.end(), box) != seen.end()) return;
-    seen.push_back(box);
+    if (!meet(box, visible)) return;
+    if (seen.size() == kMostVisited) {
+      drawing.is_cut = true;
+      return;
+    }
+    if (!seen.emplace(box.x, box.y, box.w, box.h).second) return;
     drawing.boxes.push_back({&overlay::tested_tiles, box, true});
   };
   for (const Stage& stage : stages) {
@@ -96,8 +105,9 @@ void add_visited(std::span<const Stage> stages, OverlayDrawing& drawing) {
   }
 }
 
-void add_stage(const Stage& stage, int body, const StepRecord& record, OverlayDrawing& drawing) {
-  StageDrawer(stage, body, record, drawing).draw();
+void add_stage(const Stage& stage, int body, const StepRecord& record, Rect visible,
+               OverlayDrawing& drawing) {
+  StageDrawer(stage, body, record, visible, drawing).draw();
 }
 
 }  // namespace talus

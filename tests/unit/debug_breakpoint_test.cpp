@@ -127,11 +127,41 @@ TEST(HitCounter, CountsWhileARunGoesOn) {
   std::vector<std::int64_t> stopped;
   for (const Frame& frame : source.frames) {
     history.next() = frame;
-    if (const auto stop = counter.judge(history.view())) stopped.push_back(stop->frame);
+    ASSERT_TRUE(counter.advance(history.view(), 1));
+    if (const auto& stop = counter.stop()) stopped.push_back(stop->frame);
   }
   EXPECT_EQ(stopped, (Frames{3, 5}));
   EXPECT_EQ(counter.hits(3), 3);
   EXPECT_EQ(counter.hits(4), 0);
+}
+
+// A body may take 1 ms, and a level may have 65,536 of them.
+TEST(HitCounter, JudgesAFrameAFewBodiesAtATime) {
+  std::vector<Body> bodies;
+  for (int i = 1; i <= 100; ++i) bodies.push_back(body_at(i, i, 0));
+  const MadeFrames source({state_of(bodies)});
+  const std::vector<ArmedBreakpoint> all = {armed({.id = 1, .condition = "x > 90"}),
+                                            armed({.id = 2, .condition = "x > 100"})};
+  HitCounter counter(all);
+  FrameHistory history(counter.frames_before());
+  history.go_to(source, 0);
+  int calls = 1;
+  while (!counter.advance(history.view(), 10)) {
+    EXPECT_EQ(counter.hits(1), 0) << "half a frame is no hit";
+    ++calls;
+  }
+  EXPECT_EQ(calls, 20) << "91 bodies of the first, 100 of the second";
+  EXPECT_EQ(counter.stop(), (Stop{0, 1, 91, 1}));
+  EXPECT_TRUE(counter.was_hit(1));
+  EXPECT_FALSE(counter.was_hit(2));
+  EXPECT_FALSE(counter.advance(history.view(), 10));
+  counter.forget_frame();
+  EXPECT_EQ(counter.hits(1), 1);
+
+  StopSearch search(all, -1, SearchDirection::forwards);
+  EXPECT_FALSE(search.advance(source, 91 / kBodiesAtOnce));
+  EXPECT_TRUE(search.advance(source, 100));
+  EXPECT_EQ(search.found(), (Stop{0, 1, 91, 0}));
 }
 
 TEST(StopKinds, MakeConditionsThatCanBeArmed) {

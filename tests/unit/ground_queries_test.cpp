@@ -110,6 +110,26 @@ TEST(GroundQueriesByTheCentre, ACornerMayBeInTheTileBehindASlope) {
   EXPECT_TRUE(overlaps_ground(ground, {13, 6, 8, 4}, Foot::centre)) << "the centre is in the tile";
 }
 
+TEST(GroundQueriesWithABudget, EndWhenItIsUsedUp) {
+  TestMap map(140, 140);
+  map.cells.assign(140 * 140, 1);
+  const Terrain solid = map.compile();
+  CastBudget budget{kMostQueryWork};
+  EXPECT_FALSE(way_out(solid, {40, 40, 1024, 1024}, Foot::box, &budget)) << "there is none";
+  EXPECT_GT(budget.left, 0) << "enough for the largest bodies";
+  budget.left = 100;
+  EXPECT_FALSE(way_out(solid, {40, 40, 1024, 1024}, Foot::box, &budget));
+  EXPECT_GE(budget.left, -100) << "the cells of a large box are counted, too";
+
+  std::fill(map.cells.begin(), map.cells.end() - 140, std::uint8_t{0});
+  const Terrain floor = map.compile();
+  budget.left = kMostQueryWork;
+  EXPECT_TRUE(floor_below(floor, {40, 40, 8, 8}, 2000, Foot::box, &budget));
+  budget.left = 10;
+  EXPECT_FALSE(floor_below(floor, {40, 40, 8, 8}, 2000, Foot::box, &budget));
+  EXPECT_FALSE(floor_below(floor, {40, 40, 8, 8}, 2000, Foot::box, &budget)) << "nothing is left";
+}
+
 TEST(GroundQueriesOfThinShapes, AShapeWithoutHeightIsNoGround) {
   TestMap map({"....", "...2", "...."});
   map.cells[5] = kFlat;

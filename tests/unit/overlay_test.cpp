@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "collision/ground_queries.h"
 #include "overlay/motion.h"
 #include "overlay/number_label.h"
 #include "overlay/stage_drawing.h"
@@ -344,6 +345,46 @@ TEST(Overlays, PenetrationIsTheOverlapAndTheWayOut) {
   EXPECT_EQ(drawing.labels[0].text, "in 2.00");
 }
 
+// 65,536 bodies in view took 2 s for each picture of the window.
+TEST(Overlays, OfVeryManyBodiesTheFirstInViewAreDrawn) {
+  std::vector<Body> bodies;
+  StepRecord record;
+  for (int i = 1; i <= 5000; ++i) {
+    bodies.push_back(body(i, kBall));
+    record.paths.push_back({.body = i, .from = kBall, .goal = {}, .to = {9, 9, 8, 8}});
+  }
+  OverlaySet overlays = only(overlay::boxes);
+  overlays.set(overlay::swept_path, true);
+  const auto drawing = drawn({}, state_of(bodies), record, overlays, 4900);
+  EXPECT_EQ(drawing.boxes.size(), 3 * (kMostDrawnBodies + 1)) << "each with the two boxes of its path";
+  EXPECT_TRUE(drawing.is_cut);
+
+  const Rect elsewhere{5000, 0, 100, 100};
+  for (int i = 0; i < 4990; ++i) bodies[i].box = record.paths[i].from = record.paths[i].to = elsewhere;
+  const auto few = drawn({}, state_of(bodies), record, overlays, 4900);
+  EXPECT_EQ(few.boxes.size(), 3u * 10);
+  EXPECT_FALSE(few.is_cut);
+}
+
+// Huge bodies deep in the ground took 1 ms each.
+TEST(Overlays, TheWorkForBodiesInTheGroundIsBounded) {
+  Level level;
+  level.tuning.solver = SolverKind::exact;
+  level.map = TileMap(140, 140);
+  level.tile_shapes[2].kind = TileShape::Kind::solid;
+  std::fill(level.map.cells().begin(), level.map.cells().end(), std::uint8_t{2});
+  const Scene scene = compile_scene(level);
+  std::vector<Body> bodies;
+  for (int i = 1; i <= 100; ++i) bodies.push_back(body(i, {40, 40, 1024, 1024}));
+  bodies.push_back(body(101, {200, -6, 8, 8}));
+  const auto drawing = drawn(scene, state_of(bodies), {}, only(overlay::penetration), 101);
+  EXPECT_LE(drawing.work_left, 0);
+  EXPECT_GE(drawing.work_left, -8 * kMostQueryWork);
+  EXPECT_TRUE(drawing.is_cut);
+  EXPECT_EQ(drawing.boxes.size(), 1u) << "that of the chosen body";
+  EXPECT_FALSE(drawn(scene, state_of({bodies[100]}), {}, only(overlay::penetration)).is_cut);
+}
+
 TEST(Overlays, SweptPathGoesFromContactToContact) {
   StepRecord record;
   record.contacts = {contact({0, 20, 80, 8}, {0, -1}, {4, 12})};
@@ -395,10 +436,18 @@ TEST(VisitedBoxes, ListCellsAndTestedItemsOnce) {
   stage.tested = {{.role = TileRole::solid, .cell = {2, 3}, .body = 0, .box = {16, 24, 8, 8}},
                   {.role = TileRole::ball, .cell = {9, 9}, .body = 3, .box = {18.5, 20, 8, 8}}};
   OverlayDrawing drawing;
-  add_visited({&stage, 1}, drawing);
+  add_visited({&stage, 1}, kEverything, drawing);
   ASSERT_EQ(drawing.boxes.size(), 2u);
   EXPECT_EQ(drawing.boxes[0].box, (Rect{16, 24, 8, 8}));
   EXPECT_EQ(drawing.boxes[1].box, (Rect{18.5, 20, 8, 8})) << "where the body is, and not where it started";
+
+  // The time grew with the square of their number.
+  stage.tested.assign(20'000, stage.tested.back());
+  for (std::size_t i = 0; i < stage.tested.size(); ++i) stage.tested[i].box.x = static_cast<double>(i) / 16;
+  OverlayDrawing many;
+  add_visited({&stage, 1}, kEverything, many);
+  EXPECT_EQ(many.boxes.size(), 10'000u);
+  EXPECT_TRUE(many.is_cut);
 }
 
 }  // namespace talus::overlay_test

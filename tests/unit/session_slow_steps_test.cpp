@@ -5,6 +5,8 @@
 
 #include "folder_test.h"
 #include "level_picture.h"
+#include "recorded_run.h"
+#include "session/debugger/stops.h"
 #include "session/run/work_share.h"
 #include "session/session.h"
 
@@ -109,6 +111,57 @@ TEST_F(SlowSteps, ATrailGrowsInTurns) {
   EXPECT_FALSE(session_.is_on_the_way());
   ASSERT_EQ(trail(), kFrames + 1u);
   EXPECT_EQ(session_.trail(timeline().current(), 1, 0, kFrames).back().frame, kFrames);
+}
+
+// Each of these balls takes some tenths of a ms, and more than a turn together.
+TEST(SlowBreakpoints, AreJudgedBeforeTheRunGoesOn) {
+  Level level;
+  level.tuning.solver = SolverKind::exact;
+  level.tile_shapes[2].kind = TileShape::Kind::solid;
+  level.map = TileMap(140, 140);
+  std::fill(level.map.cells().begin(), level.map.cells().end(), std::uint8_t{2});
+  Spawn ball;
+  ball.position = {40, 40};
+  ball.size = {1024, 1024};
+  level.spawns.assign(100, ball);
+  Session session(level);
+  session.apply(act::SetBreakpoint{{.condition = "penetration > 1 && id == 100", .each_frame = true}});
+  session.apply(act::Play{});
+  session.advance(1.0 / 60);
+  for (int turns = 0; turns < 1000 && session.playback().running; ++turns) session.advance(0.5);
+  EXPECT_FALSE(session.playback().running);
+  EXPECT_EQ(session.state().frame, 1);
+  ASSERT_TRUE(session.debugger().stop());
+  EXPECT_EQ(session.debugger().stop()->frame, 1);
+  EXPECT_EQ(session.debugger().stop()->body, 100);
+}
+
+TEST(SlowBreakpoints, AreJudgedAFewBodiesAtATime) {
+  const MadeFrames source(std::vector<State>(3, [] {
+    std::vector<Body> bodies;
+    for (int i = 1; i <= 100; ++i) bodies.push_back(body_at(i, i, 0));
+    return state_of(bodies);
+  }()));
+  Stops stops;
+  stops.put({.condition = "x > 90", .each_frame = true});
+  ASSERT_TRUE(stops.ready(source, 0, 1));
+  stops.begin_frame(source, 1);
+  std::optional<Stop> stop;
+  int calls = 1;
+  while (!stops.judge_more(stop)) {
+    EXPECT_TRUE(stops.is_judging(1));
+    ++calls;
+  }
+  EXPECT_EQ(calls, 12) << "91 bodies";
+  EXPECT_FALSE(stops.is_judging(1));
+  EXPECT_EQ(stop->body, 91);
+
+  stops.begin_frame(source, 2);
+  EXPECT_FALSE(stops.judge_more(stop));
+  ASSERT_TRUE(stops.ready(source, 0, 1)) << "the user went back meanwhile";
+  stops.begin_frame(source, 1);
+  while (!stops.judge_more(stop)) EXPECT_TRUE(stops.is_judging(1));
+  EXPECT_EQ(stop->frame, 1);
 }
 
 }  // namespace talus::session_slow_steps_test

@@ -326,13 +326,17 @@ OverlaySet drawable_overlays(OverlaySet overlays, const CanvasView& view) {
 std::vector<Rect> label_obstacles(const Scene& scene, const State& state, const CanvasView& view,
                                   std::span<const ScreenBox> covered) {
   std::vector<Rect> obstacles;
-  for (const Body& body : state.bodies) obstacles.push_back(body.box);
+  const Rect visible = view.visible();
+  for (const Body& body : state.bodies) {
+    if (obstacles.size() == kMostDrawnBodies) break;
+    if (meet(body.box, visible)) obstacles.push_back(body.box);
+  }
   for (const ScreenBox& box : covered) {
     const Vec2 from = view.to_level(box.min), to = view.to_level(box.max);
     obstacles.push_back({from.x, from.y, to.x - from.x, to.y - from.y});
   }
   if (is_far(view)) return obstacles;  // there are no labels that need room, and millions of items
-  for_each_visible_item(scene, view.visible(), [&](const SceneItem& item) {
+  for_each_visible_item(scene, visible, [&](const SceneItem& item) {
     const bool slope = item.role == TileRole::up_slope || item.role == TileRole::down_slope;
     if (slope) obstacles.push_back(item.box);
   });
@@ -365,7 +369,7 @@ void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays
   drawing.palette = session.choices().overlay_palette;
   if (has_stage)
     add_stage(session.stages()[static_cast<std::size_t>(stage)], session.choices().body, session.record(),
-              drawing);
+              view.visible(), drawing);
   paint_overlays(list, drawing, label_obstacles(session.scene(), session.state(), view, covered), view, scale,
                  pointed_at);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -48,6 +49,7 @@ class Painter {
     for (const Rect& rect : keep_clear) taken_.push_back(screen_box(rect));
     keep_clear_of(drawing);
     paint_labels(drawing.labels);
+    if (drawing.is_cut) paint_note("too much in view: some overlays are left out");
   }
 
  private:
@@ -157,6 +159,15 @@ class Painter {
       add_text(list_, {std::round(box.min.x + pad.x), std::round(box.min.y + pad.y)}, color_of(overlay),
                placed.label->text);
     }
+  }
+
+  // In the bottom right corner.
+  void paint_note(std::string_view text) {
+    const ImVec2 size = size_of_text(text), pad{6 * scale_, 2 * scale_};
+    const ImVec2 max{view_.max.x - 4 * scale_, view_.max.y - 4 * scale_};
+    const ImVec2 min{max.x - size.x - 2 * pad.x, max.y - size.y - 2 * pad.y};
+    list_.AddRectFilled(min, max, theme::color(theme::kDark, 205), 3 * scale_);
+    add_text(list_, {min.x + pad.x, min.y + pad.y}, theme::color(theme::kWarning), text);
   }
 
   ImDrawList& list_;

@@ -67,6 +67,10 @@ void DebugHandler::apply(const DebugAction& action) {
 
 void DebugHandler::play(double seconds) {
   follow();
+  if (run_.simulation().playback().running && debugger_.still_stops_at(run_.timeline())) {
+    run_.set_running(false);
+    note_stop();
+  }
   const auto may_step = [this] { return debugger_.may_step(run_.timeline()); };
   const auto stops = [this] {
     const bool stops_here = debugger_.stops_at(run_.timeline(), open_.level);

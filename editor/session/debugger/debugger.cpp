@@ -5,7 +5,8 @@
 namespace talus {
 namespace {
 
-constexpr double kSeconds = 0.004;  // of real time, for a call of advance()
+constexpr double kSeconds = 0.004;      // of real time, for a call of advance()
+constexpr double kJudgeSeconds = 0.02;  // for judging a frame, and for counting the hits before a step
 
 }  // namespace
 
@@ -83,11 +84,13 @@ void Debugger::search_parting(double threshold) {
 }
 
 bool Debugger::may_step(const Timeline& timeline) {
+  if (stops_.is_judging(timeline.frame())) return false;
+  const Stopwatch clock;
   bool ready = false;
-  {
+  do {
     const TimedPiece piece(counted_);
     ready = stops_.ready(source(), timeline.frame(), counted_.count());
-  }
+  } while (!ready && clock.seconds() < kJudgeSeconds);
   if (ready) counted_.begin_again();
   return ready;
 }
@@ -96,7 +99,16 @@ bool Debugger::stops_at(const Timeline& timeline, const Level& level) {
   stop_.reset();
   if (stops_.breakpoints().empty()) return false;
   follow(timeline, level);
-  stop_ = stops_.judge(source(), timeline.frame());
+  stops_.begin_frame(source(), timeline.frame());
+  return still_stops_at(timeline);
+}
+
+bool Debugger::still_stops_at(const Timeline& timeline) {
+  if (!stops_.is_judging(timeline.frame())) return false;
+  const Stopwatch clock;
+  stop_.reset();
+  while (!stops_.judge_more(stop_))
+    if (clock.seconds() > kJudgeSeconds) return false;
   return stop_.has_value();
 }
 

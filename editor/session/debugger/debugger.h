@@ -40,11 +40,14 @@ class Debugger {
   void forget_run();
   // Brings everything up to the timeline; call it whenever that has changed.
   void follow(const Timeline& timeline, const Level& level);
-  // Whether a step may be made: the hits of the breakpoints up to the shown frame are counted. If not, it
-  // counts some more of them.
+  // Whether a step may be made: the shown frame is judged, and the hits of the breakpoints up to it are
+  // counted. If not, it counts some more of them.
   bool may_step(const Timeline& timeline);
-  // Judges the frame after a step. Returns whether the run stops there. Costs nothing without breakpoints.
+  // Judges the frame after a step for a few ms. Returns whether the run stops there. Costs nothing without
+  // breakpoints.
   bool stops_at(const Timeline& timeline, const Level& level);
+  // Goes on for a few ms, if a frame with many bodies is not judged yet. Returns whether the run stops there.
+  bool still_stops_at(const Timeline& timeline);
   // Spends a few ms on remaining work. Returns the frame that a search has just found, if there is one.
   std::optional<std::int64_t> advance(const Timeline& timeline, const Level& level, int chosen_body);
 
@@ -106,7 +109,7 @@ class Debugger {
   bool search_failed_ = false;
   bool is_busy_ = false;
   WorkShare frames_{16, 0.002};    // frames to run or judge in one go
-  WorkShare counted_{2000, 0.02};  // frames whose hits are counted before a step
+  WorkShare counted_{256, 0.004};  // frames whose hits are counted before a step
 };
 
 }  // namespace talus

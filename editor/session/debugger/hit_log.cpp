@@ -13,20 +13,23 @@ HitLog::HitLog(const std::vector<ArmedBreakpoint>& breakpoints)
 bool HitLog::advance(const FrameSource& source, std::int64_t frame, std::int64_t most_frames) {
   if (hits_.empty()) return true;
   for (; most_frames > 0 && judged_ < frame; --most_frames) {
-    if (history_.approach(source, judged_ + 1)) judge(history_.view());
+    is_judging_ = is_judging_ || history_.approach(source, judged_ + 1);
+    if (is_judging_ && counter_.advance(history_.view(), kBodiesAtOnce)) add(judged_ + 1, counter_);
   }
   return judged_ >= frame;
 }
 
-void HitLog::note(const FrameView& view) {
-  if (!hits_.empty() && view.now().state.frame == judged_ + 1) judge(view);
+void HitLog::note(std::int64_t frame, const HitCounter& judged) {
+  if (hits_.empty() || frame != judged_ + 1) return;
+  counter_.forget_frame();
+  add(frame, judged);
 }
 
-void HitLog::judge(const FrameView& view) {
-  counter_.judge(view);
-  judged_ = view.now().state.frame;
+void HitLog::add(std::int64_t frame, const HitCounter& judged) {
+  is_judging_ = false;
+  judged_ = frame;
   for (Hits& hits : hits_)
-    if (counter_.hits(hits.breakpoint) > static_cast<int>(hits.frames.size())) hits.frames.push_back(judged_);
+    if (judged.was_hit(hits.breakpoint)) hits.frames.push_back(frame);
 }
 
 std::optional<int> HitLog::hits(int breakpoint, std::int64_t frame) const {

@@ -14,16 +14,16 @@ class HitLog {
   // Breakpoints that are not enabled are left out.
   explicit HitLog(const std::vector<ArmedBreakpoint>& breakpoints);
 
-  // Judges up to so many more frames. Returns true when this frame and all before it are judged. The source
-  // must be the same in every call, but may have grown.
+  // Judges up to so many more frames, fewer if they have more than kBodiesAtOnce bodies. Returns true when
+  // this frame and all before it are judged. The source must be the same in every call, but may have grown.
   bool advance(const FrameSource& source, std::int64_t frame, std::int64_t most_frames);
-  // Takes a frame that was read for something else, if it is the next one.
-  void note(const FrameView& view);
+  // Takes a frame that a counter with the same breakpoints has just judged, if it is the next one.
+  void note(std::int64_t frame, const HitCounter& judged);
   // Hits in the frames 0 to this one; 0 for an unknown breakpoint. Nothing: not judged so far yet.
   std::optional<int> hits(int breakpoint, std::int64_t frame) const;
 
  private:
-  void judge(const FrameView& view);
+  void add(std::int64_t frame, const HitCounter& judged);
 
   struct Hits {
     int breakpoint;  // id
@@ -33,6 +33,7 @@ class HitLog {
   FrameHistory history_;
   std::vector<Hits> hits_;
   std::int64_t judged_ = -1;  // the last judged frame; -1: none
+  bool is_judging_ = false;   // the frame after it is read, and judged in part
 };
 
 }  // namespace talus

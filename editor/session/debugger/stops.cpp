@@ -45,6 +45,7 @@ void Stops::forget_frames() {
   forget_hits();
   history_.emplace(counter_.frames_before());
   judged_ = -1;
+  judging_.reset();
   search_.reset();
 }
 
@@ -53,29 +54,43 @@ void Stops::forget_hits() { log_.emplace(armed()); }
 bool Stops::ready(const FrameSource& source, std::int64_t frame, std::int64_t most_frames) {
   if (counter_.empty() || judged_ == frame) return true;
   if (!counter_.counts()) {
+    forget_frame();
     history_->clear();
     judged_ = frame;
     return true;
   }
   if (judged_ > frame) forget_frames();
-  for (; most_frames > 0 && judged_ < frame; --most_frames)
-    if (history_->approach(source, judged_ + 1)) judge_newest();
+  std::optional<Stop> stop;
+  for (; most_frames > 0 && judged_ < frame; --most_frames) {
+    if (judging_ || history_->approach(source, judged_ + 1)) {
+      judging_ = judged_ + 1;
+      judge_more(stop);
+    }
+  }
   return judged_ == frame;
 }
 
-std::optional<Stop> Stops::judge(const FrameSource& source, std::int64_t frame) {
-  if (counter_.empty() || frame > source.last()) return std::nullopt;
+void Stops::begin_frame(const FrameSource& source, std::int64_t frame) {
+  if (counter_.empty() || frame > source.last()) return;
+  forget_frame();
   history_->go_to(source, frame);
-  return judge_newest();
+  judging_ = frame;
 }
 
-std::optional<Stop> Stops::judge_newest() {
-  judged_ = history_->view().now().state.frame;
-  log_->note(history_->view());
-  std::optional<Stop> stop = counter_.judge(history_->view());
+bool Stops::judge_more(std::optional<Stop>& stop) {
+  if (!counter_.advance(history_->view(), kBodiesAtOnce)) return false;
+  judged_ = *judging_;
+  judging_.reset();
+  log_->note(judged_, counter_);
+  stop = counter_.stop();
   // If no breakpoint counts, the counter begins wherever the run plays.
   if (stop && !counter_.counts()) stop->hit = log_->hits(stop->breakpoint, judged_).value_or(0);
-  return stop;
+  return true;
+}
+
+void Stops::forget_frame() {
+  counter_.forget_frame();
+  judging_.reset();
 }
 
 void Stops::search(std::int64_t from, SearchDirection direction) {

@@ -23,18 +23,24 @@ class Stops {
   std::optional<int> hits(int breakpoint, std::int64_t frame) const {
     return log_ ? log_->hits(breakpoint, frame) : 0;
   }
-  // Counts the hits of so many more frames. Returns true when those up to this frame are counted.
+  // Counts the hits of so many more frames, fewer if they have many bodies. Returns true when those up to
+  // this frame are counted.
   bool count(const FrameSource& source, std::int64_t frame, std::int64_t most_frames) {
     return !log_ || log_->advance(source, frame, most_frames);
   }
   void forget_hits();  // another run is compared now
 
   // --- While it runs. source: the frames of the shown run.
-  // Whether the hits up to this frame are counted; if not, counts those of so many more frames. Needed before
-  // the step from there is judged. Takes no time if no breakpoint counts.
+  // Whether the hits up to this frame are counted; if not, counts those of so many more frames, fewer if they
+  // have many bodies. Needed before the step from there is judged. Takes no time if no breakpoint counts.
   bool ready(const FrameSource& source, std::int64_t frame, std::int64_t most_frames);
-  // Judges the frame after the one that it was ready for.
-  std::optional<Stop> judge(const FrameSource& source, std::int64_t frame);
+  // Begins to judge the frame after the one that it was ready for.
+  void begin_frame(const FrameSource& source, std::int64_t frame);
+  // Whether that frame is judged in part.
+  bool is_judging(std::int64_t frame) const { return judging_ == frame; }
+  // Judges the frame that was begun for kBodiesAtOnce more bodies. Returns true when it is judged, and puts
+  // the stop there, or nothing, into `stop`.
+  bool judge_more(std::optional<Stop>& stop);
   void forget_frames();  // the frames belong to another run now, or the breakpoints have changed
 
   // --- Searching
@@ -50,7 +56,7 @@ class Stops {
 
  private:
   std::vector<ArmedBreakpoint> armed() const;
-  std::optional<Stop> judge_newest();  // the newest frame of the history
+  void forget_frame();  // the one that is judged in part
 
   std::vector<Breakpoint> breakpoints_;
   int last_id_ = 0;
@@ -58,6 +64,7 @@ class Stops {
   std::optional<HitLog> log_;            // set once there was a breakpoint
   std::optional<FrameHistory> history_;  // set while there are breakpoints
   std::int64_t judged_ = -1;             // the last judged frame; -1: none
+  std::optional<std::int64_t> judging_;  // the frame that is judged in part, the newest of the history
 
   std::optional<StopSearch> search_;
   SearchDirection direction_ = SearchDirection::forwards;
