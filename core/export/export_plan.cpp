@@ -165,6 +165,10 @@ tl::expected<std::string, ExportProblem> output_of(const ExportPreset& preset,
                       "first, or give a whole path, from /");
   }
   const fs::path output = (file.parent_path() / path).lexically_normal();
+  const Exporter* exporter = find_exporter(preset.exporter);
+  if (const std::string problem = exporter != nullptr ? preset_name_problem(*exporter, output.string()) : "";
+      !problem.empty())
+    return problem_at(Field::path, output.filename().string() + " " + problem);
   if (output == file.lexically_normal())
     return problem_at(Field::path, "this is the level's own file: choose another one");
   return output.string();

@@ -76,7 +76,8 @@ std::span<const Exporter> exporters() {
        .label = "Talus level",
        .extensions = find_format("native")->extensions,
        .write = export_native,
-       .purpose = "A copy of the level for Talus itself."},
+       .purpose = "A copy of the level for Talus itself.",
+       .keeps_unknown = true},
       {.id = "tic",
        .label = "TIC-80 cartridge",
        .extensions = find_format("tic")->extensions,
@@ -235,6 +236,13 @@ std::string name_problem(const Exporter& exporter, const std::string& output) {
   };
   if (output == "-" || std::any_of(exporter.extensions.begin(), exporter.extensions.end(), ends)) return "";
   return "is not a name for a " + label + ": it must end with ." + std::string(exporter.extensions.front());
+}
+
+std::string preset_name_problem(const Exporter& exporter, const std::string& output) {
+  const std::string ending = exporter.is_folder() ? "" : "." + std::string(exporter.extensions.front());
+  if (!exporter.keeps_unknown || output.ends_with(ending)) return "";
+  return "is not a name for a " + std::string(exporter.label) + " that a preset writes: it must end with " +
+         ending + ", as another program could run what the level has in it under another name";
 }
 
 void leave_out_unneeded(const Exporter& exporter, Exported& exported, const std::string& output) {

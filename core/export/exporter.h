@@ -75,6 +75,9 @@ struct Exporter {
   std::span<const std::string_view> beside = {};
   bool shares_sheet = false;  // whether its PNG shows only the tiles: those of other exporters are the same
   bool keeps_code = false;    // whether it keeps the code of the level's cart, which TIC-80 runs
+  // Whether it keeps members that Talus does not know, as the level has them. Another program could take them
+  // for its own under a name like package.json, so presets name such a file with the usual extension only.
+  bool keeps_unknown = false;
 
   bool is_folder() const { return extensions.empty(); }
   // Makes the files. A stopped progress is an error like any other.
@@ -89,6 +92,8 @@ const Exporter* find_exporter(std::string_view id);  // null if there is no such
 
 // One sentence on why `output` is not a valid name for what the exporter writes; empty if it is valid.
 std::string name_problem(const Exporter& exporter, const std::string& output);
+// The same on why a preset, which may have come with the level, must not write there, although a user may.
+std::string preset_name_problem(const Exporter& exporter, const std::string& output);
 
 // Removes the files that may only replace, if there is nothing to replace.
 void leave_out_unneeded(const Exporter& exporter, Exported& exported, const std::string& output);

@@ -134,6 +134,33 @@ TEST_F(CliPresetPaths, BringNoCodeUnlessItIsAllowed) {
   EXPECT_EQ(all(), 1) << "another path was not allowed";
 }
 
+// A copy of a level has all of its text, and npm or an editor would run what they find under their names.
+TEST_F(CliPresetPaths, CopyALevelOnlyToANameOfLevels) {
+  for (const std::string& to : {std::string("package.json"), std::string(".vscode/tasks.json")}) {
+    Level level;
+    level.extra = R"({"scripts":{"postinstall":"touch /tmp/x"}})";
+    level.exports = {{.name = "game", .exporter = "native", .path = to, .extra = ""}};
+    ASSERT_TRUE(save_level(level, *find_format("native"), path("level/cave.talus.json")));
+    const std::string map = path("level/m.tmx"), cave = path("level/cave.talus.json");
+    ASSERT_EQ(cli_answer({"export", cave, "--to", "tmx", "-o", map}).status, 0);
+    for (const std::string& file : {cave, map}) {
+      for (const char* option : {"--allow-code", "--force", "--allow-outside"}) {
+        const CliAnswer answer = cli_answer({"export", file, "--all", option});
+        EXPECT_EQ(answer.status, 1);
+        EXPECT_THAT(answer.err, HasSubstr(fs::path(to).filename().string() +
+                                          " is not a name for a Talus level that a preset writes: it must "
+                                          "end with .talus.json, as another program could run"));
+      }
+      EXPECT_FALSE(exists("level/" + to));
+    }
+  }
+  save("native", "copy.talus.json");
+  EXPECT_EQ(all(), 0) << answer_.err;
+  const CliAnswer typed = cli_answer(
+      {"export", path("level/cave.talus.json"), "--to", "native", "-o", path("level/package.json")});
+  EXPECT_EQ(typed.status, 0) << "it is the user's word: " << typed.err;
+}
+
 TEST_F(CliPresetPaths, AreRefusedAtOnceForAPipe) {
   ASSERT_EQ(::mkfifo(path("level/data.lua").c_str(), 0600), 0);
   save("lua", "data.lua");

@@ -73,6 +73,17 @@ TEST(ExportPath, IsCountedFromTheLevelsFile) {
             "this is the level's own file: choose another one");
 }
 
+TEST(ExportPath, OfACopyEndsAsThatOfALevel) {
+  const auto output = [](const std::string& path) {
+    return output_of({"", "native", path, "", false, ""}, "/home/cave.talus.json");
+  };
+  EXPECT_EQ(output("out/copy.talus.json"), "/home/out/copy.talus.json");
+  for (const char* path : {"package.json", "a.talus.json/../package.json", "x.talus.json/"}) {
+    ASSERT_FALSE(output(path)) << path;
+    EXPECT_EQ(output(path).error().field, ExportProblem::Field::path);
+  }
+}
+
 TEST(ExportPath, IsRelativeIfBothMoveTogether) {
   const std::string file = "/home/me/game/cave.talus.json";
   EXPECT_EQ(path_for("/home/me/game/export/love", file), "export/love");
