@@ -2,13 +2,16 @@
 #include "output_file.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
+#include <talus/level/limits.h>
 #include "formats/files/atomic_file.h"
 #include "formats/files/real_path.h"
 #include "formats/native/companion.h"
 #include "formats/native/recording_file.h"
 #include "formats/pictures/png_picture.h"
+#include "formats/text/json_text.h"
 #include "formats/tic80/tic_png.h"
 
 namespace talus {
@@ -24,6 +27,14 @@ bool reads(const std::string& input, const std::string& output) {
                             is_same_file(output, level_path(input)));
 }
 
+// Inputs begin with a frame, too, but only a trace has bodies behind it.
+bool is_trace(std::string_view bytes) {
+  constexpr std::string_view kFrame = "{\"frame\":", kBodies = ",\"bodies\":[";
+  if (!bytes.starts_with(kFrame)) return false;
+  const std::size_t end = bytes.find_first_not_of("0123456789", kFrame.size());
+  return end != bytes.npos && bytes.substr(end).starts_with(kBodies);
+}
+
 bool is_of_kind(std::string_view old_bytes, std::string_view new_bytes) {
   const std::string_view kind = content_kind(new_bytes);
   return content_kind(old_bytes) == kind && (!kind.empty() || first_line(old_bytes) == first_line(new_bytes));
@@ -31,17 +42,16 @@ bool is_of_kind(std::string_view old_bytes, std::string_view new_bytes) {
 
 }  // namespace
 
+// Texts may have the names of these keys anywhere, so only keys of the document itself count, wherever they
+// stand.
 std::string_view content_kind(std::string_view bytes) {
-  constexpr std::size_t kVersionPlace = 200;  // a level names its version at its beginning
+  constexpr std::array<std::string_view, 1> kOfRecordings = {kRecordingKey}, kOfLevels = {"talus"};
   if (is_png(bytes)) return has_tic_cart(bytes) ? find_format("tic-png")->label : "PNG picture";
-  if (bytes.starts_with(kTraceBeginning)) return "trace of a simulation";
-  if (is_recording(bytes, {})) return "recording";
+  if (is_trace(bytes)) return "trace of a simulation";
+  if (has_key(bytes, kOfRecordings)) return "recording";
   for (const Format& format : formats()) {
-    if (format.id == "native") {
-      if (bytes.substr(0, kVersionPlace).find("\"talus\"") != bytes.npos) return format.label;
-    } else if (format.accepts(bytes, {})) {
-      return format.label;
-    }
+    const bool is_native = format.id == "native";
+    if (is_native ? has_key(bytes, kOfLevels) : format.accepts(bytes, {})) return format.label;
   }
   return "";
 }
@@ -56,8 +66,11 @@ std::string output_problem(const OutputFile& output) {
     return "is the input of this command, which it would overwrite: name another file";
   std::error_code ignored;
   if (!fs::is_regular_file(output.path, ignored)) return "";
-  const auto old = read_file(output.path);
-  if (!old || old->empty()) return "";
+  // All that Talus reads is recognised by its first bytes; a trace may have more of them.
+  const auto old = read_start_of_file(output.path, kMaxFileBytes);
+  if (!old)
+    return "exists, and its kind is not known, since it " + old.error().message + "; name another file";
+  if (old->empty()) return "";
   const std::string kind(content_kind(*old));
   const bool is_same = is_of_kind(*old, output.bytes);
   if (is_same || (kind.empty() && output.may_be_unknown)) return "";

@@ -35,6 +35,6 @@ std::string_view content_kind(std::string_view bytes);
 
 // The beginnings of these files.
 inline constexpr std::string_view kPngBeginning = "\x89PNG\r\n\x1a\n";
-inline constexpr std::string_view kTraceBeginning = "{\"frame\":";
+inline constexpr std::string_view kTraceBeginning = "{\"frame\":1,\"bodies\":[";
 
 }  // namespace talus

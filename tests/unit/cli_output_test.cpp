@@ -71,6 +71,28 @@ TEST_F(CliOutput, ATraceReplacesOnlyTraces) {
   expect_refused({"sim", path("run.talusrec"), "--trace", path("game.tic")}, path("game.tic"));
 }
 
+TEST_F(CliOutput, ATraceReplacesNoInput) {
+  put("keys.jsonl", "{\"frame\":1,\"mouse\":[1,2],\"down\":true}\n");
+  const std::string keys = path("keys.jsonl");
+  expect_refused({"sim", path("cave.talus.json"), "--frames", "2", "--trace", keys}, keys);
+}
+
+TEST_F(CliOutput, LargeFilesAreRecognisedToo) {
+  const std::string trace = path("t.jsonl"), other = path("big.jsonl");
+  const Words to_trace = {"sim", path("cave.talus.json"), "--frames", "2", "--trace", trace};
+  ASSERT_EQ(cli_answer(to_trace).status, 0);
+  put("big.jsonl", "of mine\n");
+  for (const std::string& file : {trace, other}) fs::resize_file(file, kMaxFileBytes + 1);
+  EXPECT_EQ(output_problem({other, kTraceBeginning, {}}),
+            "exists, and is a file of another kind, which would be lost: name another file, or move it away");
+  EXPECT_EQ(output_problem({trace, kTraceBeginning, {}}), "");
+}
+
+TEST_F(CliOutput, AFileThatCannotBeReadIsNotReplaced) {
+  EXPECT_THAT(output_problem({"/proc/self/mem", kTraceBeginning, {}, true}),
+              testing::StartsWith("exists, and its kind is not known, since it cannot be read: "));
+}
+
 TEST_F(CliOutput, AShotReplacesOnlyPictures) {
   const std::string level = path("cave.talus.json");
   const auto shot_to = [&](const std::string& file) { return Words{"shot", level, "-o", file}; };
@@ -161,6 +183,11 @@ TEST_F(CliOutput, KindsAreRecognisedByContent) {
   EXPECT_EQ(content_kind(bytes_of("run.talusrec")), "recording");
   EXPECT_EQ(content_kind(bytes_of("picture.png")), "PNG picture");
   EXPECT_EQ(content_kind(bytes_of("notes.txt")), "");
+  const std::string long_key = "{\"" + std::string(300, 'x') + "\":[{}],", blanks(300, ' ');
+  EXPECT_EQ(content_kind(long_key + "\"talus\":1}"), "Talus level");
+  EXPECT_EQ(content_kind(blanks + bytes_of("cave.talus.json")), "Talus level");
+  EXPECT_EQ(content_kind(long_key + "\"talus_recording\":1}"), "recording");
+  EXPECT_EQ(content_kind(R"({"keywords":["talus"],"about":{"talus":1}})"), "");
   for (const char* id : {"lua", "json", "c", "svg", "sti"}) {
     const CliAnswer answer = cli_answer({"export", path("cave.talus.json"), "--to", id, "-o", "-"});
     EXPECT_EQ(content_kind(answer.out), "") << id;

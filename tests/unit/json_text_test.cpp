@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace talus::json_text_test {
 
 std::string error_of(std::string_view text, std::int64_t first_line = 1) {
@@ -29,6 +31,18 @@ TEST(JsonText, ARepeatedKeyIsAnErrorWithItsPlace) {
             "line 1, key map[1].rows: is twice in one object");
   EXPECT_EQ(error_of(R"([{"a": 1}, {"a": 1}])"), "") << "of two objects";
   EXPECT_EQ(error_of(R"({"a": 1, "\u0061": 2})"), "line 1, key a: is twice in one object");
+}
+
+TEST(JsonText, KeysOfTheDocumentItselfAreFound) {
+  constexpr std::array<std::string_view, 2> kWanted = {"a", "b"};
+  const auto has = [&](std::string_view text) { return has_key(text, kWanted); };
+  EXPECT_TRUE(has(R"({"x":{"y":[1,"a"]},"b":2})"));
+  EXPECT_TRUE(has(R"({"\u0061": damaged)"));
+  EXPECT_FALSE(has(R"({"x":{"a":1},"y":["a",{"b":1}],"z":"a"})"));
+  EXPECT_FALSE(has(R"([{"a":1}])"));
+  EXPECT_FALSE(has(R"({"x": damaged, "a":1})"));
+  EXPECT_FALSE(has(""));
+  EXPECT_FALSE(has("{\"x\":" + lists_around("1", 100'000) + "}"));
 }
 
 TEST(JsonText, NothingMayFollowTheEnd) {

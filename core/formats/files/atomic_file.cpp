@@ -19,6 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kReadAtOnce = 1 << 20;  // bytes
+
 tl::unexpected<FormatError> failure(const char* what, int error_number) {
   return tl::unexpected(
       FormatError{"", std::string(what) + ": " + std::generic_category().message(error_number)});
@@ -173,9 +175,8 @@ FormatResult<std::string> read_file(const std::string& path, std::size_t most, c
   if (!file) return tl::unexpected(file.error());
   if (size > most) return tl::unexpected(too_large_file(most));
   std::string bytes;
-  constexpr std::size_t kStep = 1 << 20;
   while (progress.at(bytes.size(), std::max(size, bytes.size() + 1))) {
-    const auto count = read_more(file->get(), kStep, bytes);
+    const auto count = read_more(file->get(), kReadAtOnce, bytes);
     if (!count) return tl::unexpected(count.error());
     if (bytes.size() > most) return tl::unexpected(too_large_file(most));
     if (*count == 0) return bytes;
@@ -189,7 +190,7 @@ FormatResult<std::string> read_start_of_file(const std::string& path, std::size_
   if (!file) return tl::unexpected(file.error());
   std::string bytes;
   while (bytes.size() < count) {
-    const auto read = read_more(file->get(), count - bytes.size(), bytes);
+    const auto read = read_more(file->get(), std::min(count - bytes.size(), kReadAtOnce), bytes);
     if (!read) return tl::unexpected(read.error());
     if (*read == 0) break;
   }

@@ -16,7 +16,6 @@
 namespace talus {
 namespace {
 
-constexpr std::string_view kVersionKey = "talus_recording";
 constexpr std::size_t kHashDigits = 16;
 constexpr std::size_t kHashesInText = 8;
 // limit for the list entries that the patches of all edits may move; patches of Talus move none
@@ -104,11 +103,11 @@ class RecordingReader {
 
   Recording read(Json document) {
     if (!document.is_object()) throw Wrong{{"", "is JSON, but not a recording"}};
-    const std::string version_key(kVersionKey);
+    const std::string version_key(kRecordingKey);
     if (!document.contains(version_key)) fail(version_key, "is missing, so this is not a recording");
     if (whole(document, "", version_key.c_str(), 1, 1'000'000) > kRecordingVersion)
       fail(version_key, "is newer than what this Talus reads, version " + std::to_string(kRecordingVersion));
-    check_keys(document, "", {kVersionKey, "frames", "marks", "level", "edits", "input", "hashes"});
+    check_keys(document, "", {kRecordingKey, "frames", "marks", "level", "edits", "input", "hashes"});
     read_hashes(document);
     read_marks(list_in(document, "marks"));
     read_input(list_in(document, "input"));
@@ -355,7 +354,7 @@ std::string indented(std::string_view text) {
 
 bool is_recording(std::string_view bytes, const FormatContext& context) {
   return context.extension == kRecordingExtension ||
-         bytes.substr(0, 200).find("\"" + std::string(kVersionKey) + "\"") != std::string_view::npos;
+         bytes.substr(0, 200).find("\"" + std::string(kRecordingKey) + "\"") != std::string_view::npos;
 }
 
 FormatResult<Recording> read_recording(std::string_view bytes, const Progress& progress) {
@@ -380,7 +379,7 @@ FormatResult<std::string> write_recording(const Recording& recording) {
     text.append(text.size() > 1 ? ",\n  \"" : "\n  \"").append(key).append("\": ").append(indented(printed));
   };
   try {
-    add(kVersionKey, print_json(kRecordingVersion, kOrder));
+    add(kRecordingKey, print_json(kRecordingVersion, kOrder));
     add("frames", print_json(recording.frames, kOrder));
     add("marks", print_json(marks_of(recording.marks), kOrder));
     add("level", level->bytes);

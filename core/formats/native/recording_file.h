@@ -31,6 +31,7 @@ namespace talus {
 
 inline constexpr int kRecordingVersion = 1;
 inline constexpr std::string_view kRecordingExtension = "talusrec";
+inline constexpr std::string_view kRecordingKey = "talus_recording";  // of the version
 
 inline constexpr std::int64_t kMostUnhashedFrames = 1 << 21;  // nearly ten hours
 

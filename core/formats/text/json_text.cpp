@@ -154,6 +154,44 @@ class StrictBuilder {
   Problem problem_ = Problem::none;
 };
 
+// Takes the keys of the outermost object, and stops at one of the wanted ones.
+class KeyFinder {
+ public:
+  explicit KeyFinder(std::span<const std::string_view> keys) : keys_(keys) {}
+  bool found() const { return found_; }
+
+  bool null() { return true; }
+  bool boolean(bool) { return true; }
+  bool number_integer(std::int64_t) { return true; }
+  bool number_unsigned(std::uint64_t) { return true; }
+  bool number_float(double, const std::string&) { return true; }
+  bool string(std::string&) { return true; }
+  bool binary(Json::binary_t&) { return true; }
+  bool start_object(std::size_t) { return open(); }
+  bool start_array(std::size_t) { return depth_ > 0 && open(); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+  bool key(const std::string& key) {
+    found_ = depth_ == 1 && std::find(keys_.begin(), keys_.end(), key) != keys_.end();
+    return !found_;
+  }
+  bool parse_error(std::size_t, const std::string&, const Json::exception&) { return false; }
+
+ private:
+  bool open() {
+    ++depth_;
+    return true;
+  }
+  bool close() {
+    --depth_;
+    return true;
+  }
+
+  std::span<const std::string_view> keys_;
+  std::size_t depth_ = 0;  // of the objects and lists that have not ended
+  bool found_ = false;
+};
+
 // Column of the offset in its line, from 1.
 std::size_t column_of(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, offset);
@@ -325,6 +363,12 @@ FormatResult<Json> parse_json(std::string_view text, const Progress& progress, s
   }
   const std::size_t offset = std::min(std::max<std::size_t>(bytes, 1) - 1, text.size());
   return tl::unexpected(error_of(builder, text, offset, first_line));
+}
+
+bool has_key(std::string_view text, std::span<const std::string_view> keys) {
+  KeyFinder finder(keys);
+  (void)Json::sax_parse(text.begin(), text.end(), &finder);
+  return finder.found();
 }
 
 int depth_of(const Json& value) {
