@@ -154,6 +154,24 @@ TEST(Tic, CompressedCodeIsReadAndKept) {
   EXPECT_EQ(write(read(bytes)), bytes);
 }
 
+TEST(Tic, OnlyTheLastCompressedCodeIsUnpacked) {
+  const std::string bytes = chunk(16, "not zlib") + chunk(16, zipped("print()"));
+  const auto cart = tic_content(bytes);
+  ASSERT_TRUE(cart) << cart.error().message;
+  EXPECT_EQ(cart->code, "print()");
+  EXPECT_EQ(write(read(bytes)), bytes);
+  EXPECT_EQ(error_of(chunk(16, zipped("print()")) + chunk(16, "not zlib")).message,
+            "the compressed code is damaged");
+}
+
+TEST(Tic, ReadingCanBeCancelled) {
+  FormatContext context{"tic"};
+  context.progress = Progress([](double) { return false; });
+  const auto level = read_tic(chunk(kTiles, "t"), context);
+  ASSERT_FALSE(level);
+  EXPECT_EQ(level.error().message, was_cancelled().value().message);
+}
+
 TEST(Tic, ACompressionBombIsRefused) {
   EXPECT_EQ(tic_content(chunk(16, zipped(std::string(524'287, 'a'))))->code.size(), 524'287u);
   const FormatError error = error_of(chunk(kTiles, "t") + chunk(16, zipped(std::string(524'288, 'a'))));

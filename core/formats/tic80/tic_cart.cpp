@@ -40,7 +40,13 @@ void overlay(std::string& section, std::string_view data) {
   trim_zeros(section);
 }
 
-FormatResult<std::string> unpack_code(const TicChunk& chunk) {
+// Of several compressed codes the last one counts, as TIC-80 unpacks each over the one before. Only that one
+// is unpacked: a cart may have thousands. Returns an empty code if there is none.
+FormatResult<std::string> unpack_code(const std::vector<TicChunk>& chunks) {
+  const auto last = std::find_if(chunks.rbegin(), chunks.rend(),
+                                 [](const TicChunk& chunk) { return chunk.type == kTicCodeZip; });
+  if (last == chunks.rend()) return std::string();
+  const TicChunk& chunk = *last;
   auto code = unpack_zlib(chunk.data, kCodeLimit);
   if (code) return *std::move(code);
   if (code.error().is_too_large)
@@ -189,7 +195,7 @@ void append_tic_chunk(std::string& out, const TicChunk& chunk) {
   out += chunk.data;
 }
 
-FormatResult<CartContent> tic_content(std::string_view bytes) {
+FormatResult<CartContent> tic_content(std::string_view bytes, const Progress& progress) {
   const auto chunks = parse_tic(bytes);
   if (!chunks) return tl::unexpected(chunks.error());
   CartContent cart;
@@ -202,19 +208,17 @@ FormatResult<CartContent> tic_content(std::string_view bytes) {
       overlay(at(bank, Section::palette), chunk.data);
     }
   }
-  std::string unpacked;
+  std::size_t read = 0;
   for (const TicChunk& chunk : *chunks) {
+    if (!progress.at(read++, chunks->size())) return was_cancelled();
     const SectionInfo* info = section_of(chunk);
     if (info && info->id != Section::palette) overlay(at(cart.banks[chunk.bank], info->id), chunk.data);
     if (chunk.type == kTicLang && !chunk.data.empty()) cart.lang = static_cast<std::uint8_t>(chunk.data[0]);
-    if (chunk.type == kTicCodeZip) {
-      auto code = unpack_code(chunk);
-      if (!code) return tl::unexpected(code.error());
-      unpacked = *std::move(code);
-    }
   }
-  const bool packed = !unpacked.empty() && unpacked[0] != '\0';
-  set_code(cart, packed ? std::move(unpacked) : join_code(*chunks));
+  auto unpacked = unpack_code(*chunks);
+  if (!unpacked) return tl::unexpected(unpacked.error());
+  const bool packed = !unpacked->empty() && unpacked->front() != '\0';
+  set_code(cart, packed ? *std::move(unpacked) : join_code(*chunks));
   list_rest(*chunks, cart);
   return cart;
 }
@@ -265,8 +269,8 @@ bool accepts_tic(std::string_view bytes, const FormatContext&) {
          std::all_of(chunks->begin(), chunks->end(), [](const TicChunk& c) { return c.reserved == 0; });
 }
 
-FormatResult<Level> read_tic(std::string_view bytes, const FormatContext&) {
-  auto cart = tic_content(bytes);
+FormatResult<Level> read_tic(std::string_view bytes, const FormatContext& context) {
+  auto cart = tic_content(bytes, context.progress);
   if (!cart) return tl::unexpected(cart.error());
   Level level = level_of_bank(cart->banks[0]);
   level.cart = std::make_shared<CartOrigin>(CartOrigin{CartOrigin::Kind::tic, "", std::string(bytes)});

@@ -41,7 +41,8 @@ FormatResult<std::vector<TicChunk>> parse_tic(std::string_view bytes);
 // (asserted).
 void append_tic_chunk(std::string& out, const TicChunk& chunk);
 
-FormatResult<CartContent> tic_content(std::string_view bytes);
+// progress: may stop the reading, which is an error.
+FormatResult<CartContent> tic_content(std::string_view bytes, const Progress& progress = {});
 // Returns a cartridge with this content, as TIC-80 writes it, without `lang` and `rest`. The code may have up
 // to kCodeLimit bytes.
 std::string tic_bytes(const CartContent& cart);
