@@ -68,8 +68,8 @@ std::optional<std::string> problem_of_amounts(const Level& level) {
 std::size_t size_of(const Level& level) {
   constexpr std::size_t kEntry = 128;  // bytes, about what an entry takes in memory or as text
   const Amounts amounts = amounts_of(level);
-  return level.map.cells().size() + amounts.brush_cells + amounts.heights * sizeof(double) +
-         amounts.name_bytes + amounts.unknown_bytes +
+  return (level.cart ? level.cart->bytes.size() : 0) + level.map.cells().size() + amounts.brush_cells +
+         amounts.heights * sizeof(double) + amounts.name_bytes + amounts.unknown_bytes +
          kEntry * (level.spawns.size() + level.curves.size() + level.brushes.size() + level.exports.size());
 }
 

@@ -245,6 +245,38 @@ TEST(RecordingLimits, TheLevelsAfterEachEditAreLimited) {
             "file:key edits: error: has too many edits for a level of this size");
 }
 
+// A cart is large and slow to unpack, and no edit of the physics needs it.
+TEST(RecordingLimits, EditsDoNotReadTheCart) {
+  Level level;
+  level.cart = std::make_shared<const CartOrigin>(
+      CartOrigin{.kind = CartOrigin::Kind::text, .comment = "--", .bytes = "-- script: lua\ntrace(1)\n"});
+  const json damage = {{{"op", "replace"}, {"path", "/cart/kind"}, {"value", 5}}};
+  const json edits = {{{"frame", 1}, {"patch", damage}}, {{"frame", 2}, {"patch", json::array()}}};
+  EXPECT_EQ(error_of(recording_with(level, edits)), "");
+
+  Recording recording;
+  recording.level = level;
+  recording.frames = 1;
+  Level wider = level;
+  wider.map = TileMap(300, 10);  // too large for a cart
+  recording.edits.push_back({1, std::make_shared<LevelVersion>(version_of(wider))});
+  const auto text = write_recording(recording);
+  ASSERT_TRUE(text);
+  EXPECT_EQ(json::parse(*text)["edits"].dump().find("/cart"), std::string::npos);
+  const auto again = read_recording(*text);
+  ASSERT_TRUE(again) << to_string(again.error(), "file");
+  EXPECT_EQ(again->level, level);
+  EXPECT_EQ(again->edits[0].version->rows.front()->size(), 300u);
+}
+
+TEST(RecordingLimits, TheCartCountsAsAPartOfALevel) {
+  Level level;
+  const std::size_t without = size_of(level);
+  level.cart = std::make_shared<const CartOrigin>(
+      CartOrigin{.kind = CartOrigin::Kind::text, .comment = "--", .bytes = std::string(100'000, '-')});
+  EXPECT_EQ(size_of(level), without + 100'000);
+}
+
 TEST(RecordingLimits, PatchesDoNotRepeatLongLists) {
   json patch = json::array();
   for (int i = 0; i < 2000; ++i) patch.push_back({{"op", "remove"}, {"path", "/spawns/0"}});

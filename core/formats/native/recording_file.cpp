@@ -68,10 +68,20 @@ void check_keys(const Json& object, const std::string& path, std::initializer_li
   }
 }
 
-Level level_in(const Json& json, const std::string& path) {
-  auto level = level_of_document(json);
+Level level_in(Json json, const std::string& path) {
+  auto level = level_of_document(std::move(json));
   if (!level) throw Wrong{error_within("key " + path, level.error())};
   return *std::move(level);
+}
+
+// The same without its cart, which no edit of the physics needs. `json` stays as it is.
+Level level_without_cart_in(Json& json, const std::string& path) {
+  if (!json.is_object() || !json.contains("cart")) return level_in(json, path);
+  Json cart = std::move(json["cart"]);
+  json.erase("cart");
+  Level level = level_in(json, path);
+  json["cart"] = std::move(cart);
+  return level;
 }
 
 // Measures what the edits of a recording take together, in the same way for reading and writing.
@@ -196,7 +206,7 @@ class RecordingReader {
       if (!edits[i].contains("patch")) fail(path + ".patch", "is missing");
       const double before_it = share_of(i, edits.size()), after_it = share_of(i + 1, edits.size());
       apply_patch(edits[i]["patch"], path + ".patch", level, progress_.part(before_it, after_it));
-      const Level edited = level_in(level, path);
+      const Level edited = level_without_cart_in(level, path);
       auto after = std::make_shared<const LevelVersion>(version_of(edited, before.get()));
       if (auto problem = amounts.add(*before, *after, edited)) throw Wrong{*std::move(problem)};
       before = std::move(after);
@@ -303,10 +313,15 @@ Json patch_between(const Json& before, const Json& after) {
   return patch;
 }
 
+Level without_cart(Level level) {
+  level.cart.reset();
+  return level;
+}
+
 // Why a reader would refuse the edits.
 std::optional<FormatError> problem_of_edits(const Recording& recording) {
   if (recording.edits.size() > kMaxRecordedEdits) return too_many_edits();
-  Level level = recording.level;
+  Level level = without_cart(recording.level);
   LevelVersion version = version_of(level);
   EditAmounts amounts(version);
   for (const RecordedEdit& edit : recording.edits) {
@@ -321,9 +336,9 @@ std::optional<FormatError> problem_of_edits(const Recording& recording) {
 FormatResult<Json> edits_of(const Recording& recording) {
   if (auto problem = problem_of_edits(recording)) return tl::unexpected(*std::move(problem));
   Json edits = Json::array();
-  auto before = native_document(recording.level);
+  Level level = without_cart(recording.level);
+  auto before = native_document(level);
   if (!before) return before;
-  Level level = recording.level;
   for (const RecordedEdit& edit : recording.edits) {
     put_version(*edit.version, level);
     auto after = native_document(level);

@@ -8,8 +8,8 @@
 //   "level"   a native level (see native.h): that of frame 0.
 //   "edits"   objects with "frame", 1..frames, the step after which the level was edited, and "patch", a
 //             JSON patch (RFC 6902) that only has "add", "remove" and "replace" and leads from the native
-//             level before to the one after; by frame. Only what the physics sees is written. Default: no
-//             edits.
+//             level before to the one after; by frame. Only what the physics sees is written; what a patch
+//             makes of the cart is not read. Default: no edits.
 //   "input"   entries as in `talus sim --input` (see input_entry.h); by frame, each frame once, up to
 //             `frames`. Each entry holds until the next one; nothing is held before the first. Default: no
 //             entries.

@@ -39,8 +39,8 @@ inline constexpr std::size_t kMaxHistoryBytes = std::size_t{512} << 20;
 std::optional<std::string> problem_of_amounts(const Level& level);
 
 // About the size of a level as data, which measures the work of going through it: its cells, heights and
-// texts, and some bytes for each body, curve and brush. Pictures, shapes and tuning are small, and do not
-// count.
+// texts, its cart, and some bytes for each body, curve and brush. Pictures, shapes and tuning are small, and
+// do not count.
 std::size_t size_of(const Level& level);
 
 }  // namespace talus
