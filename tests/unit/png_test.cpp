@@ -69,6 +69,19 @@ TEST(Png, SaysWhatIsWrongWithAFile) {
             "has more data than a picture of its size can have");
 }
 
+TEST(Png, ListsOfColoursDoNotRepeat) {
+  const std::string indexed = png_header(1, 1, 3), colour = png_chunk("PLTE", "\xff\0\0"s),
+                    opacity = png_chunk("tRNS", "\xff"),
+                    pixels = png_chunk("IDAT", zipped("\0\0"s)) + png_chunk("IEND", "");
+  ASSERT_EQ(png_error(indexed + colour + opacity + pixels), "no error");
+  EXPECT_EQ(png_error(indexed + colour + png_chunk("PLTE", "") + pixels),
+            "byte 48: the picture has a second palette");
+  EXPECT_EQ(png_error(indexed + colour + opacity + opacity + pixels),
+            "byte 61: the picture has a second list of opacities");
+  EXPECT_EQ(png_error(indexed + colour + png_chunk("tRNS", std::string(257, '\xff')) + pixels),
+            "byte 48: the picture has more than 256 opacities");
+}
+
 TEST(Png, SaysWhyPixelsCannotBeUnpacked) {
   const auto with_pixels = [](const std::string& packed) {
     return png_error(png_header(1, 2, 2) + png_chunk("IDAT", packed) + png_chunk("IEND", ""));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
+#include <utility>
 
 #include "../files/atomic_file.h"
 #include "../last_catch.h"
@@ -94,9 +95,11 @@ FormatResult<Chunk> chunk_at(std::string_view bytes, std::size_t at) {
   return Chunk{bytes.substr(at, length + kAround), bytes.substr(at + 4, 4), bytes.substr(at + 8, length)};
 }
 
+constexpr std::size_t kMostColors = 256;
+
 // For pixels that are indices. stb reads beyond a short palette, so it gets a full one.
 void add_palette(std::string_view content, Header& header) {
-  constexpr std::size_t kFull = 3 * 256;
+  constexpr std::size_t kFull = 3 * kMostColors;
   header.palette = palette_of(content);
   std::string colors(content.substr(0, kFull));
   colors.resize(kFull);
@@ -109,7 +112,7 @@ FormatResult<Header> read_header(std::string_view bytes) {
   constexpr char kIndexed = 3;
   Header header;
   header.needed = kSignature;
-  bool indexed = false;
+  bool indexed = false, has_palette = false, has_opacities = false;
   for (std::size_t at = kSignature.size(); at < bytes.size();) {
     const auto chunk = chunk_at(bytes, at);
     if (!chunk) return tl::unexpected(chunk.error());
@@ -122,6 +125,12 @@ FormatResult<Header> read_header(std::string_view bytes) {
       indexed = chunk->content[kColorType] == kIndexed;
     }
     if (chunk->type == "IDAT") header.packed += chunk->content;
+    if (chunk->type == "PLTE" && std::exchange(has_palette, true))
+      return error_at(at, "the picture has a second palette");
+    if (chunk->type == "tRNS" && std::exchange(has_opacities, true))
+      return error_at(at, "the picture has a second list of opacities");
+    if (chunk->type == "tRNS" && chunk->content.size() > kMostColors)
+      return error_at(at, "the picture has more than 256 opacities");
     // Stb copies it, without memory for it.
     const bool empty_data = chunk->type == "IDAT" && chunk->content.empty();
     if (chunk->type == "PLTE" && indexed)
@@ -160,6 +169,7 @@ FormatResult<RgbaPicture> decode(const Header& header) {
     return tl::unexpected(FormatError{"", "has more data than a picture of its size can have"});
   if (!rows && !header.packed.empty())
     return damaged_png("its pixels cannot be unpacked, " + rows.error().reason);
+  // The rest is small, and each packed byte has at most a chunk of its own around it: far from 2 GiB.
   constexpr int kChannels = 4;
   int width = 0, height = 0, channels = 0;
   const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> rgba(
