@@ -65,6 +65,34 @@ TEST(Replay, ReportsAnUnknownResponseWhenItIsReached) {
                           R"({"x":20,"y":0,"cols":[]})"));
 }
 
+// More than the world can name.
+TEST(Replay, UnknownResponsesAreAnyNumber) {
+  std::string filter = "\"7\":\"last\"";
+  for (int i = 8; i < 65'550; ++i) {
+    const std::string number = std::to_string(i);
+    filter.append(",\"").append(number).append("\":\"").append(number).append("\"");
+  }
+  EXPECT_THAT(replay(kBall + kWall + R"({"op":"check","item":1,"goal":[20,0],"filter":{)" + filter + "}}"),
+              ElementsAre(kOk, kOk, R"j({"error":"Unknown collision type: last (string)"})j"));
+}
+
+TEST(Replay, AllOperationsTogetherAreBounded) {
+  std::vector<std::string> answers;
+  const auto replayed = replay_scenario(
+      R"({"cell_size":1,"ops":[{"op":"add","item":1,"rect":[0,0,30,30]},{"op":"move","item":1,"goal":[90,0]},
+          {"op":"move","item":1,"goal":[0,0]},{"op":"move","item":1,"goal":[90,0]}]})",
+      [&](std::string_view line) { return answers.emplace_back(line), true; }, /*most_looks=*/2500);
+  ASSERT_FALSE(replayed);
+  EXPECT_EQ(replayed.error().place, "op 3");
+  EXPECT_EQ(replayed.error().message, "The operations up to here test more than 2500 cells and boxes.");
+  EXPECT_EQ(answers.size(), 3u);
+}
+
+TEST(Replay, ErrorsHaveNoCharactersThatMoveText) {
+  EXPECT_THAT(replay("{\"op\":\"add\",\"item\":1,\"rect\":[\"\xc2\x9b\xe2\x80\xae\\u001b\",1,1,1]}"),
+              ElementsAre(R"j({"error":"x must be a number, but was \u009b\u202e\u001b(a string)"})j"));
+}
+
 // A missing goal stands for the old place. Then only a response that sets the goal lets the move succeed.
 TEST(Replay, AcceptsAMissingGoal) {
   EXPECT_THAT(

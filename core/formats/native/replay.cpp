@@ -89,11 +89,26 @@ void append_pair(std::string& line, const char* key, Vec2 v) {
   line += ']';
 }
 
-std::string error_line(const char* message) { return "{\"error\":" + Json(message).dump() + "}"; }
+// All but ASCII is escaped: names may have characters that move the text of a terminal.
+std::string error_line(const char* message) {
+  return "{\"error\":" + Json(message).dump(-1, ' ', /*ensure_ascii=*/true) + "}";
+}
 
 class Replay {
  public:
-  explicit Replay(double cell_size) : world_(cell_size) {}
+  // Unknown responses share one of the world, which has no bound for their number.
+  explicit Replay(double cell_size)
+      : world_(cell_size),
+        unknown_(world_.add_response(
+            "",
+            [this](const World&, Collision& hit, Rect, Vec2, World::Filter, std::vector<Collision>&) -> Vec2 {
+              throw WorldError(unknown_response_message(reaction_to(hit.other).name));
+            })) {}
+  Replay(const Replay&) = delete;
+  Replay& operator=(const Replay&) = delete;
+
+  // The work so far.
+  std::int64_t looks() const { return world_.looks(); }
 
   std::string answer(const Json& op) {
     if (!op.is_object()) throw Malformed{"An operation must be an object."};
@@ -188,7 +203,7 @@ class Replay {
     const Vec2 goal{axis(0, rect.x), axis(1, rect.y)};
     read_filter(op);
     const Vec2 at = world_.check(
-        item, goal, [this](ItemId, ItemId other) { return reaction(other); }, hits_);
+        item, goal, [this](ItemId, ItemId other) { return reaction_to(other).response; }, hits_);
     const bool set = std::any_of(hits_.begin(), hits_.end(),
                                  [](const Collision& hit) { return hit.response != Response::cross; });
     Arrival arrival;
@@ -232,35 +247,30 @@ class Replay {
     line += '}';
   }
 
-  // The response of that name. An unknown name is an error only when a contact needs it.
-  Response response_named(const Json& value) {
-    if (value.is_null()) return Response::ignore;
+  struct Reaction {
+    Response response = Response::slide;
+    std::string name = {};  // as the filter has it, for an unknown response
+  };
+
+  // An unknown name is an error only when a contact needs it.
+  Reaction reaction_named(const Json& value) const {
+    if (value.is_null()) return {Response::ignore};
     if (!value.is_string()) throw Malformed{"A filter must answer with the name of a response or null."};
     const auto name = value.get<std::string>();
-    if (const auto known = world_.find_response(name)) return *known;
-    return world_.add_response(
-        name, [name](const World&, Collision&, Rect, Vec2, World::Filter, std::vector<Collision>&) -> Vec2 {
-          throw WorldError(unknown_response_message(name));
-        });
+    return {world_.find_response(name).value_or(unknown_), name};
   }
 
   void read_filter(const Json& op) {
     reactions_.clear();
-    default_reaction_ = Response::slide;
+    default_reaction_ = {};
     const auto it = op.find("filter");
     if (it == op.end() || it->is_null()) return;
     if (!it->is_object()) throw Malformed{"\"filter\" must be an object."};
-    default_reaction_ = Response::ignore;
-    for (const auto& [key, value] : it->items()) {
-      const Response response = response_named(value);
-      if (key == "default") {
-        default_reaction_ = response;
-      } else {
-        reactions_[key] = response;
-      }
-    }
+    default_reaction_ = {Response::ignore};
+    for (const auto& [key, value] : it->items())
+      (key == "default" ? default_reaction_ : reactions_[key]) = reaction_named(value);
   }
-  Response reaction(ItemId other) const {
+  const Reaction& reaction_to(ItemId other) const {
     const auto it = reactions_.find(std::to_string(name_of(other)));
     return it == reactions_.end() ? default_reaction_ : it->second;
   }
@@ -323,10 +333,11 @@ class Replay {
   }
 
   World world_;
+  Response unknown_;
   std::map<Name, ItemId> ids_;
   std::vector<Name> names_;  // by the index of the item
-  std::map<std::string, Response, std::less<>> reactions_;
-  Response default_reaction_ = Response::slide;
+  std::map<std::string, Reaction, std::less<>> reactions_;
+  Reaction default_reaction_;
   std::vector<Collision> hits_;
   std::vector<ItemId> found_;
   std::vector<SegmentHit> segment_hits_;
@@ -334,7 +345,7 @@ class Replay {
 
 }  // namespace
 
-FormatResult<void> replay_scenario(std::string_view json, const TakeAnswer& take) {
+FormatResult<void> replay_scenario(std::string_view json, const TakeAnswer& take, std::int64_t most_looks) {
   std::string place;
   try {
     const FormatResult<Json> parsed = parse_json(json);
@@ -349,6 +360,9 @@ FormatResult<void> replay_scenario(std::string_view json, const TakeAnswer& take
     for (std::size_t i = 0; i < ops.size(); ++i) {
       place = "op " + std::to_string(i + 1);
       if (!take(replay.answer(ops[i]))) break;
+      if (replay.looks() > most_looks)
+        throw Malformed{"The operations up to here test more than " + std::to_string(most_looks) +
+                        " cells and boxes."};
     }
     return {};
   } catch (const Malformed& malformed) {
