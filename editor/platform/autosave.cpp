@@ -138,7 +138,7 @@ tl::expected<void, std::string> write_saved_work(const SavedWork& work) {
       {"path", work.path}, {"name", work.name}, {"time", work.time}, {"recording_bytes", sizes}};
   const std::string text =
       about.dump(-1, ' ', true, json::error_handler_t::replace) + "\n" + recordings + written->bytes;
-  if (const auto saved = write_file_atomic(work.file, text); !saved)
+  if (const auto saved = write_file_atomic(work.file, text, InPlace::follow_links, Readers::owner); !saved)
     return tl::unexpected("the file " + saved.error().message);
   if (!problem.empty()) return tl::unexpected(std::move(problem));
   return {};
@@ -174,6 +174,7 @@ tl::expected<void, std::string> Autosave::hold_lock() {
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) return tl::unexpected("the folder cannot be created: " + error.message());
+  fs::permissions(folder_, fs::perms::owner_all, error);  // the files in it are private in any case
   remove_remains(folder_);
   constexpr int kAttempts = 100;
   for (int i = 0; i < kAttempts && lock_ < 0; ++i) {

@@ -1,5 +1,6 @@
 // Autosave: writes the level to a file while it has unsaved changes, or runs that the user has worked on, so
-// that a crash costs a few seconds at most. It also finds the work of other processes that ended without
+// that a crash costs a few seconds at most. Nobody but the user can read these files, as the level may be
+// private. It also finds the work of other processes that ended without
 // warning.
 #pragma once
 

@@ -92,6 +92,17 @@ TEST_F(AtomicFileTest, ANewFileHasTheUsualPermissions) {
   EXPECT_EQ(fs::status(path("x")).permissions(), fs::perms{0644});
 }
 
+TEST_F(AtomicFileTest, APrivateFileIsTheOwnersAlone) {
+  const auto write = [&] {
+    return write_file_atomic(path("x"), "mine", InPlace::follow_links, Readers::owner).has_value();
+  };
+  ASSERT_TRUE(write());
+  EXPECT_EQ(fs::status(path("x")).permissions(), fs::perms{0600});
+  fs::permissions(path("x"), fs::perms{0644});
+  ASSERT_TRUE(write());
+  EXPECT_EQ(fs::status(path("x")).permissions(), fs::perms{0600});
+}
+
 TEST_F(AtomicFileTest, LinksAreFollowed) {
   fs::create_directory(path("there"));
   fs::create_symlink("there/file", path("link"));

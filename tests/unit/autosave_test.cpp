@@ -81,6 +81,19 @@ TEST_F(AutosaveTest, AChangeIsWrittenWithinFiveSecondsAndOnceOnly) {
   EXPECT_TRUE(autosave.left_behind().empty()) << "its process runs";
 }
 
+TEST_F(AutosaveTest, NobodyElseCanReadIt) {
+  fs::create_directories(folder());
+  fs::permissions(folder(), fs::perms{0755});  // as earlier versions made it
+  Session session;
+  Autosave autosave(folder());
+  paint(session, 5);
+  ASSERT_TRUE(autosave.save_now(session));
+  EXPECT_EQ(fs::status(folder()).permissions(), fs::perms{0700});
+  ASSERT_EQ(files(), 2);
+  for (const auto& entry : fs::directory_iterator(folder()))
+    EXPECT_EQ(entry.status().permissions(), fs::perms{0600}) << entry.path();
+}
+
 TEST_F(AutosaveTest, TheWorkOfAKilledProcessIsFound) {
   kill_child(child_of([&](auto say) {
     Session session(Level(), "/some where/le\"vel.talus.json", "level.talus.json");

@@ -78,22 +78,22 @@ bool write_all(int descriptor, std::string_view bytes) {
   return true;
 }
 
-int create_new(const std::string& name) {
-  return ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+int create_new(const std::string& name, mode_t mode) {
+  return ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
 }
 
 // Creates a new file beside `target` and locks it. The lock tells files that are being written from those
 // that killed processes left, which are removed. Returns -1 with errno if that fails.
-int create_temporary(const fs::path& target, std::string& name) {
+int create_temporary(const fs::path& target, mode_t mode, std::string& name) {
   constexpr int kAttempts = 100;
   constexpr std::size_t kMaxStem = 200;  // file names have at most 255 bytes
   const std::string stem = "." + target.filename().string().substr(0, kMaxStem) + ".";
   for (int i = 0; i < kAttempts; ++i) {
     name = (target.parent_path() / (stem + std::to_string(i) + std::string(kTemporaryEnding))).string();
-    int descriptor = create_new(name);
+    int descriptor = create_new(name, mode);
     if (descriptor < 0 && errno == EEXIST) {
       if (!remove_if_unlocked(name)) continue;
-      descriptor = create_new(name);
+      descriptor = create_new(name, mode);
     }
     if (descriptor < 0 && errno == EEXIST) continue;
     if (descriptor < 0) return -1;
@@ -197,17 +197,18 @@ FormatResult<std::string> read_start_of_file(const std::string& path, std::size_
   return bytes;
 }
 
-FormatResult<void> write_file_atomic(const std::string& path, std::string_view bytes, InPlace in_place) {
-  auto staged = StagedFile::write(path, bytes, in_place);
+FormatResult<void> write_file_atomic(const std::string& path, std::string_view bytes, InPlace in_place,
+                                     Readers readers) {
+  auto staged = StagedFile::write(path, bytes, in_place, readers);
   if (!staged) return tl::unexpected(staged.error());
   auto put = staged->put();
   if (put && !staged->doubt().empty()) return tl::unexpected(FormatError{"", staged->doubt()});
   return put;
 }
 
-FormatResult<StagedFile> StagedFile::write(const std::string& path, std::string_view bytes,
-                                           InPlace in_place) {
-  auto staged = begin(path, in_place);
+FormatResult<StagedFile> StagedFile::write(const std::string& path, std::string_view bytes, InPlace in_place,
+                                           Readers readers) {
+  auto staged = begin(path, in_place, readers);
   if (!staged) return staged;
   staged->bytes_ = bytes;
   if (staged->is_in_place()) return staged;
@@ -217,7 +218,7 @@ FormatResult<StagedFile> StagedFile::write(const std::string& path, std::string_
   return staged;
 }
 
-FormatResult<StagedFile> StagedFile::begin(const std::string& path, InPlace in_place) {
+FormatResult<StagedFile> StagedFile::begin(const std::string& path, InPlace in_place, Readers readers) {
   struct stat old = {};
   if (in_place == InPlace::write && ::stat(path.c_str(), &old) == 0 && is_device_or_pipe(old)) {
     auto device = open_in_place(path);
@@ -232,11 +233,13 @@ FormatResult<StagedFile> StagedFile::begin(const std::string& path, InPlace in_p
   // rename() would replace a write-protected file, as only the directory's permissions count.
   if (*exists && ::access(target.c_str(), W_OK) != 0) return failure("cannot be written", errno);
 
+  // Nobody opens the new file of a private one before it has its permissions.
+  const bool is_private = readers == Readers::owner;
   std::string temporary;
-  File file(create_temporary(target, temporary));
+  File file(create_temporary(target, *exists || is_private ? 0600 : 0666, temporary));
   if (!file.is_open()) return failure("cannot be written", errno);
   StagedFile staged(target.string(), std::move(temporary), file.release());
-  if (*exists && ::fchmod(staged.descriptor_, old.st_mode & 07777) != 0)
+  if (*exists && !is_private && ::fchmod(staged.descriptor_, old.st_mode & 07777) != 0)
     return failure("cannot be written", errno);
   return staged;
 }

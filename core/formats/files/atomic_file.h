@@ -30,13 +30,20 @@ enum class InPlace {
   write          // write into a pipe or a device, too, which may wait for ever: the user has named it
 };
 
+// Who may read a new file.
+enum class Readers {
+  usual,  // whom the user's settings allow (umask); a file that is replaced keeps its permissions
+  owner   // nobody but its owner, whatever the old file allowed
+};
+
 // Replaces the file at once: whoever reads the path, even after a kill or a power loss at any moment, finds
 // either the old file or the whole new one. Symbolic links are followed, and the old file's permissions stay.
 // After an error the old file is untouched and no temporary file remains, unless the error is
 // StagedFile::doubt(). Only a killed process can leave its temporary file, ".NAME.N.tmp" with N from 0,
 // beside the file; the next process that writes the file removes it.
 FormatResult<void> write_file_atomic(const std::string& path, std::string_view bytes,
-                                     InPlace in_place = InPlace::follow_links);
+                                     InPlace in_place = InPlace::follow_links,
+                                     Readers readers = Readers::usual);
 
 // StagedFile: the same in two steps, for files that belong together. First all are written, then all are put
 // in their places.
@@ -44,10 +51,12 @@ class StagedFile {
  public:
   // Writes the temporary file. bytes: must live until put(), which writes devices and pipes.
   static FormatResult<StagedFile> write(const std::string& path, std::string_view bytes,
-                                        InPlace in_place = InPlace::follow_links);
+                                        InPlace in_place = InPlace::follow_links,
+                                        Readers readers = Readers::usual);
   // The same in parts, for large content: begin, add as often as needed, flush. A device or a pipe gets each
   // part at once.
-  static FormatResult<StagedFile> begin(const std::string& path, InPlace in_place = InPlace::follow_links);
+  static FormatResult<StagedFile> begin(const std::string& path, InPlace in_place = InPlace::follow_links,
+                                        Readers readers = Readers::usual);
   FormatResult<void> add(std::string_view bytes);
   FormatResult<void> flush();  // to the disk; call it before put()
   StagedFile(StagedFile&& other) noexcept;
