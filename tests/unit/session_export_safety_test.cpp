@@ -406,6 +406,21 @@ TEST_F(ExportPermissionsFile, KeepsAllowedPresetsOfFoldersOfAnyName) {
   }
 }
 
+// The exports of a linked level go beside the link, which is another place.
+TEST_F(ExportPermissionsFile, HoldsInTheFolderForWhichItWasGiven) {
+  for (const char* name : {"own", "other"}) fs::create_directories(path(name));
+  put("own/cave.talus.json", "{}");
+  fs::create_symlink("../own/cave.talus.json", path("other/cave.talus.json"));
+  fs::create_symlink("own", path("same"));
+  const std::vector<ExportPreset> presets = {preset("a")};
+  EXPECT_TRUE(opened(path("own/cave.talus.json")).allow(presets));
+  EXPECT_TRUE(opened(path("own/cave.talus.json")).allows(presets[0]));
+  EXPECT_TRUE(opened(path("same/cave.talus.json")).allows(presets[0])) << "the same folder";
+  EXPECT_FALSE(opened(path("other/cave.talus.json")).allows(presets[0]));
+  EXPECT_TRUE(opened(path("other/cave.talus.json")).allow(presets));
+  EXPECT_TRUE(opened(path("other/cave.talus.json")).allows(presets[0]));
+}
+
 TEST_F(ExportPermissionsFile, ForgetsTheOldestBeforeItGrowsTooLarge) {
   const std::string file = path("level");
   const std::size_t count = ExportPermissions::kMostKept / 60'000 + 10;

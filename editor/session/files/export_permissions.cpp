@@ -22,6 +22,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The name of a level's file in the store: its folder without links, in which its exports go. A link in
+// another folder is another file, although it leads to the same level. Empty: it has none.
+std::string key_of(const std::string& level_file) {
+  const auto folder =
+      level_file.empty() ? FormatResult<std::string>(std::string()) : real_folder_of(level_file);
+  return folder && !folder->empty() ? (fs::path(*folder) / last_name(level_file)).string() : "";
+}
+
 constexpr std::size_t kMostRead = std::size_t{1} << 30;  // bytes; earlier versions had no bound
 
 struct KeptPermission {
@@ -112,7 +120,7 @@ std::string text_of(const std::vector<StoreLine>& all) {
 
 void ExportPermissions::open(const std::string& level_file) {
   level_file_ = level_file;
-  key_ = level_file.empty() ? "" : real_path(level_file).value_or("");
+  key_ = key_of(level_file);
   entries_.clear();
   if (key_.empty()) return;
   auto all = read_store(store_, key_);
@@ -125,7 +133,7 @@ void ExportPermissions::open(const std::string& level_file) {
 tl::expected<void, std::string> ExportPermissions::save(const std::string& level_file,
                                                         std::span<const ExportPreset> presets) {
   level_file_ = level_file;
-  key_ = real_path(level_file).value_or("");
+  key_ = key_of(level_file);
   for (Entry& e : entries_) {
     if (e.is_chosen) e.place = place_of(e.preset);
   }
