@@ -87,7 +87,7 @@ std::uint64_t number(const CellChange& c) {
 }
 std::uint64_t number(const PixelChange& c) {
   const int image = static_cast<int>(c.sheet) * kTileCount + c.tile;
-  return static_cast<std::uint64_t>(image) * kTileSize * kTileSize + c.pixel;
+  return static_cast<std::uint64_t>(image) * kCartTileSize * kCartTileSize + c.pixel;
 }
 std::uint64_t number(const FlagsChange& c) {
   return static_cast<std::uint64_t>(static_cast<int>(c.sheet) * kTileCount + c.tile);

@@ -122,14 +122,15 @@ class Drawer {
 
   // The part of the ground that a cell shows, on an image that fills the cell.
   TileImage image_of(Cell cell) const {
-    const double px_wide = 1.0 * size_.width / kTileSize, px_high = 1.0 * size_.height / kTileSize;
+    const double px_wide = 1.0 * size_.width / kCartTileSize, px_high = 1.0 * size_.height / kCartTileSize;
     TileImage image{};
-    for (int x = 0; x < kTileSize; ++x) {
+    for (int x = 0; x < kCartTileSize; ++x) {
       const double floor =
           line_.y_at(level_.map.x_of(cell.x) + (x + 0.5) * px_wide) - level_.map.y_of(cell.y);
-      for (int y = 0; y < kTileSize; ++y) {
+      for (int y = 0; y < kCartTileSize; ++y) {
         if ((y + 0.5) * px_high < floor) continue;
-        image[y * kTileSize + x] = (y - 0.5) * px_high < floor ? options_.line_color : options_.ground_color;
+        image[y * kCartTileSize + x] =
+            (y - 0.5) * px_high < floor ? options_.line_color : options_.ground_color;
       }
     }
     return image;

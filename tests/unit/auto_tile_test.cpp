@@ -275,7 +275,7 @@ RC_GTEST_PROP(AutoTileProperty, TheOrderOfPaintingDoesNotMatter, ()) {
 void draw_tile(Level& level, std::uint8_t tile, const std::vector<std::string>& rows) {
   TileImage& image = level.sheet(SheetId::tiles).images[tile];
   for (std::size_t i = 0; i < image.size(); ++i)
-    image[i] = static_cast<std::uint8_t>(rows[i / kTileSize][i % kTileSize] - '0');
+    image[i] = static_cast<std::uint8_t>(rows[i / kCartTileSize][i % kCartTileSize] - '0');
 }
 
 constexpr std::uint8_t kSolidFlag = 1, kUpFlag = 4, kDownFlag = 8;

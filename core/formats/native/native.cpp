@@ -322,7 +322,7 @@ Json json_of(const Palette& palette) {
 std::string pixel_rows(const TileImage& image) {
   std::string text;
   for (std::size_t p = 0; p < image.size(); ++p) {
-    if (p > 0 && p % kTileSize == 0) text += ' ';
+    if (p > 0 && p % kCartTileSize == 0) text += ' ';
     text += image[p] == 0 ? '.' : kHexDigits[image[p] & 15];
   }
   return text;

@@ -90,9 +90,9 @@ std::string write_clear_tiles(const Level& level) {
 }
 
 std::uint8_t color_at(const TileImage& image, TileSize tile, int x, int y) {
-  const int column = (2 * x + 1) * kTileSize / (2 * tile.width);
-  const int row = (2 * y + 1) * kTileSize / (2 * tile.height);
-  return image[static_cast<std::size_t>(row * kTileSize + column)];
+  const int column = (2 * x + 1) * kCartTileSize / (2 * tile.width);
+  const int row = (2 * y + 1) * kCartTileSize / (2 * tile.height);
+  return image[static_cast<std::size_t>(row * kCartTileSize + column)];
 }
 
 MatchedPicture match_colors(const PngPicture& picture, const Palette& palette) {

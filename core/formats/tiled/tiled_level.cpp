@@ -244,9 +244,9 @@ void TiledLevelMaker::take_pixels() {
   const MatchedPicture matched = match_colors(picture, level_.palette);
   for (int i = 0; i < kSheetSide * kSheetSide; ++i) {
     const int x = i % kSheetSide, y = i / kSheetSide;
-    const auto tile = static_cast<std::size_t>(y / kTileSize * kSheetColumns + x / kTileSize);
+    const auto tile = static_cast<std::size_t>(y / kCartTileSize * kSheetColumns + x / kCartTileSize);
     level_.sheet(SheetId::tiles)
-        .images[tile][static_cast<std::size_t>(y % kTileSize * kTileSize + x % kTileSize)] =
+        .images[tile][static_cast<std::size_t>(y % kCartTileSize * kCartTileSize + x % kCartTileSize)] =
         matched.indices[static_cast<std::size_t>(i)];
   }
 }

@@ -164,8 +164,8 @@ bool TileNumberer::is_blank(const TiledSource& source) const {
   TiledTiles alone{{}, TileMap(1, 1)};
   alone.sources[0] = source;
   const PngPicture picture = picture_of_tiles(alone, map_, pictures_);
-  for (int i = 0; i < kTileSize * kTileSize; ++i) {
-    const int x = i % kTileSize, y = i / kTileSize;
+  for (int i = 0; i < kCartTileSize * kCartTileSize; ++i) {
+    const int x = i % kCartTileSize, y = i / kCartTileSize;
     if (!picture.is_transparent(x, y) && picture.at(x, y) != background_) return false;
   }
   return true;
@@ -250,13 +250,13 @@ FormatResult<TiledTiles> TileNumberer::used() {
 // The pixel of the tileset's picture that a turned tile shows at (x, y) of its image in the level. Of a tile
 // of another size than the image it is the pixel in the middle of the part that stands for (x, y).
 Cell pixel_of(const TiledTileset& tileset, const TiledSource& source, int x, int y) {
-  if (source.turn & kTiledFlipY) y = kTileSize - 1 - y;
-  if (source.turn & kTiledFlipX) x = kTileSize - 1 - x;
+  if (source.turn & kTiledFlipY) y = kCartTileSize - 1 - y;
+  if (source.turn & kTiledFlipX) x = kCartTileSize - 1 - x;
   if (source.turn & kTiledFlipXY) std::swap(x, y);
   const auto [width, height] = tileset.tile_size;
   const int columns = grid_of(tileset).columns, row = source.id / columns, column = source.id % columns;
-  return {tileset.margin + column * (width + tileset.spacing) + (2 * x + 1) * width / (2 * kTileSize),
-          tileset.margin + row * (height + tileset.spacing) + (2 * y + 1) * height / (2 * kTileSize)};
+  return {tileset.margin + column * (width + tileset.spacing) + (2 * x + 1) * width / (2 * kCartTileSize),
+          tileset.margin + row * (height + tileset.spacing) + (2 * y + 1) * height / (2 * kCartTileSize)};
 }
 
 }  // namespace
@@ -276,11 +276,11 @@ PngPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const 
   for (int i = 0; i < kSheetSide * kSheetSide; ++i) {
     const int x = i % kSheetSide, y = i / kSheetSide;
     const TiledSource& source =
-        tiles.sources[static_cast<std::size_t>(y / kTileSize * kSheetColumns + x / kTileSize)];
+        tiles.sources[static_cast<std::size_t>(y / kCartTileSize * kSheetColumns + x / kCartTileSize)];
     const auto of = static_cast<std::size_t>(source.tileset);
     if (source.tileset < 0 || !pictures[of]) continue;
     const RgbaPicture& rgba = pictures[of]->rgba;
-    const Cell at = pixel_of(map.tilesets[of], source, x % kTileSize, y % kTileSize);
+    const Cell at = pixel_of(map.tilesets[of], source, x % kCartTileSize, y % kCartTileSize);
     if (at.x >= rgba.width || at.y >= rgba.height) continue;
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(rgba.bytes.data()) +
                         4 * (static_cast<std::size_t>(at.y) * static_cast<std::size_t>(rgba.width) +

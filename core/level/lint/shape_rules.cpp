@@ -87,9 +87,9 @@ void check_usable(const LintContext& context, std::vector<Problem>& out) {
 
 // Whether the middle of a pixel of the tile's own image is inside the ground, or inside the ball.
 bool is_inside(const TileShape& shape, TileSize tile, int x, int y) {
-  constexpr double kMiddle = kTileSize / 2.0;
+  constexpr double kMiddle = kCartTileSize / 2.0;
   if (shape.kind == TileShape::Kind::none) return std::hypot(x + 0.5 - kMiddle, y + 0.5 - kMiddle) < kMiddle;
-  const double at = (x + 0.5) * tile.width / kTileSize, down = (y + 0.5) * tile.height / kTileSize;
+  const double at = (x + 0.5) * tile.width / kCartTileSize, down = (y + 0.5) * tile.height / kCartTileSize;
   if (shape.heights.size() < 2) return true;
   const double step = shape.tiles * tile.width / static_cast<double>(shape.heights.size() - 1);
   const auto i = std::min(static_cast<std::size_t>(at / step), shape.heights.size() - 2);
@@ -101,9 +101,9 @@ bool is_inside(const TileShape& shape, TileSize tile, int x, int y) {
 Edit draw_shape(const Level& level, std::uint8_t tile) {
   const TileShape shape = shape_of_tile(level, tile);
   Edit edit{"Draw " + tile_text(tile) + " as what it is", {}};
-  for (int pixel = 0; pixel < kTileSize * kTileSize; ++pixel) {
+  for (int pixel = 0; pixel < kCartTileSize * kCartTileSize; ++pixel) {
     const std::uint8_t before = level.sheet(SheetId::tiles).images[tile][static_cast<std::size_t>(pixel)];
-    if (is_inside(shape, level.map.tile_size(), pixel % kTileSize, pixel / kTileSize))
+    if (is_inside(shape, level.map.tile_size(), pixel % kCartTileSize, pixel / kCartTileSize))
       edit.changes.push_back(
           PixelChange{SheetId::tiles, tile, pixel, before, SlopeTilesOptions{}.ground_color});
   }

@@ -8,15 +8,15 @@
 
 namespace talus {
 
-inline constexpr int kTileSize = 8;                           // px, side of a tile
-inline constexpr int kTileCount = 256;                        // images in a sheet
-inline constexpr int kSheetColumns = 16;                      // images in a row of a sheet
-inline constexpr int kSheetSide = kSheetColumns * kTileSize;  // px, of the square that a sheet fills
-inline constexpr int kColorCount = 16;                        // of a palette
-inline constexpr int kFlagCount = 8;                          // of an image
+inline constexpr int kCartTileSize = 8;                           // px, side of an image of a sheet
+inline constexpr int kTileCount = 256;                            // images in a sheet
+inline constexpr int kSheetColumns = 16;                          // images in a row of a sheet
+inline constexpr int kSheetSide = kSheetColumns * kCartTileSize;  // px, of the square that a sheet fills
+inline constexpr int kColorCount = 16;                            // of a palette
+inline constexpr int kFlagCount = 8;                              // of an image
 
-// The column or the row of the cell that holds a coordinate of px.
-inline int cell_of(double px) { return static_cast<int>(std::floor(px / kTileSize)); }
+// px, the side that the window draws all tiles with, also those of other sizes (TileMap::tile_size).
+inline constexpr int kTileSize = kCartTileSize;
 
 // A colour.
 struct Rgb {
@@ -29,7 +29,7 @@ struct Rgb {
 using Palette = std::array<Rgb, kColorCount>;  // by index
 
 // Palette indices 0..15, row by row from the top left.
-using TileImage = std::array<std::uint8_t, kTileSize * kTileSize>;
+using TileImage = std::array<std::uint8_t, kCartTileSize * kCartTileSize>;
 
 // The two sheets of a level.
 enum class SheetId : std::uint8_t { tiles, sprites };  // the map shows tiles
