@@ -69,8 +69,9 @@ int talus_restart(talus_game* game);
 /* Frames that were stepped, from 0. Null: -1. */
 int64_t talus_frame(const talus_game* game);
 
-/* Width and height of a tile of the level's map, px, 1..256. Null: 0. */
+/* Width of a tile of the level's map, px, 1..256. Null: 0. */
 int32_t talus_tile_width(const talus_game* game);
+/* Height of a tile of the level's map, px, 1..256. Null: 0. */
 int32_t talus_tile_height(const talus_game* game);
 
 /* How many bodies there are; it does not change. Null: 0. */

@@ -20,6 +20,7 @@ struct TileSize {
   friend bool operator==(const TileSize&, const TileSize&) = default;
 };
 
+// Whether a terrain's tiles can have this size.
 constexpr bool is_tile_size(TileSize size) {
   return size.width >= 1 && size.width <= kMaxTileSide && size.height >= 1 && size.height <= kMaxTileSide;
 }

@@ -91,9 +91,9 @@ class BasicTerrain {
   // not needed afterwards. If its progress stops the work, the terrain may only be destroyed.
   explicit BasicTerrain(const TerrainSource& source);
 
-  int width() const { return width_; }    // cells
-  int height() const { return height_; }  // cells
-  TileSize tile_size() const { return tile_; }
+  int width() const { return width_; }                                // cells
+  int height() const { return height_; }                              // cells
+  TileSize tile_size() const { return tile_; }                        // of all its tiles
   Real x_of(int column) const { return Real(column) * tile_width_; }  // px, of its left side
   Real y_of(int row) const { return Real(row) * tile_height_; }       // px, of its top
   Real columns_per_px() const { return columns_per_px_; }  // rounded: a product may be off by an ulp

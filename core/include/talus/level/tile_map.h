@@ -33,10 +33,12 @@ class TileMap {
   double y_of(int row) const { return 1.0 * row * tile_.height; }       // px, of its top
   Vec2 corner_of(Cell c) const { return {x_of(c.x), y_of(c.y)}; }       // px, its top left
   Rect box_of(Cell c) const { return {x_of(c.x), y_of(c.y), 1.0 * tile_.width, 1.0 * tile_.height}; }  // px
-  // The column or row that holds a coordinate of px, on the map or off it. The coordinate must be within
-  // kMaxCoordinate of the origin, or so.
+  // The column that holds an x, px, on the map or off it. The x must be about within kMaxCoordinate of the
+  // origin.
   int column_at(double x) const { return static_cast<int>(std::floor(x / tile_.width)); }
+  // The row that holds a y, as above.
   int row_at(double y) const { return static_cast<int>(std::floor(y / tile_.height)); }
+  // The cell that holds a point, as above.
   Cell cell_at(Vec2 point) const { return {column_at(point.x), row_at(point.y)}; }
   // Whether the cell lies inside the map.
   bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width_ && c.y < height_; }
