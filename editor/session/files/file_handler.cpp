@@ -8,6 +8,7 @@
 #include "formats/files/real_path.h"
 #include "formats/native/recording_file.h"
 #include "formats/pictures/png_picture.h"
+#include "shown_level.h"
 
 namespace talus {
 namespace {
@@ -246,7 +247,7 @@ template <>
 void FileHandler::carry_out(const action::SetLevelImport& a) {
   if (!level_import_) return;
   reading_.read(level_import_->path, [this, a, path = level_import_->path](const Progress& progress) {
-    auto plan = std::make_shared<FormatResult<LoadedLevel>>(load_level(path, a.choices, progress));
+    auto plan = std::make_shared<FormatResult<LoadedLevel>>(load_for_window(path, a.choices, progress));
     return FileReader::Finish([this, a, plan] {
       if (!level_import_) return;
       level_import_->choices = a.choices;
@@ -340,7 +341,7 @@ void FileHandler::reload() {
   is_reloading_ = true;
   note_file();  // first: a file that is written from now on is another change
   reading_.read(open_.path, [this, file = open_.path](const Progress& progress) {
-    auto loaded = std::make_shared<FormatResult<LoadedLevel>>(load_level(file, {}, progress));
+    auto loaded = std::make_shared<FormatResult<LoadedLevel>>(load_for_window(file, {}, progress));
     return FileReader::Finish([this, loaded] { take_reloaded(*loaded); });
   });
 }
