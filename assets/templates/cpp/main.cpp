@@ -39,7 +39,8 @@ std::string view_of(const talus::Level& level, const talus::State& state) {
   talus::Cell corner{0, 0};
   if (!state.bodies.empty()) {
     const talus::Rect& box = state.bodies.front().box;
-    corner = {talus::cell_of(box.x) - kColumns / 2, talus::cell_of(box.y) - kRows / 2};
+    const talus::Cell at = level.map.cell_at(box.position());
+    corner = {at.x - kColumns / 2, at.y - kRows / 2};
   }
   std::string view;
   for (int row = 0; row < kRows; ++row) {
@@ -55,8 +56,8 @@ std::string view_of(const talus::Level& level, const talus::State& state) {
     view += '\n';
   }
   for (const talus::Body& body : state.bodies) {
-    const int column = talus::cell_of(body.box.x + body.box.w / 2) - corner.x;
-    const int row = talus::cell_of(body.box.y + body.box.h / 2) - corner.y;
+    const talus::Cell cell = level.map.cell_at({body.box.x + body.box.w / 2, body.box.y + body.box.h / 2});
+    const int column = cell.x - corner.x, row = cell.y - corner.y;
     if (column < 0 || column >= kColumns || row < 0 || row >= kRows) continue;
     const auto at = static_cast<std::size_t>(row) * (kColumns + 1) + static_cast<std::size_t>(column);
     view[at] = talus::traits_of(body.kind).takes_keys ? '@' : 'o';
