@@ -46,7 +46,8 @@ std::string failures_of(const CaseFile& file, SolverKind solver, std::string* de
   Level level = file.level;
   level.tuning.solver = solver;
   std::string failures;
-  for (const CaseResult& result : run_hard_case(file.hard, level).value()) {
+  const std::vector<CaseResult> results = run_hard_case(file.hard, level).value();
+  for (const CaseResult& result : results) {
     if (result.passed) continue;
     const auto& info = case_measure_infos()[static_cast<std::size_t>(result.check.measure)];
     failures +=
