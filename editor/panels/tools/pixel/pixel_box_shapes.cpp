@@ -8,8 +8,8 @@ namespace {
 
 class PixelBoxShape : public PixelShapeTool {
  public:
-  // draw: draw_rectangle or draw_ellipse.
-  explicit PixelBoxShape(decltype(draw_rectangle)* draw) : draw_(draw) {}
+  // by: draw_rectangle or draw_ellipse.
+  explicit PixelBoxShape(decltype(draw_rectangle)* by) : draw_(by) {}
 
  private:
   Edit shape(const PixelToolUse& use, PixelPen pen) const override {
