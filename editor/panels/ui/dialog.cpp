@@ -43,11 +43,11 @@ std::string keys_of_button(const DialogButton& button) {
 
 }  // namespace
 
-bool begin_dialog(const char* title, DialogTest test, ImVec2 size, const Session& session, Ui& ui,
+bool begin_dialog(const char* title, DialogTest wanted, ImVec2 size, const Session& session, Ui& ui,
                   DialogKeys keys) {
-  const bool wanted = test(session, ui.view);
-  ui.add_dialog(title, std::move(test));
-  if (wanted && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  const bool is_wanted = wanted(session, ui.view);
+  ui.add_dialog(title, std::move(wanted));
+  if (is_wanted && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   if (size.x > 0) ImGui::SetNextWindowSize(size);
