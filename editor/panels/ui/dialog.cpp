@@ -59,7 +59,7 @@ bool begin_dialog(const char* title, DialogTest wanted, ImVec2 size, const Sessi
       (size.x > 0 ? 0 : ImGuiWindowFlags_AlwaysAutoResize) | (keys == DialogKeys::its_own ? own : 0);
   const bool open = ImGui::BeginPopupModal(title, nullptr, flags);
   ImGui::PopStyleVar();
-  if (open && !wanted) ImGui::CloseCurrentPopup();
+  if (open && !is_wanted) ImGui::CloseCurrentPopup();
   return open;
 }
 
