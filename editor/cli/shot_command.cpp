@@ -15,7 +15,6 @@
 #include "output_file.h"
 #include "platform/shot.h"
 #include "progress_line.h"
-#include "session/files/shown_level.h"
 
 namespace talus {
 namespace {
@@ -81,7 +80,6 @@ void shoot(CommandContext& context, ShotCommandOptions& options) {
   if (!level) return;
   if (const auto problem = output_problem({options.output, kPngBeginning, context.inputs}); !problem.empty())
     return fail(context, options.output, "", problem);
-  if (const auto problem = window_problem(*level)) return fail(context, options.file, "", *problem);
   apply_physics(options.physics, level->tuning);
   for (const std::string& key : options.overlays) options.shot.overlays.set(*find_overlay(key), true);
   if (!options.window.empty()) return shoot_window(context, options);

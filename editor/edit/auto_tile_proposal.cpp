@@ -22,8 +22,8 @@ using ColorSet = std::uint16_t;
 
 ColorSet middle_colors(const TileImage& image) {
   unsigned colors = 0;
-  for (int y = kMiddle; y < kTileSize - kMiddle; ++y)
-    for (int x = kMiddle; x < kTileSize - kMiddle; ++x) colors |= 1u << image[y * kTileSize + x];
+  for (int y = kMiddle; y < kCartTileSize - kMiddle; ++y)
+    for (int x = kMiddle; x < kCartTileSize - kMiddle; ++x) colors |= 1u << image[y * kCartTileSize + x];
   return static_cast<ColorSet>(colors);
 }
 
@@ -36,12 +36,13 @@ Edges edges_of(const TileImage& image) {
   const ColorSet middle = middle_colors(image);
   const auto is_edge = [&](int first, int step) {
     int others = 0;
-    for (int i = 0; i < kTileSize; ++i)
+    for (int i = 0; i < kCartTileSize; ++i)
       others += (middle >> image[static_cast<std::size_t>(first + i * step)] & 1) == 0 ? 1 : 0;
     return others >= kEdgePixels;
   };
-  constexpr int kLast = kTileSize - 1;
-  return {is_edge(0, 1), is_edge(0, kTileSize), is_edge(kLast, kTileSize), is_edge(kLast * kTileSize, 1)};
+  constexpr int kLast = kCartTileSize - 1;
+  return {is_edge(0, 1), is_edge(0, kCartTileSize), is_edge(kLast, kCartTileSize),
+          is_edge(kLast * kCartTileSize, 1)};
 }
 
 struct EdgedPart {
@@ -73,10 +74,11 @@ class Proposal {
   AutoTiles make() {
     choose_full_tiles();
     if (set_.of(GroundPart::inside) == 0) return {};
-    choose_slope(GroundPart::slope_up, 0, kTileSize);
-    choose_slope(GroundPart::slope_down, kTileSize, 0);
-    choose_halves(GroundPart::slope_up_left, GroundPart::slope_up_right, 0, kTileSize);
-    choose_halves(GroundPart::slope_down_left, GroundPart::slope_down_right, kTileSize, 0);
+    const int high = level_.map.tile_size().height;
+    choose_slope(GroundPart::slope_up, 0, high);
+    choose_slope(GroundPart::slope_down, high, 0);
+    choose_halves(GroundPart::slope_up_left, GroundPart::slope_up_right, 0, high);
+    choose_halves(GroundPart::slope_down_left, GroundPart::slope_down_right, high, 0);
     return set_;
   }
 

@@ -234,7 +234,7 @@ std::string title_of(const Level& level, int curve) {
   return std::string(label_of(kind_of(titled.curve))) + " " + std::to_string(curve);
 }
 
-Curve curve_between(CurveKind kind, Vec2 a, Vec2 b) {
+Curve curve_between(CurveKind kind, Vec2 a, Vec2 b, TileSize tile) {
   if (kind == CurveKind::segment) return segment_along(a, b, false);
   Curve curve;
   curve.faces = a.x <= b.x ? Curve::Faces::up : Curve::Faces::down;
@@ -263,7 +263,7 @@ Curve curve_between(CurveKind kind, Vec2 a, Vec2 b) {
       break;
     default: {
       Polyline line{.x0 = a.x, .x1 = b.x, .ys = {}};
-      const int parts = std::max(1, static_cast<int>(std::round(width / kTileSize)));
+      const int parts = std::max(1, static_cast<int>(std::round(width / tile.width)));
       for (int i = 0; i <= parts; ++i)
         line.ys.push_back(weld(std::lerp(a.y, b.y, static_cast<double>(i) / parts)));
       curve.form = std::move(line);
@@ -283,7 +283,8 @@ tl::expected<Edit, std::string> add_curve(const Level& level, LevelCurve curve) 
 
 tl::expected<Edit, std::string> add_curve(const Level& level, CurveKind kind, Vec2 a, Vec2 b) {
   if (a == b) return tl::unexpected<std::string>(kNoLength);
-  return add_curve(level, {.name = {}, .curve = curve_between(kind, a, b), .extra = {}});
+  return add_curve(level,
+                   {.name = {}, .curve = curve_between(kind, a, b, level.map.tile_size()), .extra = {}});
 }
 
 tl::expected<Edit, std::string> change_curve(const Level& level, int curve, LevelCurve changed,

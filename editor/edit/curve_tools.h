@@ -21,8 +21,8 @@ std::string title_of(const Level& level, int curve);
 
 // A curve of this kind for a drag from a to b, px. It stops bodies on the left of the drag: drawn to the
 // right it is a floor, to the left a ceiling. A segment is straight, an arc and a parabola bulge up, a sine
-// makes one wave, a polyline has a height at every tile. The curve may be invalid.
-Curve curve_between(CurveKind kind, Vec2 a, Vec2 b);
+// makes one wave, a polyline has a height at every tile of this size. The curve may be invalid.
+Curve curve_between(CurveKind kind, Vec2 a, Vec2 b, TileSize tile);
 // Appends a curve to the level. The error is one sentence without a full stop.
 tl::expected<Edit, std::string> add_curve(const Level& level, LevelCurve curve);
 tl::expected<Edit, std::string> add_curve(const Level& level, CurveKind kind, Vec2 a, Vec2 b);

@@ -50,12 +50,12 @@ std::optional<Physics> mirrored(Physics physics, MirrorAxis axis) {
 
 TileImage mirrored(const TileImage& image, MirrorAxis axis) {
   TileImage result;
-  for (int y = 0; y < kTileSize; ++y) {
-    for (int x = 0; x < kTileSize; ++x) {
-      const int from_x = axis == MirrorAxis::horizontal ? kTileSize - 1 - x : x;
-      const int from_y = axis == MirrorAxis::vertical ? kTileSize - 1 - y : y;
-      result[static_cast<std::size_t>(y * kTileSize + x)] =
-          image[static_cast<std::size_t>(from_y * kTileSize + from_x)];
+  for (int y = 0; y < kCartTileSize; ++y) {
+    for (int x = 0; x < kCartTileSize; ++x) {
+      const int from_x = axis == MirrorAxis::horizontal ? kCartTileSize - 1 - x : x;
+      const int from_y = axis == MirrorAxis::vertical ? kCartTileSize - 1 - y : y;
+      result[static_cast<std::size_t>(y * kCartTileSize + x)] =
+          image[static_cast<std::size_t>(from_y * kCartTileSize + from_x)];
     }
   }
   return result;

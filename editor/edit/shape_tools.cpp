@@ -38,7 +38,7 @@ Edit put_slope_tiles(const Level& level, const SlopeTiles& tiles, Within within)
   for (const SlopeTiles::Drawn& drawn : tiles.drawn) {
     if (!is_shown[drawn.tile]) continue;
     const TileImage& before = level.sheet(SheetId::tiles).images[drawn.tile];
-    for (int pixel = 0; pixel < kTileSize * kTileSize; ++pixel) {
+    for (int pixel = 0; pixel < kCartTileSize * kCartTileSize; ++pixel) {
       if (before[pixel] != drawn.image[pixel])
         edit.changes.emplace_back(
             PixelChange{SheetId::tiles, drawn.tile, pixel, before[pixel], drawn.image[pixel]});

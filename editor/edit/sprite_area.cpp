@@ -10,8 +10,8 @@ namespace {
 // A change of one pixel of the area that changes nothing yet: before == after.
 PixelChange pixel_of(const Level& level, const SpriteArea& area, Cell pixel) {
   assert(area.lies_in_sheet() && area.contains(pixel));
-  const int tile = area.tile_at(pixel.x / kTileSize, pixel.y / kTileSize);
-  const int index = pixel.y % kTileSize * kTileSize + pixel.x % kTileSize;
+  const int tile = area.tile_at(pixel.x / kCartTileSize, pixel.y / kCartTileSize);
+  const int index = pixel.y % kCartTileSize * kCartTileSize + pixel.x % kCartTileSize;
   const std::uint8_t color = level.sheet(area.sheet).images[tile][index];
   return {area.sheet, tile, index, color, color};
 }

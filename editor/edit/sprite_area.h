@@ -10,8 +10,8 @@ namespace talus {
 struct SpriteArea {
   SheetId sheet = SheetId::tiles;
   CellRect tiles;  // in tiles of the sheet (16x16); must lie inside it (asserted)
-  int width() const { return tiles.w * kTileSize; }                                        // px
-  int height() const { return tiles.h * kTileSize; }                                       // px
+  int width() const { return tiles.w * kCartTileSize; }                                    // px
+  int height() const { return tiles.h * kCartTileSize; }                                   // px
   int tile_at(int x, int y) const { return (tiles.y + y) * kSheetColumns + tiles.x + x; }  // by tile
   CellRect canvas() const { return {0, 0, width(), height()}; }                            // px
   bool contains(Cell pixel) const;

@@ -11,7 +11,7 @@
 namespace talus {
 namespace {
 
-constexpr int kDigitsOfATile = kTileSize * kTileSize + 2;  // for its pixels and its flags
+constexpr int kDigitsOfATile = kCartTileSize * kCartTileSize + 2;  // for its pixels and its flags
 constexpr std::size_t kDigitsOfAColor = 6;
 constexpr std::string_view kTilesWord = "tiles", kPixelsWord = "pixels", kSpace = " \t\r\n";
 
@@ -86,8 +86,8 @@ std::optional<CopiedTiles> tiles_from_text(std::string_view text) {
   for (int side = 1; !size && side <= kSheetColumns; ++side)
     if (side * side == count) size = Size{side, side};
   if (!size || size->w * size->h != count) return std::nullopt;
-  const auto flags = digits->begin() + count * kTileSize * kTileSize;
-  CopiedTiles tiles{*size, {size->w * kTileSize, size->h * kTileSize, {digits->begin(), flags}}, {}};
+  const auto flags = digits->begin() + count * kCartTileSize * kCartTileSize;
+  CopiedTiles tiles{*size, {size->w * kCartTileSize, size->h * kCartTileSize, {digits->begin(), flags}}, {}};
   for (auto low = flags; low != digits->end(); low += 2)
     tiles.flags.push_back(static_cast<std::uint8_t>(low[0] | low[1] << 4));
   return tiles;

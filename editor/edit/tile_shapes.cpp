@@ -23,27 +23,28 @@ double height_at(const TileShape& shape, double part) {
   return std::lerp(shape.heights[left], shape.heights[left + 1], at - static_cast<double>(left));
 }
 
-std::vector<double> heights_of_columns(const TileShape& shape, int tiles) {
+std::vector<double> heights_of_columns(const TileShape& shape, int tiles, TileSize tile) {
   std::vector<double> heights;
-  const int columns = tiles * kTileSize;
+  const int columns = tiles * tile.width;
   for (int i = 0; i <= columns; ++i) heights.push_back(height_at(shape, static_cast<double>(i) / columns));
   return heights;
 }
 
-// The opaque pixels of some tiles side by side, column by column.
+// The opaque pixels of the images of some tiles side by side, column by column.
 struct Columns {
-  std::vector<int> from_bottom, from_top;  // px, how far the opaque pixels reach; 0: the column is clear
+  std::vector<int> from_bottom,
+      from_top;  // px of the image, how far the opaque pixels reach; 0: the column is clear
   int opaque = 0;
 
   Columns(const Level& level, int tile, int tiles) {
     const auto& images = level.sheet(SheetId::tiles).images;
-    for (int x = 0; x < tiles * kTileSize; ++x) {
+    for (int x = 0; x < tiles * kCartTileSize; ++x) {
       int top = 0, bottom = 0;
-      for (int y = 0; y < kTileSize; ++y) {
-        if (images[tile + x / kTileSize][y * kTileSize + x % kTileSize] == 0) continue;
+      for (int y = 0; y < kCartTileSize; ++y) {
+        if (images[tile + x / kCartTileSize][y * kCartTileSize + x % kCartTileSize] == 0) continue;
         ++opaque;
         top = y + 1;
-        if (bottom == 0) bottom = kTileSize - y;
+        if (bottom == 0) bottom = kCartTileSize - y;
       }
       from_top.push_back(top);
       from_bottom.push_back(bottom);
@@ -60,7 +61,7 @@ int sum(const std::vector<int>& numbers) {
 // Rates how simple a height is: 0 for whole tiles, then halves and quarters of them, and so on.
 int plainness(double height) {
   int level = 0;
-  for (double step = kTileSize; std::fmod(height, step) != 0; step /= 2) ++level;
+  for (double step = kCartTileSize; std::fmod(height, step) != 0; step /= 2) ++level;
   return level;
 }
 
@@ -68,7 +69,7 @@ struct Line {
   double left, right;
 };
 
-// How far a column's topmost edge may be above the line in the middle of the column, px.
+// How far a column's topmost edge may be above the line in the middle of the column, px of the image.
 struct Tolerance {
   double least, most;
 };
@@ -96,8 +97,8 @@ std::optional<Line> fit_line(const std::vector<int>& columns, double step, Toler
     best = line;
     best_score = score;
   };
-  for (double left = 0; left <= kTileSize; left += step)
-    for (double right = 0; right <= kTileSize; right += step) try_line({left, right});
+  for (double left = 0; left <= kCartTileSize; left += step)
+    for (double right = 0; right <= kCartTileSize; right += step) try_line({left, right});
   return best;
 }
 
@@ -144,12 +145,12 @@ bool is_unused(const Level& level, int tile) {
 }
 
 // Changes another shape in the same way as `before` changed to `after`.
-TileShape with_change(TileShape shape, const TileShape& before, const TileShape& after) {
+TileShape with_change(TileShape shape, const TileShape& before, const TileShape& after, TileSize tile) {
   if (shape.kind == Kind::none) return shape;
   if (after.one_way != before.one_way) shape.one_way = after.one_way;
   if (!has_line(shape)) return shape;
   if (after.side != before.side) shape.side = after.side;
-  if (after.tiles != before.tiles) shape = with_width(std::move(shape), after.tiles);
+  if (after.tiles != before.tiles) shape = with_width(std::move(shape), after.tiles, tile);
   const std::size_t count = after.heights.size();
   if (shape.kind != after.kind || shape.heights.size() != count || before.heights.size() != count)
     return shape;
@@ -186,8 +187,8 @@ void copy_pixels(const Level& level, const CellRect& from, const CellRect& to, S
                                           flips_rows(turn) ? source.height() - 1 - y : y);
       const std::uint8_t before = pixel_at(level, target, x, y);
       if (before == after) continue;
-      const int tile = target.tile_at(x / kTileSize, y / kTileSize);
-      const int pixel = y % kTileSize * kTileSize + x % kTileSize;
+      const int tile = target.tile_at(x / kCartTileSize, y / kCartTileSize);
+      const int pixel = y % kCartTileSize * kCartTileSize + x % kCartTileSize;
       edit.changes.emplace_back(PixelChange{SheetId::tiles, tile, pixel, before, after});
     }
   }
@@ -195,21 +196,22 @@ void copy_pixels(const Level& level, const CellRect& from, const CellRect& to, S
 
 }  // namespace
 
-TileShape with_kind(TileShape shape, TileShape::Kind kind) {
+TileShape with_kind(TileShape shape, TileShape::Kind kind, TileSize tile) {
   if (kind == shape.kind) return shape;
   if (kind == Kind::none) return {};
   if (kind == Kind::solid) return {.kind = Kind::solid, .one_way = shape.one_way};
   const bool is_flat = shape.kind == Kind::solid && kind == Kind::profile;
-  if (!has_line(shape)) shape.heights = {is_flat ? kTileSize : 0.0, kTileSize};
-  if (kind == Kind::profile) shape.heights = heights_of_columns(shape, shape.tiles);
+  const double full = tile.height;
+  if (!has_line(shape)) shape.heights = {is_flat ? full : 0.0, full};
+  if (kind == Kind::profile) shape.heights = heights_of_columns(shape, shape.tiles, tile);
   if (kind == Kind::slope) shape.heights = {shape.heights.front(), shape.heights.back()};
   shape.kind = kind;
   return shape;
 }
 
-TileShape with_width(TileShape shape, int tiles) {
+TileShape with_width(TileShape shape, int tiles, TileSize tile) {
   assert(tiles >= 1 && tiles <= kMaxShapeTiles);
-  if (shape.kind == Kind::profile) shape.heights = heights_of_columns(shape, tiles);
+  if (shape.kind == Kind::profile) shape.heights = heights_of_columns(shape, tiles, tile);
   if (has_line(shape)) shape.tiles = tiles;
   return shape;
 }
@@ -221,12 +223,12 @@ TileShape turned(TileShape shape, ShapeTurn turn) {
   return shape;
 }
 
-CellRect tiles_of_shape(int tile, const TileShape& shape) {
+CellRect tiles_of_shape(int tile, const TileShape& shape, TileSize size) {
   CellRect tiles{tile % kSheetColumns, tile / kSheetColumns, 1, 1};
   if (!has_line(shape)) return tiles;
   tiles.w = shape.tiles;
   const double highest = *std::max_element(shape.heights.begin(), shape.heights.end());
-  tiles.h = std::max(1, static_cast<int>(std::ceil(highest / kTileSize)));
+  tiles.h = std::max(1, static_cast<int>(std::ceil(highest / size.height)));
   if (shape.side == Side::floor) tiles.y -= tiles.h - 1;
   return tiles;
 }
@@ -251,7 +253,7 @@ std::optional<TileShape> suggest_shape(const Level& level, int tile, int tiles) 
   const bool hangs = sum(columns.from_top) < sum(columns.from_bottom);
   shape.side = hangs ? Side::ceiling : Side::floor;
   const std::vector<int>& heights = hangs ? columns.from_top : columns.from_bottom;
-  if (std::all_of(heights.begin(), heights.end(), [](int height) { return height == kTileSize; }))
+  if (std::all_of(heights.begin(), heights.end(), [](int height) { return height == kCartTileSize; }))
     return TileShape{.kind = Kind::solid};
   shape.tiles = tiles;
   if (const auto line = fit_line(heights)) {
@@ -261,6 +263,7 @@ std::optional<TileShape> suggest_shape(const Level& level, int tile, int tiles) 
     shape.kind = Kind::profile;
     shape.heights = profile_of(heights);
   }
+  for (double& height : shape.heights) height *= level.map.tile_size().height / 1.0 / kCartTileSize;
   return shape;
 }
 
@@ -284,7 +287,7 @@ Edit change_shapes(const Level& level, const SpriteArea& area, const TileShape& 
   add_shape_change(level, first, shape, edit);
   for (const int tile : changed_together(level, area)) {
     const TileShape other = shape_of_tile(level, static_cast<std::uint8_t>(tile));
-    const TileShape changed = with_change(other, before, shape);
+    const TileShape changed = with_change(other, before, shape, level.map.tile_size());
     if (tile != first && changed != other) add_shape_change(level, tile, changed, edit);
   }
   return edit;
@@ -294,8 +297,9 @@ Edit change_kinds(const Level& level, const SpriteArea& area, Kind kind) {
   assert(area.sheet == SheetId::tiles);
   Edit edit{label_of_change(area), {}};
   for (const int tile : changed_together(level, area))
-    add_shape_change(level, tile, with_kind(shape_of_tile(level, static_cast<std::uint8_t>(tile)), kind),
-                     edit);
+    add_shape_change(
+        level, tile,
+        with_kind(shape_of_tile(level, static_cast<std::uint8_t>(tile)), kind, level.map.tile_size()), edit);
   return edit;
 }
 
@@ -311,7 +315,8 @@ tl::expected<Edit, std::string> copy_turned(const Level& level, int tile, int ta
   assert(tile >= 0 && tile < kTileCount && target >= 0 && target < kTileCount);
   const TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
   const TileShape image = turned(shape, turn);
-  const CellRect from = tiles_of_shape(tile, shape), to = tiles_of_shape(target, image);
+  const TileSize size = level.map.tile_size();
+  const CellRect from = tiles_of_shape(tile, shape, size), to = tiles_of_shape(target, image, size);
   if (!is_on_sheet(from))
     return tl::unexpected("tile " + std::to_string(tile) + " has a shape over " + size_text(from) +
                           " tiles, which reaches beyond the sheet");
@@ -333,7 +338,7 @@ std::optional<int> free_target(const Level& level, int tile, ShapeTurn turn) {
   const TileShape image = turned(shape_of_tile(level, static_cast<std::uint8_t>(tile)), turn);
   const auto is_free = [&](int number) { return number != 0 && number != tile && is_unused(level, number); };
   for (int target = 1; target < kTileCount; ++target) {
-    const CellRect tiles = tiles_of_shape(target, image);
+    const CellRect tiles = tiles_of_shape(target, image, level.map.tile_size());
     if (!is_on_sheet(tiles)) continue;
     const std::vector<int> numbers = numbers_of(tiles);
     if (std::all_of(numbers.begin(), numbers.end(), is_free)) return target;
@@ -344,7 +349,7 @@ std::optional<int> free_target(const Level& level, int tile, ShapeTurn turn) {
 std::vector<int> tiles_replaced(const Level& level, int tile, int target, ShapeTurn turn) {
   if (target == tile || !copy_turned(level, tile, target, turn)) return {};
   const TileShape image = turned(shape_of_tile(level, static_cast<std::uint8_t>(tile)), turn);
-  std::vector<int> replaced = numbers_of(tiles_of_shape(target, image));
+  std::vector<int> replaced = numbers_of(tiles_of_shape(target, image, level.map.tile_size()));
   std::erase_if(replaced, [&](int number) { return is_unused(level, number); });
   return replaced;
 }

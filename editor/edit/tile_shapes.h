@@ -12,18 +12,18 @@
 namespace talus {
 
 // A usable shape of this kind that is as similar to the old one as possible: a line through a profile's ends,
-// a profile along a line or along the top of a full tile.
-TileShape with_kind(TileShape shape, TileShape::Kind kind);
-// The same line over so many tiles, 1..kMaxShapeTiles (asserted). A profile gets a height for each column
-// line.
-TileShape with_width(TileShape shape, int tiles);
+// a profile along a line or along the top of a full tile. tile: px, the size of a tile.
+TileShape with_kind(TileShape shape, TileShape::Kind kind, TileSize tile);
+// The same line over so many tiles, 1..kMaxShapeTiles (asserted). A profile gets a height for each px of its
+// width. tile: px, the size of a tile.
+TileShape with_width(TileShape shape, int tiles, TileSize tile);
 
 enum class ShapeTurn { none, mirrored, upside_down, half_turn };
 TileShape turned(TileShape shape, ShapeTurn turn);
 
 // The tiles of the sheet that a shape reaches over: its own, those to the right and, if it is higher than a
-// tile, those above (a floor) or below (a ceiling). They may reach beyond the sheet.
-CellRect tiles_of_shape(int tile, const TileShape& shape);
+// tile, those above (a floor) or below (a ceiling). They may reach beyond the sheet. size: px, of a tile.
+CellRect tiles_of_shape(int tile, const TileShape& shape, TileSize size);
 
 // For a tile without a shape: the tile left of it whose shape reaches over it on the sheet, as a ramp's does
 // over its right half; nothing if there is none.
@@ -32,8 +32,9 @@ std::optional<int> tile_reaching_over(const Level& level, int tile);
 // Suggests a shape from the opaque pixels of a tile and of those to its right; colour 0 is clear. A floor
 // goes along the topmost pixel of each column, a ceiling along the lowest; the one with fewer clear pixels
 // behind it is taken. A full tile is solid. It is a line if all columns are within half a pixel of one, or if
-// one runs through their last pixels or the first clear ones, as stairs are drawn; else it is a profile.
-// Returns nothing if all pixels are clear. tiles: 1..kMaxShapeTiles, cut off at the sheet's edge.
+// one runs through their last pixels or the first clear ones, as stairs are drawn; else it is a profile. A
+// picture of 8x8 pixels covers a tile of any size. Returns nothing if all pixels are clear. tiles:
+// 1..kMaxShapeTiles, cut off at the sheet's edge.
 std::optional<TileShape> suggest_shape(const Level& level, int tile, int tiles = 1);
 // The same for each single tile of the area. Tiles without an opaque pixel keep their shapes.
 Edit suggest_shapes(const Level& level, const SpriteArea& area);

@@ -12,16 +12,19 @@ namespace {
 constexpr double kMostCells =
     65'536;  // cells that are tested at most; beyond that, one cell stands for its neighbours
 
-int cell_within(double px, int count) {
-  return static_cast<int>(std::clamp(std::floor(px / kTileSize), 0.0, static_cast<double>(count)));
+int cell_within(double px, int side, int count) {
+  return static_cast<int>(std::clamp(std::floor(px / side), 0.0, static_cast<double>(count)));
 }
 
 }  // namespace
 
-void add_reach(const ReachSearch& reach, bool stale, int columns, int rows, Rect visible,
+void add_reach(const ReachSearch& reach, bool stale, const TileMap& map, Rect visible,
                OverlayDrawing& drawing) {
-  const int x0 = cell_within(visible.x, columns), x1 = cell_within(visible.right() + kTileSize, columns);
-  const int y0 = cell_within(visible.y, rows), y1 = cell_within(visible.bottom() + kTileSize, rows);
+  const auto [width, height] = map.tile_size();
+  const int x0 = cell_within(visible.x, width, map.width());
+  const int x1 = cell_within(visible.right() + width, width, map.width());
+  const int y0 = cell_within(visible.y, height, map.height());
+  const int y1 = cell_within(visible.bottom() + height, height, map.height());
   const double count = 1.0 * (x1 - x0) * (y1 - y0);
   const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(count / kMostCells))));
   // Joins equal cells of a row.
@@ -29,7 +32,7 @@ void add_reach(const ReachSearch& reach, bool stale, int columns, int rows, Rect
     int start = x0;
     for (int x = x0; x < x1 + step; x += step) {
       if (x < x1 && is_in(Cell{x, y})) continue;
-      if (x > start) put(start * 1.0 * kTileSize, std::min(x, x1) * 1.0 * kTileSize);
+      if (x > start) put(map.x_of(start), map.x_of(std::min(x, x1)));
       start = x + step;
     }
   };
@@ -37,7 +40,7 @@ void add_reach(const ReachSearch& reach, bool stale, int columns, int rows, Rect
   std::vector<Rect> open, here;
   const auto close = [&](const Rect& box) { drawing.boxes.push_back({&overlay::reach, box, !stale}); };
   for (int y = y0; y < y1; y += step) {
-    const double top = y * 1.0 * kTileSize, bottom = std::min(y + step, y1) * 1.0 * kTileSize;
+    const double top = map.y_of(y), bottom = map.y_of(std::min(y + step, y1));
     here.clear();
     runs(
         y, [&](Cell c) { return reach.reached(c); },
@@ -63,8 +66,7 @@ namespace {
 
 void draw_reach(const OverlaySource& source, OverlayPen& pen) {
   if (source.reach == nullptr) return;
-  const TileMap& map = source.level->map;
-  add_reach(*source.reach, source.reach_is_stale, map.width(), map.height(), pen.visible(), pen.drawing());
+  add_reach(*source.reach, source.reach_is_stale, source.level->map, pen.visible(), pen.drawing());
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 namespace talus {
 
 // Adds the reached cells, tinted, and a line under those in which the player stood. stale: the level has
-// changed since the search; then the cells have only an outline. columns, rows: size of the map.
-void add_reach(const ReachSearch& reach, bool stale, int columns, int rows, Rect visible,
+// changed since the search; then the cells have only an outline. map: the searched one.
+void add_reach(const ReachSearch& reach, bool stale, const TileMap& map, Rect visible,
                OverlayDrawing& drawing);
 
 }  // namespace talus

@@ -16,8 +16,9 @@ constexpr std::size_t kMostVisited = 10'000;  // boxes; a step may pass thousand
 
 class StageDrawer {
  public:
-  StageDrawer(const Stage& stage, int body, const StepRecord& record, Rect visible, OverlayDrawing& out)
-      : stage_(stage), body_(body), record_(record), visible_(visible), out_(out) {}
+  StageDrawer(const Stage& stage, int body, const StepRecord& record, TileSize tile, Rect visible,
+              OverlayDrawing& out)
+      : stage_(stage), body_(body), record_(record), tile_(tile), visible_(visible), out_(out) {}
 
   void draw() {
     out_.boxes.push_back({&overlay::swept_path, stage_.box});
@@ -51,7 +52,7 @@ class StageDrawer {
   }
 
   void draw_search() {
-    add_visited({&stage_, 1}, visible_, out_);
+    add_visited({&stage_, 1}, tile_, visible_, out_);
     for (const CastCandidate& c : stage_.candidates) {
       const bool is_met = std::isfinite(c.t);
       out_.lines.push_back({.overlay = c.is_first ? &overlay::touch_points : &overlay::outline,
@@ -81,13 +82,14 @@ class StageDrawer {
   const Stage& stage_;
   const int body_;
   const StepRecord& record_;
+  TileSize tile_;
   const Rect visible_;
   OverlayDrawing& out_;
 };
 
 }  // namespace
 
-void add_visited(std::span<const Stage> stages, Rect visible, OverlayDrawing& drawing) {
+void add_visited(std::span<const Stage> stages, TileSize tile, Rect visible, OverlayDrawing& drawing) {
   std::set<std::tuple<double, double, double, double>> seen;
   const auto add = [&](const Rect& box) {
     if (!meet(box, visible)) return;
@@ -100,14 +102,14 @@ void add_visited(std::span<const Stage> stages, Rect visible, OverlayDrawing& dr
   };
   for (const Stage& stage : stages) {
     for (const Cell cell : stage.cells)
-      add({1.0 * cell.x * kTileSize, 1.0 * cell.y * kTileSize, kTileSize, kTileSize});
+      add({1.0 * cell.x * tile.width, 1.0 * cell.y * tile.height, 1.0 * tile.width, 1.0 * tile.height});
     for (const Obstacle& tested : stage.tested) add(tested.box);
   }
 }
 
-void add_stage(const Stage& stage, int body, const StepRecord& record, Rect visible,
+void add_stage(const Stage& stage, int body, const StepRecord& record, TileSize tile, Rect visible,
                OverlayDrawing& drawing) {
-  StageDrawer(stage, body, record, visible, drawing).draw();
+  StageDrawer(stage, body, record, tile, visible, drawing).draw();
 }
 
 }  // namespace talus

@@ -19,7 +19,7 @@ std::uint64_t key_of(const Obstacle& obstacle) {
 void draw_tested(const OverlaySource& source, OverlayPen& pen) {
   if (source.record.tested
           .empty()) {  // the exact solver records none; the stages of a step have what it tested
-    if (source.stages) add_visited(source.stages(), pen.visible(), pen.drawing());
+    if (source.stages) add_visited(source.stages(), source.scene.tile_size, pen.visible(), pen.drawing());
     return;
   }
   std::unordered_set<std::uint64_t> drawn;  // several bodies may have tested the same box

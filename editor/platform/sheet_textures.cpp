@@ -12,8 +12,8 @@ std::vector<std::uint8_t> to_rgba(const Sheet& sheet, const Palette& palette, bo
   std::vector<std::uint8_t> rgba(static_cast<std::size_t>(kSheetSide) * kSheetSide * 4);
   for (int y = 0; y < kSheetSide; ++y) {
     for (int x = 0; x < kSheetSide; ++x) {
-      const int tile = y / kTileSize * kSheetColumns + x / kTileSize;
-      const int pixel = y % kTileSize * kTileSize + x % kTileSize;
+      const int tile = y / kCartTileSize * kSheetColumns + x / kCartTileSize;
+      const int pixel = y % kCartTileSize * kCartTileSize + x % kCartTileSize;
       const std::uint8_t index =
           sheet.images[static_cast<std::size_t>(tile)][static_cast<std::size_t>(pixel)];
       const Rgb color = palette[index];

@@ -14,8 +14,8 @@ namespace talus {
 namespace {
 
 Rect first_screen(const TileMap& map) {
-  return {0, 0, static_cast<double>(std::min(map.width(), kScreenColumns) * kTileSize),
-          static_cast<double>(std::min(map.height(), kScreenRows) * kTileSize)};
+  return {0, 0, map.x_of(std::min(map.width(), kScreenColumns)),
+          map.y_of(std::min(map.height(), kScreenRows))};
 }
 
 constexpr int kFramesToSettle = 3;  // text and tables need more than one frame to find their sizes
@@ -73,7 +73,11 @@ tl::expected<void, std::string> write_shot(const Session& session, const ShotOpt
   (*window)->set_style({.scale = ui.scale});
   textures.update(session.level(), session.revision(), ui);
   (*window)->begin_picture(size);
-  const CanvasView view{{0, 0}, size, {std::round(-area.x * zoom), std::round(-area.y * zoom)}, zoom};
+  const CanvasView view{{0, 0},
+                        size,
+                        {std::round(-area.x * zoom), std::round(-area.y * zoom)},
+                        zoom,
+                        session.level().map.tile_size()};
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   draw_tiles(list, session.level(), view, ui, true);
   draw_curves(list, session.level(), view, ui.scale);

@@ -86,7 +86,7 @@ RC_GTEST_PROP(TiledShapesProperty, FloorsAndCeilingsAreReadExactly, ()) {
 // The area in px² that is in only one of the shape and the outline (even-odd), in columns of 1/16 px.
 double difference(const Points& outline, const TileShape& shape) {
   constexpr double kStep = 1.0 / 16;
-  const double width = shape.tiles * kTileSize;
+  const double width = shape.tiles * kCartTileSize;
   double area = 0;
   for (double x = -16 + kStep / 2; x < 80; x += kStep) {
     std::vector<double> ys;

@@ -62,7 +62,7 @@ class UiTest : public ::testing::Test {
   ImVec2 centre(std::string_view name);  // fails the test if there is no such widget
   // Converts a place on the "map" or "play" canvas from level px to window px.
   ImVec2 on_canvas(const std::string& canvas, Vec2 level);
-  ImVec2 on_map(Cell cell) { return on_canvas("map", {cell.x * 8 + 4.0, cell.y * 8 + 4.0}); }
+  ImVec2 on_map(Cell cell) { return on_canvas("map", level().map.box_of(cell).center()); }
   ImVec2 on_pixels(int x, int y);  // on the pixel canvas
   ImVec2 on_sheet(int tile);
 

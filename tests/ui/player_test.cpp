@@ -181,7 +181,7 @@ TEST_F(UiPlayer, InspectorCopiesTheBodyWithAnyTool) {
   ASSERT_EQ(session().choices().map_tool, MapTool::stamp);
   click("inspector/copy");
   ASSERT_EQ(level().spawns.size(), 2u);
-  EXPECT_EQ(level().spawns[1].position.x, level().spawns[0].position.x + kTileSize);
+  EXPECT_EQ(level().spawns[1].position.x, level().spawns[0].position.x + kCartTileSize);
 }
 
 TEST_F(UiPlayer, InspectorChoosesKindAndFoot) {

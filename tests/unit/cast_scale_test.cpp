@@ -82,7 +82,7 @@ double ulp_of(double number) {
 // one unit in the last place of the larger coordinate. long double has enough digits to check this.
 void expect_exact_casts(const Terrain& ground, Cell at, Vec2 origin) {
   using Wide = long double;
-  const Wide x0 = at.x * Wide(kTileSize), y0 = (at.y + 1) * Wide(kTileSize);
+  const Wide x0 = at.x * Wide(kCartTileSize), y0 = (at.y + 1) * Wide(kCartTileSize);
   const double ulp = ulp_of(std::max(origin.x, origin.y));
   for (int i = 0; i < 200; ++i) {
     const Rect box{origin.x + i * 0.0625, origin.y + i % 7 * 0.125, 5 + i % 3 * 0.5, 6};

@@ -142,8 +142,8 @@ TEST_F(ExportCFloors, TablesBodiesAndTuningAreRead) {
 TEST_F(ExportCFloors, AreExactInTheDemo) {
   const Level level = load_level(TALUS_SOURCE_DIR "/assets/demo.talus.json")->level;
   std::vector<Vec2> points;
-  for (int y = 0; y < kScreenRows * kTileSize; y += 8)
-    for (int x = 0; x < kScreenColumns * kTileSize; ++x) points.push_back({x + 0.5, y + 0.25});
+  for (int y = 0; y < kScreenRows * kCartTileSize; y += 8)
+    for (int x = 0; x < kScreenColumns * kCartTileSize; ++x) points.push_back({x + 0.5, y + 0.25});
   EXPECT_GT(expect_floors_of_the_core(level, points, 0), 500);
 }
 

@@ -156,15 +156,15 @@ TEST(GroundQueriesOfWideShapes, ABoxOverlapsThemFarFromTheirCell) {
     TestMap map(kWidth, kHeight);
     map.cells[static_cast<std::size_t>(cell.y * kWidth + cell.x)] = rising.tile;
     const Rect box{in(-40, 140), in(-40, 110), in(0.5, 20), in(0.5, 20)};
-    const double left = cell.x * kTileSize, base = (cell.y + 1) * kTileSize;
-    const double x =
-        std::min(box.right(), left + rising.tiles * kTileSize);  // where the slope under the box is highest
-    const double top = base - (x - left) * rising.height / (rising.tiles * kTileSize);
+    const double left = cell.x * kCartTileSize, base = (cell.y + 1) * kCartTileSize;
+    const double x = std::min(
+        box.right(), left + rising.tiles * kCartTileSize);  // where the slope under the box is highest
+    const double top = base - (x - left) * rising.height / (rising.tiles * kCartTileSize);
     const double deep = std::min({x - std::max(left, box.x), base - box.y, box.bottom() - top});
     if (std::abs(deep) < 0.01) continue;
     ASSERT_EQ(overlaps_ground(map.compile(), box), deep > 0) << i;
     inside += deep > 0;
-    beyond += deep > 0 && (box.x > kWidth * kTileSize || box.bottom() < 0);
+    beyond += deep > 0 && (box.x > kWidth * kCartTileSize || box.bottom() < 0);
   }
   EXPECT_GT(inside, 500);
   EXPECT_GT(beyond, 10);

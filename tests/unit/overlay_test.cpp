@@ -429,6 +429,16 @@ TEST(NumberLabels, SmallDifferencesHaveDigits) {
   EXPECT_EQ(small_too(-0.0012), "-1.2e-03");
 }
 
+TEST(VisitedBoxes, CellsHaveTheSizeOfTheLevelsTiles) {
+  Stage stage;
+  stage.kind = StageKind::searched;
+  stage.cells = {{2, 3}};
+  OverlayDrawing drawing;
+  add_visited({&stage, 1}, {18, 12}, kEverything, drawing);
+  ASSERT_EQ(drawing.boxes.size(), 1u);
+  EXPECT_EQ(drawing.boxes[0].box, (Rect{36, 36, 18, 12}));
+}
+
 TEST(VisitedBoxes, ListCellsAndTestedItemsOnce) {
   Stage stage;
   stage.kind = StageKind::searched;
@@ -436,7 +446,7 @@ TEST(VisitedBoxes, ListCellsAndTestedItemsOnce) {
   stage.tested = {{.role = TileRole::solid, .cell = {2, 3}, .body = 0, .box = {16, 24, 8, 8}},
                   {.role = TileRole::ball, .cell = {9, 9}, .body = 3, .box = {18.5, 20, 8, 8}}};
   OverlayDrawing drawing;
-  add_visited({&stage, 1}, kEverything, drawing);
+  add_visited({&stage, 1}, {}, kEverything, drawing);
   ASSERT_EQ(drawing.boxes.size(), 2u);
   EXPECT_EQ(drawing.boxes[0].box, (Rect{16, 24, 8, 8}));
   EXPECT_EQ(drawing.boxes[1].box, (Rect{18.5, 20, 8, 8})) << "where the body is, and not where it started";
@@ -445,7 +455,7 @@ TEST(VisitedBoxes, ListCellsAndTestedItemsOnce) {
   stage.tested.assign(20'000, stage.tested.back());
   for (std::size_t i = 0; i < stage.tested.size(); ++i) stage.tested[i].box.x = static_cast<double>(i) / 16;
   OverlayDrawing many;
-  add_visited({&stage, 1}, kEverything, many);
+  add_visited({&stage, 1}, {}, kEverything, many);
   EXPECT_EQ(many.boxes.size(), 10'000u);
   EXPECT_TRUE(many.is_cut);
 }

@@ -90,7 +90,7 @@ TEST(Reach, IsDrawnAsBoxesOfItsCells) {
   while (!reach.advance(1000)) {
   }
   OverlayDrawing all, stale, left;
-  add_reach(reach, false, 14, 13, {0, 0, 112, 104}, all);
+  add_reach(reach, false, TileMap(14, 13), {0, 0, 112, 104}, all);
   double area = 0;
   for (const OverlayBox& box : all.boxes) {
     area += box.box.w * box.box.h;
@@ -98,10 +98,10 @@ TEST(Reach, IsDrawnAsBoxesOfItsCells) {
   }
   EXPECT_EQ(area, 64.0 * static_cast<double>(reach.cells()));
   EXPECT_FALSE(all.lines.empty());
-  add_reach(reach, true, 14, 13, {0, 0, 112, 104}, stale);
+  add_reach(reach, true, TileMap(14, 13), {0, 0, 112, 104}, stale);
   ASSERT_EQ(stale.boxes.size(), all.boxes.size());
   EXPECT_FALSE(stale.boxes[0].filled);
-  add_reach(reach, false, 14, 13, {-50, 0, 60, 104}, left);
+  add_reach(reach, false, TileMap(14, 13), {-50, 0, 60, 104}, left);
   for (const OverlayBox& box : left.boxes) EXPECT_LE(box.box.right(), 24);
 }
 

@@ -55,20 +55,6 @@ TEST_F(SessionFiles, SaveWritesToTheSameFile) {
   EXPECT_EQ(load_level(path("a.tic"))->level.map.at({1, 1}), 6);
 }
 
-TEST_F(SessionFiles, TilesThatTheWindowCannotShowAreRefused) {
-  Level large;
-  large.map = TileMap(4, 4, TileSize{16, 24});
-  ASSERT_TRUE(save_level(large, *find_format("native"), path("large.talus.json")));
-  Session session;
-  const Level before = session.level();
-  session.apply(action::OpenFile{path("large.talus.json")});
-  while (session.reading()) session.advance(0);
-  ASSERT_TRUE(session.message());
-  EXPECT_NE(session.message()->text.find("has tiles of 16x24 px"), std::string::npos)
-      << session.message()->text;
-  EXPECT_EQ(session.level(), before);
-}
-
 TEST_F(SessionFiles, HistorySurvivesSaving) {
   paint(5);
   session_.apply(act::SaveFileAs{path("a.tic")});

@@ -126,17 +126,35 @@ TEST(TileShapes, AChangeIsMadeInAllTilesThatHaveTheShape) {
 }
 
 TEST(TileShapes, KindsAndWidthsKeepTheLine) {
-  const TileShape profile = with_kind(sloped({0, 8}), Kind::profile);
+  const TileShape profile = with_kind(sloped({0, 8}), Kind::profile, {});
   EXPECT_EQ(profile, (TileShape{.kind = Kind::profile, .heights = {0, 1, 2, 3, 4, 5, 6, 7, 8}}));
-  EXPECT_EQ(with_kind(profile, Kind::slope), sloped({0, 8}));
-  EXPECT_EQ(with_kind({.kind = Kind::solid}, Kind::profile).heights, std::vector<double>(9, 8));
-  const TileShape wide = with_width(profile, 2);
+  EXPECT_EQ(with_kind(profile, Kind::slope, {}), sloped({0, 8}));
+  EXPECT_EQ(with_kind({.kind = Kind::solid}, Kind::profile, {}).heights, std::vector<double>(9, 8));
+  const TileShape wide = with_width(profile, 2, {});
   EXPECT_EQ(wide.tiles, 2);
   ASSERT_EQ(wide.heights.size(), 17u);
   EXPECT_EQ(wide.heights[8], 4);
-  EXPECT_FALSE(problem_of(with_width(profile, 8), {}));
-  EXPECT_EQ(with_width(sloped({2, 6}), 3), sloped({2, 6}, Side::floor, 3));
-  EXPECT_EQ(with_kind(sloped({2, 6}, Side::ceiling, 3), Kind::solid), TileShape{.kind = Kind::solid});
+  EXPECT_FALSE(problem_of(with_width(profile, 8, {}), {}));
+  EXPECT_EQ(with_width(sloped({2, 6}), 3, {}), sloped({2, 6}, Side::floor, 3));
+  EXPECT_EQ(with_kind(sloped({2, 6}, Side::ceiling, 3), Kind::solid, {}), TileShape{.kind = Kind::solid});
+}
+
+TEST(TileShapes, FillTilesOfAnySize) {
+  constexpr TileSize kTile{16, 24};
+  Level level;
+  level.map = TileMap(4, 4, kTile);
+  const auto row = "########";
+  draw_tile_rows(level, 3, {row, row, row, row, row, row, row, row});
+  EXPECT_EQ(suggest_shape(level, 3), TileShape{.kind = Kind::solid});
+  draw_tile_rows(
+      level, 4,
+      {".......#", "......##", ".....###", "....####", "...#####", "..######", ".#######", "########"});
+  EXPECT_EQ(suggest_shape(level, 4), sloped({0, 24}));
+  const TileShape profile = with_kind({.kind = Kind::solid}, Kind::profile, kTile);
+  EXPECT_EQ(profile.heights, std::vector<double>(17, 24)) << "a height for each px of its width";
+  EXPECT_EQ(with_width(profile, 2, kTile).heights.size(), 33u);
+  EXPECT_EQ(tiles_of_shape(35, sloped({0, 24}), kTile), (CellRect{3, 2, 1, 1}));
+  EXPECT_EQ(tiles_of_shape(35, sloped({0, 25}), kTile), (CellRect{3, 1, 1, 2}));
 }
 
 TEST(TileShapes, AreTurned) {
@@ -144,10 +162,10 @@ TEST(TileShapes, AreTurned) {
   EXPECT_EQ(turned(shape, ShapeTurn::mirrored), sloped({6, 1}, Side::floor, 2));
   EXPECT_EQ(turned(shape, ShapeTurn::upside_down), sloped({1, 6}, Side::ceiling, 2));
   EXPECT_EQ(turned(shape, ShapeTurn::half_turn), sloped({6, 1}, Side::ceiling, 2));
-  EXPECT_EQ(tiles_of_shape(35, shape), (CellRect{3, 2, 2, 1}));
-  EXPECT_EQ(tiles_of_shape(35, sloped({0, 12})), (CellRect{3, 1, 1, 2}))
+  EXPECT_EQ(tiles_of_shape(35, shape, {}), (CellRect{3, 2, 2, 1}));
+  EXPECT_EQ(tiles_of_shape(35, sloped({0, 12}), {}), (CellRect{3, 1, 1, 2}))
       << "a floor rises into the tile above";
-  EXPECT_EQ(tiles_of_shape(35, sloped({0, 12}, Side::ceiling)), (CellRect{3, 2, 1, 2}));
+  EXPECT_EQ(tiles_of_shape(35, sloped({0, 12}, Side::ceiling), {}), (CellRect{3, 2, 1, 2}));
 }
 
 TEST(TileShapes, MirroredCopyTakesPixelsAndShapeAsOneEdit) {

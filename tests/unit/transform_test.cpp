@@ -16,7 +16,7 @@ std::vector<Rect> boxes_of(const Level& level, bool reflected) {
   std::vector<Rect> boxes;
   for (const SceneItem& item : compile_scene(level).items) {
     Rect box = item.box;
-    if (reflected) box.x = level.map.width() * kTileSize - box.right();
+    if (reflected) box.x = level.map.width() * kCartTileSize - box.right();
     boxes.push_back(box);
   }
   std::sort(boxes.begin(), boxes.end(),

@@ -270,13 +270,14 @@ void measure_rolls(Row& row, const Effort& effort) {
   std::uint64_t random = 1;
   for (std::size_t i = 0; i < balls_for(effort); ++i) {
     const double x = origin.x + (slope ? next_between(random, 1600, 1900) : next_between(random, 200, 300));
-    const auto y = static_cast<double>(highest(floor, x, x + kTileSize)) - kTileSize;
+    const auto y = static_cast<double>(highest(floor, x, x + kCartTileSize)) - kCartTileSize;
     const Vec2 at = stored(setup, {x, y - next_between(random, 10, 60)});
-    add_body(level, {at.x, at.y, kTileSize, kTileSize}, stored(setup, {next_between(random, -2, 2), 0}));
+    add_body(level, {at.x, at.y, kCartTileSize, kCartTileSize},
+             stored(setup, {next_between(random, -2, 2), 0}));
   }
   std::vector<WideBall> wide;
   for (const Spawn& s : level.spawns) {
-    wide.push_back({s.position.x + kTileSize, s.position.y + kTileSize, s.velocity.x, s.velocity.y});
+    wide.push_back({s.position.x + kCartTileSize, s.position.y + kCartTileSize, s.velocity.x, s.velocity.y});
   }
   Errors errors;
   measure_frames(row, level, slope ? 120 : 300, [&](const State& state, int) {
@@ -298,9 +299,9 @@ void measure_bounces(Row& row, const Effort& effort) {
   std::uint64_t random = 1;
   std::vector<std::vector<double>> right;
   for (std::size_t i = 0; i < balls_for(effort); ++i) {
-    const double y = stored(setup, floor - kTileSize - next_between(random, 20, 100));
-    add_body(level, {origin.x + 44, y, kTileSize, kTileSize}, {});
-    right.push_back(bouncing(level.tuning, y + kTileSize - floor, kFrames));
+    const double y = stored(setup, floor - kCartTileSize - next_between(random, 20, 100));
+    add_body(level, {origin.x + 44, y, kCartTileSize, kCartTileSize}, {});
+    right.push_back(bouncing(level.tuning, y + kCartTileSize - floor, kFrames));
   }
   Errors errors;
   measure_frames(row, level, kFrames, [&](const State& state, int frame) {

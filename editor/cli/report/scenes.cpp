@@ -106,12 +106,12 @@ double stored(const Setup& setup, double value) {
 Vec2 stored(const Setup& setup, Vec2 value) { return {stored(setup, value.x), stored(setup, value.y)}; }
 
 Vec2 report_origin(const Setup& setup) {
-  const double at = std::floor(setup.scale / kTileSize) * kTileSize;
+  const double at = std::floor(setup.scale / kCartTileSize) * kCartTileSize;
   if (setup.scale <= kMostSquareScale) return {at, at};
   return setup.scene >= S::bounce_fall ? Vec2{0, at} : Vec2{at, 0};
 }
 
-double wall_x(const Setup& setup) { return report_origin(setup).x + kWallColumn * kTileSize; }
+double wall_x(const Setup& setup) { return report_origin(setup).x + kWallColumn * kCartTileSize; }
 
 Level report_level(const Setup& setup) {
   Level level;
@@ -121,7 +121,8 @@ Level report_level(const Setup& setup) {
     return level;
   }
   const Vec2 origin = report_origin(setup);
-  const Cell corner = {static_cast<int>(origin.x) / kTileSize, static_cast<int>(origin.y) / kTileSize};
+  const Cell corner = {static_cast<int>(origin.x) / kCartTileSize,
+                       static_cast<int>(origin.y) / kCartTileSize};
   const Cell size = ground_size(setup.scene);
   level.map = TileMap(corner.x + size.x + 1, corner.y + size.y);
   level.sheet(SheetId::tiles).flags[kSolidTile] = static_cast<std::uint8_t>(1 << level.roles.solid);
@@ -148,7 +149,7 @@ Level report_level(const Setup& setup) {
       for (int y = 0; y < size.y; ++y) level.map.set({corner.x + kWallColumn, corner.y + y}, kSolidTile);
       break;
     default:
-      lay_floor(level, {corner.x, corner.y + static_cast<int>(kFlatY) / kTileSize}, size.x);
+      lay_floor(level, {corner.x, corner.y + static_cast<int>(kFlatY) / kCartTileSize}, size.x);
   }
   return level;
 }
@@ -158,8 +159,8 @@ TrueFloor true_floor(const Setup& setup) {
   switch (setup.scene) {
     case S::slope_tiles:
     case S::tiny_bodies: {
-      const Vec2 foot = origin + Vec2{kHillFoot.x * 1.0 * kTileSize, (kHillFoot.y + 1.0) * kTileSize};
-      return wide({foot, foot + Vec2{kHillSlopes * 2.0 * kTileSize, -kHillSlopes * 1.0 * kTileSize}});
+      const Vec2 foot = origin + Vec2{kHillFoot.x * 1.0 * kCartTileSize, (kHillFoot.y + 1.0) * kCartTileSize};
+      return wide({foot, foot + Vec2{kHillSlopes * 2.0 * kCartTileSize, -kHillSlopes * 1.0 * kCartTileSize}});
     }
     case S::segment:
       return wide(moved(kLine, origin));
@@ -183,7 +184,7 @@ TrueFloor true_floor(const Setup& setup) {
 std::vector<Drop> report_drops(const Setup& setup, std::size_t count) {
   const TrueFloor floor = true_floor(setup);
   const Vec2 origin = report_origin(setup);
-  const double size = setup.scene == S::tiny_bodies ? 1.0 / 64 : kTileSize;
+  const double size = setup.scene == S::tiny_bodies ? 1.0 / 64 : kCartTileSize;
   std::uint64_t random = 1;
   std::vector<Drop> drops(count);
   for (Drop& drop : drops) {

@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include <talus/level/tileset.h>
-
 namespace talus {
 namespace {
 
@@ -51,7 +49,7 @@ int step_that_fits(Vec2 level, ImVec2 canvas) {
 
 Cell CanvasView::to_cell(ImVec2 p) const {
   const Vec2 at = to_level(p);
-  return {static_cast<int>(std::floor(at.x / kTileSize)), static_cast<int>(std::floor(at.y / kTileSize))};
+  return {static_cast<int>(std::floor(at.x / tile.width)), static_cast<int>(std::floor(at.y / tile.height))};
 }
 
 Rect CanvasView::visible() const {
@@ -130,11 +128,12 @@ void Camera::clamp(Vec2 map, ImVec2 canvas) {
   offset_.y = std::clamp(offset_.y, kKeptInSight - map.y * zoom(), canvas.y - kKeptInSight);
 }
 
-CanvasView Camera::view(ImVec2 min, ImVec2 size) const {
+CanvasView Camera::view(ImVec2 min, ImVec2 size, TileSize tile) const {
   return {min,
           {min.x + size.x, min.y + size.y},
           {min.x + std::round(offset_.x), min.y + std::round(offset_.y)},
-          zoom()};
+          zoom(),
+          tile};
 }
 
 }  // namespace talus

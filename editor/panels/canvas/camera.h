@@ -7,6 +7,7 @@
 #include <optional>
 
 #include <talus/collision/geometry.h>
+#include <talus/collision/shape.h>
 
 namespace talus {
 
@@ -15,12 +16,17 @@ struct CanvasView {
   ImVec2 min, max;  // px of the screen
   Vec2 origin;      // place of the level's (0,0); at the end of a long level too far away for a float
   float zoom = 1;   // screen px per level px
+  TileSize tile{};  // px of the level, of a cell
 
   ImVec2 to_screen(Vec2 p) const {
     return {static_cast<float>(origin.x + p.x * zoom), static_cast<float>(origin.y + p.y * zoom)};
   }
   Vec2 to_level(ImVec2 p) const { return {(p.x - origin.x) / zoom, (p.y - origin.y) / zoom}; }
   Cell to_cell(ImVec2 p) const;
+  // The top-left corner of a cell, px of the screen.
+  ImVec2 corner_of(Cell cell) const {
+    return to_screen({1.0 * cell.x * tile.width, 1.0 * cell.y * tile.height});
+  }
   Rect visible() const;  // level px
 };
 
@@ -49,7 +55,8 @@ class Camera {
   void limit(Vec2 map, ImVec2 canvas);
   // Keeps a part of the map in sight.
   void clamp(Vec2 map, ImVec2 canvas);
-  CanvasView view(ImVec2 min, ImVec2 size) const;
+  // tile: px of the level, of a cell.
+  CanvasView view(ImVec2 min, ImVec2 size, TileSize tile) const;
 
  private:
   struct Place {

@@ -40,10 +40,6 @@ CellSpan visible_cells(const TileMap& map, const CanvasView& view) {
           std::clamp(to.x + 1, 0, map.width()), std::clamp(to.y + 1, 0, map.height())};
 }
 
-ImVec2 cell_corner(const CanvasView& view, int x, int y) {
-  return view.to_screen({static_cast<double>(x) * kTileSize, static_cast<double>(y) * kTileSize});
-}
-
 bool is_one_color(const TileImage& image) {
   return std::all_of(image.begin(), image.end(), [&](std::uint8_t pixel) { return pixel == image[0]; });
 }
@@ -62,7 +58,7 @@ void draw_row(ImDrawList& list, const TileMap& map, Cell from, int end, const Sh
     const int tile = shown[map.at(cell)];
     if (tile == kNothing) continue;
     const SheetUv uv = uv_of(tile);
-    list.PrimRectUV(cell_corner(view, cell.x, cell.y), cell_corner(view, cell.x + 1, cell.y + 1), uv.from,
+    list.PrimRectUV(view.corner_of({cell.x, cell.y}), view.corner_of({cell.x + 1, cell.y + 1}), uv.from,
                     uv.to, IM_COL32_WHITE);
   }
 }
@@ -120,7 +116,7 @@ void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, co
   const TileImage& empty = level.sheet(SheetId::tiles).images[0];
   const bool skip_empty = is_one_color(empty);
   const Rgb background = level.palette[skip_empty ? empty[0] : 0];
-  list.AddRectFilled(cell_corner(view, cells.x0, cells.y0), cell_corner(view, cells.x1, cells.y1),
+  list.AddRectFilled(view.corner_of({cells.x0, cells.y0}), view.corner_of({cells.x1, cells.y1}),
                      theme::color(background));
   ShownTiles shown;
   for (int tile = 0; tile < kTileCount; ++tile) {
@@ -140,12 +136,13 @@ void draw_far_tiles(ImDrawList& list, const TileMap& map, const CanvasView& view
   if (ui.map_textures == nullptr) return;
   const CellSpan span = visible_cells(map, view);
   if (span.x0 >= span.x1 || span.y0 >= span.y1) return;
+  const int smaller = std::min(view.tile.width, view.tile.height);
   int block = 1;  // cells for each texel; a texel is at least half a pixel
-  while (block < kMaxBlock && static_cast<float>(block) * kTileSize * view.zoom <= 0.5f) block *= 2;
+  while (block < kMaxBlock && static_cast<float>(block * smaller) * view.zoom <= 0.5f) block *= 2;
   const CellRect cells{span.x0, span.y0, span.x1 - span.x0, span.y1 - span.y0};
   for (const MapTextures::Piece& piece : ui.map_textures->pieces(cells, block, look, other))
-    list.AddImage(piece.texture, cell_corner(view, piece.cells.x, piece.cells.y),
-                  cell_corner(view, piece.cells.x + piece.cells.w, piece.cells.y + piece.cells.h), {0, 0},
+    list.AddImage(piece.texture, view.corner_of({piece.cells.x, piece.cells.y}),
+                  view.corner_of({piece.cells.x + piece.cells.w, piece.cells.y + piece.cells.h}), {0, 0},
                   piece.uv);
 }
 
@@ -174,7 +171,7 @@ void draw_flag_tint(ImDrawList& list, const Level& level, const CanvasView& view
   for (int y = cells.y0; y < cells.y1; ++y) {
     for (int x = cells.x0; x < cells.x1; ++x) {
       if (!pattern.matches(level.tile_flags(level.map.at({x, y})))) continue;
-      const ImVec2 from = cell_corner(view, x, y), to = cell_corner(view, x + 1, y + 1);
+      const ImVec2 from = view.corner_of({x, y}), to = view.corner_of({x + 1, y + 1});
       list.AddRectFilled(from, to, flag_color(flag, 110));
       if (view.zoom >= 2) list.AddRect(from, to, flag_color(flag, 220));
     }
@@ -185,23 +182,23 @@ void draw_grid(ImDrawList& list, const TileMap& map, const CanvasView& view) {
   if (view.zoom < 2) return;  // lines would cover everything
   const CellSpan cells = visible_cells(map, view);
   const ImU32 color = theme::color(theme::kText, 26);
-  const ImVec2 from = cell_corner(view, cells.x0, cells.y0), to = cell_corner(view, cells.x1, cells.y1);
+  const ImVec2 from = view.corner_of({cells.x0, cells.y0}), to = view.corner_of({cells.x1, cells.y1});
   for (int x = cells.x0; x <= cells.x1; ++x) {
-    const float sx = cell_corner(view, x, 0).x;
+    const float sx = view.corner_of({x, 0}).x;
     list.AddRectFilled({sx, from.y}, {sx + 1, to.y}, color);
   }
   for (int y = cells.y0; y <= cells.y1; ++y) {
-    const float sy = cell_corner(view, 0, y).y;
+    const float sy = view.corner_of({0, y}).y;
     list.AddRectFilled({from.x, sy}, {to.x, sy + 1}, color);
   }
 }
 
 void draw_screen_borders(ImDrawList& list, const TileMap& map, const CanvasView& view, float scale) {
-  if (kScreenRows * kTileSize * view.zoom < kLeastScreen) return;
+  if (static_cast<float>(kScreenRows * view.tile.height) * view.zoom < kLeastScreen) return;
   const float width = std::max(1.0f, std::round(scale));
   const ImU32 color = theme::color(theme::kAccent, 150);
   const CellSpan cells = visible_cells(map, view);
-  const ImVec2 from = cell_corner(view, cells.x0, cells.y0), to = cell_corner(view, cells.x1, cells.y1);
+  const ImVec2 from = view.corner_of({cells.x0, cells.y0}), to = view.corner_of({cells.x1, cells.y1});
   // Draws the borders between the columns, or rows, from the first to the last: those of screens, and the
   // map's own end.
   const auto draw = [](int first, int last, int screen, int end, const auto& line) {
@@ -209,11 +206,11 @@ void draw_screen_borders(ImDrawList& list, const TileMap& map, const CanvasView&
     if (last == end && end % screen != 0) line(end);
   };
   draw(cells.x0, cells.x1, kScreenColumns, map.width(), [&](int x) {
-    const float sx = cell_corner(view, x, 0).x;
+    const float sx = view.corner_of({x, 0}).x;
     list.AddRectFilled({sx, from.y}, {sx + width, to.y}, color);
   });
   draw(cells.y0, cells.y1, kScreenRows, map.height(), [&](int y) {
-    const float sy = cell_corner(view, 0, y).y;
+    const float sy = view.corner_of({0, y}).y;
     list.AddRectFilled({from.x, sy}, {to.x, sy + width}, color);
   });
 }
@@ -369,7 +366,7 @@ void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays
   drawing.palette = session.choices().overlay_palette;
   if (has_stage)
     add_stage(session.stages()[static_cast<std::size_t>(stage)], session.choices().body, session.record(),
-              view.visible(), drawing);
+              view.tile, view.visible(), drawing);
   paint_overlays(list, drawing, label_obstacles(session.scene(), session.state(), view, covered), view, scale,
                  pointed_at);
 }
@@ -380,8 +377,8 @@ void draw_stamp(ImDrawList& list, const Stamp& stamp, CellRect cells, const Canv
   for (int y = std::max(cells.y, from.y); y <= std::min(cells.y + cells.h - 1, to.y); ++y) {
     for (int x = std::max(cells.x, from.x); x <= std::min(cells.x + cells.w - 1, to.x); ++x) {
       const SheetUv uv = uv_of(stamp.at((x - cells.x) % stamp.w, (y - cells.y) % stamp.h));
-      list.AddImage(ui.sheet(SheetId::tiles), cell_corner(view, x, y), cell_corner(view, x + 1, y + 1),
-                    uv.from, uv.to, IM_COL32(255, 255, 255, alpha));
+      list.AddImage(ui.sheet(SheetId::tiles), view.corner_of({x, y}), view.corner_of({x + 1, y + 1}), uv.from,
+                    uv.to, IM_COL32(255, 255, 255, alpha));
     }
   }
 }
@@ -389,7 +386,7 @@ void draw_stamp(ImDrawList& list, const Stamp& stamp, CellRect cells, const Canv
 void draw_painted_cells(ImDrawList& list, const Edit& edit, const CanvasView& view, const Ui& ui, int alpha) {
   const auto draw = [&](Cell c, std::uint8_t tile) {
     const SheetUv uv = uv_of(tile);
-    list.AddImage(ui.sheet(SheetId::tiles), cell_corner(view, c.x, c.y), cell_corner(view, c.x + 1, c.y + 1),
+    list.AddImage(ui.sheet(SheetId::tiles), view.corner_of({c.x, c.y}), view.corner_of({c.x + 1, c.y + 1}),
                   uv.from, uv.to, IM_COL32(255, 255, 255, alpha));
   };
   for (const Change& change : edit.changes) {
@@ -409,15 +406,15 @@ void draw_marked_cells(ImDrawList& list, std::span<const Cell> cells, const Canv
   const Cell from = view.to_cell(view.min), to = view.to_cell(view.max);
   for (const Cell cell : cells) {
     if (cell.x < from.x || cell.y < from.y || cell.x > to.x || cell.y > to.y) continue;
-    const ImVec2 min = cell_corner(view, cell.x, cell.y), max = cell_corner(view, cell.x + 1, cell.y + 1);
+    const ImVec2 min = view.corner_of({cell.x, cell.y}), max = view.corner_of({cell.x + 1, cell.y + 1});
     list.AddRectFilled(min, max, theme::color(theme::kWarning, 60));
     if (view.zoom >= 1) list.AddRect(min, max, theme::color(theme::kWarning, 200));
   }
 }
 
 void draw_cell_frame(ImDrawList& list, CellRect cells, const CanvasView& view, ImU32 color, float width) {
-  const ImVec2 from = cell_corner(view, cells.x, cells.y);
-  const ImVec2 to = cell_corner(view, cells.x + cells.w, cells.y + cells.h);
+  const ImVec2 from = view.corner_of({cells.x, cells.y});
+  const ImVec2 to = view.corner_of({cells.x + cells.w, cells.y + cells.h});
   list.AddRect({from.x - 1, from.y - 1}, {to.x + 1, to.y + 1}, theme::color(theme::kDark, 200), 0, 0,
                width + 2);
   list.AddRect({from.x - 1, from.y - 1}, {to.x + 1, to.y + 1}, color, 0, 0, width);

@@ -107,14 +107,14 @@ Vec2 KeyCursor::kept_inside(Vec2 place) const {
 Vec2 KeyCursor::moved(Vec2 place) const {
   if (stride_ == Stride::unit)
     return kept_inside({std::floor(place.x) + asked_.x, std::floor(place.y) + asked_.y});
-  const double cell = ground_.cell, steps = stride_ == Stride::far ? kFar : 1;
-  const double middle = ground_.on_corners ? 0 : cell / 2;
-  const auto go = [&](double from, int by, int first, int size) {
+  const double steps = stride_ == Stride::far ? kFar : 1;
+  const auto go = [&](double from, int by, int first, int size, double cell) {
+    const double middle = ground_.on_corners ? 0 : cell / 2;
     const double last = first + std::floor((size - (ground_.on_corners ? 0.0 : 1.0)) / cell) * cell;
     return std::clamp(std::floor(from / cell) * cell + by * steps * cell, first * 1.0, last) + middle;
   };
-  return {go(place.x, asked_.x, ground_.room.x, ground_.room.w),
-          go(place.y, asked_.y, ground_.room.y, ground_.room.h)};
+  return {go(place.x, asked_.x, ground_.room.x, ground_.room.w, ground_.cell.width),
+          go(place.y, asked_.y, ground_.room.y, ground_.room.h, ground_.cell.height)};
 }
 
 std::optional<Vec2> KeyCursor::visit(std::string_view canvas, const CanvasView& view,
@@ -150,10 +150,10 @@ void KeyCursor::draw(std::string_view canvas, ImDrawList& list, const CanvasView
   ImVec2 min = *screen_, max = *screen_;
   float grown = 5 * scale;
   if (!ground_.on_corners) {
-    const double cell = ground_.cell;
-    const Vec2 from{std::floor(place.x / cell) * cell, std::floor(place.y / cell) * cell};
+    const double w = ground_.cell.width, h = ground_.cell.height;
+    const Vec2 from{std::floor(place.x / w) * w, std::floor(place.y / h) * h};
     min = view.to_screen(from);
-    max = view.to_screen({from.x + cell, from.y + cell});
+    max = view.to_screen({from.x + w, from.y + h});
     grown = 2 * scale;
   }
   frame(min, max, grown, width + 2, theme::color(theme::kDark));

@@ -19,8 +19,8 @@ namespace talus {
 
 // A canvas that the cursor can be on, in units of its own: px of the level or of the art.
 struct CursorGround {
-  CellRect room;  // units, at least one wide and high: where the cursor may go
-  int cell = 1;   // units, the step of an arrow key; at least 1
+  CellRect room;        // units, at least one wide and high: where the cursor may go
+  TileSize cell{1, 1};  // units, the step of an arrow key along each axis
   bool on_corners =
       false;  // it goes from corner to corner, the last ones included; else from middle to middle
 };

@@ -23,9 +23,7 @@
 namespace talus {
 namespace {
 
-Vec2 size_in_pixels(const TileMap& map) {
-  return {static_cast<double>(map.width()) * kTileSize, static_cast<double>(map.height()) * kTileSize};
-}
+Vec2 size_in_pixels(const TileMap& map) { return {map.px_width(), map.px_height()}; }
 
 // The topmost body at a point, with some tolerance for the hand; 0 if there is none.
 int body_at(const State& state, Vec2 p, double tolerance) {
@@ -105,12 +103,12 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
   ui.item(name_ + "/canvas");
-  handle_mouse(session, actions, ui, camera_.view(min, size));
-  follow_cursor(session, ui, camera_.view(min, size));
+  handle_mouse(session, actions, ui, view_at(min, size, session));
+  follow_cursor(session, ui, view_at(min, size, session));
   follow_body(session, ui);
   camera_.clamp(size_in_pixels(session.level().map), size);
 
-  const CanvasView view = camera_.view(min, size);
+  const CanvasView view = view_at(min, size, session);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(view.min, view.max, true);
   draw_layers(session, view, ui);
@@ -131,7 +129,7 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
 
 void LevelCanvas::draw_other_side(const Session& session, Ui& ui, ImVec2 size) {
   size = {std::max(1.0f, std::floor(size.x)), std::max(1.0f, std::floor(size.y))};
-  const CanvasView view = camera_.view(ImGui::GetCursorScreenPos(), size);
+  const CanvasView view = view_at(ImGui::GetCursorScreenPos(), size, session);
   ImGui::Dummy(size);
   ui.item("play/other_side");
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -178,9 +176,7 @@ void LevelCanvas::start_afresh(const Session& session, const Ui& ui, ImVec2 size
 void LevelCanvas::fit_first_screen(const TileMap& map, ImVec2 size) {
   camera_ = Camera();
   const Vec2 whole = size_in_pixels(map);
-  camera_.fit({std::min<double>(whole.x, kScreenColumns * kTileSize),
-               std::min<double>(whole.y, kScreenRows * kTileSize)},
-              size);
+  camera_.fit({std::min(whole.x, map.x_of(kScreenColumns)), std::min(whole.y, map.y_of(kScreenRows))}, size);
 }
 
 // Whether the requests of the view are for this canvas, of the two that may be shown.
@@ -197,7 +193,7 @@ void LevelCanvas::take_requests(const Session& session, Ui& ui, ImVec2 size) {
   const bool centres =
       v.canvas.mode == CanvasMode::two_maps ? mine : !is_play() || v.canvas.mode == CanvasMode::play;
   if (const auto shown = centres ? v.requests.take<request::ShowCell>() : std::nullopt) {
-    const Vec2 place{(shown->cell.x + 0.5) * kTileSize, (shown->cell.y + 0.5) * kTileSize};
+    const Vec2 place = session.level().map.box_of(shown->cell).center();
     if (!camera_.is_in_sight(place, size)) camera_.leave_whole(place, size);
   }
   if (!mine) return;
@@ -265,8 +261,8 @@ void LevelCanvas::follow_body(const Session& session, const Ui& ui) {
 void LevelCanvas::follow_cursor(const Session& session, Ui& ui, const CanvasView& view) {
   const TileMap& map = session.level().map;
   const MapTool tool = session.choices().map_tool;
-  const CursorGround ground{{0, 0, map.width() * kTileSize, map.height() * kTileSize},
-                            kTileSize,
+  const CursorGround ground{{0, 0, static_cast<int>(map.px_width()), static_cast<int>(map.px_height())},
+                            map.tile_size(),
                             tool == MapTool::slope || draws_curves(tool)};
   const auto moved = ui.view.canvas.cursor.visit(name_, view, ground, ImGui::GetIO().MousePos);
   if (moved) camera_.keep_in_sight(*moved, size_);
@@ -278,7 +274,7 @@ bool LevelCanvas::handle_world_view(const Session& session, bool hovered) {
   if (hovered && ImGui::IsMouseClicked(0)) {
     const ImVec2 mouse = ImGui::GetIO().MousePos, min = ImGui::GetItemRectMin();
     const Vec2 map = size_in_pixels(session.level().map);
-    const Vec2 at = camera_.view(min, size_).to_level(mouse);
+    const Vec2 at = view_at(min, size_, session).to_level(mouse);
     camera_.leave_whole({std::clamp(at.x, 0.0, map.x), std::clamp(at.y, 0.0, map.y)}, size_);
   }
   return true;

@@ -40,6 +40,10 @@ class LevelCanvas {
   void take_requests(const Session& session, Ui& ui, ImVec2 size);
   void handle_mouse(const Session& session, Actions& actions, Ui& ui, const CanvasView& view);
   void follow_cursor(const Session& session, Ui& ui, const CanvasView& view);
+  // The part of the level that a canvas at `min` shows, px of the screen.
+  CanvasView view_at(ImVec2 min, ImVec2 size, const Session& session) const {
+    return camera_.view(min, size, session.level().map.tile_size());
+  }
   bool handle_world_view(const Session& session, bool hovered);
   bool handle_minimap(const Session& session, const CanvasView& view, const Ui& ui, bool hovered);
   bool has_minimap(const Ui& ui) const {

@@ -14,17 +14,17 @@ constexpr float kMost = 220;      // px at scale 1, longest side
 constexpr float kLeastSide = 4;   // px at scale 1, shortest side of a long and low map
 constexpr float kLeastFrame = 3;  // px at scale 1, smallest side of the frame
 
-// Place of the minimap, and size of a cell there.
+// Place of the minimap, and its zoom.
 CanvasView place_of(const TileMap& map, const CanvasView& view, const Ui& ui) {
-  const float width = static_cast<float>(map.width()), height = static_cast<float>(map.height());
+  const float width = static_cast<float>(map.px_width()), height = static_cast<float>(map.px_height());
   const float room_x = std::min((view.max.x - view.min.x) * kShare, ui.px(kMost));
   const float room_y = std::min((view.max.y - view.min.y) * kShare, ui.px(kMost));
-  const float cell = std::min(room_x / width, room_y / height);  // px of the screen
-  const ImVec2 size{std::max(ui.px(kLeastSide), std::floor(width * cell)),
-                    std::max(ui.px(kLeastSide), std::floor(height * cell))};
+  const float zoom = std::min(room_x / width, room_y / height);
+  const ImVec2 size{std::max(ui.px(kLeastSide), std::floor(width * zoom)),
+                    std::max(ui.px(kLeastSide), std::floor(height * zoom))};
   const float gap = ui.px(6);
   const ImVec2 max{view.max.x - gap, view.max.y - gap}, min{max.x - size.x, max.y - size.y};
-  return {min, max, {min.x, min.y}, cell / kTileSize};
+  return {min, max, {min.x, min.y}, zoom, map.tile_size()};
 }
 
 bool is_inside(ImVec2 p, const CanvasView& place) {
@@ -59,8 +59,7 @@ bool Minimap::update(const TileMap& map, const CanvasView& view, const Ui& ui, b
   if (!io.MouseDown[0]) dragging_ = false;
   if (dragging_) {
     const Vec2 at = place.to_level(io.MousePos);
-    centre = Vec2{std::clamp(at.x, 0.0, static_cast<double>(map.width()) * kTileSize),
-                  std::clamp(at.y, 0.0, static_cast<double>(map.height()) * kTileSize)};
+    centre = Vec2{std::clamp(at.x, 0.0, map.px_width()), std::clamp(at.y, 0.0, map.px_height())};
   }
   return over || dragging_;
 }

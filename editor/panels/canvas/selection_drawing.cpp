@@ -24,9 +24,8 @@ void draw_dashes(ImDrawList& list, ImVec2 from, ImVec2 to, float dash, float wid
 }  // namespace
 
 void draw_selection(ImDrawList& list, const CellRect& cells, const CanvasView& view, const Ui& ui) {
-  const ImVec2 from = view.to_screen({cells.x * 1.0 * kTileSize, cells.y * 1.0 * kTileSize});
-  const ImVec2 to =
-      view.to_screen({(cells.x + cells.w) * 1.0 * kTileSize, (cells.y + cells.h) * 1.0 * kTileSize});
+  const ImVec2 from = view.corner_of({cells.x, cells.y});
+  const ImVec2 to = view.corner_of({cells.x + cells.w, cells.y + cells.h});
   const float width = std::max(1.0f, ui.px(1)), dash = ui.px(4);
   // No more dashes than can be seen.
   const float left = std::max(from.x, view.min.x - dash), right = std::min(to.x, view.max.x + dash);

@@ -24,11 +24,11 @@ Shapes usable_shapes(const Level& level) {
 }
 
 // How far the shapes reach from their own cells, in cells.
-int reach_of(const Shapes& shapes) {
+int reach_of(const Shapes& shapes, TileSize tile) {
   double reach = 1;
   for (const TileShape& shape : shapes) {
     reach = std::max(reach, static_cast<double>(shape.tiles));
-    for (const double height : shape.heights) reach = std::max(reach, height / kTileSize);
+    for (const double height : shape.heights) reach = std::max(reach, height / tile.height);
   }
   return static_cast<int>(reach) + 1;
 }
@@ -43,50 +43,50 @@ void fill_to_base(ImDrawList& list, const std::vector<ImVec2>& line, float base,
   list.Flags = flags;
 }
 
-void draw_tile_shape(ImDrawList& list, const TileShape& shape, ImVec2 corner, float cell, std::uint32_t color,
-                     const Ui& ui) {
+void draw_tile_shape(ImDrawList& list, const TileShape& shape, TileSize tile, ImVec2 corner, ImVec2 cell,
+                     std::uint32_t color, const Ui& ui) {
   if (shape.kind == TileShape::Kind::none) return;
   const ImU32 bright = theme::color(color), tint = theme::color(color, kTint);
-  const float width = cell >= kOutlinedCell ? ui.px(2) : ui.px(1);
+  const bool is_outlined = std::min(cell.x, cell.y) >= kOutlinedCell;
+  const float width = is_outlined ? ui.px(2) : ui.px(1);
   const bool hangs = shape.side == TileShape::Side::ceiling;
-  const float base = hangs ? corner.y : corner.y + cell, right = corner.x + cell;
+  const float foot = corner.y + cell.y, right = corner.x + cell.x;
+  const float base = hangs ? corner.y : foot;
   if (shape.kind == TileShape::Kind::solid) {
     if (shape.one_way)
-      list.AddLine({corner.x, hangs ? corner.y + cell : corner.y},
-                   {right, hangs ? corner.y + cell : corner.y}, bright, width);
+      list.AddLine({corner.x, hangs ? foot : corner.y}, {right, hangs ? foot : corner.y}, bright, width);
     else
-      list.AddRectFilled(corner, {right, corner.y + cell}, tint);
+      list.AddRectFilled(corner, {right, foot}, tint);
     return;
   }
   std::vector<ImVec2> points;
   points.reserve(shape.heights.size());
-  const float step = cell * static_cast<float>(shape.tiles) / static_cast<float>(shape.heights.size() - 1);
+  const float step = cell.x * static_cast<float>(shape.tiles) / static_cast<float>(shape.heights.size() - 1);
   for (std::size_t i = 0; i < shape.heights.size(); ++i) {
-    const float height = static_cast<float>(shape.heights[i]) * cell / kTileSize;
+    const float height = static_cast<float>(shape.heights[i]) * cell.y / static_cast<float>(tile.height);
     points.push_back({corner.x + static_cast<float>(i) * step, hangs ? base + height : base - height});
   }
   if (!shape.one_way) fill_to_base(list, points, base, tint);
   const int count = static_cast<int>(points.size());
-  if (cell >= kOutlinedCell)
+  if (is_outlined)
     list.AddPolyline(points.data(), count, theme::color(theme::kDark, 160), ImDrawFlags_None, width + 2);
   list.AddPolyline(points.data(), count, bright, ImDrawFlags_None, width);
 }
 
 void draw_shapes(ImDrawList& list, const Level& level, const CanvasView& view, std::uint32_t color,
                  const Ui& ui) {
-  const float cell = view.zoom * kTileSize;
-  if (cell < kLeastCell) return;
-  const Shapes shapes = usable_shapes(level);
-  const int reach = reach_of(shapes);
-  const Cell first = view.to_cell(view.min), last = view.to_cell(view.max);
   const TileMap& map = level.map;
+  const TileSize tile = map.tile_size();
+  const ImVec2 cell{view.zoom * static_cast<float>(tile.width), view.zoom * static_cast<float>(tile.height)};
+  if (std::min(cell.x, cell.y) < kLeastCell) return;
+  const Shapes shapes = usable_shapes(level);
+  const int reach = reach_of(shapes, tile);
+  const Cell first = view.to_cell(view.min), last = view.to_cell(view.max);
   for (Cell at{0, std::max(0, first.y - reach)}; at.y <= std::min(map.height() - 1, last.y + reach); ++at.y) {
     for (at.x = std::max(0, first.x - reach); at.x <= std::min(map.width() - 1, last.x); ++at.x) {
       const TileShape& shape = shapes[map.at(at)];
       if (shape.kind == TileShape::Kind::none) continue;
-      const ImVec2 corner =
-          view.to_screen({static_cast<double>(at.x) * kTileSize, static_cast<double>(at.y) * kTileSize});
-      draw_tile_shape(list, shape, corner, cell, color, ui);
+      draw_tile_shape(list, shape, tile, view.corner_of(at), cell, color, ui);
     }
   }
 }
@@ -99,7 +99,8 @@ void draw_sheet_shapes(ImDrawList& list, const Level& level, ImVec2 corner, floa
   for (int tile = 0; tile < kTileCount; ++tile) {
     const ImVec2 at{corner.x + static_cast<float>(tile % kSheetColumns) * cell,
                     corner.y + static_cast<float>(tile / kSheetColumns) * cell};
-    draw_tile_shape(list, shapes[static_cast<std::size_t>(tile)], at, cell, color, ui);
+    draw_tile_shape(list, shapes[static_cast<std::size_t>(tile)], level.map.tile_size(), at, {cell, cell},
+                    color, ui);
   }
   list.PopClipRect();
 }

@@ -11,11 +11,11 @@ namespace talus {
 
 // The area between a line, px of the screen from left to right, and a level base.
 void fill_to_base(ImDrawList& list, const std::vector<ImVec2>& line, float base, ImU32 color);
-// One shape whose own tile has its top-left corner at `corner`. cell: px of the screen, side of the tile. A
-// shape that stops bodies only from one side is a line; other ground is tinted, too. color: 0xRRGGBB, of the
-// overlay.
-void draw_tile_shape(ImDrawList& list, const TileShape& shape, ImVec2 corner, float cell, std::uint32_t color,
-                     const Ui& ui);
+// One shape whose own tile has its top-left corner at `corner`. tile: px, the tile's size in the level. cell:
+// px of the screen, the size that it is drawn with. A shape that stops bodies only from one side is a line;
+// other ground is tinted, too. color: 0xRRGGBB, of the overlay.
+void draw_tile_shape(ImDrawList& list, const TileShape& shape, TileSize tile, ImVec2 corner, ImVec2 cell,
+                     std::uint32_t color, const Ui& ui);
 // The shapes of all visible cells; nothing if tiles are too small to show a shape.
 void draw_shapes(ImDrawList& list, const Level& level, const CanvasView& view, std::uint32_t color,
                  const Ui& ui);

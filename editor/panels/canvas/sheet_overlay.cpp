@@ -20,7 +20,7 @@ Place place_of(const CanvasView& view, const Ui& ui) {
   const float room = std::min(view.max.x - view.min.x, view.max.y - view.min.y) - 2 * gap;
   const float zoom =
       std::clamp(std::floor(room / kSheetSide), 1.0f, std::max(1.0f, std::floor(2 * ui.scale)));
-  return {{view.max.x - gap - zoom * kSheetSide, view.min.y + gap}, zoom * kTileSize};
+  return {{view.max.x - gap - zoom * kSheetSide, view.min.y + gap}, zoom * kCartTileSize};
 }
 
 bool paints_with_stamp(MapTool tool) {
@@ -64,7 +64,7 @@ void SheetOverlay::draw(ImDrawList& list, const Session& session, const CanvasVi
   list.AddRectFilled(place.min, max, theme::color(theme::kDark));
   list.AddImage(ui.sheet(SheetId::tiles), place.min, max);
   const SpriteArea& area = session.choices().area;
-  const CanvasView tiles{place.min, max, {place.min.x, place.min.y}, place.cell / kTileSize};
+  const CanvasView tiles{place.min, max, {place.min.x, place.min.y}, place.cell / kCartTileSize};
   if (area.sheet == SheetId::tiles)
     draw_cell_frame(list, area.tiles, tiles, theme::color(theme::kText), ui.px(1));
   ui.place("map/sheet", place.min, max);

@@ -154,20 +154,22 @@ void StopsPanel::fill_in_place(const Session& session, Ui& ui) {
   }
   fields_set_ = true;
   if (const auto picked = ui.view.requests.take<request::PutStopAt>()) {
-    put_place({picked->cell.x, picked->cell.y, 1, 1});
+    put_place({picked->cell.x, picked->cell.y, 1, 1}, session.level().map);
     fields_typed_ = true;
   } else if (!is_about_place(kind_) || fields_typed_) {
     return;
   } else if (const auto selected = session.choices().selection) {
-    put_place(*selected);
+    put_place(*selected, session.level().map);
   } else if (const auto& clicked = ui.view.canvas.clicked_cell) {
-    put_place({clicked->x, clicked->y, 1, 1});
+    put_place({clicked->x, clicked->y, 1, 1}, session.level().map);
   }
 }
 
-void StopsPanel::put_place(CellRect cells) {
-  const double side = kind_ == StopKind::enters_rect ? kTileSize : 1;
-  fields_ = {side * cells.x, side * cells.y, side * cells.w, side * cells.h};
+void StopsPanel::put_place(CellRect cells, const TileMap& map) {
+  if (kind_ == StopKind::enters_rect)
+    fields_ = {map.x_of(cells.x), map.y_of(cells.y), map.x_of(cells.w), map.y_of(cells.h)};
+  else
+    fields_ = {1.0 * cells.x, 1.0 * cells.y, 1.0 * cells.w, 1.0 * cells.h};
 }
 
 void StopsPanel::draw_list(const Session& session, Actions& actions, Ui& ui) {

@@ -21,7 +21,7 @@ class StopsPanel final : public Panel {
   void draw_add(const Session& session, Actions& actions, Ui& ui);
   void draw_fields(const StopKindInfo& info, const Session& session, Actions& actions, Ui& ui);
   void fill_in_place(const Session& session, Ui& ui);
-  void put_place(CellRect cells);
+  void put_place(CellRect cells, const TileMap& map);
   void draw_list(const Session& session, Actions& actions, Ui& ui);
   void draw_row(const Breakpoint& breakpoint, const Session& session, Actions& actions, Ui& ui);
 

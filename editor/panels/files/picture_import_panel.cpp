@@ -46,7 +46,7 @@ void draw_target(const PngImport& import, ImVec2 at, float cell) {
   const int height = import.plan ? import.plan->height : import.picture.height;
   const ImVec2 from{at.x + static_cast<float>(tile % kSheetColumns) * cell,
                     at.y + static_cast<float>(tile / kSheetColumns) * cell};
-  const float px = cell / kTileSize;
+  const float px = cell / kCartTileSize;
   const ImVec2 to{from.x + static_cast<float>(width) * px, from.y + static_cast<float>(height) * px};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(at, {at.x + cell * kSheetColumns, at.y + cell * kSheetColumns}, true);

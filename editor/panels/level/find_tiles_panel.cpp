@@ -27,7 +27,7 @@ void FindTilesPanel::draw_tile(const std::string& name, const char* label, Field
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float side = ui.px(theme::kButton);
   ImGui::Dummy({side, side});
-  const CanvasView view{at, {at.x + side, at.y + side}, {at.x, at.y}, side / kTileSize};
+  const CanvasView view{at, {at.x + side, at.y + side}, {at.x, at.y}, side / kCartTileSize};
   draw_stamp(*ImGui::GetWindowDrawList(), {1, 1, {tile_of(tile)}}, {0, 0, 1, 1}, view, ui, 255);
   ImGui::SameLine();
   ImGui::SetNextItemWidth(ui.px(56));

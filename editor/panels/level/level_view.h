@@ -18,6 +18,7 @@ struct ProblemsView {
 struct LevelView {
   ProblemsView problems;
   bool resize_open = false;      // the dialog of the map's size
+  bool new_level_open = false;   // the dialog of a new level's size
   bool find_tiles_open = false;  // the window that finds and replaces tiles
   int find_tile = 0;             // 0..255, the tile that it finds
   int replace_tile = 0;          // 0..255, the tile that replaces it

@@ -6,12 +6,13 @@
 #include <utility>
 
 #include "edit/map_resize.h"
+#include "map_size.h"
 #include "panels/ui/dialog.h"
 
 namespace talus {
 namespace {
 
-constexpr float kField = 72, kPreviewWidth = 300, kPreviewHeight = 170, kResizeLabel = 64;  // px at scale 1
+constexpr float kPreviewWidth = 300, kPreviewHeight = 170;  // px at scale 1
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
@@ -19,43 +20,23 @@ std::string counted(std::size_t count, const std::string& one, const std::string
 
 bool is_in(int number, int least, int most) { return number >= least && number <= most; }
 
-std::string text_of_limits() {
-  return "1 to " + std::to_string(kMaxTerrainSide) + ", and no more than " +
-         std::to_string(kMaxTerrainCells) + " cells in all.";
-}
-
-// The longest side of a map, in cells. tile: px, of a cell.
-int longest_side(int tile) { return std::min(kMaxTerrainSide, static_cast<int>(kMaxCoordinate) / tile); }
-
 // Why such a map of tiles of a size is not possible; empty if it is.
 std::string problem_of(const MapFrame& frame, TileSize tile) {
   const std::string most = std::to_string(kMaxTerrainSide);
-  const int widest = longest_side(tile.width), highest = longest_side(tile.height);
-  if (!is_in(frame.width, 1, widest)) return "The width must be 1 to " + std::to_string(widest) + " cells.";
-  if (!is_in(frame.height, 1, highest))
-    return "The height must be 1 to " + std::to_string(highest) + " cells.";
-  const auto cells = std::int64_t{frame.width} * frame.height;
-  if (cells > kMaxTerrainCells)
-    return "These are " + std::to_string(cells) + " cells; a map has at most " +
-           std::to_string(kMaxTerrainCells) + ".";
+  const std::string problem = problem_of_map_size(frame.width, frame.height, tile);
+  if (!problem.empty()) return problem;
   if (!is_in(frame.shift.x, -kMaxTerrainSide, kMaxTerrainSide) ||
       !is_in(frame.shift.y, -kMaxTerrainSide, kMaxTerrainSide))
     return "Everything is shifted by at most " + most + " cells, either way.";
   return "";
 }
 
-void draw_line(const std::string& text, std::uint32_t color) {
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(color));
-  draw_text(text);
-  ImGui::PopStyleColor();
-}
-
 // Says what happens to the map in the cart that its level came from.
 void draw_cart_note(const MapFrame& frame) {
   if (frame.width > kTicMapWidth || frame.height > kTicMapHeight)
-    draw_line("Too large for a TIC-80 cart, which holds 240x136 cells.", theme::kWarning);
+    draw_map_note("Too large for a TIC-80 cart, which holds 240x136 cells.", theme::kWarning);
   else if (frame.width < kTicMapWidth || frame.height < kTicMapHeight)
-    draw_line("In a TIC-80 cart it is the top left of 240x136 cells.", theme::kMuted);
+    draw_map_note("In a TIC-80 cart it is the top left of 240x136 cells.", theme::kMuted);
 }
 
 std::string text_of_losses(const ResizedMap& result) {
@@ -67,15 +48,6 @@ std::string text_of_losses(const ResizedMap& result) {
   add(result.lost_spawns, "body", "bodies");
   add(result.lost_curves, "curve", "curves");
   return text;
-}
-
-void number_field(const char* name, const char* label, int& value, const std::string& help, Ui& ui) {
-  ImGui::AlignTextToFramePadding();
-  draw_text(label);
-  ImGui::SameLine(ui.px(kResizeLabel));
-  ImGui::SetNextItemWidth(ui.px(kField));
-  ImGui::InputInt((std::string("##") + name).c_str(), &value, 0);
-  ui.item(name, help);
 }
 
 }  // namespace
@@ -114,12 +86,12 @@ void ResizePanel::draw_fields(const TileMap& map, Ui& ui) {
 void ResizePanel::draw_sizes(const TileMap& map, Ui& ui) {
   const Cell before{typed_.width, typed_.height};
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  number_field("resize/width", "Width", typed_.width, "Cells in a row; TIC-80 has 240. " + text_of_limits(),
-               ui);
+  draw_map_number("resize/width", "Width", typed_.width,
+                  "Cells in a row; TIC-80 has 240. " + text_of_map_limits(), ui);
   ImGui::SameLine();
   draw_text("now " + std::to_string(map.width()));
-  number_field("resize/height", "Height", typed_.height, "Rows of cells; TIC-80 has 136. " + text_of_limits(),
-               ui);
+  draw_map_number("resize/height", "Height", typed_.height,
+                  "Rows of cells; TIC-80 has 136. " + text_of_map_limits(), ui);
   ImGui::SameLine();
   draw_text("now " + std::to_string(map.height()));
   if (before != Cell{typed_.width, typed_.height}) choose_anchor(map);
@@ -129,7 +101,7 @@ void ResizePanel::draw_sizes(const TileMap& map, Ui& ui) {
 void ResizePanel::draw_anchors(const TileMap& map, Ui& ui) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Keep");
-  ImGui::SameLine(ui.px(kResizeLabel));
+  ImGui::SameLine(ui.px(kMapLabel));
   ImGui::BeginGroup();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(2), ui.px(2)));
   for (int i = 0; i < 9; ++i) {
@@ -152,10 +124,10 @@ void ResizePanel::choose_anchor(const TileMap& map) {
 }
 
 void ResizePanel::draw_shift(Ui& ui) {
-  number_field("resize/right", "Right by", typed_.shift.x,
-               "Cells that everything goes to the right; or left, below 0.", ui);
-  number_field("resize/down", "Down by", typed_.shift.y, "Cells that everything goes down; or up, below 0.",
-               ui);
+  draw_map_number("resize/right", "Right by", typed_.shift.x,
+                  "Cells that everything goes to the right; or left, below 0.", ui);
+  draw_map_number("resize/down", "Down by", typed_.shift.y,
+                  "Cells that everything goes down; or up, below 0.", ui);
   ImGui::Checkbox("Wrap around the edges##wrap", &typed_.wrap);
   ui.item("resize/wrap",
           "Things that leave the map at one side come in at the other, instead of being cut off.");
@@ -205,13 +177,13 @@ void ResizePanel::draw_answers(const Session& session, Actions& actions, Ui& ui)
       frame_.width != map.width() || frame_.height != map.height() || frame_.shift != Cell{0, 0};
   const std::string losses = fits ? text_of_losses(result(session)) : "";
   if (!fits)
-    draw_line(problem, theme::kError);  // the rest shows the last possible size
+    draw_map_note(problem, theme::kError);  // the rest shows the last possible size
   else if (losses.empty())
-    draw_line(changes ? "Nothing is lost." : "Type another size, or how far everything is shifted.",
-              theme::kMuted);
+    draw_map_note(changes ? "Nothing is lost." : "Type another size, or how far everything is shifted.",
+                  theme::kMuted);
   else
-    draw_line((asks_ ? "Lose " : "No place for ") + losses + (asks_ ? "? Undo brings them back." : "."),
-              theme::kWarning);
+    draw_map_note((asks_ ? "Lose " : "No place for ") + losses + (asks_ ? "? Undo brings them back." : "."),
+                  theme::kWarning);
   if (session.level().cart && fits) draw_cart_note(frame_);
   bool resizes = false, goes_back = false;
   if (asks_) {  // a second click in the same place goes back

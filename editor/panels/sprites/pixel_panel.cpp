@@ -25,7 +25,7 @@ constexpr std::array<CommandId, 12> kTools = {
 // A square of so many tiles at the area's place; if it is smaller, around a pixel of the canvas.
 SpriteArea resized(const SpriteArea& area, int tiles, Cell pixel) {
   const auto place = [&](int first, int count, int px) {
-    const int at = tiles < count ? first + px / kTileSize / tiles * tiles : first;
+    const int at = tiles < count ? first + px / kCartTileSize / tiles * tiles : first;
     return std::clamp(at, 0, kSheetColumns - tiles);
   };
   return {
@@ -45,8 +45,8 @@ int larger_size(int tiles) {
 
 void draw_grid_lines(ImDrawList& list, const SpriteArea& area, const CanvasView& view) {
   const ImVec2 from = view.min, to = view.max;
-  const int step = view.zoom >= 8 ? 1 : kTileSize;
-  const auto color = [](int i) { return theme::color(theme::kText, i % kTileSize == 0 ? 90 : 24); };
+  const int step = view.zoom >= 8 ? 1 : kCartTileSize;
+  const auto color = [](int i) { return theme::color(theme::kText, i % kCartTileSize == 0 ? 90 : 24); };
   for (int i = step; i < area.width(); i += step) {
     const float x = from.x + static_cast<float>(i) * view.zoom;
     list.AddRectFilled({x, from.y}, {x + 1, to.y}, color(i));
@@ -92,7 +92,7 @@ void PixelPanel::draw_sizes(const Session& session, Actions& actions, Ui& ui) {
   const SpriteArea& area = session.choices().area;
   for (int tiles : kSizes) {
     if (tiles != kSizes.front()) ImGui::SameLine();
-    const std::string side = std::to_string(tiles * kTileSize);
+    const std::string side = std::to_string(tiles * kCartTileSize);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
     if (ui.text_button("pixels/size" + side, side, area.tiles.w == tiles && area.tiles.h == tiles,
                        "A canvas of " + side + "x" + side +

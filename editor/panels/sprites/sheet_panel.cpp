@@ -60,7 +60,7 @@ void SheetPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const SpriteArea& area = session.choices().area;
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float zoom = std::max(1.0f, std::floor(std::min(room.x, room.y) / kSheetSide));
-  const float side = zoom * kSheetSide, cell = zoom * kTileSize;
+  const float side = zoom * kSheetSide, cell = zoom * kCartTileSize;
   ImVec2 at = ImGui::GetCursorScreenPos();
   at.x = std::floor(at.x + std::max(0.0f, (room.x - side) / 2));
   ImGui::SetCursorScreenPos(at);
@@ -87,7 +87,7 @@ void SheetPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   mark_stamp(list, session.choices(), at, cell, ui);
   draw_frame(list, area.tiles, at, cell, theme::color(theme::kText), ui);
   const CanvasView view{at, {at.x + side, at.y + side}, {at.x, at.y}, zoom};
-  ui.view.canvas.cursor.visit("sheet", view, {{0, 0, kSheetSide, kSheetSide}, kTileSize},
+  ui.view.canvas.cursor.visit("sheet", view, {{0, 0, kSheetSide, kSheetSide}, {kCartTileSize, kCartTileSize}},
                               ImGui::GetIO().MousePos);
   ui.view.canvas.cursor.draw("sheet", list, view, ui.scale);
 }

@@ -21,29 +21,25 @@ std::optional<Cell> last_place(const TileMap& map, CellRect tiles, const View& v
   return std::nullopt;
 }
 
-ImVec2 corner(const CanvasView& view, int tile_x, int tile_y) {
-  return view.to_screen({static_cast<double>(tile_x) * kTileSize, static_cast<double>(tile_y) * kTileSize});
-}
-
 void draw_tile(ImDrawList& list, int tile, int x, int y, const CanvasView& view, const Ui& ui) {
   constexpr float kSide = 1.0f / kSheetColumns;
   const float u = static_cast<float>(tile % kSheetColumns) * kSide;
   const float v = static_cast<float>(tile / kSheetColumns) * kSide;
-  list.AddImage(ui.sheet(SheetId::tiles), corner(view, x, y), corner(view, x + 1, y + 1), {u, v},
+  list.AddImage(ui.sheet(SheetId::tiles), view.corner_of({x, y}), view.corner_of({x + 1, y + 1}), {u, v},
                 {u + kSide, v + kSide}, IM_COL32(255, 255, 255, kDimmed));
 }
 
 // The line that bodies stand on or hang from, for a slope whose tile is at (x, y), in tiles of the canvas.
-void draw_slope_line(ImDrawList& list, const TileShape& shape, int x, int y, const CanvasView& view,
-                     float scale) {
+void draw_slope_line(ImDrawList& list, const TileShape& shape, TileSize tile, int x, int y,
+                     const CanvasView& view, float scale) {
   if (shape.kind != TileShape::Kind::slope && shape.kind != TileShape::Kind::profile) return;
   const bool floor = shape.side == TileShape::Side::floor;
-  const double left = x * kTileSize, foot = (y + (floor ? 1 : 0)) * kTileSize;
+  const double left = x * kCartTileSize, foot = (y + (floor ? 1 : 0)) * kCartTileSize;
   const double step =
-      shape.tiles * static_cast<double>(kTileSize) / static_cast<double>(shape.heights.size() - 1);
+      shape.tiles * static_cast<double>(kCartTileSize) / static_cast<double>(shape.heights.size() - 1);
   const auto stroke = [&](ImU32 color, float width) {
     for (std::size_t i = 0; i < shape.heights.size(); ++i) {
-      const double height = floor ? -shape.heights[i] : shape.heights[i];
+      const double rise = shape.heights[i] * kCartTileSize / tile.height, height = floor ? -rise : rise;
       list.PathLineTo(view.to_screen({left + static_cast<double>(i) * step, foot + height}));
     }
     list.PathStroke(color, ImDrawFlags_None, width);
@@ -83,7 +79,7 @@ void SpriteSurroundings::draw(ImDrawList& list, const Session& session, const Ca
     if (!inside) draw_tile(list, tile, x, y, view, ui);
   });
   for_each([&](std::uint8_t tile, int x, int y, bool) {
-    draw_slope_line(list, shape_of_tile(level, tile), x, y, view, ui.scale);
+    draw_slope_line(list, shape_of_tile(level, tile), level.map.tile_size(), x, y, view, ui.scale);
   });
   if (!known)
     draw_centred(list, "not on the map yet", view.to_screen({area.width() / 2.0, -kSurroundings / 2.0}));

@@ -27,7 +27,7 @@ void draw_tile_image(ImDrawList& list, int tile, ImVec2 from, ImVec2 to, const U
 void draw_picture(ImDrawList& list, const Brush& brush, ImVec2 at, float side, const Ui& ui) {
   const int longest = std::max(brush.w, brush.h);
   const float fits = std::floor(side / static_cast<float>(longest));
-  const float cell = std::clamp(fits, static_cast<float>(kTileSize) / 2, side);
+  const float cell = std::clamp(fits, static_cast<float>(kCartTileSize) / 2, side);
   const int most = static_cast<int>(side / cell);
   const int columns = std::min(brush.w, most), rows = std::min(brush.h, most);
   const ImVec2 from{at.x + std::floor((side - static_cast<float>(columns) * cell) / 2),

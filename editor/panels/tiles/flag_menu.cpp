@@ -126,7 +126,8 @@ void FlagMenu::draw_shape_of_flag(const Session& session, Actions& actions, Ui& 
   ui.heading("Shape of tiles without a role");
   const TileShape& now = level.flag_shapes[static_cast<std::size_t>(flag_)];
   if (const auto kind = choose_shape_kind("flags/shape", now.kind, std::string(kind_label(now)), ui))
-    actions.push_back(action::EditLevel{set_flag_shape(level, flag_, with_kind(now, *kind))});
+    actions.push_back(
+        action::EditLevel{set_flag_shape(level, flag_, with_kind(now, *kind, level.map.tile_size()))});
   if (const auto shape = draw_shape_fields("flags/shape", now, session, shape_edit_, actions, ui))
     actions.push_back(action::EditLevel{set_flag_shape(level, flag_, *shape), shape_edit_.stroke});
 }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kMargin = 8, kHandle = 4, kReach = 9;  // px at scale 1
 constexpr float kMostZoom = 24;                        // px for each px of a tile, at scale 1
-constexpr float kLeastZoom = 4;                        // the same, of shapes higher than the room
+constexpr float kLeastTile = 32;                       // px at scale 1, the height of a tile
 
 bool has_line(const TileShape& shape) { return shape.kind >= TileShape::Kind::slope; }
 
@@ -32,6 +32,7 @@ double rounded(double px) {
 struct ShapeCanvas::Frame {
   const Session& session;
   CellRect tiles;   // of the sheet
+  TileSize size;    // px, of a tile
   TileShape shape;  // changed by the drag
   ImVec2 at;        // px of the screen, the tiles' top-left corner
   float zoom = 1;
@@ -39,8 +40,8 @@ struct ShapeCanvas::Frame {
   std::uint32_t color = 0;  // 0xRRGGBB, the overlay's
   bool changed = false;
 
-  float width() const { return static_cast<float>(tiles.w * kTileSize) * zoom; }
-  float height() const { return static_cast<float>(tiles.h * kTileSize) * zoom; }
+  float width() const { return static_cast<float>(tiles.w * size.width) * zoom; }
+  float height() const { return static_cast<float>(tiles.h * size.height) * zoom; }
   bool hangs() const { return shape.side == TileShape::Side::ceiling; }
   // A height of the line, by its index.
   ImVec2 point(std::size_t i) const {
@@ -48,7 +49,7 @@ struct ShapeCanvas::Frame {
     const float y = static_cast<float>(shape.heights[i]) * zoom;
     return {at.x + part * width(), hangs() ? at.y + y : at.y + height() - y};
   }
-  double highest() const { return tiles.h * kTileSize; }  // px, the largest height that a drag can make
+  double highest() const { return tiles.h * size.height; }  // px, the largest height that a drag can make
   double height_at(float y) const { return (hangs() ? y - at.y : at.y + height() - y) / zoom; }  // px
   double rise(float from_y, float to_y) const { return height_at(to_y) - height_at(from_y); }    // px
   int nearest_by_x(float x) const {
@@ -64,20 +65,22 @@ struct ShapeCanvas::Frame {
 
 std::optional<TileShape> ShapeCanvas::draw(const Session& session, Actions& actions, int tile,
                                            const TileShape& shape, ImVec2 room, Ui& ui) {
-  CellRect tiles = tiles_of_shape(tile, shape);
+  const TileSize size = session.level().map.tile_size();
+  CellRect tiles = tiles_of_shape(tile, shape, size);
   if (grip_ != Grip::none && tiles.h != rows_) {  // keeps the number of rows from when the drag began
     if (shape.side == TileShape::Side::floor) tiles.y += tiles.h - rows_;
     tiles.h = rows_;
   }
   rows_ = tiles.h;
   const float margin = ui.px(kMargin);
-  const auto columns = static_cast<float>(tiles.w * kTileSize),
-             rows = static_cast<float>(tiles.h * kTileSize);
-  const float fits_high = std::max((room.y - 2 * margin) / rows, kLeastZoom * ui.scale);
+  const auto columns = static_cast<float>(tiles.w * size.width),
+             rows = static_cast<float>(tiles.h * size.height);
+  const float least = ui.px(kLeastTile) / static_cast<float>(size.height);  // of shapes higher than the room
+  const float fits_high = std::max((room.y - 2 * margin) / rows, least);
   const float fits = std::min((room.x - 2 * margin) / columns, fits_high);
-  Frame frame{session, tiles, shape, {}, 1, ui.px(kReach)};
+  Frame frame{session, tiles, size, shape, {}, 1, ui.px(kReach)};
   frame.color = overlay_color(overlay::shapes, session.choices().overlay_palette);
-  frame.zoom = std::clamp(std::floor(fits), 1.0f, kMostZoom * ui.scale);
+  frame.zoom = fits < 1 ? fits : std::min(std::floor(fits), kMostZoom * ui.scale);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("shape canvas", {room.x, frame.height() + 2 * margin});
   frame.at = {std::floor(corner.x + (room.x - frame.width()) / 2), std::floor(corner.y + margin)};
@@ -90,12 +93,12 @@ std::optional<TileShape> ShapeCanvas::draw(const Session& session, Actions& acti
     for (int x = 0; x < tiles.w; ++x) {
       if (tiles.y + y < 0 || tiles.y + y >= kSheetColumns || tiles.x + x >= kSheetColumns) continue;
       const ImVec2 uv{static_cast<float>(tiles.x + x) * side, static_cast<float>(tiles.y + y) * side};
-      const float size = kTileSize * frame.zoom;
-      const ImVec2 from{frame.at.x + static_cast<float>(x) * size, frame.at.y + static_cast<float>(y) * size};
-      list.AddImage(ui.sheet(SheetId::tiles), from, {from.x + size, from.y + size}, uv,
-                    {uv.x + side, uv.y + side});
-      list.AddRect({from.x - 1, from.y - 1}, {from.x + size + 1, from.y + size + 1},
-                   theme::color(theme::kLine));
+      const float w = static_cast<float>(size.width) * frame.zoom;
+      const float h = static_cast<float>(size.height) * frame.zoom;
+      const ImVec2 from{frame.at.x + static_cast<float>(x) * w, frame.at.y + static_cast<float>(y) * h};
+      const ImVec2 to{from.x + w, from.y + h};
+      list.AddImage(ui.sheet(SheetId::tiles), from, to, uv, {uv.x + side, uv.y + side});
+      list.AddRect({from.x - 1, from.y - 1}, {to.x + 1, to.y + 1}, theme::color(theme::kLine));
     }
   }
   draw_line(frame, ui);
@@ -109,8 +112,8 @@ void ShapeCanvas::follow_cursor(const Frame& frame, Ui& ui) const {
                         {frame.at.x + frame.width(), frame.at.y + frame.height()},
                         {frame.at.x, frame.at.y},
                         frame.zoom};
-  const CellRect room{0, 0, frame.tiles.w * kTileSize, frame.tiles.h * kTileSize};
-  ui.view.canvas.cursor.visit("shape", view, {room, 1, true}, ImGui::GetIO().MousePos);
+  const CellRect room{0, 0, frame.tiles.w * frame.size.width, frame.tiles.h * frame.size.height};
+  ui.view.canvas.cursor.visit("shape", view, {room, {1, 1}, true}, ImGui::GetIO().MousePos);
   ui.view.canvas.cursor.draw("shape", *ImGui::GetWindowDrawList(), view, ui.scale);
 }
 

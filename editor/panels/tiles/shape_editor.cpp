@@ -79,7 +79,7 @@ class ShapeFields {
                               "The number of tiles that it covers, from its own tile to the right.", 88);
     if (!tiles) return;
     if (*tiles != std::round(*tiles)) return refuse("a width must be whole tiles");
-    if (*tiles != shape_.tiles) shape_ = with_width(shape_, static_cast<int>(*tiles));
+    if (*tiles != shape_.tiles) shape_ = with_width(shape_, static_cast<int>(*tiles), tile_size());
     changed_ = true;
   }
 
@@ -95,7 +95,8 @@ class ShapeFields {
   }
 
   void height(std::size_t i, std::string_view part, const char* format, std::string_view help, float width) {
-    const auto height = number(part, format, shape_.heights[i], 0, kMaxShapeTiles * kTileSize, help, width);
+    const auto height =
+        number(part, format, shape_.heights[i], 0, kMaxShapeTiles * tile_size().height, help, width);
     if (!height) return;
     shape_.heights[i] = *height;
     changed_ = true;
@@ -114,6 +115,8 @@ class ShapeFields {
            (part == "tiles" ? " tiles" : " px"));
     return std::nullopt;
   }
+
+  TileSize tile_size() const { return session_.level().map.tile_size(); }
 
   void refuse(const std::string& why) {
     actions_.push_back(action::ShowMessage{"Not changed: " + why + ".", true});

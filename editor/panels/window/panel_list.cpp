@@ -25,6 +25,7 @@
 #include "panels/inspector/inspector_panel.h"
 #include "panels/level/find_tiles_panel.h"
 #include "panels/level/history_panel.h"
+#include "panels/level/new_level_panel.h"
 #include "panels/level/problems_panel.h"
 #include "panels/level/reach_panel.h"
 #include "panels/level/resize_panel.h"
@@ -82,6 +83,7 @@ std::vector<PanelPlace> make_panels() {
   panels.push_back(place<FindTilesPanel>(Region::floating));
   panels.push_back(place<ExportPanel>(Region::floating));
   panels.push_back(place<ResizePanel>(Region::floating));
+  panels.push_back(place<NewLevelPanel>(Region::floating));
   panels.push_back(place<CommandPalettePanel>(Region::floating));
   panels.push_back(place<PictureImportPanel>(Region::floating));
   panels.push_back(place<LevelImportPanel>(Region::floating));

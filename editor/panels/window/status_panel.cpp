@@ -46,7 +46,7 @@ void draw_stamp_part(const Stamp& stamp, float x, Ui& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float side = ImGui::GetTextLineHeight();
   const CellRect shown{0, 0, std::min(stamp.w, kMostShown), std::min(stamp.h, kMostShown)};
-  const float zoom = side / static_cast<float>(std::max(shown.w, shown.h) * kTileSize);
+  const float zoom = side / static_cast<float>(std::max(shown.w, shown.h) * kCartTileSize);
   const CanvasView view{at, {at.x + side - 1, at.y + side - 1}, {at.x, at.y}, zoom};
   draw_stamp(*ImGui::GetWindowDrawList(), stamp, shown, view, ui, 255);
   ImGui::Dummy({side, side});
@@ -115,14 +115,15 @@ std::string hover_text(const Session& session, const Hover& hover) {
   if (!hover.pixel) return "";
   std::string text = "outside the map   ";
   if (hover.cell) {
-    const std::uint8_t tile = session.level().map.at(*hover.cell);
+    const std::uint8_t number = session.level().map.at(*hover.cell);
     text = "(" + std::to_string(hover.cell->x) + ", " + std::to_string(hover.cell->y) + ")  tile " +
-           std::to_string(tile) + flags_text(session.level().tile_flags(tile)) + "   ";
+           std::to_string(number) + flags_text(session.level().tile_flags(number)) + "   ";
   }
+  const TileSize tile = session.level().map.tile_size();
   if (hover.dragged)
     return text + std::to_string(hover.dragged->x) + "x" + std::to_string(hover.dragged->y) + " cells, " +
-           std::to_string(hover.dragged->x * kTileSize) + "x" + std::to_string(hover.dragged->y * kTileSize) +
-           " px";
+           std::to_string(hover.dragged->x * tile.width) + "x" +
+           std::to_string(hover.dragged->y * tile.height) + " px";
   return text + "px " + two_decimals(hover.pixel->x) + ", " + two_decimals(hover.pixel->y);
 }
 

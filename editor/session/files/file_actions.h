@@ -13,7 +13,11 @@
 namespace talus {
 namespace action {
 
-struct NewLevel {};
+struct NewLevel {
+  TileSize tile = {};          // px
+  int width = kTicMapWidth;    // cells
+  int height = kTicMapHeight;  // cells; is_terrain_size must allow them (asserted)
+};
 // Opens a level, or a recording with its level; a PNG without a cart as OpenPng. If the file leaves a choice:
 // see Session::level_import(). Large files are read beside the editor: see Session::reading().
 struct OpenFile {

@@ -8,7 +8,6 @@
 #include "formats/files/real_path.h"
 #include "formats/native/recording_file.h"
 #include "formats/pictures/png_picture.h"
-#include "shown_level.h"
 
 namespace talus {
 namespace {
@@ -192,8 +191,11 @@ void FileHandler::discard_and_do(const DiscardingAction& discarding) {
     read_and_open(*file);
   } else if (const auto* saved = std::get_if<action::RecoverLevel>(&discarding)) {
     recover(*saved);
-  } else if (std::holds_alternative<action::NewLevel>(discarding)) {
-    replace_level(Level(), {}, nullptr);
+  } else if (const auto* fresh = std::get_if<action::NewLevel>(&discarding)) {
+    Level level;
+    level.map = TileMap(fresh->width, fresh->height, fresh->tile);
+    level.tuning = new_tuning(fresh->tile);
+    replace_level(std::move(level), {}, nullptr);
     name_ = kUnnamed;
   } else {
     wants_quit_ = true;
@@ -247,7 +249,7 @@ template <>
 void FileHandler::carry_out(const action::SetLevelImport& a) {
   if (!level_import_) return;
   reading_.read(level_import_->path, [this, a, path = level_import_->path](const Progress& progress) {
-    auto plan = std::make_shared<FormatResult<LoadedLevel>>(load_for_window(path, a.choices, progress));
+    auto plan = std::make_shared<FormatResult<LoadedLevel>>(load_level(path, a.choices, progress));
     return FileReader::Finish([this, a, plan] {
       if (!level_import_) return;
       level_import_->choices = a.choices;
@@ -341,7 +343,7 @@ void FileHandler::reload() {
   is_reloading_ = true;
   note_file();  // first: a file that is written from now on is another change
   reading_.read(open_.path, [this, file = open_.path](const Progress& progress) {
-    auto loaded = std::make_shared<FormatResult<LoadedLevel>>(load_for_window(file, {}, progress));
+    auto loaded = std::make_shared<FormatResult<LoadedLevel>>(load_level(file, {}, progress));
     return FileReader::Finish([this, loaded] { take_reloaded(*loaded); });
   });
 }

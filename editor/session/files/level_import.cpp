@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "shown_level.h"
-
 namespace talus {
 
 LevelImport first_level_import(const std::string& path, const Progress& progress) {
@@ -15,10 +13,10 @@ LevelImport first_level_import(const std::string& path, const Progress& progress
                          [](const TiledLayerName& a, const TiledLayerName& b) { return a.cells < b.cells; });
     import.choices.layer_number = static_cast<int>(fullest - import.layers.begin()) + 1;
   }
-  import.plan = load_for_window(path, import.choices, progress.part(0, 0.5));
+  import.plan = load_level(path, import.choices, progress.part(0, 0.5));
   if (!import.plan && !import.plan.error().remedy.empty()) {
     import.choices.used_tiles = true;
-    import.plan = load_for_window(path, import.choices, progress.part(0.5, 1));
+    import.plan = load_level(path, import.choices, progress.part(0.5, 1));
   }
   return import;
 }

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "formats/files/atomic_file.h"
-#include "shown_level.h"
 
 namespace talus {
 namespace {
@@ -24,15 +23,11 @@ OpenedFile read_for_opening(const std::string& path, bool has_choice, const Prog
   if (const auto bytes = read_file(path, kMaxFileBytes, progress.part(0, 0.05));
       bytes && is_recording(*bytes, context_for_file(path))) {
     put(read_recording(*bytes, progress.part(0.05, 0.6)), opened);
-    const auto* recording = std::get_if<Recording>(&opened.content);
-    const auto problem = recording != nullptr ? window_problem(recording->level) : std::nullopt;
-    if (problem)
-      opened.content = FormatError{"", *problem};
-    else if (recording != nullptr)
+    if (const auto* recording = std::get_if<Recording>(&opened.content))
       opened.scenes = compile_ends(*recording, progress.part(0.6, 1));
     return opened;
   }
-  FormatResult<LoadedLevel> loaded = load_for_window(path, {}, progress.part(0.05, 0.7));
+  FormatResult<LoadedLevel> loaded = load_level(path, {}, progress.part(0.05, 0.7));
   if (!loaded && !loaded.error().remedy.empty() && has_choice)
     opened.content = first_level_import(path, progress.part(0.7, 1));
   else

@@ -22,7 +22,7 @@ PngImportOptions first_options(const PngPicture& picture, const SpriteArea& area
     return options;
   }
   options.part = area.sheet == SheetId::tiles ? PngPart::tiles : PngPart::sprites;
-  const int x = area.tiles.x * kTileSize, y = area.tiles.y * kTileSize;
+  const int x = area.tiles.x * kCartTileSize, y = area.tiles.y * kCartTileSize;
   const bool fits = x + width <= kSheetSide && y + height <= kSheetSide;
   options.tile = fits ? area.tile_at(0, 0) : 0;
   return options;

@@ -13,14 +13,14 @@ std::string size_text(int width, int height) {
 
 // px of a side of `size` that are used if there is `room`.
 int fitted_side(int size, int room, PngFit fit) {
-  if (fit == PngFit::cut_off) return std::min(size, room) / kTileSize * kTileSize;
+  if (fit == PngFit::cut_off) return std::min(size, room) / kCartTileSize * kCartTileSize;
   return in_whole_tiles(size);
 }
 
 // The part of the picture that goes on the sheet, in whole tiles; filled-up pixels are transparent.
 tl::expected<PngPicture, std::string> fitted(const PngPicture& picture, const PngImportOptions& options) {
-  const int room_x = kSheetSide - options.tile % kSheetColumns * kTileSize;
-  const int room_y = kSheetSide - options.tile / kSheetColumns * kTileSize;
+  const int room_x = kSheetSide - options.tile % kSheetColumns * kCartTileSize;
+  const int room_y = kSheetSide - options.tile / kSheetColumns * kCartTileSize;
   const std::string size = size_text(picture.width, picture.height);
   PngPicture taken{fitted_side(picture.width, room_x, options.fit),
                    fitted_side(picture.height, room_y, options.fit),
@@ -66,8 +66,8 @@ void change_pixels(const PngPicture& picture, const MatchedPicture& matched, con
   std::set<int> tiles;
   for (int y = 0; y < picture.height; ++y) {
     for (int x = 0; x < picture.width; ++x) {
-      const int tile = options.tile + y / kTileSize * kSheetColumns + x / kTileSize;
-      const int pixel = y % kTileSize * kTileSize + x % kTileSize;
+      const int tile = options.tile + y / kCartTileSize * kSheetColumns + x / kCartTileSize;
+      const int pixel = y % kCartTileSize * kCartTileSize + x % kCartTileSize;
       std::uint8_t& now = plan.sheet.images[static_cast<std::size_t>(tile)][static_cast<std::size_t>(pixel)];
       const std::uint8_t before = now, after = matched.indices[picture.index(x, y)];
       if (before == after) continue;
@@ -103,7 +103,7 @@ tl::expected<void, std::string> take_palette(const Level& level, const FormatRes
 
 }  // namespace
 
-int in_whole_tiles(int side) { return (side + kTileSize - 1) / kTileSize * kTileSize; }
+int in_whole_tiles(int side) { return (side + kCartTileSize - 1) / kCartTileSize * kCartTileSize; }
 
 tl::expected<PngImportPlan, std::string> plan_png_import(const Level& level, const PngPicture& picture,
                                                          const PngImportOptions& options) {

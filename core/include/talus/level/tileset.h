@@ -15,9 +15,6 @@ inline constexpr int kSheetSide = kSheetColumns * kCartTileSize;  // px, of the 
 inline constexpr int kColorCount = 16;                            // of a palette
 inline constexpr int kFlagCount = 8;                              // of an image
 
-// px, the side that the window draws all tiles with, also those of other sizes (TileMap::tile_size).
-inline constexpr int kTileSize = kCartTileSize;
-
 // A colour.
 struct Rgb {
   std::uint8_t r = 0;  // red, 0..255

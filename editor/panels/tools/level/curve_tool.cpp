@@ -223,7 +223,7 @@ void CurveTool::draw_new_line(ImDrawList& list, const LevelToolUse& use) const {
   const SnappedPoint to = end_at(use);
   const CurveKind kind = kind_to_draw(session.choices());
   if (drag_ == Drag::line && from_ != to.point) {
-    const Curve curve = curve_between(kind, from_, to.point);
+    const Curve curve = curve_between(kind, from_, to.point, use.session.level().map.tile_size());
     if (const auto problem = problem_of(curve, session.level().map)) {
       pen.line(from_, to.point, theme::color(theme::kError));
       pen.title("the " + std::string(label_of(kind)) + " " + *problem, ImGui::GetIO().MousePos,
