@@ -15,7 +15,7 @@ namespace {
 
 using Node = Expression::Node;
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 // The arguments need not be whole.
 Rect cell_box(const Scene& scene, double column, double row) {
@@ -97,7 +97,7 @@ class Evaluator {
     const double id = node.body == Node::kNone ? body_ : value(node.body, back);
     const bool is_id = id >= 1 && id <= std::numeric_limits<int>::max() && id == std::floor(id);
     const Body* body = is_id ? frame.state.find(static_cast<int>(id)) : nullptr;
-    if (body == nullptr) return node.type == ValueType::truth ? 0 : kNothing;
+    if (body == nullptr) return node.type == ValueType::truth ? 0 : kNoNumber;
 
     const auto argument = [&](int i) { return value(node.arguments[i], back); };
     switch (node.operation) {
