@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <talus/formats/format.h>
+#include "debug/breakpoint_search.h"
 #include "debug/compare.h"
 #include "debug/explain.h"
-#include "debug/stop_search.h"
 #include "formats/native/hard_case_file.h"
 #include "level_picture.h"
 #include "sim/case_input.h"

@@ -1,5 +1,5 @@
 // Breakpoints, and the search for the frames where they stop.
-#include "debug/stop_search.h"
+#include "debug/breakpoint_search.h"
 
 #include <gtest/gtest.h>
 

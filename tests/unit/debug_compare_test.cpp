@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "debug/stop_search.h"
-#include "debug/watch.h"
+#include "debug/breakpoint_search.h"
+#include "debug/plot_series.h"
 #include "level_picture.h"
 #include "recorded_run.h"
 

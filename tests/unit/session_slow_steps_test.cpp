@@ -6,7 +6,7 @@
 #include "folder_test.h"
 #include "level_picture.h"
 #include "recorded_run.h"
-#include "session/debugger/stops.h"
+#include "session/debugger/breakpoints.h"
 #include "session/run/work_share.h"
 #include "session/session.h"
 

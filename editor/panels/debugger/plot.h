@@ -1,7 +1,7 @@
 // A plot of a series over the frames of a run.
 #pragma once
 
-#include "debug/watch.h"
+#include "debug/plot_series.h"
 #include "frame_axis.h"
 #include "panels/ui/ui.h"
 #include "session/session.h"

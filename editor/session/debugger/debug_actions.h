@@ -5,8 +5,8 @@
 #include <optional>
 #include <variant>
 
-#include "debug/stop_search.h"
-#include "session/debugger/watches.h"
+#include "debug/breakpoint_search.h"
+#include "session/debugger/plot_list.h"
 #include "session/run/variant_run.h"
 
 namespace talus {

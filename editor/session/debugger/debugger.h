@@ -5,12 +5,12 @@
 #include <optional>
 #include <vector>
 
+#include "breakpoints.h"
 #include "debug/compare.h"
+#include "plot_list.h"
 #include "session/run/shown_frame.h"
 #include "session/run/side_by_side.h"
 #include "session/run/work_share.h"
-#include "stops.h"
-#include "watches.h"
 
 namespace talus {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "debug/watch.h"
+#include "debug/plot_series.h"
 
 namespace talus {
 

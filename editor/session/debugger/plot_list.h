@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "debug/watch.h"
+#include "debug/plot_series.h"
 
 namespace talus {
 

@@ -6,7 +6,7 @@
 
 #include "expression_field.h"
 #include "panels/panel.h"
-#include "session/debugger/watches.h"
+#include "session/debugger/plot_list.h"
 
 namespace talus {
 

@@ -1,5 +1,5 @@
 // The list of breakpoints, with the controls that add one and run to one.
-#include "stops_panel.h"
+#include "breakpoints_panel.h"
 
 #include <algorithm>
 #include <string>

@@ -1,4 +1,4 @@
-#include "stops.h"
+#include "breakpoints.h"
 
 #include <algorithm>
 

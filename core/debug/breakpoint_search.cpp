@@ -1,4 +1,4 @@
-#include "stop_search.h"
+#include "breakpoint_search.h"
 
 #include <algorithm>
 

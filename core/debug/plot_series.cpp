@@ -1,4 +1,4 @@
-#include "watch.h"
+#include "plot_series.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,5 +1,5 @@
 // A row for each watch: its text, its value, and its plot.
-#include "watch_panel.h"
+#include "plots_panel.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "debug/stop_search.h"
+#include "debug/breakpoint_search.h"
 #include "hit_log.h"
 
 namespace talus {

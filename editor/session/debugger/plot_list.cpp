@@ -1,4 +1,4 @@
-#include "watches.h"
+#include "plot_list.h"
 
 #include <limits>
 
