@@ -7,57 +7,59 @@
 namespace talus {
 namespace {
 
-constexpr std::array kStopKinds = {
-    StopKindInfo{StopKind::touches_tile, "contact with a tile", {{{"column", ""}, {"row", ""}}}, false},
-    StopKindInfo{StopKind::touches_body, "contact with a body", {{{"body", "", 1}}}, false},
-    StopKindInfo{StopKind::normal_range,
-                 "normal in a range",
-                 {{{"from", "degrees", -45}, {"to", "degrees", 45}}},
-                 false},
-    StopKindInfo{StopKind::slope_delta, "|slope delta| over", {{{"over", "", 0.5}}}, false},
-    StopKindInfo{StopKind::grounded, "grounded changes", {}, true},
-    StopKindInfo{StopKind::penetration, "penetration over", {{{"over", "px", 0.01}}}, false},
-    StopKindInfo{StopKind::speed, "speed over", {{{"over", "px/frame", 4}}}, false},
-    StopKindInfo{StopKind::enters_cell, "body enters a cell", {{{"column", ""}, {"row", ""}}}, false},
-    StopKindInfo{StopKind::enters_rect,
-                 "body enters a rectangle",
-                 {{{"x", "px"}, {"y", "px"}, {"w", "px", 8}, {"h", "px", 8}}},
-                 false},
-    StopKindInfo{StopKind::capped, "cap reached", {}, false},
-    StopKindInfo{StopKind::parting, "solvers part by more than", {{{"over", "px", 0.01}}}, false},
+constexpr std::array kBreakpointKinds = {
+    BreakpointKindInfo{
+        BreakpointKind::touches_tile, "contact with a tile", {{{"column", ""}, {"row", ""}}}, false},
+    BreakpointKindInfo{BreakpointKind::touches_body, "contact with a body", {{{"body", "", 1}}}, false},
+    BreakpointKindInfo{BreakpointKind::normal_range,
+                       "normal in a range",
+                       {{{"from", "degrees", -45}, {"to", "degrees", 45}}},
+                       false},
+    BreakpointKindInfo{BreakpointKind::slope_delta, "|slope delta| over", {{{"over", "", 0.5}}}, false},
+    BreakpointKindInfo{BreakpointKind::grounded, "grounded changes", {}, true},
+    BreakpointKindInfo{BreakpointKind::penetration, "penetration over", {{{"over", "px", 0.01}}}, false},
+    BreakpointKindInfo{BreakpointKind::speed, "speed over", {{{"over", "px/frame", 4}}}, false},
+    BreakpointKindInfo{
+        BreakpointKind::enters_cell, "body enters a cell", {{{"column", ""}, {"row", ""}}}, false},
+    BreakpointKindInfo{BreakpointKind::enters_rect,
+                       "body enters a rectangle",
+                       {{{"x", "px"}, {"y", "px"}, {"w", "px", 8}, {"h", "px", 8}}},
+                       false},
+    BreakpointKindInfo{BreakpointKind::capped, "cap reached", {}, false},
+    BreakpointKindInfo{BreakpointKind::parting, "solvers part by more than", {{{"over", "px", 0.01}}}, false},
 };
 
 }  // namespace
 
-std::span<const StopKindInfo> stop_kind_infos() { return kStopKinds; }
+std::span<const BreakpointKindInfo> breakpoint_kind_infos() { return kBreakpointKinds; }
 
-std::string condition_of(StopKind kind, std::span<const double> fields) {
-  const StopKindInfo& info = kStopKinds[static_cast<std::size_t>(kind)];
+std::string condition_of(BreakpointKind kind, std::span<const double> fields) {
+  const BreakpointKindInfo& info = kBreakpointKinds[static_cast<std::size_t>(kind)];
   const auto field = [&](std::size_t i) {
     return exact_text(i < fields.size() ? fields[i] : info.fields[i].standard);
   };
   switch (kind) {
-    case StopKind::touches_tile:
+    case BreakpointKind::touches_tile:
       return "touches(" + field(0) + ", " + field(1) + ")";
-    case StopKind::touches_body:
+    case BreakpointKind::touches_body:
       return "touches_body(" + field(0) + ")";
-    case StopKind::normal_range:
+    case BreakpointKind::normal_range:
       return "normal.angle >= " + field(0) + " && normal.angle <= " + field(1);
-    case StopKind::slope_delta:
+    case BreakpointKind::slope_delta:
       return "abs(slope_delta) > " + field(0);
-    case StopKind::grounded:
+    case BreakpointKind::grounded:
       return "changed(grounded)";
-    case StopKind::penetration:
+    case BreakpointKind::penetration:
       return "penetration > " + field(0);
-    case StopKind::speed:
+    case BreakpointKind::speed:
       return "speed > " + field(0);
-    case StopKind::enters_cell:
+    case BreakpointKind::enters_cell:
       return "in_cell(" + field(0) + ", " + field(1) + ")";
-    case StopKind::enters_rect:
+    case BreakpointKind::enters_rect:
       return "in_rect(" + field(0) + ", " + field(1) + ", " + field(2) + ", " + field(3) + ")";
-    case StopKind::capped:
+    case BreakpointKind::capped:
       return "capped";
-    case StopKind::parting:
+    case BreakpointKind::parting:
       return "parting > " + field(0);
   }
   return {};

@@ -23,7 +23,7 @@ struct Breakpoint {
 };
 
 // Ready-made conditions. Each one is a text that the user can see and change.
-enum class StopKind {
+enum class BreakpointKind {
   touches_tile,
   touches_body,
   normal_range,
@@ -36,21 +36,21 @@ enum class StopKind {
   capped,
   parting
 };
-struct StopField {
+struct BreakpointField {
   std::string_view label;  // empty: the kind has no such field
   std::string_view unit;   // may be empty
   double standard = 0;     // the default
 };
-struct StopKindInfo {
-  StopKind kind;
-  std::string_view label;           // "contact with a tile"
-  std::array<StopField, 4> fields;  // its fields come first, unused ones after them
-  bool each_frame;                  // as Breakpoint::each_frame
+struct BreakpointKindInfo {
+  BreakpointKind kind;
+  std::string_view label;                 // "contact with a tile"
+  std::array<BreakpointField, 4> fields;  // its fields come first, unused ones after them
+  bool each_frame;                        // as Breakpoint::each_frame
 };
-std::span<const StopKindInfo> stop_kind_infos();  // in the order of the enum
+std::span<const BreakpointKindInfo> breakpoint_kind_infos();  // in the order of the enum
 
 // fields: one number for each field of the kind; a missing one has its default.
-std::string condition_of(StopKind kind, std::span<const double> fields);
+std::string condition_of(BreakpointKind kind, std::span<const double> fields);
 
 // A breakpoint that is ready to judge frames.
 class ArmedBreakpoint {
@@ -79,6 +79,7 @@ class ArmedBreakpoint {
   Expression condition_;
 };
 
+// The hit of a breakpoint that stops a run.
 struct Stop {
   std::int64_t frame = 0;
   int breakpoint = 0;  // id

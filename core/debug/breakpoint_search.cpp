@@ -9,7 +9,8 @@ constexpr std::int64_t kBlock = 256;  // frames
 
 }  // namespace
 
-StopSearch::StopSearch(std::vector<ArmedBreakpoint> breakpoints, std::int64_t from, SearchDirection direction)
+BreakpointSearch::BreakpointSearch(std::vector<ArmedBreakpoint> breakpoints, std::int64_t from,
+                                   SearchDirection direction)
     : counter_(std::move(breakpoints)),
       history_(counter_.frames_before()),
       from_(from),
@@ -22,18 +23,18 @@ StopSearch::StopSearch(std::vector<ArmedBreakpoint> breakpoints, std::int64_t fr
   }
 }
 
-void StopSearch::begin_block_before(std::int64_t end) {
+void BreakpointSearch::begin_block_before(std::int64_t end) {
   block_end_ = end;
   next_ = block_ = counter_.counts() ? 0 : std::max<std::int64_t>(end - kBlock, 0);
   if (end <= 0) is_done_ = true;
 }
 
-bool StopSearch::advance(const FrameSource& source, std::int64_t frames) {
+bool BreakpointSearch::advance(const FrameSource& source, std::int64_t frames) {
   for (; frames > 0 && !is_done_; --frames) judge(source);
   return is_done_;
 }
 
-void StopSearch::judge(const FrameSource& source) {
+void BreakpointSearch::judge(const FrameSource& source) {
   const bool is_forwards = direction_ == SearchDirection::forwards;
   if (is_forwards && next_ > source.last()) {
     is_done_ = true;
@@ -61,7 +62,7 @@ void StopSearch::judge(const FrameSource& source) {
   }
 }
 
-double StopSearch::progress(const FrameSource& source) const {
+double BreakpointSearch::progress(const FrameSource& source) const {
   if (is_done_) return 1;
   const std::int64_t first = counter_.counts() ? 0 : from_ + 1;
   const std::int64_t all = direction_ == SearchDirection::backwards ? from_ : source.last() + 1 - first;

@@ -1,4 +1,5 @@
-// StopSearch: runs to the next stop of a recording, or back to the previous one, a few frames at a time.
+// BreakpointSearch: runs to the next frame of a recording at which a breakpoint stops, or back to the
+// previous one, a few frames at a time.
 #pragma once
 
 #include "breakpoint.h"
@@ -10,10 +11,10 @@ enum class SearchDirection { forwards, backwards };
 // Both directions find the same stops, as hits are numbered from frame 0 on: a run backwards stops where a
 // run forwards would have stopped. So if a breakpoint counts hits, a search begins at frame 0. Otherwise it
 // begins beside `from`; backwards it takes blocks of frames and reads each of them forwards.
-class StopSearch {
+class BreakpointSearch {
  public:
   // from: the frame to go on from, which is not a stop itself. Forwards, -1 means before the first frame.
-  StopSearch(std::vector<ArmedBreakpoint> breakpoints, std::int64_t from, SearchDirection direction);
+  BreakpointSearch(std::vector<ArmedBreakpoint> breakpoints, std::int64_t from, SearchDirection direction);
 
   // Judges up to `frames` frames of the source, fewer if it has to run to them first, or if they have more
   // than kBodiesAtOnce bodies. The source must be the same in every call but may have grown. Returns true at

@@ -1,4 +1,4 @@
-// Expressions over a frame, for breakpoints, watches and plots: "body.vy > 3 && grounded".
+// Expressions over a frame, for breakpoints and plots: "body.vy > 3 && grounded".
 //
 //     ||   &&   == !=   < <= > >=   + -   * / %   ! -   ( )      from loose to tight, each from left to right
 //

@@ -8,9 +8,9 @@
 namespace talus {
 namespace {
 
-int frames_before(const std::vector<Watch>& watches) {
+int frames_before(const std::vector<PlottedExpression>& plots) {
   int most = 0;
-  for (const Watch& watch : watches) most = std::max(most, watch.expression.frames_before());
+  for (const PlottedExpression& plot : plots) most = std::max(most, plot.expression.frames_before());
   return most;
 }
 
@@ -20,7 +20,7 @@ SeriesPoint joined(const SeriesPoint& a, const SeriesPoint& b) {
 
 }  // namespace
 
-double Watch::value(const FrameView& view) const {
+double PlottedExpression::value(const FrameView& view) const {
   const bool is_about_none = expression.asks_body() && view.now().state.find(body) == nullptr;
   if (is_about_none && expression.type() == ValueType::truth) return std::numeric_limits<double>::quiet_NaN();
   return expression.evaluate(view, body);
@@ -47,24 +47,24 @@ void Series::halve() {
   frames_of_point_ *= 2;
 }
 
-WatchRun::WatchRun(std::vector<Watch> watches, std::int64_t first, std::size_t most)
-    : watches_(std::move(watches)),
-      series_(watches_.size(), Series(first, most)),
-      history_(frames_before(watches_)),
+PlotRun::PlotRun(std::vector<PlottedExpression> plots, std::int64_t first, std::size_t most)
+    : plots_(std::move(plots)),
+      series_(plots_.size(), Series(first, most)),
+      history_(frames_before(plots_)),
       first_(first),
       next_(first) {}
 
-bool WatchRun::advance(const FrameSource& source, std::int64_t frames) {
+bool PlotRun::advance(const FrameSource& source, std::int64_t frames) {
   for (; frames > 0 && next_ <= source.last(); --frames) {
     if (!history_.approach(source, next_)) continue;
     const FrameView view = history_.view();
-    for (std::size_t i = 0; i < watches_.size(); ++i) series_[i].add(watches_[i].value(view));
+    for (std::size_t i = 0; i < plots_.size(); ++i) series_[i].add(plots_[i].value(view));
     ++next_;
   }
   return next_ > source.last();
 }
 
-double WatchRun::progress(const FrameSource& source) const {
+double PlotRun::progress(const FrameSource& source) const {
   const std::int64_t all = source.last() + 1 - first_;
   return all > 0 ? static_cast<double>(next_ - first_) / static_cast<double>(all) : 1;
 }

@@ -1,4 +1,4 @@
-// Watches: expressions over a range of frames, as a bounded number of points for sparklines and plots.
+// Plots: expressions over a range of frames, as a bounded number of points for sparklines and plots.
 #pragma once
 
 #include <string>
@@ -39,7 +39,7 @@ class Series {
 };
 
 // An expression about a body.
-struct Watch {
+struct PlottedExpression {
   Expression expression;
   int body = 0;  // id
 
@@ -48,21 +48,21 @@ struct Watch {
   double value(const FrameView& view) const;
 };
 
-// Makes the series of several watches over the frames of a recording, a few frames at a time. Goes on when
+// Makes the series of several plots over the frames of a recording, a few frames at a time. Goes on when
 // the recording has grown.
-class WatchRun {
+class PlotRun {
  public:
   // first: the first frame; the last one is last(). most: as in Series.
-  WatchRun(std::vector<Watch> watches, std::int64_t first, std::size_t most);
+  PlotRun(std::vector<PlottedExpression> plots, std::int64_t first, std::size_t most);
 
   // Reads up to `most` frames of the source, fewer if it has to run to them first. The source must be the
   // same in every call. Returns true at the source's last frame. To cancel, drop the object.
   bool advance(const FrameSource& source, std::int64_t frames);
   double progress(const FrameSource& source) const;              // 0 to 1
-  const std::vector<Series>& series() const { return series_; }  // one for each watch
+  const std::vector<Series>& series() const { return series_; }  // one for each plot
 
  private:
-  std::vector<Watch> watches_;
+  std::vector<PlottedExpression> plots_;
   std::vector<Series> series_;
   FrameHistory history_;
   std::int64_t first_, next_;

@@ -133,7 +133,7 @@ void add_debugger_options(CLI::App& command, ShotCommandOptions& options) {
       ->delimiter(',')
       ->check(CLI::IsMember(panels_in_tabs()))
       ->needs(window);
-  command.add_option("--break", shot.stops, "Condition of a breakpoint, such as 'penetration > 1'")
+  command.add_option("--break", shot.breakpoints, "Condition of a breakpoint, such as 'penetration > 1'")
       ->needs(window);
   command.add_flag("--back", shot.runs_back, "Run back to the last frame at which one stops")
       ->needs("--break");

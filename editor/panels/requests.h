@@ -58,7 +58,7 @@ struct FitFirstScreen {};
 // To the problems panel: scrolls to the chosen problem.
 struct ShowProblem {};
 // To the breakpoints panel: takes this cell as the place of the new breakpoint.
-struct PutStopAt {
+struct PutBreakpointAt {
   Cell cell;
 };
 // To the application: opens a dialog for a file.
@@ -72,10 +72,10 @@ struct OpenProgram {
 
 }  // namespace request
 
-using Request =
-    std::variant<request::ShowTab, request::FocusField, request::FocusPanel, request::ShowCell,
-                 request::Scroll, request::Zoom, request::FitMap, request::FitFirstScreen,
-                 request::ShowProblem, request::PutStopAt, request::ShowFileDialog, request::OpenProgram>;
+using Request = std::variant<request::ShowTab, request::FocusField, request::FocusPanel, request::ShowCell,
+                             request::Scroll, request::Zoom, request::FitMap, request::FitFirstScreen,
+                             request::ShowProblem, request::PutBreakpointAt, request::ShowFileDialog,
+                             request::OpenProgram>;
 
 class Requests {
  public:

@@ -33,7 +33,7 @@ struct View {
   void forget_level() {  // another level is open
     canvas.forget_level();
     debugger.forget_level();
-    requests.take<request::PutStopAt>();
+    requests.take<request::PutBreakpointAt>();
   }
 };
 

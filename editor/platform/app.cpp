@@ -173,8 +173,8 @@ void App::take_settings(const Settings& settings) {
   session_->apply(action::SetOverlayPalette{settings.overlay_palette});
   for (const Breakpoint& breakpoint : settings.breakpoints)
     session_->apply(action::SetBreakpoint{breakpoint});
-  for (std::size_t i = 0; i < settings.watches.size(); ++i)
-    session_->apply(action::SetWatch{i, {settings.watches[i], 0}});
+  for (std::size_t i = 0; i < settings.plots.size(); ++i)
+    session_->apply(action::SetPlot{i, {settings.plots[i], 0}});
   session_->apply(action::SetGrid{settings.grid});
   session_->apply(action::SetScreenBorders{settings.screen_borders});
   for (const Overlay* overlay : all_overlays())
@@ -199,9 +199,9 @@ Settings App::current_settings() const {
   settings.legend_folded = ui_.view.canvas.legend_folded;
   settings.preferences = ui_.view.preferences;
   settings.overlay_palette = session_->choices().overlay_palette;
-  settings.breakpoints = session_->debugger().stops().breakpoints();
-  for (const Watches::Entry& entry : session_->debugger().watches().all())
-    settings.watches.push_back(entry.watch.text);
+  settings.breakpoints = session_->debugger().breakpoints().all();
+  for (const PlotList::Entry& entry : session_->debugger().plots().all())
+    settings.plots.push_back(entry.plot.text);
   return settings;
 }
 

@@ -74,7 +74,7 @@ const Fields<Settings>& settings_fields() {
       toggle("debugger", &Settings::dock_open, false),
       toggle("legend_folded", &Settings::legend_folded, false),
       objects("breakpoints", &Settings::breakpoints, breakpoint_fields(), "condition", kMaxBreakpoints),
-      texts("watches", &Settings::watches, kMaxWatches),
+      texts("plots", &Settings::plots, kMaxPlots),
       choice("overlay_palette", &Settings::overlay_palette, OverlayPalette::standard,
              {"standard", "colour_blind"}),
       object("preferences", &Settings::preferences, preferences_fields()),

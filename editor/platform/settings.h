@@ -27,11 +27,11 @@ struct Settings {
   bool dock_open{};                       // the debugger's panels
   bool legend_folded{};                   // the overlays' legend has no names
   std::vector<Breakpoint> breakpoints;    // at most kMaxBreakpoints
-  std::vector<std::string> watches;       // expressions; at most kMaxWatches
+  std::vector<std::string> plots;         // expressions; at most kMaxPlots
   OverlayPalette overlay_palette{};
   Preferences preferences;
 };
-inline constexpr std::size_t kMaxRecentFiles = 10, kMaxTabs = 16, kMaxBreakpoints = 64, kMaxWatches = 64;
+inline constexpr std::size_t kMaxRecentFiles = 10, kMaxTabs = 16, kMaxBreakpoints = 64, kMaxPlots = 64;
 
 // What a first start shows.
 Settings default_settings();

@@ -32,9 +32,9 @@ bool prepare(const WindowShotOptions& options, Session& session, View& view) {
     session.apply(action::StepFrame{});
   }
   session.apply(action::SelectBody{options.body});
-  for (const std::string& condition : options.stops)
+  for (const std::string& condition : options.breakpoints)
     session.apply(action::SetBreakpoint{{.condition = condition, .body = options.body}});
-  if (options.runs_back) session.apply(action::RunToStop{SearchDirection::backwards});
+  if (options.runs_back) session.apply(action::RunToBreakpoint{SearchDirection::backwards});
   if (options.overlays.any(&Overlay::needs_reach)) session.apply(action::FindReach{});
   if (options.compared) session.apply(action::CompareVariant{Variant{*options.compared}});
   view.window.tabs = options.panels;

@@ -30,10 +30,10 @@ struct WindowShotOptions {
   int height = 720;
   int frames = 0;  // steps to run before the picture is taken
   OverlaySet overlays;
-  int body = 0;                      // id of the chosen body; 0: no body
-  std::optional<SolverKind> solver;  // replaces the level's own solver
-  std::vector<std::string> panels;   // ids of the tabs to show; not empty: the debugger's panels are open
-  std::vector<std::string> stops;    // conditions of breakpoints, about the chosen body
+  int body = 0;                          // id of the chosen body; 0: no body
+  std::optional<SolverKind> solver;      // replaces the level's own solver
+  std::vector<std::string> panels;       // ids of the tabs to show; not empty: the debugger's panels are open
+  std::vector<std::string> breakpoints;  // conditions of breakpoints, about the chosen body
   bool runs_back = false;  // after the steps, runs back to the last frame at which a breakpoint stops
   std::optional<SolverKind> compared;  // solver that gets the same input, too
   bool two_views = false;              // shows the two sides in two views

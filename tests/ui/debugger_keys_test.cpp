@@ -1,4 +1,4 @@
-// The debugger without a mouse: branches, the input roll, breakpoints, watches and comparison by keys alone.
+// The debugger without a mouse: branches, the input roll, breakpoints, plots and comparison by keys alone.
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace talus::debugger_keys_test {
 
 class UiDebuggerKeys : public DebuggerTest {
  protected:
-  const auto& stops() { return session().debugger().stops().breakpoints(); }
-  const auto& watches() { return session().debugger().watches().all(); }
+  const auto& breakpoints() { return session().debugger().breakpoints().all(); }
+  const auto& plots() { return session().debugger().plots().all(); }
   static constexpr KeyChord kEnter{SDLK_RETURN};
 };
 
@@ -127,13 +127,13 @@ TEST_F(UiDebuggerKeys, AddChangeSwitchAndRemoveABreakpoint) {
   type("vy > 9");
   key(kEnter);
   frames(2);
-  ASSERT_EQ(stops().size(), 1u);
-  EXPECT_EQ(stops()[0].condition, "vy > 9");
-  EXPECT_TRUE(stops()[0].enabled);
+  ASSERT_EQ(breakpoints().size(), 1u);
+  EXPECT_EQ(breakpoints()[0].condition, "vy > 9");
+  EXPECT_TRUE(breakpoints()[0].enabled);
   key(ctrl_shift(kKeyF9));
-  EXPECT_FALSE(stops()[0].enabled);
+  EXPECT_FALSE(breakpoints()[0].enabled);
   key(ctrl_shift(kKeyF9));
-  EXPECT_TRUE(stops()[0].enabled);
+  EXPECT_TRUE(breakpoints()[0].enabled);
 
   key(ctrl(kKeyF9));
   frames(3);
@@ -143,14 +143,14 @@ TEST_F(UiDebuggerKeys, AddChangeSwitchAndRemoveABreakpoint) {
   type("vy > 8");
   key(kEnter);
   frames(2);
-  EXPECT_EQ(stops()[0].condition, "vy > 8");
+  EXPECT_EQ(breakpoints()[0].condition, "vy > 8");
   key(ctrl(kKeyF9));
   frames(3);
   key(kKeyDown);
   frames(3);
   key(ctrl(SDLK_RETURN));
   frames(2);
-  EXPECT_FALSE(stops()[0].enabled);
+  EXPECT_FALSE(breakpoints()[0].enabled);
 
   key(ctrl(kKeyF9));
   frames(3);
@@ -160,17 +160,17 @@ TEST_F(UiDebuggerKeys, AddChangeSwitchAndRemoveABreakpoint) {
   key(kKeyDelete);
   key(kEnter);
   frames(2);
-  EXPECT_TRUE(stops().empty());
+  EXPECT_TRUE(breakpoints().empty());
 }
 
-TEST_F(UiDebuggerKeys, AddChangeAndRemoveAWatch) {
+TEST_F(UiDebuggerKeys, AddChangeAndRemoveAPlot) {
   key(ctrl(kKeyF8));
   frames(3);
   type("vy * 2");
   key(kEnter);
   frames(2);
-  ASSERT_EQ(watches().size(), 1u);
-  EXPECT_EQ(watches()[0].watch.text, "vy * 2");
+  ASSERT_EQ(plots().size(), 1u);
+  EXPECT_EQ(plots()[0].plot.text, "vy * 2");
   const auto go_to_first = [&] {
     key(ctrl(kKeyF8));
     frames(3);
@@ -182,15 +182,15 @@ TEST_F(UiDebuggerKeys, AddChangeAndRemoveAWatch) {
   type("vx");
   key(kEnter);
   frames(2);
-  EXPECT_EQ(watches()[0].watch.text, "vx");
+  EXPECT_EQ(plots()[0].plot.text, "vx");
   go_to_first();
   key(kKeyDelete);
   key(kEnter);
   frames(2);
-  EXPECT_TRUE(watches().empty());
+  EXPECT_TRUE(plots().empty());
   key(ctrl_shift(kKeyF8));
   frames(2);
-  EXPECT_NE(find("watch/times/plot"), nullptr);
+  EXPECT_NE(find("plots/times/plot"), nullptr);
 }
 
 TEST_F(UiDebuggerKeys, CompareWithEachInTurn) {
@@ -206,8 +206,8 @@ TEST_F(UiDebuggerKeys, CompareWithEachInTurn) {
   key(shift(kKeyF7));
   frames(5);
   key(ctrl_shift(kKeyF7));
-  ASSERT_EQ(stops().size(), 1u);
-  EXPECT_EQ(stops()[0].condition, "parting > 0.01");
+  ASSERT_EQ(breakpoints().size(), 1u);
+  EXPECT_EQ(breakpoints()[0].condition, "parting > 0.01");
 }
 
 TEST_F(UiDebuggerKeys, AFieldKeepsTheKeysOfItsCursor) {
@@ -220,8 +220,8 @@ TEST_F(UiDebuggerKeys, AFieldKeepsTheKeysOfItsCursor) {
   type("* ");
   key(kEnter);
   frames(2);
-  ASSERT_EQ(watches().size(), 1u);
-  EXPECT_EQ(watches()[0].watch.text, "vx * vy");
+  ASSERT_EQ(plots().size(), 1u);
+  EXPECT_EQ(plots()[0].plot.text, "vx * vy");
 }
 
 TEST_F(UiDebuggerKeys, RulesForEditsAreChosenInTurn) {
@@ -252,8 +252,8 @@ TEST_F(UiDebuggerKeys, AfterEnterAFieldOfPlotsKeepsTheKeys) {
   push_typing("vy");
   push_stroke(kEnter);
   frames(20);
-  ASSERT_EQ(watches().size(), 2u);
-  EXPECT_EQ(watches()[1].watch.text, "vy");
+  ASSERT_EQ(plots().size(), 2u);
+  EXPECT_EQ(plots()[1].plot.text, "vy");
   push_typing("ghc90");  // each letter would be a command
   frames(10);
   EXPECT_EQ(session().choices().map_tool, tool);
@@ -266,7 +266,7 @@ TEST_F(UiDebuggerKeys, NoHelpCoversTheErrorOfAnExpression) {
   frames(3);
   push_typing("vx +");
   frames(4);
-  move(centre("watch/new"));
+  move(centre("plots/new"));
   frames(90);
   const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
   EXPECT_TRUE(tooltip == nullptr || !tooltip->Active);

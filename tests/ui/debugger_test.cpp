@@ -132,10 +132,10 @@ TEST_F(UiDebugger, InputRollPressesAKeyOverARange) {
 // The ball falls from row 10, and meets the floor at y = 128.
 TEST_F(UiDebugger, ABreakpointStopsInBothDirections) {
   choose_ball();
-  open_tab("stops");
-  click("stops/kind");
+  open_tab("breakpoints");
+  click("breakpoints/kind");
   frames(2);
-  click("stops/kind_0");  // contact with a tile
+  click("breakpoints/kind_0");  // contact with a tile
   frames(2);
   const auto enter = [&](const std::string& field, const std::string& number) {
     click(field);
@@ -144,12 +144,12 @@ TEST_F(UiDebugger, ABreakpointStopsInBothDirections) {
     type(number);
     key(kKeyTab);
   };
-  enter("stops/field0", "5");
-  enter("stops/field1", "16");
-  click("stops/add");
+  enter("breakpoints/field0", "5");
+  enter("breakpoints/field1", "16");
+  click("breakpoints/add");
   frames(2);
-  ASSERT_EQ(session().debugger().stops().breakpoints().size(), 1u);
-  EXPECT_EQ(session().debugger().stops().breakpoints()[0].body, ball().id);
+  ASSERT_EQ(session().debugger().breakpoints().all().size(), 1u);
+  EXPECT_EQ(session().debugger().breakpoints().all()[0].body, ball().id);
   key(kKeyF5);
   frames(200);
   EXPECT_FALSE(session().playback().running);
@@ -180,35 +180,35 @@ TEST_F(UiDebugger, RunningBackTakesTheTypedCondition) {
   EXPECT_EQ(frame(), 7);
   key(kKeyEnter);
   frames(3);
-  ASSERT_EQ(session().debugger().stops().breakpoints().size(), 1u) << "the same one is not added twice";
-  EXPECT_EQ(session().debugger().stops().breakpoints()[0].condition, "frame == 7");
+  ASSERT_EQ(session().debugger().breakpoints().all().size(), 1u) << "the same one is not added twice";
+  EXPECT_EQ(session().debugger().breakpoints().all()[0].condition, "frame == 7");
 }
 
 TEST_F(UiDebugger, AWrongConditionSaysWhereAndStopsNothing) {
   session().apply(action::SetBreakpoint{{.condition = "vy > 1"}});
-  open_tab("stops");
-  click("stops/1/condition");
+  open_tab("breakpoints");
+  click("breakpoints/1/condition");
   key(ctrl('a'));
   type("vz > 1");
   frames(3);
-  EXPECT_EQ(session().debugger().stops().breakpoints()[0].condition, "vy > 1");
+  EXPECT_EQ(session().debugger().breakpoints().all()[0].condition, "vy > 1");
 }
 
-TEST_F(UiDebugger, BreakpointsAndWatchesSurviveARestart) {
+TEST_F(UiDebugger, BreakpointsAndPlotsSurviveARestart) {
   session().apply(action::SetBreakpoint{{.condition = "vy > 1", .body = 2, .count = 3, .enabled = false}});
-  session().apply(action::SetWatch{0, {"speed", 0}});
+  session().apply(action::SetPlot{0, {"speed", 0}});
   key(kKeyF4);
   stop();
   start();
   EXPECT_TRUE(app().ui().view.window.dock_open);
-  ASSERT_EQ(session().debugger().stops().breakpoints().size(), 1u);
-  const Breakpoint& kept = session().debugger().stops().breakpoints()[0];
+  ASSERT_EQ(session().debugger().breakpoints().all().size(), 1u);
+  const Breakpoint& kept = session().debugger().breakpoints().all()[0];
   EXPECT_EQ(kept.condition, "vy > 1");
   EXPECT_EQ(kept.body, 2);
   EXPECT_EQ(kept.count, 3);
   EXPECT_FALSE(kept.enabled);
-  ASSERT_EQ(session().debugger().watches().all().size(), 1u);
-  EXPECT_EQ(session().debugger().watches().all()[0].watch.text, "speed");
+  ASSERT_EQ(session().debugger().plots().all().size(), 1u);
+  EXPECT_EQ(session().debugger().plots().all()[0].plot.text, "speed");
 }
 
 TEST_F(UiDebugger, ARecordingIsSavedFromTheMenuAndOpenedAgain) {
@@ -246,20 +246,20 @@ TEST_F(UiDebugger, EditingRerunsTheRecordingIfTheMenuSaysSo) {
 
 TEST_F(UiDebugger, PlotsGrowWithTheRunAndAClickShowsTheFrame) {
   choose_ball();
-  open_tab("watch");
-  click("watch/choose");
+  open_tab("plots");
+  click("plots/choose");
   frames(2);
-  click("watch/choose_vy");
+  click("plots/choose_vy");
   frames(2);
   play(30);
   frames(3);
-  const auto& watches = session().debugger().watches();
-  ASSERT_EQ(watches.all().size(), 1u);
-  const Series* series = watches.series(watches.all()[0]);
+  const auto& plots = session().debugger().plots();
+  ASSERT_EQ(plots.all().size(), 1u);
+  const Series* series = plots.series(plots.all()[0]);
   ASSERT_NE(series, nullptr);
   EXPECT_EQ(series->frames(), 31);
   EXPECT_EQ(series->points().back().last, ball().velocity.y);
-  const Widget* plot = find("watch/0/plot");
+  const Widget* plot = find("plots/0/plot");
   ASSERT_NE(plot, nullptr);
   click(ImVec2{plot->min.x + (plot->max.x - plot->min.x) * 0.5f, (plot->min.y + plot->max.y) / 2});
   EXPECT_EQ(frame(), 15);

@@ -1,4 +1,4 @@
-// A tour of the debugger: what it says of stops, comparisons and the timeline, by mouse and by key.
+// A tour of the debugger: what it says of breakpoints, comparisons and the timeline, by mouse and by key.
 #include <algorithm>
 
 #include "debugger_harness.h"
@@ -24,7 +24,7 @@ class UiDebuggerWalk : public DebuggerTest {
   }
   bool is_enabled(CommandId command) { return find_command(command).is_enabled(session(), app().ui()); }
   DebuggerView& view() { return app().ui().view.debugger; }
-  const auto& stops() { return session().debugger().stops().breakpoints(); }
+  const auto& breakpoints() { return session().debugger().breakpoints().all(); }
 };
 
 TEST_F(UiDebuggerWalk, AComparisonStaysBeyondTheOtherBranchsEnd) {
@@ -138,22 +138,22 @@ TEST_F(UiDebuggerWalk, TheFirstLetterGoesToTheOpenedField) {
   EXPECT_FALSE(session().choices().flag_overlay) << "f tints the map";
   key(kEnter);
   frames(2);
-  ASSERT_EQ(stops().size(), 1u);
-  EXPECT_EQ(stops()[0].condition, "frame > 3");
+  ASSERT_EQ(breakpoints().size(), 1u);
+  EXPECT_EQ(breakpoints()[0].condition, "frame > 3");
 }
 
 TEST_F(UiDebuggerWalk, TheRowThatStoppedIsMarkedWhileItsFrameIsShown) {
   session().apply(action::SetBreakpoint{{.condition = "frame == 1000"}});
   session().apply(action::SetBreakpoint{{.condition = "frame == 4"}});
-  open_tab("stops");
+  open_tab("breakpoints");
   key(kKeyF9);
   frames(20);
   ASSERT_EQ(frame(), 4);
-  EXPECT_NE(find("stops/2/stopped"), nullptr);
-  EXPECT_NE(find("stops/1/number"), nullptr);
-  EXPECT_NE(find("stops/2/hits"), nullptr);
+  EXPECT_NE(find("breakpoints/2/stopped"), nullptr);
+  EXPECT_NE(find("breakpoints/1/number"), nullptr);
+  EXPECT_NE(find("breakpoints/2/hits"), nullptr);
   play(1);
-  EXPECT_EQ(find("stops/2/stopped"), nullptr);
+  EXPECT_EQ(find("breakpoints/2/stopped"), nullptr);
 }
 
 TEST_F(UiDebuggerWalk, ReplayingIsShownAndCanBeTakenOver) {
@@ -181,24 +181,24 @@ TEST_F(UiDebuggerWalk, TheRuleForEditsIsBesideTheTimeline) {
 }
 
 TEST_F(UiDebuggerWalk, ACellForABreakpointIsClickedOrPicked) {
-  open_tab("stops");
+  open_tab("breakpoints");
   session().apply(action::SelectCells{CellRect{7, 3, 2, 2}});
   frames(2);
   key(alt('a'));
   frames(8);
-  ASSERT_EQ(stops().size(), 1u);
-  EXPECT_EQ(stops()[0].condition, "touches(7, 3)");
+  ASSERT_EQ(breakpoints().size(), 1u);
+  EXPECT_EQ(breakpoints()[0].condition, "touches(7, 3)");
   session().apply(action::SelectCells{});
   const Level before = level();
-  click("stops/pick");
+  click("breakpoints/pick");
   frames(2);
   click(on_map({12, 2}));
   frames(2);
   EXPECT_EQ(level(), before) << "the click picked, and painted nothing";
-  click("stops/add");
+  click("breakpoints/add");
   frames(2);
-  ASSERT_EQ(stops().size(), 2u);
-  EXPECT_EQ(stops()[1].condition, "touches(12, 2)");
+  ASSERT_EQ(breakpoints().size(), 2u);
+  EXPECT_EQ(breakpoints()[1].condition, "touches(12, 2)");
   key(alt('i'));
   frames(6);
   EXPECT_TRUE(view().picks_cell);
@@ -208,8 +208,8 @@ TEST_F(UiDebuggerWalk, ACellForABreakpointIsClickedOrPicked) {
 
 TEST_F(UiDebuggerWalk, TheWheelZoomsTheTimelineAroundTheMouse) {
   play(200);
-  session().apply(action::SetWatch{0, {"frame", 0}});
-  open_tab("watch");
+  session().apply(action::SetPlot{0, {"frame", 0}});
+  open_tab("plots");
   const Widget* track = find("timeline/track");
   ASSERT_NE(track, nullptr);
   const float y = (track->min.y + track->max.y) / 2;
@@ -227,7 +227,7 @@ TEST_F(UiDebuggerWalk, TheWheelZoomsTheTimelineAroundTheMouse) {
   click(at(0.9f));
   EXPECT_LT(frame(), 100);
   const std::int64_t late = frame();
-  const Widget* plot = find("watch/0/plot");
+  const Widget* plot = find("plots/0/plot");
   ASSERT_NE(plot, nullptr);
   click(ImVec2{plot->min.x + (plot->max.x - plot->min.x) * 0.9f, (plot->min.y + plot->max.y) / 2});
   EXPECT_NEAR(static_cast<double>(frame()), static_cast<double>(late), 2) << "the plots show the same frames";
@@ -284,8 +284,8 @@ TEST_F(UiDebuggerWalk, AKindOfBreakpointIsChosenAndAddedByKeys) {
   frames(2);
   key(alt('a'));
   frames(8);
-  ASSERT_EQ(stops().size(), 1u);
-  EXPECT_EQ(stops()[0].condition, "speed > 2.5");
+  ASSERT_EQ(breakpoints().size(), 1u);
+  EXPECT_EQ(breakpoints()[0].condition, "speed > 2.5");
 }
 
 TEST_F(UiDebuggerWalk, TheViewFollowsTheChosenBody) {
@@ -309,7 +309,7 @@ TEST_F(UiDebuggerWalk, AnotherFileEndsComparisonAndStop) {
   frames(3);
   EXPECT_TRUE(session().choices().overlays.has(overlay::answer));
   session().apply(action::SetBreakpoint{{.condition = "frame == 4"}});
-  session().apply(action::RunToStop{SearchDirection::forwards});
+  session().apply(action::RunToBreakpoint{SearchDirection::forwards});
   frames(20);
   ASSERT_TRUE(session().debugger().stop());
   session().apply(action::CompareVariant{Variant{SolverKind::article, false}});
@@ -319,8 +319,8 @@ TEST_F(UiDebuggerWalk, AnotherFileEndsComparisonAndStop) {
   EXPECT_FALSE(is_compared(session()));
   EXPECT_FALSE(session().debugger().stop());
   EXPECT_FALSE(session().choices().overlays.has(overlay::answer));
-  ASSERT_EQ(stops().size(), 1u);
-  EXPECT_FALSE(stops()[0].enabled) << "kept, and switched off: its bodies were the old level's";
+  ASSERT_EQ(breakpoints().size(), 1u);
+  EXPECT_FALSE(breakpoints()[0].enabled) << "kept, and switched off: its bodies were the old level's";
 }
 
 }  // namespace talus::debugger_walk_test

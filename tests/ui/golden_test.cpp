@@ -58,15 +58,15 @@ TEST_F(UiGoldenDebugger, InputRoll) {
 
 TEST_F(UiGoldenDebugger, Plots) {
   open_case();
-  open_tab("watch");
-  session().apply(action::SetWatch{0, {"vy", 0}});
-  session().apply(action::SetWatch{1, {"penetration", 0}});
+  open_tab("plots");
+  session().apply(action::SetPlot{0, {"vy", 0}});
+  session().apply(action::SetPlot{1, {"penetration", 0}});
   expect_dock("plots");
 }
 
 TEST_F(UiGoldenDebugger, Breakpoints) {
   open_case();
-  open_tab("stops");
+  open_tab("breakpoints");
   session().apply(action::SetBreakpoint{{.condition = "frame > 1 && !changed(x)", .body = 1}});
   session().apply(action::SetBreakpoint{{.condition = "penetration > 1", .count = 2, .enabled = false}});
   expect_dock("breakpoints");

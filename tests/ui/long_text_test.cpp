@@ -108,7 +108,7 @@ class UiLongText : public UiTest, public ::testing::WithParamInterface<std::tupl
     frames(2);
     for (const char* tab : {"tabs/inspector", "tabs/why", "tabs/shape", "tabs/tuning", "tabs/brushes",
                             "tabs/problems", "tabs/history", "tabs/flag_search", "tabs/input_roll",
-                            "tabs/watch", "tabs/stops", "tabs/compare", "tabs/reach"}) {
+                            "tabs/plots", "tabs/breakpoints", "tabs/compare", "tabs/reach"}) {
       click(tab);
       look(tab);
     }
@@ -118,7 +118,7 @@ class UiLongText : public UiTest, public ::testing::WithParamInterface<std::tupl
 TEST_P(UiLongText, EveryPanelShowsIt) {
   start_with_long_names();
   session().apply(action::SetMark{0, text()});
-  session().apply(action::SetWatch{0, {text(), 0}});
+  session().apply(action::SetPlot{0, {text(), 0}});
   session().apply(action::SetBreakpoint{{.condition = text()}});
   session().apply(action::SetFlagOverlay{level().flag_fields[0].pattern(1)});
   look_at_tabs();

@@ -27,7 +27,7 @@ class BranchFramesTest : public testing::Test {
   std::optional<Stop> search(const Breakpoint& breakpoint, std::int64_t from,
                              SearchDirection direction) const {
     const BranchFrames frames(timeline_.current());
-    StopSearch search({*ArmedBreakpoint::arm(breakpoint)}, from, direction);
+    BreakpointSearch search({*ArmedBreakpoint::arm(breakpoint)}, from, direction);
     while (!search.advance(frames, 16)) {
     }
     return search.found();
@@ -89,8 +89,8 @@ TEST_F(BranchFramesTest, TwoBranchesAreCompared) {
   const BranchFrames a(timeline_.current()), b(old);
   const ComparedFrames compared(a, &b);
   EXPECT_EQ(compared.last(), 60);
-  StopSearch search({*ArmedBreakpoint::arm({.id = 1, .condition = parting_condition(0)})}, -1,
-                    SearchDirection::forwards);
+  BreakpointSearch search({*ArmedBreakpoint::arm({.id = 1, .condition = parting_condition(0)})}, -1,
+                          SearchDirection::forwards);
   while (!search.advance(compared, 16)) {
   }
   EXPECT_EQ(search.found(), (Stop{51, 1, 1, 0}));
@@ -110,8 +110,8 @@ TEST(DebuggedHardCase, FailingFrameIsFoundBackwardsAndExplained) {
     return timeline.current();
   };
   const BranchFrames article(run(SolverKind::article)), exact(run(SolverKind::exact));
-  StopSearch back({*ArmedBreakpoint::arm({.id = 1, .condition = "penetration > 1"})}, article.last() + 1,
-                  SearchDirection::backwards);
+  BreakpointSearch back({*ArmedBreakpoint::arm({.id = 1, .condition = "penetration > 1"})},
+                        article.last() + 1, SearchDirection::backwards);
   while (!back.advance(article, 64)) {
   }
   ASSERT_TRUE(back.found());
@@ -121,14 +121,14 @@ TEST(DebuggedHardCase, FailingFrameIsFoundBackwardsAndExplained) {
   EXPECT_NE(why.find("under its centre the floor of the up-slope at (10, 12)"), std::string::npos) << why;
 
   const ComparedFrames compared(article, &exact);
-  StopSearch parting({*ArmedBreakpoint::arm({.id = 1, .condition = parting_condition(0.01)})}, -1,
-                     SearchDirection::forwards);
+  BreakpointSearch parting({*ArmedBreakpoint::arm({.id = 1, .condition = parting_condition(0.01)})}, -1,
+                           SearchDirection::forwards);
   while (!parting.advance(compared, 64)) {
   }
   ASSERT_TRUE(parting.found());
   EXPECT_LE(parting.found()->frame, back.found()->frame);
-  StopSearch never({*ArmedBreakpoint::arm({.id = 1, .condition = "penetration > 1e-9"})}, -1,
-                   SearchDirection::forwards);
+  BreakpointSearch never({*ArmedBreakpoint::arm({.id = 1, .condition = "penetration > 1e-9"})}, -1,
+                         SearchDirection::forwards);
   while (!never.advance(exact, 64)) {
   }
   EXPECT_EQ(never.found(), std::nullopt);

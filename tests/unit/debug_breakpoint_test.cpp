@@ -24,7 +24,7 @@ std::optional<Stop> search(const FrameSource& source, const std::vector<Breakpoi
                            std::int64_t from, SearchDirection direction) {
   std::vector<ArmedBreakpoint> list;
   for (const Breakpoint& breakpoint : breakpoints) list.push_back(armed(breakpoint));
-  StopSearch search(std::move(list), from, direction);
+  BreakpointSearch search(std::move(list), from, direction);
   while (!search.advance(source, 3)) EXPECT_LE(search.progress(source), 1);
   EXPECT_EQ(search.progress(source), 1);
   return search.found();
@@ -104,10 +104,10 @@ TEST(Breakpoints, SearchingBackwardsReadsBlocksOnly) {
   xs[17] = xs[2400] = 5;
   const MadeFrames source = frames_of(xs);
   const auto one = armed({.id = 1, .condition = "x > 3", .body = 1});
-  StopSearch near({one}, 2500, SearchDirection::backwards);
+  BreakpointSearch near({one}, 2500, SearchDirection::backwards);
   EXPECT_TRUE(near.advance(source, 257)) << "a block, and the frame before";
   EXPECT_EQ(near.found(), (Stop{2400, 1, 1, 0}));
-  StopSearch far({one}, 2400, SearchDirection::backwards);
+  BreakpointSearch far({one}, 2400, SearchDirection::backwards);
   EXPECT_FALSE(far.advance(source, 1200));
   EXPECT_NEAR(far.progress(source), 0.5, 0.005);
   EXPECT_TRUE(far.advance(source, 1210));
@@ -158,23 +158,25 @@ TEST(HitCounter, JudgesAFrameAFewBodiesAtATime) {
   counter.forget_frame();
   EXPECT_EQ(counter.hits(1), 1);
 
-  StopSearch search(all, -1, SearchDirection::forwards);
+  BreakpointSearch search(all, -1, SearchDirection::forwards);
   EXPECT_FALSE(search.advance(source, 91 / kBodiesAtOnce));
   EXPECT_TRUE(search.advance(source, 100));
   EXPECT_EQ(search.found(), (Stop{0, 1, 91, 0}));
 }
 
-TEST(StopKinds, MakeConditionsThatCanBeArmed) {
-  const auto text = [](StopKind kind, std::vector<double> fields) { return condition_of(kind, fields); };
-  EXPECT_EQ(text(StopKind::touches_tile, {12, 9}), "touches(12, 9)");
-  EXPECT_EQ(text(StopKind::touches_body, {3}), "touches_body(3)");
-  EXPECT_EQ(text(StopKind::normal_range, {}), "normal.angle >= -45 && normal.angle <= 45");
-  EXPECT_EQ(text(StopKind::slope_delta, {0.1}), "abs(slope_delta) > 0.1");
-  EXPECT_EQ(text(StopKind::grounded, {}), "changed(grounded)");
-  EXPECT_EQ(text(StopKind::enters_rect, {1, 2.5}), "in_rect(1, 2.5, 8, 8)");
-  EXPECT_EQ(text(StopKind::parting, {1e-9}), "parting > 1e-09");
-  for (std::size_t i = 0; i < stop_kind_infos().size(); ++i) {
-    const StopKindInfo& info = stop_kind_infos()[i];
+TEST(BreakpointKinds, MakeConditionsThatCanBeArmed) {
+  const auto text = [](BreakpointKind kind, std::vector<double> fields) {
+    return condition_of(kind, fields);
+  };
+  EXPECT_EQ(text(BreakpointKind::touches_tile, {12, 9}), "touches(12, 9)");
+  EXPECT_EQ(text(BreakpointKind::touches_body, {3}), "touches_body(3)");
+  EXPECT_EQ(text(BreakpointKind::normal_range, {}), "normal.angle >= -45 && normal.angle <= 45");
+  EXPECT_EQ(text(BreakpointKind::slope_delta, {0.1}), "abs(slope_delta) > 0.1");
+  EXPECT_EQ(text(BreakpointKind::grounded, {}), "changed(grounded)");
+  EXPECT_EQ(text(BreakpointKind::enters_rect, {1, 2.5}), "in_rect(1, 2.5, 8, 8)");
+  EXPECT_EQ(text(BreakpointKind::parting, {1e-9}), "parting > 1e-09");
+  for (std::size_t i = 0; i < breakpoint_kind_infos().size(); ++i) {
+    const BreakpointKindInfo& info = breakpoint_kind_infos()[i];
     EXPECT_EQ(static_cast<std::size_t>(info.kind), i);
     EXPECT_TRUE(Expression::parse_condition(condition_of(info.kind, {}))) << info.label;
   }

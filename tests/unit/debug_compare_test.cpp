@@ -1,4 +1,4 @@
-// Two runs side by side, and watched expressions as series.
+// Two runs side by side, and plotted expressions as series.
 #include "debug/compare.h"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ TEST(Compare, BodiesAreMatchedByTheirOrigin) {
 std::optional<Stop> first_parting(const FrameSource& a, const FrameSource& b, double threshold) {
   const ComparedFrames compared(a, &b);
   const auto armed = ArmedBreakpoint::arm({.id = 1, .condition = parting_condition(threshold)});
-  StopSearch search({*armed}, -1, SearchDirection::forwards);
+  BreakpointSearch search({*armed}, -1, SearchDirection::forwards);
   while (!search.advance(compared, 10)) {
   }
   return search.found();
@@ -119,12 +119,13 @@ TEST(Series, LeavesOutFramesWithoutANumber) {
   EXPECT_TRUE(std::isnan(series.points()[1].last));
 }
 
-TEST(WatchRun, GoesOnWhenTheRecordingGrows) {
+TEST(PlotRun, GoesOnWhenTheRecordingGrows) {
   std::vector<State> states;
   for (int i = 0; i < 6; ++i) states.push_back(state_of({body_at(1, i * i, 0)}));
   MadeFrames source(states);
-  const std::vector<Watch> watches = {{*Expression::parse("x"), 1}, {*Expression::parse("x - before(x)"), 1}};
-  WatchRun run(watches, 2, 16);
+  const std::vector<PlottedExpression> plots = {{*Expression::parse("x"), 1},
+                                                {*Expression::parse("x - before(x)"), 1}};
+  PlotRun run(plots, 2, 16);
   EXPECT_FALSE(run.advance(source, 3));
   EXPECT_EQ(run.progress(source), 0.5) << "before(x) also needs the frame before the first: a third frame";
   EXPECT_TRUE(run.advance(source, 3));
@@ -157,15 +158,16 @@ TEST(FrameHistory, ReadsOnlyTheFramesThatItLacks) {
 }
 
 // As a condition it is false, but there is nothing to plot.
-TEST(Watch, AConditionOnAMissingBodyHasNoValue) {
+TEST(PlottedExpression, AConditionOnAMissingBodyHasNoValue) {
   MadeFrames source({state_of({body_at(1, 0, 0)}), state_of({body_at(1, 0, 0)})});
   FrameHistory history(1);
   history.go_to(source, 1);
   const Expression grounded = *Expression::parse("grounded");
-  EXPECT_TRUE(std::isnan((Watch{grounded, 0}.value(history.view()))));
-  EXPECT_EQ((Watch{grounded, 1}.value(history.view())), 0);
-  EXPECT_EQ((Watch{*Expression::parse("frame > 0"), 0}.value(history.view())), 1) << "asks about no body";
-  WatchRun run({{grounded, 0}, {grounded, 1}}, 0, 16);
+  EXPECT_TRUE(std::isnan((PlottedExpression{grounded, 0}.value(history.view()))));
+  EXPECT_EQ((PlottedExpression{grounded, 1}.value(history.view())), 0);
+  EXPECT_EQ((PlottedExpression{*Expression::parse("frame > 0"), 0}.value(history.view())), 1)
+      << "asks about no body";
+  PlotRun run({{grounded, 0}, {grounded, 1}}, 0, 16);
   run.advance(source, 2);
   EXPECT_TRUE(std::isnan(run.series()[0].points()[1].last));
   EXPECT_EQ(run.series()[1].points()[1].last, 0);

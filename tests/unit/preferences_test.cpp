@@ -93,7 +93,7 @@ TEST_F(SettingsFile, IsReadAsItWasWritten) {
   settings.dock_open = settings.legend_folded = true;
   settings.breakpoints = {
       {.condition = "x > 3", .body = 2, .count = 4, .each_frame = true, .enabled = false}};
-  settings.watches = {"vy"};
+  settings.plots = {"vy"};
   settings.overlay_palette = OverlayPalette::colour_blind;
   settings.preferences.font_size = 16;
   ASSERT_TRUE(save_settings(settings, path("settings.json")));
@@ -111,7 +111,7 @@ TEST_F(SettingsFile, IsReadAsItWasWritten) {
   EXPECT_EQ(again.tabs, settings.tabs);
   EXPECT_TRUE(again.dock_open && again.legend_folded);
   EXPECT_EQ(again.breakpoints, settings.breakpoints);
-  EXPECT_EQ(again.watches, settings.watches);
+  EXPECT_EQ(again.plots, settings.plots);
   EXPECT_EQ(again.overlay_palette, OverlayPalette::colour_blind);
   EXPECT_EQ(again.preferences, settings.preferences);
 }

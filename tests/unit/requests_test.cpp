@@ -20,7 +20,7 @@ TEST(Requests, AreTakenOnce) {
 TEST(Requests, NamedOnesWaitForTheirName) {
   Requests requests;
   requests.ask(request::ShowTab("why"));
-  EXPECT_FALSE(requests.take<request::ShowTab>("watch"));
+  EXPECT_FALSE(requests.take<request::ShowTab>("plots"));
   EXPECT_TRUE(requests.has<request::ShowTab>("why"));
   EXPECT_TRUE(requests.take<request::ShowTab>("why"));
   EXPECT_FALSE(requests.take<request::ShowTab>("why"));
@@ -30,9 +30,9 @@ TEST(Requests, ANewerRequestReplacesAnOlderOne) {
   Requests requests;
   requests.ask(request::ShowTab("why"));
   requests.ask(request::FitMap{});
-  requests.ask(request::ShowTab("watch"));
+  requests.ask(request::ShowTab("plots"));
   EXPECT_FALSE(requests.has<request::ShowTab>("why"));
-  EXPECT_TRUE(requests.take<request::ShowTab>("watch"));
+  EXPECT_TRUE(requests.take<request::ShowTab>("plots"));
   EXPECT_TRUE(requests.has<request::FitMap>());
 }
 

@@ -1,4 +1,4 @@
-// The debugger of a session: stopping, watching and comparing, all by actions.
+// The debugger of a session: stopping, plotting and comparing, all by actions.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -69,15 +69,15 @@ TEST_F(SessionDebug, RunsBackAndForthBetweenTheSameStops) {
   step(200);
   add_breakpoint("vy < 0");
   for (std::size_t i = up.size(); i-- > 0;) {
-    session.apply(action::RunToStop{SearchDirection::backwards});
+    session.apply(action::RunToBreakpoint{SearchDirection::backwards});
     settle();
     EXPECT_EQ(frame(), up[i]);
   }
-  session.apply(action::RunToStop{SearchDirection::backwards});
+  session.apply(action::RunToBreakpoint{SearchDirection::backwards});
   settle();
   EXPECT_EQ(frame(), up[0]) << "there is none before: the shown frame stays";
   EXPECT_TRUE(session.debugger().search_failed());
-  session.apply(action::RunToStop{SearchDirection::forwards});
+  session.apply(action::RunToBreakpoint{SearchDirection::forwards});
   settle();
   EXPECT_EQ(frame(), up[1]);
 }
@@ -86,7 +86,7 @@ TEST_F(SessionDebug, SearchingForwardsPlaysOnPastTheRecording) {
   const auto up = bounces(200);
   add_breakpoint("vy < 0");
   step(2);
-  session.apply(action::RunToStop{SearchDirection::forwards});
+  session.apply(action::RunToBreakpoint{SearchDirection::forwards});
   for (int k = 0;
        k < 400 && (session.debugger().searching() || session.playback().running || frame() < up[0]); ++k)
     session.advance(1.0 / 60);
@@ -101,10 +101,10 @@ TEST_F(SessionDebug, HitsAreEqualDuringPlayAndSearch) {
   session.apply(action::Play{});
   for (int k = 0; k < 400 && session.playback().running; ++k) session.advance(1.0 / 60);
   EXPECT_EQ(frame(), up[1]);
-  EXPECT_EQ(session.debugger().stops().hits(1, frame()), 2);
+  EXPECT_EQ(session.debugger().breakpoints().hits(1, frame()), 2);
   step(1);
   session.apply(action::SeekFrame{1});
-  session.apply(action::RunToStop{SearchDirection::forwards});
+  session.apply(action::RunToBreakpoint{SearchDirection::forwards});
   settle();
   EXPECT_EQ(frame(), up[1]);
 }
@@ -121,12 +121,12 @@ TEST_F(SessionDebug, AStopIsReportedAndItsBodyChosenIfNoneIs) {
   EXPECT_EQ(session.choices().body, 1);
   step(3);
   session.apply(
-      {action::SelectBody{2}, action::DismissMessage{}, action::RunToStop{SearchDirection::backwards}});
+      {action::SelectBody{2}, action::DismissMessage{}, action::RunToBreakpoint{SearchDirection::backwards}});
   settle();
   EXPECT_EQ(frame(), up[0]);
   EXPECT_EQ(session.message()->text, told + ".");
   EXPECT_EQ(session.choices().body, 2) << "the user's choice stays";
-  session.apply(action::RunToStop{SearchDirection::backwards});
+  session.apply(action::RunToBreakpoint{SearchDirection::backwards});
   settle();
   EXPECT_EQ(session.message()->text, "No breakpoint stops before this frame.");
 }
@@ -137,7 +137,7 @@ TEST_F(SessionDebug, HitsAreThoseUpToTheShownFrame) {
   ASSERT_GE(up.size(), 2u);
   step(200);
   add_breakpoint("vy < 0");
-  const auto hits = [&] { return session.debugger().stops().hits(1, frame()); };
+  const auto hits = [&] { return session.debugger().breakpoints().hits(1, frame()); };
   EXPECT_EQ(hits(), std::nullopt) << "nothing is counted in the frame that adds it";
   settle();
   EXPECT_EQ(hits(), static_cast<int>(up.size()));
@@ -146,7 +146,7 @@ TEST_F(SessionDebug, HitsAreThoseUpToTheShownFrame) {
     session.apply(action::SeekFrame{at});
     EXPECT_EQ(hits(), expected) << at << ": what was counted once is known without counting again";
   }
-  session.apply(action::RunToStop{SearchDirection::forwards});
+  session.apply(action::RunToBreakpoint{SearchDirection::forwards});
   settle();
   EXPECT_EQ(frame(), up[1]);
   EXPECT_EQ(hits(), 2);
@@ -157,11 +157,11 @@ TEST_F(SessionDebug, HitsOfAnotherBranchAreItsOwn) {
   add_breakpoint("vy < 0");
   step(static_cast<int>(up[0]) + 1);
   settle();
-  EXPECT_EQ(session.debugger().stops().hits(1, frame()), 1);
+  EXPECT_EQ(session.debugger().breakpoints().hits(1, frame()), 1);
   session.apply(action::ResetPlay{});
   step(1);
   settle();
-  EXPECT_EQ(session.debugger().stops().hits(1, frame()), 0);
+  EXPECT_EQ(session.debugger().breakpoints().hits(1, frame()), 0);
 }
 
 // The first frame in which the sides of a comparison differ is found for a solver as for a branch.
@@ -215,27 +215,27 @@ TEST_F(SessionDebug, AWrongOrDisabledBreakpointStopsNothing) {
   EXPECT_FALSE(session.debugger().stop());
 }
 
-TEST_F(SessionDebug, WatchesHaveANumberForEachFrameAndFollowTheRun) {
+TEST_F(SessionDebug, PlotsHaveANumberForEachFrameAndFollowTheRun) {
   session.apply(action::SelectBody{1});
-  session.apply(action::SetWatch{0, {"body.vy * 2", 0}});
-  session.apply(action::SetWatch{1, {"vy +", 0}});
+  session.apply(action::SetPlot{0, {"body.vy * 2", 0}});
+  session.apply(action::SetPlot{1, {"vy +", 0}});
   step(20);
   settle();
-  const Watches& watches = session.debugger().watches();
-  ASSERT_EQ(watches.all().size(), 2u);
-  EXPECT_FALSE(watches.all()[1].expression);
-  EXPECT_EQ(watches.series(watches.all()[1]), nullptr);
-  const Series* series = watches.series(watches.all()[0]);
+  const PlotList& plots = session.debugger().plots();
+  ASSERT_EQ(plots.all().size(), 2u);
+  EXPECT_FALSE(plots.all()[1].expression);
+  EXPECT_EQ(plots.series(plots.all()[1]), nullptr);
+  const Series* series = plots.series(plots.all()[0]);
   ASSERT_NE(series, nullptr);
   EXPECT_EQ(series->frames(), 21);
   EXPECT_EQ(series->points().back().last, session.state().bodies[0].velocity.y * 2);
-  EXPECT_EQ(Watches::value(watches.all()[0], session.frame_view(), 1),
+  EXPECT_EQ(PlotList::value(plots.all()[0], session.frame_view(), 1),
             session.state().bodies[0].velocity.y * 2);
   session.apply(action::SelectBody{2});
   settle();
-  EXPECT_EQ(watches.series(watches.all()[0])->points().back().last, session.state().bodies[1].velocity.y * 2);
-  session.apply(action::RemoveWatch{0});
-  EXPECT_EQ(watches.all().size(), 1u);
+  EXPECT_EQ(plots.series(plots.all()[0])->points().back().last, session.state().bodies[1].velocity.y * 2);
+  session.apply(action::RemovePlot{0});
+  EXPECT_EQ(plots.all().size(), 1u);
 }
 
 TEST_F(SessionDebug, TheOtherSideHasTheSameInputAndAnotherSolver) {
@@ -312,7 +312,7 @@ TEST_F(SessionDebug, BreakpointsAndPlotsContinueAfterTheOtherSide) {
   step(1);
   session.apply(action::CompareBranch{1});  // of 3 frames
   session.apply(action::SelectBody{1});
-  session.apply(action::SetWatch{0, {"y", 0}});
+  session.apply(action::SetPlot{0, {"y", 0}});
   const auto up = bounces(100);
   ASSERT_FALSE(up.empty());
   add_breakpoint("vy < 0");
@@ -321,8 +321,8 @@ TEST_F(SessionDebug, BreakpointsAndPlotsContinueAfterTheOtherSide) {
   EXPECT_EQ(frame(), up[0]);
   settle();
   EXPECT_EQ(session.other_state(), nullptr);
-  const Watches& watches = session.debugger().watches();
-  EXPECT_EQ(watches.series(watches.all()[0])->frames(), up[0] + 1);
+  const PlotList& plots = session.debugger().plots();
+  EXPECT_EQ(plots.series(plots.all()[0])->frames(), up[0] + 1);
 }
 
 TEST_F(SessionDebug, AnEditedLevelIsComparedWithTheRunBefore) {

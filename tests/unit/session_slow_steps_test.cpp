@@ -142,25 +142,25 @@ TEST(SlowBreakpoints, AreJudgedAFewBodiesAtATime) {
     for (int i = 1; i <= 100; ++i) bodies.push_back(body_at(i, i, 0));
     return state_of(bodies);
   }()));
-  Stops stops;
-  stops.put({.condition = "x > 90", .each_frame = true});
-  ASSERT_TRUE(stops.ready(source, 0, 1));
-  stops.begin_frame(source, 1);
+  Breakpoints breakpoints;
+  breakpoints.put({.condition = "x > 90", .each_frame = true});
+  ASSERT_TRUE(breakpoints.ready(source, 0, 1));
+  breakpoints.begin_frame(source, 1);
   std::optional<Stop> stop;
   int calls = 1;
-  while (!stops.judge_more(stop)) {
-    EXPECT_TRUE(stops.is_judging(1));
+  while (!breakpoints.judge_more(stop)) {
+    EXPECT_TRUE(breakpoints.is_judging(1));
     ++calls;
   }
   EXPECT_EQ(calls, 12) << "91 bodies";
-  EXPECT_FALSE(stops.is_judging(1));
+  EXPECT_FALSE(breakpoints.is_judging(1));
   EXPECT_EQ(stop->body, 91);
 
-  stops.begin_frame(source, 2);
-  EXPECT_FALSE(stops.judge_more(stop));
-  ASSERT_TRUE(stops.ready(source, 0, 1)) << "the user went back meanwhile";
-  stops.begin_frame(source, 1);
-  while (!stops.judge_more(stop)) EXPECT_TRUE(stops.is_judging(1));
+  breakpoints.begin_frame(source, 2);
+  EXPECT_FALSE(breakpoints.judge_more(stop));
+  ASSERT_TRUE(breakpoints.ready(source, 0, 1)) << "the user went back meanwhile";
+  breakpoints.begin_frame(source, 1);
+  while (!breakpoints.judge_more(stop)) EXPECT_TRUE(breakpoints.is_judging(1));
   EXPECT_EQ(stop->frame, 1);
 }
 

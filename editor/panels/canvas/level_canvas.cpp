@@ -245,7 +245,7 @@ bool LevelCanvas::pick_cell(const Session& session, Ui& ui, Cell cell, bool hove
   ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   if (ImGui::IsMouseClicked(0)) {
     ui.view.debugger.picks_cell = false;
-    if (session.level().map.contains(cell)) ui.ask(request::PutStopAt{cell});
+    if (session.level().map.contains(cell)) ui.ask(request::PutBreakpointAt{cell});
   }
   return true;
 }

@@ -1,5 +1,5 @@
-// The commands of the debugger: moving along the timeline, running to stops, and showing the stages of a
-// step.
+// The commands of the debugger: moving along the timeline, running to breakpoints, and showing the stages of
+// a step.
 #include <algorithm>
 
 #include "command_table.h"
@@ -18,19 +18,19 @@ using U = Ui&;
 bool in_past(S session, const Ui&) { return session.timeline().in_past(); }
 bool has_frames(S session, const Ui&) { return session.timeline().last_frame() > 0; }
 bool after_start(S session, const Ui&) { return session.state().frame > 0; }
-bool has_stops(S session, const Ui&) { return !session.debugger().stops().breakpoints().empty(); }
-bool has_stops_or_typed_one(S session, const Ui& ui) {
-  return has_stops(session, ui) || is_condition(ui.view.debugger.new_condition);
+bool has_breakpoints(S session, const Ui&) { return !session.debugger().breakpoints().all().empty(); }
+bool has_breakpoints_or_typed_one(S session, const Ui& ui) {
+  return has_breakpoints(session, ui) || is_condition(ui.view.debugger.new_condition);
 }
 bool has_marks(S session, const Ui&) { return !session.timeline().current().marks.empty(); }
 bool has_stages(S session, const Ui&) { return !session.stages().empty(); }
 
 // Who types a condition and then runs means that condition.
 template <SearchDirection direction>
-void run_to_stop(S session, A actions, U ui) {
+void run_to_breakpoint(S session, A actions, U ui) {
   const std::string& typed = ui.view.debugger.new_condition;
   if (is_condition(typed)) add_breakpoint(typed, session, actions);
-  actions.push_back(action::RunToStop{direction});
+  actions.push_back(action::RunToBreakpoint{direction});
 }
 
 void toggle_mark(S session, A actions, U) {
@@ -97,8 +97,8 @@ void next_edit_rule(S session, A actions, U) {
   actions.push_back(action::ShowMessage{text});
 }
 
-void switch_all_stops(S session, A actions, U) {
-  const auto& all = session.debugger().stops().breakpoints();
+void switch_all_breakpoints(S session, A actions, U) {
+  const auto& all = session.debugger().breakpoints().all();
   const bool any = std::any_of(all.begin(), all.end(), [](const Breakpoint& b) { return b.enabled; });
   for (Breakpoint breakpoint : all) {
     breakpoint.enabled = !any;
@@ -292,37 +292,37 @@ std::vector<Command> branch_commands() {
   };
 }
 
-std::vector<Command> stop_commands() {
+std::vector<Command> breakpoint_commands() {
   return {
-      {.id = "stops/forwards",
+      {.id = "breakpoints/forwards",
        .label = "Run to the next breakpoint",
        .help = "Runs through the recording and beyond it, until a breakpoint stops it.",
        .key = KeyChord{kKeyF9},
-       .menu = menus::kStopsRun,
+       .menu = menus::kBreakpointsRun,
        .icon = Icon::run_on,
-       .run = run_to_stop<SearchDirection::forwards>,
-       .enabled = has_stops_or_typed_one},
-      {.id = "stops/back",
+       .run = run_to_breakpoint<SearchDirection::forwards>,
+       .enabled = has_breakpoints_or_typed_one},
+      {.id = "breakpoints/back",
        .label = "Run back to a breakpoint",
        .help = "Shows the last frame before this one at which a breakpoint stops.",
        .key = shift(kKeyF9),
-       .menu = menus::kStopsRun,
+       .menu = menus::kBreakpointsRun,
        .icon = Icon::run_back,
-       .run = run_to_stop<SearchDirection::backwards>,
-       .enabled = has_stops_or_typed_one},
-      {.id = "stops/new",
+       .run = run_to_breakpoint<SearchDirection::backwards>,
+       .enabled = has_breakpoints_or_typed_one},
+      {.id = "breakpoints/new",
        .label = "New breakpoint...",
        .help = "Opens the breakpoints, to type a condition.",
        .key = ctrl(kKeyF9),
-       .menu = menus::kStopsNew,
-       .run = go_to_field(panel_id::kStops, "stops/new", PanelIn::debugger)},
-      {.id = "stops/switch_all",
+       .menu = menus::kBreakpointsNew,
+       .run = go_to_field(panel_id::kBreakpoints, "breakpoints/new", PanelIn::debugger)},
+      {.id = "breakpoints/switch_all",
        .label = "Breakpoints off or on",
        .help = "Switches all breakpoints off or, if all are off, on.",
        .key = ctrl_shift(kKeyF9),
-       .menu = menus::kStopsSwitch,
-       .run = switch_all_stops,
-       .enabled = has_stops},
+       .menu = menus::kBreakpointsSwitch,
+       .run = switch_all_breakpoints,
+       .enabled = has_breakpoints},
       {.id = "why/next",
        .label = "Next stage of the step",
        .help = "Draws the next stage of the chosen body's step in the play view.",
@@ -345,7 +345,7 @@ std::vector<Command> stop_commands() {
 }
 
 void pick_cell(S session, A actions, U ui) {
-  go_to_field(panel_id::kStops, "", PanelIn::debugger)(session, actions, ui);
+  go_to_field(panel_id::kBreakpoints, "", PanelIn::debugger)(session, actions, ui);
   bool& picks = ui.view.debugger.picks_cell;
   picks = !picks;
   if (picks)
@@ -354,23 +354,23 @@ void pick_cell(S session, A actions, U ui) {
 
 std::vector<Command> choice_commands() {
   return {
-      {.id = "stops/kind",
+      {.id = "breakpoints/kind",
        .label = "Kind of breakpoint...",
        .help = "Opens the list of what a breakpoint can stop at; Tab goes to its numbers.",
        .key = alt('k'),
-       .menu = menus::kStopsNew,
-       .run = go_to_field(panel_id::kStops, "stops/kind", PanelIn::debugger)},
-      {.id = "stops/add",
+       .menu = menus::kBreakpointsNew,
+       .run = go_to_field(panel_id::kBreakpoints, "breakpoints/kind", PanelIn::debugger)},
+      {.id = "breakpoints/add",
        .label = "Add the chosen breakpoint",
        .help = "Adds a breakpoint of the kind and with the numbers that are chosen in its panel.",
        .key = alt('a'),
-       .menu = menus::kStopsNew,
-       .run = go_to_field(panel_id::kStops, "stops/add", PanelIn::debugger)},
-      {.id = "stops/pick",
+       .menu = menus::kBreakpointsNew,
+       .run = go_to_field(panel_id::kBreakpoints, "breakpoints/add", PanelIn::debugger)},
+      {.id = "breakpoints/pick",
        .label = "Pick a breakpoint's cell on the map",
        .help = "The next click on the map or the play view chooses the cell that a breakpoint is about.",
        .key = alt('i'),
-       .menu = menus::kStopsNew,
+       .menu = menus::kBreakpointsNew,
        .icon = Icon::pick,
        .run = pick_cell,
        .checked = is_on<&View::debugger, &DebuggerView::picks_cell>},
@@ -390,7 +390,7 @@ std::vector<Command> choice_commands() {
   };
 }
 
-std::vector<Command> watch_commands() {
+std::vector<Command> plot_commands() {
   return {
       {.id = "view/debugger",
        .label = "Debugger",
@@ -399,13 +399,13 @@ std::vector<Command> watch_commands() {
        .menu = menus::kDebugPanels,
        .run = toggle<&View::window, &WindowView::dock_open>,
        .checked = is_on<&View::window, &WindowView::dock_open>},
-      {.id = "watch/new_watch",
-       .label = "Watch an expression...",
+      {.id = "plots/new_plot",
+       .label = "Plot an expression...",
        .help = "Opens the plots, to type an expression.",
        .key = ctrl(kKeyF8),
        .menu = menus::kPlots,
-       .run = go_to_field(panel_id::kWatch, "watch/new", PanelIn::debugger)},
-      {.id = "watch/choose_times",
+       .run = go_to_field(panel_id::kPlots, "plots/new", PanelIn::debugger)},
+      {.id = "plots/choose_times",
        .label = "Plot the time of a step",
        .help = "Plots how long the steps take.",
        .key = ctrl_shift(kKeyF8),
@@ -453,8 +453,8 @@ std::vector<Command> watch_commands() {
 }  // namespace
 
 std::vector<Command> debug_commands() {
-  return joined({seek_commands(), frame_zoom_commands(), branch_commands(), stop_commands(),
-                 choice_commands(), watch_commands()});
+  return joined({seek_commands(), frame_zoom_commands(), branch_commands(), breakpoint_commands(),
+                 choice_commands(), plot_commands()});
 }
 
 }  // namespace talus

@@ -41,8 +41,8 @@ inline constexpr MenuPlace kDebugPanels{"Debug", 0}, kDebugStages{"Debug", 1}, k
 inline constexpr MenuPlace kTimelineSeek{"Debug/Timeline", 0}, kTimelineMarks{"Debug/Timeline", 1},
     kTimelineZoom{"Debug/Timeline", 2};
 inline constexpr MenuPlace kBranches{"Debug/Branches", 0}, kBranchesRerun{"Debug/Branches", 1};
-inline constexpr MenuPlace kStopsRun{"Debug/Breakpoints", 0}, kStopsNew{"Debug/Breakpoints", 1},
-    kStopsSwitch{"Debug/Breakpoints", 2};
+inline constexpr MenuPlace kBreakpointsRun{"Debug/Breakpoints", 0}, kBreakpointsNew{"Debug/Breakpoints", 1},
+    kBreakpointsSwitch{"Debug/Breakpoints", 2};
 inline constexpr MenuPlace kCompare{"Debug/Compare", 0}, kCompareParting{"Debug/Compare", 1};
 inline constexpr MenuPlace kPlots{"Debug/Plots", 0}, kReach{"Debug/Reach", 0}, kTuning{"Debug/Tuning", 0};
 

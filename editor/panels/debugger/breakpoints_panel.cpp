@@ -14,15 +14,19 @@ namespace {
 
 constexpr float kConditionWidth = 240;  // px at scale 1, at least
 
-const StopKindInfo& info_of(StopKind kind) { return stop_kind_infos()[static_cast<std::size_t>(kind)]; }
-
-std::size_t field_count(const StopKindInfo& info) {
-  return static_cast<std::size_t>(std::count_if(info.fields.begin(), info.fields.end(),
-                                                [](const StopField& field) { return !field.label.empty(); }));
+const BreakpointKindInfo& info_of(BreakpointKind kind) {
+  return breakpoint_kind_infos()[static_cast<std::size_t>(kind)];
 }
 
-bool is_about_place(StopKind kind) {
-  return kind == StopKind::touches_tile || kind == StopKind::enters_cell || kind == StopKind::enters_rect;
+std::size_t field_count(const BreakpointKindInfo& info) {
+  return static_cast<std::size_t>(
+      std::count_if(info.fields.begin(), info.fields.end(),
+                    [](const BreakpointField& field) { return !field.label.empty(); }));
+}
+
+bool is_about_place(BreakpointKind kind) {
+  return kind == BreakpointKind::touches_tile || kind == BreakpointKind::enters_cell ||
+         kind == BreakpointKind::enters_rect;
 }
 
 bool has_stopped(const Session& session, const Breakpoint& breakpoint) {
@@ -30,22 +34,24 @@ bool has_stopped(const Session& session, const Breakpoint& breakpoint) {
   return stop && stop->breakpoint == breakpoint.id && stop->frame == session.state().frame;
 }
 
-std::string condition_name(int breakpoint) { return "stops/" + std::to_string(breakpoint) + "/condition"; }
+std::string condition_name(int breakpoint) {
+  return "breakpoints/" + std::to_string(breakpoint) + "/condition";
+}
 
 // The field that a key moves to from this condition.
 std::string next_field(const std::vector<Breakpoint>& all, const Breakpoint& from, FieldWay way) {
   const auto at = std::find_if(all.begin(), all.end(), [&](const Breakpoint& b) { return b.id == from.id; });
-  if (way == FieldWay::on) return "stops/" + std::to_string(from.id) + "/body";
-  if (way == FieldWay::up) return at == all.begin() ? "stops/new" : condition_name((at - 1)->id);
+  if (way == FieldWay::on) return "breakpoints/" + std::to_string(from.id) + "/body";
+  if (way == FieldWay::up) return at == all.begin() ? "breakpoints/new" : condition_name((at - 1)->id);
   return condition_name(at + 1 == all.end() ? from.id : (at + 1)->id);
 }
 
 }  // namespace
 
-void StopsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+void BreakpointsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_run(session, actions, ui);
   draw_add(session, actions, ui);
-  if (session.debugger().stops().breakpoints().empty()) {
+  if (session.debugger().breakpoints().all().empty()) {
     ui.hint(
         "No breakpoint yet. Choose a kind and add it, or type a condition. The run stops there while it "
         "plays, and you can run back to the last frame in which the condition began to hold.");
@@ -54,23 +60,23 @@ void StopsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_list(session, actions, ui);
 }
 
-void StopsPanel::draw_run(const Session& session, Actions& actions, Ui& ui) {
-  const Stops& stops = session.debugger().stops();
-  command_button("stops/back"_command, session, actions, ui);
+void BreakpointsPanel::draw_run(const Session& session, Actions& actions, Ui& ui) {
+  const Breakpoints& breakpoints = session.debugger().breakpoints();
+  command_button("breakpoints/back"_command, session, actions, ui);
   ImGui::SameLine();
-  command_button("stops/forwards"_command, session, actions, ui);
+  command_button("breakpoints/forwards"_command, session, actions, ui);
   ImGui::SameLine();
   if (session.debugger().searching()) {
     const int percent = static_cast<int>(session.debugger().search_progress() * 100);
-    if (ui.text_button("stops/cancel", "searching " + std::to_string(percent) + " %  x", false,
+    if (ui.text_button("breakpoints/cancel", "searching " + std::to_string(percent) + " %  x", false,
                        "Stops searching; the shown frame stays.", keys_of("timeline/cancel"_command, ui)))
       actions.push_back(action::CancelSearch{});
     return;
   }
   if (session.debugger().stop()) {
     ui.label(text_of(*session.debugger().stop()));
-  } else if (session.debugger().search_failed() && !stops.breakpoints().empty()) {
-    ui.label(stops.direction() == SearchDirection::backwards ? "No frame before this one stops."
+  } else if (session.debugger().search_failed() && !breakpoints.all().empty()) {
+    ui.label(breakpoints.direction() == SearchDirection::backwards ? "No frame before this one stops."
              : session.playback().running ? "No recorded frame stops: playing on to the next stop."
                                           : "No recorded frame after this one stops.");
   } else {
@@ -78,30 +84,30 @@ void StopsPanel::draw_run(const Session& session, Actions& actions, Ui& ui) {
   }
 }
 
-void StopsPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
+void BreakpointsPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
   fill_in_place(session, ui);
-  const StopKindInfo& info = info_of(kind_);
+  const BreakpointKindInfo& info = info_of(kind_);
   ui.begin_row();
-  if (ui.begin_combo("stops/kind", std::string(info.label), ui.px(190), "The kind of the breakpoint.",
-                     keys_of("stops/kind"_command, ui))) {
-    for (const StopKindInfo& each : stop_kind_infos()) {
+  if (ui.begin_combo("breakpoints/kind", std::string(info.label), ui.px(190), "The kind of the breakpoint.",
+                     keys_of("breakpoints/kind"_command, ui))) {
+    for (const BreakpointKindInfo& each : breakpoint_kind_infos()) {
       if (selectable(each.label, {}, each.kind == kind_)) {
         kind_ = each.kind;
         fields_set_ = false;
-        if (field_count(each) > 0) ui.ask(request::FocusField("stops/field0"));
+        if (field_count(each) > 0) ui.ask(request::FocusField("breakpoints/field0"));
       }
-      ui.item("stops/kind_" + std::to_string(static_cast<int>(each.kind)));
+      ui.item("breakpoints/kind_" + std::to_string(static_cast<int>(each.kind)));
     }
     ImGui::EndCombo();
   }
   draw_fields(info, session, actions, ui);
   ui.same_line_if_fits(ui.px(48), ui.px(8));
   const int body = session.choices().body;
-  const bool by_key = ui.view.requests.take<request::FocusField>("stops/add");
+  const bool by_key = ui.view.requests.take<request::FocusField>("breakpoints/add");
   if (ui.text_button(
-          "stops/add", "Add", false,
+          "breakpoints/add", "Add", false,
           body != 0 ? "Adds this breakpoint for the chosen body." : "Adds this breakpoint for any body.",
-          keys_of("stops/add"_command, ui)) ||
+          keys_of("breakpoints/add"_command, ui)) ||
       by_key)
     actions.push_back(
         action::SetBreakpoint{{.condition = condition_of(kind_, std::span(fields_).first(field_count(info))),
@@ -109,22 +115,23 @@ void StopsPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
                                .each_frame = info.each_frame}});
   ui.same_line_if_fits(ui.px(kConditionWidth), ui.px(16));
   std::string& typed = ui.view.debugger.new_condition;
-  if (new_field_.draw("stops/new", typed, true, -1, "or a condition: vy > 3 && grounded", ui) &&
+  if (new_field_.draw("breakpoints/new", typed, true, -1, "or a condition: vy > 3 && grounded", ui) &&
       !typed.empty()) {
     add_breakpoint(typed, session, actions);
     typed.clear();
   }
   ui.end_row();
-  const auto& all = session.debugger().stops().breakpoints();
+  const auto& all = session.debugger().breakpoints().all();
   if (new_field_.way() == FieldWay::down && !all.empty())
     ui.ask(request::FocusField(condition_name(all.front().id)));
 }
 
 // The numbers of the chosen kind.
-void StopsPanel::draw_fields(const StopKindInfo& info, const Session& session, Actions& actions, Ui& ui) {
+void BreakpointsPanel::draw_fields(const BreakpointKindInfo& info, const Session& session, Actions& actions,
+                                   Ui& ui) {
   for (std::size_t i = 0; i < field_count(info); ++i) {
-    const StopField& field = info.fields[i];
-    const std::string name = "stops/field" + std::to_string(i);
+    const BreakpointField& field = info.fields[i];
+    const std::string name = "breakpoints/field" + std::to_string(i);
     ui.same_line_if_fits(ui.px(110));
     ImGui::SetNextItemWidth(ui.px(64));
     take_text_focus(name, ui);
@@ -138,14 +145,14 @@ void StopsPanel::draw_fields(const StopKindInfo& info, const Session& session, A
   }
   if (!is_about_place(kind_)) return;
   ui.same_line_if_fits(ui.px(theme::kButton));
-  command_button("stops/pick"_command, session, actions, ui);
+  command_button("breakpoints/pick"_command, session, actions, ui);
 }
 
 // A kind begins with its defaults; a kind about a place begins with what is selected or was clicked last.
-void StopsPanel::fill_in_place(const Session& session, Ui& ui) {
-  const bool is_picking = ui.view.debugger.picks_cell || ui.view.requests.has<request::PutStopAt>();
+void BreakpointsPanel::fill_in_place(const Session& session, Ui& ui) {
+  const bool is_picking = ui.view.debugger.picks_cell || ui.view.requests.has<request::PutBreakpointAt>();
   if (is_picking && !is_about_place(kind_)) {
-    kind_ = StopKind::touches_tile;
+    kind_ = BreakpointKind::touches_tile;
     fields_set_ = false;
   }
   if (!fields_set_) {
@@ -153,7 +160,7 @@ void StopsPanel::fill_in_place(const Session& session, Ui& ui) {
     for (std::size_t i = 0; i < fields_.size(); ++i) fields_[i] = info_of(kind_).fields[i].standard;
   }
   fields_set_ = true;
-  if (const auto picked = ui.view.requests.take<request::PutStopAt>()) {
+  if (const auto picked = ui.view.requests.take<request::PutBreakpointAt>()) {
     put_place({picked->cell.x, picked->cell.y, 1, 1}, session.level().map);
     fields_typed_ = true;
   } else if (!is_about_place(kind_) || fields_typed_) {
@@ -165,16 +172,16 @@ void StopsPanel::fill_in_place(const Session& session, Ui& ui) {
   }
 }
 
-void StopsPanel::put_place(CellRect cells, const TileMap& map) {
-  if (kind_ == StopKind::enters_rect)
+void BreakpointsPanel::put_place(CellRect cells, const TileMap& map) {
+  if (kind_ == BreakpointKind::enters_rect)
     fields_ = {map.x_of(cells.x), map.y_of(cells.y), map.x_of(cells.w), map.y_of(cells.h)};
   else
     fields_ = {1.0 * cells.x, 1.0 * cells.y, 1.0 * cells.w, 1.0 * cells.h};
 }
 
-void StopsPanel::draw_list(const Session& session, Actions& actions, Ui& ui) {
+void BreakpointsPanel::draw_list(const Session& session, Actions& actions, Ui& ui) {
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY;
-  if (!ImGui::BeginTable("stops", 7, kFlags, ImGui::GetContentRegionAvail())) return;
+  if (!ImGui::BeginTable("breakpoints", 7, kFlags, ImGui::GetContentRegionAvail())) return;
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableSetupColumn("no.", ImGuiTableColumnFlags_WidthFixed, ui.px(24));
   ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ui.px(24));
@@ -184,7 +191,7 @@ void StopsPanel::draw_list(const Session& session, Actions& actions, Ui& ui) {
   ImGui::TableSetupColumn("hits", ImGuiTableColumnFlags_WidthFixed, ui.px(40));
   ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ui.px(24));
   ImGui::TableHeadersRow();
-  for (const Breakpoint& breakpoint : session.debugger().stops().breakpoints()) {
+  for (const Breakpoint& breakpoint : session.debugger().breakpoints().all()) {
     ImGui::PushID(breakpoint.id);
     draw_row(breakpoint, session, actions, ui);
     ImGui::PopID();
@@ -192,8 +199,9 @@ void StopsPanel::draw_list(const Session& session, Actions& actions, Ui& ui) {
   ImGui::EndTable();
 }
 
-void StopsPanel::draw_row(const Breakpoint& breakpoint, const Session& session, Actions& actions, Ui& ui) {
-  const std::string name = "stops/" + std::to_string(breakpoint.id);
+void BreakpointsPanel::draw_row(const Breakpoint& breakpoint, const Session& session, Actions& actions,
+                                Ui& ui) {
+  const std::string name = "breakpoints/" + std::to_string(breakpoint.id);
   Breakpoint changed = breakpoint;
   const bool stopped = has_stopped(session, breakpoint);
   ImGui::TableNextRow();
@@ -219,8 +227,7 @@ void StopsPanel::draw_row(const Breakpoint& breakpoint, const Session& session, 
     text = breakpoint.condition;
   }
   if (field.way() != FieldWay::none)
-    ui.ask(
-        request::FocusField(next_field(session.debugger().stops().breakpoints(), breakpoint, field.way())));
+    ui.ask(request::FocusField(next_field(session.debugger().breakpoints().all(), breakpoint, field.way())));
   ImGui::TableNextColumn();
   ImGui::SetNextItemWidth(-1);
   take_text_focus(name + "/body", ui);
@@ -233,7 +240,7 @@ void StopsPanel::draw_row(const Breakpoint& breakpoint, const Session& session, 
   changed.count = std::max(changed.count, 1);
   ui.item(name + "/count", "Stops at this hit and all later ones; hits are counted from frame 0.");
   ImGui::TableNextColumn();
-  const auto hits = session.debugger().stops().hits(breakpoint.id, session.state().frame);
+  const auto hits = session.debugger().breakpoints().hits(breakpoint.id, session.state().frame);
   ui.right_aligned(!breakpoint.enabled ? "-" : hits ? std::to_string(*hits) : "...");
   ui.item(name + "/hits", hits ? "Its hits from frame 0 to the shown frame." : "Its hits are being counted.");
   ImGui::TableNextColumn();

@@ -10,23 +10,23 @@
 
 namespace talus {
 
-class StopsPanel final : public Panel {
+class BreakpointsPanel final : public Panel {
  public:
-  std::string_view id() const override { return panel_id::kStops; }
+  std::string_view id() const override { return panel_id::kBreakpoints; }
   std::string_view title() const override { return "Breakpoints"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 
  private:
   void draw_run(const Session& session, Actions& actions, Ui& ui);
   void draw_add(const Session& session, Actions& actions, Ui& ui);
-  void draw_fields(const StopKindInfo& info, const Session& session, Actions& actions, Ui& ui);
+  void draw_fields(const BreakpointKindInfo& info, const Session& session, Actions& actions, Ui& ui);
   void fill_in_place(const Session& session, Ui& ui);
   void put_place(CellRect cells, const TileMap& map);
   void draw_list(const Session& session, Actions& actions, Ui& ui);
   void draw_row(const Breakpoint& breakpoint, const Session& session, Actions& actions, Ui& ui);
 
-  StopKind kind_ = StopKind::touches_tile;  // kind of the next breakpoint
-  std::array<double, 4> fields_{};          // its numbers
+  BreakpointKind kind_ = BreakpointKind::touches_tile;  // kind of the next breakpoint
+  std::array<double, 4> fields_{};                      // its numbers
   bool fields_set_ = false;
   bool fields_typed_ = false;  // typed by the user, or picked: they no longer follow what is clicked
   ExpressionField new_field_;

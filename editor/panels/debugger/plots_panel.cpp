@@ -1,4 +1,4 @@
-// A row for each watch: its text, its value, and its plot.
+// A row for each plot: its text, its value, and its curve.
 #include "plots_panel.h"
 
 #include <algorithm>
@@ -20,21 +20,21 @@ ImU32 color_of(std::size_t index) {
   return theme::color(kColors[index % std::size(kColors)]);
 }
 
-std::string value_text(const Watches::Entry& entry, double value) {
+std::string value_text(const PlotList::Entry& entry, double value) {
   if (std::isnan(value)) return "-";
   if (entry.expression->type() == ValueType::truth) return value != 0 ? "true" : "false";
   return two_decimals(value);
 }
 
-std::string text_name(std::size_t index) { return "watch/" + std::to_string(index) + "/text"; }
+std::string text_name(std::size_t index) { return "plots/" + std::to_string(index) + "/text"; }
 
 }  // namespace
 
-void WatchPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+void PlotsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_add(session, actions, ui);
-  if (session.debugger().watches().all().empty() && !ui.view.debugger.shows_times) {
+  if (session.debugger().plots().all().empty() && !ui.view.debugger.shows_times) {
     ui.hint(
-        "No watch yet: choose a number, or type an expression. Each is plotted over the whole run, "
+        "No plot yet: choose a number, or type an expression. Each is plotted over the whole run, "
         "for the chosen body; a click on a plot shows that frame.");
     return;
   }
@@ -42,35 +42,35 @@ void WatchPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_rows(session, actions, ui);
 }
 
-void WatchPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
-  const std::size_t next = session.debugger().watches().all().size();
+void PlotsPanel::draw_add(const Session& session, Actions& actions, Ui& ui) {
+  const std::size_t next = session.debugger().plots().all().size();
   ui.begin_row();
-  if (ui.begin_combo("watch/choose", "plot...", ui.px(110), "Numbers of a body to plot.")) {
+  if (ui.begin_combo("plots/choose", "plot...", ui.px(110), "Numbers of a body to plot.")) {
     for (const MetricInfo& info : metric_infos()) {
       if (info.metric == Metric::id) continue;
       if (selectable(info.name, {}, false))
-        actions.push_back(action::SetWatch{next, {std::string(info.name), 0}});
-      ui.item("watch/choose_" + std::string(info.name), info.help);
+        actions.push_back(action::SetPlot{next, {std::string(info.name), 0}});
+      ui.item("plots/choose_" + std::string(info.name), info.help);
     }
-    const Command& times = find_command("watch/choose_times"_command);
+    const Command& times = find_command("plots/choose_times"_command);
     if (ImGui::Selectable("ns a step", ui.view.debugger.shows_times)) times.run(session, actions, ui);
-    ui.item("watch/choose_times", times.help, keys_of(times, ui));
+    ui.item("plots/choose_times", times.help, keys_of(times, ui));
     ImGui::EndCombo();
   }
   ImGui::SameLine();
-  if (new_field_.draw("watch/new", new_text_, false, ui.px(300), "or an expression: max(vx, vy) * 2", ui) &&
+  if (new_field_.draw("plots/new", new_text_, false, ui.px(300), "or an expression: max(vx, vy) * 2", ui) &&
       !new_text_.empty()) {
-    actions.push_back(action::SetWatch{next, {new_text_, 0}});
+    actions.push_back(action::SetPlot{next, {new_text_, 0}});
     new_text_.clear();
-    if (new_field_.by_enter()) ui.ask(request::FocusField("watch/new"));  // so that the next one can be typed
+    if (new_field_.by_enter()) ui.ask(request::FocusField("plots/new"));  // so that the next one can be typed
   }
   if (new_field_.way() == FieldWay::down && next > 0) ui.ask(request::FocusField(text_name(0)));
   ui.end_row();
 }
 
-void WatchPanel::draw_rows(const Session& session, Actions& actions, Ui& ui) {
+void PlotsPanel::draw_rows(const Session& session, Actions& actions, Ui& ui) {
   ImGui::BeginChild("rows");
-  for (std::size_t i = 0; i < session.debugger().watches().all().size(); ++i) {
+  for (std::size_t i = 0; i < session.debugger().plots().all().size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
     draw_row(i, session, actions, ui);
     ImGui::PopID();
@@ -79,65 +79,65 @@ void WatchPanel::draw_rows(const Session& session, Actions& actions, Ui& ui) {
   ImGui::EndChild();
 }
 
-void WatchPanel::draw_row(std::size_t index, const Session& session, Actions& actions, Ui& ui) {
-  const Watches::Entry& entry = session.debugger().watches().all()[index];
-  const std::string name = "watch/" + std::to_string(index);
+void PlotsPanel::draw_row(std::size_t index, const Session& session, Actions& actions, Ui& ui) {
+  const PlotList::Entry& entry = session.debugger().plots().all()[index];
+  const std::string name = "plots/" + std::to_string(index);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  if (ImGui::SmallButton("x")) actions.push_back(action::RemoveWatch{index});
-  ui.item(name + "/remove", "Stops watching it.", "Enter in its emptied field");
+  if (ImGui::SmallButton("x")) actions.push_back(action::RemovePlot{index});
+  ui.item(name + "/remove", "Removes it.", "Enter in its emptied field");
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Text, color_of(index));
   draw_text(index, session, actions, ui);
   ImGui::PopStyleColor();
   const Row& row = rows_[index];
   if (row.field.is_open()) return;  // the typed text and its message take the room of the plot
-  if (entry.expression && row.text == entry.watch.text) {
-    const double value = Watches::value(entry, session.frame_view(), session.choices().body);
+  if (entry.expression && row.text == entry.plot.text) {
+    const double value = PlotList::value(entry, session.frame_view(), session.choices().body);
     ImGui::SetCursorScreenPos({at.x + ui.px(18), at.y + ImGui::GetFrameHeight() + ui.px(1)});
     talus::draw_text(value_text(entry, value));
     ui.item(name + "/value", all_digits(value), "click to copy");
     if (ImGui::IsItemClicked()) ImGui::SetClipboardText(all_digits(value).c_str());
   }
-  draw_curve(name, session.debugger().watches().series(entry), color_of(index), at, session, actions, ui);
+  draw_curve(name, session.debugger().plots().series(entry), color_of(index), at, session, actions, ui);
 }
 
-void WatchPanel::draw_text(std::size_t index, const Session& session, Actions& actions, Ui& ui) {
-  const auto& all = session.debugger().watches().all();
-  const Watches::Entry& entry = all[index];
+void PlotsPanel::draw_text(std::size_t index, const Session& session, Actions& actions, Ui& ui) {
+  const auto& all = session.debugger().plots().all();
+  const PlotList::Entry& entry = all[index];
   if (rows_.size() < all.size()) rows_.resize(all.size());
   Row& row = rows_[index];
-  if (row.shown != entry.watch.text) row.text = row.shown = entry.watch.text;
+  if (row.shown != entry.plot.text) row.text = row.shown = entry.plot.text;
   const bool entered =
       row.field.draw(text_name(index), row.text, false, ui.px(kTextWidth - 34), "Enter removes it", ui);
   if (row.field.by_enter() &&
       !ui.view.requests.has<request::FocusField>())  // the next typed text is not a command
-    ui.ask(request::FocusField(row.text.empty() ? "watch/new" : text_name(index)));
+    ui.ask(request::FocusField(row.text.empty() ? "plots/new" : text_name(index)));
   if (entered && row.text.empty()) {
-    actions.push_back(action::RemoveWatch{index});
-  } else if (entered && row.text != entry.watch.text) {
-    actions.push_back(action::SetWatch{index, {row.text, entry.watch.body}});
+    actions.push_back(action::RemovePlot{index});
+  } else if (entered && row.text != entry.plot.text) {
+    actions.push_back(action::SetPlot{index, {row.text, entry.plot.body}});
   } else if (row.text.empty() && !row.field.is_open()) {
-    row.text = entry.watch.text;
+    row.text = entry.plot.text;
   }
   if (row.field.way() == FieldWay::up)
-    ui.ask(request::FocusField(index == 0 ? "watch/new" : text_name(index - 1)));
+    ui.ask(request::FocusField(index == 0 ? "plots/new" : text_name(index - 1)));
   if (row.field.way() == FieldWay::down && index + 1 < all.size())
     ui.ask(request::FocusField(text_name(index + 1)));
 }
 
 // The time of the steps. It was measured when they were made, so no expression can compute it.
-void WatchPanel::draw_times(const Session& session, Actions& actions, Ui& ui) {
+void PlotsPanel::draw_times(const Session& session, Actions& actions, Ui& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (ImGui::SmallButton("x")) ui.view.debugger.shows_times = false;
-  ui.item("watch/times/remove", "Stops showing it.", keys_of("watch/choose_times"_command, ui));
+  ui.item("plots/times/remove", "Stops showing it.", keys_of("plots/choose_times"_command, ui));
   ImGui::SameLine();
   ImGui::TextUnformatted("ns a step");
   ui.tooltip("Nanoseconds that each step took when it was made last, of all bodies together.");
-  draw_curve("watch/times", session.step_times().series(), theme::tone(theme::kText), at, session, actions,
+  draw_curve("plots/times", session.step_times().series(), theme::tone(theme::kText), at, session, actions,
              ui);
 }
 
-void WatchPanel::draw_curve(const std::string& name, const Series* series, ImU32 color, ImVec2 at,
+void PlotsPanel::draw_curve(const std::string& name, const Series* series, ImU32 color, ImVec2 at,
                             const Session& session, Actions& actions, Ui& ui) {
   ImGui::SetCursorScreenPos({at.x + ui.px(kTextWidth), at.y});
   draw_timeline_plot(name + "/plot", "", series, color, ui.px(kRowHeight), session, actions, ui);

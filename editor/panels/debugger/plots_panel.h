@@ -1,4 +1,4 @@
-// Watches and plots: expressions, with their current values and over the whole run.
+// Plots: expressions, with their current values and as curves over the whole run.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@
 
 namespace talus {
 
-class WatchPanel final : public Panel {
+class PlotsPanel final : public Panel {
  public:
-  std::string_view id() const override { return panel_id::kWatch; }
+  std::string_view id() const override { return panel_id::kPlots; }
   std::string_view title() const override { return "Plots"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 
@@ -29,7 +29,7 @@ class WatchPanel final : public Panel {
   ExpressionField new_field_;
   struct Row {
     std::string text;   // as it is being typed
-    std::string shown;  // of the watch at the last look
+    std::string shown;  // of the plot at the last look
     ExpressionField field;
   };
   std::vector<Row> rows_;

@@ -12,7 +12,7 @@ bool is_condition(const std::string& text) {
 
 void add_breakpoint(const std::string& condition, const Session& session, Actions& actions) {
   const int body = session.choices().body;
-  const auto& all = session.debugger().stops().breakpoints();
+  const auto& all = session.debugger().breakpoints().all();
   const bool is_there = std::any_of(all.begin(), all.end(), [&](const Breakpoint& breakpoint) {
     return breakpoint.condition == condition && breakpoint.body == body;
   });

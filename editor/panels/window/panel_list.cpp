@@ -69,8 +69,8 @@ std::vector<PanelPlace> make_panels() {
   panels.push_back(place<HistoryPanel>(Region::right_bottom));
   panels.push_back(place<FlagSearchPanel>(Region::right_bottom));
   panels.push_back(place<InputRollPanel>(Region::dock));
-  panels.push_back(place<WatchPanel>(Region::dock));
-  panels.push_back(place<StopsPanel>(Region::dock));
+  panels.push_back(place<PlotsPanel>(Region::dock));
+  panels.push_back(place<BreakpointsPanel>(Region::dock));
   panels.push_back(place<ComparePanel>(Region::dock));
   panels.push_back(place<ReachPanel>(Region::dock));
   panels.push_back(place<TimelinePanel>(Region::timeline));

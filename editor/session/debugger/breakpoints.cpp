@@ -13,34 +13,34 @@ std::string text_of(const Stop& stop) {
   return text + ".";
 }
 
-void Stops::put(Breakpoint breakpoint) {
+void Breakpoints::put(Breakpoint breakpoint) {
   if (breakpoint.id == 0) breakpoint.id = ++last_id_;
   last_id_ = std::max(last_id_, breakpoint.id);
-  const auto at = std::find_if(breakpoints_.begin(), breakpoints_.end(),
-                               [&](const Breakpoint& b) { return b.id == breakpoint.id; });
-  if (at == breakpoints_.end()) {
-    breakpoints_.push_back(std::move(breakpoint));
+  const auto at =
+      std::find_if(all_.begin(), all_.end(), [&](const Breakpoint& b) { return b.id == breakpoint.id; });
+  if (at == all_.end()) {
+    all_.push_back(std::move(breakpoint));
   } else {
     *at = std::move(breakpoint);
   }
   forget_frames();
 }
 
-void Stops::remove(int breakpoint) {
-  std::erase_if(breakpoints_, [&](const Breakpoint& b) { return b.id == breakpoint; });
+void Breakpoints::remove(int breakpoint) {
+  std::erase_if(all_, [&](const Breakpoint& b) { return b.id == breakpoint; });
   forget_frames();
 }
 
 // A breakpoint with a faulty condition does not stop; the panel shows the error.
-std::vector<ArmedBreakpoint> Stops::armed() const {
+std::vector<ArmedBreakpoint> Breakpoints::armed() const {
   std::vector<ArmedBreakpoint> armed;
-  for (const Breakpoint& breakpoint : breakpoints_) {
+  for (const Breakpoint& breakpoint : all_) {
     if (auto ready = ArmedBreakpoint::arm(breakpoint)) armed.push_back(std::move(*ready));
   }
   return armed;
 }
 
-void Stops::forget_frames() {
+void Breakpoints::forget_frames() {
   counter_ = HitCounter(armed());
   forget_hits();
   history_.emplace(counter_.frames_before());
@@ -49,9 +49,9 @@ void Stops::forget_frames() {
   search_.reset();
 }
 
-void Stops::forget_hits() { log_.emplace(armed()); }
+void Breakpoints::forget_hits() { log_.emplace(armed()); }
 
-bool Stops::ready(const FrameSource& source, std::int64_t frame, std::int64_t most_frames) {
+bool Breakpoints::ready(const FrameSource& source, std::int64_t frame, std::int64_t most_frames) {
   if (counter_.empty() || judged_ == frame) return true;
   if (!counter_.counts()) {
     forget_frame();
@@ -70,14 +70,14 @@ bool Stops::ready(const FrameSource& source, std::int64_t frame, std::int64_t mo
   return judged_ == frame;
 }
 
-void Stops::begin_frame(const FrameSource& source, std::int64_t frame) {
+void Breakpoints::begin_frame(const FrameSource& source, std::int64_t frame) {
   if (counter_.empty() || frame > source.last()) return;
   forget_frame();
   history_->go_to(source, frame);
   judging_ = frame;
 }
 
-bool Stops::judge_more(std::optional<Stop>& stop) {
+bool Breakpoints::judge_more(std::optional<Stop>& stop) {
   if (!counter_.advance(history_->view(), kBodiesAtOnce)) return false;
   judged_ = *judging_;
   judging_.reset();
@@ -88,24 +88,24 @@ bool Stops::judge_more(std::optional<Stop>& stop) {
   return true;
 }
 
-void Stops::forget_frame() {
+void Breakpoints::forget_frame() {
   counter_.forget_frame();
   judging_.reset();
 }
 
-void Stops::search(std::int64_t from, SearchDirection direction) {
+void Breakpoints::search(std::int64_t from, SearchDirection direction) {
   direction_ = direction;
   found_.reset();
   search_.emplace(armed(), from, direction);
 }
 
-void Stops::search_first(ArmedBreakpoint condition) {
+void Breakpoints::search_first(ArmedBreakpoint condition) {
   direction_ = SearchDirection::forwards;
   found_.reset();
   search_.emplace(std::vector{std::move(condition)}, -1, direction_);
 }
 
-bool Stops::advance_search(const FrameSource& source, std::int64_t most_frames) {
+bool Breakpoints::advance_search(const FrameSource& source, std::int64_t most_frames) {
   if (!search_ || !search_->advance(source, most_frames)) return false;
   found_ = search_->found();
   search_.reset();

@@ -1,4 +1,4 @@
-// Stops: breakpoints that are judged while a run plays, and searched for in a recording.
+// Breakpoints: their list; they are judged while a run plays, and searched for in a recording.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,10 @@ namespace talus {
 // "Breakpoint 1 at frame 33, body 2." For a search without a breakpoint: "They part at frame 33, body 2."
 std::string text_of(const Stop& stop);
 
-class Stops {
+class Breakpoints {
  public:
-  // --- Breakpoints. A change forgets the counted hits.
-  const std::vector<Breakpoint>& breakpoints() const { return breakpoints_; }
+  // --- The list. A change forgets the counted hits.
+  const std::vector<Breakpoint>& all() const { return all_; }
   void put(Breakpoint breakpoint);  // replaces the one with its id; id 0: a new one
   void remove(int breakpoint);
   // Hits in the frames 0 to this one; 0 for an unknown or faulty breakpoint. Nothing: count() still has to
@@ -58,7 +58,7 @@ class Stops {
   std::vector<ArmedBreakpoint> armed() const;
   void forget_frame();  // the one that is judged in part
 
-  std::vector<Breakpoint> breakpoints_;
+  std::vector<Breakpoint> all_;
   int last_id_ = 0;
   HitCounter counter_{{}};
   std::optional<HitLog> log_;            // set once there was a breakpoint
@@ -66,7 +66,7 @@ class Stops {
   std::int64_t judged_ = -1;             // the last judged frame; -1: none
   std::optional<std::int64_t> judging_;  // the frame that is judged in part, the newest of the history
 
-  std::optional<StopSearch> search_;
+  std::optional<BreakpointSearch> search_;
   SearchDirection direction_ = SearchDirection::forwards;
   std::optional<Stop> found_;
 };

@@ -1,4 +1,4 @@
-// Actions: stopping a run, watching its numbers and comparing it with another one.
+// Actions: stopping a run, plotting its numbers and comparing it with another one.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ struct RemoveBreakpoint {
 };
 // Pauses, and shows the next or the previous frame at which a breakpoint stops. If no recorded frame stops,
 // forwards goes on playing.
-struct RunToStop {
+struct RunToBreakpoint {
   SearchDirection direction = SearchDirection::forwards;
 };
 struct FindParting {     // shows the first frame in which a body is apart from the same one on the other side
@@ -30,11 +30,11 @@ struct SetParting {      // sets the distance of bodies from which on the sides 
   double threshold = 0;  // px; a negative one gives 0, NaN or infinity changes nothing
 };
 struct CancelSearch {};
-struct SetWatch {  // replaces the one with this index; a larger index: a new one
+struct SetPlot {  // replaces the one with this index; a larger index: a new one
   std::size_t index = 0;
-  WatchText watch;
+  PlotText plot;
 };
-struct RemoveWatch {
+struct RemovePlot {
   std::size_t index = 0;
 };
 struct CompareVariant {            // runs the same input through it, beside the shown run
@@ -44,8 +44,8 @@ struct CompareVariant {            // runs the same input through it, beside the
 }  // namespace action
 
 // The actions that DebugHandler carries out.
-using DebugAction = std::variant<action::SetBreakpoint, action::RemoveBreakpoint, action::RunToStop,
+using DebugAction = std::variant<action::SetBreakpoint, action::RemoveBreakpoint, action::RunToBreakpoint,
                                  action::FindParting, action::SetParting, action::CancelSearch,
-                                 action::SetWatch, action::RemoveWatch, action::CompareVariant>;
+                                 action::SetPlot, action::RemovePlot, action::CompareVariant>;
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Stops, watches and compares.
+// Carries out the actions of the debugger.
 #include "debug_handler.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ void DebugHandler::carry_out(const action::RemoveBreakpoint& a) {
 }
 
 template <>
-void DebugHandler::carry_out(const action::RunToStop& a) {
+void DebugHandler::carry_out(const action::RunToBreakpoint& a) {
   run_.refresh_scene();
   run_.set_running(false);
   plays_on_ = a.direction == SearchDirection::forwards;
@@ -47,13 +47,13 @@ void DebugHandler::carry_out(const action::CancelSearch&) {
 }
 
 template <>
-void DebugHandler::carry_out(const action::SetWatch& a) {
-  debugger_.put(a.index, a.watch);
+void DebugHandler::carry_out(const action::SetPlot& a) {
+  debugger_.put(a.index, a.plot);
 }
 
 template <>
-void DebugHandler::carry_out(const action::RemoveWatch& a) {
-  debugger_.remove_watch(a.index);
+void DebugHandler::carry_out(const action::RemovePlot& a) {
+  debugger_.remove_plot(a.index);
 }
 
 template <>

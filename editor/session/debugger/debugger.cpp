@@ -40,12 +40,12 @@ void Debugger::follow(const Timeline& timeline, const Level& level) {
     frames.know(branch.chapters[branch.chapter_at(timeline.frame())].version, timeline.level_scene());
   side_.follow(timeline, level, frames_.count());
   if (is_other || side_.run() != side_run_) forget_parting();
-  if (!is_other && side_.run() != side_run_) stops_.forget_hits();
+  if (!is_other && side_.run() != side_run_) breakpoints_.forget_hits();
   side_run_ = side_.run();
   if (is_other) {
-    stops_.forget_frames();
-    watches_.begin_again();
-    parting_watch_.begin_again();
+    breakpoints_.forget_frames();
+    plots_.begin_again();
+    parting_plot_.begin_again();
   }
   branch_ = branch.id;
   revision_ = branch.revision;
@@ -54,12 +54,12 @@ void Debugger::follow(const Timeline& timeline, const Level& level) {
 void Debugger::forget_run() {
   compare_with(std::nullopt);
   forget_parting();
-  const std::vector<Breakpoint> all = stops_.breakpoints();
+  const std::vector<Breakpoint> all = breakpoints_.all();
   for (Breakpoint breakpoint : all) {
     breakpoint.enabled = false;
-    stops_.put(breakpoint);
+    breakpoints_.put(breakpoint);
   }
-  stops_.forget_frames();
+  breakpoints_.forget_frames();
   stop_.reset();
   search_failed_ = false;
   shown_.clear();
@@ -72,7 +72,7 @@ void Debugger::forget_run() {
 void Debugger::search(const Timeline& timeline, SearchDirection direction) {
   search_failed_ = false;
   stop_.reset();
-  stops_.search(timeline.frame(), direction);
+  breakpoints_.search(timeline.frame(), direction);
 }
 
 void Debugger::search_parting(double threshold) {
@@ -80,16 +80,16 @@ void Debugger::search_parting(double threshold) {
   stop_.reset();
   auto armed = ArmedBreakpoint::arm({.condition = parting_condition(threshold)});
   if (!armed || side_.frames() == nullptr) return;
-  stops_.search_first(std::move(*armed));
+  breakpoints_.search_first(std::move(*armed));
 }
 
 bool Debugger::may_step(const Timeline& timeline) {
-  if (stops_.is_judging(timeline.frame())) return false;
+  if (breakpoints_.is_judging(timeline.frame())) return false;
   const Stopwatch clock;
   bool ready = false;
   do {
     const TimedPiece piece(counted_);
-    ready = stops_.ready(source(), timeline.frame(), counted_.count());
+    ready = breakpoints_.ready(source(), timeline.frame(), counted_.count());
   } while (!ready && clock.seconds() < kJudgeSeconds);
   if (ready) counted_.begin_again();
   return ready;
@@ -97,25 +97,25 @@ bool Debugger::may_step(const Timeline& timeline) {
 
 bool Debugger::stops_at(const Timeline& timeline, const Level& level) {
   stop_.reset();
-  if (stops_.breakpoints().empty()) return false;
+  if (breakpoints_.all().empty()) return false;
   follow(timeline, level);
-  stops_.begin_frame(source(), timeline.frame());
+  breakpoints_.begin_frame(source(), timeline.frame());
   return still_stops_at(timeline);
 }
 
 bool Debugger::still_stops_at(const Timeline& timeline) {
-  if (!stops_.is_judging(timeline.frame())) return false;
+  if (!breakpoints_.is_judging(timeline.frame())) return false;
   const Stopwatch clock;
   stop_.reset();
-  while (!stops_.judge_more(stop_))
+  while (!breakpoints_.judge_more(stop_))
     if (clock.seconds() > kJudgeSeconds) return false;
   return stop_.has_value();
 }
 
 void Debugger::compare_with(std::optional<Variant> variant) {
   side_.set_variant(variant);
-  watches_.begin_again();
-  parting_watch_.begin_again();
+  plots_.begin_again();
+  parting_plot_.begin_again();
 }
 
 std::optional<std::int64_t> Debugger::advance(const Timeline& timeline, const Level& level, int chosen_body) {
@@ -127,15 +127,15 @@ std::optional<std::int64_t> Debugger::advance(const Timeline& timeline, const Le
     const bool side_behind = side_.variant() != nullptr && !side_.has(timeline.current().run_frame());
     is_busy_ = side_behind;
     if (side_behind) continue;
-    if (stops_.advance_search(source(), frames_.count())) {
-      stop_ = stops_.found();
+    if (breakpoints_.advance_search(source(), frames_.count())) {
+      stop_ = breakpoints_.found();
       search_failed_ = !stop_;
       return stop_ ? std::optional(stop_->frame) : std::nullopt;
     }
     // One after another: frames that are read in order cost a step each, others a seek.
     const bool done = !searching() &&
                       shown_frame_.advance(timeline, source(), other_run(timeline), kSeconds) &&
-                      stops_.count(source(), timeline.frame(), frames_.count()) &&
+                      breakpoints_.count(source(), timeline.frame(), frames_.count()) &&
                       advance_plots(timeline, chosen_body) && advance_parting();
     is_busy_ = !done;
   } while (is_busy_ && clock.seconds() < kSeconds);
@@ -145,12 +145,12 @@ std::optional<std::int64_t> Debugger::advance(const Timeline& timeline, const Le
 
 // Returns true at the last frame.
 bool Debugger::advance_plots(const Timeline& timeline, int chosen_body) {
-  const bool done = watches_.advance(source(), chosen_body, frames_.count());
+  const bool done = plots_.advance(source(), chosen_body, frames_.count());
   if (side_.frames() == nullptr) return done;
-  if (parting_watch_.all().empty()) parting_watch_.put(0, {"parting", 0});
+  if (parting_plot_.all().empty()) parting_plot_.put(0, {"parting", 0});
   const auto& bodies = timeline.state().bodies;
   const int body = chosen_body != 0 || bodies.empty() ? chosen_body : bodies.front().id;
-  return parting_watch_.advance(source(), body, frames_.count()) && done;
+  return parting_plot_.advance(source(), body, frames_.count()) && done;
 }
 
 // The whole run, and what is played later: forwards from the frames that were searched before. Returns true
@@ -218,8 +218,8 @@ const Frame* Debugger::other_frame(const Timeline& timeline) const {
 }
 
 const Series* Debugger::parting_series() const {
-  if (side_.frames() == nullptr || parting_watch_.all().empty()) return nullptr;
-  return parting_watch_.series(parting_watch_.all().front());
+  if (side_.frames() == nullptr || parting_plot_.all().empty()) return nullptr;
+  return parting_plot_.series(parting_plot_.all().front());
 }
 
 }  // namespace talus

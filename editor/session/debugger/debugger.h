@@ -1,4 +1,4 @@
-// Debugger: what stops a run, which expressions are watched in it, and which run it is compared with. It
+// Debugger: what stops a run, which expressions are plotted over it, and which run it is compared with. It
 // looks at the session's timeline and never changes it. Long work is done a little at a time.
 #pragma once
 
@@ -16,14 +16,14 @@ namespace talus {
 
 class Debugger {
  public:
-  const Stops& stops() const { return stops_; }
-  const Watches& watches() const { return watches_; }
+  const Breakpoints& breakpoints() const { return breakpoints_; }
+  const PlotList& plots() const { return plots_; }
   const SideBySide& side_by_side() const { return side_; }
 
-  void put(Breakpoint breakpoint) { stops_.put(std::move(breakpoint)); }
-  void remove_breakpoint(int id) { stops_.remove(id); }
-  void put(std::size_t index, WatchText watch) { watches_.put(index, std::move(watch)); }
-  void remove_watch(std::size_t index) { watches_.remove(index); }
+  void put(Breakpoint breakpoint) { breakpoints_.put(std::move(breakpoint)); }
+  void remove_breakpoint(int id) { breakpoints_.remove(id); }
+  void put(std::size_t index, PlotText plot) { plots_.put(index, std::move(plot)); }
+  void remove_plot(std::size_t index) { plots_.remove(index); }
   void compare_with(std::optional<Variant> variant);
   // Searches forwards after the shown frame, or back before it.
   void search(const Timeline& timeline, SearchDirection direction);
@@ -32,7 +32,7 @@ class Debugger {
   // A larger distance, px, counts as parted; finite and 0 or more.
   void set_parting(double threshold);
   double parting() const { return parting_; }
-  void cancel_search() { stops_.cancel_search(); }
+  void cancel_search() { breakpoints_.cancel_search(); }
 
   // --- While it runs
   // The timeline belongs to another level now: the comparison ends, and the breakpoints, which are about
@@ -53,8 +53,8 @@ class Debugger {
 
   // Whether work remains after the last call of advance(), or was found by a look since.
   bool is_busy() const { return is_busy_ || !shown_frame_.is_read() || other_is_behind_; }
-  bool searching() const { return stops_.searching(); }
-  double search_progress() const { return stops_.progress(source()); }
+  bool searching() const { return breakpoints_.searching(); }
+  double search_progress() const { return breakpoints_.progress(source()); }
   bool search_failed() const { return search_failed_; }      // whether the last search ended without a stop
   const std::optional<Stop>& stop() const { return stop_; }  // the last stop
   // The shown frame with those before it, and with the other side once that is there.
@@ -87,15 +87,15 @@ class Debugger {
   bool advance_parting();
   void forget_parting();
 
-  Stops stops_;
-  Watches watches_, parting_watch_;
+  Breakpoints breakpoints_;
+  PlotList plots_, parting_plot_;
   SideBySide side_;
   FollowedFrames shown_;
   int branch_ = 0, revision_ = 0;  // of the followed branch
   int side_run_ = 0;
 
   double parting_ = 0.01;
-  std::optional<StopSearch> parting_search_;
+  std::optional<BreakpointSearch> parting_search_;
   std::int64_t parting_searched_ = -1;  // the last searched frame
   std::optional<std::int64_t> parting_frame_;
 

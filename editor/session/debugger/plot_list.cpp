@@ -5,18 +5,18 @@
 namespace talus {
 namespace {
 
-int body_of(const WatchText& watch, int chosen_body) { return watch.body != 0 ? watch.body : chosen_body; }
+int body_of(const PlotText& plot, int chosen_body) { return plot.body != 0 ? plot.body : chosen_body; }
 
 }  // namespace
 
-void Watches::put(std::size_t index, WatchText watch) {
+void PlotList::put(std::size_t index, PlotText plot) {
   if (index >= entries_.size()) {
     index = entries_.size();
     entries_.emplace_back();
   }
   Entry& entry = entries_[index];
-  auto parsed = Expression::parse(watch.text);
-  entry.watch = std::move(watch);
+  auto parsed = Expression::parse(plot.text);
+  entry.plot = std::move(plot);
   entry.expression.reset();
   if (parsed) {
     entry.expression = std::move(*parsed);
@@ -26,32 +26,32 @@ void Watches::put(std::size_t index, WatchText watch) {
   begin_again();
 }
 
-void Watches::remove(std::size_t index) {
+void PlotList::remove(std::size_t index) {
   if (index >= entries_.size()) return;
   entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(index));
   begin_again();
 }
 
-const Series* Watches::series(const Entry& entry) const {
+const Series* PlotList::series(const Entry& entry) const {
   return run_ && entry.expression ? &run_->series()[entry.series] : nullptr;
 }
 
-double Watches::value(const Entry& entry, const FrameView& view, int chosen_body) {
+double PlotList::value(const Entry& entry, const FrameView& view, int chosen_body) {
   if (!entry.expression) return std::numeric_limits<double>::quiet_NaN();
-  return Watch{*entry.expression, body_of(entry.watch, chosen_body)}.value(view);
+  return PlottedExpression{*entry.expression, body_of(entry.plot, chosen_body)}.value(view);
 }
 
-bool Watches::advance(const FrameSource& source, int chosen_body, std::int64_t most_frames) {
+bool PlotList::advance(const FrameSource& source, int chosen_body, std::int64_t most_frames) {
   if (run_ && chosen_body != chosen_body_) begin_again();
   if (!run_) {
     chosen_body_ = chosen_body;
-    std::vector<Watch> watches;
+    std::vector<PlottedExpression> plots;
     for (Entry& entry : entries_) {
       if (!entry.expression) continue;
-      entry.series = watches.size();
-      watches.push_back({*entry.expression, body_of(entry.watch, chosen_body)});
+      entry.series = plots.size();
+      plots.push_back({*entry.expression, body_of(entry.plot, chosen_body)});
     }
-    run_.emplace(std::move(watches), 0, kMostPoints);
+    run_.emplace(std::move(plots), 0, kMostPoints);
   }
   return run_->series().empty() || run_->advance(source, most_frames);
 }

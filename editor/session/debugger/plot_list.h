@@ -1,4 +1,4 @@
-// Watches: expressions that the user watches, with their values over the whole run.
+// PlotList: expressions that are plotted, with their values over the whole run.
 #pragma once
 
 #include <optional>
@@ -10,18 +10,18 @@
 namespace talus {
 
 // An expression whose value is wanted in every frame.
-struct WatchText {
+struct PlotText {
   std::string text;
   int body = 0;  // id of its body; 0: the chosen one
-  friend bool operator==(const WatchText&, const WatchText&) = default;
+  friend bool operator==(const PlotText&, const PlotText&) = default;
 };
 
-class Watches {
+class PlotList {
  public:
   static constexpr std::size_t kMostPoints = 1024;  // of a series
 
   struct Entry {
-    WatchText watch;
+    PlotText plot;
     std::optional<Expression> expression;  // nothing: its text is faulty
     ExpressionError error;                 // in that case
     std::size_t series = 0;                // its place in the run
@@ -29,7 +29,7 @@ class Watches {
 
   const std::vector<Entry>& all() const { return entries_; }
   void put(std::size_t index,
-           WatchText watch);  // replaces that one; if there is none, appends it
+           PlotText plot);  // replaces that one; if there is none, appends it
   void remove(std::size_t index);
   // Its numbers in the frames so far; null: its text is faulty.
   const Series* series(const Entry& entry) const;
@@ -43,7 +43,7 @@ class Watches {
 
  private:
   std::vector<Entry> entries_;
-  std::optional<WatchRun> run_;
+  std::optional<PlotRun> run_;
   int chosen_body_ = 0;  // the body of the run
 };
 
