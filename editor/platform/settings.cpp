@@ -6,6 +6,7 @@
 
 #include "formats/files/atomic_file.h"
 #include "formats/text/json_text.h"
+#include "former_names.h"
 #include "preferences_fields.h"
 #include "user_folder.h"
 
@@ -93,9 +94,10 @@ Settings default_settings() {
 std::string settings_path() { return (fs::path(config_folder()) / "settings.json").string(); }
 
 FormatResult<Settings> settings_of_text(std::string_view text) {
-  const auto root = parse_json(text);
+  auto root = parse_json(text);
   if (!root) return tl::unexpected(root.error());
   if (!root->is_object()) return tl::unexpected(FormatError{"", "is JSON, but not settings"});
+  rename_former(*root);
   Settings settings;
   read_fields(settings_fields(), *root, settings);
   return settings;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -10,6 +11,8 @@
 #include "folder_test.h"
 #include "overlay/overlay_table.h"
 #include "panels/commands/key_conflicts.h"
+#include "panels/window/panel_list.h"
+#include "platform/former_names.h"
 #include "platform/preferences_fields.h"
 #include "platform/settings.h"
 
@@ -75,6 +78,38 @@ TEST(PreferencesJson, WrongValuesGetTheirDefaults) {
   const Preferences odd =
       read_preferences(nlohmann::json::parse(R"({"keys": {"a": ["Ctrl+A", "What+B", "Ctrl+C"]}})"));
   EXPECT_EQ(odd.keys.changed.at("a"), (CommandKeys{ctrl('a'), KeyChord{}}));
+}
+
+TEST(FormerNames, LeadToNamesThatExist) {
+  const std::vector<std::string> tabs = tab_ids();
+  const auto is_panel = [&](std::string_view id) { return std::count(tabs.begin(), tabs.end(), id) > 0; };
+  const auto is_command = [](std::string_view id) {
+    return std::any_of(commands().begin(), commands().end(), [&](const Command& c) { return c.id == id; });
+  };
+  for (const FormerName& name : former_names()) {
+    EXPECT_TRUE(is_panel(name.today) || is_command(name.today)) << name.today;
+    EXPECT_FALSE(is_panel(name.former) || is_command(name.former)) << name.former;
+  }
+}
+
+TEST(FormerNames, OfOlderSettingsAreRead) {
+  const Settings settings = settings_of_text(R"({"watches": ["vx"], "tabs": ["why", "stops", "watch", 3],
+      "preferences": {"keys": {"stops/add": ["F2", ""], "tabs/watch": ["F3", ""]}}})")
+                                .value();
+  EXPECT_EQ(settings.plots, std::vector<std::string>{"vx"});
+  EXPECT_EQ(settings.tabs, (std::vector<std::string>{"why", "breakpoints", "plots"}));
+  const auto& keys = settings.preferences.keys.changed;
+  ASSERT_EQ(keys.size(), 2u);
+  EXPECT_EQ(keys.at("breakpoints/add")[0], KeyChord{kKeyF2});
+  EXPECT_EQ(keys.at("tabs/plots")[0], KeyChord{kKeyF3});
+}
+
+TEST(FormerNames, YieldToTodaysNames) {
+  const Settings settings = settings_of_text(R"({"plots": ["vy"], "watches": ["vx"],
+      "preferences": {"keys": {"breakpoints/add": ["F2", ""], "stops/add": ["F3", ""]}}})")
+                                .value();
+  EXPECT_EQ(settings.plots, std::vector<std::string>{"vy"});
+  EXPECT_EQ(settings.preferences.keys.changed.at("breakpoints/add")[0], KeyChord{kKeyF2});
 }
 
 class SettingsFile : public FolderTest {};
