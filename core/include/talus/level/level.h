@@ -23,11 +23,11 @@ namespace talus {
 inline constexpr double kMinBodySize = 1.0 / 256;  // px, in width and in height
 inline constexpr double kMaxBodySize = 1024;       // px, the same
 
-// A body placed by hand, besides those that ball tiles of the map make.
+// A place in a level at which a body starts, put there by hand. Ball tiles of the map are bodies without one.
 struct Spawn {
   std::string name;                // for people; may be empty or repeated
-  Vec2 position;                   // px, top-left corner of the box
-  Vec2 velocity;                   // px/frame
+  Vec2 position;                   // px, top-left corner of the body's box at the start
+  Vec2 velocity;                   // px/frame, of the body at the start
   std::string extra;               // JSON object of keys that this version does not know, or empty
   BodyKind kind = BodyKind::ball;  // what moves it, its looks, its default foot
   Vec2 size = {8, 8};              // px, each kMinBodySize..kMaxBodySize
