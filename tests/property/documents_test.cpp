@@ -49,6 +49,8 @@ TEST(Documents, TheSeedsAreReadable) {
   EXPECT_TRUE(check_input(grammar_of_seed("keys.jsonl").lines(none)).is_read);
   EXPECT_TRUE(check_tiled(grammar_of_seed("small.tmj").document(none)).is_read);
   EXPECT_TRUE(check_tiled(grammar_of_seed("small.tmx").document(none)).is_read);
+  EXPECT_TRUE(check_tiled(grammar_of_seed("infinite.tmj").document(none)).is_read);
+  EXPECT_TRUE(check_tiled(grammar_of_seed("infinite.tmx").document(none)).is_read);
   EXPECT_TRUE(check_tiled(grammar_of_seed("small.tsx").document(none)).is_read);
   EXPECT_TRUE(check_tiled(grammar_of_seed("small.tsj").document(none)).is_read);
 }
@@ -59,6 +61,8 @@ TEST(Documents, Scenarios) { expect_promises("moves.scenario.json", 1000, check_
 TEST(Documents, Inputs) { expect_promises("keys.jsonl", 1000, check_input, true); }
 TEST(Documents, MapsOfTiledInJson) { expect_promises("small.tmj", 300, check_tiled); }
 TEST(Documents, MapsOfTiledInXml) { expect_promises("small.tmx", 300, check_tiled); }
+TEST(Documents, InfiniteMapsInJson) { expect_promises("infinite.tmj", 300, check_tiled); }
+TEST(Documents, InfiniteMapsInXml) { expect_promises("infinite.tmx", 300, check_tiled); }
 TEST(Documents, TilesetsOfTiledInJson) { expect_promises("small.tsj", 200, check_tiled); }
 TEST(Documents, TilesetsOfTiledInXml) { expect_promises("small.tsx", 100, check_tiled); }
 

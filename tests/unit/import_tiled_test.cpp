@@ -258,9 +258,6 @@ TEST(ImportTiled, RefusesMapsThatCannotBeALevel) {
   const std::string good = map_text({});
   EXPECT_EQ(with(good, "orthogonal", "isometric"),
             "map:key orientation: error: has the orientation \"isometric\", but must be orthogonal");
-  EXPECT_EQ(with(good, "\"infinite\":false", "\"infinite\":true"),
-            "map:key infinite: error: is an infinite map: switch Infinite off in Tiled, under Map > Map "
-            "Properties");
   EXPECT_EQ(
       with(good, "\"tilewidth\":8,\"tileheight\":8", "\"tilewidth\":257,\"tileheight\":16"),
       "map:key tilewidth: error: has tiles of 257x16 px, but a level needs tiles of 1 to 256 px a side");

@@ -8,6 +8,7 @@
 
 #include "../text/utf8_text.h"
 #include "tiled_cells.h"
+#include "tiled_chunks.h"
 
 namespace talus {
 namespace {
@@ -76,7 +77,10 @@ class TiledReader {
   TileSize tile_size(const TiledNode& node);
   void layers(const TiledNode& node, const Group& group, const Progress& progress, TiledMap& map);
   void tile_layer(const TiledNode& node, Vec2 offset, const TiledMap& map, TiledLayer& layer);
-  std::vector<std::uint32_t> cells(const TiledNode& node, std::size_t count);
+  std::vector<TiledChunk> chunks_of(const TiledNode& node);
+  std::optional<TiledChunk> chunk(const TiledNode& layer, const TiledNode& node);
+  // The data of a layer or a chunk, in the encoding of the layer.
+  std::vector<std::uint32_t> cells(const TiledNode& node, const TiledNode& layer, std::size_t count);
   std::vector<TiledObject> objects(const TiledNode& node, Vec2 offset);
   TiledObject object(const TiledNode& node, Vec2 offset);
   std::vector<Vec2> points(const TiledNode& node, const char* key);
@@ -141,6 +145,9 @@ class TiledReader {
   TiledDrops& drops_;
   std::optional<FormatError> error_;
   std::size_t objects_ = 0, layers_ = 0, points_ = 0;  // read so far
+  bool is_infinite_ = false;
+  TiledChunks chunks_;           // of an infinite map
+  std::size_t chunk_cells_ = 0;  // of all of them
 };
 
 TiledMap TiledReader::map(const Json& json, const Progress& progress) {
@@ -151,8 +158,10 @@ TiledMap TiledReader::map(const Json& json, const Progress& progress) {
     return map;
   }
   if (!check_map(node)) return map;
-  map.width = whole(node, "width", 1, kMaxTerrainSide, 0);
-  map.height = whole(node, "height", 1, kMaxTerrainSide, 0);
+  is_infinite_ = truth(node, "infinite");
+  const int least = is_infinite_ ? 0 : 1;  // an infinite map has the size of its chunks
+  map.width = std::max(1, whole(node, "width", least, kMaxTerrainSide, least));
+  map.height = std::max(1, whole(node, "height", least, kMaxTerrainSide, least));
   if (!error_ && !is_terrain_size(map.width, map.height)) {
     fail(node, "width",
          "has " + std::to_string(map.width) + "x" + std::to_string(map.height) +
@@ -160,7 +169,7 @@ TiledMap TiledReader::map(const Json& json, const Progress& progress) {
   }
   const std::size_t layer_count = tile_layers_in(json);
   const auto cell_count = static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
-  if (!error_ && layer_count * cell_count > kMaxTiledCells) {
+  if (!error_ && !is_infinite_ && layer_count * cell_count > kMaxTiledCells) {
     fail(node, "layers",
          "has " + std::to_string(layer_count) + " layers of " + std::to_string(map.width) + "x" +
              std::to_string(map.height) + " tiles, but all layers of a map may have at most " +
@@ -177,6 +186,10 @@ TiledMap TiledReader::map(const Json& json, const Progress& progress) {
     map.tilesets.push_back(tileset(entry));
   });
   if (!error_) layers(node, {}, progress, map);
+  if (!error_ && is_infinite_) {
+    chunks_.resize(map.layers.size());
+    if (auto problem = join_chunks(std::move(chunks_), map)) fail(node, "layers", *std::move(problem));
+  }
   drop_others(
       node, "the map",
       {"compressionlevel", "nextlayerid",    "nextobjectid",   "tiledversion", "version",      "type",
@@ -194,8 +207,6 @@ bool TiledReader::check_map(const TiledNode& node) {
   else if (orientation != "orthogonal")
     fail(node, "orientation",
          "has the orientation " + tiled_quoted(orientation) + ", but must be orthogonal");
-  else if (truth(node, "infinite"))
-    fail(node, "infinite", "is an infinite map: switch Infinite off in Tiled, under Map > Map Properties");
   return !error_;
 }
 
@@ -230,8 +241,9 @@ void TiledReader::layers(const TiledNode& node, const Group& group, const Progre
     const Vec2 offset = group.offset + Vec2{number(entry, "offsetx"), number(entry, "offsety")};
     properties(entry, of);
     drop_others(entry, of,
-                {"id", "name", "type", "visible", "locked", "width", "height", "offsetx", "offsety",
-                 "draworder", "color", "data", "encoding", "compression", "objects", "layers", "properties"});
+                {"id",      "name",    "type",       "visible", "locked", "width",    "height",
+                 "offsetx", "offsety", "draworder",  "color",   "data",   "encoding", "compression",
+                 "objects", "layers",  "properties", "chunks",  "startx", "starty"});
     if (type == "group") return layers(entry, {layer.name, offset}, of_entry, map);
     if (type == "tilelayer") {
       tile_layer(entry, offset, map, layer);
@@ -246,22 +258,63 @@ void TiledReader::layers(const TiledNode& node, const Group& group, const Progre
 
 void TiledReader::tile_layer(const TiledNode& node, Vec2 offset, const TiledMap& map, TiledLayer& layer) {
   layer.has_tiles = true;
-  if (node.find("chunks") != nullptr)
-    return fail(node, "chunks", "is a layer of an infinite map: switch Infinite off in Tiled");
-  if (number(node, "width", map.width) != map.width || number(node, "height", map.height) != map.height)
-    return fail(node, "width", "must have the size of the map");
   if (offset != Vec2{0, 0}) drops_.add("the offset of the layer " + tiled_quoted(layer.name));
-  layer.cells = cells(node, static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height));
+  if (is_infinite_) {
+    chunks_.resize(map.layers.size());
+    chunks_.push_back(chunks_of(node));
+  } else if (number(node, "width", map.width) != map.width ||
+             number(node, "height", map.height) != map.height) {
+    fail(node, "width", "must have the size of the map");
+  } else {
+    layer.cells =
+        cells(node, node, static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height));
+  }
 }
 
-std::vector<std::uint32_t> TiledReader::cells(const TiledNode& node, std::size_t count) {
+std::vector<TiledChunk> TiledReader::chunks_of(const TiledNode& node) {
+  std::vector<TiledChunk> chunks;
+  const auto take = [&](std::optional<TiledChunk> chunk) {
+    if (chunk) chunks.push_back(*std::move(chunk));
+  };
+  const Json* data = node.find("data");
+  const bool is_text = data != nullptr && data->is_string();
+  const bool has_data =
+      is_text ? data->get_ref<const std::string&>().find_first_not_of(" \t\r\n") != std::string::npos
+              : data != nullptr && !data->empty();
+  if (has_data) take(chunk(node, node));  // a layer without chunks is one
+  for_each(node, "chunks", [&](const TiledNode& entry) { take(chunk(node, entry)); });
+  return chunks;
+}
+
+// node: a chunk of the layer, or the layer itself.
+std::optional<TiledChunk> TiledReader::chunk(const TiledNode& layer, const TiledNode& node) {
+  TiledChunk chunk;
+  chunk.x = whole(node, "x", -kMaxTiledChunkPlace, kMaxTiledChunkPlace, 0);
+  chunk.y = whole(node, "y", -kMaxTiledChunkPlace, kMaxTiledChunkPlace, 0);
+  chunk.width = whole(node, "width", 1, kMaxTerrainSide, 1);
+  chunk.height = whole(node, "height", 1, kMaxTerrainSide, 1);
+  const auto count = static_cast<std::size_t>(chunk.width) * static_cast<std::size_t>(chunk.height);
+  chunk_cells_ += count;
+  if (chunk_cells_ > kMaxTiledCells) {
+    fail(node, "",
+         "is one chunk too many: all layers of a map may have at most " + std::to_string(kMaxTiledCells) +
+             " cells together");
+  }
+  if (error_) return {};
+  chunk.cells = cells(node, layer, count);
+  if (error_) return {};
+  return chunk;
+}
+
+std::vector<std::uint32_t> TiledReader::cells(const TiledNode& node, const TiledNode& layer,
+                                              std::size_t count) {
   const Json* data = node.find("data");
   std::vector<std::uint32_t> cells;
   if (data == nullptr) {
     fail(node, "data", "is a tile layer without data");
   } else if (data->is_string()) {
-    auto decoded = decode_tiled_cells(data->get_ref<const std::string&>(), text(node, "encoding"),
-                                      text(node, "compression"), count);
+    auto decoded = decode_tiled_cells(data->get_ref<const std::string&>(), text(layer, "encoding"),
+                                      text(layer, "compression"), count);
     if (!decoded) fail(node, "data", decoded.error());
     if (decoded) cells = std::move(*decoded);
   } else if (!data->is_array() || data->size() != count) {

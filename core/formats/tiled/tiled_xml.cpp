@@ -272,14 +272,24 @@ class TiledXml {
     for (const char* key : {"encoding", "compression"}) {
       if (node.attribute(key)) json[key] = node.attribute(key).value();
     }
-    if (node.child("chunk")) json["chunks"] = true;
-    if (node.attribute("encoding")) return put_once(node, "data", node.child_value(), json);
+    if (!node.child("chunk")) return put_once(node, "data", cells(node, node), json);
+    Json chunks = Json::array();
+    for (const pugi::xml_node chunk : node.children("chunk")) {
+      chunks.push_back(attributes(chunk));
+      chunks.back()["data"] = cells(chunk, node);
+    }
+    put_once(node, "chunks", std::move(chunks), json);
+  }
+
+  // data: the element that has the encoding.
+  static Json cells(const pugi::xml_node& node, const pugi::xml_node& data) {
+    if (data.attribute("encoding")) return node.child_value();
     Json cells = Json::array();
     for (const pugi::xml_node cell : node.children("tile")) {
       const pugi::xml_attribute gid = cell.attribute("gid");
       cells.push_back(gid ? number_or_text(gid.value()) : Json(0));
     }
-    put_once(node, "data", std::move(cells), json);
+    return cells;
   }
 
   Json object(const pugi::xml_node& node) {
