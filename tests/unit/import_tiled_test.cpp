@@ -1,6 +1,7 @@
 // Maps of Tiled as levels: what is kept, what is reported, what is refused.
 #include <gmock/gmock.h>
 #include <zlib.h>
+#include <zstd.h>
 
 #include <nlohmann/json.hpp>
 
@@ -208,6 +209,12 @@ std::string packed(const std::string& bytes, int window_bits) {
   return out;
 }
 
+std::string packed_by_zstd(const std::string& bytes) {
+  std::string out(ZSTD_compressBound(bytes.size()), '\0');
+  out.resize(ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), 3));
+  return out;
+}
+
 std::string xml_map(const std::string& data) {
   return "<?xml version=\"1.0\"?>\n<map version=\"1.10\" orientation=\"orthogonal\" width=\"2\" height=\"2\" "
          "tilewidth=\"8\" tileheight=\"8\" infinite=\"0\">\n <tileset firstgid=\"1\" name=\"t\" "
@@ -224,9 +231,16 @@ TEST(ImportTiled, ReadsEveryKindOfLayerData) {
       "<data encoding=\"base64\">\n   " + base64(bytes) + "\n  </data>",
       "<data encoding=\"base64\" compression=\"zlib\">" + base64(packed(bytes, 15)) + "</data>",
       "<data encoding=\"base64\" compression=\"gzip\">" + base64(packed(bytes, 31)) + "</data>",
+      "<data encoding=\"base64\" compression=\"zstd\">" + base64(packed_by_zstd(bytes)) + "</data>",
       "<data><tile gid=\"3\"/><tile gid=\"2\"/><tile/><tile gid=\"1\"/></data>"};
   for (const std::string& data : datas)
     EXPECT_THAT(read(xml_map(data), "tmx").level.map.cells(), ElementsAre(2, 1, 0, 0)) << data;
+}
+
+TEST(ImportTiled, DataWithoutCellsIsAnEmptyLayer) {
+  for (const char* data : {"<data encoding=\"csv\">\n</data>", "<data/>",
+                           "<data encoding=\"base64\" compression=\"zstd\"></data>"})
+    EXPECT_THAT(read(xml_map(data), "tmx").level.map.cells(), ElementsAre(0, 0, 0, 0)) << data;
 }
 
 TEST(ImportTiled, BadLayerDataIsAnErrorOnItsLine) {
@@ -242,10 +256,13 @@ TEST(ImportTiled, BadLayerDataIsAnErrorOnItsLine) {
   EXPECT_EQ(error("<data encoding=\"base64\" compression=\"zlib\">" +
                   base64(packed(std::string(1000, 'x'), 15)) + "</data>"),
             at + "unpacks to more cells than the layer has");
-  EXPECT_EQ(
-      error("<data encoding=\"base64\" compression=\"zstd\">AAAA</data>"),
-      at +
-          "is compressed by zstd: choose another format of tile layers in Tiled, under Map > Map Properties");
+  EXPECT_EQ(error("<data encoding=\"base64\" compression=\"zstd\">AAAA</data>"),
+            at + "has compressed cells that are damaged");
+  EXPECT_EQ(error("<data encoding=\"base64\" compression=\"lz4\">AAAA</data>"),
+            at + "has the unknown compression \"lz4\"");
+  EXPECT_EQ(error("<data encoding=\"base64\" compression=\"zstd\">" +
+                  base64(packed_by_zstd(std::string(1000, 'x'))) + "</data>"),
+            at + "unpacks to more cells than the layer has");
   EXPECT_EQ(error("<data encoding=\"csv\">1,2,3,17</data>"),
             "map:layer \"l\", cell (1, 1): error: holds tile 17, which no tileset has");
   EXPECT_EQ(error(""), at + "is a tile layer without data");

@@ -1,9 +1,11 @@
-// Unpacking zlib's streams.
+// Unpacking by zlib and zstd, piece by piece.
 #include "unpack.h"
 
 #include <zlib.h>
+#include <zstd.h>
 
 #include <array>
+#include <memory>
 #include <new>
 
 namespace talus {
@@ -28,6 +30,29 @@ tl::expected<std::string, UnpackError> unpack_zlib(std::string_view packed, std:
   inflateEnd(&stream);
   if (content.size() > limit) return tl::unexpected(UnpackError{.is_too_large = true});
   if (status != Z_STREAM_END) return tl::unexpected(UnpackError{.reason = reason});
+  return content;
+}
+
+tl::expected<std::string, UnpackError> unpack_zstd(std::string_view packed, std::size_t limit) {
+  constexpr int kMaxWindowLog = 27;  // 128 MiB, as much as zstd's own program takes
+  const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
+  if (!context) throw std::bad_alloc();
+  ZSTD_DCtx_setParameter(context.get(), ZSTD_d_windowLogMax, kMaxWindowLog);
+  ZSTD_inBuffer in = {packed.data(), packed.size(), 0};
+  std::string content;
+  std::array<char, 32'768> piece;
+  std::size_t status = 1;  // 0 at the end of a frame
+  bool is_stuck = false;
+  while (!is_stuck && (status != 0 || in.pos < in.size)) {
+    ZSTD_outBuffer out = {piece.data(), piece.size(), 0};
+    const std::size_t before = in.pos;
+    status = ZSTD_decompressStream(context.get(), &out, &in);
+    if (ZSTD_isError(status) != 0) return tl::unexpected(UnpackError{.reason = ZSTD_getErrorName(status)});
+    content.append(piece.data(), out.pos);
+    if (content.size() > limit) return tl::unexpected(UnpackError{.is_too_large = true});
+    is_stuck = out.pos == 0 && in.pos == before;
+  }
+  if (status != 0) return tl::unexpected(UnpackError{.reason = "the end is missing"});
   return content;
 }
 

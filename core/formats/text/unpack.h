@@ -1,5 +1,5 @@
-// Unpacks zlib streams of carts, pictures and maps, up to a size that the caller sets, and packs those of
-// maps.
+// Unpacks streams of zlib and zstd in carts, pictures and maps, up to a size that the caller sets, and packs
+// those of maps.
 #pragma once
 
 #include <cstddef>
@@ -18,6 +18,11 @@ struct UnpackError {
 // Returns the content of one zlib or gzip stream; bytes after its end are ignored. A stream that unpacks to
 // more than `limit` bytes, or is damaged or cut off, is an error.
 tl::expected<std::string, UnpackError> unpack_zlib(std::string_view packed, std::size_t limit);
+
+// Returns the content of one or more frames of zstd. The sizes that frames claim do not count. A frame that
+// needs a window of more than 128 MiB is an error; so are the same streams as above, and bytes that are no
+// frame after the last one.
+tl::expected<std::string, UnpackError> unpack_zstd(std::string_view packed, std::size_t limit);
 
 // Returns a zlib stream of the content.
 std::string pack_zlib(std::string_view content);

@@ -5,6 +5,7 @@
 
 #include "../text/base64.h"
 #include "../text/unpack.h"
+#include "tiled_map.h"
 
 namespace talus {
 namespace {
@@ -43,11 +44,10 @@ tl::expected<std::string, std::string> unpacked_base64(std::string_view data) {
 tl::expected<std::string, std::string> uncompressed(std::string bytes, std::string_view compression,
                                                     std::size_t limit) {
   if (compression.empty()) return bytes;
-  if (compression != "zlib" && compression != "gzip") {
-    return tl::unexpected("is compressed by " + std::string(compression) +
-                          ": choose another format of tile layers in Tiled, under Map > Map Properties");
-  }
-  auto content = unpack_zlib(bytes, limit);
+  const bool is_zstd = compression == "zstd";
+  if (!is_zstd && compression != "zlib" && compression != "gzip")
+    return tl::unexpected("has the unknown compression " + tiled_quoted(compression));
+  auto content = is_zstd ? unpack_zstd(bytes, limit) : unpack_zlib(bytes, limit);
   if (content) return std::move(*content);
   return tl::unexpected(std::string(content.error().is_too_large ? "unpacks to more cells than the layer has"
                                                                  : "has compressed cells that are damaged"));
@@ -77,7 +77,7 @@ CellsResult decode_tiled_cells(std::string_view data, std::string_view encoding,
                     [&](std::string bytes) { return uncompressed(std::move(bytes), compression, 4 * count); })
                 .and_then([](const std::string& bytes) { return cells_of_bytes(bytes); });
   } else {
-    return tl::unexpected("has the unknown encoding \"" + std::string(encoding) + "\"");
+    return tl::unexpected("has the unknown encoding " + tiled_quoted(encoding));
   }
   if (cells && cells->size() != count) return tl::unexpected(tiled_count_problem(cells->size(), count));
   return cells;

@@ -41,6 +41,12 @@ bool says_nothing(std::string_view key, const Json& value) {
   return value == "" || (value.is_structured() && value.empty()) || key == kTiledLineKey;
 }
 
+// Whether the data of a layer has no cells, which Tiled takes for empty ones.
+bool has_no_cells(const Json& data) {
+  if (!data.is_string()) return data.is_array() && data.empty();
+  return data.get_ref<const std::string&>().find_first_not_of(" \t\r\n") == std::string::npos;
+}
+
 // Counts the tile layers in a map or group, which is at most kMaxJsonDepth deep. Values other than lists and
 // objects have none.
 std::size_t tile_layers_in(const Json& json) {
@@ -277,11 +283,7 @@ std::vector<TiledChunk> TiledReader::chunks_of(const TiledNode& node) {
     if (chunk) chunks.push_back(*std::move(chunk));
   };
   const Json* data = node.find("data");
-  const bool is_text = data != nullptr && data->is_string();
-  const bool has_data =
-      is_text ? data->get_ref<const std::string&>().find_first_not_of(" \t\r\n") != std::string::npos
-              : data != nullptr && !data->empty();
-  if (has_data) take(chunk(node, node));  // a layer without chunks is one
+  if (data != nullptr && !has_no_cells(*data)) take(chunk(node, node));  // a layer without chunks is one
   for_each(node, "chunks", [&](const TiledNode& entry) { take(chunk(node, entry)); });
   return chunks;
 }
@@ -312,6 +314,8 @@ std::vector<std::uint32_t> TiledReader::cells(const TiledNode& node, const Tiled
   std::vector<std::uint32_t> cells;
   if (data == nullptr) {
     fail(node, "data", "is a tile layer without data");
+  } else if (has_no_cells(*data)) {
+    cells.assign(count, 0);
   } else if (data->is_string()) {
     auto decoded = decode_tiled_cells(data->get_ref<const std::string&>(), text(layer, "encoding"),
                                       text(layer, "compression"), count);
