@@ -11,8 +11,8 @@
 
 namespace talus {
 
-// encoding: "csv" or "base64". compression: "", "zlib", "gzip" or "zstd", for base64 only. The text must hold `count`
-// cells. The error is the end of a sentence: "has 5 cells, but needs 6".
+// encoding: "csv" or "base64". compression: "", "zlib", "gzip" or "zstd", for base64 only. The text must hold
+// `count` cells. The error is the end of a sentence: "has 5 cells, but needs 6".
 tl::expected<std::vector<std::uint32_t>, std::string> decode_tiled_cells(std::string_view data,
                                                                          std::string_view encoding,
                                                                          std::string_view compression,

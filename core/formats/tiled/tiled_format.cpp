@@ -83,7 +83,10 @@ class TiledFiles {
  private:
   FormatResult<void> read_tileset(TiledTileset& tileset);
   FormatResult<TiledTileset> tileset_in(const std::string& source, const std::string& place);
-  FormatResult<std::string> read_beside(const std::string& name, const std::string& place);
+  FormatResult<const TiledTemplate*> find_template(const std::string& name);
+  FormatResult<TiledTemplate> template_in(const std::string& name, const std::string& place);
+  FormatResult<std::string> read_beside(const std::string& name, const std::string& place,
+                                        std::size_t most = kMaxFileBytes);
   FormatResult<TiledPicture> read_picture(const std::string& name, const std::string& place);
 
   const FormatContext& context_;
@@ -91,11 +94,15 @@ class TiledFiles {
   std::size_t bytes_ = 0;  // bytes read from files beside the map so far
   // A map may name one file by many names, each time another.
   std::map<FileNumber, TiledTileset> tilesets_;
+  using Template = FormatResult<TiledTemplate>;
+  std::map<FileNumber, std::shared_ptr<const Template>> templates_;
+  std::map<std::string, std::shared_ptr<const Template>> templates_by_name_;
 };
 
 // The limit is for all files together: a thousand tilesets could name one large file each.
-FormatResult<std::string> TiledFiles::read_beside(const std::string& name, const std::string& place) {
-  auto bytes = read_file(place);
+FormatResult<std::string> TiledFiles::read_beside(const std::string& name, const std::string& place,
+                                                  std::size_t most) {
+  auto bytes = read_file(place, most);
   if (!bytes) return error_in(name, bytes.error());
   if (context_.linked != nullptr) context_.linked->push_back(place);
   bytes_ += bytes->size();
@@ -124,7 +131,8 @@ FormatResult<TiledMap> TiledFiles::read_map(std::string_view bytes) {
     map->layers.push_back(std::move(layer));
     map->tilesets.push_back(*std::move(tileset));
   } else {
-    map = read_tiled_map(*json, drops_, context_.progress.part(kTiledParsed, kTiledMapRead));
+    const auto find = [&](const std::string& name) { return find_template(name); };
+    map = read_tiled_map(*json, find, drops_, context_.progress.part(kTiledParsed, kTiledMapRead));
   }
   if (!map) return map;
   for (TiledTileset& tileset : map->tilesets) {
@@ -161,6 +169,43 @@ FormatResult<TiledTileset> TiledFiles::tileset_in(const std::string& source, con
   auto read = read_tiled_tileset(*json, drops_);
   if (!read) return error_in(source, read.error());
   if (!read->source.empty()) return error_in(source, {"", "is a tileset that names another file"});
+  return read;
+}
+
+// Templates that cannot be read are remembered, too: many objects may have the same one.
+FormatResult<const TiledTemplate*> TiledFiles::find_template(const std::string& name) {
+  std::shared_ptr<const Template>& known = templates_by_name_[name];
+  if (known == nullptr) {
+    const std::string path = with_slashes(name);
+    const auto place = place_in(context_.folder, path);
+    const auto number = place ? file_number(*place) : std::nullopt;
+    std::shared_ptr<const Template>& of_file = templates_[number.value_or(FileNumber())];
+    const auto wrong = [](tl::unexpected<FormatError> error) {
+      return std::make_shared<const Template>(std::move(error));
+    };
+    if (context_.folder.empty())
+      known = wrong(error_in(path, {"", "is beside the map, but the map has no file"}));
+    else if (!place)
+      known = wrong(tl::unexpected(place.error()));
+    else if (number && of_file != nullptr)
+      known = of_file;
+    else if (templates_.size() > kMaxTiledTemplates)
+      known = wrong(error_in(path, {"", tiled_too_many("template", kMaxTiledTemplates)}));
+    else
+      known = of_file = std::make_shared<const Template>(template_in(path, *place));
+  }
+  if (!*known) return tl::unexpected(known->error());
+  return &**known;
+}
+
+FormatResult<TiledTemplate> TiledFiles::template_in(const std::string& name, const std::string& place) {
+  const auto bytes = read_beside(name, place, kMaxTiledTemplateBytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const auto json = tiled_json_of(*bytes, context_for_file(name).extension, {});
+  if (!json) return error_in(name, json.error());
+  auto read = read_tiled_template(*json, fs::path(name).parent_path().string());
+  if (!read) return error_in(name, read.error());
+  read->bytes = bytes->size();
   return read;
 }
 

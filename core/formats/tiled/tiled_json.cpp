@@ -62,7 +62,8 @@ std::size_t tile_layers_in(const Json& json) {
 
 class TiledReader {
  public:
-  explicit TiledReader(TiledDrops& drops) : drops_(drops) {}
+  TiledReader(const FindTiledTemplate& find_template, TiledDrops& drops)
+      : find_template_(find_template), drops_(drops) {}
 
   TiledMap map(const Json& json, const Progress& progress);
   TiledTileset tileset(const TiledNode& node);
@@ -89,6 +90,8 @@ class TiledReader {
   std::vector<std::uint32_t> cells(const TiledNode& node, const TiledNode& layer, std::size_t count);
   std::vector<TiledObject> objects(const TiledNode& node, Vec2 offset);
   TiledObject object(const TiledNode& node, Vec2 offset);
+  std::optional<Json> templated(const TiledNode& node);
+  std::uint32_t gid(const TiledNode& node);
   std::vector<Vec2> points(const TiledNode& node, const char* key);
   void points_of_text(const TiledNode& node, const char* key, std::string_view text,
                       std::vector<Vec2>& points);
@@ -126,6 +129,8 @@ class TiledReader {
     const Json* value = node.find(key);
     return value != nullptr && (*value == true || (value->is_number() && *value != 0));
   }
+  // Tiled 1.9 renamed "type" to "class"; 1.10 took that back.
+  static const char* class_key(const TiledNode& node) { return node.find("class") ? "class" : "type"; }
   // Calls use(entry) for each object of a list that may be missing.
   template <class Use>
   void for_each(const TiledNode& node, const char* key, Use use) {
@@ -148,12 +153,15 @@ class TiledReader {
     }
   }
 
+  const FindTiledTemplate& find_template_;
   TiledDrops& drops_;
   std::optional<FormatError> error_;
   std::size_t objects_ = 0, layers_ = 0, points_ = 0;  // read so far
   bool is_infinite_ = false;
-  TiledChunks chunks_;           // of an infinite map
-  std::size_t chunk_cells_ = 0;  // of all of them
+  TiledChunks chunks_;                         // of an infinite map
+  std::size_t chunk_cells_ = 0;                // of all of them
+  std::map<std::string, std::uint32_t> gids_;  // of the map's tilesets, by the paths of their files
+  std::size_t templated_bytes_ = 0;            // of templates, once for each object
 };
 
 TiledMap TiledReader::map(const Json& json, const Progress& progress) {
@@ -190,6 +198,8 @@ TiledMap TiledReader::map(const Json& json, const Progress& progress) {
     if (map.tilesets.size() == kMaxTiledTilesets)
       return fail(entry, "", tiled_too_many("tileset", kMaxTiledTilesets));
     map.tilesets.push_back(tileset(entry));
+    const TiledTileset& added = map.tilesets.back();
+    if (!added.source.empty()) gids_.try_emplace(tiled_path("", added.source), added.first_gid);
   });
   if (!error_) layers(node, {}, progress, map);
   if (!error_ && is_infinite_) {
@@ -341,15 +351,37 @@ std::vector<TiledObject> TiledReader::objects(const TiledNode& node, Vec2 offset
   std::vector<TiledObject> all;
   for_each(node, "objects", [&](const TiledNode& entry) {
     if (++objects_ > kMaxTiledObjects) return fail(entry, "", tiled_too_many("object", kMaxTiledObjects));
-    all.push_back(object(entry, offset));
+    const auto joined = templated(entry);
+    if (!error_) all.push_back(object(joined ? TiledNode{*joined, entry.path} : entry, offset));
   });
   return all;
+}
+
+// The object with what its template says; nothing if it has none that can be read.
+std::optional<Json> TiledReader::templated(const TiledNode& node) {
+  const std::string name = text(node, "template");
+  if (name.empty()) return {};
+  const auto found = find_template_(name);
+  if (!found) {
+    drops_.add("the template of an object, " + found.error().place + ": " + found.error().message);
+    return {};
+  }
+  const TiledTemplate& from = **found;
+  templated_bytes_ += from.bytes;
+  if (templated_bytes_ > kMaxTiledTemplatedBytes) {
+    fail(node, "template",
+         "takes too much from templates: all objects may take up to " +
+             std::to_string(kMaxTiledTemplatedBytes >> 20) + " MiB together");
+    return {};
+  }
+  const auto tileset = gids_.find(from.tileset);
+  return with_template(node.json, from, tileset == gids_.end() ? 0 : tileset->second);
 }
 
 TiledObject TiledReader::object(const TiledNode& node, Vec2 offset) {
   TiledObject object;
   object.name = text(node, "name");
-  object.type = text(node, node.find("class") ? "class" : "type");
+  object.type = text(node, class_key(node));
   object.position = offset + Vec2{number(node, "x"), number(node, "y")};
   object.size = {number(node, "width"), number(node, "height")};
   object.rotation = number(node, "rotation");
@@ -358,17 +390,28 @@ TiledObject TiledReader::object(const TiledNode& node, Vec2 offset) {
       node, "an object",
       {"id", "name", "type", "class", "x", "y", "width", "height", "rotation", "visible", "properties",
        "point", "polygon", "polyline", "ellipse", "text", "gid", "template", "capsule"});
-  const Keys others = {"ellipse", "text", "gid", "template", "capsule"};
+  const Keys others = {"ellipse", "text", "capsule"};
   if (node.find("polygon")) {
     object.form = TiledObject::Form::polygon;
     object.points = points(node, "polygon");
   } else if (node.find("polyline")) {
     object.form = TiledObject::Form::polyline;
     object.points = points(node, "polyline");
+  } else if (node.find("gid")) {
+    object.form = TiledObject::Form::tile;
+    object.gid = gid(node);
   } else if (std::any_of(others.begin(), others.end(), [&](auto key) { return node.find(key) != nullptr; })) {
     object.form = TiledObject::Form::other;
   }
   return object;
+}
+
+std::uint32_t TiledReader::gid(const TiledNode& node) {
+  constexpr double kMost = std::numeric_limits<std::uint32_t>::max();
+  const double value = number(node, "gid");
+  if (value >= 0 && value <= kMost && value == std::trunc(value)) return static_cast<std::uint32_t>(value);
+  fail(node, "gid", "must have a number of a tile as gid");
+  return 0;
 }
 
 std::vector<Vec2> TiledReader::points(const TiledNode& node, const char* key) {
@@ -453,6 +496,7 @@ TiledTileset TiledReader::tileset(const TiledNode& node) {
 TiledTile TiledReader::tile(const TiledNode& node) {
   TiledTile tile;
   tile.id = whole(node, "id", 0, 1 << 20, 0);
+  tile.type = text(node, class_key(node));
   tile.properties = properties(node, "a tile");
   if (const Json* group = node.find("objectgroup"); group != nullptr && group->is_object())
     tile.objects = objects({*group, node.path_of("objectgroup")}, {});
@@ -491,14 +535,18 @@ std::optional<TiledProperty> TiledReader::property(const TiledNode& node) {
 
 }  // namespace
 
-FormatResult<TiledMap> read_tiled_map(const Json& json, TiledDrops& drops, const Progress& progress) {
-  TiledReader reader(drops);
+FormatResult<TiledMap> read_tiled_map(const Json& json, const FindTiledTemplate& find_template,
+                                      TiledDrops& drops, const Progress& progress) {
+  TiledReader reader(find_template, drops);
   TiledMap map = reader.map(json, progress);
   return reader.result(std::move(map));
 }
 
 FormatResult<TiledTileset> read_tiled_tileset(const Json& json, TiledDrops& drops) {
-  TiledReader reader(drops);
+  const FindTiledTemplate no_template = [](const std::string&) {
+    return tl::unexpected(FormatError{"tile", "only objects of a map have one"});
+  };
+  TiledReader reader(no_template, drops);
   TiledTileset tileset = reader.tileset({json, ""});
   return reader.result(std::move(tileset));
 }

@@ -4,6 +4,7 @@
 
 #include "../text/json_text.h"
 #include "tiled_map.h"
+#include "tiled_templates.h"
 
 namespace talus {
 
@@ -15,7 +16,10 @@ inline constexpr const char* kTiledLineKey = "@line";
 // added to `drops`. An infinite map becomes the part around its tiles. A tileset in a file of its own has
 // only `source`. progress: receives how many of the layers are read, and may stop the work, which is an
 // error.
-FormatResult<TiledMap> read_tiled_map(const Json& json, TiledDrops& drops, const Progress& progress = {});
+// find_template: finds the templates that objects of the map name. A template that cannot be found is
+// dropped.
+FormatResult<TiledMap> read_tiled_map(const Json& json, const FindTiledTemplate& find_template,
+                                      TiledDrops& drops, const Progress& progress = {});
 FormatResult<TiledTileset> read_tiled_tileset(const Json& json, TiledDrops& drops);
 
 }  // namespace talus

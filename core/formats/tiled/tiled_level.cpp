@@ -69,6 +69,7 @@ class TiledLevelMaker {
   TileShape shape_of_objects(const std::string& tile, const std::vector<TiledObject>& objects, bool one_way);
   void tell_stale_words(const TiledTile& tile, const TileShape& shape);
   void take_objects(const TiledLayer& layer);
+  const std::string& type_of(const TiledObject& object);
   void take_spawn(const TiledObject& object, Spawn spawn);
   const Spawn* base_spawn_like(const Spawn& spawn, const TiledObject& object) const;
   void take_curve(const TiledObject& object);
@@ -90,7 +91,9 @@ class TiledLevelMaker {
   TiledTiles tiles_;
   std::map<std::string, int> flags_;                                    // by the name of their bools
   std::vector<std::pair<const LevelCurve*, TiledObject>> curves_by_x_;  // of base_
-  std::size_t curve_name_bytes_ = 0;                                    // of curves that are no base_'s
+  // By tiles of a tileset, the type of each tile by its id.
+  std::map<const std::vector<TiledTile>*, std::map<int, const std::string*>> types_;
+  std::size_t curve_name_bytes_ = 0;  // of curves that are no base_'s
 };
 
 // Whether an object has the name that Talus wrote, which in XML may lack characters of the true one.
@@ -418,7 +421,7 @@ void TiledLevelMaker::tell_stale_words(const TiledTile& tile, const TileShape& s
 
 void TiledLevelMaker::take_objects(const TiledLayer& layer) {
   for (const TiledObject& object : layer.objects) {
-    if (auto spawn = spawn_of(object, map_.tile_size)) {
+    if (auto spawn = spawn_of(object, type_of(object), map_.tile_size)) {
       take_spawn(object, *std::move(spawn));
     } else if (object.form == TiledObject::Form::polyline &&
                (object.type == kTiledCurveType || layer.name == kTiledCurveLayer)) {
@@ -429,6 +432,24 @@ void TiledLevelMaker::take_objects(const TiledLayer& layer) {
   }
 }
 
+// A tile that has no type gets that of the tile in its tileset.
+const std::string& TiledLevelMaker::type_of(const TiledObject& object) {
+  const std::uint32_t gid = object.gid & kTiledIdBits;
+  if (!object.type.empty() || gid == 0) return object.type;
+  const TiledTileset* tileset = nullptr;
+  for (const TiledTileset& each : map_.tilesets) {
+    if (each.first_gid <= gid && (tileset == nullptr || each.first_gid >= tileset->first_gid))
+      tileset = &each;
+  }
+  if (tileset == nullptr) return object.type;
+  auto& types = types_[tileset->tiles.get()];
+  if (types.empty()) {
+    for (const TiledTile& tile : *tileset->tiles) types.emplace(tile.id, &tile.type);
+  }
+  const auto found = types.find(static_cast<int>(gid - tileset->first_gid));
+  return found == types.end() ? object.type : *found->second;
+}
+
 void TiledLevelMaker::take_spawn(const TiledObject& object, Spawn spawn) {
   constexpr std::array<std::string_view, 3> kKnown = {"vx", "vy", "foot"};
   for (const TiledProperty& property : object.properties) {
@@ -436,6 +457,7 @@ void TiledLevelMaker::take_spawn(const TiledObject& object, Spawn spawn) {
       drops_.add("the property " + tiled_quoted(property.name) + " of a body");
   }
   if (object.rotation != 0) drops_.add("the rotation of a body");
+  if (object.form == TiledObject::Form::tile) drops_.add("the picture of a body");
   if (level_.spawns.size() == kMaxSpawns) return drops_.add("a body, since a level holds at most 65536");
   if (const Spawn* const old = base_spawn_like(spawn, object)) return level_.spawns.push_back(*old);
   if (const auto written = json_of(std::vector<Spawn>{spawn}, ""); !written)

@@ -1,9 +1,17 @@
 // Colours in Tiled's notation, and phrases for what was dropped.
 #include "tiled_map.h"
 
+#include <algorithm>
+#include <filesystem>
+
 #include "../text/utf8_text.h"
 
 namespace talus {
+
+std::string tiled_path(const std::string& folder, std::string name) {
+  std::replace(name.begin(), name.end(), '\\', '/');
+  return (std::filesystem::path(folder) / name).lexically_normal().string();
+}
 
 std::string tiled_color(Rgb color) {
   constexpr std::string_view kDigits = "0123456789abcdef";

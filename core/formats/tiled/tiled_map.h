@@ -64,10 +64,12 @@ struct TiledObject {
     box,  // also a point, which has no size
     polygon,
     polyline,
-    other  // an ellipse, a text, a picture or a template, which no level holds
+    tile,  // a picture of a tile; its position is the bottom left corner
+    other  // an ellipse or a text, which no level holds
   };
   Form form = Form::box;
   std::string name, type;
+  std::uint32_t gid = 0;     // of a tile: its number, as in cells; 0: not known
   Vec2 position, size;       // px
   double rotation = 0;       // degrees
   std::vector<Vec2> points;  // px, from the position; for polygons and polylines
@@ -76,7 +78,8 @@ struct TiledObject {
 };
 
 struct TiledTile {
-  int id = 0;  // in the tileset
+  int id = 0;        // in the tileset
+  std::string type;  // that of objects which show it, unless they have one
   TiledProperties properties;
   std::vector<TiledObject> objects;  // its collision shapes
 };
@@ -110,6 +113,9 @@ struct TiledMap {
   std::vector<TiledLayer> layers;  // groups are taken apart
   TiledProperties properties;
 };
+
+// The path of a file that is named in a file of that folder, without "." and with "/" alone.
+std::string tiled_path(const std::string& folder, std::string name);
 
 std::string tiled_color(Rgb color);  // "#1a1c2c"
 

@@ -169,14 +169,16 @@ TiledObject tiled_object(const Spawn& spawn) {
   return object;
 }
 
-std::optional<Spawn> spawn_of(const TiledObject& object, TileSize tile) {
-  const std::optional<BodyKind> kind = find_body_kind(object.type);
-  if (object.form != TiledObject::Form::box || !kind) return {};
+std::optional<Spawn> spawn_of(const TiledObject& object, std::string_view type, TileSize tile) {
+  const std::optional<BodyKind> kind = find_body_kind(type);
+  const bool is_tile = object.form == TiledObject::Form::tile;
+  if ((object.form != TiledObject::Form::box && !is_tile) || !kind) return {};
   Spawn spawn;
   spawn.name = object.name;
   spawn.kind = *kind;
   spawn.position = object.position;
   spawn.size = object.size != Vec2{0, 0} ? object.size : new_body_size(*kind, tile);
+  if (is_tile) spawn.position.y -= spawn.size.y;
   const auto number = [&](std::string_view name, double& value) {
     if (const auto* real = find_property<double>(object.properties, name)) value = *real;
     if (const auto* whole = find_property<std::int64_t>(object.properties, name))

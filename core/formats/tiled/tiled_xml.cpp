@@ -136,10 +136,10 @@ class TiledXml {
     if (bad.where) fail(bad.where, "refers to a character that does not exist");
     const pugi::xml_node root = document.document_element();
     const std::string_view name = root.name();
-    if (!error_ && name != "map" && name != "tileset")
-      return tl::unexpected(FormatError{"", "is not a Tiled map or tileset"});
+    const bool is_known = name == "map" || name == "tileset" || name == "template";
+    if (!error_ && !is_known) return tl::unexpected(FormatError{"", "is not a Tiled map or tileset"});
     Json json;
-    if (!error_) json = name == "map" ? map(root) : tileset(root);
+    if (!error_) json = name == "map" ? map(root) : name == "tileset" ? tileset(root) : object_template(root);
     if (error_) return tl::unexpected(*error_);
     json["type"] = name;
     return json;
@@ -301,6 +301,13 @@ class TiledXml {
       else
         add_common(child, json);
     }
+    return json;
+  }
+
+  Json object_template(const pugi::xml_node& node) {
+    Json json = Json::object();
+    if (const auto set = node.child("tileset")) json["tileset"] = tileset(set);
+    if (const auto content = node.child("object")) json["object"] = object(content);
     return json;
   }
 

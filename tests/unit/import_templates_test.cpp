@@ -1,0 +1,131 @@
+// Objects of Tiled that take from templates.
+#include <gmock/gmock.h>
+
+#include <talus/formats/format.h>
+#include "folder_test.h"
+
+namespace talus::import_templates_test {
+
+using testing::ElementsAre;
+
+class ImportTemplates : public FolderTest {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(path("templates")); }
+  // A map with these objects, read from a file.
+  LoadedLevel read(const std::string& objects, const std::string& tileset = "") const {
+    put("map.tmx",
+        "<map orientation=\"orthogonal\" width=\"4\" height=\"4\" tilewidth=\"16\" tileheight=\"16\">" +
+            tileset + "<layer name=\"l\"><data encoding=\"csv\"></data></layer>\n<objectgroup name=\"o\">" +
+            objects + "</objectgroup></map>");
+    auto loaded = load_level(path("map.tmx"));
+    EXPECT_TRUE(loaded) << to_string(loaded.error(), "map");
+    return loaded ? *loaded : LoadedLevel{Level(), nullptr};
+  }
+};
+
+TEST_F(ImportTemplates, GiveWhatTheObjectDoesNotSay) {
+  put("templates/ball.tx",
+      "<?xml version=\"1.0\"?>\n<template><object name=\"b\" type=\"ball\" width=\"6\" height=\"8\">"
+      "<properties><property name=\"vx\" type=\"float\" value=\"2\"/>"
+      "<property name=\"vy\" type=\"float\" value=\"3\"/></properties></object></template>");
+  const LoadedLevel loaded = read(
+      "<object id=\"1\" template=\"templates/ball.tx\" x=\"3\" y=\"4\"/>"
+      "<object id=\"2\" template=\"templates\\ball.tx\" type=\"player\" name=\"p\" x=\"5\" y=\"4\" "
+      "height=\"9\"><properties><property name=\"vy\" type=\"float\" value=\"1\"/></properties>"
+      "</object>");
+  EXPECT_THAT(loaded.dropped, ElementsAre());
+  ASSERT_EQ(loaded.level.spawns.size(), 2u);
+  const Spawn &first = loaded.level.spawns[0], &second = loaded.level.spawns[1];
+  EXPECT_EQ(first.name, "b");
+  EXPECT_EQ(first.kind, BodyKind::ball);
+  EXPECT_EQ(first.position, (Vec2{3, 4}));
+  EXPECT_EQ(first.size, (Vec2{6, 8}));
+  EXPECT_EQ(first.velocity, (Vec2{2, 3}));
+  EXPECT_EQ(second.name, "p");
+  EXPECT_EQ(second.kind, BodyKind::player);
+  EXPECT_EQ(second.size, (Vec2{6, 9}));
+  EXPECT_EQ(second.velocity, (Vec2{2, 1}));
+  EXPECT_THAT(loaded.linked, ElementsAre(path("templates/ball.tx"))) << "read once";
+}
+
+TEST_F(ImportTemplates, InJsonGiveTheirOutlines) {
+  put("templates/line.tj", R"({"type":"template","object":{"name":"hill","type":"curve",)"
+                           R"("polyline":[{"x":0,"y":0},{"x":4,"y":2}]}})");
+  const LoadedLevel loaded = read("<object template=\"templates/line.tj\" x=\"8\" y=\"8\"/>");
+  ASSERT_EQ(loaded.level.curves.size(), 1u);
+  EXPECT_EQ(std::get<Segment>(loaded.level.curves[0].curve.form), (Segment{{8, 8}, {12, 10}}));
+}
+
+// The type is that of tile 1 of set.tsx, which has the numbers from 1 in the template and from 11 in the map.
+TEST_F(ImportTemplates, NumbersOfTilesAreThoseOfTheirTileset) {
+  put("set.tsx",
+      "<tileset name=\"set\" tilewidth=\"16\" tileheight=\"16\" tilecount=\"4\" columns=\"4\">"
+      "<tile id=\"1\" type=\"player\"/></tileset>");
+  put("other.tsx",
+      "<tileset name=\"other\" tilewidth=\"16\" tileheight=\"16\" tilecount=\"10\" columns=\"4\">"
+      "<tile id=\"1\" type=\"ball\"/></tileset>");
+  put("templates/hero.tx",
+      "<template><tileset firstgid=\"1\" source=\"../set.tsx\"/>"
+      "<object gid=\"2147483650\" width=\"8\" height=\"12\"/></template>");
+  const std::string object = "<object template=\"templates/hero.tx\" x=\"10\" y=\"30\"/>";
+  const std::string other = "<tileset firstgid=\"1\" source=\"other.tsx\"/>";
+  const LoadedLevel loaded = read(object, other + "<tileset firstgid=\"11\" source=\"./set.tsx\"/>");
+  ASSERT_EQ(loaded.level.spawns.size(), 1u);
+  EXPECT_EQ(loaded.level.spawns[0].kind, BodyKind::player);
+  EXPECT_EQ(loaded.level.spawns[0].position, (Vec2{10, 18})) << "an object with a tile stands on its place";
+  EXPECT_THAT(loaded.dropped, testing::Contains("the picture of a body"));
+  EXPECT_EQ(read(object, other).level.spawns.size(), 0u) << "a map without that tileset";
+}
+
+TEST_F(ImportTemplates, ThatCannotBeReadAreReported) {
+  put("templates/bad.tx", "<template>\n<object");
+  put("templates/map.tx", "<map/>");
+  put("templates/large.tx", "<template><object/></template>" + std::string(1 << 20, ' '));
+  std::filesystem::create_symlink("/dev/zero", path("templates/endless.tx"));
+  const auto dropped = [&](const std::string& name) {
+    const LoadedLevel loaded = read("<object type=\"ball\" x=\"1\" y=\"1\" template=\"" + name + "\"/>");
+    EXPECT_EQ(loaded.level.spawns.size(), 1u) << "the object keeps what it says itself";
+    return loaded.dropped.empty() ? "" : loaded.dropped.front();
+  };
+  const std::string of = "the template of an object, file ";
+  EXPECT_EQ(dropped("none.tx"), of + "none.tx: cannot be opened: No such file or directory");
+  EXPECT_EQ(dropped("/etc/passwd"), of + "/etc/passwd: must be relative to the folder of the map");
+  EXPECT_EQ(dropped("templates/bad.tx"), of + "templates/bad.tx, line 2: this is not valid XML");
+  EXPECT_EQ(dropped("templates/map.tx"), of + "templates/map.tx: is not a template of Tiled");
+  EXPECT_EQ(dropped("templates"), of + "templates: is not a file");
+  EXPECT_EQ(dropped("templates/endless.tx"), of + "templates/endless.tx: is not a file");
+  EXPECT_THAT(dropped("templates/large.tx"),
+              testing::StartsWith(of + "templates/large.tx: is larger than 1 MiB"));
+}
+
+TEST_F(ImportTemplates, TakeABoundedAmountOfMemory) {
+  std::string properties;
+  for (int i = 0; i < 9; ++i)
+    properties +=
+        "<property name=\"" + std::to_string(i) + "\" value=\"" + std::string(100'000, 'v') + "\"/>";
+  put("large.tx", "<template><object><properties>" + properties + "</properties></object></template>");
+  std::string objects;
+  for (int i = 0; i < 80; ++i) objects += "<object template=\"large.tx\" x=\"1\" y=\"1\"/>\n";
+  put("map.tmx",
+      "<map orientation=\"orthogonal\" width=\"4\" height=\"4\" tilewidth=\"16\" tileheight=\"16\">"
+      "<objectgroup name=\"o\">" +
+          objects + "</objectgroup></map>");
+  const auto loaded = load_level(path("map.tmx"));
+  ASSERT_FALSE(loaded);
+  EXPECT_EQ(loaded.error().message,
+            "takes too much from templates: all objects may take up to 64 MiB together");
+}
+
+TEST_F(ImportTemplates, OfAMapWithoutAFileAreReported) {
+  const auto loaded = read_level(
+      "<map orientation=\"orthogonal\" width=\"4\" height=\"4\" tilewidth=\"16\" tileheight=\"16\">"
+      "<layer name=\"l\"><data/></layer><objectgroup name=\"o\"><object "
+      "template=\"a.tx\"/></objectgroup></map>",
+      {"tmx"});
+  ASSERT_TRUE(loaded);
+  EXPECT_THAT(
+      loaded->dropped,
+      testing::Contains("the template of an object, file a.tx: is beside the map, but the map has no file"));
+}
+
+}  // namespace talus::import_templates_test
