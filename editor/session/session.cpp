@@ -20,11 +20,9 @@ namespace talus {
 
 struct Session::Impl {
   Impl(Level opened, std::string opened_path, std::string unsaved_name, ExportTools tools)
-      : open(std::move(opened), std::move(opened_path)),
-        permissions(tools.permissions),
-        exports(open, permissions, level, messages, std::move(tools)),
-        files({open, reading, level, run, debug, pictures, exports, permissions, messages},
-              std::move(unsaved_name)) {
+      : open(std::move(opened), std::move(opened_path), tools.permissions),
+        exports(open, level, messages, std::move(tools)),
+        files({open, reading, level, run, debug, pictures, exports, messages}, std::move(unsaved_name)) {
     run.read_hard_case();
     debug.follow();
   }
@@ -37,12 +35,11 @@ struct Session::Impl {
   OpenLevel open;
   MessageHandler messages;
   FileReading reading{messages};
-  ExportPermissions permissions;
   ChoiceHandler choices{open};
   RunHandler run{open, choices, messages};
   CheckHandler checks{open, run, choices, messages};
   DebugHandler debug{open, run, choices, messages};
-  LevelHandler level{open, reading.reader(), permissions, run, checks, choices, messages};
+  LevelHandler level{open, reading.reader(), run, checks, choices, messages};
   PixelHandler pixels{open, level, choices};
   PictureHandler pictures{open, reading, level, choices, messages};
   ExportHandler exports;
@@ -146,7 +143,7 @@ const std::optional<Question>& Session::question() const { return impl_->message
 const Exporting& Session::exporting() const { return impl_->exports.exporting(); }
 ExportTask Session::export_task(std::size_t preset) const { return impl_->exports.task(preset); }
 bool Session::allows_export(std::size_t preset) const {
-  return impl_->permissions.allows(level().exports[preset]);
+  return impl_->open.permissions.allows(level().exports[preset]);
 }
 const FinishedRun* Session::asked_exports() const { return impl_->exports.asked(); }
 std::optional<ReadingProgress> Session::reading() const { return impl_->reading.reader().progress(); }

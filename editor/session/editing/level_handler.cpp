@@ -43,7 +43,7 @@ void LevelHandler::edit_by_user(const Edit& wanted, int stroke) {
   if (reader_.is_busy()) return;
   for (const Change& change : wanted.changes) {
     if (const auto* presets = std::get_if<ExportsChange>(&change))
-      permissions_.note_edit(presets->before, presets->after);
+      open_.permissions.note_edit(presets->before, presets->after);
   }
   edit(wanted, stroke);
 }

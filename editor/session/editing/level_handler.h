@@ -7,7 +7,6 @@
 #include "open_level.h"
 #include "session/checks/check_handler.h"
 #include "session/choices/choice_handler.h"
-#include "session/files/export_permissions.h"
 #include "session/files/file_reader.h"
 #include "session/messages/message_handler.h"
 #include "session/run/run_handler.h"
@@ -16,24 +15,18 @@ namespace talus {
 
 class LevelHandler {
  public:
-  // reader: while it reads a file, which may replace the level, edits of the user are ignored. permissions:
-  // exports that the user changes become allowed.
-  LevelHandler(OpenLevel& open, const FileReader& reader, ExportPermissions& permissions, RunHandler& run,
-               CheckHandler& checks, ChoiceHandler& choices, MessageHandler& messages)
-      : open_(open),
-        reader_(reader),
-        permissions_(permissions),
-        run_(run),
-        checks_(checks),
-        choices_(choices),
-        messages_(messages) {}
+  // reader: while it reads a file, which may replace the level, edits of the user are ignored.
+  LevelHandler(OpenLevel& open, const FileReader& reader, RunHandler& run, CheckHandler& checks,
+               ChoiceHandler& choices, MessageHandler& messages)
+      : open_(open), reader_(reader), run_(run), checks_(checks), choices_(choices), messages_(messages) {}
 
   void apply(const LevelAction& action);
 
-  void edit_by_user(const Edit& wanted, int stroke = 0);  // as EditLevel
-  void edit(const Edit& wanted, int stroke = 0);          // by any part of the program
-  int begin_stroke() { return ++open_.last_stroke; }      // returns a number that no edit has yet
-  void replace(Level opened);                             // opens another level, without a history
+  // As EditLevel. Exports that the user changes become allowed.
+  void edit_by_user(const Edit& wanted, int stroke = 0);
+  void edit(const Edit& wanted, int stroke = 0);      // by any part of the program
+  int begin_stroke() { return ++open_.last_stroke; }  // returns a number that no edit has yet
+  void replace(Level opened);                         // opens another level, without a history
   // See UndoStack.
   void mark_saved() { open_.history.mark_saved(); }
   void forget_saved() { open_.history.forget_saved(); }
@@ -49,7 +42,6 @@ class LevelHandler {
 
   OpenLevel& open_;
   const FileReader& reader_;
-  ExportPermissions& permissions_;
   RunHandler& run_;
   CheckHandler& checks_;
   ChoiceHandler& choices_;

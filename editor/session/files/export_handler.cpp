@@ -97,7 +97,7 @@ void ExportHandler::carry_out(const action::SetExportPath& a) {
   moved.path = a.path;
   if (moved != presets[a.preset])
     level_.edit_by_user(set_export(open_.level, a.preset, std::move(moved), "Change export path"));
-  permissions_.allow_place(presets[a.preset]);
+  open_.permissions.allow_place(presets[a.preset]);
 }
 
 template <>
@@ -120,7 +120,7 @@ void ExportHandler::apply(const ExportAction& action) {
 }
 
 ExportTask ExportHandler::task(std::size_t preset) const {
-  return task_of_preset(open_.level, preset, open_.path, permissions_);
+  return task_of_preset(open_.level, preset, open_.path, open_.permissions);
 }
 
 void ExportHandler::export_on_save() {
@@ -128,7 +128,7 @@ void ExportHandler::export_on_save() {
   const auto is_wanted = [&](std::size_t i) {
     const ExportPreset& preset = open_.level.exports[i];
     const bool was_declined = std::find(declined_.begin(), declined_.end(), preset) != declined_.end();
-    const bool is_declined = was_declined && !permissions_.allows(preset);
+    const bool is_declined = was_declined && !open_.permissions.allows(preset);
     if (preset.on_save && is_declined) not_allowed += (not_allowed.empty() ? "" : ", ") + label_of(preset);
     return preset.on_save && !is_declined;
   };
@@ -141,7 +141,7 @@ void ExportHandler::export_presets(FunctionRef<bool(std::size_t)> is_wanted, boo
       .tasks = {}, .level = nullptr, .may_replace = {}, .on_save = on_save, .revision = open_.revision};
   for (std::size_t i = 0; i < open_.level.exports.size(); ++i) {
     if (!is_wanted(i)) continue;
-    if (!permissions_.allows(open_.level.exports[i])) run.to_allow.insert(run.tasks.size());
+    if (!open_.permissions.allows(open_.level.exports[i])) run.to_allow.insert(run.tasks.size());
     run.tasks.push_back(task(i));
   }
   if (run.tasks.empty()) return;
@@ -201,7 +201,7 @@ void ExportHandler::answer_to_allow(bool allowed) {
     at = was_shown && allowed ? run.to_allow.erase(at) : std::next(at);
   }
   if (allowed) {
-    if (const auto kept = permissions_.allow(shown); !kept) not_remembered_ = kept.error();
+    if (const auto kept = open_.permissions.allow(shown); !kept) not_remembered_ = kept.error();
   } else {
     messages_.tell(not_allowed_text(names));
     declined_.insert(declined_.end(), shown.begin(), shown.end());
@@ -213,7 +213,7 @@ void ExportHandler::answer_to_allow(bool allowed) {
 }
 
 void ExportHandler::forget_level() {
-  permissions_.open(open_.path);
+  open_.permissions.open(open_.path);
   declined_.clear();
   if (asked_run_) messages_.take_back_question();
   asked_run_.reset();

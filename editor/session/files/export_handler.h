@@ -14,13 +14,8 @@ namespace talus {
 
 class ExportHandler {
  public:
-  ExportHandler(const OpenLevel& open, ExportPermissions& permissions, LevelHandler& level,
-                MessageHandler& messages, ExportTools tools)
-      : open_(open),
-        permissions_(permissions),
-        level_(level),
-        messages_(messages),
-        exporting_(std::move(tools)) {}
+  ExportHandler(OpenLevel& open, LevelHandler& level, MessageHandler& messages, ExportTools tools)
+      : open_(open), level_(level), messages_(messages), exporting_(std::move(tools)) {}
 
   void apply(const ExportAction& action);
   const Exporting& exporting() const { return exporting_; }
@@ -43,8 +38,7 @@ class ExportHandler {
   void answer_to_allow(bool allowed);
   void ask_to_replace(FinishedRun finished);
 
-  const OpenLevel& open_;
-  ExportPermissions& permissions_;
+  OpenLevel& open_;
   LevelHandler& level_;
   MessageHandler& messages_;
   std::string not_remembered_;  // why permissions could not be saved, until it is reported; empty: they could

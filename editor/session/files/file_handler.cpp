@@ -59,11 +59,10 @@ FileHandler::FileHandler(const Parts& parts, std::string name)
       debug_(parts.debug),
       pictures_(parts.pictures),
       exports_(parts.exports),
-      permissions_(parts.permissions),
       messages_(parts.messages),
       name_(std::move(name)),
       format_(open_.path.empty() ? nullptr : format_for_file(open_.path)) {
-  permissions_.open(open_.path);
+  open_.permissions.open(open_.path);
   note_file();
   reading_.when_given_up([this] { note_reading_given_up(); });
 }
@@ -431,7 +430,7 @@ bool FileHandler::save_to(const std::string& saved_path, const Format& saved_for
   companion_ = std::move(saved->companion);
   unstored_ = std::move(saved->dropped);
   note_file();
-  const auto kept = permissions_.save(open_.path, open_.level.exports);
+  const auto kept = open_.permissions.save(open_.path, open_.level.exports);
   level_.mark_saved();
   ++saves_;
   std::string text = "Saved " + file_names() + ".";

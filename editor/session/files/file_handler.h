@@ -31,7 +31,6 @@ class FileHandler {
     DebugHandler& debug;
     PictureHandler& pictures;
     ExportHandler& exports;
-    ExportPermissions& permissions;
     MessageHandler& messages;
   };
   // name: for titles, while there is no file.
@@ -96,7 +95,6 @@ class FileHandler {
   DebugHandler& debug_;
   PictureHandler& pictures_;
   ExportHandler& exports_;
-  ExportPermissions& permissions_;
   MessageHandler& messages_;
 
   std::string name_;  // for titles, while there is no file
