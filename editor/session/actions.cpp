@@ -22,7 +22,6 @@ const Action* Actions::begin() const { return list_.data(); }
 const Action* Actions::end() const { return list_.data() + list_.size(); }
 
 template void Actions::add(LevelAction);
-template void Actions::add(PixelAction);
 template void Actions::add(ChoiceAction);
 template void Actions::add(RunAction);
 template void Actions::add(DebugAction);

@@ -13,7 +13,6 @@
 #include "session/choices/choice_actions.h"
 #include "session/debugger/debug_actions.h"
 #include "session/editing/level_actions.h"
-#include "session/editing/pixel_actions.h"
 #include "session/files/export_actions.h"
 #include "session/files/file_actions.h"
 #include "session/files/picture_actions.h"
@@ -23,8 +22,8 @@
 namespace talus {
 
 // An action of any domain; the handler of the domain carries it out.
-using Action = std::variant<LevelAction, PixelAction, ChoiceAction, RunAction, DebugAction, CheckAction,
-                            FileAction, PictureAction, ExportAction, MessageAction>;
+using Action = std::variant<LevelAction, ChoiceAction, RunAction, DebugAction, CheckAction, FileAction,
+                            PictureAction, ExportAction, MessageAction>;
 
 // The number of domains of Action that have the action A; the tests check that it is 1.
 template <class A, class Domain>

@@ -8,7 +8,6 @@
 #include "session/choices/choice_handler.h"
 #include "session/debugger/debug_handler.h"
 #include "session/editing/level_handler.h"
-#include "session/editing/pixel_handler.h"
 #include "session/files/export_handler.h"
 #include "session/files/file_handler.h"
 #include "session/files/file_reading.h"
@@ -40,14 +39,12 @@ struct Session::Impl {
   CheckHandler checks{open, run, choices, messages};
   DebugHandler debug{open, run, choices, messages};
   LevelHandler level{open, reading.reader(), run, checks, choices, messages};
-  PixelHandler pixels{open, level, choices};
   PictureHandler pictures{open, reading, level, choices, messages};
   ExportHandler exports;
   FileHandler files;
 
  private:
   void apply_in_domain(const LevelAction& a) { level.apply(a); }
-  void apply_in_domain(const PixelAction& a) { pixels.apply(a); }
   void apply_in_domain(const ChoiceAction& a) { choices.apply(a); }
   void apply_in_domain(const RunAction& a) { run.apply(a); }
   void apply_in_domain(const DebugAction& a) { debug.apply(a); }

@@ -1,4 +1,4 @@
-// Edits the level, with undo and redo.
+// Edits the level, also by its selected pixels, with undo and redo.
 #include "level_handler.h"
 
 #include <algorithm>
@@ -33,6 +33,39 @@ void LevelHandler::carry_out(const action::Redo&) {
   if (edit.selection) choices_.choose_cells(edit.selection->after);
   note_edit(edit);
   note_step_of_history();
+}
+
+template <>
+void LevelHandler::carry_out(const action::MovePixels& a) {
+  PixelSelection& pixels = choices_.pixels();
+  const SpriteArea& area = choices_.choices().area;
+  if (!pixels.rect()) return;
+  // A new entry each time that they are lifted.
+  if (!pixels.floats(open_.level, area)) pixel_stroke_ = begin_stroke();
+  edit_by_user(pixels.move(open_.level, area, a.by, hole()), pixel_stroke_);
+}
+
+template <>
+void LevelHandler::carry_out(const action::TurnPixels& a) {
+  PixelSelection& pixels = choices_.pixels();
+  const SpriteArea& area = choices_.choices().area;
+  if (pixels.rect()) {
+    edit_by_user(pixels.turn(open_.level, area, a.turn, hole()));
+    pixel_stroke_ = begin_stroke();
+  } else if (a.turn != PixelTurn::rotate || area.tiles.w == area.tiles.h) {
+    edit_by_user(turn_pixels(open_.level, area, a.turn));
+  }
+}
+
+template <>
+void LevelHandler::carry_out(const action::PastePixels& a) {
+  choices_.choose_sprite_tool(SpriteTool::select);
+  pixel_stroke_ = begin_stroke();
+  edit_by_user(choices_.pixels().paste(open_.level, choices_.choices().area, a.block, a.at), pixel_stroke_);
+}
+
+std::uint8_t LevelHandler::hole() const {
+  return static_cast<std::uint8_t>(choices_.choices().secondary_color);
 }
 
 void LevelHandler::apply(const LevelAction& action) {

@@ -24,9 +24,8 @@ class LevelHandler {
 
   // As EditLevel. Exports that the user changes become allowed.
   void edit_by_user(const Edit& wanted, int stroke = 0);
-  void edit(const Edit& wanted, int stroke = 0);      // by any part of the program
-  int begin_stroke() { return ++open_.last_stroke; }  // returns a number that no edit has yet
-  void replace(Level opened);                         // opens another level, without a history
+  void edit(const Edit& wanted, int stroke = 0);  // by any part of the program
+  void replace(Level opened);                     // opens another level, without a history
   // See UndoStack.
   void mark_saved() { open_.history.mark_saved(); }
   void forget_saved() { open_.history.forget_saved(); }
@@ -40,12 +39,16 @@ class LevelHandler {
   void note_edit(const Edit& edit);
   void note_step_of_history();
 
+  int begin_stroke() { return ++open_.last_stroke; }  // returns a number that no edit has yet
+  std::uint8_t hole() const;                          // the colour that stays behind where pixels are lifted
+
   OpenLevel& open_;
   const FileReader& reader_;
   RunHandler& run_;
   CheckHandler& checks_;
   ChoiceHandler& choices_;
   MessageHandler& messages_;
+  int pixel_stroke_ = 0;  // for the moves of the selected pixels, while they float
 };
 
 }  // namespace talus
