@@ -8,10 +8,8 @@
 #include "session/choices/choice_handler.h"
 #include "session/debugger/debug_handler.h"
 #include "session/editing/level_handler.h"
-#include "session/files/export_handler.h"
 #include "session/files/file_handler.h"
 #include "session/files/file_reading.h"
-#include "session/files/picture_handler.h"
 #include "session/messages/message_handler.h"
 #include "session/run/run_handler.h"
 
@@ -20,8 +18,8 @@ namespace talus {
 struct Session::Impl {
   Impl(Level opened, std::string opened_path, std::string unsaved_name, ExportTools tools)
       : open(std::move(opened), std::move(opened_path), tools.permissions),
-        exports(open, level, messages, std::move(tools)),
-        files({open, reading, level, run, debug, pictures, exports, messages}, std::move(unsaved_name)) {
+        files({open, reading, level, run, debug, choices, messages}, std::move(tools),
+              std::move(unsaved_name)) {
     run.read_hard_case();
     debug.follow();
   }
@@ -39,8 +37,6 @@ struct Session::Impl {
   CheckHandler checks{open, run, choices, messages};
   DebugHandler debug{open, run, choices, messages};
   LevelHandler level{open, reading.reader(), run, checks, choices, messages};
-  PictureHandler pictures{open, reading, level, choices, messages};
-  ExportHandler exports;
   FileHandler files;
 
  private:
@@ -50,8 +46,8 @@ struct Session::Impl {
   void apply_in_domain(const DebugAction& a) { debug.apply(a); }
   void apply_in_domain(const CheckAction& a) { checks.apply(a); }
   void apply_in_domain(const FileAction& a) { files.apply(a); }
-  void apply_in_domain(const PictureAction& a) { pictures.apply(a); }
-  void apply_in_domain(const ExportAction& a) { exports.apply(a); }
+  void apply_in_domain(const PictureAction& a) { files.pictures().apply(a); }
+  void apply_in_domain(const ExportAction& a) { files.exports().apply(a); }
   void apply_in_domain(const MessageAction& a) { messages.apply(a); }
 };
 
@@ -64,7 +60,7 @@ void Session::Impl::advance(double seconds) {
   if (!run.is_opening()) debug.play(seconds);
   debug.advance();
   checks.advance();
-  if (!messages.question()) exports.take_exports();  // which may ask, too
+  if (!messages.question()) files.exports().take_exports();  // which may ask, too
   if (was_behind && !run.timeline().behind()) run.note_rerun_ended();
 }
 
@@ -137,17 +133,17 @@ const std::vector<TrailPoint>& Session::other_trail(int body, std::int64_t first
 const StepTimes& Session::step_times() const { return impl_->run.simulation().step_times(); }
 const std::optional<Message>& Session::message() const { return impl_->messages.message(); }
 const std::optional<Question>& Session::question() const { return impl_->messages.question(); }
-const Exporting& Session::exporting() const { return impl_->exports.exporting(); }
-ExportTask Session::export_task(std::size_t preset) const { return impl_->exports.task(preset); }
+const Exporting& Session::exporting() const { return impl_->files.exports().exporting(); }
+ExportTask Session::export_task(std::size_t preset) const { return impl_->files.exports().task(preset); }
 bool Session::allows_export(std::size_t preset) const {
   return impl_->open.permissions.allows(level().exports[preset]);
 }
-const FinishedRun* Session::asked_exports() const { return impl_->exports.asked(); }
+const FinishedRun* Session::asked_exports() const { return impl_->files.exports().asked(); }
 std::optional<ReadingProgress> Session::reading() const { return impl_->reading.reader().progress(); }
 void Session::finish_reading() { impl_->reading.wait(); }
 int Session::recoveries() const { return impl_->files.recoveries(); }
 std::optional<double> Session::compile_progress() const { return impl_->run.compile_progress(); }
-const std::optional<PngImport>& Session::png_import() const { return impl_->pictures.png_import(); }
+const std::optional<PngImport>& Session::png_import() const { return impl_->files.pictures().png_import(); }
 const std::optional<LevelImport>& Session::level_import() const { return impl_->files.level_import(); }
 std::vector<const Branch*> Session::unsaved_runs() const {
   std::vector<const Branch*> runs;

@@ -51,15 +51,15 @@ std::string known_extensions() {
 
 }  // namespace
 
-FileHandler::FileHandler(const Parts& parts, std::string name)
+FileHandler::FileHandler(const Parts& parts, ExportTools tools, std::string name)
     : open_(parts.open),
       reading_(parts.reading),
       level_(parts.level),
       run_(parts.run),
       debug_(parts.debug),
-      pictures_(parts.pictures),
-      exports_(parts.exports),
       messages_(parts.messages),
+      pictures_(open_, reading_, level_, parts.choices, messages_),
+      exports_(open_, level_, messages_, std::move(tools)),
       name_(std::move(name)),
       format_(open_.path.empty() ? nullptr : format_for_file(open_.path)) {
   open_.permissions.open(open_.path);

@@ -1,4 +1,5 @@
-// FileHandler: the file of the open level: opening, saving, and the questions about that.
+// FileHandler: the file of the open level: opening, saving, and the questions about that; with the handlers
+// of the pictures and the exports that belong to it.
 #pragma once
 
 #include <memory>
@@ -29,14 +30,15 @@ class FileHandler {
     LevelHandler& level;
     RunHandler& run;
     DebugHandler& debug;
-    PictureHandler& pictures;
-    ExportHandler& exports;
+    ChoiceHandler& choices;
     MessageHandler& messages;
   };
-  // name: for titles, while there is no file.
-  FileHandler(const Parts& parts, std::string name);
+  // tools: for exports. name: for titles, while there is no file.
+  FileHandler(const Parts& parts, ExportTools tools, std::string name);
 
   void apply(const FileAction& action);
+  PictureHandler& pictures() { return pictures_; }
+  ExportHandler& exports() { return exports_; }
 
   std::string file_name() const;   // for titles: "demo.talus.json"
   std::string file_names() const;  // with its companion
@@ -93,9 +95,9 @@ class FileHandler {
   LevelHandler& level_;
   RunHandler& run_;
   DebugHandler& debug_;
-  PictureHandler& pictures_;
-  ExportHandler& exports_;
   MessageHandler& messages_;
+  PictureHandler pictures_;
+  ExportHandler exports_;
 
   std::string name_;  // for titles, while there is no file
   int saves_ = 0;
