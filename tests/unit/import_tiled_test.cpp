@@ -294,9 +294,6 @@ TEST(ImportTiled, RefusesMapsThatCannotBeALevel) {
   EXPECT_EQ(with(good, "\"tiles\":[]", "\"tiles\":[{\"id\":1e300}]"),
             "map:key tilesets[0].tiles[0].id: error: must have a whole number from 0 to "
             "1048576 as id");
-  EXPECT_EQ(with(good, "\"tiles\":[]", "\"tiles\":[{\"id\":0,\"image\":\"a.png\"}]"),
-            "map:key tilesets[0].tiles[0].image: error: is a tile with a picture of its own, but a level "
-            "needs one picture for all tiles");
   EXPECT_EQ(error_of("{}"), "map: error: is not a Tiled map");
   EXPECT_EQ(error_of("<a/>", "tmx"), "map: error: is not a Tiled map or tileset");
   EXPECT_EQ(error_of("<map>\n<layer", "tmx"), "map:line 2: error: this is not valid XML");
@@ -632,7 +629,7 @@ TEST_F(ImportTiledFiles, FindsTilesetsAndPicturesBesideTheMap) {
   EXPECT_EQ(tileset->level.tile_shapes[17].kind, TileShape::Kind::solid);
 }
 
-TEST_F(ImportTiledFiles, NamesTheFileThatIsMissingOrOutside) {
+TEST_F(ImportTiledFiles, NamesTheTilesetThatIsOutside) {
   const auto error_with = [&](const std::string& source) {
     put("map.tmx",
         "<map orientation=\"orthogonal\" width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">"
@@ -641,21 +638,14 @@ TEST_F(ImportTiledFiles, NamesTheFileThatIsMissingOrOutside) {
     const auto loaded = load_level(path("map.tmx"));
     return loaded ? "" : to_string(loaded.error(), "map");
   };
-  EXPECT_EQ(error_with("t.tsx"), "map:file t.tsx: error: cannot be opened: No such file or directory");
   EXPECT_EQ(error_with("/etc/passwd"),
             "map:file /etc/passwd: error: must be relative to the folder of the map");
   EXPECT_EQ(error_with("C:\\t.tsx"), "map:file C:/t.tsx: error: must be relative to the folder of the map");
   EXPECT_EQ(error_with("."), "map:file .: error: is not a file");
   put("t.tsx", "<tileset tilewidth=\"16\" tileheight=\"0\"/>");
-  EXPECT_EQ(
-      error_with("t.tsx"),
-      "map:file t.tsx, line 1: error: has tiles of 16x0 px, but a level needs tiles of 1 to 256 px a side");
-  put("t.tsx", "<tileset tilewidth=\"8\" tileheight=\"8\"><image source=\"t.jpg\"/></tileset>");
-  put("t.jpg", "JPEG");
-  EXPECT_EQ(error_with("t.tsx"), "map:file t.jpg: error: is not a PNG picture");
-  const std::string row(3 * 1032, '\0');
-  put("t.jpg", encode_png(1032, 1, 3, reinterpret_cast<const std::uint8_t*>(row.data())));
-  EXPECT_EQ(error_with("t.tsx"), "map:file t.jpg: error: is 1032x1 px, but may have at most 1024x1024 px");
+  EXPECT_EQ(error_with("t.tsx"),
+            "map:file t.tsx, line 1: error: has tiles of 16x0 px, but a tileset needs tiles of 1 to 4096 px "
+            "a side");
 }
 
 TEST_F(ImportTiledFiles, PicturesOfManyColoursGetTheNearest) {

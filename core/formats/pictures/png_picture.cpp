@@ -146,12 +146,14 @@ FormatResult<Header> read_header(std::string_view bytes) {
 }
 
 // The header of a picture, which is not refused for its size.
-FormatResult<Header> read_small_header(std::string_view bytes) {
+FormatResult<Header> read_small_header(std::string_view bytes, int most) {
   if (!is_png(bytes)) return tl::unexpected(FormatError{"", "is not a PNG picture"});
   auto header = read_header(bytes);
-  if (header && (header->width > kMaxPngSide || header->height > kMaxPngSide)) {
-    return tl::unexpected(FormatError{
-        "", "is " + size_text(header->width, header->height) + " px, but may have at most 1024x1024 px"});
+  const auto most_side = static_cast<std::uint32_t>(most);
+  if (header && (header->width > most_side || header->height > most_side)) {
+    return tl::unexpected(FormatError{"", "is " + size_text(header->width, header->height) +
+                                              " px, but may have at most " + size_text(most_side, most_side) +
+                                              " px"});
   }
   return header;
 }
@@ -207,14 +209,14 @@ FormatResult<std::string_view> find_png_chunk(std::string_view bytes, std::strin
   return std::string_view();
 }
 
-FormatResult<RgbaPicture> read_rgba(std::string_view bytes) {
-  const auto header = read_small_header(bytes);
+FormatResult<RgbaPicture> read_rgba(std::string_view bytes, int most) {
+  const auto header = read_small_header(bytes, most);
   if (!header) return tl::unexpected(header.error());
   return decode(*header);
 }
 
 FormatResult<PngPicture> read_png(std::string_view bytes) {
-  auto header = read_small_header(bytes);
+  auto header = read_small_header(bytes, kMaxPngSide);
   if (!header) return tl::unexpected(header.error());
   const auto rgba = decode(*header);
   if (!rgba) return tl::unexpected(rgba.error());

@@ -73,12 +73,57 @@ FormatResult<Json> tiled_json_of(std::string_view bytes, const std::string& exte
   return json;
 }
 
+std::shared_ptr<const TiledPicture> missing_picture() {
+  TiledPicture picture;
+  picture.is_missing = true;
+  return std::make_shared<const TiledPicture>(std::move(picture));
+}
+
+// Tilesets whose files are missing get the map's size of tiles, and as many of them as the cells show.
+void measure_missing_tilesets(TiledMap& map) {
+  constexpr std::size_t kMostName = 200;           // bytes
+  std::map<std::uint32_t, std::uint32_t> last_of;  // by first number, the last number that a cell has
+  for (const TiledTileset& tileset : map.tilesets) last_of[tileset.first_gid] = tileset.first_gid;
+  const bool is_any_missing = std::any_of(map.tilesets.begin(), map.tilesets.end(),
+                                          [](const TiledTileset& tileset) { return tileset.is_missing; });
+  if (!is_any_missing) return;
+  for (const TiledLayer& layer : map.layers) {
+    for (const std::uint32_t cell : layer.cells) {
+      const std::uint32_t gid = cell & kTiledIdBits;
+      const auto after = last_of.upper_bound(gid);
+      if (after == last_of.begin()) continue;
+      std::uint32_t& last = std::prev(after)->second;
+      last = std::max(last, gid);
+    }
+  }
+  for (TiledTileset& tileset : map.tilesets) {
+    if (!tileset.is_missing) continue;
+    tileset.name = shortened(tileset.source, kMostName);
+    tileset.tile_size = map.tile_size;
+    tileset.tile_count = static_cast<int>(last_of[tileset.first_gid] - tileset.first_gid) + 1;
+  }
+}
+
+// The number of pixels that a picture claims; 0 if it would be refused for its size.
+std::size_t pixels_of_png(std::string_view bytes) {
+  constexpr std::size_t kSides = 8;  // bytes
+  const auto header = find_png_chunk(bytes, "IHDR");
+  if (!header || header->size() < kSides) return 0;
+  const auto side_at = [&](std::size_t at) {
+    std::size_t side = 0;
+    for (std::size_t i = at; i < at + kSides / 2; ++i)
+      side = side << 8 | static_cast<std::uint8_t>((*header)[i]);
+    return side <= kMaxTiledPictureSide ? side : 0;  // a larger picture is refused without being read
+  };
+  return side_at(0) * side_at(kSides / 2);
+}
+
 class TiledFiles {
  public:
   TiledFiles(const FormatContext& context, TiledDrops& drops) : context_(context), drops_(drops) {}
 
   FormatResult<TiledMap> read_map(std::string_view bytes);
-  FormatResult<TiledPictures> read_pictures(const TiledMap& map);
+  TiledPictures read_pictures(const TiledMap& map);
 
  private:
   FormatResult<void> read_tileset(TiledTileset& tileset);
@@ -87,6 +132,7 @@ class TiledFiles {
   FormatResult<TiledTemplate> template_in(const std::string& name, const std::string& place);
   FormatResult<std::string> read_beside(const std::string& name, const std::string& place,
                                         std::size_t most = kMaxFileBytes);
+  std::shared_ptr<const TiledPicture> picture_in(const std::string& image, const std::string& of);
   FormatResult<TiledPicture> read_picture(const std::string& name, const std::string& place);
 
   const FormatContext& context_;
@@ -94,6 +140,8 @@ class TiledFiles {
   std::size_t bytes_ = 0;  // bytes read from files beside the map so far
   // A map may name one file by many names, each time another.
   std::map<FileNumber, TiledTileset> tilesets_;
+  std::map<FileNumber, std::shared_ptr<const TiledPicture>> pictures_;
+  std::size_t pixels_ = 0;  // of pictures_
   using Template = FormatResult<TiledTemplate>;
   std::map<FileNumber, std::shared_ptr<const Template>> templates_;
   std::map<std::string, std::shared_ptr<const Template>> templates_by_name_;
@@ -102,14 +150,16 @@ class TiledFiles {
 // The limit is for all files together: a thousand tilesets could name one large file each.
 FormatResult<std::string> TiledFiles::read_beside(const std::string& name, const std::string& place,
                                                   std::size_t most) {
-  auto bytes = read_file(place, most);
-  if (!bytes) return error_in(name, bytes.error());
-  if (context_.linked != nullptr) context_.linked->push_back(place);
-  bytes_ += bytes->size();
-  if (bytes_ > kMaxFileBytes) {
+  std::error_code failure;
+  const auto size = fs::file_size(place, failure);
+  if (!failure && size <= most && size > kMaxFileBytes - bytes_) {
     return error_in(name, {"", "is too large: all files that a map names may have up to " +
                                    std::to_string(kMaxFileBytes >> 20) + " MiB together"});
   }
+  auto bytes = read_file(place, std::min(most, kMaxFileBytes - bytes_));
+  if (!bytes) return error_in(name, bytes.error());
+  if (context_.linked != nullptr) context_.linked->push_back(place);
+  bytes_ += bytes->size();
   return bytes;
 }
 
@@ -124,7 +174,8 @@ FormatResult<TiledMap> TiledFiles::read_map(std::string_view bytes) {
     if (!tileset) return tl::unexpected(tileset.error());
     map->width = kTicMapWidth;
     map->height = kTicMapHeight;
-    map->tile_size = tileset->tile_size;
+    map->tile_size = {std::clamp(tileset->tile_size.width, 1, kMaxTileSide),
+                      std::clamp(tileset->tile_size.height, 1, kMaxTileSide)};
     TiledLayer layer;
     layer.has_tiles = true;
     layer.cells.resize(kTicMapWidth * kTicMapHeight);
@@ -138,6 +189,7 @@ FormatResult<TiledMap> TiledFiles::read_map(std::string_view bytes) {
   for (TiledTileset& tileset : map->tilesets) {
     if (const auto read = read_tileset(tileset); !read) return tl::unexpected(read.error());
   }
+  measure_missing_tilesets(*map);
   return map;
 }
 
@@ -151,12 +203,26 @@ FormatResult<void> TiledFiles::read_tileset(TiledTileset& tileset) {
   if (!place) return tl::unexpected(place.error());
   const auto number = file_number(*place);
   const auto known = number ? tilesets_.find(*number) : tilesets_.end();
-  auto read = known != tilesets_.end() ? known->second : tileset_in(source, *place);
+  const bool is_known = known != tilesets_.end();
+  std::error_code failure;
+  if (!is_known && !fs::exists(*place, failure)) {
+    const auto missing = error_in(source, {"", "does not exist"});
+    drops_.add("the tileset, " + missing.value().place + ": " + missing.value().message);
+    tileset.is_missing = true;
+    return {};
+  }
+  auto read = is_known ? known->second : tileset_in(source, *place);
   if (!read) return tl::unexpected(read.error());
   if (number) tilesets_.try_emplace(*number, *read);
   read->first_gid = tileset.first_gid;
-  if (!read->image.empty())  // relative to the tileset's folder
-    read->image = (fs::path(source).parent_path() / with_slashes(read->image)).string();
+  const auto from_map = [&](std::string& image) {  // it is relative to the tileset's folder
+    if (!image.empty()) image = (fs::path(source).parent_path() / with_slashes(image)).string();
+  };
+  from_map(read->image);
+  // The tiles are shared by all tilesets of the file, so the first one moves their pictures.
+  if (!is_known) {
+    for (TiledTile& tile : *read->tiles) from_map(tile.image);
+  }
   tileset = *std::move(read);
   return {};
 }
@@ -209,43 +275,66 @@ FormatResult<TiledTemplate> TiledFiles::template_in(const std::string& name, con
   return read;
 }
 
-FormatResult<TiledPictures> TiledFiles::read_pictures(const TiledMap& map) {
+// A picture that cannot be read is dropped.
+TiledPictures TiledFiles::read_pictures(const TiledMap& map) {
   TiledPictures pictures;
-  std::map<FileNumber, std::shared_ptr<const TiledPicture>> by_file;
-  std::size_t pixels = 0;
   for (const TiledTileset& tileset : map.tilesets) {
+    const std::string of = "the picture of the tileset " + tiled_quoted(tileset.name);
+    const bool has_one = tileset.is_collection || !tileset.image.empty();
     pictures.emplace_back();
-    if (tileset.image.empty() || context_.folder.empty()) {
-      drops_.add("the picture of the tileset " + tiled_quoted(tileset.name));
-      continue;
-    }
-    const std::string name = with_slashes(tileset.image);
-    const auto place = place_in(context_.folder, name);
-    if (!place) return tl::unexpected(place.error());
-    // Where there is none, reading it says so.
-    std::shared_ptr<const TiledPicture>& shared = by_file[file_number(*place).value_or(FileNumber())];
-    if (shared == nullptr) {
-      auto picture = read_picture(name, *place);
-      if (!picture) return tl::unexpected(picture.error());
-      pixels += picture->rgba.bytes.size() / 4;
-      if (pixels > kMaxTiledPixels) {
-        return error_in(name, {"", "is too large: all pictures that a map names may have up to " +
-                                       std::to_string(kMaxTiledPixels) + " pixels together"});
+    if (tileset.is_missing) {
+      pictures.back() = missing_picture();
+    } else if (!has_one || context_.folder.empty()) {
+      drops_.add(of);
+    } else if (!tileset.is_collection) {
+      pictures.back() = picture_in(tileset.image, of);
+    } else {
+      TiledPicture all;
+      for (const TiledTile& tile : *tileset.tiles) {
+        if (tile.image.empty()) continue;
+        const auto own = picture_in(tile.image, "a picture of the tileset " + tiled_quoted(tileset.name));
+        all.of_tiles[tile.id] =
+            own->is_missing ? nullptr : std::shared_ptr<const RgbaPicture>(own, &own->rgba);
       }
-      shared = std::make_shared<const TiledPicture>(*std::move(picture));
+      pictures.back() = std::make_shared<const TiledPicture>(std::move(all));
     }
-    pictures.back() = shared;
   }
   return pictures;
+}
+
+// of: what it is the picture of, for a message that it cannot be read.
+std::shared_ptr<const TiledPicture> TiledFiles::picture_in(const std::string& image, const std::string& of) {
+  const auto dropped = [&](const FormatError& error) {
+    drops_.add(of + ", " + error.place + ": " + error.message);
+    return missing_picture();
+  };
+  const std::string name = with_slashes(image);
+  const auto place = place_in(context_.folder, name);
+  if (!place) return dropped(place.error());
+  const auto number = file_number(*place);
+  if (const auto known = number ? pictures_.find(*number) : pictures_.end(); known != pictures_.end())
+    return known->second;
+  auto picture = read_picture(name, *place);
+  const auto shared =
+      picture ? std::make_shared<const TiledPicture>(*std::move(picture)) : dropped(picture.error());
+  if (number) pictures_[*number] = shared;
+  return shared;
 }
 
 FormatResult<TiledPicture> TiledFiles::read_picture(const std::string& name, const std::string& place) {
   const auto bytes = read_beside(name, place);
   if (!bytes) return tl::unexpected(bytes.error());
-  auto rgba = read_rgba(*bytes);
+  const std::size_t pixels = pixels_of_png(*bytes);
+  if (pixels > kMaxTiledPixels - pixels_) {
+    return error_in(name, {"", "is too large: all pictures that a map names may have up to " +
+                                   std::to_string(kMaxTiledPixels) + " pixels together"});
+  }
+  pixels_ += pixels;
+  auto rgba = read_rgba(*bytes, kMaxTiledPictureSide);
   if (!rgba) return error_in(name, rgba.error());
   const auto chunk = find_png_chunk(*bytes, "PLTE");
-  TiledPicture picture{*std::move(rgba), {}};
+  TiledPicture picture;
+  picture.rgba = *std::move(rgba);
   for (std::size_t i = 0; chunk && i + 3 <= chunk->size(); i += 3)
     picture.palette.push_back({static_cast<std::uint8_t>((*chunk)[i]),
                                static_cast<std::uint8_t>((*chunk)[i + 1]),
@@ -257,9 +346,8 @@ FormatResult<Level> read_files(std::string_view bytes, const FormatContext& cont
   TiledFiles files(context, drops);
   const auto map = files.read_map(bytes);
   if (!map) return tl::unexpected(map.error());
-  const auto pictures = files.read_pictures(*map);
-  if (!pictures) return tl::unexpected(pictures.error());
-  return level_of_tiled(*map, *pictures, context.choices, drops, context.progress.part(kTiledMapRead, 1));
+  const TiledPictures pictures = files.read_pictures(*map);
+  return level_of_tiled(*map, pictures, context.choices, drops, context.progress.part(kTiledMapRead, 1));
 }
 
 }  // namespace

@@ -9,36 +9,14 @@
 #include "../text/utf8_text.h"
 #include "tiled_cells.h"
 #include "tiled_chunks.h"
+#include "tiled_node.h"
 
 namespace talus {
 namespace {
 
-using Keys = std::initializer_list<std::string_view>;
-
-// An object of the file, with its path.
-struct TiledNode {
-  const Json& json;
-  std::string path;  // "layers[2]"; empty: the file itself
-
-  const Json* find(std::string_view key) const {
-    const auto found = json.find(key);
-    return found == json.end() ? nullptr : &*found;
-  }
-  std::string path_of(std::string_view key) const {
-    return path.empty() || key.empty() ? path + std::string(key) : path + "." + std::string(key);
-  }
-  std::string place_of(std::string_view key) const {
-    if (const Json* line = find(kTiledLineKey)) return "line " + line->dump();
-    const std::string where = path_of(key);
-    return where.empty() ? "" : "key " + where;
-  }
-};
-
-// Members that have no meaning while they have their default values.
-bool says_nothing(std::string_view key, const Json& value) {
-  if (key == "opacity" || key == "parallaxx" || key == "parallaxy") return value == 1;
-  if (key == "x" || key == "y" || key == "offsetx" || key == "offsety") return value == 0;
-  return value == "" || (value.is_structured() && value.empty()) || key == kTiledLineKey;
+constexpr std::size_t kMostPath = 4096;  // bytes; a map may name one file many times, each with its picture's
+std::string long_path() {
+  return "names a picture by a path of more than " + std::to_string(kMostPath) + " bytes";
 }
 
 // Whether the data of a layer has no cells, which Tiled takes for empty ones.
@@ -60,19 +38,15 @@ std::size_t tile_layers_in(const Json& json) {
   return count;
 }
 
-class TiledReader {
+class TiledReader : private TiledNodeReader {
  public:
   TiledReader(const FindTiledTemplate& find_template, TiledDrops& drops)
-      : find_template_(find_template), drops_(drops) {}
+      : TiledNodeReader(drops), find_template_(find_template) {}
 
   TiledMap map(const Json& json, const Progress& progress);
   TiledTileset tileset(const TiledNode& node);
 
-  template <class Value>
-  FormatResult<Value> result(Value value) {
-    if (error_) return tl::unexpected(*error_);
-    return value;
-  }
+  using TiledNodeReader::result;
 
  private:
   struct Group {  // the group that layers are in
@@ -81,7 +55,7 @@ class TiledReader {
   };
 
   bool check_map(const TiledNode& node);
-  TileSize tile_size(const TiledNode& node);
+  TileSize tile_size(const TiledNode& node, int most);
   void layers(const TiledNode& node, const Group& group, const Progress& progress, TiledMap& map);
   void tile_layer(const TiledNode& node, Vec2 offset, const TiledMap& map, TiledLayer& layer);
   std::vector<TiledChunk> chunks_of(const TiledNode& node);
@@ -97,65 +71,12 @@ class TiledReader {
                       std::vector<Vec2>& points);
   bool has_room_for_point(const TiledNode& node, const char* key);
   TiledTile tile(const TiledNode& node);
+  bool tiles_have_images(const TiledNode& node);
+  void add_to_collection(const TiledNode& node, TiledTileset& tileset);
   TiledProperties properties(const TiledNode& node, const std::string& of);
   std::optional<TiledProperty> property(const TiledNode& node);
 
-  void fail(const TiledNode& node, std::string_view key, std::string message) {
-    if (!error_) error_ = FormatError{node.place_of(key), std::move(message)};
-  }
-  double number(const TiledNode& node, const char* key, double fallback = 0) {
-    const Json* value = node.find(key);
-    if (value == nullptr) return fallback;
-    if (value->is_number()) return value->get<double>();
-    fail(node, key, std::string("must have a number as ") + key);
-    return fallback;
-  }
-  int whole(const TiledNode& node, const char* key, int min, int max, int fallback) {
-    const double value = number(node, key, fallback);
-    if (value >= min && value <= max && value == std::trunc(value)) return static_cast<int>(value);
-    fail(
-        node, key,
-        "must have a whole number from " + std::to_string(min) + " to " + std::to_string(max) + " as " + key);
-    return fallback;
-  }
-  std::string text(const TiledNode& node, const char* key) {
-    const Json* value = node.find(key);
-    if (value == nullptr) return {};
-    if (value->is_string()) return value->get<std::string>();
-    fail(node, key, std::string("must have a string as ") + key);
-    return {};
-  }
-  bool truth(const TiledNode& node, const char* key) const {
-    const Json* value = node.find(key);
-    return value != nullptr && (*value == true || (value->is_number() && *value != 0));
-  }
-  // Tiled 1.9 renamed "type" to "class"; 1.10 took that back.
-  static const char* class_key(const TiledNode& node) { return node.find("class") ? "class" : "type"; }
-  // Calls use(entry) for each object of a list that may be missing.
-  template <class Use>
-  void for_each(const TiledNode& node, const char* key, Use use) {
-    const Json* list = node.find(key);
-    if (list == nullptr) return;
-    if (!list->is_array()) return fail(node, key, std::string("must have a list as ") + key);
-    for (std::size_t i = 0; i < list->size() && !error_; ++i) {
-      const TiledNode entry{(*list)[i], node.path_of(key) + "[" + std::to_string(i) + "]"};
-      if (entry.json.is_object())
-        use(entry);
-      else
-        fail(entry, "", "must be an object");
-    }
-  }
-  // Adds the members that nobody reads to the dropped ones.
-  void drop_others(const TiledNode& node, const std::string& of, Keys known) {
-    for (auto it = node.json.begin(); it != node.json.end(); ++it) {
-      const bool is_known = std::find(known.begin(), known.end(), it.key()) != known.end();
-      if (!is_known && !says_nothing(it.key(), it.value())) drops_.add(tiled_quoted(it.key()) + " of " + of);
-    }
-  }
-
   const FindTiledTemplate& find_template_;
-  TiledDrops& drops_;
-  std::optional<FormatError> error_;
   std::size_t objects_ = 0, layers_ = 0, points_ = 0;  // read so far
   bool is_infinite_ = false;
   TiledChunks chunks_;                         // of an infinite map
@@ -189,7 +110,7 @@ TiledMap TiledReader::map(const Json& json, const Progress& progress) {
              std::to_string(map.height) + " tiles, but all layers of a map may have at most " +
              std::to_string(kMaxTiledCells) + " cells together");
   }
-  map.tile_size = tile_size(node);
+  map.tile_size = tile_size(node, kMaxTileSide);
   if (!error_ && !is_terrain_size(map.width, map.height, map.tile_size))
     fail(node, "width", "is longer than 16777216 px, the most that a level has");
   map.properties = properties(node, "the map");
@@ -205,6 +126,13 @@ TiledMap TiledReader::map(const Json& json, const Progress& progress) {
   if (!error_ && is_infinite_) {
     chunks_.resize(map.layers.size());
     if (auto problem = join_chunks(std::move(chunks_), map)) fail(node, "layers", *std::move(problem));
+  }
+  const bool has_ground = std::any_of(map.layers.begin(), map.layers.end(),
+                                      [](const TiledLayer& layer) { return layer.has_tiles; });
+  if (!error_ && !has_ground) {  // a map of objects and pictures alone
+    map.layers.emplace_back().has_tiles = true;
+    map.layers.back().cells.assign(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height),
+                                   0);
   }
   drop_others(
       node, "the map",
@@ -226,15 +154,14 @@ bool TiledReader::check_map(const TiledNode& node) {
   return !error_;
 }
 
-TileSize TiledReader::tile_size(const TiledNode& node) {
+TileSize TiledReader::tile_size(const TiledNode& node, int most) {
   const double width = number(node, "tilewidth"), height = number(node, "tileheight");
-  const auto is_side = [](double side) {
-    return side >= 1 && side <= kMaxTileSide && side == std::floor(side);
-  };
+  const auto is_side = [&](double side) { return side >= 1 && side <= most && side == std::floor(side); };
   if (is_side(width) && is_side(height)) return {static_cast<int>(width), static_cast<int>(height)};
   fail(node, "tilewidth",
-       "has tiles of " + json_number(width).dump() + "x" + json_number(height).dump() +
-           " px, but a level needs tiles of 1 to 256 px a side");
+       "has tiles of " + json_number(width).dump() + "x" + json_number(height).dump() + " px, but a " +
+           (most == kMaxTileSide ? "level" : "tileset") + " needs tiles of 1 to " + std::to_string(most) +
+           " px a side");
   return {};
 }
 
@@ -455,8 +382,7 @@ bool TiledReader::has_room_for_point(const TiledNode& node, const char* key) {
 
 TiledTileset TiledReader::tileset(const TiledNode& node) {
   constexpr int kMost = 1 << 20, kMostSpace = 1024;  // px; products of them fit an int
-  // Bytes; a map may name one file many times, each with its name and its picture's.
-  constexpr std::size_t kMostName = 200, kMostPath = 4096;
+  constexpr std::size_t kMostName = 200;             // bytes; a map may name one file many times
   TiledTileset tileset;
   if (!node.json.is_object()) {
     fail(node, "", "is not a Tiled tileset");
@@ -469,28 +395,74 @@ TiledTileset TiledReader::tileset(const TiledNode& node) {
   const std::string name = text(node, "name");
   const std::string of = "the tileset " + tiled_quoted(name);
   tileset.name = shortened(name, kMostName);
-  tileset.tile_size = tile_size(node);
+  tileset.is_collection = tiles_have_images(node);
+  if (!tileset.is_collection) tileset.tile_size = tile_size(node, kMaxTiledPictureSide);
   tileset.image = text(node, "image");
-  if (tileset.image.size() > kMostPath)
-    fail(node, "image", "names a picture by a path of more than " + std::to_string(kMostPath) + " bytes");
+  if (tileset.image.size() > kMostPath) fail(node, "image", long_path());
   tileset.image_width = whole(node, "imagewidth", 0, kMost, 0);
   tileset.image_height = whole(node, "imageheight", 0, kMost, 0);
   tileset.columns = whole(node, "columns", 0, kMost, 0);
   tileset.tile_count = whole(node, "tilecount", 0, kMost, 0);
   tileset.spacing = whole(node, "spacing", 0, kMostSpace, 0);
   tileset.margin = whole(node, "margin", 0, kMostSpace, 0);
+  if (const Json* offset = node.find("tileoffset"); offset != nullptr && offset->is_object()) {
+    const TiledNode place{*offset, node.path_of("tileoffset")};
+    tileset.offset_x = whole(place, "x", -kMostSpace, kMostSpace, 0);
+    tileset.offset_y = whole(place, "y", -kMostSpace, kMostSpace, 0);
+  }
+  tileset.transparent = color_of_tiled(text(node, "transparentcolor"));
   properties(node, of);
   for_each(node, "tiles", [&](const TiledNode& entry) {
-    if (entry.find("image") && tileset.image.empty())
-      fail(entry, "image",
-           "is a tile with a picture of its own, but a level needs one picture for all tiles");
     tileset.tiles->push_back(tile(entry));
+    if (tileset.is_collection) add_to_collection(entry, tileset);
   });
-  drop_others(node, of, {"firstgid",   "name",           "type",    "version",         "tiledversion",
-                         "tilewidth",  "tileheight",     "image",   "imagewidth",      "imageheight",
-                         "columns",    "tilecount",      "spacing", "margin",          "tiles",
-                         "properties", "editorsettings", "grid",    "objectalignment", "transformations"});
+  std::stable_sort(tileset.tiles->begin(), tileset.tiles->end(),
+                   [](const TiledTile& a, const TiledTile& b) { return a.id < b.id; });
+  drop_others(node, of,
+              {"firstgid",
+               "name",
+               "type",
+               "version",
+               "tiledversion",
+               "tilewidth",
+               "tileheight",
+               "image",
+               "imagewidth",
+               "imageheight",
+               "columns",
+               "tilecount",
+               "spacing",
+               "margin",
+               "tiles",
+               "properties",
+               "editorsettings",
+               "grid",
+               "objectalignment",
+               "transformations",
+               "tileoffset",
+               "transparentcolor"});
   return tileset;
+}
+
+bool TiledReader::tiles_have_images(const TiledNode& node) {
+  bool found = false;
+  for_each(node, "tiles", [&](const TiledNode& entry) { found = found || entry.find("image") != nullptr; });
+  return found && text(node, "image").empty();
+}
+
+// The last tile of the set was read from the node.
+void TiledReader::add_to_collection(const TiledNode& node, TiledTileset& tileset) {
+  constexpr int kMost = kMaxTiledPictureSide;
+  TiledTile& tile = tileset.tiles->back();
+  tile.image = text(node, "image");
+  if (tile.image.size() > kMostPath) fail(node, "image", long_path());
+  tile.image_x = whole(node, "x", 0, kMost, 0);
+  tile.image_y = whole(node, "y", 0, kMost, 0);
+  tile.image_size.width = whole(node, "width", 0, kMost, whole(node, "imagewidth", 0, 1 << 20, 0));
+  tile.image_size.height = whole(node, "height", 0, kMost, whole(node, "imageheight", 0, 1 << 20, 0));
+  tileset.tile_size = {std::max(tileset.tile_size.width, tile.image_size.width),
+                       std::max(tileset.tile_size.height, tile.image_size.height)};
+  tileset.tile_count = std::max(tileset.tile_count, tile.id + 1);  // some ids may have no tile
 }
 
 TiledTile TiledReader::tile(const TiledNode& node) {
@@ -500,7 +472,9 @@ TiledTile TiledReader::tile(const TiledNode& node) {
   tile.properties = properties(node, "a tile");
   if (const Json* group = node.find("objectgroup"); group != nullptr && group->is_object())
     tile.objects = objects({*group, node.path_of("objectgroup")}, {});
-  drop_others(node, "a tile", {"id", "objectgroup", "properties"});
+  drop_others(
+      node, "a tile",
+      {"id", "objectgroup", "properties", "image", "imagewidth", "imageheight", "x", "y", "width", "height"});
   return tile;
 }
 

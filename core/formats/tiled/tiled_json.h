@@ -8,11 +8,8 @@
 
 namespace talus {
 
-// In an object that was an XML element: its line number, for errors.
-inline constexpr const char* kTiledLineKey = "@line";
-
 // An error is anything that cannot become a level: another orientation than orthogonal, tiles of another size
-// than 1 to 256 px a side, tilesets of many pictures, data that does not fit the size. What is left out is
+// than 1 to 256 px a side, data that does not fit the size. What is left out is
 // added to `drops`. An infinite map becomes the part around its tiles. A tileset in a file of its own has
 // only `source`. progress: receives how many of the layers are read, and may stop the work, which is an
 // error.

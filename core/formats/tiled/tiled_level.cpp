@@ -64,12 +64,13 @@ class TiledLevelMaker {
   bool knows_property(const TiledProperty& property) const;
   void take_tile(std::uint8_t number);
   std::uint8_t flags_of(const TiledTile& tile);
+  TiledObject in_cell(const TiledObject& object, const TiledSource& source) const;
   TileShape own_shape_of(std::uint8_t number, const TiledSource& source, const TiledTile& tile,
                          const TileShape& before);
   TileShape shape_of_objects(const std::string& tile, const std::vector<TiledObject>& objects, bool one_way);
   void tell_stale_words(const TiledTile& tile, const TileShape& shape);
   void take_objects(const TiledLayer& layer);
-  const std::string& type_of(const TiledObject& object);
+  const std::string& type_of(const TiledObject& object) const;
   void take_spawn(const TiledObject& object, Spawn spawn);
   const Spawn* base_spawn_like(const Spawn& spawn, const TiledObject& object) const;
   void take_curve(const TiledObject& object);
@@ -91,9 +92,7 @@ class TiledLevelMaker {
   TiledTiles tiles_;
   std::map<std::string, int> flags_;                                    // by the name of their bools
   std::vector<std::pair<const LevelCurve*, TiledObject>> curves_by_x_;  // of base_
-  // By tiles of a tileset, the type of each tile by its id.
-  std::map<const std::vector<TiledTile>*, std::map<int, const std::string*>> types_;
-  std::size_t curve_name_bytes_ = 0;  // of curves that are no base_'s
+  std::size_t curve_name_bytes_ = 0;                                    // of curves that are no base_'s
 };
 
 // Whether an object has the name that Talus wrote, which in XML may lack characters of the true one.
@@ -169,7 +168,6 @@ FormatResult<const TiledLayer*> TiledLevelMaker::layer_of(const ImportChoices& c
   const auto fail = [](std::string message, std::string remedy = {}) {
     return tl::unexpected(FormatError{"", std::move(message), std::move(remedy)});
   };
-  if (layers.empty()) return fail("has no tile layer");
   auto chosen = layers.begin();
   const int number = choices.layer_number > 0 ? choices.layer_number : number_in(choices.layer);
   const auto by_number =
@@ -232,7 +230,7 @@ void TiledLevelMaker::forget_numbers() {
 void TiledLevelMaker::take_pixels() {
   const auto [tile_width, tile_height] = map_.tile_size;
   const bool has_pictures =
-      std::any_of(pictures_.begin(), pictures_.end(), [](auto& p) { return p != nullptr; });
+      std::any_of(pictures_.begin(), pictures_.end(), [](auto& p) { return p != nullptr && !p->is_missing; });
   if (has_pictures && !is_own_ && map_.tile_size != TileSize())
     drops_.add("most pixels of the pictures of tiles, which have " + std::to_string(tile_width) + "x" +
                std::to_string(tile_height) + " px: a level shows 8x8 px of each");
@@ -348,6 +346,14 @@ void TiledLevelMaker::take_tile(std::uint8_t number) {
   tell_stale_words(*tile, shape);
 }
 
+// An object of a tile in the px of a cell that shows the tile.
+TiledObject TiledLevelMaker::in_cell(const TiledObject& object, const TiledSource& source) const {
+  const TiledPlace place = place_of_tile(map_, pictures_, source);
+  TiledObject result = turned(object, source.turn, place.size);
+  result.position = result.position + Vec2{1.0 * place.x, 1.0 * place.y};
+  return result;
+}
+
 // before: the tile's own shape in the base. It stays if the outline is still that of the tile.
 TileShape TiledLevelMaker::own_shape_of(std::uint8_t number, const TiledSource& source, const TiledTile& tile,
                                         const TileShape& before) {
@@ -358,8 +364,12 @@ TileShape TiledLevelMaker::own_shape_of(std::uint8_t number, const TiledSource& 
       tile.objects.empty() ? nullptr : find_property<bool>(tile.objects.front().properties, "one_way");
   const bool one_way = word != nullptr ? *word : of_outline != nullptr && *of_outline;
   std::vector<TiledObject> objects = tile.objects;
-  if (objects.empty() && source.turn != 0) objects = tiled_objects(of_flags, map_.tile_size);
-  for (TiledObject& object : objects) object = turned(object, source.turn, map_.tile_size);
+  if (objects.empty() && source.turn != 0) {
+    objects = tiled_objects(of_flags, map_.tile_size);
+    for (TiledObject& object : objects) object = turned(object, source.turn, map_.tile_size);
+  } else {
+    for (TiledObject& object : objects) object = in_cell(object, source);
+  }
   const std::vector<TiledObject> old = tiled_objects(expected, map_.tile_size);
   const bool is_unchanged =
       is_own_ && tiles_.keeps_numbers && one_way == expected.one_way &&
@@ -433,7 +443,7 @@ void TiledLevelMaker::take_objects(const TiledLayer& layer) {
 }
 
 // A tile that has no type gets that of the tile in its tileset.
-const std::string& TiledLevelMaker::type_of(const TiledObject& object) {
+const std::string& TiledLevelMaker::type_of(const TiledObject& object) const {
   const std::uint32_t gid = object.gid & kTiledIdBits;
   if (!object.type.empty() || gid == 0) return object.type;
   const TiledTileset* tileset = nullptr;
@@ -442,12 +452,8 @@ const std::string& TiledLevelMaker::type_of(const TiledObject& object) {
       tileset = &each;
   }
   if (tileset == nullptr) return object.type;
-  auto& types = types_[tileset->tiles.get()];
-  if (types.empty()) {
-    for (const TiledTile& tile : *tileset->tiles) types.emplace(tile.id, &tile.type);
-  }
-  const auto found = types.find(static_cast<int>(gid - tileset->first_gid));
-  return found == types.end() ? object.type : *found->second;
+  const TiledTile* const tile = find_tile(*tileset, static_cast<int>(gid - tileset->first_gid));
+  return tile == nullptr ? object.type : tile->type;
 }
 
 void TiledLevelMaker::take_spawn(const TiledObject& object, Spawn spawn) {

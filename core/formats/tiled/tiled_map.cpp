@@ -2,6 +2,7 @@
 #include "tiled_map.h"
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 
 #include "../text/utf8_text.h"
@@ -19,6 +20,16 @@ std::string tiled_color(Rgb color) {
   for (const std::uint8_t part : {color.r, color.g, color.b})
     (text += kDigits[part / 16]) += kDigits[part % 16];
   return text;
+}
+
+std::optional<Rgb> color_of_tiled(std::string_view text) {
+  constexpr std::size_t kDigits = 6;
+  if (text.starts_with('#')) text.remove_prefix(1);
+  std::uint32_t number = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number, 16);
+  if (text.size() != kDigits || problem != std::errc() || end != text.data() + text.size()) return {};
+  const auto part = [&](int shift) { return static_cast<std::uint8_t>(number >> shift & 0xff); };
+  return Rgb{part(16), part(8), part(0)};
 }
 
 std::string tiled_quoted(std::string_view name) {

@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -42,6 +43,7 @@ inline constexpr std::size_t kMaxTiledPoints = std::size_t{1} << 21;  // of poly
 inline constexpr std::size_t kMaxTiledLayers = 4096;                  // groups count, too
 inline constexpr std::size_t kMaxTiledTilesets = 4096;
 inline constexpr std::size_t kMaxTiledPixels = std::size_t{1} << 25;  // of different pictures
+inline constexpr int kMaxTiledPictureSide = 4096;  // px, of a picture or a tile of a tileset
 
 struct TiledProperty {
   std::string name;
@@ -82,18 +84,26 @@ struct TiledTile {
   std::string type;  // that of objects which show it, unless they have one
   TiledProperties properties;
   std::vector<TiledObject> objects;  // its collision shapes
+  std::string image;                 // of a collection: its own picture, as that of a tileset
+  // px: the part of that picture that it shows, from there to its end if the size is 0.
+  int image_x = 0, image_y = 0;
+  TileSize image_size = {0, 0};
 };
 
 struct TiledTileset {
   std::uint32_t first_gid = 1;  // number of its first tile in cells of the map
   std::string name;
-  std::string source;  // its own file, relative to the map's folder; empty: it is in the map
-  std::string image;   // relative to the map's folder or that of its own file; empty: it has none
-  TileSize tile_size;  // of its tiles in the picture
+  std::string source;              // its own file, relative to the map's folder; empty: it is in the map
+  std::string image;               // relative to the map's folder or that of its own file; empty: it has none
+  bool is_missing = false;         // whether its file does not exist
+  bool is_collection = false;      // whether its tiles have pictures of their own
+  TileSize tile_size;              // of its tiles in the picture; of a collection, of the largest
+  int offset_x = 0, offset_y = 0;  // px, by which its tiles are drawn right of and below their places
+  std::optional<Rgb> transparent;  // colour of its picture that is not drawn
   int columns = 0, tile_count = 0;
   int spacing = 0, margin = 0;  // px, between and around the tiles in the picture
   int image_width = 0, image_height = 0;
-  // Those that have properties or shapes. Tilesets of one file share them.
+  // Those that have properties or shapes, by ascending id. Tilesets of one file share them.
   std::shared_ptr<std::vector<TiledTile>> tiles = std::make_shared<std::vector<TiledTile>>();
 };
 
@@ -117,7 +127,8 @@ struct TiledMap {
 // The path of a file that is named in a file of that folder, without "." and with "/" alone.
 std::string tiled_path(const std::string& folder, std::string name);
 
-std::string tiled_color(Rgb color);  // "#1a1c2c"
+std::string tiled_color(Rgb color);                        // "#1a1c2c"
+std::optional<Rgb> color_of_tiled(std::string_view text);  // also without "#"; nothing for other texts
 
 // Returns a name in quotes, for messages. Names in files may be of any length, so a long one is cut.
 std::string tiled_quoted(std::string_view name);

@@ -23,8 +23,8 @@ std::vector<TiledObject> tiled_objects(const TileShape& shape, TileSize tile);
 TiledProperties tiled_properties(const TileShape& shape);
 
 TiledObject tiled_object(const Spawn& spawn);
-// type: that of the object, or of the tile that it shows. Returns nothing unless that is the word of a kind of
-// body and the object is a box, a point or a tile. A point gets the size of a new body of the kind among
+// type: that of the object, or of the tile that it shows. Returns nothing unless that is the word of a kind
+// of body and the object is a box, a point or a tile. A point gets the size of a new body of the kind among
 // tiles of that size.
 std::optional<Spawn> spawn_of(const TiledObject& object, std::string_view type, TileSize tile);
 

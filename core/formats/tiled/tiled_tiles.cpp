@@ -5,6 +5,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "tiled_boxes.h"
 #include "tiled_shapes.h"
 
 namespace talus {
@@ -43,10 +44,6 @@ TilesetGrid grid_of(const TiledTileset& tileset) {
   return {columns > 0 ? columns : kSheetColumns, count > 0 ? count : kTileCount};
 }
 
-std::string size_text(TileSize size) {
-  return std::to_string(size.width) + "x" + std::to_string(size.height) + " px";
-}
-
 // By the number in the layer, with the bits that turn the tile.
 using SourceOfCell = std::unordered_map<std::uint32_t, TiledSource>;
 
@@ -73,8 +70,7 @@ class TileNumberer {
   const TiledTileset& tileset(int i) const { return map_.tilesets[static_cast<std::size_t>(i)]; }
   // The tiles that the different cells show; blank sources for empty cells.
   FormatResult<SourceOfCell> sources_of_cells() const;
-  // Why a cell cannot show a tile of a tileset; nothing when it can.
-  std::optional<std::string> problem_of_tile(const TiledTileset& tileset, std::uint32_t cell) const;
+  void tell_parts_outside(const TiledSource& source) const;
   FormatResult<int> only_tileset(const SourceOfCell& cells) const;
   bool is_blank(const TiledSource& source) const;
   FormatResult<void> free_tile_0();
@@ -115,23 +111,23 @@ FormatResult<SourceOfCell> TileNumberer::sources_of_cells() const {
       return tl::unexpected(
           cell_error(layer_, map_, i, "holds tile " + std::to_string(gid) + ", which no tileset has"));
     }
-    if (auto problem = problem_of_tile(tileset(of), cell))
-      return tl::unexpected(cell_error(layer_, map_, i, *std::move(problem)));
     sources[cell] = {of, static_cast<int>(id), cell & kTurns};
+    tell_parts_outside(sources[cell]);
   }
   return sources;
 }
 
-std::optional<std::string> TileNumberer::problem_of_tile(const TiledTileset& tileset,
-                                                         std::uint32_t cell) const {
-  const TileSize size = map_.tile_size;
-  if (tileset.tile_size != size) {
-    return "holds a tile of the tileset \"" + tileset.name + "\", whose tiles have " +
-           size_text(tileset.tile_size) + ", but those of the map have " + size_text(size);
+void TileNumberer::tell_parts_outside(const TiledSource& source) const {
+  const TiledPlace place = place_of_tile(map_, pictures_, source);
+  const bool is_quarter = (source.turn & kTiledFlipXY) != 0;
+  const int width = is_quarter ? place.size.height : place.size.width;
+  const int height = is_quarter ? place.size.width : place.size.height;
+  const bool is_inside = place.x >= 0 && place.y >= 0 && place.x + width <= map_.tile_size.width &&
+                         place.y + height <= map_.tile_size.height;
+  if (!is_inside) {
+    drops_.add("the parts of a tile of the tileset " + tiled_quoted(tileset(source.tileset).name) +
+               " that are drawn outside of its cell");
   }
-  if ((cell & kTiledFlipXY) != 0 && size.width != size.height)
-    return "holds a tile that is turned by a quarter, but its " + size_text(size) + " are not square";
-  return {};
 }
 
 // -1 if there is none.
@@ -247,19 +243,73 @@ FormatResult<TiledTiles> TileNumberer::used() {
   return std::move(tiles_);
 }
 
-// The pixel of the tileset's picture that a turned tile shows at (x, y) of its image in the level. Of a tile
-// of another size than the image it is the pixel in the middle of the part that stands for (x, y).
-Cell pixel_of(const TiledTileset& tileset, const TiledSource& source, int x, int y) {
-  if (source.turn & kTiledFlipY) y = kCartTileSize - 1 - y;
-  if (source.turn & kTiledFlipX) x = kCartTileSize - 1 - x;
-  if (source.turn & kTiledFlipXY) std::swap(x, y);
-  const auto [width, height] = tileset.tile_size;
+// An opaque colour of a picture; nothing outside of it.
+std::optional<Rgb> color_in(const RgbaPicture& rgba, Cell at) {
+  constexpr int kHalfOpaque = 128;
+  if (at.x < 0 || at.y < 0 || at.x >= rgba.width || at.y >= rgba.height) return {};
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(rgba.bytes.data()) +
+                      4 * (static_cast<std::size_t>(at.y) * static_cast<std::size_t>(rgba.width) +
+                           static_cast<std::size_t>(at.x));
+  if (bytes[3] < kHalfOpaque) return {};
+  return Rgb{bytes[0], bytes[1], bytes[2]};
+}
+
+// The size that the file says, or else that of the picture, or else that of the map's tiles.
+TileSize size_in_collection(const TiledMap& map, const TiledPictures& pictures, const TiledSource& source) {
+  const auto of = static_cast<std::size_t>(source.tileset);
+  const TiledTile* const tile = find_tile(map.tilesets[of], source.id);
+  if (tile == nullptr) return map.tile_size;
+  if (tile->image_size.width > 0 && tile->image_size.height > 0) return tile->image_size;
+  if (pictures[of] == nullptr) return map.tile_size;
+  const auto own = pictures[of]->of_tiles.find(source.id);
+  if (own == pictures[of]->of_tiles.end() || own->second == nullptr) return map.tile_size;
+  return {std::max(1, own->second->width - tile->image_x), std::max(1, own->second->height - tile->image_y)};
+}
+
+// The colour at (x, y) of the 8x8 px that stand for a tile: of the pixel in the middle of that part of the
+// cell.
+std::optional<Rgb> color_of(const TiledMap& map, const TiledPictures& pictures, const TiledSource& source,
+                            int x, int y) {
+  const auto of = static_cast<std::size_t>(source.tileset);
+  if (source.tileset < 0 || !pictures[of]) return {};
+  const TiledTileset& tileset = map.tilesets[of];
+  const auto own = pictures[of]->of_tiles.find(source.id);
+  const bool has_own = own != pictures[of]->of_tiles.end();
+  if (has_own ? own->second == nullptr : pictures[of]->is_missing) return color_of_box(source.id, x, y);
+  if (tileset.is_collection && !has_own) return {};
+  // In parts of a pixel, of which a pixel has as many as the stand-in has halves of its pixels.
+  constexpr int kParts = 2 * kCartTileSize;
+  const TiledPlace place = place_of_tile(map, pictures, source);
+  const auto [width, height] = place.size;
+  int at_x = (2 * x + 1) * map.tile_size.width - place.x * kParts;
+  int at_y = (2 * y + 1) * map.tile_size.height - place.y * kParts;
+  const bool is_quarter = (source.turn & kTiledFlipXY) != 0;
+  if (source.turn & kTiledFlipY) at_y = (is_quarter ? width : height) * kParts - at_y;
+  if (source.turn & kTiledFlipX) at_x = (is_quarter ? height : width) * kParts - at_x;
+  if (is_quarter) std::swap(at_x, at_y);
+  if (at_x < 0 || at_y < 0 || at_x >= width * kParts || at_y >= height * kParts) return {};
+  const Cell in_tile = {at_x / kParts, at_y / kParts};
+  if (has_own) {
+    const TiledTile* const tile = find_tile(tileset, source.id);
+    return color_in(*own->second, {tile->image_x + in_tile.x, tile->image_y + in_tile.y});
+  }
   const int columns = grid_of(tileset).columns, row = source.id / columns, column = source.id % columns;
-  return {tileset.margin + column * (width + tileset.spacing) + (2 * x + 1) * width / (2 * kCartTileSize),
-          tileset.margin + row * (height + tileset.spacing) + (2 * y + 1) * height / (2 * kCartTileSize)};
+  const auto color =
+      color_in(pictures[of]->rgba, {tileset.margin + column * (width + tileset.spacing) + in_tile.x,
+                                    tileset.margin + row * (height + tileset.spacing) + in_tile.y});
+  return color == tileset.transparent ? std::nullopt : color;
 }
 
 }  // namespace
+
+TiledPlace place_of_tile(const TiledMap& map, const TiledPictures& pictures, const TiledSource& source) {
+  const TiledTileset& tileset = map.tilesets[static_cast<std::size_t>(source.tileset)];
+  TiledPlace place{tileset.tile_size, tileset.offset_x, 0};
+  if (tileset.is_collection) place.size = size_in_collection(map, pictures, source);
+  const bool is_quarter = (source.turn & kTiledFlipXY) != 0;
+  place.y = map.tile_size.height - (is_quarter ? place.size.width : place.size.height) + tileset.offset_y;
+  return place;
+}
 
 FormatResult<TiledTiles> number_tiles(const TiledMap& map, const TiledLayer& layer,
                                       const TiledPictures& pictures, bool used_tiles, Rgb background,
@@ -269,7 +319,6 @@ FormatResult<TiledTiles> number_tiles(const TiledMap& map, const TiledLayer& lay
 }
 
 PngPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const TiledPictures& pictures) {
-  constexpr int kHalfOpaque = 128;
   PngPicture sheet{kSheetSide, kSheetSide, {}, {}, {}};
   sheet.pixels.resize(kSheetSide * kSheetSide);
   sheet.transparent.assign(kSheetSide * kSheetSide, true);
@@ -277,16 +326,9 @@ PngPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const 
     const int x = i % kSheetSide, y = i / kSheetSide;
     const TiledSource& source =
         tiles.sources[static_cast<std::size_t>(y / kCartTileSize * kSheetColumns + x / kCartTileSize)];
-    const auto of = static_cast<std::size_t>(source.tileset);
-    if (source.tileset < 0 || !pictures[of]) continue;
-    const RgbaPicture& rgba = pictures[of]->rgba;
-    const Cell at = pixel_of(map.tilesets[of], source, x % kCartTileSize, y % kCartTileSize);
-    if (at.x >= rgba.width || at.y >= rgba.height) continue;
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(rgba.bytes.data()) +
-                        4 * (static_cast<std::size_t>(at.y) * static_cast<std::size_t>(rgba.width) +
-                             static_cast<std::size_t>(at.x));
-    if (bytes[3] < kHalfOpaque) continue;
-    sheet.pixels[static_cast<std::size_t>(i)] = {bytes[0], bytes[1], bytes[2]};
+    const auto color = color_of(map, pictures, source, x % kCartTileSize, y % kCartTileSize);
+    if (!color) continue;
+    sheet.pixels[static_cast<std::size_t>(i)] = *color;
     sheet.transparent[static_cast<std::size_t>(i)] = false;
   }
   return sheet;
@@ -306,9 +348,10 @@ TiledObject turned(const TiledObject& object, std::uint32_t turn, TileSize tile)
 }
 
 const TiledTile* find_tile(const TiledTileset& tileset, int id) {
-  const auto found = std::find_if(tileset.tiles->begin(), tileset.tiles->end(),
-                                  [&](const TiledTile& tile) { return tile.id == id; });
-  return found == tileset.tiles->end() ? nullptr : &*found;
+  const std::vector<TiledTile>& tiles = *tileset.tiles;
+  const auto found = std::lower_bound(tiles.begin(), tiles.end(), id,
+                                      [](const TiledTile& tile, int wanted) { return tile.id < wanted; });
+  return found == tiles.end() || found->id != id ? nullptr : &*found;
 }
 
 }  // namespace talus

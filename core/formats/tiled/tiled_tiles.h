@@ -1,6 +1,7 @@
 // Which tile of a level each tile of a Tiled map becomes, and what it looks like.
 #pragma once
 
+#include <map>
 #include <memory>
 
 #include "../pictures/png_picture.h"
@@ -12,6 +13,9 @@ namespace talus {
 struct TiledPicture {
   RgbaPicture rgba;
   std::vector<Rgb> palette;  // of the file; empty: the file has none
+  // Of a collection, the picture of each tile by its id; null where it cannot be read.
+  std::map<int, std::shared_ptr<const RgbaPicture>> of_tiles;
+  bool is_missing = false;  // whether it cannot be read: numbered boxes stand for its tiles
 };
 // By tileset; tilesets of one file share it. Null: not known.
 using TiledPictures = std::vector<std::shared_ptr<const TiledPicture>>;
@@ -38,8 +42,17 @@ FormatResult<TiledTiles> number_tiles(const TiledMap& map, const TiledLayer& lay
                                       const TiledPictures& pictures, bool used_tiles, Rgb background,
                                       TiledDrops& drops, const Progress& progress);
 
+// Where a tile is drawn in a cell that shows it: its bottom left corner is that of the cell, moved by the
+// offset of its tileset.
+struct TiledPlace {
+  TileSize size;     // px, of the tile before it is turned
+  int x = 0, y = 0;  // px, of the top left corner of the turned tile in the cell
+};
+TiledPlace place_of_tile(const TiledMap& map, const TiledPictures& pictures, const TiledSource& source);
+
 // The sheet of 128x128 px with the level's tiles, each as 8x8 px of it: of tiles of another size only some
-// pixels are taken. Unknown pixels are transparent.
+// pixels are taken. Of larger tiles than the map's it is
+// the part in the cell. Unknown pixels are transparent, except those of missing pictures.
 PngPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const TiledPictures& pictures);
 
 // A box or polygon of a tile of that size as it appears in cells that turn it; other objects stay as they

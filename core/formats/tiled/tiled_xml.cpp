@@ -13,7 +13,8 @@
 #include <talus/level/limits.h>
 #include "../text/utf8_text.h"
 #include "../text/xml_text.h"
-#include "tiled_json.h"
+#include "tiled_map.h"
+#include "tiled_node.h"
 
 namespace talus {
 namespace {
@@ -220,12 +221,9 @@ class TiledXml {
     for (const pugi::xml_node child : node.children()) {
       const std::string_view name = child.name();
       if (name == "image") {
-        put_once(child, "image", child.attribute("source").value(), json);
-        for (const char* side : {"width", "height"}) {
-          if (const auto length = child.attribute(side))
-            json[std::string("image") + side] = number_or_text(length.value());
-        }
-        if (child.attribute("trans")) json["transparentcolor"] = child.attribute("trans").value();
+        add_image(child, json);
+      } else if (name == "tileoffset") {
+        put_once(child, "tileoffset", attributes(child), json);
       } else if (name == "tile") {
         json["tiles"].push_back(tile(child));
       } else {
@@ -235,11 +233,22 @@ class TiledXml {
     return json;
   }
 
+  void add_image(const pugi::xml_node& node, Json& json) {
+    put_once(node, "image", node.attribute("source").value(), json);
+    for (const char* side : {"width", "height"}) {
+      if (const auto length = node.attribute(side))
+        json[std::string("image") + side] = number_or_text(length.value());
+    }
+    if (node.attribute("trans")) json["transparentcolor"] = node.attribute("trans").value();
+  }
+
   Json tile(const pugi::xml_node& node) {
     Json json = attributes(node);
     for (const pugi::xml_node child : node.children()) {
       if (std::string_view(child.name()) == "objectgroup")
         put_once(child, "objectgroup", layer(child, 1), json);
+      else if (std::string_view(child.name()) == "image")
+        add_image(child, json);
       else
         add_common(child, json);
     }
