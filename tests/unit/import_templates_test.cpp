@@ -77,6 +77,18 @@ TEST_F(ImportTemplates, NumbersOfTilesAreThoseOfTheirTileset) {
   EXPECT_EQ(read(object, other).level.spawns.size(), 0u) << "a map without that tileset";
 }
 
+TEST_F(ImportTemplates, GiveShapesToTiles) {
+  std::filesystem::create_directories(path("sets"));
+  put("sets/set.tsx",
+      "<tileset name=\"set\" tilewidth=\"16\" tileheight=\"16\" tilecount=\"4\" columns=\"4\"><tile id=\"1\">"
+      "<objectgroup><object template=\"box.tx\" x=\"0\" y=\"8\"/></objectgroup></tile></tileset>");
+  put("sets/box.tx", "<template><object width=\"16\" height=\"8\"/></template>");
+  const LoadedLevel loaded = read("", "<tileset firstgid=\"1\" source=\"sets/set.tsx\"/>");
+  EXPECT_EQ(loaded.level.tile_shapes[1].heights, (std::vector<double>{8, 8}));
+  EXPECT_EQ(load_level(path("sets/set.tsx"))->level.tile_shapes[1].heights, (std::vector<double>{8, 8}))
+      << "a tileset alone";
+}
+
 TEST_F(ImportTemplates, ThatCannotBeReadAreReported) {
   put("templates/bad.tx", "<template>\n<object");
   put("templates/map.tx", "<map/>");

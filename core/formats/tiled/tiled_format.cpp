@@ -167,10 +167,11 @@ FormatResult<std::string> TiledFiles::read_beside(const std::string& name, const
 FormatResult<TiledMap> TiledFiles::read_map(std::string_view bytes) {
   const auto json = tiled_json_of(bytes, context_.extension, context_.progress.part(0, kTiledParsed));
   if (!json) return tl::unexpected(json.error());
+  const auto find = [&](const std::string& name) { return find_template(name); };
   const bool is_tileset = json->is_object() && json->value("type", Json()) == "tileset";
   FormatResult<TiledMap> map;
   if (is_tileset) {
-    auto tileset = read_tiled_tileset(*json, drops_);
+    auto tileset = read_tiled_tileset(*json, find, drops_);
     if (!tileset) return tl::unexpected(tileset.error());
     map->width = kTicMapWidth;
     map->height = kTicMapHeight;
@@ -182,7 +183,6 @@ FormatResult<TiledMap> TiledFiles::read_map(std::string_view bytes) {
     map->layers.push_back(std::move(layer));
     map->tilesets.push_back(*std::move(tileset));
   } else {
-    const auto find = [&](const std::string& name) { return find_template(name); };
     map = read_tiled_map(*json, find, drops_, context_.progress.part(kTiledParsed, kTiledMapRead));
   }
   if (!map) return map;
@@ -232,7 +232,11 @@ FormatResult<TiledTileset> TiledFiles::tileset_in(const std::string& source, con
   if (!bytes) return tl::unexpected(bytes.error());
   const auto json = tiled_json_of(*bytes, context_for_file(source).extension, {});
   if (!json) return error_in(source, json.error());
-  auto read = read_tiled_tileset(*json, drops_);
+  const fs::path folder = fs::path(source).parent_path();
+  const auto find = [&](const std::string& name) {  // from the folder of the tileset
+    return find_template(name.starts_with('/') ? name : (folder / with_slashes(name)).string());
+  };
+  auto read = read_tiled_tileset(*json, find, drops_);
   if (!read) return error_in(source, read.error());
   if (!read->source.empty()) return error_in(source, {"", "is a tileset that names another file"});
   return read;

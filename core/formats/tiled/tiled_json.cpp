@@ -516,11 +516,9 @@ FormatResult<TiledMap> read_tiled_map(const Json& json, const FindTiledTemplate&
   return reader.result(std::move(map));
 }
 
-FormatResult<TiledTileset> read_tiled_tileset(const Json& json, TiledDrops& drops) {
-  const FindTiledTemplate no_template = [](const std::string&) {
-    return tl::unexpected(FormatError{"tile", "only objects of a map have one"});
-  };
-  TiledReader reader(no_template, drops);
+FormatResult<TiledTileset> read_tiled_tileset(const Json& json, const FindTiledTemplate& find_template,
+                                              TiledDrops& drops) {
+  TiledReader reader(find_template, drops);
   TiledTileset tileset = reader.tileset({json, ""});
   return reader.result(std::move(tileset));
 }

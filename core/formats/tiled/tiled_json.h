@@ -17,6 +17,7 @@ namespace talus {
 // dropped.
 FormatResult<TiledMap> read_tiled_map(const Json& json, const FindTiledTemplate& find_template,
                                       TiledDrops& drops, const Progress& progress = {});
-FormatResult<TiledTileset> read_tiled_tileset(const Json& json, TiledDrops& drops);
+FormatResult<TiledTileset> read_tiled_tileset(const Json& json, const FindTiledTemplate& find_template,
+                                              TiledDrops& drops);
 
 }  // namespace talus
