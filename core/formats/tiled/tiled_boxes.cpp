@@ -8,14 +8,14 @@ namespace talus {
 namespace {
 
 // Row by row.
-constexpr std::array<std::string_view, 10> kDigits = {
+constexpr std::array<std::string_view, 10> kDigitForms = {
     "#### ## ## ####", " # ##  #  # ###", "##   # # #  ###", "##   # #   ### ", "# ## ####  #  #",
     "####  ##   ### ", " ###  #### ####", "###  # #  #  # ", "#### ##### ####", "#### ####  ### "};
 constexpr int kDigitWidth = 3, kDigitHeight = 5;
 
 bool is_in_digit(int digit, int x, int y) {
   if (x < 0 || y < 0 || x >= kDigitWidth || y >= kDigitHeight) return false;
-  return kDigits[static_cast<std::size_t>(digit)][static_cast<std::size_t>(y * kDigitWidth + x)] == '#';
+  return kDigitForms[static_cast<std::size_t>(digit)][static_cast<std::size_t>(y * kDigitWidth + x)] == '#';
 }
 
 }  // namespace
