@@ -67,7 +67,7 @@ TEST_F(UiDebuggerWalk, TheKeyOfAComparisonNamesIt) {
   session().apply(action::SelectBody{ball().id});
   frames(3);
   EXPECT_EQ(chosen_on_other_side(session()), ball().id);
-  ASSERT_NE(session().other_frame(), nullptr);
+  ASSERT_TRUE(frames_until([&] { return session().other_frame() != nullptr; }));
   EXPECT_EQ(session().other_frame()->state, *session().other_state());
   EXPECT_EQ(session().other_trail(ball().id, 0, frame()).size(), 4u);
 }
