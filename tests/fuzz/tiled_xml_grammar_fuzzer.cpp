@@ -6,9 +6,9 @@
 #include "round_trip.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
-  static const std::array grammars = {talus::grammar_of_seed("small.tmx"),
-                                      talus::grammar_of_seed("infinite.tmx"),
-                                      talus::grammar_of_seed("small.tsx")};
+  static const std::array grammars = {
+      talus::grammar_of_seed("small.tmx"), talus::grammar_of_seed("infinite.tmx"),
+      talus::grammar_of_seed("sets.tmx"), talus::grammar_of_seed("small.tsx")};
   const talus::Grammar& grammar = grammars[size > 0 ? data[0] % grammars.size() : 0];
   talus::RandomBytes choices({reinterpret_cast<const char*>(data), size});
   talus::require(talus::check_tiled(grammar.document(choices)));

@@ -109,6 +109,17 @@ TEST_F(ImportPictures, TheTransparentColourIsNotDrawn) {
   EXPECT_EQ(corner("b13e54"), 2);
 }
 
+// Old versions of Tiled said neither columns nor the number of tiles, and some no size of the picture.
+TEST_F(ImportPictures, SayTheirSizeIfTheFileDoesNot) {
+  put("t.png", columns({kRed, kGreen, kBlue}, 16, 32));
+  const LoadedLevel loaded =
+      read(tileset("tilewidth=\"16\" tileheight=\"16\"", "<image source=\"t.png\"/>"), "3,4,6,7");
+  EXPECT_EQ(color(loaded.level, 0, 0, 0), kBlue);
+  EXPECT_EQ(color(loaded.level, 1, 0, 0), kRed);
+  EXPECT_EQ(loaded.level.map.at({3, 0}), 0);
+  EXPECT_THAT(loaded.dropped, Contains("tile 7 in cells, which no tileset has"));
+}
+
 TEST_F(ImportPictures, ATilesetWithoutAFileIsMissing) {
   const LoadedLevel loaded =
       read("<tileset firstgid=\"1\" source=\"none.tsx\"/>" + tileset(kSmall, "", 100), "0,7,3");

@@ -123,7 +123,7 @@ class TiledFiles {
   TiledFiles(const FormatContext& context, TiledDrops& drops) : context_(context), drops_(drops) {}
 
   FormatResult<TiledMap> read_map(std::string_view bytes);
-  TiledPictures read_pictures(const TiledMap& map);
+  TiledPictures read_pictures(TiledMap& map);
 
  private:
   FormatResult<void> read_tileset(TiledTileset& tileset);
@@ -279,10 +279,10 @@ FormatResult<TiledTemplate> TiledFiles::template_in(const std::string& name, con
   return read;
 }
 
-// A picture that cannot be read is dropped.
-TiledPictures TiledFiles::read_pictures(const TiledMap& map) {
+// A picture that cannot be read is dropped. Tilesets that do not say the size of theirs get it.
+TiledPictures TiledFiles::read_pictures(TiledMap& map) {
   TiledPictures pictures;
-  for (const TiledTileset& tileset : map.tilesets) {
+  for (TiledTileset& tileset : map.tilesets) {
     const std::string of = "the picture of the tileset " + tiled_quoted(tileset.name);
     const bool has_one = tileset.is_collection || !tileset.image.empty();
     pictures.emplace_back();
@@ -292,6 +292,8 @@ TiledPictures TiledFiles::read_pictures(const TiledMap& map) {
       drops_.add(of);
     } else if (!tileset.is_collection) {
       pictures.back() = picture_in(tileset.image, of);
+      if (tileset.image_width == 0) tileset.image_width = pictures.back()->rgba.width;
+      if (tileset.image_height == 0) tileset.image_height = pictures.back()->rgba.height;
     } else {
       TiledPicture all;
       for (const TiledTile& tile : *tileset.tiles) {
@@ -348,7 +350,7 @@ FormatResult<TiledPicture> TiledFiles::read_picture(const std::string& name, con
 
 FormatResult<Level> read_files(std::string_view bytes, const FormatContext& context, TiledDrops& drops) {
   TiledFiles files(context, drops);
-  const auto map = files.read_map(bytes);
+  auto map = files.read_map(bytes);
   if (!map) return tl::unexpected(map.error());
   const TiledPictures pictures = files.read_pictures(*map);
   return level_of_tiled(*map, pictures, context.choices, drops, context.progress.part(kTiledMapRead, 1));

@@ -108,8 +108,9 @@ FormatResult<SourceOfCell> TileNumberer::sources_of_cells() const {
     const int of = after == order_.begin() ? -1 : *std::prev(after);
     const auto id = of < 0 ? 0 : gid - tileset(of).first_gid;
     if (of < 0 || id >= static_cast<std::uint32_t>(grid_of(tileset(of)).count)) {
-      return tl::unexpected(
-          cell_error(layer_, map_, i, "holds tile " + std::to_string(gid) + ", which no tileset has"));
+      drops_.add("tile " + std::to_string(gid) + " in cells, which no tileset has");
+      sources[cell] = {};
+      continue;
     }
     sources[cell] = {of, static_cast<int>(id), cell & kTurns};
     tell_parts_outside(sources[cell]);
