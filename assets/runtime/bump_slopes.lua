@@ -328,6 +328,14 @@ local function add_merged(world, is_full, level, tile_width, tile_height)
   end
 end
 
+-- Adds the boxes of a tile whose shape is a polygon or a group. Talus cut it into them.
+local function add_parts(world, x, y, boxes)
+  for _, b in ipairs(boxes) do
+    local slope = b.h0 and {h0 = b.h0, h1 = b.h1, ceiling = b.ceiling, one_way = b.one_way}
+    add_box(world, x + b.x, y + b.y, b.w, b.h, slope)
+  end
+end
+
 -- Adds the tiles of an exported level, but no bodies. options, all optional:
 --   merge      true: full tiles become as few boxes as they can, so that less snags at seams. Without, bodies
 --              move to the last bit as in Talus with the solver "bump"
@@ -347,7 +355,9 @@ function slopes.add_level(world, level, options)
     for y = 0, level.height - 1 do
       local tile = tile_at(x, y)
       local shape = level.shapes[tile]
-      if shape and not (options.merge and is_full(x, y)) then
+      if shape and shape.boxes then
+        add_parts(world, x * tile_width, y * tile_height, shape.boxes)
+      elseif shape and not (options.merge and is_full(x, y)) then
         local is_ceiling = shape.side == "ceiling" and shape.kind ~= "solid"
         slopes.add_ground(world, x * tile_width, (is_ceiling and y or y + 1) * tile_height,
                           (shape.tiles or 1) * tile_width, shape.heights or {tile_height, tile_height},

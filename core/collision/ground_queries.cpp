@@ -71,29 +71,77 @@ bool overlaps_tile(const BasicTerrain<Real>& ground, const BasicRect<Real>& box,
   return false;
 }
 
-// Whether the box is in the body of a slope or profile that begins in the cell.
+// The part of a box that ground is looked for in. foot: the middle of its bottom, or the whole of it.
 template <class Real>
-bool overlaps_shape(const BasicTerrain<Real>& ground, const TileOutline& shape, Cell cell,
-                    const BasicRect<Real>& box, Foot foot, Real slack) {
-  const Real left = ground.x_of(cell.x), top = ground.y_of(cell.y);
-  const Real base = shape.is_floor ? ground.y_of(cell.y + 1) : top;
-  Real from = box.x + slack, to = box.x + box.w - slack;
-  if (foot == Foot::centre && shape.is_floor) from = to = box.x + box.w / 2;
-  if (shape.is_floor ? box.y >= base - slack : box.y + box.h <= base + slack) return false;
+struct Probe {
+  const BasicRect<Real>& box;
+  Foot foot;
+  Real slack;
+  Real from(bool stands_on_middle) const {
+    return stands_on_middle && foot == Foot::centre ? box.x + box.w / 2 : box.x + slack;
+  }
+  Real to(bool stands_on_middle) const {
+    return stands_on_middle && foot == Foot::centre ? box.x + box.w / 2 : box.x + box.w - slack;
+  }
   // Rounding puts a box that is on a steep line far off it.
-  const Real forgiven = slack + Real(1) / kWeldParts;
-  for (const TileColumn& column : shape.columns) {
-    for (const OutlineLine& line : shape.is_floor ? column.top : column.bottom) {
-      const Real x0 = std::max(from, left + Real(line.x0)), x1 = std::min(to, left + Real(line.x1));
-      if (!(x0 <= x1)) continue;
-      for (const Real x : {x0, x1}) {
-        const Real y = top + Real(line.at(double(x - left)));
-        if (y == base) continue;
-        if (shape.is_floor ? box.y + box.h > y + forgiven : box.y < y - forgiven) return true;
-      }
+  Real forgiven() const { return slack + Real(1) / kWeldParts; }
+};
+
+// Whether the box is in the part of a slope, of a profile or of a full tile in a column.
+template <class Real>
+bool overlaps_column(const TileColumn& column, BasicVec2<Real> corner, Real side, const Probe<Real>& probe) {
+  const bool floor = column.is_floor;
+  const BasicRect<Real>& box = probe.box;
+  const Real base = floor ? corner.y + side : corner.y;
+  if (floor ? box.y >= base - probe.slack : box.y + box.h <= base + probe.slack) return false;
+  for (const OutlineLine& line : floor ? column.top : column.bottom) {
+    const Real x0 = std::max(probe.from(floor), corner.x + Real(line.x0));
+    const Real x1 = std::min(probe.to(floor), corner.x + Real(line.x1));
+    if (!(x0 <= x1)) continue;
+    for (const Real x : {x0, x1}) {
+      const Real y = corner.y + Real(line.at(double(x - corner.x)));
+      if (y == base) continue;
+      if (floor ? box.y + box.h > y + probe.forgiven() : box.y < y - probe.forgiven()) return true;
     }
   }
   return false;
+}
+
+// Whether the box is in a part of a polygon: at some x it reaches below the top and above the bottom there.
+// How far it does so changes evenly with x, so the best x is an end, or where both are equal.
+template <class Real>
+bool overlaps_part(const TileColumn& part, BasicVec2<Real> corner, const Probe<Real>& probe) {
+  const Real x0 = std::max(probe.from(true), corner.x + Real(part.left));
+  const Real x1 = std::min(probe.to(true), corner.x + Real(part.right));
+  if (!(x0 <= x1)) return false;
+  const BasicRect<Real>& box = probe.box;
+  const auto below_top = [&](Real x) {
+    return box.y + box.h - (corner.y + Real(part.top.front().at(double(x - corner.x))));
+  };
+  const auto above_bottom = [&](Real x) {
+    return corner.y + Real(part.bottom.front().at(double(x - corner.x))) - box.y;
+  };
+  const Real a0 = below_top(x0), a1 = below_top(x1), b0 = above_bottom(x0), b1 = above_bottom(x1);
+  Real most = std::max(std::min(a0, b0), std::min(a1, b1));
+  if ((a0 < b0) != (a1 < b1)) {
+    const Real share = (a0 - b0) / ((a0 - b0) - (a1 - b1));
+    most = std::max(most, a0 + share * (a1 - a0));
+  }
+  return most > probe.forgiven();
+}
+
+// Whether the box is in the ground of a slope, a profile, a polygon or a group in the cell.
+template <class Real>
+bool overlaps_shape(const BasicTerrain<Real>& ground, const TileOutline& shape, Cell cell,
+                    const BasicRect<Real>& box, Foot foot, Real slack) {
+  const BasicVec2<Real> corner{ground.x_of(cell.x), ground.y_of(cell.y)};
+  const Real side = Real(ground.tile_size().height);
+  const Probe<Real> probe{box, foot, slack};
+  return std::any_of(shape.columns.begin(), shape.columns.end(), [&](const TileColumn& column) {
+    if (column.one_way) return false;
+    return column.polygon >= 0 ? overlaps_part(column, corner, probe)
+                               : overlaps_column(column, corner, side, probe);
+  });
 }
 
 // A box deep in ground of many lines has more ways out than anybody would wait for.
@@ -161,7 +209,7 @@ bool overlaps_counted(const BasicTerrain<Real>& ground, const BasicRect<Real>& b
     for (c.x = block.left; c.x <= block.right; ++c.x) {
       ++looks;
       const TileOutline& shape = outlines[ground.tile_at(c)];
-      if (shape.line && !shape.one_way && overlaps_shape(ground, shape, c, box, foot, slack)) return true;
+      if (shape.line && overlaps_shape(ground, shape, c, box, foot, slack)) return true;
     }
   }
   return false;

@@ -1,5 +1,7 @@
 // The ground in a strip one cell wide is a set of bodies, each between a top and a bottom line. A line is
 // outline where no other body covers it. The side of a strip is outline where the strip beside it is open.
+// Bodies of polygons may begin and end between the sides of a strip. There, too, a side of the ground is
+// outline where no ground is beside it.
 #include "outline_compiler.h"
 
 #include <algorithm>
@@ -51,8 +53,7 @@ void OutlineCompiler::compile(Cell cell, std::span<const std::uint32_t> curve_nu
     if (body.has(true)) compile_surface(body, true, cell, out);
     if (body.has(false)) compile_surface(body, false, cell, out);
   }
-  compile_wall(cell, true, out);
-  compile_wall(cell, false, out);
+  compile_walls(cell, out);
   compile_tips(cell, out);
   for (const std::uint32_t number : curve_numbers) out.push_back(curves_[number]);
   for (std::size_t i = begin; i < out.size(); ++i) mark_ends(out[i], cell);
@@ -60,14 +61,14 @@ void OutlineCompiler::compile(Cell cell, std::span<const std::uint32_t> curve_nu
 
 // ---- Bodies ----
 
-OutlineCompiler::Body::Body(const TileOutlines& tiles, const TileOutline& of, Cell cell, int strip,
+OutlineCompiler::Body::Body(const TileOutlines& tiles, const TileColumn& of, Cell cell, bool full,
                             int map_width)
-    : tile(&of),
-      column(&of.columns[static_cast<std::size_t>(strip - cell.x)]),
+    : column(&of),
       corner{tiles.x_of(cell.x), tiles.y_of(cell.y)},
       origin(static_cast<std::int32_t>(cell.y) * map_width + cell.x),
-      left(tiles.x_of(strip)),
-      right(tiles.x_of(strip + 1)),
+      is_full(full),
+      left(corner.x + column->left),
+      right(corner.x + column->right),
       highest(corner.y + column->highest),
       lowest(corner.y + column->lowest),
       at_left{height_at(true, left, true), height_at(false, left, true)},
@@ -100,6 +101,7 @@ bool OutlineCompiler::Body::is_thick(double x, bool to_the_right) const {
     }
   }
   if (std::isinf(far)) return false;
+  far = to_the_right ? std::min(far, column->right) : std::max(far, column->left);
   const Interval here = range_at(x, to_the_right), there = range_at(corner.x + far, !to_the_right);
   return here.from != here.to || there.from != there.to;
 }
@@ -111,21 +113,34 @@ const OutlineCompiler::Strip& OutlineCompiler::strip_at(int column, int row) {
   strip.cell = {column, row};
   strip.bodies.clear();
   for (int y = row - 1; y <= row + 1; ++y) {
-    if (tile({column, y}).full)
-      strip.bodies.emplace_back(tiles_, tile({column, y}), Cell{column, y}, column, width_);
+    const TileOutline& full = tile({column, y});
+    if (full.full) strip.bodies.emplace_back(tiles_, full.columns.front(), Cell{column, y}, true, width_);
   }
   const std::array<Cell, 2> sources = tiles_.sources_of({Cell{column, row}, Cell{column, row}});
   for (Cell c{0, sources[0].y}; c.y <= sources[1].y; ++c.y) {
-    for (c.x = sources[0].x + 1; c.x <= column; ++c.x) {
+    for (c.x = sources[0].x + 1; c.x < sources[1].x; ++c.x) {
       const TileOutline& shape = tile(c);
-      if (!shape.line || column - c.x >= static_cast<int>(shape.columns.size())) continue;
-      if (row >= c.y + shape.touched[0].y && row <= c.y + shape.touched[1].y)
-        strip.bodies.emplace_back(tiles_, shape, c, column, width_);
+      if (!shape.line || row < c.y + shape.touched[0].y || row > c.y + shape.touched[1].y) continue;
+      for (const TileColumn& part : shape.in_column(column - c.x))
+        strip.bodies.emplace_back(tiles_, part, c, false, width_);
     }
   }
-  cover(strip, true, strip.left);
-  cover(strip, false, strip.right);
+  const double left = tiles_.x_of(column), right = tiles_.x_of(column + 1);
+  cut(strip, left, right);
+  cover(strip, left, true, strip.left);
+  cover(strip, right, false, strip.right);
   return strip;
+}
+
+void OutlineCompiler::cut(Strip& strip, double left, double right) {
+  strip.cuts.clear();
+  for (const Body& body : strip.bodies) {
+    if (body.left > left) strip.cuts.push_back(body.left);
+    if (body.right < right) strip.cuts.push_back(body.right);
+  }
+  if (strip.cuts.empty()) return;
+  std::sort(strip.cuts.begin(), strip.cuts.end());
+  strip.cuts.erase(std::unique(strip.cuts.begin(), strip.cuts.end()), strip.cuts.end());
 }
 
 // The strip right (or left) of an x of the current strip.
@@ -134,12 +149,13 @@ const OutlineCompiler::Strip& OutlineCompiler::strip_beside(double x, bool to_th
   return x == tiles_.x_of(here_->cell.x) ? *before_ : *here_;
 }
 
-// The parts of one side of a strip that are ground.
-void OutlineCompiler::cover(const Strip& strip, bool left, std::vector<Cover>& covers) {
+// The parts of a vertical line through a strip that have ground just right (or left) of it.
+void OutlineCompiler::cover(const Strip& strip, double x, bool to_the_right, std::vector<Cover>& covers) {
   covers.clear();
   for (const Body& body : strip.bodies) {
-    if (body.one_way()) continue;
-    const Cover here{left ? body.at_left : body.at_right, body.origin};
+    if (body.one_way() || !body.is_beside(x, to_the_right)) continue;
+    const Cover here{body.range_at(x, to_the_right), body.origin};
+    if (body.is_of_polygon() && here.part.from == here.part.to) continue;  // a tip
     auto at = covers.end();  // usually the right place: few bodies are not listed from the top
     while (at != covers.begin() && here.part.from < (at - 1)->part.from) --at;
     covers.insert(at, here);
@@ -173,6 +189,7 @@ void OutlineCompiler::compile_surface(const Body& body, bool top, Cell cell,
     if (!may_be_in_row(body.corner.y + in_tile.y0, body.corner.y + in_tile.y1, top, row0)) continue;
     const OutlineLine line = in_tile.moved(body.corner);
     const Interval whole{std::max(line.x0, strip0), std::min(line.x1, strip1)};
+    if (whole.from < body.left) continue;  // a side of a polygon counts once, with its first part
     if (!may_be_in_row(line.at(whole.from), line.at(whole.to), top, row0)) continue;
     find_open(body, top, line, whole);
     for (const Interval& part : open_) {
@@ -203,11 +220,14 @@ void OutlineCompiler::find_open(const Body& body, bool top, const OutlineLine& l
   // Between the ends of all lines every line is straight, so two of them cross at most once.
   ends_.clear();
   ends_.push_back(part.from);
+  const auto add = [&](double x) {
+    if (x > part.from && x < part.to) ends_.push_back(x);
+  };
   for (const Body& other : here_->bodies) {
-    for (const double joint : other.column->joints) {
-      const double x = other.corner.x + joint;
-      if (x > part.from && x < part.to) ends_.push_back(x);
-    }
+    for (const double joint : other.column->joints) add(other.corner.x + joint);
+    if (!other.is_of_polygon() || other.is_of_polygon_of(body)) continue;
+    add(other.left);
+    add(other.right);
   }
   ends_.push_back(part.to);
   if (ends_.size() > 2) std::sort(ends_.begin(), ends_.end());
@@ -236,6 +256,7 @@ void OutlineCompiler::take_out_hidden(const Body& body, bool top, const OutlineL
   for (const Body& other : here_->bodies) {
     if (parts_.empty()) return;
     if (other.one_way() || other.highest > lowest || other.lowest < highest) continue;
+    if (other.left >= x1 || other.right <= x0 || other.is_of_polygon_of(body)) continue;
     const auto [top0, bottom0] = other.range_at(x0, true);
     const auto [top1, bottom1] = other.range_at(x1, false);
     const bool is_flat = top0 == bottom0 && top1 == bottom1;
@@ -287,17 +308,26 @@ Piece<double> OutlineCompiler::wall_at(double x, double y0, double y1, bool left
   return wall;
 }
 
-// The part of the strip's side in this cell with ground on one hand and none on the other.
-void OutlineCompiler::compile_wall(Cell cell, bool left, std::vector<Piece<double>>& out) {
-  const double x = tiles_.x_of(left ? cell.x : cell.x + 1);
+void OutlineCompiler::compile_walls(Cell cell, std::vector<Piece<double>>& out) {
+  compile_wall(tiles_.x_of(cell.x), true, cell, here_->left, before_->right, out);
+  compile_wall(tiles_.x_of(cell.x + 1), false, cell, here_->right, after_->left, out);
+  for (const double x : here_->cuts) {
+    cover(*here_, x, false, before_cut_);
+    cover(*here_, x, true, after_cut_);
+    compile_wall(x, true, cell, after_cut_, before_cut_, out);
+    compile_wall(x, false, cell, before_cut_, after_cut_, out);
+  }
+}
+
+// The part of a vertical line in this cell with ground on one hand and none on the other.
+void OutlineCompiler::compile_wall(double x, bool left, Cell cell, std::span<const Cover> ground,
+                                   std::span<const Cover> beside, std::vector<Piece<double>>& out) {
   const double row0 = tiles_.y_of(cell.y), row1 = tiles_.y_of(cell.y + 1);
-  for (const auto& [whole, origin] : left ? here_->left : here_->right) {
+  for (const auto& [whole, origin] : ground) {
     if (whole.to <= row0 || whole.from >= row1) continue;
     parts_.clear();
     parts_.push_back(whole);
-    for (const Cover& other : left ? before_->right : after_->left) {
-      take_out(parts_, other.part.from, other.part.to);
-    }
+    for (const Cover& other : beside) take_out(parts_, other.part.from, other.part.to);
     for (const Interval& part : parts_) {
       const double y0 = std::max(part.from, row0), y1 = std::min(part.to, row1);
       if (y0 < y1) out.push_back(wall_at(x, y0, y1, left, origin, y0 == whole.from, y1 == whole.to));
@@ -307,30 +337,40 @@ void OutlineCompiler::compile_wall(Cell cell, bool left, std::vector<Piece<doubl
 
 // The tips of wedges: a body's top and bottom meet there, and no other ground continues.
 void OutlineCompiler::compile_tips(Cell cell, std::vector<Piece<double>>& out) const {
-  const double strip0 = tiles_.x_of(cell.x), strip1 = tiles_.x_of(cell.x + 1);
   const double row0 = tiles_.y_of(cell.y), row1 = tiles_.y_of(cell.y + 1);
   for (const Body& body : here_->bodies) {
-    if (!body.tile->line || body.one_way() || body.lowest < row0 || body.highest > row1) continue;
-    for (const OutlineLine& line : body.lines(body.tile->is_floor)) {
+    if (body.is_full || body.one_way() || body.lowest < row0 || body.highest > row1) continue;
+    if (body.is_of_polygon()) {
+      compile_tip(body, {body.left, body.at_left.from}, true, cell, out);
+      compile_tip(body, {body.right, body.at_right.from}, false, cell, out);
+      continue;
+    }
+    for (const OutlineLine& line : body.lines(body.column->is_floor)) {
       if (line.y0 == line.y1) continue;
-      for (const bool first : {true, false}) {
-        const double x = body.corner.x + (first ? line.x0 : line.x1);
-        const double y = body.corner.y + (first ? line.y0 : line.y1);
-        const bool here = x >= strip0 && x <= strip1 && y >= row0 && y <= row1;
-        if (!here) continue;
-        const Interval range = body.range_at(x, first);
-        if (y != range.from || y != range.to) continue;
-        if (!goes_on_at(x, y, !first)) out.push_back(wall_at(x, y, y, first, body.origin, true, true));
-      }
+      compile_tip(body, body.corner + Vec2{line.x0, line.y0}, true, cell, out);
+      compile_tip(body, body.corner + Vec2{line.x1, line.y1}, false, cell, out);
     }
   }
+}
+
+// The tip at the first, or the last, end of a line.
+void OutlineCompiler::compile_tip(const Body& body, Vec2 at, bool first, Cell cell,
+                                  std::vector<Piece<double>>& out) const {
+  const bool here = at.x >= tiles_.x_of(cell.x) && at.x <= tiles_.x_of(cell.x + 1) &&
+                    at.y >= tiles_.y_of(cell.y) && at.y <= tiles_.y_of(cell.y + 1);
+  if (!here) return;
+  const Interval range = body.range_at(at.x, first);
+  if (at.y != range.from || at.y != range.to) return;
+  if (!goes_on_at(at.x, at.y, !first))
+    out.push_back(wall_at(at.x, at.y, at.y, first, body.origin, true, true));
 }
 
 // Whether there is ground right (or left) of a point of the current strip.
 bool OutlineCompiler::goes_on_at(double x, double y, bool to_the_right) const {
   const std::vector<Body>& bodies = strip_beside(x, to_the_right).bodies;
   return std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) {
-    if (body.one_way() || y < body.highest || y > body.lowest) return false;
+    if (body.one_way() || y < body.highest || y > body.lowest || !body.is_beside(x, to_the_right))
+      return false;
     const Interval range = body.range_at(x, to_the_right);
     return range.from <= y && y <= range.to && body.is_thick(x, to_the_right);
   });
@@ -368,7 +408,7 @@ OutlineCompiler::Next OutlineCompiler::next_of(const Piece<double>& piece, bool 
     next.outward = next.outward || (up ? dy <= 0 : dy >= 0);
   };
   for (const Body& body : strip_beside(x, !first).bodies) {
-    if (y < body.highest || y > body.lowest || !body.has(up)) continue;
+    if (y < body.highest || y > body.lowest || !body.has(up) || !body.is_beside(x, !first)) continue;
     for (const OutlineLine& in_tile : body.lines(up)) {
       const OutlineLine line = in_tile.moved(body.corner);
       const bool reaches_on = first ? line.x0 < x && x <= line.x1 : line.x0 <= x && x < line.x1;

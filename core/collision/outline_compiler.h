@@ -69,20 +69,30 @@ class OutlineCompiler {
   struct Interval {
     double from, to;
   };
-  // A body covers a strip one cell wide from its top down to its bottom. A one-way line covers nothing.
+  // A body covers a strip one cell wide from its top down to its bottom, or, if it is of a polygon, a part of
+  // that width. A one-way line covers nothing.
   struct Body {
-    const TileOutline* tile;
-    const TileColumn* column;  // column of the tile's outline
+    const TileColumn* column;  // of the tile's outline
     Vec2 corner;               // px, of the tile's own cell
     std::int32_t origin;
-    double left, right;          // x of the strip
+    bool is_full;                // of a full tile
+    double left, right;          // x of its ends
     double highest, lowest;      // the range of its y
-    Interval at_left, at_right;  // from its top to its bottom, just inside of the strip's left and right side
+    Interval at_left, at_right;  // from its top to its bottom, just inside of its left and right end
 
-    Body(const TileOutlines& tiles, const TileOutline& of, Cell cell, int strip, int map_width);
-    bool one_way() const { return tile->one_way; }
+    Body(const TileOutlines& tiles, const TileColumn& of, Cell cell, bool is_full, int map_width);
+    bool one_way() const { return column->one_way; }
     // A one-way line stops with one side alone.
-    bool has(bool top) const { return !tile->one_way || tile->is_floor == top; }
+    bool has(bool top) const { return !column->one_way || column->is_floor == top; }
+    bool is_of_polygon() const { return column->polygon >= 0; }
+    // No side of a polygon is inside of it.
+    bool is_of_polygon_of(const Body& other) const {
+      return is_of_polygon() && column->polygon == other.column->polygon && origin == other.origin;
+    }
+    // Whether it covers a place just right (or left) of x.
+    bool is_beside(double x, bool to_the_right) const {
+      return to_the_right ? left <= x && x < right : left < x && x <= right;
+    }
     const std::vector<OutlineLine>& lines(bool top) const { return top ? column->top : column->bottom; }
     double height_at(bool top, double x, bool to_the_right) const;
     Interval range_at(double x, bool to_the_right) const;  // as at_left, just right (or left) of x
@@ -99,6 +109,7 @@ class OutlineCompiler {
     Cell cell{-2, -2};
     std::vector<Body> bodies;
     std::vector<Cover> left, right;  // from the top
+    std::vector<double> cuts;        // x between its sides where a body begins or ends; of polygons alone
   };
   // What continues at the end of a piece.
   struct Next {
@@ -112,15 +123,19 @@ class OutlineCompiler {
   }
   const Strip& strip_at(int column, int row);
   const Strip& strip_beside(double x, bool to_the_right) const;
-  static void cover(const Strip& strip, bool left, std::vector<Cover>& covers);
+  static void cut(Strip& strip, double left, double right);
+  static void cover(const Strip& strip, double x, bool to_the_right, std::vector<Cover>& covers);
 
   bool may_be_in_row(double y0, double y1, bool top, double row0) const;
   void compile_surface(const Body& body, bool top, Cell cell, std::vector<Piece<double>>& out);
   void find_open(const Body& body, bool top, const OutlineLine& line, const Interval& part);
   void take_out_hidden(const Body& body, bool top, const OutlineLine& line, double x0, double x1);
   static void take_out(std::vector<Interval>& parts, double from, double to);
-  void compile_wall(Cell cell, bool left, std::vector<Piece<double>>& out);
+  void compile_walls(Cell cell, std::vector<Piece<double>>& out);
+  void compile_wall(double x, bool left, Cell cell, std::span<const Cover> ground,
+                    std::span<const Cover> beside, std::vector<Piece<double>>& out);
   void compile_tips(Cell cell, std::vector<Piece<double>>& out) const;
+  void compile_tip(const Body& body, Vec2 at, bool first, Cell cell, std::vector<Piece<double>>& out) const;
   bool goes_on_at(double x, double y, bool to_the_right) const;
   static Piece<double> wall_at(double x, double y0, double y1, bool left, std::int32_t origin, bool convex0,
                                bool convex1);
@@ -143,6 +158,7 @@ class OutlineCompiler {
   // change.
   std::vector<Interval> open_, parts_;
   std::vector<double> ends_;
+  std::vector<Cover> before_cut_, after_cut_;  // left and right of a cut
 };
 
 }  // namespace talus

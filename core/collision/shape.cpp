@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace talus {
 namespace {
@@ -131,20 +132,14 @@ Course course_of(const Polyline& p) {
   return course;
 }
 
-}  // namespace
+// ---- Shapes of tiles ----
 
-double weld(double coordinate) { return std::round(coordinate * kWeldParts) / kWeldParts; }
-
-std::optional<std::string> problem_of(const TileShape& shape, TileSize tile) {
-  using Kind = TileShape::Kind;
+Problem problem_of_heights(const TileShape& shape, TileSize tile) {
   const int most_heights = max_shape_heights(tile), highest = kMaxShapeTiles * tile.height;
-  if (shape.tiles < 1 || shape.tiles > kMaxShapeTiles) return "must be 1 to 8 tiles wide";
   const auto most = static_cast<std::size_t>(most_heights);
   const int count = static_cast<int>(std::min(shape.heights.size(), most + 1));
-  if (shape.kind == Kind::none || shape.kind == Kind::solid)
-    return count == 0 ? Problem() : "has heights, which only a slope or a profile has";
-  if (shape.kind == Kind::slope && count != 2) return "must have 2 heights";
-  if (shape.kind == Kind::profile && (count < 3 || count > most_heights))
+  if (shape.kind == TileShape::Kind::slope && count != 2) return "must have 2 heights";
+  if (shape.kind == TileShape::Kind::profile && (count < 3 || count > most_heights))
     return "must have 3 to " + std::to_string(most_heights) + " heights";
   for (const double height : shape.heights) {
     if (!std::isfinite(height)) return "has a height that is not a number";
@@ -152,6 +147,103 @@ std::optional<std::string> problem_of(const TileShape& shape, TileSize tile) {
       return "has a height that is not from 0 to " + std::to_string(highest) + " px";
   }
   return {};
+}
+
+// A welded point in 1/256 px. Whole numbers of this size make exact products.
+struct WeldedPoint {
+  std::int64_t x, y;
+  friend bool operator==(const WeldedPoint&, const WeldedPoint&) = default;
+};
+
+// Twice the area of the triangle; its sign tells on which side of the line from a to b the point c is.
+std::int64_t turn_of(WeldedPoint a, WeldedPoint b, WeldedPoint c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+int sign_of(std::int64_t number) { return (number > 0) - (number < 0); }
+
+// Whether c, on the line through a and b, is between them.
+bool is_between(WeldedPoint a, WeldedPoint b, WeldedPoint c) {
+  return std::min(a.x, b.x) <= c.x && c.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= c.y &&
+         c.y <= std::max(a.y, b.y);
+}
+
+// Whether the lines from a to b and from c to d have a common point.
+bool sides_meet(WeldedPoint a, WeldedPoint b, WeldedPoint c, WeldedPoint d) {
+  const int abc = sign_of(turn_of(a, b, c)), abd = sign_of(turn_of(a, b, d));
+  const int cda = sign_of(turn_of(c, d, a)), cdb = sign_of(turn_of(c, d, b));
+  if (abc * abd < 0 && cda * cdb < 0) return true;
+  return (abc == 0 && is_between(a, b, c)) || (abd == 0 && is_between(a, b, d)) ||
+         (cda == 0 && is_between(c, d, a)) || (cdb == 0 && is_between(c, d, b));
+}
+
+// Whether two sides meet elsewhere than neighbours do in their common end.
+bool crosses_itself(const std::vector<WeldedPoint>& points) {
+  const std::size_t count = points.size();
+  const auto at = [&](std::size_t i) { return points[i % count]; };
+  for (std::size_t i = 0; i < count; ++i) {
+    const WeldedPoint before = at(i), corner = at(i + 1), after = at(i + 2);
+    const bool turns_back = turn_of(before, corner, after) == 0 &&
+                            (is_between(before, corner, after) || is_between(corner, after, before));
+    if (turns_back) return true;
+    for (std::size_t k = i + 2; k < count && k - i < count - 1; ++k) {
+      if (sides_meet(before, corner, at(k), at(k + 1))) return true;
+    }
+  }
+  return false;
+}
+
+Problem problem_of_polygon(const std::vector<Vec2>& points, TileSize tile) {
+  if (points.size() < 3) return "needs at least 3 points";
+  if (points.size() > kMaxPolygonPoints) return "has more than 256 points";
+  const auto is_near = [](double at, int side) {
+    return at >= -kMaxShapeTiles * side && at <= (kMaxShapeTiles + 1) * side;
+  };
+  std::vector<WeldedPoint> welded;
+  for (const Vec2 point : points) {
+    if (!is_finite(point)) return "has a point that is not a number";
+    if (!is_near(point.x, tile.width) || !is_near(point.y, tile.height))
+      return "has a point that is further than 8 tiles from its tile";
+    welded.push_back({std::llround(point.x * kWeldParts), std::llround(point.y * kWeldParts)});
+  }
+  for (std::size_t i = 0; i < welded.size(); ++i) {
+    if (welded[i] == welded[(i + 1) % welded.size()])
+      return "has two neighbouring points at the same place, rounded to 1/256 px";
+  }
+  const bool is_line = std::all_of(welded.begin(), welded.end(), [&](WeldedPoint point) {
+    return turn_of(welded[0], welded[1], point) == 0;
+  });
+  if (is_line) return "has no area";
+  return crosses_itself(welded) ? "has sides that cross or touch one another" : Problem();
+}
+
+Problem problem_of_group(const TileShape& group, TileSize tile) {
+  using Kind = TileShape::Kind;
+  if (group.parts.empty()) return "has no parts";
+  if (group.parts.size() > kMaxGroupParts) return "has more than 64 parts";
+  std::size_t points = 0;
+  for (const TileShape& part : group.parts) {
+    if (part.kind == Kind::group) return "has a part that is a group";
+    if (part.kind == Kind::none) return "has a part that is nothing";
+    if (const Problem bad = problem_of(part, tile)) return "has a part that " + *bad;
+    points += part.points.size();
+  }
+  return points <= kMaxGroupPoints ? Problem() : "has more than 1024 points";
+}
+
+}  // namespace
+
+double weld(double coordinate) { return std::round(coordinate * kWeldParts) / kWeldParts; }
+
+std::optional<std::string> problem_of(const TileShape& shape, TileSize tile) {
+  using Kind = TileShape::Kind;
+  if (shape.tiles < 1 || shape.tiles > kMaxShapeTiles) return "must be 1 to 8 tiles wide";
+  if (shape.kind != Kind::polygon && !shape.points.empty()) return "has points, which only a polygon has";
+  if (shape.kind != Kind::group && !shape.parts.empty()) return "has parts, which only a group has";
+  if (shape.kind == Kind::slope || shape.kind == Kind::profile) return problem_of_heights(shape, tile);
+  if (!shape.heights.empty()) return "has heights, which only a slope or a profile has";
+  if (shape.kind == Kind::polygon) return problem_of_polygon(shape.points, tile);
+  return shape.kind == Kind::group ? problem_of_group(shape, tile) : Problem();
 }
 
 std::optional<std::string> problem_of(const Curve& curve) {

@@ -50,6 +50,8 @@ struct Body {
   Vec2 top_corner, bottom_corner;
   std::span<const double> joints;  // x inside of the column, relative to the corners
   double highest, lowest;          // px on the map
+  double left, right;              // px on the map: the sides of the column, or closer
+  bool covers(double x) const { return left < x && x < right; }
 };
 
 // A side of a slab.
@@ -74,8 +76,12 @@ class Merger {
  public:
   explicit Merger(const TerrainSource& ground) : ground_(ground), outlines_(ground.shapes, ground.tile) {
     flat_.push_back({0, 0, 1.0 * ground.tile.width, 0, 0, 0, 0, 0});
-    for (const std::uint8_t tile : ground.cells)
-      if (outlines_[tile].line) widest_ = std::max(widest_, static_cast<int>(outlines_[tile].columns.size()));
+    for (const std::uint8_t tile : ground.cells) {
+      const TileOutline& shape = outlines_[tile];
+      if (!shape.line) continue;
+      widest_ = std::max(widest_, shape.first_column + shape.width());
+      to_the_left_ = std::max(to_the_left_, -shape.first_column);
+    }
   }
 
   FormatResult<EdgeColumns> merge() {
@@ -135,21 +141,25 @@ class Merger {
   std::vector<Body> bodies_of(int column) const {
     std::vector<Body> bodies;
     const auto corner = [this](int x, int y) { return Vec2{outlines_.x_of(x), outlines_.y_of(y)}; };
+    const double left = outlines_.x_of(column), right = outlines_.x_of(column + 1);
     for (int y = 0, run = 0; y <= ground_.height && column < ground_.width; ++y) {
       if (y < ground_.height && outline(column, y).full) continue;
       const Vec2 top = corner(column, run), bottom = corner(column, y);
-      if (run < y) bodies.push_back({flat_, flat_, top, bottom, {}, top.y, bottom.y});
+      if (run < y) bodies.push_back({flat_, flat_, top, bottom, {}, top.y, bottom.y, left, right});
       run = y + 1;
     }
     for (int y = 0; y < ground_.height; ++y) {
-      for (int x = std::max(0, column - widest_ + 1); x <= std::min(column, ground_.width - 1); ++x) {
+      const int first = std::max(0, column - widest_ + 1);
+      const int last = std::min(column + to_the_left_, ground_.width - 1);
+      for (int x = first; x <= last; ++x) {
         const TileOutline& shape = outline(x, y);
-        if (!shape.line || shape.one_way || column - x >= static_cast<int>(shape.columns.size())) continue;
-        const TileColumn& part = shape.columns[static_cast<std::size_t>(column - x)];
-        if (part.highest == part.lowest) continue;  // a flat line with nothing under it
+        if (!shape.line) continue;
         const Vec2 at = corner(x, y);
-        bodies.push_back(
-            {part.top, part.bottom, at, at, part.joints, at.y + part.highest, at.y + part.lowest});
+        for (const TileColumn& part : shape.in_column(column - x)) {
+          if (part.one_way || part.highest == part.lowest) continue;  // a line with nothing under it
+          bodies.push_back({part.top, part.bottom, at, at, part.joints, at.y + part.highest,
+                            at.y + part.lowest, at.x + part.left, at.x + part.right});
+        }
       }
     }
     return bodies;
@@ -177,8 +187,10 @@ class Merger {
   // The places where a line begins, or two lines cross; and the sides of the column.
   std::vector<Side> sides_of(std::span<const Body> bodies, double x0) const {
     std::vector<double> ends = {x0, x0 + ground_.tile.width};
-    for (const Body& body : bodies)
+    for (const Body& body : bodies) {
       for (const double joint : body.joints) ends.push_back(body.top_corner.x + joint);
+      ends.insert(ends.end(), {body.left, body.right});
+    }
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     std::vector<Side> sides;
@@ -204,6 +216,7 @@ class Merger {
     std::vector<double> crossings;
     for (std::size_t body = 0; body < bodies.size(); ++body) {
       std::erase_if(lines, [&](const Line& above) { return above.lowest <= bodies[body].highest; });
+      if (!bodies[body].covers((x0 + x1) / 2)) continue;
       for (const OutlineLine& line : lines_at(bodies[body], (x0 + x1) / 2)) {
         const Line here{line.at(x0), line.at(x1), body, bodies[body].lowest};
         for (const Line& other : lines) {
@@ -224,6 +237,7 @@ class Merger {
     const double middle = (from.x + to.x) / 2;
     std::vector<Trapezoid> parts;
     for (const Body& body : bodies) {
+      if (!body.covers(middle)) continue;
       const auto [top, bottom] = lines_at(body, middle);
       const Trapezoid part{top, bottom, top.at(middle), bottom.at(middle)};
       if (part.lowest - part.highest > kTouching) parts.push_back(part);
@@ -272,7 +286,8 @@ class Merger {
 
   const TerrainSource& ground_;
   TileOutlines outlines_;
-  int widest_ = 1;                 // tiles
+  int widest_ = 1;                 // columns that a shape reaches over, from its own one to the right
+  int to_the_left_ = 0;            // columns that a shape reaches over on its left
   std::vector<OutlineLine> flat_;  // only the top of a full tile
   std::vector<Turn> right_side_;
   std::size_t sides_ = 0;                 // sides so far; those over the limit are not kept

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include <talus/level/ground.h>
 #include "../formats/text/append_number.h"
+#include "../level/bump_boxes.h"
 #include "lua_parts.h"
 #include "lua_text.h"
 #include "plain_data.h"
@@ -66,13 +68,38 @@ class LuaTable {
   bool is_empty_ = true;
 };
 
-void write_shape(LuaTable&& table, const TileShape& shape) {
+// What bump_slopes.lua takes of a polygon or a group.
+void write_boxes(LuaTable&& list, const TileShape& shape, TileSize tile) {
+  for (const BumpBox& made : bump_boxes(shape, tile)) {
+    LuaTable table = list.in_a_row("");
+    for (const auto& [key, number] :
+         {std::pair{"x", made.box.x}, {"y", made.box.y}, {"w", made.box.w}, {"h", made.box.h}})
+      table.number(key, number);
+    if (!made.line) continue;
+    table.number("h0", made.line->h0);
+    table.number("h1", made.line->h1);
+    if (made.line->is_ceiling) table.truth("ceiling");
+    if (made.line->one_way) table.truth("one_way");
+  }
+}
+
+void write_shape(LuaTable&& table, const TileShape& shape, TileSize tile, bool with_boxes) {
   table.word("kind", kind_word(shape.kind));
   if (shape.side == TileShape::Side::ceiling) table.word("side", "ceiling");
   if (shape.one_way) table.truth("one_way");
   if (shape.kind == TileShape::Kind::solid) return;
   if (shape.tiles != 1) table.number("tiles", shape.tiles);
-  table.numbers("heights", shape.heights);
+  if (has_heights(shape)) table.numbers("heights", shape.heights);
+  if (shape.kind == TileShape::Kind::polygon) {
+    std::vector<double> numbers;  // x and y in turn
+    for (const Vec2 point : shape.points) numbers.insert(numbers.end(), {point.x, point.y});
+    table.numbers("points", numbers);
+  }
+  if (shape.kind == TileShape::Kind::group) {
+    LuaTable parts = table.in_a_row("parts");
+    for (const TileShape& part : shape.parts) write_shape(parts.in_a_row(""), part, tile, false);
+  }
+  if (with_boxes && has_parts(shape)) write_boxes(table.in_a_row("boxes"), shape, tile);
 }
 
 struct CurveWriter {
@@ -187,7 +214,8 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
     LuaTable shapes = table.in_lines("shapes");
     for (int tile = 0; tile < kTileCount; ++tile) {
       if (ground.shapes[tile].kind != TileShape::Kind::none)
-        write_shape(shapes.in_a_row(number_key(tile)), ground.shapes[tile]);
+        write_shape(shapes.in_a_row(number_key(tile)), ground.shapes[tile], ground.tile,
+                    table.writes_defaults());
     }
   }
   {

@@ -24,6 +24,7 @@ constexpr LuaPart kLuaParts[] = {
     {"bodies", {"mover", "world"}},
     {"slopes", {"slopes", "details", "cast_slopes", "queries_slopes"}},
     {"one_way", {"one_way"}, {"slopes"}},
+    {"polygons", {"polygons"}, {"slopes"}},
     {"segments", {"segments"}, {"slopes"}},
     {"curves", {"curves"}, {"segments", "slopes"}},
     {"balls", {"balls"}},
@@ -42,6 +43,13 @@ std::string_view part_of(BodyRule rule) {
       return "players";
   }
   return {};
+}
+
+// Polygons need no part for one-way ground.
+bool has_one_way_line(const TileShape& shape) {
+  if (shape.kind == TileShape::Kind::group)
+    return std::any_of(shape.parts.begin(), shape.parts.end(), has_one_way_line);
+  return shape.one_way && shape.kind != TileShape::Kind::polygon && is_line_shape(shape);
 }
 
 bool is_always_there(const LuaPart& part) {
@@ -69,8 +77,10 @@ PartNames used_parts(const Level& level) {
   }
   const auto is_line = [&](std::uint8_t tile) { return is_line_shape(ground.shapes[tile]); };
   if (any_cell(is_line)) used.emplace("slopes");
-  if (any_cell([&](std::uint8_t tile) { return is_line(tile) && ground.shapes[tile].one_way; }))
+  if (any_cell([&](std::uint8_t tile) { return has_one_way_line(ground.shapes[tile]); }))
     used.emplace("one_way");
+  // The mere shape of a tile that is set later changes how lines are rounded.
+  if (std::any_of(ground.shapes.begin(), ground.shapes.end(), has_parts)) used.emplace("polygons");
   if (!ground.curves.empty()) used.emplace("segments");
   if (any_curve([](const Curve& curve) {
         return !std::holds_alternative<Segment>(curve.form) && !std::holds_alternative<Polyline>(curve.form);

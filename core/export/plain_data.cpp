@@ -12,9 +12,28 @@
 namespace talus {
 namespace {
 
+// A polygon or a group: the highest ground in each column of pixels of its own tile.
+PlainShape plain_cut_shape(int tile, const TileShape& shape, const TileOutline& outline, TileSize size) {
+  PlainShape plain{tile, shape.kind, false, shape.one_way, 1, {}, {}, size.height};
+  for (int column = 0; column < size.width; ++column) {
+    const double x = column + 0.5;
+    double highest = size.height;
+    for (const TileColumn& part : outline.in_column(0)) {
+      if (part.left > x || part.right < x) continue;
+      const auto line =
+          std::find_if(part.top.begin(), part.top.end(), [x](const auto& l) { return x <= l.x1; });
+      highest = std::min(highest, line->at(x));
+    }
+    plain.columns.push_back(std::max(highest, 0.0));
+  }
+  plain.ys = {plain.columns.front(), plain.columns.back()};
+  return plain;
+}
+
 PlainShape plain_shape(int tile, const TileShape& shape, const TileOutline& outline, TileSize size) {
-  PlainShape plain{tile, shape.kind, outline.line && !outline.is_floor, shape.one_way, 1, {},
-                   {},   size.height};
+  if (has_parts(shape)) return plain_cut_shape(tile, shape, outline, size);
+  const bool is_ceiling = outline.line && shape.side == TileShape::Side::ceiling;
+  PlainShape plain{tile, shape.kind, is_ceiling, shape.one_way, 1, {}, {}, size.height};
   plain.tiles = static_cast<int>(outline.columns.size());
   std::vector<double> heights = shape.heights;
   if (shape.kind == TileShape::Kind::solid) heights.assign(2, size.height);
@@ -33,6 +52,12 @@ PlainShape plain_shape(int tile, const TileShape& shape, const TileOutline& outl
 // ---- One-way tiles ----
 
 using OneWay = Piece<double>;
+
+bool has_one_way_part(const TileShape& shape) {
+  if (shape.kind == TileShape::Kind::group)
+    return std::any_of(shape.parts.begin(), shape.parts.end(), has_one_way_part);
+  return shape.one_way && shape.kind != TileShape::Kind::none;
+}
 
 bool is_before(const OneWay& a, const OneWay& b) {
   return std::tie(a.facing, a.x0, a.y0, a.x1, a.y1) < std::tie(b.facing, b.x0, b.y0, b.x1, b.y1);
@@ -181,7 +206,8 @@ std::vector<std::string> dropped_curves(const Level& level) {
 }
 
 std::string_view kind_word(TileShape::Kind kind) {
-  constexpr std::array<std::string_view, 4> kWords = {"none", "solid", "slope", "profile"};
+  constexpr std::array<std::string_view, 6> kWords = {"none",    "solid",   "slope",
+                                                      "profile", "polygon", "group"};
   return kWords[static_cast<std::size_t>(kind)];
 }
 
@@ -203,7 +229,7 @@ std::vector<PlainLine> plain_lines(const Level& level, const Progress& progress)
   std::vector<PlainLine> lines;
   TerrainSource ground = ground_of(level);
   const bool has_one_way = std::any_of(ground.cells.begin(), ground.cells.end(), [&](std::uint8_t tile) {
-    return ground.shapes[tile].one_way && ground.shapes[tile].kind != TileShape::Kind::none;
+    return has_one_way_part(ground.shapes[tile]);
   });
   if (has_one_way) {
     ground.progress = progress.part(0, 0.9).function();

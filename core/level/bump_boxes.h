@@ -29,4 +29,11 @@ struct BumpBox {
 // assets/runtime/bump_slopes.lua, in the same order and to the last bit. Empty for a shape without height.
 std::vector<BumpBox> bump_boxes(const TileShape& shape, TileSize tile);
 
+// Whether the boxes are all of a usable shape. A part of a polygon whose upper and lower line both slope, and
+// which no level line separates, has no box.
+bool bump_takes_all_of(const TileShape& shape);
+// The same for the article's solver, which of these boxes knows the full ones and the floors of a polygon or
+// a group.
+bool article_takes_all_of(const TileShape& shape, TileSize tile);
+
 }  // namespace talus

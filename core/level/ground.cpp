@@ -35,6 +35,16 @@ std::size_t ground_boxes(const Level& level) {
   });
 }
 
+// A side is cut where it leaves a cell.
+std::size_t lines_of_polygon(const TileShape& shape, TileSize tile) {
+  double cells = 0;
+  for (std::size_t i = 0; i < shape.points.size(); ++i) {
+    const Vec2 side = shape.points[(i + 1) % shape.points.size()] - shape.points[i];
+    cells += 1 + std::abs(side.x) / tile.width + std::abs(side.y) / tile.height;
+  }
+  return static_cast<std::size_t>(std::ceil(cells));
+}
+
 }  // namespace
 
 TerrainSource ground_of(const Level& level) {
@@ -56,6 +66,13 @@ TerrainSource ground_of(const Level& level) {
 std::size_t ground_lines(const TileShape& shape, TileSize tile) {
   if (shape.kind == TileShape::Kind::none || problem_of(shape, tile)) return 0;
   if (shape.kind == TileShape::Kind::solid) return shape.one_way ? 1 : 0;
+  if (shape.kind == TileShape::Kind::polygon) return lines_of_polygon(shape, tile);
+  if (shape.kind == TileShape::Kind::group) {
+    std::size_t lines = 0;
+    for (const TileShape& part : shape.parts)
+      lines += part.kind == TileShape::Kind::solid ? 4 : ground_lines(part, tile);
+    return lines;
+  }
   const std::vector<double>& heights = shape.heights;
   double cells = (heights.front() + heights.back()) / tile.height;  // of the walls at its sides
   for (std::size_t i = 1; i < heights.size(); ++i)
@@ -76,7 +93,7 @@ std::optional<std::string> ground_problem(const Level& level) {
   if (has <= most) return std::nullopt;
   return "has ground of " + std::to_string(has) + (is_exact ? " lines" : " boxes") + ", but the solver " +
          std::string(solver_name(level.tuning.solver)) + " can take only " + std::to_string(most) +
-         (is_exact ? ": use fewer or simpler slopes and profiles" : ": choose the solver exact");
+         (is_exact ? ": use fewer or simpler slopes, profiles and polygons" : ": choose the solver exact");
 }
 
 }  // namespace talus

@@ -59,9 +59,13 @@ TileShape shape_of_flags(const Level& level, std::uint8_t flags) {
   TileShape shape = shape_before_modifiers(level, flags);
   if (shape.kind == TileShape::Kind::none) return shape;
   using Side = TileShape::Side;
-  if (has_flag(flags, level.roles.one_way)) shape.one_way = true;
-  if (has_flag(flags, level.roles.ceiling))
-    shape.side = shape.side == Side::floor ? Side::ceiling : Side::floor;
+  const auto modify = [&](TileShape& part) {
+    if (has_flag(flags, level.roles.one_way)) part.one_way = true;
+    if (has_flag(flags, level.roles.ceiling))
+      part.side = part.side == Side::floor ? Side::ceiling : Side::floor;
+  };
+  modify(shape);
+  std::for_each(shape.parts.begin(), shape.parts.end(), modify);
   return shape;
 }
 

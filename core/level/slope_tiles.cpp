@@ -40,7 +40,7 @@ double highest_of(const TileShape& shape, TileSize tile) {
 
 bool is_floor(const TileShape& shape, TileSize tile) {
   using Kind = TileShape::Kind;
-  if (shape.kind == Kind::none || problem_of(shape, tile)) return false;
+  if (shape.kind == Kind::none || has_parts(shape) || problem_of(shape, tile)) return false;
   return shape.kind == Kind::solid || shape.side == TileShape::Side::floor;
 }
 

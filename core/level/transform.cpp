@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <talus/collision/shape_forms.h>
+
 namespace talus {
 namespace {
 
@@ -95,6 +97,12 @@ void mirror_map(const Level& level, Level& image) {
   }
 }
 
+void scale_shape(TileShape& shape, int factor) {
+  for (double& height : shape.heights) height *= factor;
+  for (Vec2& point : shape.points) point = point * factor;
+  for (TileShape& part : shape.parts) scale_shape(part, factor);
+}
+
 }  // namespace
 
 Level mirrored(const Level& level) {
@@ -102,8 +110,9 @@ Level mirrored(const Level& level) {
   const double width = level.map.px_width();
   mirror_map(level, image);
   std::swap(image.roles.up_slope, image.roles.down_slope);
-  for (TileShape& shape : image.tile_shapes) std::reverse(shape.heights.begin(), shape.heights.end());
-  for (TileShape& shape : image.flag_shapes) std::reverse(shape.heights.begin(), shape.heights.end());
+  const TileSize tile = level.map.tile_size();
+  for (TileShape& shape : image.tile_shapes) shape = mirrored(shape, tile, ShapeMirror::left_right);
+  for (TileShape& shape : image.flag_shapes) shape = mirrored(shape, tile, ShapeMirror::left_right);
   change_curves(image, Mirror{width});
   for (LevelCurve& curve : image.curves) turn_faces(curve.curve);
   for (Spawn& spawn : image.spawns) {
@@ -139,9 +148,7 @@ Level scaled(const Level& level, int factor) {
   const auto [width, height] = level.map.tile_size();
   image.map = TileMap(level.map.width(), level.map.height(), {width * factor, height * factor});
   image.map.cells() = level.map.cells();
-  const auto scale = [factor](TileShape& shape) {
-    for (double& h : shape.heights) h *= factor;
-  };
+  const auto scale = [factor](TileShape& shape) { scale_shape(shape, factor); };
   std::for_each(image.tile_shapes.begin(), image.tile_shapes.end(), scale);
   std::for_each(image.flag_shapes.begin(), image.flag_shapes.end(), scale);
   change_curves(image, Scale{1.0 * factor});

@@ -34,9 +34,26 @@ std::optional<GroundLine> ground_line(const std::optional<BumpLine>& line) {
   return GroundLine{line->h1 > line->h0, std::min(line->h0, line->h1), line->is_ceiling, line->one_way};
 }
 
+TileRole role_of_box(const BumpBox& box) {
+  return box.line ? role_of_line(box.line->h0, box.line->h1) : TileRole::solid;
+}
+
+// Of a polygon or a group. The article knows full boxes and floors.
+TileBoxes boxes_of_parts(const TileShape& shape, TileSize size, SolverKind solver) {
+  TileBoxes boxes;
+  if (problem_of(shape, size)) return boxes;
+  for (const BumpBox& box : bump_boxes(shape, size)) {
+    const bool is_plain = !box.line || (!box.line->is_ceiling && !box.line->one_way);
+    if (solver != SolverKind::bump && !is_plain) continue;
+    boxes.add(role_of_box(box), box.box, is_plain ? std::nullopt : ground_line(box.line));
+  }
+  return boxes;
+}
+
 // A straight floor is a slope's box on a solid one. The article does not know other shapes.
 TileBoxes boxes_of(const TileShape& shape, TileSize size, SolverKind solver) {
   if (shape.kind == TileShape::Kind::none) return {};
+  if (has_parts(shape)) return boxes_of_parts(shape, size, solver);
   const bool is_known = !shape.one_way && shape.kind != TileShape::Kind::profile &&
                         (shape.kind == TileShape::Kind::solid || shape.side == TileShape::Side::floor);
   if (solver != SolverKind::bump && !is_known) return {};
@@ -44,8 +61,7 @@ TileBoxes boxes_of(const TileShape& shape, TileSize size, SolverKind solver) {
       shape.heights.size() == 2 && shape.side == TileShape::Side::floor && !shape.one_way;
   TileBoxes boxes;
   for (const BumpBox& box : bump_boxes(shape, size)) {
-    const TileRole role = box.line ? role_of_line(box.line->h0, box.line->h1) : TileRole::solid;
-    boxes.add(role, box.box, is_straight_floor ? std::nullopt : ground_line(box.line));
+    boxes.add(role_of_box(box), box.box, is_straight_floor ? std::nullopt : ground_line(box.line));
   }
   return boxes;
 }

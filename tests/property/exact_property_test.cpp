@@ -223,6 +223,8 @@ TEST(ExactProperty, MostMovesAreJudged) {
   };
   EXPECT_GE(percent({}), 90);
   EXPECT_GE(percent({.one_way = true, .segments = true}), 70);
+  EXPECT_GE(percent({.polygons = true}), 80);
+  EXPECT_GE(percent({.one_way = true, .polygons = true}), 70);
   EXPECT_GE(percent({.curves = true}), 70);
   EXPECT_GE(percent({.one_way = true, .segments = true, .curves = true}), 70);
 }
@@ -236,6 +238,20 @@ RC_GTEST_PROP(ExactProperty, CastsAgainstTilesAreRight, (std::uint64_t seed)) {
 
 RC_GTEST_PROP(ExactProperty, CastsAgainstLinesAreRight, (std::uint64_t seed)) {
   const GroundKinds kinds{.one_way = true, .segments = true};
+  for_random_moves(seed, kinds, false, [](Dice&, const Scene& scene, const Move& move, const Truth& truth) {
+    expect_right(scene, move, truth, 3 * ulp_of(move));
+  });
+}
+
+RC_GTEST_PROP(ExactProperty, CastsAgainstPolygonsAreRight, (std::uint64_t seed)) {
+  const GroundKinds kinds{.polygons = true};
+  for_random_moves(seed, kinds, false, [](Dice&, const Scene& scene, const Move& move, const Truth& truth) {
+    expect_right(scene, move, truth, 3 * ulp_of(move));
+  });
+}
+
+RC_GTEST_PROP(ExactProperty, CastsAgainstOneWayPolygonsAreRight, (std::uint64_t seed)) {
+  const GroundKinds kinds{.one_way = true, .segments = true, .polygons = true};
   for_random_moves(seed, kinds, false, [](Dice&, const Scene& scene, const Move& move, const Truth& truth) {
     expect_right(scene, move, truth, 3 * ulp_of(move));
   });
@@ -279,6 +295,13 @@ void expect_mirrored(const Scene& scene, const Move& move, const Truth& truth, b
 
 RC_GTEST_PROP(ExactProperty, MirroredStraightGroundGivesTheMirroredContact, (std::uint64_t seed)) {
   const GroundKinds kinds{.one_way = true, .segments = true};
+  for_random_moves(seed, kinds, true, [](Dice&, const Scene& scene, const Move& move, const Truth& truth) {
+    expect_mirrored(scene, move, truth, true);
+  });
+}
+
+RC_GTEST_PROP(ExactProperty, MirroredPolygonsGiveTheMirroredContact, (std::uint64_t seed)) {
+  const GroundKinds kinds{.one_way = true, .polygons = true};
   for_random_moves(seed, kinds, true, [](Dice&, const Scene& scene, const Move& move, const Truth& truth) {
     expect_mirrored(scene, move, truth, true);
   });

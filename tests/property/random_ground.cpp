@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "random_polygons.h"
+
 namespace talus {
 namespace {
 
@@ -172,6 +174,9 @@ Curve moved(const Curve& curve, Vec2 by) {
 Exact rounded(double value) { return reference::rounded_to_256th(value); }
 
 void add_shape(const TileShape& shape, TileSize tile, int column, int row, std::vector<Part>& parts) {
+  for (const TileShape& part : shape.parts) add_shape(part, tile, column, row, parts);
+  if (shape.kind == Kind::group) return;
+  if (shape.kind == Kind::polygon) return add_polygon(shape, tile, column, row, parts);
   const bool floor = shape.side == TileShape::Side::floor;
   const Exact left = column * tile.width, top = row * tile.height, bottom = top + tile.height;
   const bool solid = shape.kind == Kind::solid;
@@ -234,7 +239,10 @@ bool is_straight(const Curve& curve) {
   return std::holds_alternative<Segment>(curve.form) || std::holds_alternative<Polyline>(curve.form);
 }
 
-bool leaves_the_map(const TileShape& shape, int row, const RandomGround& ground) {
+bool leaves_the_map(const TileShape& shape, int column, int row, const RandomGround& ground) {
+  const ShapeReach reach = reach_of(shape, ground.tile);
+  if (column + reach.left < 0 || column + reach.right >= ground.width) return true;
+  if (row + reach.top < 0 || row + reach.bottom >= ground.height) return true;
   if (shape.heights.empty()) return false;
   const double most = *std::max_element(shape.heights.begin(), shape.heights.end());
   return most > (shape.side == TileShape::Side::floor ? row + 1 : ground.height - row) * ground.tile.height;
@@ -259,7 +267,7 @@ Terrain RandomGround::compile() const {
 
 RandomGround RandomGround::mirrored() const {
   RandomGround m = *this;
-  for (TileShape& shape : m.shapes) std::reverse(shape.heights.begin(), shape.heights.end());
+  for (TileShape& shape : m.shapes) shape = mirrored_in_tile(shape, tile);
   std::fill(m.cells.begin(), m.cells.end(), std::uint8_t{0});
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
@@ -326,6 +334,10 @@ RandomGround random_ground(Dice& dice, int width, int height, GroundKinds kinds)
   ground.cells.resize(static_cast<std::size_t>(width) * height);
   ground.shapes[1] = {.kind = Kind::solid};
   for (int i = 2; i < kShapeKinds; ++i) ground.shapes[i] = random_shape(dice, ground.tile, kinds);
+  for (int i = 2; kinds.polygons && i < kShapeKinds; ++i) {
+    if (i % 3 == 0) ground.shapes[i] = random_polygon(dice, ground.tile, kinds.one_way);
+    if (i % 3 == 1) ground.shapes[i] = random_group(dice, ground.tile, kinds.one_way);
+  }
   std::vector<bool> used(ground.cells.size());
   const int density = 2 + dice.up_to(6);
   for (int y = 0; y < height; ++y) {
@@ -335,7 +347,7 @@ RandomGround random_ground(Dice& dice, int width, int height, GroundKinds kinds)
       const int last = x + ground.shapes[tile].tiles - 1;
       const std::size_t row = static_cast<std::size_t>(y) * width;
       if (last >= width || used[row + x] || used[row + last] ||
-          leaves_the_map(ground.shapes[tile], y, ground))
+          leaves_the_map(ground.shapes[tile], x, y, ground))
         continue;
       used[row + x] = used[row + last] = true;
       ground.cells[row + x] = static_cast<std::uint8_t>(tile);

@@ -53,7 +53,7 @@ struct RandomGround {
 };
 
 struct GroundKinds {
-  bool shapes = true, one_way = false, segments = false, curves = false;
+  bool shapes = true, one_way = false, segments = false, curves = false, polygons = false;
 };
 RandomGround random_ground(Dice& dice, int width, int height, GroundKinds kinds);
 

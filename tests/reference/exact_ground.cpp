@@ -26,12 +26,15 @@ Range range_of(const Direction& n, const ExactBox& box) {
 }
 
 Range range_of(const Direction& n, const Part& part) {
-  Range r{n.of(part.a.x, part.a.y), n.of(part.a.x, part.a.y)};
+  const ExactPoint& first = part.corners.empty() ? part.a : part.corners.front();
+  Range r{n.of(first.x, first.y), n.of(first.x, first.y)};
   const auto add = [&](const Exact& x, const Exact& y) {
     const Exact at = n.of(x, y);
     if (at < r.from) r.from = at;
     if (at > r.to) r.to = at;
   };
+  for (const ExactPoint& corner : part.corners) add(corner.x, corner.y);
+  if (!part.corners.empty()) return r;
   add(part.b.x, part.b.y);
   if (part.level) {
     add(part.a.x, *part.level);
@@ -49,6 +52,15 @@ struct Area {
         x1(box.x + box.w + (dx > 0 ? dx : Exact(0))),
         y1(box.y + box.h + (dy > 0 ? dy : Exact(0))) {}
   bool may_meet(const Part& part) const {
+    if (!part.corners.empty()) {
+      const auto all = [&](auto is_out) {
+        return std::all_of(part.corners.begin(), part.corners.end(), is_out);
+      };
+      return !all([&](const ExactPoint& p) { return p.x < x0; }) &&
+             !all([&](const ExactPoint& p) { return p.x > x1; }) &&
+             !all([&](const ExactPoint& p) { return p.y < y0; }) &&
+             !all([&](const ExactPoint& p) { return p.y > y1; });
+    }
     if (part.b.x < x0 || part.a.x > x1) return false;
     const Exact& level = part.level ? *part.level : part.a.y;
     return !(part.a.y < y0 && part.b.y < y0 && level < y0) && !(part.a.y > y1 && part.b.y > y1 && level > y1);
@@ -57,6 +69,11 @@ struct Area {
 
 std::vector<Direction> directions_of(const Part& part) {
   std::vector<Direction> all = {{0, 1}, {1, 0}};
+  for (std::size_t i = 0; i < part.corners.size(); ++i) {
+    const ExactPoint &a = part.corners[i], &b = part.corners[(i + 1) % part.corners.size()];
+    if (a.x != b.x && a.y != b.y) all.push_back({b.y - a.y, a.x - b.x});
+  }
+  if (!part.corners.empty()) return all;
   // The normal points up if a is left of b, so that the line's upper side is the outer one.
   if (part.a.x != part.b.x && part.a.y != part.b.y) all.push_back({part.b.y - part.a.y, part.a.x - part.b.x});
   return all;
@@ -166,7 +183,7 @@ Exact ExactGround::depth(const ExactBox& box) const {
   Exact deepest = 0;
   const Area area(box, 0, 0);
   for (const Part& part : parts) {
-    if (!part.level || !area.may_meet(part)) continue;
+    if ((!part.level && part.corners.empty()) || !area.may_meet(part)) continue;
     std::optional<Exact> least;
     for (const Direction& n : directions_of(part)) {
       const Range ours = range_of(n, box), theirs = range_of(n, part);
@@ -184,14 +201,21 @@ Exact ExactGround::depth(const ExactBox& box) const {
 std::optional<Exact> ExactGround::floor_below(const ExactBox& box) const {
   std::optional<Exact> floor;
   const Exact right = box.x + box.w, bottom = box.y + box.h;
-  for (const Part& part : parts) {
-    if (part.stops == Part::Stops::from_below || part.a.x == part.b.x) continue;
-    if (part.b.x < box.x || part.a.x > right) continue;
-    if (box.w > 0 && (part.b.x == box.x || part.a.x == right)) continue;  // the part is beside the box
+  const auto add = [&](const Part& part) {
+    if (part.stops == Part::Stops::from_below || part.a.x == part.b.x) return;
+    if (part.b.x < box.x || part.a.x > right) return;
+    if (box.w > 0 && (part.b.x == box.x || part.a.x == right)) return;  // the part is beside the box
     const Exact from = std::max(part.a.x, box.x), to = std::min(part.b.x, right);
     Exact y = std::min(height_at(part, from), height_at(part, to));
     if (part.level && *part.level < y) y = *part.level;  // the part hangs from its level
     if (y >= bottom && (!floor || y < *floor)) floor = y;
+  };
+  for (const Part& part : parts) {
+    if (part.corners.empty()) add(part);
+    for (std::size_t i = 0; i < part.corners.size(); ++i) {  // the sides of a triangle, as lines
+      const ExactPoint &a = part.corners[i], &b = part.corners[(i + 1) % part.corners.size()];
+      add(a.x < b.x ? Part{a, b, {}} : Part{b, a, {}});
+    }
   }
   return floor;
 }

@@ -23,7 +23,7 @@ struct ExactBox {
   ExactBox grown(const Exact& by) const { return {x - by, y - by, w + 2 * by, h + 2 * by}; }
 };
 
-// A convex part of the ground: the area between a line and a level at x0..x1, or the line alone.
+// A convex part of the ground: the area between a line and a level at x0..x1, the line alone, or a triangle.
 struct Part {
   // from_above and from_below are for a line alone. A vertical line that stops from above stops from the
   // left.
@@ -31,6 +31,7 @@ struct Part {
   ExactPoint a, b;             // ends of the line; a.x <= b.x
   std::optional<Exact> level;  // y of the other side; empty: the line alone
   Stops stops = Stops::everywhere;
+  std::vector<ExactPoint> corners = {};  // of a triangle; if there are any, the other fields are not used
 };
 
 struct ExactHit {

@@ -181,7 +181,8 @@ Level random_level(Dice& dice) {
   const GroundKinds kinds{.shapes = !dice.one_in(5),
                           .one_way = dice.one_in(2),
                           .segments = dice.one_in(3),
-                          .curves = dice.one_in(3)};
+                          .curves = dice.one_in(3),
+                          .polygons = dice.one_in(2)};
   const RandomGround ground = random_ground(dice, 6 + dice.up_to(14), 6 + dice.up_to(10), kinds);
   Level level;
   level.map = TileMap(ground.width, ground.height, ground.tile);

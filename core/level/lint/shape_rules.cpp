@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <talus/collision/shape_forms.h>
 #include "../level_text.h"
 #include "../slope_tiles.h"
 #include "fix_parts.h"
@@ -90,6 +91,7 @@ bool is_inside(const TileShape& shape, TileSize tile, int x, int y) {
   constexpr double kMiddle = kCartTileSize / 2.0;
   if (shape.kind == TileShape::Kind::none) return std::hypot(x + 0.5 - kMiddle, y + 0.5 - kMiddle) < kMiddle;
   const double at = (x + 0.5) * tile.width / kCartTileSize, down = (y + 0.5) * tile.height / kCartTileSize;
+  if (has_parts(shape)) return is_in_ground(shape, tile, {at, down});
   if (shape.heights.size() < 2) return true;
   const double step = shape.tiles * tile.width / static_cast<double>(shape.heights.size() - 1);
   const auto i = std::min(static_cast<std::size_t>(at / step), shape.heights.size() - 2);

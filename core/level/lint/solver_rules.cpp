@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <talus/level/ground.h>
+#include "../bump_boxes.h"
 #include "fix_parts.h"
 #include "rule_group.h"
 
@@ -15,36 +16,53 @@ constexpr LintRule kCurvesNeedExact{
     .code = "curves-need-exact", .label = "curves without their solver", .fix = fix_solver};
 constexpr LintRule kNotInArticle{.code = "ground-not-in-article",
                                  .label = "ground that the article does not know"};
+constexpr LintRule kNotInBump{.code = "ground-not-in-bump", .label = "ground that bump does not know"};
 constexpr LintRule kTooMuchGround{
     .code = "too-much-ground", .label = "too much ground for its solver", .severity = Severity::error};
 
-// The article knows only full tiles and floors. This finds the tiles on the map that it lets bodies through.
-void check_article(const Level& level, std::vector<Problem>& out) {
-  if (level.tuning.solver != SolverKind::article) return;
+bool is_unknown_to_article(const TileShape& shape, TileSize tile) {
+  if (has_parts(shape)) return !article_takes_all_of(shape, tile);
+  return shape.one_way || shape.kind == TileShape::Kind::profile ||
+         (has_heights(shape) && shape.side == TileShape::Side::ceiling);
+}
+
+// The article knows only full tiles and floors; bump knows no ground between two slopes without a level line
+// between them. This finds the tiles on the map that the level's solver lets bodies through.
+void check_tiles(const Level& level, std::vector<Problem>& out) {
+  const SolverKind solver = level.tuning.solver;
+  if (solver == SolverKind::exact) return;
+  const bool is_bump = solver == SolverKind::bump;
+  const TileSize size = level.map.tile_size();
   std::array<bool, kTileCount> used{};
   for (const std::uint8_t tile : level.map.cells()) used[tile] = true;
   std::string tiles;
   int count = 0, first = -1;
   for (int tile = 0; tile < kTileCount; ++tile) {
+    if (!used[static_cast<std::size_t>(tile)]) continue;
     const TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
     const bool has_role =
         level.tile_shapes[static_cast<std::size_t>(tile)].kind == TileShape::Kind::none &&
         role_of(level.tile_flags(static_cast<std::uint8_t>(tile)), level.roles) != TileRole::none;
-    const bool is_line = shape.kind == TileShape::Kind::slope || shape.kind == TileShape::Kind::profile;
-    const bool is_unknown = shape.one_way || shape.kind == TileShape::Kind::profile ||
-                            (is_line && shape.side == TileShape::Side::ceiling);
-    if (!used[static_cast<std::size_t>(tile)] || shape.kind == TileShape::Kind::none || has_role ||
-        !is_unknown)
-      continue;
+    if (shape.kind == TileShape::Kind::none || has_role || problem_of(shape, size)) continue;
+    if (is_bump ? bump_takes_all_of(shape) : !is_unknown_to_article(shape, size)) continue;
     if (count == 0) first = tile;
     if (++count <= 3) tiles += (count > 1 ? ", " : "") + std::to_string(tile);
   }
   if (count == 0) return;
   if (count > 3) tiles += " and " + std::to_string(count - 3) + " more";
-  report(out, kNotInArticle,
-         "bodies pass through tile" + std::string(count == 1 ? " " : "s ") + tiles +
-             ": the article's solver does not know one-way ground, ceilings and profiles; bump and exact do",
-         {}, first);
+  const std::string named = "tile" + std::string(count == 1 ? " " : "s ") + tiles;
+  if (is_bump) {
+    report(out, kNotInBump,
+           "bodies pass through parts of " + named +
+               ": bump does not know ground between two slopes that no level line separates; exact does",
+           {}, first);
+  } else {
+    report(
+        out, kNotInArticle,
+        "bodies pass through " + named +
+            ": the article's solver does not know one-way ground, ceilings and profiles; bump and exact do",
+        {}, first);
+  }
 }
 
 void check_solver_of_curves(const Level& level, std::vector<Problem>& out) {
@@ -72,12 +90,13 @@ void fix_solver(const LintContext& context, const Problem&, std::vector<Edit>& o
 std::vector<Problem> ignored_ground(const Level& level) {
   std::vector<Problem> problems;
   check_solver_of_curves(level, problems);
-  check_article(level, problems);
+  check_tiles(level, problems);
   return problems;
 }
 
 const RuleGroup& solver_rules() {
-  static constexpr const LintRule* kRules[] = {&kCurvesNeedExact, &kNotInArticle, &kTooMuchGround};
+  static constexpr const LintRule* kRules[] = {&kCurvesNeedExact, &kNotInArticle, &kNotInBump,
+                                               &kTooMuchGround};
   static constexpr RuleGroup kGroup{.rules = kRules, .check_level = check_solver};
   return kGroup;
 }

@@ -30,33 +30,57 @@ inline constexpr int kMaxShapeTiles = 8;  // tiles that one slope may span, in w
 // How many heights a profile has at most: one for each column of pixels of the widest, and one more.
 constexpr int max_shape_heights(TileSize tile) { return kMaxShapeTiles * tile.width + 1; }
 
+inline constexpr std::size_t kMaxPolygonPoints = 256;  // of one polygon
+inline constexpr std::size_t kMaxGroupParts = 64;      // of one group
+inline constexpr std::size_t kMaxGroupPoints = 1024;   // of all polygons of one group
+
 // Which part of a body's box stands on slopes: its whole bottom edge, or the middle of it.
 enum class Foot : std::uint8_t { box, centre };
 
 // The shape that a cell of the grid gives to the ground. A slope belongs to the cell at its left end. It may
-// reach over the cells to its right, and up (a floor) or down (a ceiling).
+// reach over the cells to its right, and up (a floor) or down (a ceiling). A polygon may reach over the cells
+// on all sides.
 struct TileShape {
   // What the ground in the cell is.
   enum class Kind : std::uint8_t {
-    none,    // air; the fields below are not used
-    solid,   // the whole cell; of the fields below only `one_way` is used
-    slope,   // a straight line between two heights
-    profile  // a line through several heights, at equal distances
+    none,     // air; the fields below are not used
+    solid,    // the whole cell; of the fields below only `one_way` is used
+    slope,    // a straight line between two heights
+    profile,  // a line through several heights, at equal distances
+    polygon,  // the inside of `points`
+    group     // all of its `parts`; only they and `kind` are used
   };
   // On which side of the line the ground lies.
   enum class Side : std::uint8_t {
     floor,   // ground between the line and the cell's bottom; heights are measured upwards from there
     ceiling  // ground between the line and the cell's top; heights are measured downwards from there
   };
-  Kind kind = Kind::none;   // what the ground is
-  Side side = Side::floor;  // for a slope or profile
-  bool one_way = false;     // only the line stops bodies, and only those that come from its open side
-  int tiles = 1;            // width in tiles, 1..kMaxShapeTiles
+  Kind kind = Kind::none;  // what the ground is
+  // Of a slope or profile; of a one-way polygon, whether its upper (floor) or its lower lines stop bodies.
+  Side side = Side::floor;
+  bool one_way = false;  // only the line stops bodies, and only those that come from its open side
+  int tiles = 1;         // width in tiles, 1..kMaxShapeTiles
   // px, 0 to kMaxShapeTiles times the tile's height, left to right: 2 for a slope, 3 to max_shape_heights()
   // for a profile, empty for the others.
   std::vector<double> heights = {};
+  // px from the tile's top left, around a polygon in either direction; empty for the others. They are welded.
+  // 3 to kMaxPolygonPoints points, none further than kMaxShapeTiles tiles from the tile. No two sides may
+  // meet but neighbours in their common end.
+  std::vector<Vec2> points = {};
+  // Of a group, 1 to kMaxGroupParts; empty for the others. No part is a group or nothing. Where parts overlap
+  // or touch, they are one. Their polygons have at most kMaxGroupPoints points.
+  std::vector<TileShape> parts = {};
   friend bool operator==(const TileShape&, const TileShape&) = default;
 };
+
+// Whether a shape is a slope or a profile, and so has a line through heights.
+inline bool has_heights(const TileShape& shape) {
+  return shape.kind == TileShape::Kind::slope || shape.kind == TileShape::Kind::profile;
+}
+// Whether a shape is a polygon or a group, and so no single line or full tile.
+inline bool has_parts(const TileShape& shape) {
+  return shape.kind == TileShape::Kind::polygon || shape.kind == TileShape::Kind::group;
+}
 
 // Why a shape is invalid for tiles of a size, as the end of a sentence ("has a height that is not a number");
 // nothing if it is valid.
