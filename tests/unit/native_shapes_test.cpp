@@ -76,6 +76,55 @@ TEST(NativeShapes, AreReadAsWritten) {
   EXPECT_EQ(native_of_level(level_of_native(text)), text);
 }
 
+Level level_with_polygons() {
+  Level level;
+  TileShape polygon;
+  polygon.kind = TileShape::Kind::polygon;
+  polygon.one_way = true;
+  polygon.points = {{-8, 0}, {8, 2.5}, {0, 8}};
+  TileShape group;
+  group.kind = TileShape::Kind::group;
+  group.parts = {
+      polygon, {.kind = TileShape::Kind::slope, .heights = {0, 8}}, {.kind = TileShape::Kind::solid}};
+  level.tile_shapes[3] = polygon;
+  level.tile_shapes[4] = group;
+  return level;
+}
+
+TEST(NativeShapes, PolygonsAreReadAsWritten) {
+  const Level level = level_with_polygons();
+  const std::string text = native_of_level(level);
+  EXPECT_THAT(text, HasSubstr(R"("talus": 3,)"));
+  EXPECT_THAT(
+      text,
+      HasSubstr(R"("3": {"kind": "polygon", "one_way": true, "points": [[-8, 0], [8, 2.5], [0, 8]]},)"));
+  EXPECT_EQ(level_of_native(text), level);
+  EXPECT_EQ(native_of_level(level_of_native(text)), text);
+}
+
+TEST(NativeShapes, OnlyPolygonsNeedVersionThree) {
+  EXPECT_THAT(native_of_level(level_with_everything()), HasSubstr(R"("talus": 1,)"));
+  Level level = level_with_polygons();
+  level.tile_shapes[3] = level.tile_shapes[4] = {};
+  level.flag_shapes[2] = level_with_polygons().tile_shapes[4];
+  EXPECT_THAT(native_of_level(level), HasSubstr(R"("talus": 3,)"));
+}
+
+TEST(NativeShapes, ErrorsOfPolygonsHaveTheirPlace) {
+  const auto with = [](const std::string& shape) { return R"("tile_shapes": {"5": )" + shape + "}"; };
+  expect_error(with(R"({"kind": "polygon", "points": [[0, 0], [8, 8]]})"), "key tile_shapes.5",
+               "needs at least 3 points");
+  expect_error(with(R"({"kind": "polygon", "points": [[0, 0], [8], [0, 8]]})"), "key tile_shapes.5.points",
+               "must be a list of points [x, y]");
+  expect_error(with(R"({"kind": "group", "parts": 7})"), "key tile_shapes.5.parts",
+               "must be a list of up to 64 shapes");
+  expect_error(with(R"({"kind": "group", "parts": [{"kind": "group", "parts": []}]})"),
+               "key tile_shapes.5.parts[0]", "has the key \"parts\", which no part has");
+  expect_error(with(R"({"kind": "group", "parts": [{"kind": "solid"}, {"kind": "ramp"}]})"),
+               "key tile_shapes.5.parts[1].kind",
+               R"(must be "none", "solid", "slope", "profile", "polygon" or "group")");
+}
+
 TEST(NativeShapes, TheFuzzersSeedIsReadable) {
   const Level level = load_level(TALUS_SOURCE_DIR "/tests/fuzz/seeds/shapes.talus.json")->level;
   EXPECT_EQ(level.curves.size(), 7u);

@@ -147,7 +147,7 @@ TEST(Native, UnknownKeysSurviveTheDataBesideThem) {
 
 TEST(Native, ANewerVersionIsRefused) {
   expect_native_error(R"({"talus": 3, "palette": 7})", "key talus",
-                      "has version 3, but this Talus reads only up to version 2");
+                      "has version 4, but this Talus reads only up to version 3");
   expect_native_error(R"({"talus": "1"})", "key talus", "must be the version, a whole number from 1");
   expect_native_error(R"({"map": {}})", "key talus", "is missing, so this is not a Talus level");
   expect_native_error("[]", "", "is JSON, but not a Talus level");

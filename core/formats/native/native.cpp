@@ -434,6 +434,12 @@ FormatResult<void> put_physics(const Level& level, Json& document) {
   return put_shapes(level.tile_shapes, "tile_shapes", tile, document);
 }
 
+// Whether a tile or a flag stands for a polygon or a group, which came with version 3.
+bool has_shapes_with_parts(const Level& level) {
+  return std::any_of(level.tile_shapes.begin(), level.tile_shapes.end(), has_parts) ||
+         std::any_of(level.flag_shapes.begin(), level.flag_shapes.end(), has_parts);
+}
+
 // For all objects at once: no two of them want a pair of keys in different orders.
 std::vector<std::string_view> key_order() {
   std::vector<std::string_view> order = {
@@ -441,8 +447,8 @@ std::vector<std::string_view> key_order() {
       "name",        "first",     "bits",     "values",     "kind",    "side",       "faces",
       "roles",       "solid",     "up_slope", "down_slope", "ball",    "one_way",    "ceiling",
       "flag_shapes", "tuning",    "spawns",   "curves",     "brushes", "auto_tiles", "exports",
-      "tile_shapes", "tiles",     "random",   "heights",    "sprites", "tile_size",  "map",
-      "cart",        "solver"};
+      "tile_shapes", "tiles",     "random",   "heights",    "points",  "sprites",    "tile_size",
+      "map",         "cart",      "solver"};
   for (const TuningField& field : tuning_fields()) order.push_back(field.key);
   order.insert(
       order.end(),
@@ -471,7 +477,7 @@ FormatResult<Json> native_document(const Level& level) {
   Json& document = *parsed;
   const TileSize tile = level.map.tile_size();
   const bool has_other_tiles = tile != TileSize();
-  document["talus"] = has_other_tiles ? kNativeVersion : 1;
+  document["talus"] = has_shapes_with_parts(level) ? kNativeVersion : has_other_tiles ? 2 : 1;
   if (has_other_tiles) document["tile_size"] = {tile.width, tile.height};
   document["palette"] = json_of(level.palette);
   const bool named =

@@ -1,7 +1,9 @@
 // Talus's own levels, `.talus.json`: JSON that people can read, and that diffs row by row.
 //
-//   "talus"        version of the file: 2 if its tiles do not have 8x8 px, which Talus could not read before
-//                  version 2; else 1. A newer version is refused. This is the only key that must be there.
+//   "talus"        version of the file: 3 if a shape is a polygon or a group, which Talus could not read
+//   before
+//                  version 3; else 2 if its tiles do not have 8x8 px; else 1. A newer version is refused.
+//                  This is the only key that must be there.
 //   "palette"      16 colours "rrggbb". Default: Sweetie 16.
 //   "flag_names"   up to 8 strings, by flag; "" for a flag without a name. Default: no names.
 //   "flag_fields"  numbers over several flags: "name" (""); "first", the flag of the lowest bit, 0..6;
@@ -31,10 +33,13 @@
 //                  of the level's file (""); "parts", those of the Lua runtime besides those that the level
 //                  uses (""), as in "players, pairs"; each up to 4096 bytes; "on_save", whether the editor
 //                  exports it whenever it saves the level (false). Default: no presets.
-//   "tile_shapes"  by tile number "0".."255": "kind", "solid", "slope" or "profile" (default: the flags
+//   "tile_shapes"  by tile number "0".."255": "kind", "solid", "slope", "profile" (default: the flags
 //                  give the shape); "side", "floor" or "ceiling" ("floor"); "one_way" (false); "tiles",
 //                  1..8 (1); "heights", a list of numbers: 2 for a slope, 3 to 8 times the tile's width and
-//                  one for a profile; each 0 px to 8 times the tile's height.
+//                  one for a profile; each 0 px to 8 times the tile's height. Or "polygon", with "points", a
+//                  list of 3..256 points [x, y] in px from the tile's top left, none further than 8 tiles
+//                  from it, and no two sides that meet but neighbours; or "group", with "parts", 1..64 shapes
+//                  that are no groups, with up to 1024 points in all, and without other members.
 //   "tiles"        by tile number "0".."255": "flags", a list of the flags that are set (default: no
 //                  flags), and "pixels", eight rows of eight hexadecimal palette indices, "." for 0
 //                  (default: all 0). Blank tiles are left out.
@@ -60,7 +65,7 @@
 
 namespace talus {
 
-inline constexpr int kNativeVersion = 2;
+inline constexpr int kNativeVersion = 3;
 
 bool accepts_native(std::string_view bytes, const FormatContext& context);
 FormatResult<Level> read_native(std::string_view bytes, const FormatContext& context);

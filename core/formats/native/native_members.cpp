@@ -1,6 +1,8 @@
 // What members of each kind must be, and the sentences that say so.
 #include "native_members.h"
 
+#include <algorithm>
+
 namespace talus {
 namespace {
 
@@ -111,6 +113,18 @@ void MemberTaker::read(const Json& json, const char* key, Vec2& value) {
 void MemberTaker::read(const Json& json, const char* key, std::vector<double>& values) {
   if (!are_numbers(json)) return fail(key, "must be a list of numbers");
   values = json.get<std::vector<double>>();
+}
+
+void MemberTaker::read(const Json& json, const char* key, std::vector<Vec2>& points) {
+  const auto is_point = [](const Json& point) { return are_numbers(point) && point.size() == 2; };
+  if (!json.is_array() || !std::all_of(json.begin(), json.end(), is_point))
+    return fail(key, "must be a list of points [x, y]");
+  for (const Json& point : json) points.push_back({point[0].get<double>(), point[1].get<double>()});
+}
+
+void MemberPutter::operator()(const char* key, const std::vector<Vec2>& points) {
+  Json& list = json_[key] = Json::array();
+  for (const Vec2 point : points) list.push_back({json_number(point.x), json_number(point.y)});
 }
 
 void MemberPutter::operator()(const char* key, const std::vector<double>& values) {

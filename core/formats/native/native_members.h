@@ -95,6 +95,7 @@ class MemberTaker {
   void read(const Json& json, const char* key, std::string& value);
   void read(const Json& json, const char* key, Vec2& value);
   void read(const Json& json, const char* key, std::vector<double>& values);
+  void read(const Json& json, const char* key, std::vector<Vec2>& points);
 
   Json& json_;
   const std::string& path_;
@@ -108,6 +109,7 @@ class MemberPutter {
   void operator()(const char* key, double value) { json_[key] = json_number(value); }
   void operator()(const char* key, Vec2 value) { json_[key] = {json_number(value.x), json_number(value.y)}; }
   void operator()(const char* key, const std::vector<double>& values);
+  void operator()(const char* key, const std::vector<Vec2>& points);
 
  private:
   Json& json_;

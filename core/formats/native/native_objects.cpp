@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kMaxSpawnNumber = 100'000'000;  // px and px/frame; six times the longest map
 
-constexpr std::array<std::string_view, 4> kShapeKinds = {"none", "solid", "slope", "profile"};
+constexpr std::array<std::string_view, 6> kShapeKinds = {"none",    "solid",   "slope",
+                                                         "profile", "polygon", "group"};
 constexpr std::array<std::string_view, 2> kSides = {"floor", "ceiling"};
 constexpr std::array<std::string_view, 6> kForms = {"segment", "arc",  "parabola",  // as Curve::form
                                                     "cubic",   "sine", "polyline"};
@@ -140,16 +141,54 @@ FormatResult<Json> json_of(const Spawn& spawn, const std::string& path) {
   return json;
 }
 
-}  // namespace
-
-FormatResult<TileShape> take_shape(Json& json, const std::string& path, TileSize tile) {
-  MemberTaker take(json, path);
+// All but the parts of a group.
+TileShape take_simple_shape(MemberTaker& take) {
   TileShape shape;
   take.choice("kind", kShapeKinds, shape.kind);
   take.choice("side", kSides, shape.side);
   take.optional("one_way", shape.one_way);
   take.optional("tiles", shape.tiles);
   take.optional("heights", shape.heights);
+  take.optional("points", shape.points);
+  return shape;
+}
+
+// A part of a group. Its other members could not be kept.
+FormatResult<TileShape> take_part(Json& json, const std::string& path) {
+  MemberTaker take(json, path);
+  TileShape shape = take_simple_shape(take);
+  std::optional<std::string> problem;
+  if (json.is_object() && !json.empty())
+    problem = "has the key \"" + json.begin().key() + "\", which no part has";
+  return take.result(std::move(shape), std::move(problem));
+}
+
+void put_members(const TileShape& shape, Json& json) {
+  if (shape.kind != TileShape::Kind::none) json["kind"] = kShapeKinds[static_cast<std::size_t>(shape.kind)];
+  if (shape.side != TileShape::Side::floor) json["side"] = kSides[static_cast<std::size_t>(shape.side)];
+  if (shape.one_way) json["one_way"] = true;
+  if (shape.tiles != 1) json["tiles"] = shape.tiles;
+  if (!shape.heights.empty()) MemberPutter{json}("heights", shape.heights);
+  if (!shape.points.empty()) MemberPutter{json}("points", shape.points);
+  for (const TileShape& part : shape.parts) put_members(part, json["parts"].emplace_back(Json::object()));
+}
+
+}  // namespace
+
+FormatResult<TileShape> take_shape(Json& json, const std::string& path, TileSize tile) {
+  MemberTaker take(json, path);
+  TileShape shape = take_simple_shape(take);
+  std::optional<FormatError> wrong_part;
+  take.member("parts", [&](const Json& list) {
+    Json parts = list;
+    auto taken = take_list<TileShape>(parts, path + ".parts", take_part, kMaxGroupParts,
+                                      "must be a list of up to 64 shapes");
+    if (taken)
+      shape.parts = *std::move(taken);
+    else
+      wrong_part = taken.error();
+  });
+  if (wrong_part) return tl::unexpected(*std::move(wrong_part));
   auto problem = problem_of(shape, tile);
   return take.result(std::move(shape), std::move(problem));
 }
@@ -157,11 +196,7 @@ FormatResult<TileShape> take_shape(Json& json, const std::string& path, TileSize
 FormatResult<void> put_shape(const TileShape& shape, const std::string& path, TileSize tile, Json& json) {
   if (auto problem = problem_of(shape, tile))
     return tl::unexpected(FormatError{"key " + path, *std::move(problem)});
-  if (shape.kind != TileShape::Kind::none) json["kind"] = kShapeKinds[static_cast<std::size_t>(shape.kind)];
-  if (shape.side != TileShape::Side::floor) json["side"] = kSides[static_cast<std::size_t>(shape.side)];
-  if (shape.one_way) json["one_way"] = true;
-  if (shape.tiles != 1) json["tiles"] = shape.tiles;
-  if (!shape.heights.empty()) MemberPutter{json}("heights", shape.heights);
+  put_members(shape, json);
   return {};
 }
 
