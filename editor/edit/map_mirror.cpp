@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include <talus/collision/shape_forms.h>
 #include "cell_painter.h"
 #include "stamp.h"
 
@@ -32,10 +33,10 @@ Physics physics_of(const Level& level, std::uint8_t tile) {
 }
 
 // The mirror image; nothing if there is none: a full tile is one-way only from above.
-std::optional<Physics> mirrored(Physics physics, MirrorAxis axis) {
+std::optional<Physics> mirrored(Physics physics, MirrorAxis axis, TileSize tile) {
   TileShape& shape = physics.shape;
   if (axis == MirrorAxis::horizontal) {
-    std::reverse(shape.heights.begin(), shape.heights.end());
+    shape = talus::mirrored(shape, tile, ShapeMirror::left_right);
     if (physics.role == TileRole::up_slope)
       physics.role = TileRole::down_slope;
     else if (physics.role == TileRole::down_slope)
@@ -43,8 +44,7 @@ std::optional<Physics> mirrored(Physics physics, MirrorAxis axis) {
     return physics;
   }
   if (shape.kind == Kind::solid && shape.one_way) return std::nullopt;
-  if (shape.kind == Kind::slope || shape.kind == Kind::profile)
-    shape.side = shape.side == TileShape::Side::floor ? TileShape::Side::ceiling : TileShape::Side::floor;
+  shape = talus::mirrored(shape, tile, ShapeMirror::up_down);
   return physics;
 }
 
@@ -138,8 +138,9 @@ class Mirrorer {
   std::optional<std::uint8_t> partner_of(int ground, std::uint8_t looks) {
     const auto [found, is_new] = partners_.try_emplace({ground, looks});
     if (is_new) {
-      const auto wanted =
-          ground == kNoGround ? Physics() : mirrored(physics_[static_cast<std::size_t>(ground)], axis_);
+      const auto wanted = ground == kNoGround ? Physics()
+                                              : mirrored(physics_[static_cast<std::size_t>(ground)], axis_,
+                                                         level_.map.tile_size());
       if (wanted) found->second = find_partner(*wanted, looks);
     }
     return found->second;

@@ -58,7 +58,7 @@ tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, co
   for (const std::uint8_t tile : stamp.tiles) {
     const TileShape shape = shape_of_tile(level, tile);
     if (shape.kind == TileShape::Kind::solid && !shape.one_way && !options.below) options.below = tile;
-    has_slope = has_slope || (shape.kind >= TileShape::Kind::slope && shape.side == TileShape::Side::floor);
+    has_slope = has_slope || (has_heights(shape) && shape.side == TileShape::Side::floor);
   }
   if (has_slope) options.set = stamp.tiles;
   return slope_tiles(level, a, b, options).map([&](const SlopeTiles& tiles) {

@@ -31,7 +31,7 @@ class NearestEnd {
     const TileMap& map = level_.map;
     const Vec2 far{map.x_of(kMaxShapeTiles) + least_, map.y_of(kMaxShapeTiles) + least_};
     for (Cell at{0, map.row_at(point_.y - far.y)}; at.y <= map.row_at(point_.y + far.y); ++at.y) {
-      for (at.x = map.column_at(point_.x - far.x); at.x <= map.column_at(point_.x + least_); ++at.x) {
+      for (at.x = map.column_at(point_.x - far.x); at.x <= map.column_at(point_.x + far.x); ++at.x) {
         if (map.contains(at)) try_shape(at, shape_of_tile(level_, map.at(at)));
       }
     }
@@ -40,7 +40,10 @@ class NearestEnd {
 
  private:
   void try_shape(Cell cell, const TileShape& shape) {
-    if (shape.kind < TileShape::Kind::slope || problem_of(shape, level_.map.tile_size())) return;
+    if (problem_of(shape, level_.map.tile_size())) return;
+    for (const TileShape& part : shape.parts) try_shape(cell, part);
+    for (const Vec2 point : shape.points) try_end(level_.map.corner_of(cell) + point);
+    if (!has_heights(shape)) return;
     const bool is_floor = shape.side == TileShape::Side::floor;
     const double base = level_.map.y_of(is_floor ? cell.y + 1 : cell.y);
     const auto at = [&](double height) { return is_floor ? base - height : base + height; };

@@ -14,7 +14,7 @@ namespace {
 using Kind = TileShape::Kind;
 using Side = TileShape::Side;
 
-bool has_line(const TileShape& shape) { return shape.kind == Kind::slope || shape.kind == Kind::profile; }
+bool has_line(const TileShape& shape) { return has_heights(shape); }
 
 // The height of a shape's line at a fraction of its width, 0..1.
 double height_at(const TileShape& shape, double part) {
@@ -202,7 +202,8 @@ TileShape with_kind(TileShape shape, TileShape::Kind kind, TileSize tile) {
   if (kind == Kind::solid) return {.kind = Kind::solid, .one_way = shape.one_way};
   const bool is_flat = shape.kind == Kind::solid && kind == Kind::profile;
   const double full = tile.height;
-  if (!has_line(shape)) shape.heights = {is_flat ? full : 0.0, full};
+  if (!has_line(shape))
+    shape = {.side = shape.side, .one_way = shape.one_way, .heights = {is_flat ? full : 0.0, full}};
   if (kind == Kind::profile) shape.heights = heights_of_columns(shape, shape.tiles, tile);
   if (kind == Kind::slope) shape.heights = {shape.heights.front(), shape.heights.back()};
   shape.kind = kind;

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+
+#include <talus/collision/shape_forms.h>
 
 namespace talus {
 namespace {
@@ -23,14 +26,50 @@ Shapes usable_shapes(const Level& level) {
   return shapes;
 }
 
+// How far polygons reach from their own cell, in cells.
+double reach_of_parts(const TileShape& shape, TileSize tile) {
+  double reach = 0;
+  for (const Vec2 point : shape.points)
+    reach = std::max({reach, std::abs(point.x) / tile.width, std::abs(point.y) / tile.height});
+  for (const TileShape& part : shape.parts) {
+    reach = std::max({reach, static_cast<double>(part.tiles), reach_of_parts(part, tile)});
+    for (const double height : part.heights) reach = std::max(reach, height / tile.height);
+  }
+  return reach;
+}
+
 // How far the shapes reach from their own cells, in cells.
 int reach_of(const Shapes& shapes, TileSize tile) {
   double reach = 1;
   for (const TileShape& shape : shapes) {
     reach = std::max(reach, static_cast<double>(shape.tiles));
     for (const double height : shape.heights) reach = std::max(reach, height / tile.height);
+    reach = std::max(reach, reach_of_parts(shape, tile));
   }
   return static_cast<int>(reach) + 1;
+}
+
+// A polygon is filled part by part, as it need not be convex.
+void draw_polygon(ImDrawList& list, const TileShape& shape, ImVec2 corner, ImVec2 zoom, ImU32 bright,
+                  ImU32 tint, float width, bool is_outlined) {
+  const auto on_screen = [&](double x, double y) {
+    return ImVec2{corner.x + static_cast<float>(x) * zoom.x, corner.y + static_cast<float>(y) * zoom.y};
+  };
+  if (!shape.one_way) {
+    const ImDrawListFlags flags = list.Flags;
+    list.Flags &= ~ImDrawListFlags_AntiAliasedFill;  // smooth edges would show where parts meet
+    for (const auto& part : trapezoids_of(shape))
+      list.AddQuadFilled(on_screen(part.left, part.top_left), on_screen(part.right, part.top_right),
+                         on_screen(part.right, part.bottom_right), on_screen(part.left, part.bottom_left),
+                         tint);
+    list.Flags = flags;
+  }
+  std::vector<ImVec2> points;
+  for (const Vec2 point : shape.points) points.push_back(on_screen(point.x, point.y));
+  const int count = static_cast<int>(points.size());
+  if (is_outlined)
+    list.AddPolyline(points.data(), count, theme::color(theme::kDark, 160), ImDrawFlags_Closed, width + 2);
+  list.AddPolyline(points.data(), count, bright, ImDrawFlags_Closed, width);
 }
 
 }  // namespace
@@ -59,6 +98,12 @@ void draw_tile_shape(ImDrawList& list, const TileShape& shape, TileSize tile, Im
       list.AddRectFilled(corner, {right, foot}, tint);
     return;
   }
+  for (const TileShape& part : shape.parts) draw_tile_shape(list, part, tile, corner, cell, color, ui);
+  if (shape.kind == TileShape::Kind::polygon) {
+    const ImVec2 zoom{cell.x / static_cast<float>(tile.width), cell.y / static_cast<float>(tile.height)};
+    draw_polygon(list, shape, corner, zoom, bright, tint, width, is_outlined);
+  }
+  if (!has_heights(shape)) return;
   std::vector<ImVec2> points;
   points.reserve(shape.heights.size());
   const float step = cell.x * static_cast<float>(shape.tiles) / static_cast<float>(shape.heights.size() - 1);
@@ -83,7 +128,7 @@ void draw_shapes(ImDrawList& list, const Level& level, const CanvasView& view, s
   const int reach = reach_of(shapes, tile);
   const Cell first = view.to_cell(view.min), last = view.to_cell(view.max);
   for (Cell at{0, std::max(0, first.y - reach)}; at.y <= std::min(map.height() - 1, last.y + reach); ++at.y) {
-    for (at.x = std::max(0, first.x - reach); at.x <= std::min(map.width() - 1, last.x); ++at.x) {
+    for (at.x = std::max(0, first.x - reach); at.x <= std::min(map.width() - 1, last.x + reach); ++at.x) {
       const TileShape& shape = shapes[map.at(at)];
       if (shape.kind == TileShape::Kind::none) continue;
       draw_tile_shape(list, shape, tile, view.corner_of(at), cell, color, ui);

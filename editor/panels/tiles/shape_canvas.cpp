@@ -18,7 +18,7 @@ constexpr float kMargin = 8, kHandle = 4, kReach = 9;  // px at scale 1
 constexpr float kMostZoom = 24;                        // px for each px of a tile, at scale 1
 constexpr float kLeastTile = 32;                       // px at scale 1, the height of a tile
 
-bool has_line(const TileShape& shape) { return shape.kind >= TileShape::Kind::slope; }
+bool has_line(const TileShape& shape) { return has_heights(shape); }
 
 // Rounds a length of the mouse to whole px, with Alt to halves.
 double rounded(double px) {

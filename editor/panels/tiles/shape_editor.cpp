@@ -21,7 +21,8 @@ constexpr float kCheckWidth = 88;   // px at scale 1, of a check box
 constexpr float kHeightWidth = 32;  // px at scale 1, least width of one height
 
 std::string_view label_of(Kind kind) {
-  constexpr std::array<std::string_view, 4> kLabels = {"none", "solid", "slope", "profile"};
+  constexpr std::array<std::string_view, 6> kLabels = {"none",    "solid",   "slope",
+                                                       "profile", "polygon", "group"};
   return kLabels[static_cast<std::size_t>(kind)];
 }
 
@@ -36,16 +37,16 @@ class ShapeFields {
       : name_(name), shape_(shape), session_(session), edit_(edit), actions_(actions), ui_(ui) {}
 
   bool draw() {
-    if (shape_.kind == Kind::none) return false;
+    if (shape_.kind == Kind::none || shape_.kind == Kind::group) return false;
     if (shape_.kind != Kind::solid) {
-      if (shape_.kind == Kind::slope)
-        draw_slope();
-      else
-        draw_profile();
-      draw_width();
+      if (shape_.kind == Kind::slope) draw_slope();
+      if (shape_.kind == Kind::profile) draw_profile();
+      if (has_heights(shape_)) draw_width();
       bool hangs = shape_.side == Side::ceiling;
       ui_.same_line_if_fits(ui_.px(kCheckWidth));
-      check("ceiling", "ceiling", hangs, "The ground hangs above the line, and is measured downwards.");
+      check("ceiling", "ceiling", hangs,
+            has_heights(shape_) ? "The ground hangs above the line, and is measured downwards."
+                                : "If it is one-way, its lower lines stop bodies, and not its upper ones.");
       shape_.side = hangs ? Side::ceiling : Side::floor;
     }
     if (shape_.kind != Kind::solid) ui_.same_line_if_fits(ui_.px(kCheckWidth));
