@@ -2,6 +2,7 @@
 #include "../formats/pictures/png_sheet.h"
 #include "export_targets.h"
 #include "lua_level.h"
+#include "plain_data.h"
 
 namespace talus {
 
@@ -26,6 +27,7 @@ FormatResult<Exported> export_bump(const ExportRequest& request) {
   if (const std::size_t curves = request.level.curves.size(); curves > 0)
     out.dropped.push_back(std::to_string(curves) + (curves == 1 ? " curve" : " curves") +
                           ", which bump does not know");
+  for (std::string& phrase : dropped_by_bump(request.level)) out.dropped.push_back(std::move(phrase));
   return out;
 }
 

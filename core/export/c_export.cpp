@@ -246,8 +246,8 @@ typedef struct @_shape {
     const bool is_slope = shape->kind == TileShape::Kind::slope;
     const double slope = is_slope ? (shape->ys.back() - shape->ys.front()) / width : 0;
     line(c_list(std::vector<std::int64_t>{
-             static_cast<int>(shape->kind), shape->is_ceiling, shape->one_way, shape->tiles,
-             static_cast<std::int64_t>(row), static_cast<std::int64_t>(first),
+             static_cast<int>(std::min(shape->kind, TileShape::Kind::profile)), shape->is_ceiling,
+             shape->one_way, shape->tiles, static_cast<std::int64_t>(row), static_cast<std::int64_t>(first),
              static_cast<std::int64_t>(shape->ys.size()) - 1, fixed(slope), fixed(shape->ys.front())}) +
          ",");
     row += static_cast<std::size_t>(shape->tiles);
@@ -365,6 +365,7 @@ FormatResult<Exported> export_c(const ExportRequest& request) {
                                               std::to_string(map.width() > columns ? columns : rows) +
                                               " cells, the most that 24.8 fixed point can hold"});
   std::vector<std::string> dropped = dropped_curves(request.level);
+  for (std::string& phrase : dropped_polygons(request.level)) dropped.push_back(std::move(phrase));
   for (std::string& phrase : dropped_numbers(request.level.spawns)) dropped.push_back(std::move(phrase));
   return exported_file(CHeader(request.level, c_name(request.stem())).take(), std::move(dropped));
 }

@@ -20,6 +20,10 @@ std::string shape_name(const TileShape& shape, int tile) {
   const bool is_ceiling = shape.side == TileShape::Side::ceiling;
   std::string name = std::string(shape.one_way ? "one_way_" : "") + (is_ceiling ? "ceiling_" : "");
   if (shape.kind == TileShape::Kind::profile) return name + "profile_of_tile_" + std::to_string(tile);
+  if (has_parts(shape))
+    return (shape.one_way ? "one_way_" : "") +
+           std::string(shape.kind == TileShape::Kind::polygon ? "polygon" : "group") + "_of_tile_" +
+           std::to_string(tile);
   name += "slope_";
   append_number(name, shape.heights[0]);
   append_number(name += "_to_", shape.heights[1]);
@@ -92,7 +96,7 @@ void LdtkShapes::define(const TileShape& shape, const std::string& name) {
     return static_cast<std::uint16_t>(values_.size());
   };
   Shape defined{shape, add_value(name), {}};
-  for (int column = 0; shape.kind != TileShape::Kind::solid && column < shape.tiles; ++column) {
+  for (int column = 0; has_heights(shape) && column < shape.tiles; ++column) {
     const auto [least, greatest] = range_of(shape, column, tile_);
     for (int row = column == 0 ? 1 : 0; row * tile_.height < greatest; ++row) {
       const bool is_over_line = shape.one_way && least >= (row + 1) * tile_.height;

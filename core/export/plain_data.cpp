@@ -7,26 +7,51 @@
 
 #include <talus/level/ground.h>
 #include "../collision/outline_compiler.h"
+#include "../level/bump_boxes.h"
 #include "ground_polygons.h"
 
 namespace talus {
 namespace {
 
-// A polygon or a group: the highest ground in each column of pixels of its own tile.
+// The highest ground of a polygon or a group at an x of its own tile; the tile's bottom if there is none.
+double highest_at(const TileOutline& outline, double x, TileSize size) {
+  double highest = size.height;
+  for (const TileColumn& part : outline.in_column(0)) {
+    if (part.left > x || part.right < x) continue;
+    const auto line =
+        std::find_if(part.top.begin(), part.top.end(), [x](const auto& l) { return x <= l.x1; });
+    highest = std::min(highest, line->at(x));
+  }
+  return std::max(highest, 0.0);
+}
+
+std::vector<Vec2> outline_points(const TileShape& part, TileSize size) {
+  if (part.kind == TileShape::Kind::polygon) return part.points;
+  const double width = part.tiles * size.width, height = size.height;
+  const bool is_ceiling = part.kind != TileShape::Kind::solid && part.side == TileShape::Side::ceiling;
+  const double base = is_ceiling ? 0 : height;
+  std::vector<double> heights = part.heights;
+  if (part.kind == TileShape::Kind::solid) heights = {height, height};
+  std::vector<Vec2> points = {{0, base}};
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    const double x = width * static_cast<double>(i) / static_cast<double>(heights.size() - 1);
+    points.push_back({x, is_ceiling ? heights[i] : base - heights[i]});
+  }
+  points.push_back({width, base});
+  return points;
+}
+
 PlainShape plain_cut_shape(int tile, const TileShape& shape, const TileOutline& outline, TileSize size) {
   PlainShape plain{tile, shape.kind, false, shape.one_way, 1, {}, {}, size.height};
-  for (int column = 0; column < size.width; ++column) {
-    const double x = column + 0.5;
-    double highest = size.height;
-    for (const TileColumn& part : outline.in_column(0)) {
-      if (part.left > x || part.right < x) continue;
-      const auto line =
-          std::find_if(part.top.begin(), part.top.end(), [x](const auto& l) { return x <= l.x1; });
-      highest = std::min(highest, line->at(x));
-    }
-    plain.columns.push_back(std::max(highest, 0.0));
-  }
-  plain.ys = {plain.columns.front(), plain.columns.back()};
+  for (int column = 0; column <= size.width; ++column) plain.ys.push_back(highest_at(outline, column, size));
+  for (int column = 0; column < size.width; ++column)
+    plain.columns.push_back(highest_at(outline, column + 0.5, size));
+  const auto add = [&](const TileShape& part) {
+    plain.outlines.push_back(
+        {part.one_way, part.side == TileShape::Side::ceiling, outline_points(part, size)});
+  };
+  if (shape.kind == TileShape::Kind::polygon) add(shape);
+  std::for_each(shape.parts.begin(), shape.parts.end(), add);
   return plain;
 }
 
@@ -156,6 +181,21 @@ std::vector<Vec2> points_of(Curve curve) {
   return points;
 }
 
+// The number of tiles on the map whose shape is so.
+template <class Is>
+int used_tiles(const TerrainSource& ground, const Is& is) {
+  std::array<bool, kTileCount> used{};
+  for (const std::uint8_t tile : ground.cells) used[tile] = true;
+  int count = 0;
+  for (std::size_t tile = 0; tile < used.size(); ++tile)
+    count += used[tile] && is(ground.shapes[tile]) ? 1 : 0;
+  return count;
+}
+
+std::string polygon_tiles(int count) {
+  return std::to_string(count) + (count == 1 ? " tile that is a polygon" : " tiles that are polygons");
+}
+
 }  // namespace
 
 bool PlainShape::has_floor_at(double y) const {
@@ -197,6 +237,21 @@ PlainBody PlainBodies::at(std::size_t index) const {
     body.start.size = {box.w, box.h};
   }
   return body;
+}
+
+std::vector<std::string> dropped_polygons(const Level& level) {
+  const int count = used_tiles(ground_of(level), has_parts);
+  if (count == 0) return {};
+  return {"the exact form of " + polygon_tiles(count) +
+          ", of which the highest ground in each column of pixels is kept"};
+}
+
+std::vector<std::string> dropped_by_bump(const Level& level) {
+  const int count =
+      used_tiles(ground_of(level), [](const TileShape& shape) { return !bump_takes_all_of(shape); });
+  if (count == 0) return {};
+  return {"parts of " + polygon_tiles(count) +
+          ", as bump does not know ground between two slopes that no level line separates"};
 }
 
 std::vector<std::string> dropped_curves(const Level& level) {

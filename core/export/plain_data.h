@@ -24,6 +24,14 @@ struct PlainShape {
   // floor at the tile's bottom, or a ceiling at 0, means that nothing is there, unless it is one-way.
   std::vector<double> columns;
   int tile_height = 8;  // px
+  // Of a polygon or a group: the outline of each part, px from the tile's top left. Then `ys` and `columns`
+  // are the highest ground over the tile, at the borders and in the middle of columns of pixels.
+  struct Outline {
+    bool one_way = false;
+    bool is_ceiling = false;  // of a one-way one: whether its lower lines stop bodies
+    std::vector<Vec2> points;
+  };
+  std::vector<Outline> outlines = {};
 
   // Whether bodies can stand on the shape at this y of its line. A ceiling has a flat top where it is thick.
   bool has_floor_at(double y) const;
@@ -51,6 +59,14 @@ class PlainBodies {
   const Level& level_;
   std::vector<Cell> tiles_;
 };
+
+// "the exact form of 2 polygons, ...", for Exported::dropped of exports that know heights alone; empty if no
+// tile on the map is a polygon or a group.
+std::vector<std::string> dropped_polygons(const Level& level);
+
+// "parts of 2 tiles that are polygons, ...", for Exported::dropped of exports for bump.lua; empty if it takes
+// all.
+std::vector<std::string> dropped_by_bump(const Level& level);
 
 // "2 curves", for Exported::dropped of exports that cannot hold curves; empty if the level has no curves.
 std::vector<std::string> dropped_curves(const Level& level);

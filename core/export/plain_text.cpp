@@ -193,10 +193,19 @@ class PlainPrinter {
 }  // namespace
 
 OrderedJson plain_shape_json(const PlainShape& shape) {
-  return {{"kind", kind_word(shape.kind)},
-          {"one_way", shape.one_way},
-          {"tiles", shape.tiles},
-          {shape.is_ceiling ? "ceiling" : "floor", numbers(shape.columns)}};
+  OrderedJson json = {{"kind", kind_word(shape.kind)},
+                      {"one_way", shape.one_way},
+                      {"tiles", shape.tiles},
+                      {shape.is_ceiling ? "ceiling" : "floor", numbers(shape.columns)}};
+  for (const PlainShape::Outline& outline : shape.outlines) {
+    OrderedJson points = OrderedJson::array();
+    for (const Vec2 point : outline.points) points.push_back({point.x, point.y});
+    OrderedJson part = {{"one_way", outline.one_way}};
+    if (outline.one_way) part["side"] = outline.is_ceiling ? "ceiling" : "floor";
+    part["points"] = std::move(points);
+    json["parts"].push_back(std::move(part));
+  }
+  return json;
 }
 
 OrderedJson plain_body_json(const PlainBody& body) {

@@ -4,6 +4,7 @@
 #include "../formats/pictures/png_sheet.h"
 #include "../level/bump_boxes.h"
 #include "export_targets.h"
+#include "plain_data.h"
 #include "tiled_model.h"
 
 namespace talus {
@@ -73,6 +74,7 @@ FormatResult<Exported> export_sti(const ExportRequest& request) {
   if (const std::size_t curves = map.layers.back().objects.size(); curves > 0)
     dropped.push_back("collision, which bump.lua cannot have, with " + std::to_string(curves) + " curve" +
                       (curves == 1 ? "" : "s"));
+  for (std::string& phrase : dropped_by_bump(request.level)) dropped.push_back(std::move(phrase));
   map.layers.push_back(slope_layer(ground, request.progress.part(0.2, 0.5)));
   if (request.progress.stopped()) return Exported();
   if (map.layers.back().objects.size() > kMostBoxes)

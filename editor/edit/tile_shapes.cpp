@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <talus/collision/shape_forms.h>
+
 namespace talus {
 namespace {
 
@@ -217,10 +219,9 @@ TileShape with_width(TileShape shape, int tiles, TileSize tile) {
   return shape;
 }
 
-TileShape turned(TileShape shape, ShapeTurn turn) {
-  if (!has_line(shape)) return shape;
-  if (flips_columns(turn)) std::reverse(shape.heights.begin(), shape.heights.end());
-  if (flips_rows(turn)) shape.side = shape.side == Side::floor ? Side::ceiling : Side::floor;
+TileShape turned(TileShape shape, ShapeTurn turn, TileSize tile) {
+  if (flips_columns(turn)) shape = mirrored(std::move(shape), tile, ShapeMirror::left_right);
+  if (flips_rows(turn)) shape = mirrored(std::move(shape), tile, ShapeMirror::up_down);
   return shape;
 }
 
@@ -315,7 +316,7 @@ Edit give_shape(const Level& level, const SpriteArea& area, const TileShape& sha
 tl::expected<Edit, std::string> copy_turned(const Level& level, int tile, int target, ShapeTurn turn) {
   assert(tile >= 0 && tile < kTileCount && target >= 0 && target < kTileCount);
   const TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
-  const TileShape image = turned(shape, turn);
+  const TileShape image = turned(shape, turn, level.map.tile_size());
   const TileSize size = level.map.tile_size();
   const CellRect from = tiles_of_shape(tile, shape, size), to = tiles_of_shape(target, image, size);
   if (!is_on_sheet(from))
@@ -336,7 +337,8 @@ tl::expected<Edit, std::string> copy_turned(const Level& level, int tile, int ta
 }
 
 std::optional<int> free_target(const Level& level, int tile, ShapeTurn turn) {
-  const TileShape image = turned(shape_of_tile(level, static_cast<std::uint8_t>(tile)), turn);
+  const TileShape image =
+      turned(shape_of_tile(level, static_cast<std::uint8_t>(tile)), turn, level.map.tile_size());
   const auto is_free = [&](int number) { return number != 0 && number != tile && is_unused(level, number); };
   for (int target = 1; target < kTileCount; ++target) {
     const CellRect tiles = tiles_of_shape(target, image, level.map.tile_size());
@@ -349,7 +351,8 @@ std::optional<int> free_target(const Level& level, int tile, ShapeTurn turn) {
 
 std::vector<int> tiles_replaced(const Level& level, int tile, int target, ShapeTurn turn) {
   if (target == tile || !copy_turned(level, tile, target, turn)) return {};
-  const TileShape image = turned(shape_of_tile(level, static_cast<std::uint8_t>(tile)), turn);
+  const TileShape image =
+      turned(shape_of_tile(level, static_cast<std::uint8_t>(tile)), turn, level.map.tile_size());
   std::vector<int> replaced = numbers_of(tiles_of_shape(target, image, level.map.tile_size()));
   std::erase_if(replaced, [&](int number) { return is_unused(level, number); });
   return replaced;

@@ -19,7 +19,7 @@ TileShape with_kind(TileShape shape, TileShape::Kind kind, TileSize tile);
 TileShape with_width(TileShape shape, int tiles, TileSize tile);
 
 enum class ShapeTurn { none, mirrored, upside_down, half_turn };
-TileShape turned(TileShape shape, ShapeTurn turn);
+TileShape turned(TileShape shape, ShapeTurn turn, TileSize tile);
 
 // The tiles of the sheet that a shape reaches over: its own, those to the right and, if it is higher than a
 // tile, those above (a floor) or below (a ceiling). They may reach beyond the sheet. size: px, of a tile.

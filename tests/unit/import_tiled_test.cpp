@@ -87,14 +87,14 @@ TEST(ImportTiled, BoxesAndPolygonsBecomeShapes) {
 }
 
 TEST(ImportTiled, ObjectsThatAreNoOutlineAreReported) {
-  const std::vector<std::string> others = {R"({"x":0,"y":0,"width":8,"height":8,"ellipse":true})",
+  const std::vector<std::string> others = {R"({"x":0,"y":0,"width":8,"height":8,"text":{"text":"a"}})",
                                            R"({"x":0,"y":0,"polyline":[{"x":0,"y":8},{"x":8,"y":0}]})"};
   for (const std::string& object : others) {
     const LoadedLevel loaded = read(map_text({.tiles = tile_text(object)}));
     EXPECT_EQ(loaded.level.tile_shapes[17], TileShape()) << object;
-    EXPECT_THAT(
-        loaded.dropped,
-        testing::Contains("a collision shape of tile 17 (5 in Tiled), which is not a box or a polygon"))
+    EXPECT_THAT(loaded.dropped,
+                testing::Contains(
+                    "a collision shape of tile 17 (5 in Tiled), which is not a box, an ellipse or a polygon"))
         << object;
   }
   const LoadedLevel flat = read(map_text({.tiles = tile_text(polygon(R"({"x":0,"y":8},{"x":8,"y":8})"))}));

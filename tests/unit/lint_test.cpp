@@ -318,6 +318,25 @@ TEST(Lint, ForeignCartsGetFewProblems) {
   EXPECT_EQ(count("quest"), 3u);  // its tile 0 has every flag and no picture
 }
 
+TEST(Lint, PolygonsThatASolverDoesNotTake) {
+  Level level = level_of({"o..", "###"});
+  level.map.set({1, 0}, 20);
+  level.sheet(SheetId::tiles).images[20].fill(1);
+  TileShape& shape = level.tile_shapes[20];
+  shape.kind = TileShape::Kind::polygon;
+  shape.points = {{0, 0}, {8, 0}, {8, 8}, {0, 8}};
+  for (const SolverKind solver : {SolverKind::article, SolverKind::bump, SolverKind::exact}) {
+    level.tuning.solver = solver;
+    EXPECT_THAT(problems(level), IsEmpty());
+  }
+  shape.points = {{0, 0}, {8, 6}, {8, 8}, {0, 2}};
+  EXPECT_THAT(problems(level), IsEmpty());
+  level.tuning.solver = SolverKind::bump;
+  EXPECT_THAT(problems(level),
+              ElementsAre("W ground-not-in-bump 20: bodies pass through parts of tile 20: bump does not know "
+                          "ground between two slopes that no level line separates; exact does"));
+}
+
 TEST(Lint, GroundThatTheArticleDoesNotKnow) {
   Level level = level_of({"o..", "###"});
   level.map.set({1, 0}, 20);

@@ -159,9 +159,9 @@ TEST(TileShapes, FillTilesOfAnySize) {
 
 TEST(TileShapes, AreTurned) {
   const TileShape shape = sloped({1, 6}, Side::floor, 2);
-  EXPECT_EQ(turned(shape, ShapeTurn::mirrored), sloped({6, 1}, Side::floor, 2));
-  EXPECT_EQ(turned(shape, ShapeTurn::upside_down), sloped({1, 6}, Side::ceiling, 2));
-  EXPECT_EQ(turned(shape, ShapeTurn::half_turn), sloped({6, 1}, Side::ceiling, 2));
+  EXPECT_EQ(turned(shape, ShapeTurn::mirrored, {}), sloped({6, 1}, Side::floor, 2));
+  EXPECT_EQ(turned(shape, ShapeTurn::upside_down, {}), sloped({1, 6}, Side::ceiling, 2));
+  EXPECT_EQ(turned(shape, ShapeTurn::half_turn, {}), sloped({6, 1}, Side::ceiling, 2));
   EXPECT_EQ(tiles_of_shape(35, shape, {}), (CellRect{3, 2, 2, 1}));
   EXPECT_EQ(tiles_of_shape(35, sloped({0, 12}), {}), (CellRect{3, 1, 1, 2}))
       << "a floor rises into the tile above";

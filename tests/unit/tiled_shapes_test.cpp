@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <talus/formats/format.h>
+#include "formats/tiled/tiled_objects.h"
 #include "unit/tiled_files.h"
 
 namespace talus::tiled_shapes_test {
@@ -67,47 +68,77 @@ TEST(TiledShapes, FlatPartsAtTheBottomAreIgnored) {
             (TileShape{.kind = Kind::profile, .heights = {0, 4, 0, 4, 0}}));
 }
 
-TEST(TiledShapes, OtherOutlinesAreApproximatedWithAWarning) {
-  const LoadedLevel leaning = map_with(polygon("0,2 8,4 0,8"));
-  EXPECT_THAT(told(leaning), ElementsAre("the outline of tile 5, which hangs in the air: its upper line is "
-                                         "kept, as a one-way floor"));
-  EXPECT_EQ(leaning.level.tile_shapes[5],
-            (TileShape{.kind = Kind::slope, .one_way = true, .heights = {6, 4}}));
+TileShape polygon_shape(std::vector<Vec2> points, bool one_way = false) {
+  TileShape shape;
+  shape.kind = Kind::polygon;
+  shape.one_way = one_way;
+  shape.points = std::move(points);
+  return shape;
+}
 
-  const LoadedLevel hollow = map_with(polygon("0,8 0,4 8,2 6,6 8,8"));
-  EXPECT_THAT(
-      told(hollow),
-      ElementsAre("the outline of tile 5, which is not a floor or ceiling of a level: the nearest floor "
-                  "stands for it, with 6 px\u00b2 of ground more"));
-  EXPECT_EQ(hollow.level.tile_shapes[5], (TileShape{.kind = Kind::slope, .heights = {4, 6}}));
+TEST(TiledShapes, OtherOutlinesArePolygonsWithoutAWarning) {
+  const auto expect = [](const std::string& object, const TileShape& shape) {
+    const LoadedLevel loaded = map_with(object);
+    EXPECT_EQ(loaded.level.tile_shapes[5], shape) << object;
+    EXPECT_THAT(told(loaded), ElementsAre()) << object;
+  };
+  expect(polygon("0,2 8,4 0,8"), polygon_shape({{0, 2}, {8, 4}, {0, 8}}));
+  expect(polygon("0,8 0,4 8,2 6,6 8,8"), polygon_shape({{0, 8}, {0, 4}, {8, 2}, {6, 6}, {8, 8}}));
+  expect(R"(<object x="2" y="0" width="6" height="8"/>)", polygon_shape({{2, 0}, {8, 0}, {8, 8}, {2, 8}}));
+  expect(R"(<object x="0" y="2" width="8" height="3"/>)", polygon_shape({{0, 2}, {8, 2}, {8, 5}, {0, 5}}));
+  expect(R"(<object x="-9" y="0" width="8" height="8"/>)",
+         polygon_shape({{-9, 0}, {-1, 0}, {-1, 8}, {-9, 8}}));
+  expect(R"(<object x="4" y="0" width="2" height="4" rotation="90"/>)",
+         polygon_shape({{4, 0}, {4, 2}, {0, 2}, {0, 0}}));
+  expect(polygon("0,2 0.001,2 8,4 0,8 0,2"), polygon_shape({{0, 2}, {8, 4}, {0, 8}}));
+}
 
-  const LoadedLevel wall = map_with(R"(<object x="2" y="0" width="6" height="8"/>)");
-  EXPECT_THAT(told(wall),
-              ElementsAre("the outline of tile 5, which is not a floor or ceiling of a level: the "
-                          "nearest floor stands for it, with 0.5 px² of ground more"));
-  const std::vector<double>& heights = wall.level.tile_shapes[5].heights;
-  ASSERT_EQ(heights.size(), 65u);
-  EXPECT_THAT((std::vector<double>{heights[0], heights[15], heights[16], heights[64]}),
-              ElementsAre(0, 0, 8, 8));
+TEST(TiledShapes, AnEllipseIsAPolygon) {
+  const LoadedLevel loaded = map_with(R"(<object x="1" y="2" width="6" height="4"><ellipse/></object>)");
+  const TileShape& shape = loaded.level.tile_shapes[5];
+  EXPECT_EQ(shape.kind, Kind::polygon);
+  EXPECT_GE(shape.points.size(), 8u);
+  EXPECT_EQ(shape.points[0], (Vec2{7, 4}));
+  EXPECT_THAT(told(loaded), ElementsAre());
+}
 
-  const LoadedLevel island = map_with(R"(<object x="0" y="2" width="8" height="3"/>)");
-  EXPECT_THAT(told(island), ElementsAre("the outline of tile 5, which hangs in the air: its upper line is "
-                                        "kept, as a one-way floor"));
-  EXPECT_EQ(island.level.tile_shapes[5],
-            (TileShape{.kind = Kind::slope, .one_way = true, .heights = {6, 6}}));
+TEST(TiledShapes, SeveralOutlinesAreAGroup) {
+  const std::string one_way =
+      R"(<properties><property name="one_way" type="bool" value="true"/></properties>)";
+  const LoadedLevel loaded =
+      map_with(polygon("0,0 8,0 0,8") + R"(<object x="2" y="3" width="4" height="2">)" + one_way +
+               "</object>" + R"(<object x="0" y="0" width="8" height="8"/>)");
+  const TileShape& group = loaded.level.tile_shapes[5];
+  ASSERT_EQ(group.kind, Kind::group);
+  EXPECT_EQ(group.parts,
+            (std::vector<TileShape>{{.kind = Kind::slope, .side = Side::ceiling, .heights = {8, 0}},
+                                    polygon_shape({{2, 3}, {6, 3}, {6, 5}, {2, 5}}, true),
+                                    {.kind = Kind::solid}}));
+  EXPECT_THAT(told(loaded), ElementsAre());
+}
 
-  EXPECT_EQ(told_of(R"(<object x="-4" y="4" width="12" height="4"/>)"),
-            "the outline of tile 5, which is not a floor or ceiling of a level: the nearest floor stands for "
-            "it, with 16 px² less");
-  EXPECT_EQ(told_of(polygon("0,0.3 0.123,0.2 8,0.1 8,8 0,8")),
-            "the outline of tile 5, which is not a floor or ceiling of a level: the nearest floor stands for "
-            "it, off by less than 0.1 px²");
-  EXPECT_EQ(told_of(R"(<object x="-9" y="0" width="8" height="8"/>)"),
+TEST(TiledShapes, OutlinesOfPolygonsAreReadAsWritten) {
+  TileShape group;
+  group.kind = Kind::group;
+  group.parts = {polygon_shape({{-3.5, 2}, {12, 4.25}, {0, 8}}, true), {.kind = Kind::solid}};
+  const std::vector<TiledObject> objects = tiled_objects(group, {});
+  ASSERT_EQ(objects.size(), 2u);
+  EXPECT_EQ(polygon_of(outline_of(objects[0]), true, {}), group.parts[0]);
+  EXPECT_EQ(objects[0].properties, (TiledProperties{{"one_way", true}}));
+  EXPECT_EQ(tile_shape_of(outline_of(objects[1]), false, {}), group.parts[1]);
+  EXPECT_EQ(tiled_properties(group), (TiledProperties{{"shape", std::string("group")}}));
+}
+
+TEST(TiledShapes, OutlinesThatCrossAreApproximated) {
+  EXPECT_THAT(told_of(polygon("0,0 8,8 8,0 0,8")), testing::StartsWith("the outline of tile 5, which "));
+  EXPECT_EQ(told_of(R"(<object x="-99" y="0" width="8" height="8"/>)"),
             "the outline of tile 5, of which nothing is in the tile or up and right of it");
-  EXPECT_EQ(told_of(R"(<object x="0" y="0" width="8" height="8"><ellipse/></object>)"),
-            "a collision shape of tile 5, which is not a box or a polygon");
-  EXPECT_EQ(told_of(polygon("0,0 8,0 0,8") + polygon("0,8 8,8 0,7")),
-            "that tile 5 has 2 collision shapes: a level's has one");
+  EXPECT_EQ(told_of(R"(<object x="0" y="0"><polyline points="0,0 8,8"/></object>)"),
+            "a collision shape of tile 5, which is not a box, an ellipse or a polygon");
+  std::string many;
+  for (int i = 0; i < 65; ++i) many += R"(<object x="0" y="0" width="8" height="8"/>)";
+  EXPECT_EQ(told_of(many),
+            "all but the first of the collision shapes of tile 5, as their union has more than 64 parts");
 }
 
 // Millions of corners took many seconds.

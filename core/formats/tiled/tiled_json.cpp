@@ -317,7 +317,7 @@ TiledObject TiledReader::object(const TiledNode& node, Vec2 offset) {
       node, "an object",
       {"id", "name", "type", "class", "x", "y", "width", "height", "rotation", "visible", "properties",
        "point", "polygon", "polyline", "ellipse", "text", "gid", "template", "capsule"});
-  const Keys others = {"ellipse", "text", "capsule"};
+  const Keys others = {"text", "capsule"};
   if (node.find("polygon")) {
     object.form = TiledObject::Form::polygon;
     object.points = points(node, "polygon");
@@ -327,6 +327,8 @@ TiledObject TiledReader::object(const TiledNode& node, Vec2 offset) {
   } else if (node.find("gid")) {
     object.form = TiledObject::Form::tile;
     object.gid = gid(node);
+  } else if (node.find("ellipse")) {
+    object.form = TiledObject::Form::ellipse;
   } else if (std::any_of(others.begin(), others.end(), [&](auto key) { return node.find(key) != nullptr; })) {
     object.form = TiledObject::Form::other;
   }

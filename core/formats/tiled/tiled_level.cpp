@@ -67,7 +67,10 @@ class TiledLevelMaker {
   TiledObject in_cell(const TiledObject& object, const TiledSource& source) const;
   TileShape own_shape_of(std::uint8_t number, const TiledSource& source, const TiledTile& tile,
                          const TileShape& before);
-  TileShape shape_of_objects(const std::string& tile, const std::vector<TiledObject>& objects, bool one_way);
+  TileShape shape_of_objects(const std::string& tile, const std::vector<TiledObject>& objects,
+                             std::optional<bool> one_way);
+  std::optional<TileShape> shape_of_outline(const std::string& tile, const std::vector<Vec2>& outline,
+                                            bool one_way);
   void tell_stale_words(const TiledTile& tile, const TileShape& shape);
   void take_objects(const TiledLayer& layer);
   const std::string& type_of(const TiledObject& object) const;
@@ -114,6 +117,11 @@ std::string area_text(double area) {
   std::string text;
   append_number(text, std::round(area * 10) / 10);
   return text + " px\u00b2";
+}
+
+bool is_one_way(const TiledObject& object) {
+  const bool* const word = find_property<bool>(object.properties, "one_way");
+  return word != nullptr && *word;
 }
 
 // How a shape differs from the outline that it stands for, as the end of a sentence.
@@ -360,9 +368,7 @@ TileShape TiledLevelMaker::own_shape_of(std::uint8_t number, const TiledSource& 
   const TileShape of_flags = shape_of_flags(level_, level_.tile_flags(number));
   const TileShape expected = before.kind != TileShape::Kind::none ? before : of_flags;
   const bool* const word = find_property<bool>(tile.properties, "shape_one_way");
-  const bool* const of_outline =
-      tile.objects.empty() ? nullptr : find_property<bool>(tile.objects.front().properties, "one_way");
-  const bool one_way = word != nullptr ? *word : of_outline != nullptr && *of_outline;
+  const bool one_way = word != nullptr ? *word : !tile.objects.empty() && is_one_way(tile.objects.front());
   std::vector<TiledObject> objects = tile.objects;
   if (objects.empty() && source.turn != 0) {
     objects = tiled_objects(of_flags, map_.tile_size);
@@ -372,49 +378,62 @@ TileShape TiledLevelMaker::own_shape_of(std::uint8_t number, const TiledSource& 
   }
   const std::vector<TiledObject> old = tiled_objects(expected, map_.tile_size);
   const bool is_unchanged =
-      is_own_ && tiles_.keeps_numbers && one_way == expected.one_way &&
-      std::equal(old.begin(), old.end(), objects.begin(), objects.end(), is_same_outline);
+      is_own_ && tiles_.keeps_numbers && (one_way == expected.one_way || old.size() > 1) &&
+      std::equal(old.begin(), old.end(), objects.begin(), objects.end(),
+                 [&](const TiledObject& a, const TiledObject& b) {
+                   return is_same_outline(a, b) && (old.size() == 1 || is_one_way(a) == is_one_way(b));
+                 });
   if (is_unchanged) return before;
   const bool* const collidable = find_property<bool>(tile.properties, "collidable");
   const bool is_solid = collidable != nullptr && *collidable && of_flags.kind == TileShape::Kind::none;
-  const bool stops_one_way = one_way || (!is_own_ && of_flags.one_way);
-  if (is_solid && objects.empty()) return {.kind = TileShape::Kind::solid, .one_way = stops_one_way};
-  const TileShape shape = shape_of_objects(name_of_tile(number, source), objects, stops_one_way);
+  const bool by_flags = !is_own_ && of_flags.one_way;
+  if (is_solid && objects.empty()) return {.kind = TileShape::Kind::solid, .one_way = one_way || by_flags};
+  std::optional<bool> all_one_way;  // empty: each outline says it
+  if (word != nullptr || by_flags) all_one_way = one_way || by_flags;
+  const TileShape shape = shape_of_objects(name_of_tile(number, source), objects, all_one_way);
   return source.turn == 0 ? as_in_words(shape, tile, map_.tile_size) : shape;
 }
 
-// Of several outlines, takes the first one that is a shape of a level; if there is none, the shape nearest to
-// the first outline that is over its tile.
+// Several outlines become a group.
 TileShape TiledLevelMaker::shape_of_objects(const std::string& tile, const std::vector<TiledObject>& objects,
-                                            bool one_way) {
-  std::vector<std::vector<Vec2>> outlines;
+                                            std::optional<bool> one_way) {
+  TileShape group;
+  group.kind = TileShape::Kind::group;
   for (const TiledObject& object : objects) {
-    outlines.push_back(outline_of(object));
-    const std::size_t corners = outlines.back().size();
-    if (corners > 0 && corners <= kMostCorners) continue;
-    drops_.add("a collision shape of " + tile +
-               (corners == 0 ? std::string(", which is not a box or a polygon")
-                             : " with " + std::to_string(corners) + " corners, of which up to " +
-                                   std::to_string(kMostCorners) + " are looked at"));
-    outlines.pop_back();
+    const std::vector<Vec2> outline = outline_of(object);
+    const std::size_t corners = outline.size();
+    if (corners == 0 || corners > kMostCorners) {
+      drops_.add("a collision shape of " + tile +
+                 (corners == 0 ? std::string(", which is not a box, an ellipse or a polygon")
+                               : " with " + std::to_string(corners) + " corners, of which up to " +
+                                     std::to_string(kMostCorners) + " are looked at"));
+      continue;
+    }
+    if (auto part = shape_of_outline(tile, outline, one_way.value_or(is_one_way(object))))
+      group.parts.push_back(*std::move(part));
   }
-  if (outlines.size() > 1) {
-    drops_.add("that " + tile + " has " + std::to_string(outlines.size()) +
-               " collision shapes: a level's has one");
+  if (group.parts.empty()) return {};
+  if (group.parts.size() == 1) return std::move(group.parts.front());
+  if (const auto problem = problem_of(group, map_.tile_size)) {
+    drops_.add("all but the first of the collision shapes of " + tile + ", as their union " + *problem);
+    return std::move(group.parts.front());
   }
-  for (const auto& outline : outlines) {
-    if (auto shape = tile_shape_of(outline, one_way, map_.tile_size)) return *std::move(shape);
-  }
-  for (const auto& outline : outlines) {
-    auto nearest = nearest_tile_shape(outline, map_.tile_size);
-    if (!nearest) continue;
-    drops_.add("the outline of " + tile + ", " + text_of(*nearest));
-    nearest->shape.one_way = nearest->shape.one_way || one_way;
-    return std::move(nearest->shape);
-  }
-  if (!outlines.empty())
+  return group;
+}
+
+// The shape that an outline is, or the nearest one, if no level can hold the outline.
+std::optional<TileShape> TiledLevelMaker::shape_of_outline(const std::string& tile,
+                                                           const std::vector<Vec2>& outline, bool one_way) {
+  if (auto shape = tile_shape_of(outline, one_way, map_.tile_size)) return shape;
+  if (auto shape = polygon_of(outline, one_way, map_.tile_size)) return shape;
+  auto nearest = nearest_tile_shape(outline, map_.tile_size);
+  if (!nearest) {
     drops_.add("the outline of " + tile + ", of which nothing is in the tile or up and right of it");
-  return {};
+    return {};
+  }
+  drops_.add("the outline of " + tile + ", " + text_of(*nearest));
+  nearest->shape.one_way = nearest->shape.one_way || one_way;
+  return std::move(nearest->shape);
 }
 
 // The outline counts. Properties of Talus that contradict it do not.

@@ -66,8 +66,9 @@ struct TiledObject {
     box,  // also a point, which has no size
     polygon,
     polyline,
-    tile,  // a picture of a tile; its position is the bottom left corner
-    other  // an ellipse or a text, which no level holds
+    ellipse,  // within a box
+    tile,     // a picture of a tile; its position is the bottom left corner
+    other     // a text or a capsule, which no level holds
   };
   Form form = Form::box;
   std::string name, type;

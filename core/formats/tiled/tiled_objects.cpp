@@ -120,6 +120,13 @@ std::array<std::string, kFlagCount> tiled_flag_names(const Level& level) {
 
 std::vector<TiledObject> tiled_objects(const TileShape& shape, TileSize tile) {
   if (shape.kind == TileShape::Kind::none || problem_of(shape, tile)) return {};
+  if (shape.kind == TileShape::Kind::group) {
+    std::vector<TiledObject> objects;
+    for (const TileShape& part : shape.parts) {
+      for (TiledObject& object : tiled_objects(part, tile)) objects.push_back(std::move(object));
+    }
+    return objects;
+  }
   TiledObject object;
   if (shape.one_way) object.properties.push_back({"one_way", true});
   if (shape.kind == TileShape::Kind::solid) {
@@ -127,6 +134,10 @@ std::vector<TiledObject> tiled_objects(const TileShape& shape, TileSize tile) {
     return {object};
   }
   object.form = TiledObject::Form::polygon;
+  if (shape.kind == TileShape::Kind::polygon) {
+    object.points = shape.points;
+    return {object};
+  }
   const double width = shape.tiles * tile.width;
   const bool is_floor = shape.side == TileShape::Side::floor;
   const double base = is_floor ? tile.height : 0;
@@ -143,15 +154,14 @@ std::vector<TiledObject> tiled_objects(const TileShape& shape, TileSize tile) {
 
 TiledProperties tiled_properties(const TileShape& shape) {
   if (shape.kind == TileShape::Kind::none) return {};
-  const bool is_solid = shape.kind == TileShape::Kind::solid;
-  const char* const kind = is_solid ? "solid" : shape.kind == TileShape::Kind::slope ? "slope" : "profile";
-  TiledProperties properties = {{"shape", std::string(kind)}};
+  constexpr std::array<const char*, 6> kKinds = {"", "solid", "slope", "profile", "polygon", "group"};
+  TiledProperties properties = {{"shape", std::string(kKinds[static_cast<std::size_t>(shape.kind)])}};
   std::string heights;
   for (const double height : shape.heights) {
     if (!heights.empty()) heights += ' ';
     append_number(heights, height);
   }
-  if (!is_solid) properties.push_back({"shape_heights", heights});
+  if (has_heights(shape)) properties.push_back({"shape_heights", heights});
   if (shape.one_way) properties.push_back({"shape_one_way", true});
   if (shape.side == TileShape::Side::ceiling) properties.push_back({"shape_side", std::string("ceiling")});
   return properties;

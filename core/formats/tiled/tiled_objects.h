@@ -17,7 +17,8 @@ std::array<std::string, kFlagCount> tiled_flag_names(const Level& level);
 // Returns the outline of a shape on its tile of that size; nothing for kind none, or for a shape that cannot
 // be used. One-way shapes get the whole outline, too, though only their line stops bodies.
 std::vector<TiledObject> tiled_objects(const TileShape& shape, TileSize tile);
-// Returns the properties that describe a tile's shape: `shape`, "solid", "slope" or "profile"; unless
+// Returns the properties that describe a tile's shape: `shape`, "solid", "slope", "profile", "polygon" or
+// "group", whose outlines are the objects; unless
 // default, `shape_side`, "floor", and `shape_one_way`, false; `shape_heights`, "0 8", in px. Empty for no
 // shape.
 TiledProperties tiled_properties(const TileShape& shape);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <talus/collision/shape_forms.h>
 #include "tiled_objects.h"
 
 namespace talus {
@@ -216,6 +217,8 @@ std::vector<Vec2> outline_of(const TiledObject& object) {
   Line points = object.points;
   if (object.form == TiledObject::Form::box)
     points = {{0, 0}, {object.size.x, 0}, object.size, {0, object.size.y}};
+  else if (object.form == TiledObject::Form::ellipse)
+    points = polygon_of_ellipse({0, 0, object.size.x, object.size.y}).points;
   else if (object.form != TiledObject::Form::polygon)
     return {};
   const double angle = object.rotation * std::numbers::pi / 180;
@@ -244,6 +247,18 @@ std::optional<TileShape> tile_shape_of(const std::vector<Vec2>& outline, bool on
     }
   }
   return {};
+}
+
+std::optional<TileShape> polygon_of(const std::vector<Vec2>& outline, bool one_way, TileSize tile) {
+  TileShape shape;
+  shape.kind = TileShape::Kind::polygon;
+  shape.one_way = one_way;
+  for (const Vec2 point : outline) {
+    if (shape.points.empty() || weld(point) != shape.points.back()) shape.points.push_back(weld(point));
+  }
+  while (shape.points.size() > 1 && shape.points.front() == shape.points.back()) shape.points.pop_back();
+  if (problem_of(shape, tile)) return {};
+  return shape;
 }
 
 std::optional<NearestShape> nearest_tile_shape(const std::vector<Vec2>& outline, TileSize tile) {

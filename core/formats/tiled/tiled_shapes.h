@@ -7,8 +7,9 @@
 
 namespace talus {
 
-// The outline of a box or polygon, in px from its tile's top left corner; empty for other objects. Boxes are
-// clockwise, polygons as they were drawn. The rotation of the object is applied.
+// The outline of a box, a polygon or an ellipse (see polygon_of_ellipse), in px from its tile's top left
+// corner; empty for other objects. Boxes are clockwise, polygons as they were drawn. The rotation of the
+// object is applied.
 std::vector<Vec2> outline_of(const TiledObject& object);
 
 // Returns the shape that an outline is: either the whole tile, or the ground between a line over whole tiles,
@@ -18,6 +19,10 @@ std::vector<Vec2> outline_of(const TiledObject& object);
 // outline. one_way: whether only the line should stop bodies, which an outline cannot say.
 // tile: the size of the tiles.
 std::optional<TileShape> tile_shape_of(const std::vector<Vec2>& outline, bool one_way, TileSize tile);
+
+// Returns the polygon that an outline is, welded and without points at the place of the one before. Returns
+// nothing if no level can hold it (see problem_of). one_way: see tile_shape_of.
+std::optional<TileShape> polygon_of(const std::vector<Vec2>& outline, bool one_way, TileSize tile);
 
 // The shape that comes nearest to an outline.
 struct NearestShape {

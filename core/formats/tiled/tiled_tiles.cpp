@@ -338,6 +338,7 @@ PngPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const 
 TiledObject turned(const TiledObject& object, std::uint32_t turn, TileSize tile) {
   TiledObject result;
   result.form = TiledObject::Form::polygon;
+  result.properties = object.properties;
   result.points = outline_of(object);
   if (turn == 0 || result.points.empty()) return object;
   for (Vec2& p : result.points) {

@@ -170,6 +170,11 @@ void ShapeCanvas::draw_line(const Frame& frame, Ui& ui) const {
   const ImVec2 end{frame.at.x + frame.width(), frame.at.y + frame.height()};
   const ImU32 tint = theme::color(frame.color, 70);
   if (frame.shape.kind == TileShape::Kind::solid) return list.AddRectFilled(frame.at, end, tint);
+  if (has_parts(frame.shape)) {
+    const ImVec2 cell{frame.zoom * static_cast<float>(frame.size.width),
+                      frame.zoom * static_cast<float>(frame.size.height)};
+    draw_tile_shape(list, frame.shape, frame.size, frame.at, cell, frame.color, ui);
+  }
   if (!has_line(frame.shape)) return;
   std::vector<ImVec2> points;
   for (std::size_t i = 0; i < frame.shape.heights.size(); ++i) points.push_back(frame.point(i));
