@@ -80,7 +80,7 @@ double OutlineCompiler::Body::height_at(bool top, double x, bool to_the_right) c
   for (const OutlineLine& l : all) {
     const bool is_beside =
         to_the_right ? l.x0 <= in_tile && in_tile < l.x1 : l.x0 < in_tile && in_tile <= l.x1;
-    if (is_beside) return l.moved(corner).at(x);
+    if (is_beside) return l.moved_at(corner, x);
   }
   return corner.y + (in_tile <= all.front().x0 ? all.front().y0 : all.back().y1);
 }
@@ -112,6 +112,7 @@ const OutlineCompiler::Strip& OutlineCompiler::strip_at(int column, int row) {
   if (strip.cell == Cell{column, row}) return strip;
   strip.cell = {column, row};
   strip.bodies.clear();
+  strip.has_polygons = false;
   for (int y = row - 1; y <= row + 1; ++y) {
     const TileOutline& full = tile({column, y});
     if (full.full) strip.bodies.emplace_back(tiles_, full.columns.front(), Cell{column, y}, true, width_);
@@ -121,8 +122,10 @@ const OutlineCompiler::Strip& OutlineCompiler::strip_at(int column, int row) {
     for (c.x = sources[0].x + 1; c.x < sources[1].x; ++c.x) {
       const TileOutline& shape = tile(c);
       if (!shape.line || row < c.y + shape.touched[0].y || row > c.y + shape.touched[1].y) continue;
-      for (const TileColumn& part : shape.in_column(column - c.x))
+      for (const TileColumn& part : shape.in_column(column - c.x)) {
         strip.bodies.emplace_back(tiles_, part, c, false, width_);
+        strip.has_polygons = strip.has_polygons || part.polygon >= 0;
+      }
     }
   }
   const double left = tiles_.x_of(column), right = tiles_.x_of(column + 1);
@@ -134,11 +137,11 @@ const OutlineCompiler::Strip& OutlineCompiler::strip_at(int column, int row) {
 
 void OutlineCompiler::cut(Strip& strip, double left, double right) {
   strip.cuts.clear();
+  if (!strip.has_polygons) return;
   for (const Body& body : strip.bodies) {
     if (body.left > left) strip.cuts.push_back(body.left);
     if (body.right < right) strip.cuts.push_back(body.right);
   }
-  if (strip.cuts.empty()) return;
   std::sort(strip.cuts.begin(), strip.cuts.end());
   strip.cuts.erase(std::unique(strip.cuts.begin(), strip.cuts.end()), strip.cuts.end());
 }
@@ -153,9 +156,9 @@ const OutlineCompiler::Strip& OutlineCompiler::strip_beside(double x, bool to_th
 void OutlineCompiler::cover(const Strip& strip, double x, bool to_the_right, std::vector<Cover>& covers) {
   covers.clear();
   for (const Body& body : strip.bodies) {
-    if (body.one_way() || !body.is_beside(x, to_the_right)) continue;
+    if (body.one_way() || (strip.has_polygons && !body.is_beside(x, to_the_right))) continue;
     const Cover here{body.range_at(x, to_the_right), body.origin};
-    if (body.is_of_polygon() && here.part.from == here.part.to) continue;  // a tip
+    if (strip.has_polygons && body.is_of_polygon() && here.part.from == here.part.to) continue;  // a tip
     auto at = covers.end();  // usually the right place: few bodies are not listed from the top
     while (at != covers.begin() && here.part.from < (at - 1)->part.from) --at;
     covers.insert(at, here);
@@ -225,7 +228,7 @@ void OutlineCompiler::find_open(const Body& body, bool top, const OutlineLine& l
   };
   for (const Body& other : here_->bodies) {
     for (const double joint : other.column->joints) add(other.corner.x + joint);
-    if (!other.is_of_polygon() || other.is_of_polygon_of(body)) continue;
+    if (!here_->has_polygons || !other.is_of_polygon() || other.is_of_polygon_of(body)) continue;
     add(other.left);
     add(other.right);
   }
@@ -256,7 +259,8 @@ void OutlineCompiler::take_out_hidden(const Body& body, bool top, const OutlineL
   for (const Body& other : here_->bodies) {
     if (parts_.empty()) return;
     if (other.one_way() || other.highest > lowest || other.lowest < highest) continue;
-    if (other.left >= x1 || other.right <= x0 || other.is_of_polygon_of(body)) continue;
+    if (here_->has_polygons && (other.left >= x1 || other.right <= x0 || other.is_of_polygon_of(body)))
+      continue;
     const auto [top0, bottom0] = other.range_at(x0, true);
     const auto [top1, bottom1] = other.range_at(x1, false);
     const bool is_flat = top0 == bottom0 && top1 == bottom1;

@@ -109,7 +109,8 @@ class OutlineCompiler {
     Cell cell{-2, -2};
     std::vector<Body> bodies;
     std::vector<Cover> left, right;  // from the top
-    std::vector<double> cuts;        // x between its sides where a body begins or ends; of polygons alone
+    bool has_polygons = false;
+    std::vector<double> cuts;  // x between its sides where a body begins or ends; of polygons alone
   };
   // What continues at the end of a piece.
   struct Next {

@@ -35,6 +35,15 @@ struct OutlineLine {
     return std::clamp(y, std::min(y0, y1), std::max(y0, y1));
   }
   double precise_at(double x) const;
+  // The same as moved(by).at(x), for an x that is welded.
+  double moved_at(Vec2 by, double x) const {
+    const double here = x - by.x;
+    if (here <= x0) return y0 + by.y;
+    if (here >= x1) return y1 + by.y;
+    if (precise) return moved(by).at(x);
+    const double y = (base_y + by.y) + (here - base_x) * slope;
+    return std::clamp(y, std::min(y0, y1) + by.y, std::max(y0, y1) + by.y);
+  }
   // The height is exact, as ends are welded.
   OutlineLine moved(Vec2 by) const {
     return {x0 + by.x,     y0 + by.y, x1 + by.x,  y1 + by.y, base_x + by.x,
