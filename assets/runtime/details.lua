@@ -2,10 +2,9 @@
 
 -- Cells that are not full tiles, and those beside them, are compiled when they are first looked at.
 function Terrain:begin()
-  self.touched_left, self.touched_top, self.touched_right, self.touched_bottom = -1, -1, 1, 1
+  self.touched_top, self.touched_right, self.touched_bottom = -1, 1, 1
   for _, outline in pairs(self.outlines) do
     if outline.line then
-      self.touched_left = min(self.touched_left, outline.left)
       self.touched_top = min(self.touched_top, outline.top)
       self.touched_right = max(self.touched_right, outline.right)
       self.touched_bottom = max(self.touched_bottom, outline.bottom)
@@ -49,7 +48,7 @@ end
 local function forget_around(self, x, y)
   self.some_pieces = nil
   for cy = max(y + self.touched_top, 0), min(y + self.touched_bottom, self.height - 1) do
-    for cx = max(x + self.touched_left, 0), min(x + self.touched_right, self.width - 1) do
+    for cx = max(x - 1, 0), min(x + self.touched_right, self.width - 1) do
       self.compiled[cy * self.width + cx] = nil
     end
   end

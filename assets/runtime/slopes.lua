@@ -50,21 +50,14 @@ local function line_between(x0, y0, x1, y1)
   return {x0 = x0, y0 = y0, x1 = x1, y1 = y1, base_x = first and x0 or x1, base_y = first and y0 or y1,
           slope = slope, slope_rest = rest}
 end
--- The height of a line at x, rounded once.
-local function precise_at(line, x)
-  local high, low = two_multiply(x - line.base_x, 0.0, line.slope, line.slope_rest)
-  high, low = two_add(high, low, line.base_y, 0.0)
-  return high + low
-end
 local function line_at(line, x)
   if x <= line.x0 then return line.y0 end
   if x >= line.x1 then return line.y1 end
-  local y = line.precise and precise_at(line, x) or line.base_y + (x - line.base_x) * line.slope
-  return clamp(y, min(line.y0, line.y1), max(line.y0, line.y1))
+  return clamp(line.base_y + (x - line.base_x) * line.slope, min(line.y0, line.y1), max(line.y0, line.y1))
 end
 local function line_moved(line, x, y)
   return {x0 = line.x0 + x, y0 = line.y0 + y, x1 = line.x1 + x, y1 = line.y1 + y, base_x = line.base_x + x,
-          base_y = line.base_y + y, slope = line.slope, slope_rest = line.slope_rest, precise = line.precise}
+          base_y = line.base_y + y, slope = line.slope, slope_rest = line.slope_rest}
 end
 
 local function column_of(shape, tiles, column)
@@ -87,14 +80,13 @@ local function column_of(shape, tiles, column)
   end
   local side = {line_between(left, base, right, base)}
   return {top = is_floor and line or side, bottom = is_floor and side or line, joints = joints,
-          highest = highest, lowest = lowest, left = left, right = right, solid = true, is_floor = is_floor}
+          highest = highest, lowest = lowest}
 end
 
 -- shape: kind "solid", "slope" or "profile".
 function Terrain.outline_of(shape)
   local full = shape.kind == "solid"
-  local is_floor = shape.side ~= "ceiling"
-  local out = {full = full, line = not full, columns = {}}
+  local out = {full = full, line = not full, solid = true, is_floor = shape.side ~= "ceiling", columns = {}}
   local tiles, extra = 1, 0
   if shape.kind ~= "solid" then
     tiles = shape.tiles or 1
@@ -102,10 +94,11 @@ function Terrain.outline_of(shape)
     for _, height in ipairs(shape.heights) do most = max(most, height) end
     extra = max(0, ceil(weld(most) / TILE_H) - 1)
   end
-  for column = 0, tiles - 1 do out.columns[column] = {column_of(shape, tiles, column)} end
+  for column = 0, tiles - 1 do out.columns[column] = column_of(shape, tiles, column) end
+  out.width = tiles
   -- The cells whose outline it may change, relative to its own.
   out.left, out.right = -1, tiles
-  out.top, out.bottom = -1 - (is_floor and extra or 0), 1 + (is_floor and 0 or extra)
+  out.top, out.bottom = -1 - (out.is_floor and extra or 0), 1 + (out.is_floor and 0 or extra)
   return out
 end
 
@@ -139,43 +132,36 @@ local function is_thick(body, x, to_the_right)
     end
   end
   if abs(far) == huge then return false end
-  if to_the_right then far = min(far, body.column.right) else far = max(far, body.column.left) end
   local from, to = range_at(body, x, to_the_right)
   local there_from, there_to = range_at(body, body.corner_x + far, not to_the_right)
   return from ~= to or there_from ~= there_to
 end
 
 -- A body that is not solid stops with one side only.
-local function has_side(body, top) return body.column.solid or body.column.is_floor == top end
+local function has_side(body, top) return body.tile.solid or body.tile.is_floor == top end
 
--- Whether it is of the same polygon: no side of a polygon is inside of it.
-local function is_same_polygon(a, b)
-  return a.column.polygon and a.column.polygon == b.column.polygon and a.origin == b.origin
+local function new_body(terrain, tile, x, y, strip)
+  local column = tile.columns[strip - x]
+  local body = {tile = tile, column = column, corner_x = x * TILE_W, corner_y = y * TILE_H,
+      origin = y * terrain.width + x,
+                highest = y * TILE_H + column.highest, lowest = y * TILE_H + column.lowest}
+  local left, right = strip * TILE_W, (strip + 1) * TILE_W
+  body.left_from, body.left_to = range_at(body, left, true)
+  body.right_from, body.right_to = range_at(body, right, false)
+  return body
 end
 
--- Whether it covers a place just right (or left) of x.
-local function is_beside(body, x, to_the_right)
-  if to_the_right then return body.left <= x and x < body.right end
-  return body.left < x and x <= body.right
-end
-
-local function new_body(terrain, column, x, y, full)
-  return {column = column, full = full, corner_x = x * TILE_W, corner_y = y * TILE_H,
-          origin = y * terrain.width + x, left = x * TILE_W + column.left, right = x * TILE_W + column.right,
-          highest = y * TILE_H + column.highest, lowest = y * TILE_H + column.lowest}
-end
-
--- The parts of a vertical line that have ground just right (or left) of it, from the top.
-local function covers_of(bodies, x, to_the_right)
+-- The parts of one side of a strip that are ground, from the top.
+local function covers_of(bodies, left)
   local covers = {}
   for _, body in ipairs(bodies) do
-    if body.column.solid and is_beside(body, x, to_the_right) then
-      local from, to = range_at(body, x, to_the_right)
-      if not body.column.polygon or from ~= to then
-        local at = #covers + 1
-        while at > 1 and from < covers[at - 1].from do at = at - 1 end
-        table.insert(covers, at, {from = from, to = to, origin = body.origin})
-      end
+    if body.tile.solid then
+      local cover = {from = left and body.left_from or body.right_from, to = left and body.left_to
+          or body.right_to,
+                     origin = body.origin}
+      local at = #covers + 1
+      while at > 1 and cover.from < covers[at - 1].from do at = at - 1 end
+      table.insert(covers, at, cover)
     end
   end
   local last = 1
@@ -191,39 +177,22 @@ local function covers_of(bodies, x, to_the_right)
   return covers
 end
 
--- The places between the sides of a strip where a body begins or ends; of polygons alone.
-local function cuts_of(bodies, left, right)
-  local all, cuts = {}, {}
-  for _, body in ipairs(bodies) do
-    if body.left > left then all[#all + 1] = body.left end
-    if body.right < right then all[#all + 1] = body.right end
-  end
-  table.sort(all)
-  for _, x in ipairs(all) do
-    if x ~= cuts[#cuts] then cuts[#cuts + 1] = x end
-  end
-  return cuts
-end
-
 local function strip_at(terrain, column, row)
   local bodies = {}
   for y = row - 1, row + 1 do
     local tile = terrain:outline(column, y)
-    if tile and tile.full then bodies[#bodies + 1] = new_body(terrain, tile.columns[0][1], column, y, true) end
+    if tile and tile.full then bodies[#bodies + 1] = new_body(terrain, tile, column, y, column) end
   end
   for y = row - terrain.touched_bottom, row - terrain.touched_top do
-    for x = column - terrain.touched_right + 1, column - terrain.touched_left - 1 do
+    for x = column - terrain.touched_right + 1, column do
       local tile = terrain:outline(x, y)
-      if tile and tile.line and row >= y + tile.top and row <= y + tile.bottom then
-        for _, part in ipairs(tile.columns[column - x] or {}) do
-          bodies[#bodies + 1] = new_body(terrain, part, x, y, false)
-        end
+      if tile and tile.line and column - x < tile.width and row >= y + tile.top
+          and row <= y + tile.bottom then
+        bodies[#bodies + 1] = new_body(terrain, tile, x, y, column)
       end
     end
   end
-  local left, right = column * TILE_W, (column + 1) * TILE_W
-  return {column = column, bodies = bodies, cuts = cuts_of(bodies, left, right),
-          left = covers_of(bodies, left, true), right = covers_of(bodies, right, false)}
+  return {column = column, bodies = bodies, left = covers_of(bodies, true), right = covers_of(bodies, false)}
 end
 
 -- ---- Floors and ceilings ----
@@ -269,8 +238,7 @@ local function take_out_hidden(bodies, index, top, line, x0, x1, parts)
   local highest, lowest = min(y0, y1), max(y0, y1)
   for number, other in ipairs(bodies) do
     if #parts == 0 then return end
-    if other.column.solid and other.highest <= lowest and other.lowest >= highest and other.left < x1
-        and other.right > x0 and not is_same_polygon(other, bodies[index]) then
+    if other.tile.solid and other.highest <= lowest and other.lowest >= highest then
       local top0, bottom0 = range_at(other, x0, true)
       local top1, bottom1 = range_at(other, x1, false)
       local is_flat = top0 == bottom0 and top1 == bottom1
@@ -289,14 +257,10 @@ end
 
 local function open_parts(bodies, index, top, line, from, to)
   local ends = {from}
-  local function add(x)
-    if x > from and x < to then ends[#ends + 1] = x end
-  end
   for _, other in ipairs(bodies) do
-    for _, joint in ipairs(other.column.joints) do add(other.corner_x + joint) end
-    if other.column.polygon and not is_same_polygon(other, bodies[index]) then
-      add(other.left)
-      add(other.right)
+    for _, joint in ipairs(other.column.joints) do
+      local x = other.corner_x + joint
+      if x > from and x < to then ends[#ends + 1] = x end
     end
   end
   ends[#ends + 1] = to
@@ -330,8 +294,7 @@ local function add_surface(bodies, index, top, x, y, out)
   for _, in_tile in ipairs(top and body.column.top or body.column.bottom) do
     local line = line_moved(in_tile, body.corner_x, body.corner_y)
     local from, to = max(line.x0, left), min(line.x1, right)
-    -- A side of a polygon counts once, with its first part.
-    if from >= body.left and may_be_in_row(line.y0, line.y1, top, row0) and
+    if may_be_in_row(line.y0, line.y1, top, row0) and
         may_be_in_row(line_at(line, from), line_at(line, to), top, row0) then
       for _, part in ipairs(open_parts(bodies, index, top, line, from, to)) do
         local y0, y1 = line_at(line, part.from), line_at(line, part.to)
@@ -343,7 +306,7 @@ local function add_surface(bodies, index, top, x, y, out)
           out[#out + 1] = {x0 = part.from, y0 = y0, x1 = part.to, y1 = y1, base_x = line.base_x,
               base_y = line.base_y,
                            slope = line.slope, slope_rest = line.slope_rest, origin = body.origin,
-                           facing = top and UP or DOWN, solid = body.column.solid, form = Line}
+                           facing = top and UP or DOWN, solid = body.tile.solid, form = Line}
         end
       end
     end
@@ -358,14 +321,14 @@ local function wall_piece(x, y0, y1, left, origin, convex0, convex1)
           facing = left and LEFT or RIGHT, convex0 = convex0, convex1 = convex1, solid = true, form = Line}
 end
 
--- The part of a vertical line in a cell with ground on one hand and none on the other.
-local function add_wall(at, left, y, ground, beside, out)
-  local row0 = y * TILE_H
+local function add_wall(here, beside, left, x, y, out)
+  local at, row0 = (left and x or x + 1) * TILE_W, y * TILE_H
   local row1 = row0 + TILE_H
-  for _, whole in ipairs(ground) do
+  for _, whole in ipairs(left and here.left or here.right) do
     if whole.to > row0 and whole.from < row1 then
       local parts = {{from = whole.from, to = whole.to}}
-      for _, other in ipairs(beside) do take_out(parts, other.from, other.to) end
+      for _, other in ipairs(left and beside.right or beside.left) do take_out(parts, other.from,
+          other.to) end
       for _, part in ipairs(parts) do
         local y0, y1 = max(part.from, row0), min(part.to, row1)
         if y0 < y1 then
@@ -373,17 +336,6 @@ local function add_wall(at, left, y, ground, beside, out)
         end
       end
     end
-  end
-end
-
-local function add_walls(strips, x, y, out)
-  local here = strips[2]
-  add_wall(x * TILE_W, true, y, here.left, strips[1].right, out)
-  add_wall((x + 1) * TILE_W, false, y, here.right, strips[3].left, out)
-  for _, at in ipairs(here.cuts) do
-    local before, after = covers_of(here.bodies, at, false), covers_of(here.bodies, at, true)
-    add_wall(at, true, y, after, before, out)
-    add_wall(at, false, y, before, after, out)
   end
 end
 
@@ -396,7 +348,7 @@ end
 -- Whether there is ground right (or left) of a point.
 local function goes_on_at(strips, x, y, to_the_right)
   for _, body in ipairs(strip_beside(strips, x, to_the_right).bodies) do
-    if body.column.solid and y >= body.highest and y <= body.lowest and is_beside(body, x, to_the_right) then
+    if body.tile.solid and y >= body.highest and y <= body.lowest then
       local from, to = range_at(body, x, to_the_right)
       if from <= y and y <= to and is_thick(body, x, to_the_right) then return true end
     end
@@ -404,31 +356,24 @@ local function goes_on_at(strips, x, y, to_the_right)
   return false
 end
 
--- The tip at the first, or the last, end of a line.
-local function add_tip(strips, body, x, y, first, cx, cy, out)
-  local left, row0 = cx * TILE_W, cy * TILE_H
-  if x < left or x > left + TILE_W or y < row0 or y > row0 + TILE_H then return end
-  local from, to = range_at(body, x, first)
-  if y == from and y == to and not goes_on_at(strips, x, y, not first) then
-    out[#out + 1] = wall_piece(x, y, y, first, body.origin, true, true)
-  end
-end
-
 -- The tips of wedges: a body's top and bottom meet there, and nothing goes on.
 local function add_tips(strips, cx, cy, out)
-  local row0 = cy * TILE_H
-  local row1 = row0 + TILE_H
+  local left, row0 = cx * TILE_W, cy * TILE_H
+  local right, row1 = left + TILE_W, row0 + TILE_H
   for _, body in ipairs(strips[2].bodies) do
-    local column = body.column
-    if not body.full and column.solid and body.lowest >= row0 and body.highest <= row1 then
-      if column.polygon then
-        add_tip(strips, body, body.left, height_at(body, true, body.left, true), true, cx, cy, out)
-        add_tip(strips, body, body.right, height_at(body, true, body.right, false), false, cx, cy, out)
-      else
-        for _, line in ipairs(column.is_floor and column.top or column.bottom) do
-          if line.y0 ~= line.y1 then
-            add_tip(strips, body, body.corner_x + line.x0, body.corner_y + line.y0, true, cx, cy, out)
-            add_tip(strips, body, body.corner_x + line.x1, body.corner_y + line.y1, false, cx, cy, out)
+    if body.tile.line and body.tile.solid and body.lowest >= row0 and body.highest <= row1 then
+      for _, line in ipairs(body.tile.is_floor and body.column.top or body.column.bottom) do
+        if line.y0 ~= line.y1 then
+          for n = 1, 2 do
+            local first = n == 1
+            local x = body.corner_x + (first and line.x0 or line.x1)
+            local y = body.corner_y + (first and line.y0 or line.y1)
+            if x >= left and x <= right and y >= row0 and y <= row1 then
+              local from, to = range_at(body, x, first)
+              if y == from and y == to and not goes_on_at(strips, x, y, not first) then
+                out[#out + 1] = wall_piece(x, y, y, first, body.origin, true, true)
+              end
+            end
           end
         end
       end
@@ -449,12 +394,12 @@ local function goes_on(terrain, strips, piece, first)
     if up then outward = outward or fall <= 0 else outward = outward or fall >= 0 end
   end
   for _, body in ipairs(strip_beside(strips, x, not first).bodies) do
-    if y >= body.highest and y <= body.lowest and has_side(body, up) and is_beside(body, x, not first) then
+    if y >= body.highest and y <= body.lowest and has_side(body, up) then
       for _, in_tile in ipairs(up and body.column.top or body.column.bottom) do
         local line = line_moved(in_tile, body.corner_x, body.corner_y)
         local reaches
         if first then reaches = line.x0 < x and x <= line.x1 else reaches = line.x0 <= x and x < line.x1 end
-        if reaches and line_at(line, x) == y and (not body.column.solid or is_thick(body, x, not first)) then
+        if reaches and line_at(line, x) == y and (not body.tile.solid or is_thick(body, x, not first)) then
           note((first and line.y0 or line.y1) - y)
         end
       end
@@ -485,7 +430,8 @@ local function pieces_in(terrain, x, y)
     if has_side(body, true) then add_surface(bodies, index, true, x, y, out) end
     if has_side(body, false) then add_surface(bodies, index, false, x, y, out) end
   end
-  add_walls(strips, x, y, out)
+  add_wall(strips[2], strips[1], true, x, y, out)
+  add_wall(strips[2], strips[3], false, x, y, out)
   add_tips(strips, x, y, out)
   for _, piece in ipairs(out) do
     if not is_wall(piece) then

@@ -330,11 +330,11 @@ TEST(Lint, PolygonsThatASolverDoesNotTake) {
     EXPECT_THAT(problems(level), IsEmpty());
   }
   shape.points = {{0, 0}, {8, 6}, {8, 8}, {0, 2}};
-  EXPECT_THAT(problems(level), IsEmpty());
+  const auto unknown = testing::Contains(
+      testing::StartsWith("W ground-not-in-bump 20: bodies pass through parts of tile 20: bump "));
+  EXPECT_THAT(problems(level), testing::Not(unknown));
   level.tuning.solver = SolverKind::bump;
-  EXPECT_THAT(problems(level),
-              ElementsAre("W ground-not-in-bump 20: bodies pass through parts of tile 20: bump does not know "
-                          "ground between two slopes that no level line separates; exact does"));
+  EXPECT_THAT(problems(level), unknown);
 }
 
 TEST(Lint, GroundThatTheArticleDoesNotKnow) {

@@ -80,10 +80,11 @@ TEST(LuaParts, OtherPartsCanBeChosen) {
   EXPECT_EQ(parts_of(Level(), "curves"), "slopes segments curves ");
   const auto wrong = lua_parts(flat_level(), "pairs,plyers");
   ASSERT_FALSE(wrong);
-  EXPECT_EQ(wrong.error().message,
-            "\"plyers\" is not a part of the runtime; the parts are slopes, one_way, segments, curves, "
-            "balls, players, "
-            "pairs, mouse");
+  EXPECT_EQ(
+      wrong.error().message,
+      "\"plyers\" is not a part of the runtime; the parts are slopes, one_way, polygons, segments, curves, "
+      "balls, players, "
+      "pairs, mouse");
 }
 
 // Words that occur in the code of one part only.

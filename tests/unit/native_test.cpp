@@ -146,7 +146,7 @@ TEST(Native, UnknownKeysSurviveTheDataBesideThem) {
 }
 
 TEST(Native, ANewerVersionIsRefused) {
-  expect_native_error(R"({"talus": 3, "palette": 7})", "key talus",
+  expect_native_error(R"({"talus": 4, "palette": 7})", "key talus",
                       "has version 4, but this Talus reads only up to version 3");
   expect_native_error(R"({"talus": "1"})", "key talus", "must be the version, a whole number from 1");
   expect_native_error(R"({"map": {}})", "key talus", "is missing, so this is not a Talus level");

@@ -126,7 +126,7 @@ TEST(Scene, GroundIsCountedByTheHeightsOfItsTiles) {
   level.tuning.solver = SolverKind::exact;
   EXPECT_EQ(ground_problem(level),
             "has ground of 20480000 lines, but the solver exact can take only 16777216: use fewer or simpler "
-            "slopes and profiles");
+            "slopes, profiles and polygons");
   const Scene scene = compile_scene(level);
   EXPECT_FALSE(scene.ground->has_pieces());
 
