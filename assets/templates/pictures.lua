@@ -1,4 +1,4 @@
--- Draws a level in LÖVE 11 as Talus's editor does, from its sheet: a picture of the 256 tiles in which colour 0 is
+-- Draws a level in LÖVE 11 as Talus's editor does, from its sheet: a picture of the tiles in which colour 0 is
 -- clear. pictures(level, file) gives
 --   draw_ground()      the tiles of the map; a cell with a ball, which is a body, shows tile 0
 --   draw_body(body)    its kind, x, y, w and h. Kinds that look like a figure, such as players, are boxes with a
@@ -60,9 +60,10 @@ return function(level, file)
   local clear = image(picture)
   picture:mapPixel(function(_, _, red, green, blue) return red, green, blue, 1 end)
   local quads, first_ball = {}, nil
-  for tile = 255, 0, -1 do
-    quads[tile] = love.graphics.newQuad(tile % 16 * tile_width, math.floor(tile / 16) * tile_height, tile_width,
-                                        tile_height, picture:getDimensions())
+  local columns, rows = picture:getWidth() / tile_width, picture:getHeight() / tile_height
+  for tile = columns * rows - 1, 0, -1 do
+    quads[tile] = love.graphics.newQuad(tile % columns * tile_width, math.floor(tile / columns) * tile_height,
+                                        tile_width, tile_height, picture:getDimensions())
     if level.balls[tile] then first_ball = tile end
   end
   local ground = ground_of(level, image(picture), quads, is_plain(picture, tile_width, tile_height), tile_width,

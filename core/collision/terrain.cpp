@@ -56,7 +56,7 @@ std::uint64_t columns_mask(int first, int last) {
 int index_in_chunk(Cell cell) { return (cell.y % kSide) * kSide + cell.x % kSide; }
 
 TerrainSource empty_source() {
-  static constexpr std::array<std::uint8_t, 1> kNothing{};
+  static constexpr std::array<TileNumber, 1> kNothing{};
   TerrainSource source;
   source.width = source.height = 1;
   source.cells = kNothing;
@@ -69,7 +69,7 @@ template <class Real>
 struct BasicTerrain<Real>::Parts {
   explicit Parts(const TerrainSource& source)
       : shapes(source.shapes), outlines(source.shapes, source.tile), curves(source.curves) {}
-  std::array<TileShape, kTileKinds> shapes;
+  std::vector<TileShape> shapes;
   TileOutlines outlines;  // of the shapes
   std::vector<Curve> curves;
   std::vector<Piece<double>> curve_pieces;
@@ -93,6 +93,9 @@ BasicTerrain<Real>::BasicTerrain(const TerrainSource& source)
       chunk_columns_((source.width + kSide - 1) / kSide) {
   assert(is_terrain_size(width_, height_, tile_));
   assert(source.cells.size() == static_cast<std::size_t>(width_) * height_);
+  assert(!source.shapes.empty() && source.shapes.size() <= kMaxTiles);
+  assert(std::all_of(source.cells.begin(), source.cells.end(),
+                     [&](TileNumber tile) { return tile < source.shapes.size(); }));
   assert(std::none_of(source.shapes.begin(), source.shapes.end(),
                       [&](const TileShape& s) { return problem_of(s, source.tile); }));
   assert(std::none_of(source.curves.begin(), source.curves.end(), [](auto& c) { return problem_of(c); }));
@@ -111,7 +114,7 @@ BasicTerrain<Real>::BasicTerrain(const TerrainSource& source)
       std::shared_ptr<Chunk> chunk;
       for (Cell c{x, y}; c.y < std::min(y + kSide, height_); ++c.y) {
         for (c.x = x; c.x < std::min(x + kSide, width_); ++c.x) {
-          const std::uint8_t tile = source.cells[static_cast<std::size_t>(c.y) * width_ + c.x];
+          const TileNumber tile = source.cells[static_cast<std::size_t>(c.y) * width_ + c.x];
           const bool full = parts_->outlines[tile].full;
           if (tile == 0 && !full) continue;
           if (chunk == nullptr) chunk = std::make_shared<Chunk>();
@@ -156,9 +159,9 @@ const TileOutlines& BasicTerrain<Real>::outlines() const {
 }
 
 template <class Real>
-void BasicTerrain<Real>::set_cell(Cell cell, std::uint8_t tile) {
-  assert(contains(cell));
-  const std::uint8_t old = tile_at(cell);
+void BasicTerrain<Real>::set_cell(Cell cell, TileNumber tile) {
+  assert(contains(cell) && tile < parts_->shapes.size());
+  const TileNumber old = tile_at(cell);
   if (old == tile) return;
   auto chunk = writable_chunk(cell);
   chunk->tiles[index_in_chunk(cell)] = tile;
@@ -368,7 +371,7 @@ std::span<const Piece<Real>> BasicTerrain<Real>::pieces_in(Cell cell) const {
 }
 
 template <class Real>
-std::uint8_t BasicTerrain<Real>::tile_at(Cell cell) const {
+TileNumber BasicTerrain<Real>::tile_at(Cell cell) const {
   if (!contains(cell)) return 0;
   const Chunk* chunk = chunks_[chunk_index(cell)].get();
   return chunk == nullptr ? 0 : chunk->tiles[index_in_chunk(cell)];

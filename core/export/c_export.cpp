@@ -95,6 +95,9 @@ std::string c_list(const Range& values) {
   return text + '}';
 }
 
+// The smallest type of C for the numbers below a count.
+std::string number_type(std::size_t count) { return count <= 256 ? "uint8_t" : "uint16_t"; }
+
 // The floors of a shape's tile, or of a further column of it: 24.8 numbers, or `none`.
 std::string floor_row(const PlainShape& shape, int column, const std::string& none) {
   const auto width = static_cast<int>(shape.columns.size()) / shape.tiles;  // px
@@ -122,7 +125,8 @@ class CHeader {
         bodies_(level),
         name_(std::move(name)),
         macro_(upper(name_)),
-        shapes_(plain_shapes(ground_of(level))) {
+        shapes_(plain_shapes(ground_of(level))),
+        by_tile_(static_cast<std::size_t>(level.tile_count())) {
     for (const PlainShape& shape : shapes_) {
       const auto same = std::find_if(distinct_.begin(), distinct_.end(),
                                      [&](const PlainShape* other) { return is_same(*other, shape); });
@@ -174,7 +178,7 @@ class CHeader {
   std::string name_, macro_;
   std::vector<PlainShape> shapes_;
   std::vector<const PlainShape*> distinct_;  // tiles with the same shape share the first one's
-  std::array<int, kTileCount> by_tile_{};    // from 1; 0: no shape
+  std::vector<int> by_tile_;                 // from 1; 0: no shape
   std::string text_;
 };
 
@@ -211,15 +215,17 @@ void CHeader::put_head() {
 
 void CHeader::put_map() {
   line("/* Tile numbers, and flags by tile and by sprite: bit n is flag n, of ^_FLAG_SOLID and the like. */");
-  line("static const uint8_t @_map[^_HEIGHT][^_WIDTH] = {");
-  const std::vector<std::uint8_t>& cells = level_.map.cells();
+  line("static const " + number_type(static_cast<std::size_t>(level_.tile_count())) +
+       " @_map[^_HEIGHT][^_WIDTH] = {");
+  const std::vector<TileNumber>& cells = level_.map.cells();
   for (auto row = cells.begin(); row != cells.end(); row += level_.map.width())
-    text_ += c_list(std::vector<std::uint8_t>(row, row + level_.map.width())) + ",\n";
+    text_ += c_list(std::vector<TileNumber>(row, row + level_.map.width())) + ",\n";
   line("};");
-  text_ +=
-      "static const uint8_t " + name_ + "_flags[256] = " + c_list(level_.sheet(SheetId::tiles).flags) + ";\n";
-  text_ += "static const uint8_t " + name_ +
-           "_sprite_flags[256] = " + c_list(level_.sheet(SheetId::sprites).flags) + ";\n\n";
+  text_ += "static const uint8_t " + name_ + "_flags[" + std::to_string(level_.tile_count()) +
+           "] = " + c_list(level_.sheet(SheetId::tiles).flags) + ";\n";
+  text_ += "static const uint8_t " + name_ + "_sprite_flags[" +
+           std::to_string(level_.sheet(SheetId::sprites).count()) +
+           "] = " + c_list(level_.sheet(SheetId::sprites).flags) + ";\n\n";
 }
 
 void CHeader::put_shapes() {
@@ -236,7 +242,8 @@ typedef struct @_shape {
   uint16_t row, first, parts;
   int32_t slope, y0;
 } @_shape;)");
-  text_ += "static const uint8_t " + name_ + "_shape_of[256] = " + c_list(by_tile_) + ";\n";
+  text_ += "static const " + number_type(distinct_.size() + 1) + " " + name_ + "_shape_of[" +
+           std::to_string(level_.tile_count()) + "] = " + c_list(by_tile_) + ";\n";
   line("static const @_shape @_shapes[" + std::to_string(distinct_.size() + 1) + "] = {");
   line("{0,0,0,0,0,0,0,0,0},");
   std::size_t row = 1, first = 0;

@@ -81,7 +81,7 @@ FormatResult<PlayableCart> playable_cart(const ExportRequest& request) {
   playable.map = on_cart_map(level.map);  // the code has the level's size
   playable.spawns.clear();
   playable.curves.clear();
-  playable.tile_shapes = {};
+  playable.tile_shapes.assign(playable.tile_shapes.size(), {});
   playable.flag_shapes = {};
   playable.roles = {};
   playable.tuning = {};

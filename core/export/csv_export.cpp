@@ -72,8 +72,8 @@ std::string tile_table(const Level& level) {
   CsvTable table(header);
   const std::vector<PlainShape> shapes = plain_shapes(ground_of(level));
   auto shape = shapes.begin();
-  for (int tile = 0; tile < kTileCount; ++tile) {
-    const int flags = level.tile_flags(static_cast<std::uint8_t>(tile));
+  for (int tile = 0; tile < level.tile_count(); ++tile) {
+    const int flags = level.tile_flags(static_cast<TileNumber>(tile));
     if (shape == shapes.end() || shape->tile != tile) {
       table.number(tile).number(flags).word("none");
       for (int empty = 0; empty < width + 4; ++empty) table.word("");
@@ -94,8 +94,9 @@ std::string tile_table(const Level& level) {
 
 std::string sprite_table(const Level& level) {
   CsvTable table("sprite,flags");
-  for (int sprite = 0; sprite < kTileCount; ++sprite) {
-    table.number(sprite).number(level.sheet(SheetId::sprites).flags[sprite]);
+  const Sheet& sprites = level.sheet(SheetId::sprites);
+  for (int sprite = 0; sprite < sprites.count(); ++sprite) {
+    table.number(sprite).number(sprites.flags[static_cast<std::size_t>(sprite)]);
     table.end_row();
   }
   return table.take();

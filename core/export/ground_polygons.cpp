@@ -76,7 +76,7 @@ class Merger {
  public:
   explicit Merger(const TerrainSource& ground) : ground_(ground), outlines_(ground.shapes, ground.tile) {
     flat_.push_back({0, 0, 1.0 * ground.tile.width, 0, 0, 0, 0, 0});
-    for (const std::uint8_t tile : ground.cells) {
+    for (const TileNumber tile : ground.cells) {
       const TileOutline& shape = outlines_[tile];
       if (!shape.line) continue;
       widest_ = std::max(widest_, shape.first_column + shape.width());

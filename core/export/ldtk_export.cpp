@@ -51,38 +51,38 @@ std::string color_text(Rgb color) {
 
 // One text for each tile with flags or a shape.
 OrderedJson custom_data(const Level& level, const TerrainSource& ground) {
-  std::array<OrderedJson, kTileCount> tiles;
-  for (int tile = 0; tile < kTileCount; ++tile) {
-    const auto number = static_cast<std::uint8_t>(tile);
+  std::vector<OrderedJson> tiles(ground.shapes.size());
+  for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
+    const auto number = static_cast<TileNumber>(tile);
     const std::uint8_t flags = level.tile_flags(number);
     if (flags != 0) tiles[tile]["flags"] = flags;
     if (is_ball_tile(level, number)) tiles[tile]["ball"] = true;
   }
   for (const PlainShape& shape : plain_shapes(ground)) tiles[shape.tile].update(plain_shape_json(shape));
   OrderedJson all = OrderedJson::array();
-  for (int tile = 0; tile < kTileCount; ++tile) {
+  for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
     if (!tiles[tile].is_null()) all.push_back({{"tileId", tile}, {"data", tiles[tile].dump()}});
   }
   return all;
 }
 
 // Whole pixels, as LDtk needs them.
-// side: px, of a tile.
-OrderedJson tile_rect(int tile, int side) {
+// place: on the sheet. side: px, of a tile.
+OrderedJson tile_rect(Cell place, int side) {
   return {{"tilesetUid", int{kTilesetUid}},
-          {"x", tile % kSheetColumns * side},
-          {"y", tile / kSheetColumns * side},
+          {"x", place.x * side},
+          {"y", place.y * side},
           {"w", side},
           {"h", side}};
 }
 
 // First the names, texts and numbers, then the tile of the map that the body is, or null.
-OrderedJson body_fields(const PlainBody& body, int tile_side) {
+OrderedJson body_fields(const PlainBody& body, const SheetLayout& sheet, int tile_side) {
   OrderedJson fields = plain_body_json(body);
   fields.erase("id");
   fields.erase("kind");  // the entity says which kind it is
   fields.erase("tile");
-  fields["tile"] = body.tile < 0 ? OrderedJson() : tile_rect(body.tile, tile_side);
+  fields["tile"] = body.tile < 0 ? OrderedJson() : tile_rect(sheet.place_of(body.tile), tile_side);
   return fields;
 }
 
@@ -106,7 +106,7 @@ OrderedJson entity_def(const LdtkSkeleton& skeleton, BodyKind kind, int tile_sid
                                                              {"width", tile_side},
                                                              {"height", tile_side},
                                                              {"color", color}});
-  const OrderedJson fields = body_fields({}, tile_side);
+  const OrderedJson fields = body_fields({}, {}, tile_side);
   for (const auto& [name, value] : fields.items()) {
     const std::string type = field_type(name, value);
     OrderedJson& field = entity["fieldDefs"].emplace_back(skeleton.filled(
@@ -137,11 +137,11 @@ OrderedJson field_instance(const std::string& name, const OrderedJson& value, in
           {"defUid", uid},        {"realEditorValues", edited}};
 }
 
-OrderedJson entity(const PlainBody& body, int tile_side) {
+OrderedJson entity(const PlainBody& body, const SheetLayout& sheet, int tile_side) {
   const Spawn& start = body.start;
   const int x = rounded_px(start.position.x), y = rounded_px(start.position.y);
   int uid = uid_of(start.kind);
-  const OrderedJson fields = body_fields(body, tile_side);
+  const OrderedJson fields = body_fields(body, sheet, tile_side);
   const auto cell_of = [&](int px) { return static_cast<int>(std::floor(1.0 * px / tile_side)); };
   OrderedJson instance = {{"__identifier", traits_of(start.kind).ldtk_identifier},
                           {"__grid", {cell_of(x), cell_of(y)}},
@@ -179,7 +179,7 @@ std::string& begin_member(std::string& object, const char* key) {
 }
 
 // A tile without pixels and flags is invisible, such as the empty tile 0.
-bool is_blank(const Level& level, std::uint8_t tile) {
+bool is_blank(const Level& level, TileNumber tile) {
   const TileImage& image = level.sheet(SheetId::tiles).images[tile];
   return level.tile_flags(tile) == 0 && image == TileImage{};
 }
@@ -198,19 +198,19 @@ void put_int_grid(const Level& level, const LdtkShapes::Grid& grid, std::string&
 constexpr std::size_t kMostOfTile = 96;  // bytes of a tile's object
 
 void put_grid_tiles(const Level& level, const Progress& progress, std::string& text) {
-  std::array<bool, kTileCount> blank{};
-  for (int tile = 0; tile < kTileCount; ++tile)
-    blank[static_cast<std::size_t>(tile)] = is_blank(level, static_cast<std::uint8_t>(tile)) ||
-                                            is_ball_tile(level, static_cast<std::uint8_t>(tile));
+  const SheetLayout sheet = level.sheet(SheetId::tiles).layout();
+  std::vector<bool> blank(static_cast<std::size_t>(sheet.count));
+  for (int tile = 0; tile < sheet.count; ++tile)
+    blank[static_cast<std::size_t>(tile)] =
+        is_blank(level, static_cast<TileNumber>(tile)) || is_ball_tile(level, static_cast<TileNumber>(tile));
   const int side = level.map.tile_size().width;
-  const auto put_place = [&text, side](int column, int row) {
-    append_number(text += '[', column * side);
-    append_number(text += ',', row * side);
+  const auto put_place = [&text, side](Cell place) {
+    append_number(text += '[', place.x * side);
+    append_number(text += ',', place.y * side);
     text += ']';
   };
-  const std::span<const std::uint8_t> cells = level.map.cells();
-  const auto shown =
-      std::count_if(cells.begin(), cells.end(), [&](std::uint8_t tile) { return !blank[tile]; });
+  const std::span<const TileNumber> cells = level.map.cells();
+  const auto shown = std::count_if(cells.begin(), cells.end(), [&](TileNumber tile) { return !blank[tile]; });
   // Growing by doubling would take three times the memory of a text that can be a GB.
   text.reserve(text.size() + static_cast<std::size_t>(shown) * kMostOfTile);
   text += '[';
@@ -222,9 +222,9 @@ void put_grid_tiles(const Level& level, const Progress& progress, std::string& t
       text += first ? "\n" : ",\n";
       first = false;
       text += R"({"px":)";
-      put_place(c.x, c.y);
+      put_place(c);
       text += R"(,"src":)";
-      put_place(tile % kSheetColumns, tile / kSheetColumns);
+      put_place(sheet.place_of(tile));
       append_number(text += R"(,"f":0,"t":)", tile);
       append_number(text += R"(,"d":[)", c.y * level.map.width() + c.x);
       text += R"(],"a":1})";
@@ -270,11 +270,12 @@ class LdtkProject {
     defs["layers"][2]["tilesetDefUid"] = int{kTilesetUid};
     for (std::size_t kind = 0; kind < body_kinds().size(); ++kind)
       defs["entities"].push_back(entity_def(skeleton_, static_cast<BodyKind>(kind), side_));
+    const SheetLayout sheet = level_.sheet(SheetId::tiles).layout();
     defs["tilesets"] = OrderedJson::array(
         {skeleton_.filled("tileset_definition", {{"uid", kTilesetUid},
                                                  {"relPath", sheet_},
-                                                 {"pxWid", kSheetColumns * side_},
-                                                 {"pxHei", kSheetColumns * side_},
+                                                 {"pxWid", sheet.columns * side_},
+                                                 {"pxHei", sheet.rows() * side_},
                                                  {"tileGridSize", side_},
                                                  {"customData", custom_data(level_, ground_of(level_))}})});
     OrderedJson level = skeleton_.filled("level", {{"identifier", ldtk_identifier(stem_)},
@@ -335,7 +336,8 @@ class LdtkProject {
     begin_member(text, "entityInstances") += '[';
     const PlainBodies bodies(level_);
     for (std::size_t i = 0; i < bodies.size(); ++i)
-      text.append(i == 0 ? "\n" : ",\n").append(dumped(entity(bodies.at(i), side_)));
+      text.append(i == 0 ? "\n" : ",\n")
+          .append(dumped(entity(bodies.at(i), level_.sheet(SheetId::tiles).layout(), side_)));
     text += "]}";
   }
   void put_collision(std::string& text) const {

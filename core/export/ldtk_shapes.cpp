@@ -72,21 +72,20 @@ std::string ldtk_identifier(const std::string& name) {
   return id;
 }
 
-LdtkShapes::LdtkShapes(const TerrainSource& ground) : tile_(ground.tile) {
-  index_.fill(-1);
+LdtkShapes::LdtkShapes(const TerrainSource& ground) : tile_(ground.tile), index_(ground.shapes.size(), -1) {
   define({.kind = TileShape::Kind::solid}, "solid");
   define({.kind = TileShape::Kind::solid, .one_way = true}, "one_way");
-  for (int tile = 0; tile < kTileCount; ++tile) {
-    TileShape shape = ground.shapes[static_cast<std::size_t>(tile)];
+  for (std::size_t tile = 0; tile < ground.shapes.size(); ++tile) {
+    TileShape shape = ground.shapes[tile];
     if (shape.kind == TileShape::Kind::none) continue;
     if (shape.kind == TileShape::Kind::solid) shape = {.kind = shape.kind, .one_way = shape.one_way};
     auto known =
         std::find_if(shapes_.begin(), shapes_.end(), [&](const Shape& s) { return s.shape == shape; });
     if (known == shapes_.end()) {
-      define(shape, shape_name(shape, tile));
+      define(shape, shape_name(shape, static_cast<int>(tile)));
       known = shapes_.end() - 1;
     }
-    index_[static_cast<std::size_t>(tile)] = static_cast<int>(known - shapes_.begin());
+    index_[tile] = static_cast<int>(known - shapes_.begin());
   }
 }
 
@@ -109,7 +108,7 @@ void LdtkShapes::define(const TileShape& shape, const std::string& name) {
 LdtkShapes::Grid LdtkShapes::grid_of(const TerrainSource& ground, const Progress& progress) const {
   Grid grid;
   grid.cells.reserve(ground.cells.size());
-  for (const std::uint8_t tile : ground.cells)
+  for (const TileNumber tile : ground.cells)
     grid.cells.push_back(index_[tile] < 0 ? std::uint16_t{0} : of_tile(tile).value);
   const auto at = [&](Cell c) {
     return static_cast<std::size_t>(c.y) * static_cast<std::size_t>(ground.width) +
@@ -117,7 +116,7 @@ LdtkShapes::Grid LdtkShapes::grid_of(const TerrainSource& ground, const Progress
   };
   for (Cell c; c.y < ground.height && progress.at(c.y, ground.height); ++c.y) {
     for (c.x = 0; c.x < ground.width; ++c.x) {
-      const std::uint8_t tile = ground.cells[at(c)];
+      const TileNumber tile = ground.cells[at(c)];
       if (index_[tile] < 0) continue;
       const Shape& shape = of_tile(tile);
       const int up = shape.shape.side == TileShape::Side::floor ? -1 : 1;

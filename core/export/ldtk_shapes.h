@@ -47,12 +47,12 @@ class LdtkShapes {
   };
 
   void define(const TileShape& shape, const std::string& name);
-  const Shape& of_tile(std::uint8_t tile) const { return shapes_[static_cast<std::size_t>(index_[tile])]; }
+  const Shape& of_tile(TileNumber tile) const { return shapes_[static_cast<std::size_t>(index_[tile])]; }
 
   TileSize tile_;
   std::vector<Value> values_;
   std::vector<Shape> shapes_;
-  std::array<int, kTileCount> index_;  // by tile: index of its shape; -1: no shape
+  std::vector<int> index_;  // by tile: index of its shape; -1: no shape
 };
 
 // Only letters, digits and '_', and no digit first, as LDtk needs names.

@@ -52,10 +52,10 @@ class LuaTable {
     for (const auto value : values) list.number("", value);
   }
   // Members without a key, side by side in a line.
-  void row(std::span<const std::uint8_t> values) {
+  void row(std::span<const TileNumber> values) {
     std::string& text = member("");
     const char* separator = "";
-    for (const std::uint8_t value : values) {
+    for (const TileNumber value : values) {
       text.append(separator).append(std::to_string(value));
       separator = ",";
     }
@@ -202,7 +202,7 @@ std::string lua_key(const TuningField& field) {
 
 void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Progress& progress) {
   const TerrainSource ground = ground_of(level);
-  const auto number_key = [](int tile) { return "[" + std::to_string(tile) + "]"; };
+  const auto number_key = [](auto tile) { return "[" + std::to_string(tile) + "]"; };
   table.number("width", ground.width);
   table.number("height", ground.height);
   if (ground.tile != TileSize()) {  // the runtime's default
@@ -212,7 +212,7 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
   if (with_tiles) write_tiles(table.in_lines("tiles"), ground, progress);
   {
     LuaTable shapes = table.in_lines("shapes");
-    for (int tile = 0; tile < kTileCount; ++tile) {
+    for (std::size_t tile = 0; tile < ground.shapes.size(); ++tile) {
       if (ground.shapes[tile].kind != TileShape::Kind::none)
         write_shape(shapes.in_a_row(number_key(tile)), ground.shapes[tile], ground.tile,
                     table.writes_defaults());
@@ -220,8 +220,8 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
   }
   {
     LuaTable balls = table.in_a_row("balls");
-    for (int tile = 0; tile < kTileCount; ++tile) {
-      const auto kind = body_kind_of_tile(level, static_cast<std::uint8_t>(tile));
+    for (int tile = 0; tile < level.tile_count(); ++tile) {
+      const auto kind = body_kind_of_tile(level, static_cast<TileNumber>(tile));
       if (kind) balls.word(number_key(tile), traits_of(*kind).word);
     }
   }

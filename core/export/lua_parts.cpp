@@ -65,19 +65,20 @@ PartNames used_parts(const Level& level) {
   PartNames used;
   std::size_t bodies = level.spawns.size();
   for (const Spawn& spawn : level.spawns) used.emplace(part_of(traits_of(spawn.kind).rule));
-  for (int tile = 0; tile < kTileCount; ++tile) {
-    const auto kind = body_kind_of_tile(level, static_cast<std::uint8_t>(tile));
+  std::vector<std::size_t> counts(ground.shapes.size());  // of cells, by tile
+  for (const TileNumber tile : ground.cells) ++counts[tile];
+  for (std::size_t tile = 0; tile < counts.size(); ++tile) {
+    const auto kind = body_kind_of_tile(level, static_cast<TileNumber>(tile));
     if (!kind) continue;
-    const auto count = std::count(ground.cells.begin(), ground.cells.end(), tile);
-    if (count > 0) {
+    if (counts[tile] > 0) {
       used.emplace("balls");  // which places them
       used.emplace(part_of(traits_of(*kind).rule));
     }
-    bodies += static_cast<std::size_t>(count);
+    bodies += counts[tile];
   }
-  const auto is_line = [&](std::uint8_t tile) { return is_line_shape(ground.shapes[tile]); };
+  const auto is_line = [&](TileNumber tile) { return is_line_shape(ground.shapes[tile]); };
   if (any_cell(is_line)) used.emplace("slopes");
-  if (any_cell([&](std::uint8_t tile) { return has_one_way_line(ground.shapes[tile]); }))
+  if (any_cell([&](TileNumber tile) { return has_one_way_line(ground.shapes[tile]); }))
     used.emplace("one_way");
   // The mere shape of a tile that is set later changes how lines are rounded.
   if (std::any_of(ground.shapes.begin(), ground.shapes.end(), has_parts)) used.emplace("polygons");

@@ -184,8 +184,8 @@ std::vector<Vec2> points_of(Curve curve) {
 // The number of tiles on the map whose shape is so.
 template <class Is>
 int used_tiles(const TerrainSource& ground, const Is& is) {
-  std::array<bool, kTileCount> used{};
-  for (const std::uint8_t tile : ground.cells) used[tile] = true;
+  std::vector<bool> used(ground.shapes.size());
+  for (const TileNumber tile : ground.cells) used[tile] = true;
   int count = 0;
   for (std::size_t tile = 0; tile < used.size(); ++tile)
     count += used[tile] && is(ground.shapes[tile]) ? 1 : 0;
@@ -206,18 +206,18 @@ bool PlainShape::has_floor_at(double y) const {
 std::vector<PlainShape> plain_shapes(const TerrainSource& ground) {
   const TileOutlines outlines(ground.shapes, ground.tile);
   std::vector<PlainShape> shapes;
-  for (int tile = 0; tile < kTileCount; ++tile) {
-    const TileShape& shape = ground.shapes[static_cast<std::size_t>(tile)];
+  for (std::size_t tile = 0; tile < ground.shapes.size(); ++tile) {
+    const TileShape& shape = ground.shapes[tile];
     if (shape.kind != TileShape::Kind::none)
-      shapes.push_back(plain_shape(tile, shape, outlines[static_cast<std::size_t>(tile)], ground.tile));
+      shapes.push_back(plain_shape(static_cast<int>(tile), shape, outlines[tile], ground.tile));
   }
   return shapes;
 }
 
 PlainBodies::PlainBodies(const Level& level) : level_(level) {
-  std::array<bool, kTileCount> is_ball{};
-  for (std::size_t tile = 0; tile < kTileCount; ++tile)
-    is_ball[tile] = is_ball_tile(level, static_cast<std::uint8_t>(tile));
+  std::vector<bool> is_ball(static_cast<std::size_t>(level.tile_count()));
+  for (std::size_t tile = 0; tile < is_ball.size(); ++tile)
+    is_ball[tile] = is_ball_tile(level, static_cast<TileNumber>(tile));
   for (Cell c; c.y < level.map.height(); ++c.y) {
     for (c.x = 0; c.x < level.map.width(); ++c.x)
       if (is_ball[level.map.at(c)]) tiles_.push_back(c);
@@ -283,7 +283,7 @@ std::string_view look_word(BodyLook look) { return look == BodyLook::figure ? "f
 std::vector<PlainLine> plain_lines(const Level& level, const Progress& progress) {
   std::vector<PlainLine> lines;
   TerrainSource ground = ground_of(level);
-  const bool has_one_way = std::any_of(ground.cells.begin(), ground.cells.end(), [&](std::uint8_t tile) {
+  const bool has_one_way = std::any_of(ground.cells.begin(), ground.cells.end(), [&](TileNumber tile) {
     return has_one_way_part(ground.shapes[tile]);
   });
   if (has_one_way) {

@@ -106,9 +106,9 @@ class PlainPrinter {
     if (in_lines && !value.empty()) print_line_break(depth);
     text_ += value.is_array() && !is_lua_ ? ']' : '}';
   }
-  void print(std::span<const std::uint8_t> row) {
+  void print(std::span<const TileNumber> row) {
     open_list();
-    for (const std::uint8_t& tile : row) {
+    for (const TileNumber& tile : row) {
       if (&tile != row.data()) text_ += ',';
       append_number(text_, tile);
     }
@@ -226,7 +226,7 @@ OrderedJson plain_body_json(const PlainBody& body) {
 
 FormatResult<std::string> plain_text(const Level& level, Dialect dialect, const Progress& progress) {
   TerrainSource ground = ground_of(level);
-  const std::span<const std::uint8_t> cells = ground.cells;
+  const std::span<const TileNumber> cells = ground.cells;
   const auto width = static_cast<std::size_t>(ground.width);
   PlainPrinter printer(dialect);
   printer.put("width", ground.width);

@@ -32,7 +32,9 @@ std::string escaped_for_xml(std::string json) {
 // members.
 FormatResult<std::string> rest_of(const Level& level) {
   Level rest = level;
+  const SheetLayout layout = rest.sheet(SheetId::tiles).layout();
   rest.sheet(SheetId::tiles) = {};
+  rest.set_tile_layout(layout);
   rest.map = TileMap(level.map.width(), level.map.height(), level.map.tile_size());
   auto written = write_native(rest, {});
   if (!written) return tl::unexpected(written.error());

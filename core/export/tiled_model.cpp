@@ -14,12 +14,13 @@ TiledTileset tileset_of(const ExportRequest& request) {
   tileset.name = "tiles";
   tileset.image = request.sheet_name();
   tileset.tile_size = level.map.tile_size();
-  tileset.image_width = kSheetColumns * tileset.tile_size.width;
-  tileset.image_height = kSheetColumns * tileset.tile_size.height;
-  tileset.columns = kSheetColumns;
-  tileset.tile_count = kTileCount;
-  for (int id = 0; id < kTileCount; ++id) {
-    const auto number = static_cast<std::uint8_t>(id);
+  const SheetLayout sheet = level.sheet(SheetId::tiles).layout();
+  tileset.image_width = sheet.columns * tileset.tile_size.width;
+  tileset.image_height = sheet.rows() * tileset.tile_size.height;
+  tileset.columns = sheet.columns;
+  tileset.tile_count = sheet.count;
+  for (int id = 0; id < sheet.count; ++id) {
+    const auto number = static_cast<TileNumber>(id);
     const TileShape shape = shape_of_tile(level, number);
     TiledTile tile;
     tile.id = id;
@@ -37,7 +38,7 @@ TiledLayer tile_layer(const Level& level) {
   layer.has_tiles = true;
   layer.name = kTiledTileLayer;
   const bool is_empty = is_tile_0_blank(level);
-  for (const std::uint8_t tile : level.map.cells())
+  for (const TileNumber tile : level.map.cells())
     layer.cells.push_back(tile == 0 && is_empty ? 0 : tile + 1U);
   return layer;
 }

@@ -25,7 +25,7 @@ void put(TiledProperties& properties, std::string_view name, Value value) {
 // Tiles say their flags and whether they are full. STI has no use for what Tiled knows about shapes.
 void describe_tiles(const Level& level, const TerrainSource& ground, TiledTileset& tileset) {
   for (TiledTile& tile : *tileset.tiles) {
-    tile.properties = tiled_flag_properties(level, level.tile_flags(static_cast<std::uint8_t>(tile.id)));
+    tile.properties = tiled_flag_properties(level, level.tile_flags(static_cast<TileNumber>(tile.id)));
     if (is_full_tile(ground.shapes[static_cast<std::size_t>(tile.id)]))
       put(tile.properties, "collidable", true);
   }

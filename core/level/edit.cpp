@@ -86,11 +86,11 @@ std::uint64_t number(const CellChange& c) {
   return static_cast<std::uint64_t>(c.cell.y) * kMaxTerrainSide + c.cell.x;
 }
 std::uint64_t number(const PixelChange& c) {
-  const int image = static_cast<int>(c.sheet) * kTileCount + c.tile;
+  const int image = static_cast<int>(c.sheet) * kMaxTiles + c.tile;
   return static_cast<std::uint64_t>(image) * kCartTileSize * kCartTileSize + c.pixel;
 }
 std::uint64_t number(const FlagsChange& c) {
-  return static_cast<std::uint64_t>(static_cast<int>(c.sheet) * kTileCount + c.tile);
+  return static_cast<std::uint64_t>(static_cast<int>(c.sheet) * kMaxTiles + c.tile);
 }
 std::uint64_t number(const ColorChange& c) { return static_cast<std::uint64_t>(c.color); }
 std::uint64_t number(const FlagNameChange& c) { return static_cast<std::uint64_t>(c.flag); }
@@ -111,15 +111,30 @@ constexpr std::size_t kMapIndex = std::variant_size_v<Change> - 1;
 static_assert(std::is_same_v<std::variant_alternative_t<kMapIndex, Change>, MapChange>);
 constexpr std::uint64_t kMapKey = std::uint64_t{kMapIndex} << 56;
 
+// Whether a level has the place of a change, and can hold what comes there.
+template <class C>
+bool fits(const Level& level, const C& c) {
+  if constexpr (std::is_same_v<C, CellChange>) {
+    return level.map.contains(c.cell) && c.after < level.tile_count();
+  } else if constexpr (std::is_same_v<C, PixelChange> || std::is_same_v<C, FlagsChange>) {
+    return c.tile < level.sheet(c.sheet).count();
+  } else if constexpr (std::is_same_v<C, TileShapeChange>) {
+    return c.tile < level.tile_count();
+  } else {
+    return true;
+  }
+}
+
 bool is_no_change(const Change& change) {
   return std::visit([](const auto& c) { return c.before == c.after; }, change);
 }
 
 // Whether a change adds to something that has a limit in a level.
 template <class C>
-constexpr bool kIsCounted = std::is_same_v<C, FlagNameChange> || std::is_same_v<C, FlagFieldsChange> ||
-                            std::is_same_v<C, CurvesChange> || std::is_same_v<C, SpawnsChange> ||
-                            std::is_same_v<C, BrushesChange> || std::is_same_v<C, ExportsChange>;
+constexpr bool kIsCounted =
+    std::is_same_v<C, FlagNameChange> || std::is_same_v<C, FlagFieldsChange> ||
+    std::is_same_v<C, CurvesChange> || std::is_same_v<C, SpawnsChange> || std::is_same_v<C, BrushesChange> ||
+    std::is_same_v<C, ExportsChange> || std::is_same_v<C, TileShapeChange>;
 
 // The parts of a level that problem_of_amounts counts.
 Level counted_part(const Level& level) {
@@ -129,6 +144,7 @@ Level counted_part(const Level& level) {
   part.flag_fields = level.flag_fields;
   part.curves = level.curves;
   part.spawns = level.spawns;
+  part.tile_shapes = level.tile_shapes;
   part.brushes = level.brushes;
   part.exports = level.exports;
   part.extra = level.extra;
@@ -139,12 +155,16 @@ Level counted_part(const Level& level) {
 template <class C>
 std::size_t memory_behind(const C& change) {
   if constexpr (std::is_same_v<C, MapChange>) {
-    return change.before.cells().size() + change.after.cells().size();
+    return (change.before.cells().size() + change.after.cells().size()) * sizeof(TileNumber);
   } else if constexpr (std::is_same_v<C, LevelChange>) {
     return 2 * sizeof(Level) + size_of(change.before) + size_of(change.after);
+  } else if constexpr (std::is_same_v<C, TileShapeChange>) {
+    return (change.before.heights.size() + change.after.heights.size()) * sizeof(double);
   } else if constexpr (kIsCounted<C>) {
     Level before, after;
-    before.map = after.map = TileMap(1, 1);  // the map is not part of the change
+    before.map = after.map = TileMap(1, 1);  // map and tiles are not part of the change
+    before.set_tile_layout({1, 1});
+    after.set_tile_layout({1, 1});
     place(before, change) = change.before;
     place(after, change) = change.after;
     return size_of(before) + size_of(after);
@@ -210,8 +230,7 @@ void revert_edit(Level& level, const Edit& edit) {
 
 void rebase_edit(const Level& level, Edit& edit) {
   std::erase_if(edit.changes, [&](Change& change) {
-    const CellChange* cell = std::get_if<CellChange>(&change);
-    if (cell != nullptr && !level.map.contains(cell->cell)) return true;
+    if (!std::visit([&](const auto& c) { return fits(level, c); }, change)) return true;
     return std::visit(
         [&](auto& c) {
           const auto& value = place(level, c);

@@ -19,11 +19,11 @@ namespace talus {
 // the change is applied (asserted).
 struct CellChange {
   Cell cell;
-  std::uint8_t before, after;
+  TileNumber before, after;
 };
 struct PixelChange {
   SheetId sheet;
-  int tile;   // 0..255
+  int tile;   // of the sheet
   int pixel;  // 0..63, row by row
   std::uint8_t before, after;
 };
@@ -47,7 +47,7 @@ struct RolesChange {
   FlagRoles before, after;
 };
 struct TileShapeChange {
-  int tile;  // 0..255
+  int tile;  // of the level
   TileShape before, after;
 };
 struct FlagShapeChange {

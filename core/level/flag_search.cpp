@@ -4,10 +4,11 @@ namespace talus {
 
 FlagUse find_flag_use(const Level& level, FlagPattern pattern) {
   FlagUse use;
-  for (const std::uint8_t tile : level.map.cells()) ++use.cells[tile];
-  for (int tile = 0; tile < kTileCount; ++tile) {
+  use.cells.resize(static_cast<std::size_t>(level.tile_count()));
+  for (const TileNumber tile : level.map.cells()) ++use.cells[tile];
+  for (int tile = 0; tile < level.tile_count(); ++tile) {
     std::size_t& cells = use.cells[static_cast<std::size_t>(tile)];
-    if (pattern.matches(level.tile_flags(static_cast<std::uint8_t>(tile)))) {
+    if (pattern.matches(level.tile_flags(static_cast<TileNumber>(tile)))) {
       use.tiles.push_back(tile);
       use.cell_count += cells;
     } else {
@@ -26,7 +27,7 @@ std::optional<Cell> find_flagged_cell(const Level& level, FlagPattern pattern, s
   std::ptrdiff_t at = inside ? from->y * width + from->x : forwards ? -1 : count;
   for (std::ptrdiff_t looked_at = 0; looked_at < count; ++looked_at) {
     at = (at + step + count) % count;
-    const std::uint8_t found = cells[static_cast<std::size_t>(at)];
+    const TileNumber found = cells[static_cast<std::size_t>(at)];
     if ((tile < 0 || tile == found) && pattern.matches(level.tile_flags(found)))
       return Cell{static_cast<int>(at % width), static_cast<int>(at / width)};
   }

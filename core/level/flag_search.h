@@ -1,7 +1,7 @@
 // Finds the tiles of a level that have certain flags.
 #pragma once
 
-#include <array>
+#include <vector>
 
 #include <talus/level/level.h>
 
@@ -9,9 +9,9 @@ namespace talus {
 
 // The tiles whose flags match a pattern, and their number on the map.
 struct FlagUse {
-  std::vector<int> tiles;                       // numbers of tiles of the sheet, in order
-  std::array<std::size_t, kTileCount> cells{};  // number on the map, by tile; 0 for tiles that do not match
-  std::size_t cell_count = 0;                   // their sum
+  std::vector<int> tiles;          // numbers of tiles of the sheet, in order
+  std::vector<std::size_t> cells;  // number on the map, by tile; 0 for tiles that do not match
+  std::size_t cell_count = 0;      // their sum
 };
 FlagUse find_flag_use(const Level& level, FlagPattern pattern);
 

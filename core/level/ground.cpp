@@ -1,6 +1,5 @@
 #include <talus/level/ground.h>
 
-#include <array>
 #include <cmath>
 
 #include "bump_boxes.h"
@@ -12,21 +11,21 @@ namespace {
 // not read.
 template <class Count>
 std::size_t sum_over_map(const Level& level, const Count& count) {
-  std::array<std::size_t, kTileCount> counts{};
+  std::vector<std::size_t> counts(static_cast<std::size_t>(level.tile_count()));
   bool any = false;
   for (std::size_t tile = 0; tile < counts.size(); ++tile) {
-    counts[tile] = count(static_cast<std::uint8_t>(tile));
+    counts[tile] = count(static_cast<TileNumber>(tile));
     any = any || counts[tile] != 0;
   }
   std::size_t sum = 0;
   if (any)
-    for (const std::uint8_t tile : level.map.cells()) sum += counts[tile];
+    for (const TileNumber tile : level.map.cells()) sum += counts[tile];
   return sum;
 }
 
 // Counts for the solvers article, which makes one or two boxes of each tile that it knows, and bump.
 std::size_t ground_boxes(const Level& level) {
-  return sum_over_map(level, [&](std::uint8_t tile) -> std::size_t {
+  return sum_over_map(level, [&](TileNumber tile) -> std::size_t {
     const TileShape shape = shape_of_tile(level, tile);
     if (shape.kind == TileShape::Kind::none) return 0;
     const TileSize size = level.map.tile_size();
@@ -47,16 +46,22 @@ std::size_t lines_of_polygon(const TileShape& shape, TileSize tile) {
 
 }  // namespace
 
+std::vector<TileShape> usable_shapes(const Level& level) {
+  std::vector<TileShape> shapes(static_cast<std::size_t>(level.tile_count()));
+  for (std::size_t tile = 0; tile < shapes.size(); ++tile) {
+    TileShape shape = shape_of_tile(level, static_cast<TileNumber>(tile));
+    if (!problem_of(shape, level.map.tile_size())) shapes[tile] = std::move(shape);
+  }
+  return shapes;
+}
+
 TerrainSource ground_of(const Level& level) {
   TerrainSource source;
   source.width = level.map.width();
   source.height = level.map.height();
   source.tile = level.map.tile_size();
   source.cells = level.map.cells();
-  for (int tile = 0; tile < kTileCount; ++tile) {
-    TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
-    if (!problem_of(shape, source.tile)) source.shapes[tile] = std::move(shape);
-  }
+  source.shapes = usable_shapes(level);
   for (const LevelCurve& c : level.curves) {
     if (!problem_of(c.curve, level.map)) source.curves.push_back(c.curve);
   }
@@ -81,7 +86,7 @@ std::size_t ground_lines(const TileShape& shape, TileSize tile) {
 }
 
 std::size_t ground_lines(const Level& level) {
-  return sum_over_map(level, [&](std::uint8_t tile) {
+  return sum_over_map(level, [&](TileNumber tile) {
     return ground_lines(shape_of_tile(level, tile), level.map.tile_size());
   });
 }

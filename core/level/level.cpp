@@ -50,7 +50,16 @@ bool operator==(const Level& a, const Level& b) {
          a.exports == b.exports && a.extra == b.extra;
 }
 
-TileShape shape_of_tile(const Level& level, std::uint8_t tile) {
+void Level::set_tile_layout(const SheetLayout& layout) {
+  const auto count = static_cast<std::size_t>(layout.count);
+  Sheet& tiles = sheet(SheetId::tiles);
+  tiles.columns = layout.columns;
+  tiles.images.resize(count);
+  tiles.flags.resize(count);
+  tile_shapes.resize(count);
+}
+
+TileShape shape_of_tile(const Level& level, TileNumber tile) {
   const TileShape& own = level.tile_shapes[tile];
   return own.kind != TileShape::Kind::none ? own : shape_of_flags(level, level.tile_flags(tile));
 }
@@ -69,14 +78,12 @@ TileShape shape_of_flags(const Level& level, std::uint8_t flags) {
   return shape;
 }
 
-std::optional<BodyKind> body_kind_of_tile(const Level& level, std::uint8_t tile) {
+std::optional<BodyKind> body_kind_of_tile(const Level& level, TileNumber tile) {
   if (level.tile_shapes[tile].kind != TileShape::Kind::none) return std::nullopt;
   return body_kind_of(role_of(level.tile_flags(tile), level.roles));
 }
 
-bool is_ball_tile(const Level& level, std::uint8_t tile) {
-  return body_kind_of_tile(level, tile).has_value();
-}
+bool is_ball_tile(const Level& level, TileNumber tile) { return body_kind_of_tile(level, tile).has_value(); }
 
 std::optional<std::string> problem_of(const Curve& curve, const TileMap& map) {
   if (auto problem = problem_of(curve)) return problem;

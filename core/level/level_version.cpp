@@ -23,6 +23,10 @@ LevelVersion::Row row_of(const TileMap& map, int y) {
   return {begin, begin + map.width()};
 }
 
+std::size_t memory_of(const LevelVersion::Tiles& tiles) {
+  return sizeof(LevelVersion::Tiles) + tiles.flags.size() * (1 + sizeof(TileShape));
+}
+
 std::size_t memory_of(const std::vector<Spawn>& spawns) {
   std::size_t bytes = spawns.size() * sizeof(Spawn);
   for (const Spawn& spawn : spawns) bytes += spawn.name.size() + spawn.extra.size();
@@ -82,17 +86,20 @@ std::size_t memory_of(const LevelVersion& version, const LevelVersion* before) {
   static const LevelVersion kNone;
   const LevelVersion& old = before != nullptr ? *before : kNone;
   std::size_t bytes = sizeof(LevelVersion) + version.rows.size() * sizeof(version.rows[0]);
-  if (version.tiles != old.tiles) bytes += sizeof(LevelVersion::Tiles);
+  if (version.tiles != old.tiles) bytes += memory_of(*version.tiles);
   if (version.curves != old.curves) bytes += memory_of(*version.curves);
   if (version.spawns != old.spawns) bytes += memory_of(*version.spawns);
   for (std::size_t y = 0; y < version.rows.size(); ++y) {
-    if (y >= old.rows.size() || version.rows[y] != old.rows[y]) bytes += kRow + version.rows[y]->size();
+    if (y >= old.rows.size() || version.rows[y] != old.rows[y])
+      bytes += kRow + version.rows[y]->size() * sizeof(TileNumber);
   }
   return bytes;
 }
 
 void put_version(const LevelVersion& version, Level& level) {
-  level.sheet(SheetId::tiles).flags = version.tiles->flags;
+  Sheet& sheet = level.sheet(SheetId::tiles);
+  sheet.flags = version.tiles->flags;
+  sheet.images.resize(sheet.flags.size());
   level.roles = version.tiles->roles;
   level.tile_shapes = version.tiles->tile_shapes;
   level.flag_shapes = version.tiles->flag_shapes;

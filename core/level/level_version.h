@@ -14,13 +14,13 @@ namespace talus {
 
 struct LevelVersion {
   struct Tiles {
-    std::array<std::uint8_t, kTileCount> flags{};
+    std::vector<std::uint8_t> flags;
     FlagRoles roles;
-    std::array<TileShape, kTileCount> tile_shapes;
+    std::vector<TileShape> tile_shapes;  // as many as flags
     std::array<TileShape, kFlagCount> flag_shapes;
     friend bool operator==(const Tiles&, const Tiles&) = default;
   };
-  using Row = std::vector<std::uint8_t>;  // tiles of a row of the map, left to right
+  using Row = std::vector<TileNumber>;  // tiles of a row of the map, left to right
 
   // No pointer is null.
   std::shared_ptr<const Tiles> tiles;
@@ -41,7 +41,8 @@ LevelVersion version_of(const Level& level, const LevelVersion& before, std::spa
 // nothing.
 std::size_t memory_of(const LevelVersion& version, const LevelVersion* before);
 
-// Puts a version into a level; its pictures, names and cart stay.
+// Puts a version into a level; its pictures, names and cart stay. Pictures of tiles that the version lacks
+// are removed, and blank ones are added for others.
 void put_version(const LevelVersion& version, Level& level);
 // Returns a level with that version and no pictures.
 Level level_of(const LevelVersion& version);

@@ -5,7 +5,8 @@ namespace talus {
 namespace {
 
 struct Amounts {
-  std::size_t heights = 0, curve_cells = 0, brush_cells = 0, name_bytes = 0, unknown_bytes = 0;
+  std::size_t shape_heights = 0, heights = 0, curve_cells = 0, brush_cells = 0, name_bytes = 0,
+              unknown_bytes = 0;
 };
 
 // The texts that every entry of a list has.
@@ -23,6 +24,7 @@ Amounts amounts_of(const Level& level) {
     count_texts(field, amounts);
     for (const std::string& value : field.values) amounts.name_bytes += value.size();
   }
+  for (const TileShape& shape : level.tile_shapes) amounts.shape_heights += shape.heights.size();
   for (const Spawn& spawn : level.spawns) count_texts(spawn, amounts);
   for (const LevelCurve& curve : level.curves) {
     count_texts(curve, amounts);
@@ -51,6 +53,7 @@ std::optional<std::string> problem_of_amounts(const Level& level) {
   };
   for (const Row& row : {Row{level.spawns.size(), kMaxSpawns, "bodies"},
                          {level.curves.size(), kMaxCurves, "curves"},
+                         {amounts.shape_heights, kMaxShapeHeights, "heights of the shapes of tiles"},
                          {amounts.heights, kMaxLevelHeights, "heights of polylines"},
                          {amounts.curve_cells, kMaxCurveCells, "cells that curves pass"},
                          {level.brushes.size(), kMaxBrushes, "brushes"},
@@ -68,8 +71,11 @@ std::optional<std::string> problem_of_amounts(const Level& level) {
 std::size_t size_of(const Level& level) {
   constexpr std::size_t kEntry = 128;  // bytes, about what an entry takes in memory or as text
   const Amounts amounts = amounts_of(level);
-  return (level.cart ? level.cart->bytes.size() : 0) + level.map.cells().size() + amounts.brush_cells +
-         amounts.heights * sizeof(double) + amounts.name_bytes + amounts.unknown_bytes +
+  return (level.cart ? level.cart->bytes.size() : 0) + level.map.cells().size() * sizeof(TileNumber) +
+         amounts.brush_cells * sizeof(TileNumber) +
+         level.sheet(SheetId::tiles).images.size() * sizeof(TileImage) +
+         (amounts.shape_heights + amounts.heights) * sizeof(double) + amounts.name_bytes +
+         amounts.unknown_bytes +
          kEntry * (level.spawns.size() + level.curves.size() + level.brushes.size() + level.exports.size());
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <talus/level/ground.h>
+
 namespace talus {
 
 LocalGround ground_around(const Level& level, const Rect& box, int cells) {
@@ -17,7 +19,7 @@ LocalGround ground_around(const Level& level, const Rect& box, int cells) {
   const Cell first{cell(box.x, tile_width, -1, map.width()), cell(box.y, tile_height, -1, map.height())};
   const Cell last{cell(box.right(), tile_width, 1, map.width()),
                   cell(box.bottom(), tile_height, 1, map.height())};
-  std::vector<std::uint8_t> tiles;
+  std::vector<TileNumber> tiles;
   for (int y = first.y; y <= last.y; ++y) {
     for (int x = first.x; x <= last.x; ++x) tiles.push_back(map.at({x, y}));
   }
@@ -26,10 +28,7 @@ LocalGround ground_around(const Level& level, const Rect& box, int cells) {
   source.height = last.y - first.y + 1;
   source.tile = map.tile_size();
   source.cells = tiles;
-  for (int tile = 0; tile < kTileCount; ++tile) {
-    TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
-    if (!problem_of(shape, source.tile)) source.shapes[static_cast<std::size_t>(tile)] = std::move(shape);
-  }
+  source.shapes = usable_shapes(level);
   return {Terrain(source), map.corner_of(first)};
 }
 

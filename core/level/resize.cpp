@@ -33,7 +33,7 @@ class Resizer {
     const TileMap& map = level_.map;
     for (Cell from{0, 0}; from.y < map.height(); ++from.y) {
       for (from.x = 0; from.x < map.width(); ++from.x) {
-        const std::uint8_t tile = map.at(from);
+        const TileNumber tile = map.at(from);
         if (tile == 0) continue;
         Cell to{from.x + frame_.shift.x, from.y + frame_.shift.y};
         if (frame_.wrap) to = {to.x % period_.x, to.y % period_.y};

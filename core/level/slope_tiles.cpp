@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "../collision/tile_outlines.h"
 
@@ -49,11 +50,11 @@ class Layer {
  public:
   explicit Layer(const TileMap& map) : map_(map) {}
 
-  void place(Cell cell, std::uint8_t tile) { tiles_.try_emplace({cell.x, cell.y}, tile); }
+  void place(Cell cell, TileNumber tile) { tiles_.try_emplace({cell.x, cell.y}, tile); }
   // A cell with a part of the floor in it. The tile SlopeTilesOptions::below goes under it.
   void own(Cell cell) { owners_.push_back(cell); }
 
-  Result take(std::vector<SlopeTiles::Drawn> drawn, std::optional<std::uint8_t> below) {
+  Result take(std::vector<SlopeTiles::Drawn> drawn, std::optional<TileNumber> below) {
     for (const Cell& cell : owners_) {
       const Cell under = {cell.x, cell.y + 1};
       if (below && map_.contains(under)) place(under, *below);
@@ -69,7 +70,7 @@ class Layer {
 
  private:
   const TileMap& map_;
-  std::map<std::pair<int, int>, std::uint8_t> tiles_;  // by column and row
+  std::map<std::pair<int, int>, TileNumber> tiles_;  // by column and row
   std::vector<Cell> owners_;
 };
 
@@ -78,8 +79,13 @@ class Layer {
 class Drawer {
  public:
   Drawer(const Level& level, const Line& line, const SlopeTilesOptions& options)
-      : level_(level), size_(level.map.tile_size()), line_(line), options_(options), layer_(level.map) {
-    for (const std::uint8_t tile : level.map.cells()) used_[tile] = true;
+      : level_(level),
+        size_(level.map.tile_size()),
+        line_(line),
+        options_(options),
+        layer_(level.map),
+        used_(static_cast<std::size_t>(level.tile_count())) {
+    for (const TileNumber tile : level.map.cells()) used_[tile] = true;
   }
 
   Result run() {
@@ -138,23 +144,23 @@ class Drawer {
 
   // A tile that already looks like this, or was drawn so, or can be drawn so; nothing if there are no more
   // blank tiles. A blank image without a shape is tile 0.
-  std::optional<std::uint8_t> tile_with(const TileImage& image, const TileShape& shape) {
+  std::optional<TileNumber> tile_with(const TileImage& image, const TileShape& shape) {
     if (image == TileImage{} && shape == TileShape()) return 0;
     for (const SlopeTiles::Drawn& drawn : drawn_) {
       if (drawn.image == image && drawn.shape == shape) return drawn.tile;
     }
     const Sheet& sheet = level_.sheet(SheetId::tiles);
-    for (int tile = 1; tile < kTileCount; ++tile) {
+    for (int tile = 1; tile < level_.tile_count(); ++tile) {
       if (sheet.images[tile] == image && level_.tile_shapes[tile] == shape && sheet.flags[tile] == 0)
-        return static_cast<std::uint8_t>(tile);
+        return static_cast<TileNumber>(tile);
     }
-    for (int tile = 1; tile < kTileCount; ++tile) {
+    for (int tile = 1; tile < level_.tile_count(); ++tile) {
       const bool blank = sheet.images[tile] == TileImage{} && level_.tile_shapes[tile] == TileShape() &&
                          sheet.flags[tile] == 0 && !used_[tile];
       if (!blank) continue;
       used_[tile] = true;
-      drawn_.push_back({static_cast<std::uint8_t>(tile), image, shape});
-      return static_cast<std::uint8_t>(tile);
+      drawn_.push_back({static_cast<TileNumber>(tile), image, shape});
+      return static_cast<TileNumber>(tile);
     }
     return {};
   }
@@ -164,7 +170,7 @@ class Drawer {
   const Line& line_;
   const SlopeTilesOptions& options_;
   Layer layer_;
-  std::array<bool, kTileCount> used_{};  // on the map, or drawn
+  std::vector<bool> used_;  // by tile: whether it is on the map, or drawn
   std::vector<SlopeTiles::Drawn> drawn_;
 };
 
@@ -174,7 +180,7 @@ class Chooser {
  public:
   Chooser(const Level& level, const Line& line, const SlopeTilesOptions& options)
       : level_(level), size_(level.map.tile_size()), line_(line), options_(options), layer_(level.map) {
-    for (const std::uint8_t tile : options.set) {
+    for (const TileNumber tile : options.set) {
       TileShape shape = shape_of_tile(level, tile);
       if (is_floor(shape, size_)) candidates_.push_back({tile, std::move(shape)});
     }
@@ -198,7 +204,7 @@ class Chooser {
 
  private:
   struct Candidate {
-    std::uint8_t tile;
+    TileNumber tile;
     TileShape shape;
   };
   struct Choice {
@@ -235,22 +241,23 @@ class Chooser {
 
   void lay(const Choice& choice, int column) {
     const TileShape& shape = choice.candidate->shape;
-    const int tile = choice.candidate->tile;
+    const SheetLayout sheet = level_.sheet(SheetId::tiles).layout();
+    const Cell place = sheet.place_of(choice.candidate->tile);
     for (int i = 0; i < shape.tiles; ++i) {
       const Cell owner = {column + i, choice.bottom_row - 1};
       layer_.own(owner);
       for (int up = 0; up < cells_up_to(highest_of(shape, size_), size_.height); ++up) {
-        const int part = tile + i - up * kSheetColumns;
+        const Cell part = {place.x + i, place.y - up};
         const bool is_own = i == 0 && up == 0;
-        if (is_own || (tile % kSheetColumns + i < kSheetColumns && is_mere_picture(part)))
-          layer_.place({owner.x, owner.y - up}, static_cast<std::uint8_t>(part));
+        if (is_own || (sheet.contains(part) && is_mere_picture(sheet.tile_at(part))))
+          layer_.place({owner.x, owner.y - up}, static_cast<TileNumber>(sheet.tile_at(part)));
       }
     }
   }
 
   bool is_mere_picture(int tile) const {
-    return tile >= 0 && level_.sheet(SheetId::tiles).images[tile] != TileImage{} &&
-           shape_of_tile(level_, static_cast<std::uint8_t>(tile)).kind == TileShape::Kind::none;
+    return level_.sheet(SheetId::tiles).images[tile] != TileImage{} &&
+           shape_of_tile(level_, static_cast<TileNumber>(tile)).kind == TileShape::Kind::none;
   }
 
   const Level& level_;

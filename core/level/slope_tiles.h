@@ -16,14 +16,14 @@ namespace talus {
 // What to put into the level, in this order.
 struct SlopeTiles {
   struct Drawn {  // a blank tile that gets an image and a shape
-    std::uint8_t tile = 0;
+    TileNumber tile = 0;
     TileImage image{};
     TileShape shape;
     friend bool operator==(const Drawn&, const Drawn&) = default;
   };
   struct Placed {  // a cell of the map and the tile to put there
     Cell cell;
-    std::uint8_t tile = 0;
+    TileNumber tile = 0;
     friend bool operator==(const Placed&, const Placed&) = default;
   };
   std::vector<Drawn> drawn;
@@ -33,9 +33,9 @@ struct SlopeTiles {
 struct SlopeTilesOptions {
   // The tiles to choose from: floors and solid tiles, as shape_of_tile says. A slope of several cells brings
   // the tiles beside and above it on the sheet. Empty: blank tiles are drawn.
-  std::span<const std::uint8_t> set = {};
+  std::span<const TileNumber> set = {};
   // The tile under each column of the slope; nothing: no tile is put there.
-  std::optional<std::uint8_t> below = {};
+  std::optional<TileNumber> below = {};
   std::uint8_t line_color = 5;     // 0..15, colour of the topmost pixels of drawn tiles
   std::uint8_t ground_color = 15;  // 0..15, colour of the pixels below
 };

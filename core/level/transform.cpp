@@ -77,7 +77,7 @@ void turn_faces(Curve& curve) {
   curve.faces = curve.faces == Curve::Faces::up ? Curve::Faces::down : Curve::Faces::up;
 }
 
-bool is_physical(const Level& level, std::uint8_t tile) {
+bool is_physical(const Level& level, TileNumber tile) {
   return shape_of_tile(level, tile).kind != TileShape::Kind::none ||
          body_kind_of(role_of(level.tile_flags(tile), level.roles)).has_value();
 }
@@ -88,7 +88,7 @@ void mirror_map(const Level& level, Level& image) {
   image.map = TileMap(map.width(), map.height(), map.tile_size());
   for (Cell cell{0, 0}; cell.y < map.height(); ++cell.y) {
     for (cell.x = 0; cell.x < map.width(); ++cell.x) {
-      const std::uint8_t tile = map.at(cell);
+      const TileNumber tile = map.at(cell);
       if (!is_physical(level, tile)) continue;
       const int tiles = std::max(1, shape_of_tile(level, tile).tiles);
       const Cell to{map.width() - cell.x - tiles, cell.y};

@@ -66,7 +66,7 @@ TileBoxes boxes_of(const TileShape& shape, TileSize size, SolverKind solver) {
   return boxes;
 }
 
-TileBoxes boxes_of(const Level& level, std::uint8_t tile) {
+TileBoxes boxes_of(const Level& level, TileNumber tile) {
   const SolverKind solver = level.tuning.solver;
   const TileSize size = level.map.tile_size();
   const TileShape shape = shape_of_tile(level, tile);
@@ -88,11 +88,11 @@ TileBoxes boxes_of(const Level& level, std::uint8_t tile) {
   return boxes;
 }
 
-// For each of the 256 tiles, so that a map is compiled with one look-up a cell.
-std::array<TileBoxes, kTileCount> tile_boxes(const Level& level) {
-  std::array<TileBoxes, kTileCount> boxes;
-  for (int tile = 0; tile < kTileCount; ++tile)
-    boxes[tile] = boxes_of(level, static_cast<std::uint8_t>(tile));
+// By tile, so that a map is compiled with one look-up a cell.
+std::vector<TileBoxes> tile_boxes(const Level& level) {
+  std::vector<TileBoxes> boxes(static_cast<std::size_t>(level.tile_count()));
+  for (std::size_t tile = 0; tile < boxes.size(); ++tile)
+    boxes[tile] = boxes_of(level, static_cast<TileNumber>(tile));
   return boxes;
 }
 
@@ -127,7 +127,7 @@ void compile_ground(const Level& level, const std::function<bool(double)>& progr
   TerrainSource source = ground_of(level);
   source.progress = progress;
   scene.ground_lines = ground_lines(level);
-  if (scene.ground_lines > kMaxGroundLines) source.shapes = {};
+  if (scene.ground_lines > kMaxGroundLines) source.shapes.assign(source.shapes.size(), {});
   if (level.tuning.exact.single_precision != 0) {
     scene.single_ground = std::make_shared<const BasicTerrain<float>>(source);
   } else {
@@ -150,7 +150,7 @@ std::shared_ptr<const Ground> with_cells(const Ground& ground, const TileMap& ma
 std::size_t lines_after(const Scene& scene, const Level& edited, std::span<const Cell> changed) {
   std::size_t lines = scene.ground_lines;
   for (const Cell cell : changed) {
-    const std::uint8_t old = scene.ground ? scene.ground->tile_at(cell) : scene.single_ground->tile_at(cell);
+    const TileNumber old = scene.ground ? scene.ground->tile_at(cell) : scene.single_ground->tile_at(cell);
     lines += ground_lines(shape_of_tile(edited, edited.map.at(cell)), edited.map.tile_size());
     lines -= ground_lines(shape_of_tile(edited, old), edited.map.tile_size());
   }
@@ -171,7 +171,7 @@ void add_spawns(const Level& level, std::vector<SceneItem>& items) {
 }
 
 Scene make_scene(const Level& level, const std::function<bool(double)>& progress) {
-  std::array<TileBoxes, kTileCount> boxes = tile_boxes(level);
+  std::vector<TileBoxes> boxes = tile_boxes(level);
   if (level.tuning.solver == SolverKind::exact || ground_problem(level)) {
     for (TileBoxes& tile : boxes) tile = body_of(tile);
   }

@@ -35,7 +35,7 @@ void add_import_command(CLI::App& program, CommandContext& context) {
       ->check(CLI::IsMember(png_part_names()))
       ->needs(level);
   command->add_option("--tile", into->tile, "The image, 0 to 255, where its top left corner goes")
-      ->check(CLI::Range(0, kTileCount - 1))
+      ->check(CLI::Range(0, kMaxTiles - 1))
       ->needs(level);
   command
       ->add_flag("--take-palette", into->take_palette,

@@ -15,7 +15,7 @@ namespace {
 // Distance of the furthest cell that matters for a tile: the half of a slope at the end of its tread.
 constexpr int kReachX = 3, kReachY = 1;
 
-std::uint8_t first_of(const AutoTiles& set, std::initializer_list<GroundPart> parts) {
+TileNumber first_of(const AutoTiles& set, std::initializer_list<GroundPart> parts) {
   for (const GroundPart part : parts)
     if (set.of(part) != 0) return set.of(part);
   return 0;
@@ -55,7 +55,7 @@ constexpr SlopeParts kDown = {GroundPart::slope_down_right, GroundPart::slope_do
                               GroundPart::slope_down};
 
 // The slope's tile at cell 0; 0 if the cell is no slope.
-std::uint8_t slope_tile(const AutoTiles& set, const Surroundings& around, const SlopeParts& parts) {
+TileNumber slope_tile(const AutoTiles& set, const Surroundings& around, const SlopeParts& parts) {
   const bool is_long = set.of(parts.foot) != 0 && set.of(parts.head) != 0;
   if (is_long && around.has_long_slope(-1)) return set.of(parts.head);
   if (!around.rises(0) || around.falls(0)) return 0;
@@ -72,8 +72,8 @@ class GroundPatch {
         area_{painted.x - 2 * kReachX, painted.y - 2 * kReachY, painted.w + 4 * kReachX,
               painted.h + 4 * kReachY},
         cells_(static_cast<std::size_t>(area_.w) * static_cast<std::size_t>(area_.h)) {
-    std::array<bool, kTileCount> is_ground{};
-    for (const std::uint8_t tile : set_.tiles) is_ground[tile] = tile != 0;
+    std::vector<bool> is_ground(static_cast<std::size_t>(level.tile_count()));
+    for (const TileNumber tile : set_.tiles) is_ground[tile] = tile != 0;
     for (int y = area_.y; y < area_.y + area_.h; ++y) {
       for (int x = area_.x; x < area_.x + area_.w; ++x)
         at({x, y}).ground = !map_.contains({x, y}) || is_ground[map_.at({x, y})];
@@ -133,12 +133,12 @@ std::string label_of(GroundChange change) {
 
 }  // namespace
 
-std::uint8_t ground_tile(const AutoTiles& set, FunctionRef<bool(Cell)> is_ground, Cell cell) {
+TileNumber ground_tile(const AutoTiles& set, FunctionRef<bool(Cell)> is_ground, Cell cell) {
   using enum GroundPart;
   assert(set.of(inside) != 0);
   const Surroundings around(is_ground, cell, 1), mirrored(is_ground, cell, -1);
-  if (const std::uint8_t tile = slope_tile(set, around, kUp)) return tile;
-  if (const std::uint8_t tile = slope_tile(set, mirrored, kDown)) return tile;
+  if (const TileNumber tile = slope_tile(set, around, kUp)) return tile;
+  if (const TileNumber tile = slope_tile(set, mirrored, kDown)) return tile;
   const bool open_left = !around.ground(-1, 0), open_right = !around.ground(1, 0);
   const bool on_left = open_left && !open_right, on_right = open_right && !open_left;
   if (!around.ground(0, -1)) {

@@ -18,7 +18,7 @@ namespace talus {
 // the inside.
 //
 // set: must have a tile for the inside (asserted).
-std::uint8_t ground_tile(const AutoTiles& set, FunctionRef<bool(Cell)> is_ground, Cell cell);
+TileNumber ground_tile(const AutoTiles& set, FunctionRef<bool(Cell)> is_ground, Cell cell);
 
 enum class GroundChange { add, remove };
 
@@ -33,7 +33,7 @@ Edit fill_ground(const Level& level, CellRect cells, GroundChange change, Within
 // their shapes and by the sides that are drawn unlike their middle; the others are those that look most like
 // the inside. among: tiles to choose from, in this order. Returns a set without an inside if none of them is
 // solid.
-AutoTiles proposed_auto_tiles(const Level& level, std::span<const std::uint8_t> among);
+AutoTiles proposed_auto_tiles(const Level& level, std::span<const TileNumber> among);
 
 Edit set_auto_tiles(const Level& level, const AutoTiles& tiles);
 

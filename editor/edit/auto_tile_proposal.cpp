@@ -67,7 +67,7 @@ bool is_slope(const TileShape& shape, int tiles, double from, double to) {
 
 class Proposal {
  public:
-  Proposal(const Level& level, std::span<const std::uint8_t> among) : level_(level) {
+  Proposal(const Level& level, std::span<const TileNumber> among) : level_(level) {
     std::copy_if(among.begin(), among.end(), std::back_inserter(tiles_), [](int tile) { return tile != 0; });
   }
 
@@ -83,20 +83,20 @@ class Proposal {
   }
 
  private:
-  const TileImage& image(std::uint8_t tile) const { return level_.sheet(SheetId::tiles).images[tile]; }
+  const TileImage& image(TileNumber tile) const { return level_.sheet(SheetId::tiles).images[tile]; }
 
   // The first tile that satisfies the condition and looks most like the inside; 0 if there is none.
   template <class Holds>
-  std::uint8_t best(Holds holds) const {
-    std::uint8_t found = 0;
-    for (const std::uint8_t tile : tiles_)
+  TileNumber best(Holds holds) const {
+    TileNumber found = 0;
+    for (const TileNumber tile : tiles_)
       if (holds(tile) && (found == 0 || likeness(tile) > likeness(found))) found = tile;
     return found;
   }
 
   // The number of pixels of a tile whose colours the inside mostly has.
-  int likeness(std::uint8_t tile) const {
-    const std::uint8_t inside = set_.of(GroundPart::inside);
+  int likeness(TileNumber tile) const {
+    const TileNumber inside = set_.of(GroundPart::inside);
     if (inside == 0) return 0;
     const TileImage& pixels = image(inside);
     std::array<int, kColorCount> counts{};
@@ -106,34 +106,35 @@ class Proposal {
   }
 
   void choose_full_tiles() {
-    const auto solid = [&](std::uint8_t tile) { return is_full(shape_of_tile(level_, tile)); };
-    std::uint8_t& inside = set_.of(GroundPart::inside);
-    inside = best([&](std::uint8_t tile) { return solid(tile) && edges_of(image(tile)) == Edges{}; });
+    const auto solid = [&](TileNumber tile) { return is_full(shape_of_tile(level_, tile)); };
+    TileNumber& inside = set_.of(GroundPart::inside);
+    inside = best([&](TileNumber tile) { return solid(tile) && edges_of(image(tile)) == Edges{}; });
     if (inside == 0) inside = best(solid);
     for (const EdgedPart& edged : kEdgedParts)
-      set_.of(edged.part) = best([&](std::uint8_t tile) {
+      set_.of(edged.part) = best([&](TileNumber tile) {
         return solid(tile) && edges_of(image(tile)) == edged.edges && likeness(tile) >= kLikeInside;
       });
   }
 
   void choose_slope(GroundPart part, double from, double to) {
-    set_.of(part) =
-        best([&](std::uint8_t tile) { return is_slope(shape_of_tile(level_, tile), 1, from, to); });
+    set_.of(part) = best([&](TileNumber tile) { return is_slope(shape_of_tile(level_, tile), 1, from, to); });
   }
 
   // Either each half has a shape of its own, or the left one has that of both, and its neighbour on the sheet
   // is only a picture, as in the article.
   void choose_halves(GroundPart left, GroundPart right, double from, double to) {
     const double middle = (from + to) / 2;
-    set_.of(left) = best([&](std::uint8_t tile) {
-      return tile % kSheetColumns + 1 < kSheetColumns && is_slope(shape_of_tile(level_, tile), 2, from, to);
+    set_.of(left) = best([&](TileNumber tile) {
+      const SheetLayout sheet = level_.sheet(SheetId::tiles).layout();
+      const Cell place = sheet.place_of(tile);
+      return sheet.contains({place.x + 1, place.y}) && is_slope(shape_of_tile(level_, tile), 2, from, to);
     });
     if (set_.of(left) != 0) {
-      set_.of(right) = static_cast<std::uint8_t>(set_.of(left) + 1);
+      set_.of(right) = static_cast<TileNumber>(set_.of(left) + 1);
       return;
     }
     const auto half = [&](double a, double b) {
-      return best([&](std::uint8_t tile) { return is_slope(shape_of_tile(level_, tile), 1, a, b); });
+      return best([&](TileNumber tile) { return is_slope(shape_of_tile(level_, tile), 1, a, b); });
     };
     set_.of(left) = half(from, middle);
     set_.of(right) = half(middle, to);
@@ -141,13 +142,13 @@ class Proposal {
   }
 
   const Level& level_;
-  std::vector<std::uint8_t> tiles_;
+  std::vector<TileNumber> tiles_;
   AutoTiles set_;
 };
 
 }  // namespace
 
-AutoTiles proposed_auto_tiles(const Level& level, std::span<const std::uint8_t> among) {
+AutoTiles proposed_auto_tiles(const Level& level, std::span<const TileNumber> among) {
   return Proposal(level, among).make();
 }
 

@@ -38,7 +38,7 @@ std::string cut_name(std::string name) {
 
 }  // namespace
 
-std::uint8_t random_tile(const Stamp& stamp, Cell cell, std::uint32_t seed) {
+TileNumber random_tile(const Stamp& stamp, Cell cell, std::uint32_t seed) {
   std::uint32_t bits = mixed(seed);
   bits = mixed(bits ^ static_cast<std::uint32_t>(cell.x));
   bits = mixed(bits ^ static_cast<std::uint32_t>(cell.y));

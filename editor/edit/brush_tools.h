@@ -8,7 +8,7 @@ namespace talus {
 
 // The tile of a stamp that a cell gets at random. It is always the same with this seed, so painting a cell
 // twice, or undo and redo, changes nothing.
-std::uint8_t random_tile(const Stamp& stamp, Cell cell, std::uint32_t seed);
+TileNumber random_tile(const Stamp& stamp, Cell cell, std::uint32_t seed);
 
 // Paints the cells of the straight line between two, both included, each with a random tile. `within`:
 // nothing beyond it is painted.

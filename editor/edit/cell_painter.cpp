@@ -11,7 +11,7 @@ CellPainter::CellPainter(const TileMap& map, Within within)
       within_(within),
       max_listed_(std::max<std::size_t>(256, 2 * map.cells().size() / sizeof(Change))) {}
 
-void CellPainter::paint(Cell cell, std::uint8_t tile) {
+void CellPainter::paint(Cell cell, TileNumber tile) {
   if (!map_.contains(cell) || map_.at(cell) == tile || (within_ && !within_->contains(cell))) return;
   if (whole_) {
     whole_->set(cell, tile);

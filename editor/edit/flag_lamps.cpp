@@ -10,11 +10,11 @@ namespace {
 // Sets the flags of each tile of the area to flags_after(its flags).
 template <class FlagsAfter>
 Edit change_flags(const Level& level, const SpriteArea& area, std::string label, FlagsAfter flags_after) {
-  assert(area.lies_in_sheet());
+  assert(area.lies_in_sheet(level));
   Edit edit{std::move(label), {}};
   for (int y = 0; y < area.tiles.h; ++y) {
     for (int x = 0; x < area.tiles.w; ++x) {
-      const int tile = area.tile_at(x, y);
+      const int tile = area.tile_at(level, x, y);
       const std::uint8_t before = level.sheet(area.sheet).flags[tile];
       const auto after = static_cast<std::uint8_t>(flags_after(before));
       if (before != after) edit.changes.emplace_back(FlagsChange{area.sheet, tile, before, after});
@@ -26,11 +26,11 @@ Edit change_flags(const Level& level, const SpriteArea& area, std::string label,
 }  // namespace
 
 FlagLamp flag_lamp(const Level& level, const SpriteArea& area, int flag) {
-  assert(area.lies_in_sheet() && flag >= 0 && flag < kFlagCount);
+  assert(area.lies_in_sheet(level) && flag >= 0 && flag < kFlagCount);
   int set = 0;
   for (int y = 0; y < area.tiles.h; ++y) {
     for (int x = 0; x < area.tiles.w; ++x)
-      set += level.sheet(area.sheet).flags[area.tile_at(x, y)] >> flag & 1;
+      set += level.sheet(area.sheet).flags[area.tile_at(level, x, y)] >> flag & 1;
   }
   if (set == 0) return FlagLamp::none;
   return set == area.tiles.w * area.tiles.h ? FlagLamp::all : FlagLamp::some;

@@ -9,10 +9,10 @@
 namespace talus {
 namespace {
 
-std::set<int> tiles_of(const SpriteArea& area) {
+std::set<int> tiles_of(const Level& level, const SpriteArea& area) {
   std::set<int> tiles;
   for (int y = 0; y < area.tiles.h; ++y) {
-    for (int x = 0; x < area.tiles.w; ++x) tiles.insert(area.tile_at(x, y));
+    for (int x = 0; x < area.tiles.w; ++x) tiles.insert(area.tile_at(level, x, y));
   }
   return tiles;
 }
@@ -45,7 +45,7 @@ Edit paint_flags(const Level& level, SheetId sheet, const std::set<int>& tiles, 
 }
 
 Edit paint_flags(const Level& level, const SpriteArea& area, FlagPattern pattern, bool on) {
-  return paint_flags(level, area.sheet, tiles_of(area), pattern, on);
+  return paint_flags(level, area.sheet, tiles_of(level, area), pattern, on);
 }
 
 bool stroke_sets(FlagPattern pattern, std::uint8_t flags) {
@@ -62,8 +62,8 @@ std::optional<std::uint8_t> common_flags(const Level& level, const SpriteArea& a
   const auto flags_of = [&](int tile) {
     return static_cast<std::uint8_t>(level.sheet(area.sheet).flags[static_cast<std::size_t>(tile)] & mask);
   };
-  const std::uint8_t first = flags_of(area.tile_at(0, 0));
-  const std::set<int> tiles = tiles_of(area);
+  const std::uint8_t first = flags_of(area.tile_at(level, 0, 0));
+  const std::set<int> tiles = tiles_of(level, area);
   const bool same =
       std::all_of(tiles.begin(), tiles.end(), [&](int tile) { return flags_of(tile) == first; });
   return same ? std::optional(first) : std::nullopt;

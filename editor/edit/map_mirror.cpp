@@ -23,7 +23,7 @@ struct Physics {
   friend bool operator==(const Physics&, const Physics&) = default;
 };
 
-Physics physics_of(const Level& level, std::uint8_t tile) {
+Physics physics_of(const Level& level, TileNumber tile) {
   Physics physics{shape_of_tile(level, tile), role_of(level.tile_flags(tile), level.roles)};
   // These fields mean nothing for a full tile, or for no shape.
   if (physics.shape.kind == Kind::none) physics.shape = {};
@@ -65,8 +65,8 @@ class Mirrorer {
  public:
   Mirrorer(const Level& level, CellRect cells, MirrorAxis axis)
       : level_(level), cells_(cells), axis_(axis), result_(stamp_of_map(level, cells)) {
-    for (int tile = 0; tile < kTileCount; ++tile)
-      physics_[static_cast<std::size_t>(tile)] = physics_of(level, static_cast<std::uint8_t>(tile));
+    for (int tile = 0; tile < level.tile_count(); ++tile)
+      physics_.push_back(physics_of(level, static_cast<TileNumber>(tile)));
   }
 
   MirroredCells run() {
@@ -85,9 +85,9 @@ class Mirrorer {
   }
 
  private:
-  std::uint8_t tile_at(int x, int y) const { return level_.map.at({cells_.x + x, cells_.y + y}); }
+  TileNumber tile_at(int x, int y) const { return level_.map.at({cells_.x + x, cells_.y + y}); }
   const Physics& physics_at(int x, int y) const { return physics_[tile_at(x, y)]; }
-  const TileImage& image(std::uint8_t tile) const { return level_.sheet(SheetId::tiles).images[tile]; }
+  const TileImage& image(TileNumber tile) const { return level_.sheet(SheetId::tiles).images[tile]; }
 
   // Number of cells that the slope at x, y spans; 1 if it would leave the selection or meet the cell of
   // another slope.
@@ -103,7 +103,7 @@ class Mirrorer {
       if (from + span_at(from, y) > x) return true;
     return false;
   }
-  void put(int x, int y, std::uint8_t tile) {
+  void put(int x, int y, TileNumber tile) {
     result_.tiles[static_cast<std::size_t>(y) * static_cast<std::size_t>(cells_.w) +
                   static_cast<std::size_t>(x)] = tile;
   }
@@ -115,10 +115,10 @@ class Mirrorer {
     const bool is_cut = axis_ == MirrorAxis::horizontal && span < physics_at(x, y).shape.tiles;
     const int to_x = axis_ == MirrorAxis::horizontal ? cells_.w - x - span : x;
     const int to_y = axis_ == MirrorAxis::vertical ? cells_.h - 1 - y : y;
-    std::array<std::uint8_t, kMaxShapeTiles> tiles{};
+    std::array<TileNumber, kMaxShapeTiles> tiles{};
     int art = 0;
     for (int i = 0; i < span; ++i) {
-      const std::uint8_t looks = tile_at(x + span - 1 - i, y);
+      const TileNumber looks = tile_at(x + span - 1 - i, y);
       const auto found = partner_of(i == 0 ? tile_at(x, y) : kNoGround, looks);
       if (!found || is_cut) return keep(x, y, to_x, to_y, span);
       tiles[static_cast<std::size_t>(i)] = *found;
@@ -135,7 +135,7 @@ class Mirrorer {
 
   // The tile that is the mirror image of `ground` to the simulation (or of kNoGround) and looks most like
   // that of `looks`. Each pair is looked for only once.
-  std::optional<std::uint8_t> partner_of(int ground, std::uint8_t looks) {
+  std::optional<TileNumber> partner_of(int ground, TileNumber looks) {
     const auto [found, is_new] = partners_.try_emplace({ground, looks});
     if (is_new) {
       const auto wanted = ground == kNoGround ? Physics()
@@ -146,14 +146,14 @@ class Mirrorer {
     return found->second;
   }
 
-  std::optional<std::uint8_t> find_partner(const Physics& wanted, std::uint8_t looks) const {
+  std::optional<TileNumber> find_partner(const Physics& wanted, TileNumber looks) const {
     const TileImage target = mirrored(image(looks), axis_);
     const bool stays = physics_[looks] == wanted;
     const std::uint8_t flags = level_.tile_flags(looks);
-    std::optional<std::uint8_t> best = stays ? std::optional(looks) : std::nullopt;
+    std::optional<TileNumber> best = stays ? std::optional(looks) : std::nullopt;
     int best_score = stays ? score(looks, target, flags) : -1;
-    for (int i = 0; i < kTileCount; ++i) {
-      const auto tile = static_cast<std::uint8_t>(i);
+    for (int i = 0; i < level_.tile_count(); ++i) {
+      const auto tile = static_cast<TileNumber>(i);
       if (physics_[tile] != wanted) continue;
       if (stays && (image(tile) != target || level_.tile_flags(tile) != flags)) continue;
       const int tile_score = score(tile, target, flags);
@@ -166,7 +166,7 @@ class Mirrorer {
   }
 
   // Equal pixels count first, then equal flags.
-  int score(std::uint8_t tile, const TileImage& target, std::uint8_t flags) const {
+  int score(TileNumber tile, const TileImage& target, std::uint8_t flags) const {
     int alike = 0;
     for (std::size_t i = 0; i < target.size(); ++i) alike += image(tile)[i] == target[i] ? 1 : 0;
     int flags_alike = kFlagCount;
@@ -179,8 +179,8 @@ class Mirrorer {
   CellRect cells_;
   MirrorAxis axis_;
   Stamp result_;
-  std::array<Physics, kTileCount> physics_;
-  std::map<std::pair<int, std::uint8_t>, std::optional<std::uint8_t>> partners_;
+  std::vector<Physics> physics_;  // by tile
+  std::map<std::pair<int, TileNumber>, std::optional<TileNumber>> partners_;
   MirroredCells mirrored_;
 };
 

@@ -3,7 +3,7 @@
 
 namespace talus {
 
-Edit replace_tile(const Level& level, std::uint8_t tile, Cell origin, const Stamp& stamp, Within within) {
+Edit replace_tile(const Level& level, TileNumber tile, Cell origin, const Stamp& stamp, Within within) {
   const TileMap& map = level.map;
   CellPainter painter(map);
   const CellRect all{0, 0, map.width(), map.height()};

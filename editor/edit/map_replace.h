@@ -7,6 +7,6 @@
 namespace talus {
 
 // Fills every cell of `within` that has the tile with the stamp, repeated from `origin`.
-Edit replace_tile(const Level& level, std::uint8_t tile, Cell origin, const Stamp& stamp, Within within = {});
+Edit replace_tile(const Level& level, TileNumber tile, Cell origin, const Stamp& stamp, Within within = {});
 
 }  // namespace talus

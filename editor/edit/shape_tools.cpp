@@ -2,16 +2,16 @@
 #include "shape_tools.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <utility>
+#include <vector>
 
 #include "level/single_change.h"
 
 namespace talus {
 
 Edit set_tile_shape(const Level& level, int tile, TileShape shape) {
-  assert(tile >= 0 && tile < kTileCount);
+  assert(tile >= 0 && tile < level.tile_count());
   return single_change("Change the shape of tile " + std::to_string(tile),
                        TileShapeChange{tile, level.tile_shapes[tile], std::move(shape)});
 }
@@ -28,11 +28,11 @@ Edit set_curves(const Level& level, std::vector<LevelCurve> curves, std::string 
 
 Edit put_slope_tiles(const Level& level, const SlopeTiles& tiles, Within within) {
   Edit edit{"Lay a slope", {}};
-  std::array<bool, kTileCount> is_shown{};
+  std::vector<bool> is_shown(static_cast<std::size_t>(level.tile_count()));
   for (const SlopeTiles::Placed& placed : tiles.placed) {
     if (within && !within->contains(placed.cell)) continue;
     is_shown[placed.tile] = true;
-    const std::uint8_t before = level.map.at(placed.cell);
+    const TileNumber before = level.map.at(placed.cell);
     if (before != placed.tile) edit.changes.emplace_back(CellChange{placed.cell, before, placed.tile});
   }
   for (const SlopeTiles::Drawn& drawn : tiles.drawn) {
@@ -55,7 +55,7 @@ tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, co
   SlopeTilesOptions options;
   options.line_color = line_color;
   bool has_slope = false;
-  for (const std::uint8_t tile : stamp.tiles) {
+  for (const TileNumber tile : stamp.tiles) {
     const TileShape shape = shape_of_tile(level, tile);
     if (shape.kind == TileShape::Kind::solid && !shape.one_way && !options.below) options.below = tile;
     has_slope = has_slope || (has_heights(shape) && shape.side == TileShape::Side::floor);

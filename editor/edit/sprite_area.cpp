@@ -9,8 +9,8 @@ namespace {
 
 // A change of one pixel of the area that changes nothing yet: before == after.
 PixelChange pixel_of(const Level& level, const SpriteArea& area, Cell pixel) {
-  assert(area.lies_in_sheet() && area.contains(pixel));
-  const int tile = area.tile_at(pixel.x / kCartTileSize, pixel.y / kCartTileSize);
+  assert(area.lies_in_sheet(level) && area.contains(pixel));
+  const int tile = area.tile_at(level, pixel.x / kCartTileSize, pixel.y / kCartTileSize);
   const int index = pixel.y % kCartTileSize * kCartTileSize + pixel.x % kCartTileSize;
   const std::uint8_t color = level.sheet(area.sheet).images[tile][index];
   return {area.sheet, tile, index, color, color};
@@ -29,10 +29,20 @@ bool SpriteArea::contains(Cell pixel) const {
   return pixel.x >= 0 && pixel.y >= 0 && pixel.x < width() && pixel.y < height();
 }
 
-bool SpriteArea::lies_in_sheet() const {
-  constexpr int kRows = kTileCount / kSheetColumns;
-  return tiles.x >= 0 && tiles.y >= 0 && tiles.w >= 1 && tiles.h >= 1 && tiles.x + tiles.w <= kSheetColumns &&
-         tiles.y + tiles.h <= kRows;
+bool SpriteArea::lies_in_sheet(const Level& level) const {
+  const SheetLayout layout = level.sheet(sheet).layout();
+  return tiles.w >= 1 && tiles.h >= 1 && layout.contains({tiles.x, tiles.y}) &&
+         layout.contains({tiles.x + tiles.w - 1, tiles.y + tiles.h - 1});
+}
+
+SpriteArea cut_to_sheet(const Level& level, SpriteArea area) {
+  const SheetLayout layout = level.sheet(area.sheet).layout();
+  const auto part = shared(area.tiles, {0, 0, layout.columns, layout.rows()});
+  area.tiles = part.value_or(CellRect{});
+  const bool reaches_over_last = !area.lies_in_sheet(level);  // the last row may be shorter
+  if (reaches_over_last && area.tiles.h > 1) --area.tiles.h;
+  if (!area.lies_in_sheet(level)) area.tiles = {};
+  return area;
 }
 
 std::uint8_t pixel_at(const Level& level, const SpriteArea& area, int x, int y) {

@@ -6,18 +6,24 @@
 
 namespace talus {
 
-// 1, 2, 4 or 8 tiles wide and high.
+// A rectangle of any size.
 struct SpriteArea {
   SheetId sheet = SheetId::tiles;
-  CellRect tiles;  // in tiles of the sheet (16x16); must lie inside it (asserted)
-  int width() const { return tiles.w * kCartTileSize; }                                    // px
-  int height() const { return tiles.h * kCartTileSize; }                                   // px
-  int tile_at(int x, int y) const { return (tiles.y + y) * kSheetColumns + tiles.x + x; }  // by tile
-  CellRect canvas() const { return {0, 0, width(), height()}; }                            // px
+  CellRect tiles;  // in columns and rows of the sheet, each of them an image (asserted)
+  int width() const { return tiles.w * kCartTileSize; }   // px
+  int height() const { return tiles.h * kCartTileSize; }  // px
+  // The number of an image. x, y: columns and rows from the corner.
+  int tile_at(const Level& level, int x, int y) const {
+    return level.sheet(sheet).layout().tile_at({tiles.x + x, tiles.y + y});
+  }
+  CellRect canvas() const { return {0, 0, width(), height()}; }  // px
   bool contains(Cell pixel) const;
-  bool lies_in_sheet() const;
+  bool lies_in_sheet(const Level& level) const;
   friend bool operator==(const SpriteArea&, const SpriteArea&) = default;
 };
+
+// The part of an area that lies in its sheet; the sheet's first image if none does.
+SpriteArea cut_to_sheet(const Level& level, SpriteArea area);
 
 std::uint8_t pixel_at(const Level& level, const SpriteArea& area, int x, int y);
 

@@ -11,6 +11,7 @@
 namespace talus {
 namespace {
 
+constexpr int kMostSide = 2048;                                    // tiles or px, of what is copied
 constexpr int kDigitsOfATile = kCartTileSize * kCartTileSize + 2;  // for its pixels and its flags
 constexpr std::size_t kDigitsOfAColor = 6;
 constexpr std::string_view kTilesWord = "tiles", kPixelsWord = "pixels", kSpace = " \t\r\n";
@@ -54,14 +55,14 @@ struct Size {
 };
 std::string to_string(Size size) { return std::to_string(size.w) + "x" + std::to_string(size.h); }
 
-// Takes the line "<word> 3x2" from the beginning of the text. Sides may be up to 128.
+// Takes the line "<word> 3x2" from the beginning of the text. Sides may be up to kMostSide.
 std::optional<Size> take_size(std::string_view& text, std::string_view word) {
   if (!text.starts_with(word)) return std::nullopt;
   std::string_view rest = trimmed(text.substr(word.size()));
   const auto take_number = [&](int& number) {
     const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
     rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
-    return error == std::errc() && number >= 1 && number <= kSheetSide;
+    return error == std::errc() && number >= 1 && number <= kMostSide;
   };
   Size size{};
   if (!take_number(size.w) || !rest.starts_with('x')) return std::nullopt;
@@ -83,7 +84,7 @@ std::optional<CopiedTiles> tiles_from_text(std::string_view text) {
   const auto digits = digits_of(without_space(text));
   if (!digits || digits->empty() || digits->size() % kDigitsOfATile != 0) return std::nullopt;
   const int count = static_cast<int>(digits->size()) / kDigitsOfATile;
-  for (int side = 1; !size && side <= kSheetColumns; ++side)
+  for (int side = 1; !size && side <= kMostSide; ++side)
     if (side * side == count) size = Size{side, side};
   if (!size || size->w * size->h != count) return std::nullopt;
   const auto flags = digits->begin() + count * kCartTileSize * kCartTileSize;
@@ -102,7 +103,7 @@ std::string tiles_to_text(const Level& level, const SpriteArea& area) {
     text += to_digit(color);
   for (int y = 0; y < t.h; ++y) {
     for (int x = 0; x < t.w; ++x) {
-      const int flags = level.sheet(area.sheet).flags[area.tile_at(x, y)];
+      const int flags = level.sheet(area.sheet).flags[area.tile_at(level, x, y)];
       text += to_digit(flags);
       text += to_digit(flags >> 4);
     }

@@ -19,9 +19,10 @@ int floor_divide(int a, int b) { return a / b - (a % b < 0 ? 1 : 0); }  // b > 0
 
 }  // namespace
 
-Stamp stamp_of_sheet(CellRect tiles) {
-  return stamp_of(tiles, {0, 0, kSheetColumns, kTileCount / kSheetColumns},
-                  [](int x, int y) { return static_cast<std::uint8_t>(y * kSheetColumns + x); });
+Stamp stamp_of_sheet(const SheetLayout& sheet, CellRect tiles) {
+  return stamp_of(tiles, {0, 0, sheet.columns, sheet.rows()}, [&](int x, int y) {
+    return sheet.contains({x, y}) ? static_cast<TileNumber>(sheet.tile_at({x, y})) : TileNumber{0};
+  });
 }
 
 Stamp stamp_of_map(const Level& level, CellRect cells) {
@@ -35,7 +36,7 @@ Cell corner_of_repeated(const Stamp& stamp, Cell origin, Cell cell) {
           origin.y + floor_divide(cell.y - origin.y, stamp.h) * stamp.h};
 }
 
-std::uint8_t repeated_tile(const Stamp& stamp, Cell origin, Cell cell) {
+TileNumber repeated_tile(const Stamp& stamp, Cell origin, Cell cell) {
   const Cell corner = corner_of_repeated(stamp, origin, cell);
   return stamp.at(cell.x - corner.x, cell.y - corner.y);
 }

@@ -11,19 +11,19 @@ namespace talus {
 
 struct Stamp {
   int w = 1, h = 1;
-  std::vector<std::uint8_t> tiles = {0};  // w*h, row by row
-  std::uint8_t at(int x, int y) const { return tiles[static_cast<std::size_t>(y) * w + x]; }
+  std::vector<TileNumber> tiles = {0};  // w*h, row by row
+  TileNumber at(int x, int y) const { return tiles[static_cast<std::size_t>(y) * w + x]; }
   friend bool operator==(const Stamp&, const Stamp&) = default;
 };
 
-// The rectangle of the tile sheet (16 columns) as a stamp, cut off at the sheet's edge; tile 0 if it is
-// wholly outside.
-Stamp stamp_of_sheet(CellRect tiles);
+// The rectangle of the tile sheet as a stamp, cut off at the sheet's edge; tile 0 if it is wholly outside.
+// Places behind the sheet's last tile have tile 0.
+Stamp stamp_of_sheet(const SheetLayout& sheet, CellRect tiles);
 Stamp stamp_of_map(const Level& level, CellRect cells);  // for the picker; cut off at the map's edge
 
 // Stamps are repeated from `origin` in all directions. Returns the top-left cell of the stamp that a cell
 // belongs to, and the tile that the cell gets from it.
 Cell corner_of_repeated(const Stamp& stamp, Cell origin, Cell cell);
-std::uint8_t repeated_tile(const Stamp& stamp, Cell origin, Cell cell);
+TileNumber repeated_tile(const Stamp& stamp, Cell origin, Cell cell);
 
 }  // namespace talus

@@ -5,7 +5,7 @@
 
 namespace talus {
 
-std::size_t count_tile(const TileMap& map, std::uint8_t tile, Within within) {
+std::size_t count_tile(const TileMap& map, TileNumber tile, Within within) {
   const CellRect all{0, 0, map.width(), map.height()};
   const auto part = shared(within.value_or(all), all);
   if (!part) return 0;
@@ -16,7 +16,7 @@ std::size_t count_tile(const TileMap& map, std::uint8_t tile, Within within) {
   return count;
 }
 
-std::optional<Cell> find_tile(const TileMap& map, std::uint8_t tile, std::optional<Cell> from,
+std::optional<Cell> find_tile(const TileMap& map, TileNumber tile, std::optional<Cell> from,
                               FindDirection direction, Within within) {
   const auto size = static_cast<std::int64_t>(map.cells().size());
   const std::int64_t step = direction == FindDirection::next ? 1 : -1;

@@ -125,25 +125,25 @@ void add_shape_change(const Level& level, int tile, const TileShape& shape, Edit
   if (before != shape) edit.changes.emplace_back(TileShapeChange{tile, before, shape});
 }
 
-bool is_on_sheet(const CellRect& tiles) {
-  return tiles.x >= 0 && tiles.y >= 0 && tiles.x + tiles.w <= kSheetColumns &&
-         tiles.y + tiles.h <= kSheetColumns;
+bool is_on_sheet(const Level& level, const CellRect& tiles) {
+  return SpriteArea{SheetId::tiles, tiles}.lies_in_sheet(level);
 }
 
 bool flips_columns(ShapeTurn turn) { return turn == ShapeTurn::mirrored || turn == ShapeTurn::half_turn; }
 bool flips_rows(ShapeTurn turn) { return turn == ShapeTurn::upside_down || turn == ShapeTurn::half_turn; }
 
-std::vector<int> numbers_of(const CellRect& tiles) {  // on the sheet
+std::vector<int> numbers_of(const Level& level, const CellRect& tiles) {  // on the sheet
+  const SheetLayout sheet = level.sheet(SheetId::tiles).layout();
   std::vector<int> numbers;
   for (int y = tiles.y; y < tiles.y + tiles.h; ++y)
-    for (int x = tiles.x; x < tiles.x + tiles.w; ++x) numbers.push_back(y * kSheetColumns + x);
+    for (int x = tiles.x; x < tiles.x + tiles.w; ++x) numbers.push_back(sheet.tile_at({x, y}));
   return numbers;
 }
 
 // Neither drawn nor shaped.
 bool is_unused(const Level& level, int tile) {
   return level.sheet(SheetId::tiles).images[tile] == TileImage{} &&
-         shape_of_tile(level, static_cast<std::uint8_t>(tile)).kind == Kind::none;
+         shape_of_tile(level, static_cast<TileNumber>(tile)).kind == Kind::none;
 }
 
 // Changes another shape in the same way as `before` changed to `after`.
@@ -163,17 +163,18 @@ TileShape with_change(TileShape shape, const TileShape& before, const TileShape&
 
 // The tiles of an area, except those that another one of them reaches over.
 std::vector<int> changed_together(const Level& level, const SpriteArea& area) {
-  std::vector<int> tiles = numbers_of(area.tiles);
+  const SheetLayout sheet = level.sheet(SheetId::tiles).layout();
+  std::vector<int> tiles = numbers_of(level, area.tiles);
   std::erase_if(tiles, [&](int tile) {
     const auto owner = tile_reaching_over(level, tile);
-    return owner && *owner % kSheetColumns >= area.tiles.x;
+    return owner && sheet.place_of(*owner).x >= area.tiles.x;
   });
   return tiles;
 }
 
-std::string label_of_change(const SpriteArea& area) {
+std::string label_of_change(const Level& level, const SpriteArea& area) {
   if (area.tiles.w * area.tiles.h == 1)
-    return "Change the shape of tile " + std::to_string(area.tile_at(0, 0));
+    return "Change the shape of tile " + std::to_string(area.tile_at(level, 0, 0));
   return "Change the shapes of " + std::to_string(area.tiles.w * area.tiles.h) + " tiles";
 }
 
@@ -189,7 +190,7 @@ void copy_pixels(const Level& level, const CellRect& from, const CellRect& to, S
                                           flips_rows(turn) ? source.height() - 1 - y : y);
       const std::uint8_t before = pixel_at(level, target, x, y);
       if (before == after) continue;
-      const int tile = target.tile_at(x / kCartTileSize, y / kCartTileSize);
+      const int tile = target.tile_at(level, x / kCartTileSize, y / kCartTileSize);
       const int pixel = y % kCartTileSize * kCartTileSize + x % kCartTileSize;
       edit.changes.emplace_back(PixelChange{SheetId::tiles, tile, pixel, before, after});
     }
@@ -225,20 +226,22 @@ TileShape turned(TileShape shape, ShapeTurn turn, TileSize tile) {
   return shape;
 }
 
-CellRect tiles_of_shape(int tile, const TileShape& shape, TileSize size) {
-  CellRect tiles{tile % kSheetColumns, tile / kSheetColumns, 1, 1};
+CellRect tiles_of_shape(const Level& level, int tile, const TileShape& shape) {
+  const Cell place = level.sheet(SheetId::tiles).layout().place_of(tile);
+  CellRect tiles{place.x, place.y, 1, 1};
   if (!has_line(shape)) return tiles;
   tiles.w = shape.tiles;
   const double highest = *std::max_element(shape.heights.begin(), shape.heights.end());
-  tiles.h = std::max(1, static_cast<int>(std::ceil(highest / size.height)));
+  tiles.h = std::max(1, static_cast<int>(std::ceil(highest / level.map.tile_size().height)));
   if (shape.side == Side::floor) tiles.y -= tiles.h - 1;
   return tiles;
 }
 
 std::optional<int> tile_reaching_over(const Level& level, int tile) {
-  const auto shape_of = [&](int number) { return shape_of_tile(level, static_cast<std::uint8_t>(number)); };
+  const auto shape_of = [&](int number) { return shape_of_tile(level, static_cast<TileNumber>(number)); };
   if (shape_of(tile).kind != Kind::none) return std::nullopt;
-  const int first = std::max(tile - tile % kSheetColumns, tile - kMaxShapeTiles + 1);
+  const int column = level.sheet(SheetId::tiles).layout().place_of(tile).x;
+  const int first = std::max(tile - column, tile - kMaxShapeTiles + 1);
   for (int left = tile - 1; left >= first; --left) {
     const TileShape shape = shape_of(left);
     if (has_line(shape) && shape.tiles > tile - left) return left;
@@ -247,8 +250,9 @@ std::optional<int> tile_reaching_over(const Level& level, int tile) {
 }
 
 std::optional<TileShape> suggest_shape(const Level& level, int tile, int tiles) {
-  assert(tile >= 0 && tile < kTileCount && tiles >= 1 && tiles <= kMaxShapeTiles);
-  tiles = std::min(tiles, kSheetColumns - tile % kSheetColumns);
+  assert(tile >= 0 && tile < level.tile_count() && tiles >= 1 && tiles <= kMaxShapeTiles);
+  const SheetLayout sheet = level.sheet(SheetId::tiles).layout();
+  tiles = std::min({tiles, sheet.columns - sheet.place_of(tile).x, sheet.count - tile});
   const Columns columns(level, tile, tiles);
   if (columns.opaque == 0) return std::nullopt;
   TileShape shape;
@@ -274,7 +278,7 @@ Edit suggest_shapes(const Level& level, const SpriteArea& area) {
   Edit edit{"Suggest shapes from pixels", {}};
   for (int y = 0; y < area.tiles.h; ++y) {
     for (int x = 0; x < area.tiles.w; ++x) {
-      const int tile = area.tile_at(x, y);
+      const int tile = area.tile_at(level, x, y);
       if (const auto shape = suggest_shape(level, tile)) add_shape_change(level, tile, *shape, edit);
     }
   }
@@ -283,12 +287,12 @@ Edit suggest_shapes(const Level& level, const SpriteArea& area) {
 
 Edit change_shapes(const Level& level, const SpriteArea& area, const TileShape& shape) {
   assert(area.sheet == SheetId::tiles);
-  Edit edit{label_of_change(area), {}};
-  const int first = area.tile_at(0, 0);
-  const TileShape before = shape_of_tile(level, static_cast<std::uint8_t>(first));
+  Edit edit{label_of_change(level, area), {}};
+  const int first = area.tile_at(level, 0, 0);
+  const TileShape before = shape_of_tile(level, static_cast<TileNumber>(first));
   add_shape_change(level, first, shape, edit);
   for (const int tile : changed_together(level, area)) {
-    const TileShape other = shape_of_tile(level, static_cast<std::uint8_t>(tile));
+    const TileShape other = shape_of_tile(level, static_cast<TileNumber>(tile));
     const TileShape changed = with_change(other, before, shape, level.map.tile_size());
     if (tile != first && changed != other) add_shape_change(level, tile, changed, edit);
   }
@@ -297,11 +301,11 @@ Edit change_shapes(const Level& level, const SpriteArea& area, const TileShape& 
 
 Edit change_kinds(const Level& level, const SpriteArea& area, Kind kind) {
   assert(area.sheet == SheetId::tiles);
-  Edit edit{label_of_change(area), {}};
+  Edit edit{label_of_change(level, area), {}};
   for (const int tile : changed_together(level, area))
     add_shape_change(
         level, tile,
-        with_kind(shape_of_tile(level, static_cast<std::uint8_t>(tile)), kind, level.map.tile_size()), edit);
+        with_kind(shape_of_tile(level, static_cast<TileNumber>(tile)), kind, level.map.tile_size()), edit);
   return edit;
 }
 
@@ -309,20 +313,19 @@ Edit give_shape(const Level& level, const SpriteArea& area, const TileShape& sha
   assert(area.sheet == SheetId::tiles);
   Edit edit{"Give tiles a shape", {}};
   for (int y = 0; y < area.tiles.h; ++y)
-    for (int x = 0; x < area.tiles.w; ++x) add_shape_change(level, area.tile_at(x, y), shape, edit);
+    for (int x = 0; x < area.tiles.w; ++x) add_shape_change(level, area.tile_at(level, x, y), shape, edit);
   return edit;
 }
 
 tl::expected<Edit, std::string> copy_turned(const Level& level, int tile, int target, ShapeTurn turn) {
-  assert(tile >= 0 && tile < kTileCount && target >= 0 && target < kTileCount);
-  const TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
+  assert(tile >= 0 && tile < level.tile_count() && target >= 0 && target < level.tile_count());
+  const TileShape shape = shape_of_tile(level, static_cast<TileNumber>(tile));
   const TileShape image = turned(shape, turn, level.map.tile_size());
-  const TileSize size = level.map.tile_size();
-  const CellRect from = tiles_of_shape(tile, shape, size), to = tiles_of_shape(target, image, size);
-  if (!is_on_sheet(from))
+  const CellRect from = tiles_of_shape(level, tile, shape), to = tiles_of_shape(level, target, image);
+  if (!is_on_sheet(level, from))
     return tl::unexpected("tile " + std::to_string(tile) + " has a shape over " + size_text(from) +
                           " tiles, which reaches beyond the sheet");
-  if (!is_on_sheet(to))
+  if (!is_on_sheet(level, to))
     return tl::unexpected("a copy over " + size_text(to) + " tiles has no room at tile " +
                           std::to_string(target));
   if (from != to && shared(from, to))
@@ -338,12 +341,12 @@ tl::expected<Edit, std::string> copy_turned(const Level& level, int tile, int ta
 
 std::optional<int> free_target(const Level& level, int tile, ShapeTurn turn) {
   const TileShape image =
-      turned(shape_of_tile(level, static_cast<std::uint8_t>(tile)), turn, level.map.tile_size());
+      turned(shape_of_tile(level, static_cast<TileNumber>(tile)), turn, level.map.tile_size());
   const auto is_free = [&](int number) { return number != 0 && number != tile && is_unused(level, number); };
-  for (int target = 1; target < kTileCount; ++target) {
-    const CellRect tiles = tiles_of_shape(target, image, level.map.tile_size());
-    if (!is_on_sheet(tiles)) continue;
-    const std::vector<int> numbers = numbers_of(tiles);
+  for (int target = 1; target < level.tile_count(); ++target) {
+    const CellRect tiles = tiles_of_shape(level, target, image);
+    if (!is_on_sheet(level, tiles)) continue;
+    const std::vector<int> numbers = numbers_of(level, tiles);
     if (std::all_of(numbers.begin(), numbers.end(), is_free)) return target;
   }
   return std::nullopt;
@@ -352,8 +355,8 @@ std::optional<int> free_target(const Level& level, int tile, ShapeTurn turn) {
 std::vector<int> tiles_replaced(const Level& level, int tile, int target, ShapeTurn turn) {
   if (target == tile || !copy_turned(level, tile, target, turn)) return {};
   const TileShape image =
-      turned(shape_of_tile(level, static_cast<std::uint8_t>(tile)), turn, level.map.tile_size());
-  std::vector<int> replaced = numbers_of(tiles_of_shape(target, image, level.map.tile_size()));
+      turned(shape_of_tile(level, static_cast<TileNumber>(tile)), turn, level.map.tile_size());
+  std::vector<int> replaced = numbers_of(level, tiles_of_shape(level, target, image));
   std::erase_if(replaced, [&](int number) { return is_unused(level, number); });
   return replaced;
 }

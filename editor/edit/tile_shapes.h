@@ -22,8 +22,8 @@ enum class ShapeTurn { none, mirrored, upside_down, half_turn };
 TileShape turned(TileShape shape, ShapeTurn turn, TileSize tile);
 
 // The tiles of the sheet that a shape reaches over: its own, those to the right and, if it is higher than a
-// tile, those above (a floor) or below (a ceiling). They may reach beyond the sheet. size: px, of a tile.
-CellRect tiles_of_shape(int tile, const TileShape& shape, TileSize size);
+// tile, those above (a floor) or below (a ceiling). They may reach beyond the sheet.
+CellRect tiles_of_shape(const Level& level, int tile, const TileShape& shape);
 
 // For a tile without a shape: the tile left of it whose shape reaches over it on the sheet, as a ramp's does
 // over its right half; nothing if there is none.

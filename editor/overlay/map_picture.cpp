@@ -25,11 +25,11 @@ Rgb mixed(Rgb color, Rgb tint) {
 constexpr int kChannelBits = 21;
 constexpr std::uint64_t kChannelMask = (1 << kChannelBits) - 1;
 constexpr int kMostAtOnce = 1 << (kChannelBits - 8);  // the number of colours whose sum fits
-using PackedColors = std::array<std::uint64_t, kTileCount>;
+using PackedColors = std::vector<std::uint64_t>;      // by tile
 
 PackedColors packed(const TileColors& colors) {
-  PackedColors all{};
-  for (std::size_t tile = 0; tile < kTileCount; ++tile) {
+  PackedColors all(colors.size());
+  for (std::size_t tile = 0; tile < all.size(); ++tile) {
     const Rgb color = colors[tile];
     all[tile] = color.r | std::uint64_t{color.g} << kChannelBits | std::uint64_t{color.b} << 2 * kChannelBits;
   }
@@ -40,7 +40,7 @@ struct Sum {
   std::uint64_t r = 0, g = 0, b = 0, count = 0;
 
   // Adds the cells of a row of the map from `tiles` on.
-  void add(const std::uint8_t* tiles, int cells, const PackedColors& colors) {
+  void add(const TileNumber* tiles, int cells, const PackedColors& colors) {
     count += static_cast<std::uint64_t>(cells);
     while (cells > 0) {
       const int now = std::min(cells, kMostAtOnce);
@@ -61,7 +61,7 @@ std::vector<Sum> sums_of_row(const TileMap& map, const PackedColors& colors, Cel
   std::vector<Sum> sums(static_cast<std::size_t>(blocks));
   const int bottom = std::min(from.y + block, map.height());
   for (int y = from.y; y < bottom; ++y) {
-    const std::uint8_t* row = map.cells().data() + static_cast<std::size_t>(y) * map.width();
+    const TileNumber* row = map.cells().data() + static_cast<std::size_t>(y) * map.width();
     int x = from.x;
     for (Sum& sum : sums) {
       sum.add(row + x, std::min(block, map.width() - x), colors);
@@ -74,10 +74,10 @@ std::vector<Sum> sums_of_row(const TileMap& map, const PackedColors& colors, Cel
 }  // namespace
 
 TileColors tile_colors(const Level& level, const MapLook& look) {
-  TileColors colors;
+  TileColors colors(static_cast<std::size_t>(level.tile_count()));
   const Sheet& sheet = level.sheet(SheetId::tiles);
-  for (std::size_t tile = 0; tile < kTileCount; ++tile) {
-    const bool hidden = look.hide_balls && is_ball_tile(level, static_cast<std::uint8_t>(tile));
+  for (std::size_t tile = 0; tile < colors.size(); ++tile) {
+    const bool hidden = look.hide_balls && is_ball_tile(level, static_cast<TileNumber>(tile));
     colors[tile] = main_color(sheet.images[hidden ? 0 : tile], level.palette);
     if (look.tinted && look.tinted->matches(sheet.flags[tile])) colors[tile] = mixed(colors[tile], look.tint);
   }

@@ -2,7 +2,6 @@
 // its tile.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -11,7 +10,7 @@
 
 namespace talus {
 
-using TileColors = std::array<Rgb, kTileCount>;
+using TileColors = std::vector<Rgb>;  // by tile
 
 // Options of the picture.
 struct MapLook {

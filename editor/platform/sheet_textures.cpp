@@ -9,15 +9,21 @@ namespace talus {
 namespace {
 
 std::vector<std::uint8_t> to_rgba(const Sheet& sheet, const Palette& palette, bool clear_zero) {
-  std::vector<std::uint8_t> rgba(static_cast<std::size_t>(kSheetSide) * kSheetSide * 4);
-  for (int y = 0; y < kSheetSide; ++y) {
-    for (int x = 0; x < kSheetSide; ++x) {
-      const int tile = y / kCartTileSize * kSheetColumns + x / kCartTileSize;
+  const SheetLayout layout = sheet.layout();
+  const int width = layout.columns * kCartTileSize, height = layout.rows() * kCartTileSize;
+  std::vector<std::uint8_t> rgba(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const Cell place{x / kCartTileSize, y / kCartTileSize};
+      if (!layout.contains(place)) continue;  // the last row may be shorter
+      const int tile = layout.tile_at(place);
       const int pixel = y % kCartTileSize * kCartTileSize + x % kCartTileSize;
       const std::uint8_t index =
           sheet.images[static_cast<std::size_t>(tile)][static_cast<std::size_t>(pixel)];
       const Rgb color = palette[index];
-      std::uint8_t* out = &rgba[(static_cast<std::size_t>(y) * kSheetSide + static_cast<std::size_t>(x)) * 4];
+      std::uint8_t* out = &rgba[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                 static_cast<std::size_t>(x)) *
+                                4];
       out[0] = color.r;
       out[1] = color.g;
       out[2] = color.b;
@@ -27,9 +33,10 @@ std::vector<std::uint8_t> to_rgba(const Sheet& sheet, const Palette& palette, bo
   return rgba;
 }
 
-void upload(unsigned name, const std::vector<std::uint8_t>& rgba) {
+void upload(unsigned name, const SheetLayout& layout, const std::vector<std::uint8_t>& rgba) {
   glBindTexture(GL_TEXTURE_2D, name);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kSheetSide, kSheetSide, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, layout.columns * kCartTileSize, layout.rows() * kCartTileSize, 0,
+               GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
 }
 
 }  // namespace
@@ -53,13 +60,15 @@ void SheetTextures::update(const Level& level, std::uint64_t revision, Ui& ui) {
   };
   ui.sheets = {id(0), id(1)};
   ui.balls = id(2);
+  for (std::size_t i = 0; i < ui.layouts.size(); ++i) ui.layouts[i] = level.sheets[i].layout();
   if (revision_ == revision) return;
   revision_ = revision;
-  for (std::size_t i = 0; i < 3; ++i) upload(names_[i], to_rgba(level.sheets[i % 2], level.palette, i == 2));
+  for (std::size_t i = 0; i < 3; ++i)
+    upload(names_[i], level.sheets[i % 2].layout(), to_rgba(level.sheets[i % 2], level.palette, i == 2));
 }
 
 void SheetTextures::show_preview(const Sheet& sheet, const Palette& palette, Ui& ui) {
-  upload(names_[3], to_rgba(sheet, palette, false));
+  upload(names_[3], sheet.layout(), to_rgba(sheet, palette, false));
   ui.preview = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(names_[3]));
 }
 

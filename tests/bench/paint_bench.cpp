@@ -20,7 +20,7 @@ constexpr std::uint8_t kEmpty = 0, kSolid = 1, kRising = 2, kFalling = 3;
 // solid or has a slope.
 enum Map { kSparse, kDense };
 
-std::uint8_t random_tile(std::mt19937& random, Map map) {
+TileNumber random_tile(std::mt19937& random, Map map) {
   const auto percent = random() % 100;
   if (percent < (map == kDense ? 50 : 25)) return kSolid;
   if (percent < (map == kDense ? 100 : 28)) return random() % 2 == 0 ? kRising : kFalling;
@@ -28,8 +28,8 @@ std::uint8_t random_tile(std::mt19937& random, Map map) {
 }
 
 Terrain large_terrain(std::mt19937& random, Map map) {
-  std::vector<std::uint8_t> cells(static_cast<std::size_t>(kSide) * kSide);
-  for (std::uint8_t& cell : cells) cell = random_tile(random, map);
+  std::vector<TileNumber> cells(static_cast<std::size_t>(kSide) * kSide);
+  for (TileNumber& cell : cells) cell = random_tile(random, map);
   TerrainSource source;
   source.width = source.height = kSide;
   source.cells = cells;
@@ -53,7 +53,7 @@ void paint_cell(benchmark::State& state, Map map) {
   for (auto _ : state) {
     const Cell cell{static_cast<int>(random() % kSide), static_cast<int>(random() % kSide)};
     const auto tile =
-        static_cast<std::uint8_t>((terrain.tile_at(cell) + 1 + random() % 3) % 4);  // another tile
+        static_cast<TileNumber>((terrain.tile_at(cell) + 1 + random() % 3) % 4);  // another tile
     const auto begin = std::chrono::steady_clock::now();
     Terrain edited = terrain;
     edited.set_cell(cell, tile);

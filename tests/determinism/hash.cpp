@@ -66,7 +66,7 @@ Level random_level(std::uint64_t seed) {
     for (c.x = 0; c.x < 30; ++c.x) {
       const bool border = c.x == 0 || c.x == 29 || c.y == 16;
       if (border || dice.up_to(5) == 0)
-        level.map.set(c, border ? 1 : static_cast<std::uint8_t>(1 + dice.up_to(8)));
+        level.map.set(c, border ? 1 : static_cast<TileNumber>(1 + dice.up_to(8)));
     }
   }
   for (int i = 0; i < 3; ++i) level.curves.push_back({"", random_curve(dice, 240, 136), ""});

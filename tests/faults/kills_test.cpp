@@ -23,7 +23,7 @@ class Kills : public FolderTest {
   static constexpr int kWidth = 200;  // cells
 
   // Gives every cell of row 1 the same tile, so that half of a stroke would show.
-  static Edit stroke(const Level& level, std::uint8_t tile) {
+  static Edit stroke(const Level& level, TileNumber tile) {
     Edit edit{"Paint", {}};
     for (int x = 0; x < kWidth; ++x) edit.changes.push_back(CellChange{{x, 1}, level.map.at({x, 1}), tile});
     return edit;

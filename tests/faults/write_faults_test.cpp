@@ -75,17 +75,17 @@ class WriteFaults : public FolderTest {
   }
 };
 
-Level painted(std::uint8_t tile) {
+Level painted(TileNumber tile) {
   Level level;
   level.map.set({1, 1}, tile);
   return level;
 }
 
-void paint(Session& session, std::uint8_t tile) {
+void paint(Session& session, TileNumber tile) {
   session.apply(action::EditLevel{Edit{"Paint", {CellChange{{1, 1}, session.level().map.at({1, 1}), tile}}}});
 }
 
-std::uint8_t tile_in(const Level& level) { return level.map.at({1, 1}); }
+TileNumber tile_in(const Level& level) { return level.map.at({1, 1}); }
 
 bool tells_error(const Session& session) { return session.message() && session.message()->is_error; }
 
@@ -118,7 +118,7 @@ TEST_F(WriteFaults, SavingALevel) {
 // companion may have its new content already.
 TEST_F(WriteFaults, SavingACartAndItsCompanion) {
   std::unique_ptr<Session> session;
-  const auto with_bodies = [](std::uint8_t tile, std::size_t count) {
+  const auto with_bodies = [](TileNumber tile, std::size_t count) {
     Level level = painted(tile);
     for (std::size_t i = 0; i < count; ++i)
       level.spawns.push_back({"", {16.0 * static_cast<double>(i), 8}, {}, ""});
@@ -243,7 +243,7 @@ TEST_F(WriteFaults, TheFirstSettings) {
 
 class ExportFaults : public WriteFaults {
  protected:
-  void open(std::uint8_t tile) {
+  void open(TileNumber tile) {
     Level level = painted(tile);
     level.exports = {{.name = "map", .exporter = "tmj", .path = "out/map.tmj", .extra = {}}};
     ASSERT_TRUE(save_level(level, *find_format("native"), path("a.talus.json")));
@@ -420,7 +420,7 @@ TEST_F(WriteFaults, AFolderThatCannotBeSyncedIsReported) {
   Session session(painted(1), "", "a");
   session.apply(action::SaveFileAs{path("a.talus.json")});
   fail_at_folder(calls, [&] {
-    paint(session, static_cast<std::uint8_t>(tile_in(session.level()) + 1));
+    paint(session, static_cast<TileNumber>(tile_in(session.level()) + 1));
     session.apply(action::SaveFile{});
   });
   EXPECT_EQ(session.message()->text, "Saved a.talus.json. a.talus.json " + doubt + ".");

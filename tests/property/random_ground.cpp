@@ -268,10 +268,10 @@ Terrain RandomGround::compile() const {
 RandomGround RandomGround::mirrored() const {
   RandomGround m = *this;
   for (TileShape& shape : m.shapes) shape = mirrored_in_tile(shape, tile);
-  std::fill(m.cells.begin(), m.cells.end(), std::uint8_t{0});
+  std::fill(m.cells.begin(), m.cells.end(), TileNumber{0});
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      const std::uint8_t number = cells[static_cast<std::size_t>(y) * width + x];
+      const TileNumber number = cells[static_cast<std::size_t>(y) * width + x];
       const std::size_t end = static_cast<std::size_t>(y) * width + width - x;
       if (number != 0) m.cells[end - shapes[number].tiles] = number;
     }
@@ -350,7 +350,7 @@ RandomGround random_ground(Dice& dice, int width, int height, GroundKinds kinds)
           leaves_the_map(ground.shapes[tile], x, y, ground))
         continue;
       used[row + x] = used[row + last] = true;
-      ground.cells[row + x] = static_cast<std::uint8_t>(tile);
+      ground.cells[row + x] = static_cast<TileNumber>(tile);
     }
   }
   const Area area{4, 4, ground.right() - 4, ground.bottom() - 4};

@@ -39,8 +39,8 @@ double property_moves(double least);
 struct RandomGround {
   int width = 0, height = 0;  // cells
   TileSize tile;
-  std::vector<std::uint8_t> cells;
-  std::array<TileShape, kTileKinds> shapes;
+  std::vector<TileNumber> cells;
+  std::vector<TileShape> shapes = std::vector<TileShape>(256);
   std::vector<Curve> curves;
 
   double right() const { return 1.0 * width * tile.width; }     // px

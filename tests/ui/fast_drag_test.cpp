@@ -122,7 +122,7 @@ TEST_F(UiFastDrag, FlagBrushPaintsToTheRelease) {
   push_drag(places);
   frames(2);
   for (const int tile : {40, 41, 42, 26})
-    EXPECT_EQ(level().tile_flags(static_cast<std::uint8_t>(tile)), 1) << tile;
+    EXPECT_EQ(level().tile_flags(static_cast<TileNumber>(tile)), 1) << tile;
   EXPECT_EQ(undos(), 1u);
 }
 

@@ -12,7 +12,7 @@ class UiFlags : public UiTest {
     UiTest::SetUp();
     start();
   }
-  std::uint8_t flags_of(int tile) { return level().tile_flags(static_cast<std::uint8_t>(tile)); }
+  std::uint8_t flags_of(int tile) { return level().tile_flags(static_cast<TileNumber>(tile)); }
   std::size_t edits() { return session().history().edits().size(); }
   void choose_tint(int item) {
     click("canvas/flag_tint");
@@ -123,7 +123,7 @@ TEST_F(UiFlags, TheRightButtonSelectsUnderTheBrush) {
   key(ctrl_shift('f'));
   EXPECT_EQ(session().choices().flag_overlay, pattern_of_flag(0)) << "it paints something from the start";
   click(on_sheet(77), kRight);
-  EXPECT_EQ(session().choices().area.tile_at(0, 0), 77);
+  EXPECT_EQ(session().choices().area.tile_at(level(), 0, 0), 77);
   EXPECT_EQ(flags_of(77), 0);
 }
 
@@ -226,7 +226,7 @@ TEST_F(UiFlags, TheListGoesFromCellToCell) {
   key(ctrl_shift('g'));
   EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{29, 16})) << "around the end";
   click("flag_search/tile1");
-  EXPECT_EQ(session().choices().area.tile_at(0, 0), 1);
+  EXPECT_EQ(session().choices().area.tile_at(level(), 0, 0), 1);
   EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{0, 16}));
 }
 

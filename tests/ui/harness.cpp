@@ -154,9 +154,11 @@ ImVec2 UiTest::on_pixels(int x, int y) {
 ImVec2 UiTest::on_sheet(int tile) {
   const Widget* sheet = find("sheet/tiles") ? find("sheet/tiles") : find("sheet/sprites");
   if (!sheet) return {0, 0};
-  const float cell = (sheet->max.x - sheet->min.x) / 16;
-  return {sheet->min.x + cell * (static_cast<float>(tile % 16) + 0.5f),
-          sheet->min.y + cell * (static_cast<float>(tile / 16) + 0.5f)};
+  const SheetLayout layout = level().sheet(session().choices().area.sheet).layout();
+  const float cell = (sheet->max.x - sheet->min.x) / static_cast<float>(layout.columns);
+  const Cell place = layout.place_of(tile);
+  return {sheet->min.x + cell * (static_cast<float>(place.x) + 0.5f),
+          sheet->min.y + cell * (static_cast<float>(place.y) + 0.5f)};
 }
 
 void UiTest::push(SDL_Event event) { ASSERT_EQ(SDL_PushEvent(&event), 1) << SDL_GetError(); }

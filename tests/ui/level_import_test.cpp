@@ -7,14 +7,16 @@ namespace talus::level_import_test {
 
 class UiLevelImport : public UiTest {
  protected:
-  // Writes a map of three layers. The second has the most tiles, and one of them is mirrored.
+  // Writes a map of three layers. The second has the most tiles, and one of them is mirrored. The third is of
+  // a tileset that is too large.
   std::string save_map() {
     std::ofstream(path("big.tmx"))
         << R"(<map orientation="orthogonal" width="3" height="1" tilewidth="8" tileheight="8">)"
            R"(<tileset firstgid="1" name="t" tilewidth="8" tileheight="8" tilecount="16" columns="16"/>)"
+           R"(<tileset firstgid="1000" name="u" tilewidth="8" tileheight="8" tilecount="70000" columns="16"/>)"
            R"(<layer name="sky"><data encoding="csv">3,0,0</data></layer>)"
            R"(<layer name="ground"><data encoding="csv">2147483654,6,0</data></layer>)"
-           R"(<layer name="sky"><data encoding="csv">4,0,0</data></layer></map>)";
+           R"(<layer name="sky"><data encoding="csv">1000,0,0</data></layer></map>)";
     return path("big.tmx");
   }
   void press_key(int key_code) {
@@ -35,17 +37,17 @@ TEST_F(UiLevelImport, TheLayerIsChosenByTheMouse) {
   ASSERT_TRUE(session().level_import());
   EXPECT_EQ(import().choices.layer_number, 2);
   ASSERT_NE(find("choose/report"), nullptr) << "it can be opened at once";
-  click("choose/all_tiles");
+  click("choose/layer3");
   frames(2);
   ASSERT_NE(find("choose/error"), nullptr);
-  EXPECT_FALSE(find("choose/open")->enabled) << "a tile is mirrored";
-  click("choose/layer3");
+  EXPECT_FALSE(find("choose/open")->enabled);
+  click("choose/layer1");
   frames(2);
   EXPECT_NE(find("choose/report"), nullptr);
   click("choose/open");
   frames(3);
   EXPECT_EQ(find("choose/open"), nullptr);
-  EXPECT_EQ(tile_at({0, 0}), 3) << "the number of a tile of Tiled counts from 1";
+  EXPECT_EQ(tile_at({0, 0}), 2) << "the number of a tile of Tiled counts from 1";
   EXPECT_EQ(session().path(), "") << "the map is not written over";
 }
 
@@ -53,13 +55,12 @@ TEST_F(UiLevelImport, TheLayerIsChosenByKeys) {
   start(save_map());
   frames(3);
   ASSERT_NE(find("choose/open"), nullptr) << "the program's argument is asked about, too";
-  for (int i = 0; i < 2; ++i) press_key(kKeyUp);  // past the option of used tiles
+  for (int i = 0; i < 3; ++i) press_key(kKeyUp);  // past the options of tiles
   press_key(' ');
-  EXPECT_FALSE(import().choices.used_tiles);
   ASSERT_NE(find("choose/error"), nullptr);
   press_letter('o');
   ASSERT_NE(find("choose/open"), nullptr) << "it cannot be opened so";
-  for (int i = 0; i < 3; ++i) press_key(kKeyUp);
+  for (int i = 0; i < 2; ++i) press_key(kKeyUp);
   press_key(' ');
   EXPECT_EQ(import().choices, (ImportChoices{.layer_number = 1}));
   press_key(kKeyDown);

@@ -96,7 +96,7 @@ TEST_F(UiPicture, ThePlaceAndThePaletteAreChosen) {
   frames(2);
   const Widget* after = find("import/after");
   ASSERT_NE(after, nullptr);
-  const float cell = (after->max.x - after->min.x) / kSheetColumns;
+  const float cell = (after->max.x - after->min.x) / kCartColumns;
   click(ImVec2{after->min.x + 3.5f * cell, after->min.y + 2.5f * cell});
   frames(2);
   EXPECT_EQ(session().png_import()->options.tile, 35);

@@ -188,7 +188,7 @@ TEST(AnyNumber, TheInterfaceForCRefusesEmptyInput) {
   EXPECT_TRUE(std::string_view(error).starts_with("a.talus.json:")) << error;
   const std::string large = R"({"talus": 1})" + std::string(kMaxFileBytes, ' ');
   EXPECT_EQ(talus_read(large.data(), large.size(), "a.talus.json", error, sizeof error), nullptr);
-  EXPECT_STREQ(error, "a.talus.json: error: is larger than 64 MiB") << "as a file is";
+  EXPECT_STREQ(error, "a.talus.json: error: is larger than 96 MiB") << "as a file is";
   EXPECT_EQ(talus_open(nullptr, error, sizeof error), nullptr);
   EXPECT_STREQ(error, "error: the path is null");
 }

@@ -74,7 +74,7 @@ TEST_F(AtomicFileTest, LargeFilesAreRefused) {
   fs::resize_file(path("big"), kMaxFileBytes);
   EXPECT_EQ(read_file(path("big"))->size(), kMaxFileBytes);
   fs::resize_file(path("big"), kMaxFileBytes + 1);
-  EXPECT_EQ(read_file(path("big")).error().message, "is larger than 64 MiB");
+  EXPECT_EQ(read_file(path("big")).error().message, "is larger than 96 MiB");
 }
 
 TEST_F(AtomicFileTest, AReplacedFileKeepsItsPermissions) {

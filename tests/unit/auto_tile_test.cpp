@@ -17,7 +17,7 @@ constexpr std::string_view kPartLetters = "#=[]_r7LJ/\\uUDd";
 
 AutoTiles full_set() {
   AutoTiles set;
-  std::iota(set.tiles.begin(), set.tiles.end(), std::uint8_t{1});
+  std::iota(set.tiles.begin(), set.tiles.end(), TileNumber{1});
   return set;
 }
 
@@ -43,7 +43,7 @@ Level ground_level(const GroundRows& rows, const AutoTiles& set = full_set()) {
       const std::size_t part = kPartLetters.find(letter);
       level.map.set(c, letter == 'x'                    ? 200
                        : part == std::string_view::npos ? 0
-                                                        : static_cast<std::uint8_t>(part + 1));
+                                                        : static_cast<TileNumber>(part + 1));
     }
   }
   return level;
@@ -272,7 +272,7 @@ RC_GTEST_PROP(AutoTileProperty, TheOrderOfPaintingDoesNotMatter, ()) {
 
 // --- The proposal
 
-void draw_tile(Level& level, std::uint8_t tile, const std::vector<std::string>& rows) {
+void draw_tile(Level& level, TileNumber tile, const std::vector<std::string>& rows) {
   TileImage& image = level.sheet(SheetId::tiles).images[tile];
   for (std::size_t i = 0; i < image.size(); ++i)
     image[i] = static_cast<std::uint8_t>(rows[i / kCartTileSize][i % kCartTileSize] - '0');
@@ -308,9 +308,9 @@ Level sheet_of_ground() {
   return level;
 }
 
-std::vector<std::uint8_t> all_tiles() {
-  std::vector<std::uint8_t> tiles(kTileCount);
-  std::iota(tiles.begin(), tiles.end(), std::uint8_t{0});
+std::vector<TileNumber> all_tiles() {
+  std::vector<TileNumber> tiles(kCartTiles);
+  std::iota(tiles.begin(), tiles.end(), TileNumber{0});
   return tiles;
 }
 
@@ -330,7 +330,7 @@ TEST(AutoTileProposal, RecognisesSidesAndCornersByTheirPixels) {
 }
 
 // Draws a solid tile with a top edge of its own.
-void draw_rock(Level& level, std::uint8_t tile, const std::string& row) {
+void draw_rock(Level& level, TileNumber tile, const std::string& row) {
   level.sheet(SheetId::tiles).flags[tile] = kSolidFlag;
   std::vector<std::string> rock(8, row);
   rock[0] = "66666666";
@@ -383,8 +383,8 @@ TEST(AutoTileProposal, ChoosesOnlyAmongTheGivenTiles) {
   AutoTiles expected;
   expected.of(GroundPart::inside) = 11;  // there is no plain tile among them
   expected.of(GroundPart::top) = 11;
-  EXPECT_EQ(proposed_auto_tiles(level, std::vector<std::uint8_t>{0, 11, 50}), expected);
-  EXPECT_TRUE(proposed_auto_tiles(level, std::vector<std::uint8_t>{0, 50}).empty());
+  EXPECT_EQ(proposed_auto_tiles(level, std::vector<TileNumber>{0, 11, 50}), expected);
+  EXPECT_TRUE(proposed_auto_tiles(level, std::vector<TileNumber>{0, 50}).empty());
 }
 
 }  // namespace talus::auto_tile_test

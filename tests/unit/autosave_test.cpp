@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 class AutosaveTest : public FolderTest {
  protected:
   std::string folder() const { return path("state"); }
-  static void paint(Session& session, std::uint8_t tile) {
+  static void paint(Session& session, TileNumber tile) {
     Edit edit{"Paint", {CellChange{{1, 1}, session.level().map.at({1, 1}), tile}}};
     session.apply(action::EditLevel{edit});
   }
@@ -125,7 +125,7 @@ TEST_F(AutosaveTest, AKillDuringAWriteLeavesTheOlderAutosave) {
       Session session;
       Autosave autosave(folder());
       for (int tile = 1;; tile = tile % 255 + 1) {
-        paint(session, static_cast<std::uint8_t>(tile));
+        paint(session, static_cast<TileNumber>(tile));
         if (!autosave.save_now(session)) ::_exit(1);
         say();
       }

@@ -72,7 +72,7 @@ TEST(Brushes, AStampComesBackAsItWas) {
 }
 
 TEST(Brushes, AHugeStampIsCutToTheLimit) {
-  Stamp stamp{300, 2, std::vector<std::uint8_t>(600, 1)};
+  Stamp stamp{300, 2, std::vector<TileNumber>(600, 1)};
   stamp.tiles[300] = 2;
   const Brush brush = brush_of_stamp(stamp, "", false);
   EXPECT_EQ(brush.w, kMaxBrushSide);

@@ -396,7 +396,7 @@ TEST(CastCurves, ALongMotionMeetsAThinLine) {
 TEST(Cast, CastsWorkInSinglePrecision) {
   TerrainSource source;
   source.width = source.height = 4;
-  const std::vector<std::uint8_t> cells = {0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 1, 1, 1, 1};
+  const std::vector<TileNumber> cells = {0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 1, 1, 1, 1};
   source.cells = cells;
   source.shapes = test_shapes();
   const BasicTerrain<float> ground(source);

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 class CliPresetPaths : public FolderTest {
  protected:
   void SetUp() override { fs::create_directories(path("level")); }
-  void save(const std::string& exporter, const std::string& to, std::uint8_t tile = 0) const {
+  void save(const std::string& exporter, const std::string& to, TileNumber tile = 0) const {
     Level level;
     level.map.set({1, 1}, tile);
     level.exports = {{.name = "game", .exporter = exporter, .path = to, .extra = ""}};

@@ -48,7 +48,7 @@ class SharedText : public std::streambuf {
 class CliPresets : public FolderTest {
  protected:
   // Saves a level with these presets and `tile` at (0, 0).
-  void save(std::vector<ExportPreset> presets, std::uint8_t tile = 0) const {
+  void save(std::vector<ExportPreset> presets, TileNumber tile = 0) const {
     Level level;
     level.exports = std::move(presets);
     level.map.set({0, 0}, tile);

@@ -41,10 +41,6 @@ TEST_F(CliImportTest, AsksForAChoice) {
       errors(),
       "two.tmx: error: has the tile layers \"front\", \"back\", but a level has only one: choose one by "
       "`talus import --layer NAME`\n");
-  EXPECT_EQ(import({"--layer", "back"}), 1);
-  EXPECT_EQ(errors(),
-            "two.tmx: error: has a tileset of 300 tiles, but a level has only 256: `talus import "
-            "--tiles-used` takes only those that the map shows\n");
   EXPECT_FALSE(exists("two.talus.json"));
 }
 

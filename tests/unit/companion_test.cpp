@@ -282,7 +282,7 @@ TEST_F(Companions, ThingsOtherThanFilesAreNotOpened) {
   fs::remove(path("game.tic.talus.json"));
   put("game.tic.talus.json", "");
   fs::resize_file(path("game.tic.talus.json"), kMaxFileBytes + 1);
-  expect_not_read("is larger than 64 MiB");
+  expect_not_read("is larger than 96 MiB");
   fs::remove(path("game.tic.talus.json"));
   put("victim", "mine");
   fs::create_symlink(path("victim"), path("game.tic.talus.json"));

@@ -330,7 +330,7 @@ TEST(ExactSolver, SinglePrecisionIsNearDoublePrecision) {
 TEST(ExactSolver, ABoxIsNotPutBackOnAPieceThatItSlidPast) {
   TerrainSource source;
   source.width = 10, source.height = 4;
-  std::vector<std::uint8_t> cells(40);
+  std::vector<TileNumber> cells(40);
   cells[2 * 10 + 6] = 1;
   source.cells = cells;
   source.shapes[1] = {.kind = TileShape::Kind::slope, .tiles = 3, .heights = {0.75, 0}};  // from (48,23.25)
@@ -351,7 +351,7 @@ TEST(ExactSolver, ARecompiledSceneEqualsACompiledOne) {
   const std::vector<std::pair<Cell, int>> edits = {
       {{5, 0}, 0}, {{2, 2}, 1}, {{1, 2}, 0}, {{4, 1}, 2}, {{0, 0}, 3}};
   for (const auto& [cell, tile] : edits) {
-    level.map.set(cell, static_cast<std::uint8_t>(tile));
+    level.map.set(cell, static_cast<TileNumber>(tile));
     const Cell changed[] = {cell};
     scene = recompile_scene(scene, level, changed);
     EXPECT_EQ(scene, compile_scene(level)) << cell.x << " " << cell.y;

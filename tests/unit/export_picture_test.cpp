@@ -25,7 +25,7 @@ TEST(ExportPng, IsTheMapInItsColours) {
   ASSERT_EQ(picture->height, 24);
   for (int y = 0; y < 24; ++y) {
     for (int x = 0; x < 16; ++x) {
-      const std::uint8_t tile = level.map.at({x / 8, y / 8});
+      const TileNumber tile = level.map.at({x / 8, y / 8});
       EXPECT_EQ(picture->at(x, y), level.palette[tiles.images[tile][y % 8 * 8 + x % 8]]) << x << "," << y;
     }
   }

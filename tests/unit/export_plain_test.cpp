@@ -222,7 +222,7 @@ TEST_F(ExportLuaData, MoreTablesThanALuaJitFunctionHoldsAreRead) {
   level.map = TileMap(400, 200);
   level.tile_shapes = test_shapes();
   for (Cell c; c.y < 200; ++c.y)
-    for (c.x = 0; c.x < 400; ++c.x) level.map.set(c, static_cast<std::uint8_t>((c.x + c.y) % 2));
+    for (c.x = 0; c.x < 400; ++c.x) level.map.set(c, static_cast<TileNumber>((c.x + c.y) % 2));
   expect_lua(level,
              "print(#level.map, level.map[200][1], #level.polygons)\n"
              "print(table.concat(level.polygons[1].points, ' '))\n"

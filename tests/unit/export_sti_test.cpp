@@ -19,7 +19,7 @@ std::string properties_of(const std::string& lua, int id) {
   return lua.substr(from, lua.find('\n', from) - from);
 }
 
-Level level_with(const TileShape& shape, const std::vector<std::uint8_t>& cells, int width) {
+Level level_with(const TileShape& shape, const std::vector<TileNumber>& cells, int width) {
   Level level;
   level.map = TileMap(width, static_cast<int>(cells.size()) / width);
   level.map.cells() = cells;
@@ -95,7 +95,7 @@ TEST(ExportSti, FullTilesAreCollidableAndKeepTheirFlags) {
 TEST(ExportSti, ALongLayerIsInParts) {
   Level level = level_with({.kind = TileShape::Kind::slope, .heights = {0, 8}}, {2}, 1);
   level.map = TileMap(100, 100);
-  std::fill(level.map.cells().begin(), level.map.cells().end(), std::uint8_t{2});
+  std::fill(level.map.cells().begin(), level.map.cells().end(), TileNumber{2});
   const std::string lua = sti_of(level);
   EXPECT_TRUE(lua.starts_with("local function join(parts)"));
   EXPECT_EQ(slopes_of(lua).size(), 10'000U);
@@ -106,7 +106,7 @@ TEST(ExportSti, MoreThanAMillionBoxesAreRefused) {
   Level level =
       level_with({.kind = TileShape::Kind::profile, .heights = {0, 8, 0, 8, 0, 8, 0, 8, 0}}, {2}, 1);
   level.map = TileMap(400, 400);
-  std::fill(level.map.cells().begin(), level.map.cells().end(), std::uint8_t{2});
+  std::fill(level.map.cells().begin(), level.map.cells().end(), TileNumber{2});
   const ReadAsset no_asset;
   const auto exported = find_exporter("sti")->write({level, "a.lua", no_asset});
   ASSERT_FALSE(exported);

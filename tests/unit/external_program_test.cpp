@@ -60,7 +60,7 @@ class ExternalProgramTest : public FolderTest {
     all[1] = "\"" + path("program") + "\" {folder}";
     return all;
   }
-  void paint(Session& session, std::uint8_t tile) const {
+  void paint(Session& session, TileNumber tile) const {
     session.apply(action::EditLevel{{"Paint", {CellChange{{0, 0}, session.level().map.at({0, 0}), tile}}}});
   }
   void save(Session& session) {

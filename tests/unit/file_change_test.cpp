@@ -26,18 +26,18 @@ class FileChangeTest : public FolderTest {
 
   std::string file() const { return path("level.talus.json"); }
   // A level with a tile in its first cell.
-  static Level level_with(std::uint8_t tile) {
+  static Level level_with(TileNumber tile) {
     Level level;
     level.map = TileMap(4, 4);
     level.map.set({0, 0}, tile);
     return level;
   }
   void write(const Level& level) const { ASSERT_TRUE(save_level(level, *find_format("native"), file())); }
-  void edit(std::uint8_t tile) {
+  void edit(TileNumber tile) {
     Edit edit{"Paint", {CellChange{{0, 0}, first_tile(), tile}}};
     session_.apply(action::EditLevel{edit});
   }
-  std::uint8_t first_tile() const { return session_.level().map.at({0, 0}); }
+  TileNumber first_tile() const { return session_.level().map.at({0, 0}); }
 
   Session session_;
 };

@@ -118,7 +118,7 @@ TEST(GroundPolygons, HoldExactlyThePointsInTheGround) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     Dice dice(seed);
     TestMap map(9, 7);
-    for (std::uint8_t& cell : map.cells)
+    for (TileNumber& cell : map.cells)
       cell = dice.one_in(2) ? static_cast<std::uint8_t>(dice.up_to(12)) : 0;
     const Terrain ground = map.compile();
     const std::vector<GroundPolygon> rings = polygons_of(map.source());
@@ -137,7 +137,7 @@ TEST(GroundPolygons, HoldExactlyThePointsInTheGround) {
 // A map of 4096x4096 separate tiles took 3 GB. A profile of many heights has as many sides.
 TEST(GroundPolygons, MillionsOfSidesAreRefused) {
   TestMap map(4096, 32);
-  std::fill(map.cells.begin(), map.cells.end(), std::uint8_t{1});
+  std::fill(map.cells.begin(), map.cells.end(), TileNumber{1});
   TerrainSource ground = map.source();
   ground.shapes[1] = {.kind = TileShape::Kind::profile};
   for (int i = 0; i < max_shape_heights(ground.tile); ++i)
@@ -152,7 +152,7 @@ TEST(GroundPolygons, MillionsOfSidesAreRefused) {
 // Lines whose boxes do not overlap are not compared: a column of 100000 slopes took minutes.
 TEST(GroundPolygons, ATallColumnOfSlopesIsFast) {
   TestMap map(1, 100'000);
-  std::fill(map.cells.begin(), map.cells.end(), std::uint8_t{1});
+  std::fill(map.cells.begin(), map.cells.end(), TileNumber{1});
   TerrainSource ground = map.source();
   ground.shapes[1] = {.kind = TileShape::Kind::slope, .heights = {0, 8}};
   EXPECT_EQ(polygons_of(ground).size(), 100'000u);

@@ -121,7 +121,7 @@ TEST(GroundQueriesWithABudget, EndWhenItIsUsedUp) {
   EXPECT_FALSE(way_out(solid, {40, 40, 1024, 1024}, Foot::box, &budget));
   EXPECT_GE(budget.left, -100) << "the cells of a large box are counted, too";
 
-  std::fill(map.cells.begin(), map.cells.end() - 140, std::uint8_t{0});
+  std::fill(map.cells.begin(), map.cells.end() - 140, TileNumber{0});
   const Terrain floor = map.compile();
   budget.left = kMostQueryWork;
   EXPECT_TRUE(floor_below(floor, {40, 40, 8, 8}, 2000, Foot::box, &budget));
@@ -140,7 +140,7 @@ TEST(GroundQueriesOfThinShapes, AShapeWithoutHeightIsNoGround) {
 TEST(GroundQueriesOfWideShapes, ABoxOverlapsThemFarFromTheirCell) {
   constexpr int kWidth = 14, kHeight = 11;
   struct Rising {
-    std::uint8_t tile;
+    TileNumber tile;
     int tiles;
     double height;  // px
   };

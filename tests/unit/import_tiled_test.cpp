@@ -400,9 +400,10 @@ TEST(ImportTiled, TakesUsedTilesOfLargeAndOfSeveralTilesets) {
   std::string text = map_text({.cells = "600,1,0,600"});
   const std::string count = "\"tilecount\":16";
   text.replace(text.find(count), count.size(), "\"tilecount\":700");
-  EXPECT_EQ(error_of(text),
-            "map: error: has a tileset of 700 tiles, but a level has only 256: `talus import --tiles-used` "
-            "takes only those that the map shows");
+  const auto all = read_level(text, FormatContext{"tmj"});
+  ASSERT_TRUE(all);
+  EXPECT_THAT(all->level.map.cells(), ElementsAre(599, 0, 0, 599));
+  EXPECT_EQ(all->level.sheet(SheetId::tiles).layout(), (SheetLayout{4, 700}));
   FormatContext used{"tmj"};
   used.choices.used_tiles = true;
   EXPECT_THAT(read_level(text, used)->level.map.cells(), ElementsAre(2, 1, 0, 2));
@@ -411,10 +412,22 @@ TEST(ImportTiled, TakesUsedTilesOfLargeAndOfSeveralTilesets) {
   std::string two = map_text({.cells = "1,101,0,1"});
   two.insert(two.find(first) + first.size(),
              R"({"firstgid":100,"name":"u","tilewidth":8,"tileheight":8,"columns":4,"tilecount":8},)");
-  EXPECT_EQ(error_of(two),
-            "map: error: shows tiles of 2 tilesets, but a level has only one: `talus import --tiles-used` "
-            "takes only those that the map shows");
   EXPECT_THAT(read_level(two, used)->level.map.cells(), ElementsAre(2, 1, 0, 2));
+  const Level both = read(two).level;
+  EXPECT_THAT(both.map.cells(), ElementsAre(0, 17, 0, 0)) << "below the rows of the first one";
+  EXPECT_EQ(both.sheet(SheetId::tiles).layout(), (SheetLayout{4, 24}));
+}
+
+TEST(ImportTiled, HasAtMostAllNumbersOfTiles) {
+  const auto with_tiles = [](const std::string& tiles) {
+    std::string text = map_text({.cells = "1,0,0,1"});
+    const std::string count = "\"tilecount\":16";
+    return text.replace(text.find(count), count.size(), "\"tilecount\":" + tiles);
+  };
+  EXPECT_EQ(read(with_tiles("8192")).level.tile_count(), 8192);
+  EXPECT_EQ(error_of(with_tiles("8193")),
+            "map: error: has tilesets of 4x2049 tiles in all, but a level has only 65536, in up to 2048 columns "
+            "and rows: `talus import --tiles-used` takes only those that the map shows");
 }
 
 TEST(ImportTiled, MirroredTilesBecomeTilesOfTheirOwn) {
@@ -422,9 +435,10 @@ TEST(ImportTiled, MirroredTilesBecomeTilesOfTheirOwn) {
   // The cells as they are, mirrored horizontally, mirrored vertically, and turned by a quarter clockwise.
   const std::string text =
       map_text({.cells = "6,2147483654,1073741830,2684354566", .tiles = tile_text(slope)});
-  EXPECT_EQ(error_of(text),
-            "map:layer \"ground\", cell (1, 0): error: holds a tile that is mirrored or turned, but a level "
-            "cannot turn tiles: `talus import --tiles-used` makes it a tile of its own");
+  const LoadedLevel all = read(text);
+  EXPECT_THAT(all.level.map.cells(), ElementsAre(17, 53, 52, 54)) << "behind the tileset's last tile";
+  EXPECT_THAT(all.dropped, testing::Contains("that 3 of the tiles are others that are mirrored or turned: "
+                                             "they are tiles of their own"));
   FormatContext used{"tmj"};
   used.choices.used_tiles = true;
   const auto loaded = read_level(text, used);
@@ -500,19 +514,17 @@ TEST(ImportTiled, TakesALayerByNumberIfNoneHasThatName) {
 }
 
 // Each tile of this tileset has a flag, so that none is free for empty cells.
-TEST(ImportTiled, SaysHowEmptyCellsGetATile) {
+TEST(ImportTiled, EmptyCellsGetATileBehindAllOthers) {
   std::string tiles, cells;
-  for (int id = 0; id < kTileCount; ++id)
+  for (int id = 0; id < kCartTiles; ++id)
     tiles += (id == 0 ? "" : ",") + std::string(R"({"id":)") + std::to_string(id) + "}";
   std::string text = map_text({.cells = "1,0,1,1", .tiles = tiles});
   const std::string count = "\"tilecount\":16";
   text.replace(text.find(count), count.size(), "\"tilecount\":256");
-  EXPECT_EQ(error_of(text),
-            "map:layer \"ground\", cell (1, 0): error: is empty, but all 256 tiles have drawings: no tile is "
-            "left for empty cells: `talus import --tiles-used` takes only those that the map shows");
-  FormatContext used{"tmj"};
-  used.choices.used_tiles = true;
-  EXPECT_TRUE(read_level(text, used));
+  const LoadedLevel loaded = read(text);
+  EXPECT_EQ(loaded.level.tile_count(), 257);
+  EXPECT_THAT(loaded.level.map.cells(), ElementsAre(256, 0, 256, 256));
+  EXPECT_THAT(loaded.dropped, testing::Contains("the number of tile 0, which is now 256: 0 is the empty tile"));
 }
 
 class ImportTiledFiles : public FolderTest {

@@ -18,11 +18,11 @@ class LevelOfAFrame : public testing::Test {
   void steps(int count) {
     for (int i = 0; i < count; ++i) session_.apply(action::StepFrame{});
   }
-  void paint(Cell cell, std::uint8_t tile = kRoomSolid) {
+  void paint(Cell cell, TileNumber tile = kRoomSolid) {
     session_.apply(action::EditLevel{paint_stamp(session_.level(), cell, {1, 1, {tile}})});
   }
   void show() { level_at_frame_.show(session_, session_.timeline().current(), session_.timeline().frame()); }
-  std::uint8_t tile_at(Cell cell) { return level_at_frame_.level(session_).map.at(cell); }
+  TileNumber tile_at(Cell cell) { return level_at_frame_.level(session_).map.at(cell); }
 
   Session session_{ball_room()};
   LevelAtFrame level_at_frame_;

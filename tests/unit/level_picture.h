@@ -26,7 +26,7 @@ inline Level level_of(std::initializer_list<std::string_view> rows) {
     cell.x = 0;
     for (const char c : row) {
       const int tile = c == '#' ? 1 : c == 'o' ? 2 : c == '/' ? 3 : c == '-' ? 4 : c == '\\' ? 5 : 0;
-      level.map.set(cell, static_cast<std::uint8_t>(tile));
+      level.map.set(cell, static_cast<TileNumber>(tile));
       ++cell.x;
     }
     ++cell.y;

@@ -17,15 +17,15 @@ bool advance(LintCache& cache, const Level& level) {
 Level random_slopes(int width, int height, std::mt19937& random) {
   Level level = slope_level({"."});
   level.map = TileMap(width, height);
-  for (std::uint8_t& tile : level.map.cells())
-    tile = random() % 3 == 0 ? static_cast<std::uint8_t>(random() % kSlopeSigns.size()) : 0;
+  for (TileNumber& tile : level.map.cells())
+    tile = random() % 3 == 0 ? static_cast<TileNumber>(random() % kSlopeSigns.size()) : 0;
   level.spawns = {{"", {40, 40}, {}, "", BodyKind::player, {7, 14}}};
   return level;
 }
 
 // Puts a random tile into the cell.
 void change_cell(Level& level, Cell cell, std::mt19937& random, LintCache& cache) {
-  level.map.set(cell, static_cast<std::uint8_t>(random() % kSlopeSigns.size()));
+  level.map.set(cell, static_cast<TileNumber>(random() % kSlopeSigns.size()));
   cache.note_cell(cell);
 }
 

@@ -11,7 +11,7 @@ namespace talus::lint_test {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-enum Tile : std::uint8_t { kEmpty, kSolid, kBall, kUp, kDown, kHalf, kBoth, kBlank };
+enum Tile : TileNumber { kEmpty, kSolid, kBall, kUp, kDown, kHalf, kBoth, kBlank };
 
 Level level_of(const std::vector<std::string>& rows) {
   Level level;
@@ -19,7 +19,7 @@ Level level_of(const std::vector<std::string>& rows) {
   constexpr std::string_view kSigns = ".#o/\\-!?";
   for (int y = 0; y < level.map.height(); ++y) {
     for (int x = 0; x < level.map.width(); ++x) {
-      level.map.set({x, y}, static_cast<std::uint8_t>(kSigns.find(rows[y][x])));
+      level.map.set({x, y}, static_cast<TileNumber>(kSigns.find(rows[y][x])));
     }
   }
   Sheet& tiles = level.sheet(SheetId::tiles);
@@ -74,7 +74,8 @@ TEST(Lint, NothingWillMove) {
 
 TEST(Lint, AShapeReachesOverTheMapsEdge) {
   Level level = level_of({"o.........", "..........", ".........."});
-  level.sheet(SheetId::tiles).images = {};  // so that the rest of the shapes need not be drawn either
+  level.sheet(SheetId::tiles)
+      .images.assign(kCartTiles, {});  // so that the rest of the shapes need not be drawn either
   level.tile_shapes[100] = {.kind = TileShape::Kind::slope, .tiles = 8, .heights = {0, 8}};
   level.tile_shapes[101] = {.kind = TileShape::Kind::slope, .heights = {0, 16}};
   level.tile_shapes[102] = level.tile_shapes[101];

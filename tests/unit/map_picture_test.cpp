@@ -89,7 +89,7 @@ TEST(MapPicture, EveryRowAndColumnCounts) {
 TEST(MapPicture, TheLongestRowFitsAPixel) {
   Level level = picture_level(kMaxTerrainSide, 8);
   level.palette[1] = {255, 255, 255};
-  std::fill(level.map.cells().begin(), level.map.cells().end(), std::uint8_t{1});
+  std::fill(level.map.cells().begin(), level.map.cells().end(), TileNumber{1});
   EXPECT_EQ(pixel(map_picture(level.map, tile_colors(level, {}), {0, 0}, kMaxBlock, 1, 1), 0),
             (Rgb{255, 255, 255}));
 }

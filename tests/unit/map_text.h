@@ -17,7 +17,7 @@ inline Level level_of_rows(const MapRows& rows) {
   for (Cell c{0, 0}; c.y < level.map.height(); ++c.y) {
     for (c.x = 0; c.x < level.map.width(); ++c.x) {
       const char letter = rows[static_cast<std::size_t>(c.y)][static_cast<std::size_t>(c.x)];
-      level.map.set(c, static_cast<std::uint8_t>(letter == '.' ? 0 : letter - 'a' + 1));
+      level.map.set(c, static_cast<TileNumber>(letter == '.' ? 0 : letter - 'a' + 1));
     }
   }
   return level;

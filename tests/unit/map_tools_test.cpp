@@ -21,13 +21,13 @@ TEST(MapTools, SpannedHasBothCornersInAnyOrder) {
 }
 
 TEST(MapTools, StampOfSheetNumbersTilesRowByRow) {
-  EXPECT_EQ(stamp_of_sheet({2, 1, 2, 2}), (Stamp{2, 2, {18, 19, 34, 35}}));
+  EXPECT_EQ(stamp_of_sheet({}, {2, 1, 2, 2}), (Stamp{2, 2, {18, 19, 34, 35}}));
 }
 
 TEST(MapTools, StampOfSheetIsCutAtItsEdge) {
-  EXPECT_EQ(stamp_of_sheet({15, 15, 3, 3}), (Stamp{1, 1, {255}}));
-  EXPECT_EQ(stamp_of_sheet({-1, 0, 2, 1}), (Stamp{1, 1, {0}}));
-  EXPECT_EQ(stamp_of_sheet({16, 0, 1, 1}), Stamp{}) << "wholly outside";
+  EXPECT_EQ(stamp_of_sheet({}, {15, 15, 3, 3}), (Stamp{1, 1, {255}}));
+  EXPECT_EQ(stamp_of_sheet({}, {-1, 0, 2, 1}), (Stamp{1, 1, {0}}));
+  EXPECT_EQ(stamp_of_sheet({}, {16, 0, 1, 1}), Stamp{}) << "wholly outside";
 }
 
 TEST(MapTools, StampOfMapPicksAndIsCut) {
@@ -120,7 +120,7 @@ TEST(MapTools, FloodFillsAMillionCells) {
   const Edit edit = flood_fill(level, {2000, 100}, kA);
   apply_edit(level, edit);
   TileMap expected(4096, 256);
-  for (std::uint8_t& tile : expected.cells()) tile = 1;
+  for (TileNumber& tile : expected.cells()) tile = 1;
   EXPECT_TRUE(level.map == expected);
 }
 

@@ -28,7 +28,7 @@ Level ball_over_floor() {
   return level;
 }
 
-act::EditLevel painted(const Session& session, Cell at, std::uint8_t tile) {
+act::EditLevel painted(const Session& session, Cell at, TileNumber tile) {
   return {paint_stamp(session.level(), at, {1, 1, {tile}}), 0};
 }
 

@@ -36,10 +36,10 @@ std::string problem(const TileShape& shape) { return problem_of(shape, {8, 8}).v
 // A map of 6x4 tiles of 8x8 px, each the number of a shape.
 struct Map {
   std::vector<TileShape> shapes;  // from tile 1
-  std::vector<std::uint8_t> cells = std::vector<std::uint8_t>(24);
+  std::vector<TileNumber> cells = std::vector<TileNumber>(24);
   Map(std::vector<TileShape> of, std::vector<std::pair<Cell, int>> tiles) : shapes(std::move(of)) {
     for (const auto& [cell, tile] : tiles)
-      cells[static_cast<std::size_t>(cell.y) * 6 + cell.x] = static_cast<std::uint8_t>(tile);
+      cells[static_cast<std::size_t>(cell.y) * 6 + cell.x] = static_cast<TileNumber>(tile);
   }
   Terrain compile() const {
     TerrainSource source;
@@ -227,7 +227,7 @@ TEST(PolygonShape, PaintedCellsGiveTheSamePieces) {
   const std::vector<std::pair<Cell, int>> tiles = {
       {{2, 2}, 1}, {{3, 2}, 2}, {{4, 1}, 3}, {{1, 1}, 2}, {{5, 3}, 1}};
   Terrain painted = Map(shapes, {}).compile();
-  for (const auto& [cell, tile] : tiles) painted.set_cell(cell, static_cast<std::uint8_t>(tile));
+  for (const auto& [cell, tile] : tiles) painted.set_cell(cell, static_cast<TileNumber>(tile));
   EXPECT_EQ(pieces(painted), pieces(Map(shapes, tiles).compile()));
   for (const auto& [cell, tile] : tiles) painted.set_cell(cell, 0);
   EXPECT_TRUE(pieces(painted).empty());

@@ -124,8 +124,8 @@ TEST(RecordingFile, NamesTheWrongKey) {
   expect("key talus_recording: is newer than what this Talus reads, version 1",
          [](json& d) { d["talus_recording"] = 2; });
   expect("key speed: is not a key of recordings", [](json& d) { d["speed"] = 2; });
-  expect("key frames: must be a whole number from 0 to 67108864", [](json& d) { d["frames"] = -1; });
-  expect("key frames: must be a whole number from 0 to 67108864", [](json& d) { d["frames"] = 1e18; });
+  expect("key frames: must be a whole number from 0 to 100663296", [](json& d) { d["frames"] = -1; });
+  expect("key frames: must be a whole number from 0 to 100663296", [](json& d) { d["frames"] = 1e18; });
   expect("key hashes: must hold 2000000 hashes, one more than frames, not 41",
          [](json& d) { d["frames"] = 1999999; });
   expect("none", [](json& d) { d["hashes"] = json::array(); });

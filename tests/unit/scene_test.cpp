@@ -91,7 +91,7 @@ TEST(FlagRoles, SolidWinsOverSlopesAndSlopesOverBall) {
 TEST(Scene, WithTooMuchGroundForItsSolverHasNone) {
   Level level;
   level.map = TileMap(2048, 1025);
-  std::fill(level.map.cells().begin(), level.map.cells().end(), std::uint8_t{1});
+  std::fill(level.map.cells().begin(), level.map.cells().end(), TileNumber{1});
   level.tile_shapes[1] = {.kind = TileShape::Kind::solid};
   level.spawns.resize(1);
   level.tuning.solver = SolverKind::exact;
@@ -105,7 +105,7 @@ TEST(Scene, WithTooMuchGroundForItsSolverHasNone) {
   }
   level.map.set({0, 0}, 0);
   level.map.cells()[0] = 0;
-  std::fill_n(level.map.cells().begin(), 2048, std::uint8_t{0});
+  std::fill_n(level.map.cells().begin(), 2048, TileNumber{0});
   EXPECT_FALSE(ground_problem(level));
 }
 
@@ -113,7 +113,7 @@ TEST(Scene, WithTooMuchGroundForItsSolverHasNone) {
 TEST(Scene, GroundIsCountedByTheHeightsOfItsTiles) {
   Level level;
   level.map = TileMap(400, 400);
-  std::fill(level.map.cells().begin(), level.map.cells().end(), std::uint8_t{1});
+  std::fill(level.map.cells().begin(), level.map.cells().end(), TileNumber{1});
   std::vector<double> heights;
   for (int i = 0; i < max_shape_heights({}); ++i) heights.push_back(i % 2 == 0 ? 0 : 8);
   level.tile_shapes[1] = {.kind = TileShape::Kind::profile, .one_way = true, .heights = heights};

@@ -16,11 +16,11 @@ namespace fs = std::filesystem;
 class SessionFiles : public FolderTest {
  protected:
   // Paints the level's tile (1, 1), so that the session is modified.
-  void paint(std::uint8_t tile) {
+  void paint(TileNumber tile) {
     session_.apply(act::EditLevel{paint_stamp(session_.level(), {1, 1}, {1, 1, {tile}}), 0});
   }
   // Writes another level, whose tile at (1, 1) is `tile`. Returns the path.
-  std::string other_file(const std::string& name, std::uint8_t tile) {
+  std::string other_file(const std::string& name, TileNumber tile) {
     Level level;
     level.map.set({1, 1}, tile);
     EXPECT_TRUE(save_level(level, *format_for_file(name), path(name)));

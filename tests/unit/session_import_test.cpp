@@ -52,28 +52,30 @@ TEST_F(SessionImportTest, AMapThatIsNoLevelChangesNothing) {
 }
 
 // Two layers, and a mirrored tile in the second.
-constexpr const char* kTwoLayers =
+constexpr const char* kLayers =
     "<map orientation=\"orthogonal\" width=\"2\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">"
     "<tileset firstgid=\"1\" name=\"t\" tilewidth=\"8\" tileheight=\"8\" tilecount=\"16\" columns=\"16\"/>"
+    "<tileset firstgid=\"1000\" name=\"u\" tilewidth=\"8\" tileheight=\"8\" tilecount=\"70000\" "
+    "columns=\"16\"/>"
     "<layer name=\"back\"><data encoding=\"csv\">3,0</data></layer>"
-    "<layer name=\"front\"><data encoding=\"csv\">2147483654,6</data></layer></map>";
+    "<layer name=\"front\"><data encoding=\"csv\">2147483654,6</data></layer>"
+    "<layer name=\"wrong\"><data encoding=\"csv\">1000,0</data></layer></map>";
 
 TEST_F(SessionImportTest, AsksIfTheMapHoldsMoreThanALevelCan) {
-  put("two.tmx", kTwoLayers);
+  put("two.tmx", kLayers);
   Session session;
   session.apply(action::OpenFile{path("two.tmx")});
   EXPECT_FALSE(session.message());
   ASSERT_TRUE(session.level_import());
   const LevelImport& import = *session.level_import();
-  ASSERT_EQ(import.layers.size(), 2u);
+  ASSERT_EQ(import.layers.size(), 3u);
   EXPECT_EQ(import.layers[0].name, "back");
   EXPECT_EQ(import.layers[0].cells, 1u);
-  EXPECT_EQ(import.choices, (ImportChoices{.layer_number = 2, .used_tiles = true}))
-      << "so that it can be opened";
-  EXPECT_EQ(import.plan->level.map.at({1, 0}), 1);
+  EXPECT_EQ(import.choices, ImportChoices{.layer_number = 2}) << "which has the most tiles";
+  EXPECT_EQ(import.plan->level.map.at({1, 0}), 5);
 
-  session.apply(action::SetLevelImport{{.layer_number = 2}});
-  EXPECT_FALSE(session.level_import()->plan) << "a tile is mirrored";
+  session.apply(action::SetLevelImport{{.layer_number = 3}});
+  EXPECT_FALSE(session.level_import()->plan) << "the tileset is too large";
   session.apply(action::ApplyLevelImport{});
   EXPECT_TRUE(session.level_import()) << "it waits for another choice";
   session.apply(action::SetLevelImport{{.layer_number = 1}});
@@ -87,7 +89,7 @@ TEST_F(SessionImportTest, AsksIfTheMapHoldsMoreThanALevelCan) {
 }
 
 TEST_F(SessionImportTest, CancellingLeavesTheLevelAsItIs) {
-  put("two.tmx", kTwoLayers);
+  put("two.tmx", kLayers);
   Session session;
   session.apply(action::EditLevel{{"Paint", {CellChange{{0, 0}, 0, 4}}}});
   session.apply(action::OpenFile{path("two.tmx")});

@@ -9,7 +9,7 @@ namespace talus::session_test {
 
 namespace act = action;
 
-act::EditLevel painted(const Session& session, Cell at, std::uint8_t tile, int stroke = 0) {
+act::EditLevel painted(const Session& session, Cell at, TileNumber tile, int stroke = 0) {
   return {paint_stamp(session.level(), at, {1, 1, {tile}}), stroke};
 }
 

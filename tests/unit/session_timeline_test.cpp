@@ -33,7 +33,7 @@ class SessionTimeline : public FolderTest {
   void run_again() {
     while (timeline().behind()) session_.advance(kFrame);
   }
-  void paint(Cell cell, std::uint8_t tile = kRoomSolid, int stroke = 0) {
+  void paint(Cell cell, TileNumber tile = kRoomSolid, int stroke = 0) {
     session_.apply(act::EditLevel{paint_stamp(session_.level(), cell, {1, 1, {tile}}), stroke});
   }
   std::int64_t frame() const { return session_.state().frame; }

@@ -154,7 +154,7 @@ TEST(CellsPassed, AreCloseToThoseOfTheTerrain) {
         up(Parabola{{10, 300}, {500, 310}, 20}), up(Cubic{{10, 300}, {500, 310}, -3, 2}),
         up(Sine{10, 500, 256, 200, 40, 3}), up(Sine{10, 500, 256, 200, 4000, 3}),
         up(Polyline{10, 500, zigzag}), Curve{Polyline{10, 500, zigzag}, Curve::Faces::both}}) {
-    const std::vector<std::uint8_t> cells(64 * 64);
+    const std::vector<TileNumber> cells(64 * 64);
     TerrainSource source;
     source.width = source.height = 64;
     source.cells = cells;

@@ -33,7 +33,7 @@ TEST(ShapeTools, SlopeUsesTheSlopesAndTheFullTileOfTheStamp) {
 TEST(ShapeTools, SlopeIsDrawnIfTheStampHasNone) {
   const Level level = level_with_slopes();
   const Level laid = after(level, lay_slope(level, {32, 32}, {16, 40}, {1, 1, {1}}, 12));
-  const std::uint8_t drawn = laid.map.at({2, 4});
+  const TileNumber drawn = laid.map.at({2, 4});
   EXPECT_EQ(drawn, 5) << "the first blank one";
   EXPECT_EQ(laid.tile_shapes[drawn], (TileShape{.kind = TileShape::Kind::slope, .heights = {0, 4}}));
   EXPECT_EQ(laid.sheet(SheetId::tiles).images[drawn][7 * 8 + 1], 12) << "its edge";
@@ -63,7 +63,7 @@ TEST(ShapeTools, SlopeStaysInsideTheSelection) {
 TEST(ShapeTools, SlopeThatCannotBeLaidSaysWhy) {
   Level level = level_with_slopes();
   EXPECT_EQ(lay_slope(level, {16, 40}, {16, 40}, {}, 12).error(), "drag from one end to the other");
-  for (int tile = 1; tile < kTileCount; ++tile) level.sheet(SheetId::tiles).images[tile].fill(3);
+  for (int tile = 1; tile < kCartTiles; ++tile) level.sheet(SheetId::tiles).images[tile].fill(3);
   EXPECT_EQ(lay_slope(level, {0, 8}, {8, 0}, {}, 12).error(),
             "there are too few blank tiles to draw the slope with");
 }

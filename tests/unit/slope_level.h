@@ -23,7 +23,7 @@ inline Level slope_level(const std::vector<std::string>& rows) {
   for (int y = 0; y < level.map.height(); ++y) {
     for (int x = 0; x < level.map.width(); ++x) {
       const char sign = rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)];
-      level.map.set({x, y}, static_cast<std::uint8_t>(kSlopeSigns.find(sign)));
+      level.map.set({x, y}, static_cast<TileNumber>(kSlopeSigns.find(sign)));
     }
   }
   Sheet& tiles = level.sheet(SheetId::tiles);

@@ -124,7 +124,7 @@ TEST(SlopeTiles, ErrorsSayWhy) {
   EXPECT_EQ(error_of(level, {0, 136}, {8, 136}), "the slope's tiles would leave the map");
   EXPECT_EQ(error_of(level, {0, 120}, {8, 50}),
             "the slope is too steep: the floor of a tile can rise by at most 64 px");
-  for (int tile = 1; tile < kTileCount; ++tile) level.sheet(SheetId::tiles).images[tile].fill(3);
+  for (int tile = 1; tile < kCartTiles; ++tile) level.sheet(SheetId::tiles).images[tile].fill(3);
   EXPECT_EQ(error_of(level, {0, 8}, {8, 0}), "there are too few blank tiles to draw the slope with");
 }
 
@@ -141,7 +141,7 @@ Level level_with_set() {
 
 TEST(SlopeTiles, SlopesOfASetAreLaidWithTheirOtherHalves) {
   const Level level = level_with_set();
-  constexpr std::array<std::uint8_t, 2> kSet = {3, 5};
+  constexpr std::array<TileNumber, 2> kSet = {3, 5};
   const SlopeTiles tiles = slope_tiles(level, {16, 40}, {48, 24}, {.set = kSet, .below = 1}).value();
   EXPECT_TRUE(tiles.drawn.empty());
   EXPECT_THAT(tiles.placed, ElementsAre(SlopeTiles::Placed{{2, 4}, 3}, SlopeTiles::Placed{{2, 5}, 1},
@@ -151,7 +151,7 @@ TEST(SlopeTiles, SlopesOfASetAreLaidWithTheirOtherHalves) {
 }
 
 TEST(SlopeTiles, SlopesOfASetStayNearTheLine) {
-  constexpr std::array<std::uint8_t, 3> kSet = {1, 3, 5};
+  constexpr std::array<TileNumber, 3> kSet = {1, 3, 5};
   const std::vector<std::pair<Vec2, Vec2>> lines = {
       {{0, 128}, {240, 8}}, {{0, 100}, {240, 40}}, {{7, 20}, {200, 61}}, {{0, 50}, {240, 50}}};
   for (const auto& [from, to] : lines) {
@@ -165,8 +165,8 @@ TEST(SlopeTiles, SlopesOfASetStayNearTheLine) {
 
 TEST(SlopeTiles, ASetThatCannotFollowTheLineIsAnError) {
   const Level level = level_with_set();
-  constexpr std::array<std::uint8_t, 3> kSet = {1, 3, 5};
-  constexpr std::array<std::uint8_t, 1> kUpOnly = {3}, kPicture = {4};
+  constexpr std::array<TileNumber, 3> kSet = {1, 3, 5};
+  constexpr std::array<TileNumber, 1> kUpOnly = {3}, kPicture = {4};
   EXPECT_EQ(error_of(level, {0, 128}, {120, 8}, {.set = kSet}),
             "the tiles of the set would leave the line by more than a tile");
   EXPECT_EQ(error_of(level, {0, 40}, {120, 40}, {.set = kUpOnly}),

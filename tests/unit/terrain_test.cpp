@@ -252,13 +252,13 @@ void expect_same(const Terrain& edited, const Terrain& fresh) {
 void paint_and_compare(TestMap map, int edits, unsigned seed) {
   std::mt19937 random(seed);
   const auto up_to = [&](int last) { return std::uniform_int_distribution<int>(0, last)(random); };
-  for (std::uint8_t& cell : map.cells) cell = static_cast<std::uint8_t>(up_to(2) == 0 ? up_to(kFlat) : 0);
+  for (TileNumber& cell : map.cells) cell = static_cast<TileNumber>(up_to(2) == 0 ? up_to(kFlat) : 0);
   Terrain terrain = map.compile();
   for (int i = 0; i < edits; ++i) {
     Cell cell{up_to(map.width - 1), up_to(map.height - 1)};
     if (up_to(1) == 0 && map.width > 70) cell.x = 60 + up_to(7);
     if (up_to(1) == 0 && map.height > 70) cell.y = 60 + up_to(7);
-    const auto tile = static_cast<std::uint8_t>(up_to(kFlat));
+    const auto tile = static_cast<TileNumber>(up_to(kFlat));
     map.cells[static_cast<std::size_t>(cell.y) * map.width + cell.x] = tile;
     terrain.set_cell(cell, tile);
     if (i % 8 == 7) expect_same(terrain, map.compile());
@@ -280,11 +280,11 @@ TEST(TerrainEdit, EqualsCompilingAtTheFarEnds) {
     const int width = is_long ? kMaxTerrainSide : 8, height = kMaxTerrainCells / width;
     TestMap map(width, height);
     const Cell last{width - 1, height - 1};
-    const auto tile = [&](Cell back) -> std::uint8_t& {
+    const auto tile = [&](Cell back) -> TileNumber& {
       return map.cells[static_cast<std::size_t>(last.y - back.y) * width + last.x - back.x];
     };
     Terrain terrain = map.compile();
-    const auto put = [&](Cell back, std::uint8_t number) {
+    const auto put = [&](Cell back, TileNumber number) {
       tile(back) = number;
       terrain.set_cell({last.x - back.x, last.y - back.y}, number);
     };

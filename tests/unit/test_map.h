@@ -8,13 +8,13 @@
 
 namespace talus {
 
-inline constexpr std::uint8_t kSolid = 1, kUp = 2, kDown = 3, kHill = 4, kWide = 5, kCeiling = 6,
+inline constexpr TileNumber kSolid = 1, kUp = 2, kDown = 3, kHill = 4, kWide = 5, kCeiling = 6,
                               kPlatform = 7, kLow = 8, kTall = 9, kHanging = 10, kTail = 11, kFlat = 12;
 
-inline std::array<TileShape, kTileKinds> test_shapes() {
+inline std::vector<TileShape> test_shapes() {
   using Kind = TileShape::Kind;
   using Side = TileShape::Side;
-  std::array<TileShape, kTileKinds> shapes;
+  std::vector<TileShape> shapes(256);
   shapes[kSolid] = {.kind = Kind::solid};
   shapes[kUp] = {.kind = Kind::slope, .heights = {0, 8}};
   shapes[kDown] = {.kind = Kind::slope, .heights = {8, 0}};
@@ -32,14 +32,14 @@ inline std::array<TileShape, kTileKinds> test_shapes() {
 
 struct TestMap {
   int width, height;
-  std::vector<std::uint8_t> cells;
+  std::vector<TileNumber> cells;
   std::vector<Curve> curves = {};
   TestMap(int w, int h) : width(w), height(h), cells(static_cast<std::size_t>(w) * h) {}
   // Each row of text is a row of cells, and each digit a tile.
   explicit TestMap(const std::vector<std::string>& rows)
       : width(static_cast<int>(rows[0].size())), height(static_cast<int>(rows.size())) {
     for (const std::string& row : rows) {
-      for (const char c : row) cells.push_back(static_cast<std::uint8_t>(c == '.' ? 0 : c - '0'));
+      for (const char c : row) cells.push_back(static_cast<TileNumber>(c == '.' ? 0 : c - '0'));
     }
   }
   // Refers to the map, which must outlive it.

@@ -153,8 +153,8 @@ TEST(TileShapes, FillTilesOfAnySize) {
   const TileShape profile = with_kind({.kind = Kind::solid}, Kind::profile, kTile);
   EXPECT_EQ(profile.heights, std::vector<double>(17, 24)) << "a height for each px of its width";
   EXPECT_EQ(with_width(profile, 2, kTile).heights.size(), 33u);
-  EXPECT_EQ(tiles_of_shape(35, sloped({0, 24}), kTile), (CellRect{3, 2, 1, 1}));
-  EXPECT_EQ(tiles_of_shape(35, sloped({0, 25}), kTile), (CellRect{3, 1, 1, 2}));
+  EXPECT_EQ(tiles_of_shape(level, 35, sloped({0, 24})), (CellRect{3, 2, 1, 1}));
+  EXPECT_EQ(tiles_of_shape(level, 35, sloped({0, 25})), (CellRect{3, 1, 1, 2}));
 }
 
 TEST(TileShapes, AreTurned) {
@@ -162,10 +162,10 @@ TEST(TileShapes, AreTurned) {
   EXPECT_EQ(turned(shape, ShapeTurn::mirrored, {}), sloped({6, 1}, Side::floor, 2));
   EXPECT_EQ(turned(shape, ShapeTurn::upside_down, {}), sloped({1, 6}, Side::ceiling, 2));
   EXPECT_EQ(turned(shape, ShapeTurn::half_turn, {}), sloped({6, 1}, Side::ceiling, 2));
-  EXPECT_EQ(tiles_of_shape(35, shape, {}), (CellRect{3, 2, 2, 1}));
-  EXPECT_EQ(tiles_of_shape(35, sloped({0, 12}), {}), (CellRect{3, 1, 1, 2}))
+  EXPECT_EQ(tiles_of_shape(Level(), 35, shape), (CellRect{3, 2, 2, 1}));
+  EXPECT_EQ(tiles_of_shape(Level(), 35, sloped({0, 12})), (CellRect{3, 1, 1, 2}))
       << "a floor rises into the tile above";
-  EXPECT_EQ(tiles_of_shape(35, sloped({0, 12}, Side::ceiling), {}), (CellRect{3, 2, 1, 2}));
+  EXPECT_EQ(tiles_of_shape(Level(), 35, sloped({0, 12}, Side::ceiling)), (CellRect{3, 2, 1, 2}));
 }
 
 TEST(TileShapes, MirroredCopyTakesPixelsAndShapeAsOneEdit) {

@@ -23,7 +23,7 @@ Level room(SolverKind solver) {
   return level;
 }
 
-Level with_tile(Level level, Cell cell, std::uint8_t tile) {
+Level with_tile(Level level, Cell cell, TileNumber tile) {
   level.map.set(cell, tile);
   return level;
 }

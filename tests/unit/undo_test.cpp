@@ -16,7 +16,7 @@
 
 namespace talus::undo_test {
 
-Edit paint(const Level& level, int x, std::uint8_t tile) {
+Edit paint(const Level& level, int x, TileNumber tile) {
   return paint_stamp(level, {x, 0}, {1, 1, {tile}});
 }
 
@@ -122,7 +122,7 @@ struct Gesture {
 };
 
 Edit made_by(const Gesture& g, const Level& level) {
-  const Stamp stamp{2, 1, {static_cast<std::uint8_t>(g.c), static_cast<std::uint8_t>(g.d)}};
+  const Stamp stamp{2, 1, {static_cast<TileNumber>(g.c), static_cast<TileNumber>(g.d)}};
   const auto color = static_cast<std::uint8_t>(g.c % 16);
   const SpriteArea area{g.d % 2 == 0 ? SheetId::tiles : SheetId::sprites, {g.a % 14, g.b % 14, 2, 2}};
   const Cell at{g.a % 16, g.b % 16}, to{g.c % 16, g.d % 16};

@@ -3,6 +3,7 @@
 #include "native.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -24,7 +25,17 @@ namespace talus {
 namespace {
 
 constexpr std::array<const char*, 2> kSheetKeys = {"tiles", "sprites"};  // by SheetId
-constexpr const char* kNoTileNumber = "must be a tile number from 0 to 255";
+
+std::string no_tile_of(int count) { return "must be a tile number from 0 to " + std::to_string(count - 1); }
+
+// The number below `count` that a key spells without leading zeros; nothing for any other key.
+std::optional<std::size_t> number_of(const std::string& key, std::size_t count) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), number);
+  const bool good = error == std::errc() && end == key.data() + key.size() && number < count &&
+                    std::to_string(number) == key;
+  return good ? std::optional(number) : std::nullopt;
+}
 
 // Goes on after an error, which does no harm, and remembers the first one.
 class Reader {
@@ -35,6 +46,8 @@ class Reader {
     read_version(document);
     if (error_) return tl::unexpected(*error_);  // nothing else in a file of a newer version can be trusted
     take(document, "tile_size", [this](Json& v) { read_tile_size(v); });
+    take(document, "sheet_size", [this](Json& v) { read_sheet_size(v); });
+    if (error_) return tl::unexpected(*error_);  // the numbers of tiles cannot be judged
     take(document, "palette", [this](Json& v) { read_palette(v); });
     take(document, "flag_names", [this](Json& v) { read_flag_names(v); });
     take(document, "flag_fields",
@@ -42,15 +55,16 @@ class Reader {
     take_object(document, "roles", "roles", [this](Json& v) { read_roles(v); });
     take_object(document, "tuning", "tuning", [this](Json& v) { read_tuning(v); });
     take(document, "spawns", [this](Json& v) { keep(take_spawns(v, "spawns"), level_.spawns); });
-    take(document, "brushes", [this](Json& v) { keep(take_brushes(v), level_.brushes); });
+    take(document, "brushes",
+         [this](Json& v) { keep(take_brushes(v, level_.tile_count()), level_.brushes); });
     take_object(document, "auto_tiles", "auto_tiles",
-                [this](Json& v) { keep(take_auto_tiles(v), level_.auto_tiles); });
+                [this](Json& v) { keep(take_auto_tiles(v, level_.tile_count()), level_.auto_tiles); });
     take(document, "exports", [this](Json& v) { keep(take_exports(v), level_.exports); });
     take_object(document, "flag_shapes", "flag_shapes", [this](Json& v) {
       read_shapes(v, "flag_shapes", "must be a flag from 0 to 7", level_.flag_shapes);
     });
     take_object(document, "tile_shapes", "tile_shapes",
-                [this](Json& v) { read_shapes(v, "tile_shapes", kNoTileNumber, level_.tile_shapes); });
+                [this](Json& v) { read_shapes(v, "tile_shapes", no_tile_text(), level_.tile_shapes); });
     for (std::size_t i = 0; i < kSheetKeys.size(); ++i) {
       take_object(document, kSheetKeys[i], kSheetKeys[i],
                   [&](Json& v) { read_sheet(v, kSheetKeys[i], level_.sheets[i]); });
@@ -122,6 +136,19 @@ class Reader {
     level_.map = TileMap(kTicMapWidth, kTicMapHeight, tile_size_);
   }
 
+  // Of the sheet of tiles. Flags, shapes, cells and brushes depend on it.
+  void read_sheet_size(const Json& size) {
+    const bool good = size.is_array() && size.size() == 2 && is_whole(size[0], 1, kMaxSheetSide) &&
+                      is_whole(size[1], 1, kMaxTiles) && size[1] <= size[0].get<int>() * kMaxSheetSide;
+    if (!good)
+      return fail_key("sheet_size",
+                      "must be [columns, tiles]: 1 to 2048 columns, 1 to 65536 tiles, and at "
+                      "most 2048 rows");
+    level_.set_tile_layout({size[0].get<int>(), size[1].get<int>()});
+  }
+
+  std::string no_tile_text() const { return no_tile_of(level_.tile_count()); }
+
   void read_palette(const Json& colors) {
     if (!colors.is_array() || colors.size() != kColorCount)
       return fail_key("palette", "must be a list of 16 colours");
@@ -184,8 +211,9 @@ class Reader {
   }
 
   // Shapes by number. Other keys belong to a newer version and stay.
-  void read_shapes(Json& shapes, const std::string& path, const char* no_number, std::span<TileShape> out) {
-    for (std::size_t i = 0; i < out.size(); ++i) {
+  void read_shapes(Json& shapes, const std::string& path, const std::string& no_number,
+                   std::span<TileShape> out) {
+    for (const std::size_t i : numbers_in(shapes, out.size())) {
       const std::string key = std::to_string(i), entry = path + "." + key;
       take_object(shapes, key, entry, [&](Json& json) { keep(take_shape(json, entry, tile_size_), out[i]); });
     }
@@ -193,7 +221,8 @@ class Reader {
   }
 
   void read_sheet(Json& tiles, const std::string& path, Sheet& sheet) {
-    for (int tile = 0; tile < kTileCount; ++tile) {
+    const auto count = static_cast<std::size_t>(sheet.count());
+    for (const std::size_t tile : numbers_in(tiles, count)) {
       const std::string key = std::to_string(tile), entry = path + "." + key;
       take_object(tiles, key, entry, [&](Json& json) {
         take(json, "flags",
@@ -202,18 +231,27 @@ class Reader {
              [&](const Json& rows) { read_pixels(rows, entry + ".pixels", sheet.images[tile]); });
       });
     }
-    check_numbers(tiles, path, kNoTileNumber, kTileCount);
+    check_numbers(tiles, path, no_tile_of(sheet.count()), count);
+  }
+
+  // The keys that are such numbers, ascending.
+  static std::vector<std::size_t> numbers_in(const Json& object, std::size_t count) {
+    std::vector<std::size_t> numbers;
+    for (auto it = object.begin(); it != object.end(); ++it) {
+      if (const auto number = number_of(it.key(), count)) numbers.push_back(*number);
+    }
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
   }
 
   // The remaining keys may belong to a newer version, but must not be numbers out of range or in another
   // spelling.
-  void check_numbers(const Json& object, const std::string& path, const char* message, std::size_t count) {
+  void check_numbers(const Json& object, const std::string& path, const std::string& message,
+                     std::size_t count) {
     for (auto it = object.begin(); it != object.end(); ++it) {
       const std::string& key = it.key();
       const bool is_number = !key.empty() && key.find_first_not_of("0123456789") == std::string::npos;
-      const bool in_range = is_number && key.size() <= 3 && std::stoul(key) < count;
-      if (is_number && !(in_range && std::to_string(std::stoul(key)) == key))
-        fail_key(path + "." + key.substr(0, 8), message);
+      if (is_number && !number_of(key, count)) fail_key(path + "." + key.substr(0, 8), message);
     }
   }
 
@@ -271,19 +309,24 @@ class Reader {
     const std::string place = "map row " + std::to_string(y);
     if (!row.is_string()) return fail(place, "must be a string");
     const std::string& text = row.get_ref<const std::string&>();
-    if (text.size() > 2 * static_cast<std::size_t>(level_.map.width())) {
+    const std::size_t digits = digits_of_tile(level_.tile_count());
+    if (text.size() > digits * static_cast<std::size_t>(level_.map.width())) {
       return fail(place,
                   "is longer than the map's width of " + std::to_string(level_.map.width()) + " cells");
     }
-    if (text.size() % 2 != 0) return fail(place, "must have two characters for each cell");
-    for (int x = 0; 2 * x < static_cast<int>(text.size()); ++x) {
-      const char a = text[2 * x], b = text[2 * x + 1];
-      if (a == '.' && b == '.') continue;
-      const int high = hex_value(a), low = hex_value(b);
-      if (high < 0 || low < 0)
-        return fail(place,
-                    "has a cell, number " + std::to_string(x) + ", that is not two hexadecimal digits");
-      level_.map.set({x, y}, static_cast<std::uint8_t>(high << 4 | low));
+    const std::string digits_text = digits == 2 ? "two" : "four";
+    if (text.size() % digits != 0)
+      return fail(place, "must have " + digits_text + " characters for each cell");
+    for (std::size_t x = 0; digits * x < text.size(); ++x) {
+      const auto tile = tile_of_digits(std::string_view(text).substr(digits * x, digits));
+      if (!tile)
+        return fail(place, "has a cell, number " + std::to_string(x) + ", that is not " + digits_text +
+                               " hexadecimal digits");
+      if (*tile >= level_.tile_count())
+        return fail(place, "has a cell, number " + std::to_string(x) + ", with tile " +
+                               std::to_string(*tile) + ", but there are only " +
+                               std::to_string(level_.tile_count()) + " tiles");
+      level_.map.set({static_cast<int>(x), y}, *tile);
     }
   }
 
@@ -329,7 +372,7 @@ std::string pixel_rows(const TileImage& image) {
 }
 
 void put_sheet(const Sheet& sheet, const std::string& key, Json& document) {
-  for (int tile = 0; tile < kTileCount; ++tile) {
+  for (std::size_t tile = 0; tile < sheet.images.size(); ++tile) {
     const bool drawn = sheet.images[tile] != TileImage{};
     if (!drawn && sheet.flags[tile] == 0) continue;
     Json& json = object_in(object_in(document, key), std::to_string(tile));
@@ -340,26 +383,23 @@ void put_sheet(const Sheet& sheet, const std::string& key, Json& document) {
   }
 }
 
-std::string map_row(std::span<const std::uint8_t> cells) {
+std::string map_row(std::span<const TileNumber> cells, std::size_t digits) {
   while (!cells.empty() && cells.back() == 0) cells = cells.first(cells.size() - 1);
   std::string row;
-  row.reserve(2 * cells.size());
-  for (const std::uint8_t tile : cells) {
-    row += tile == 0 ? '.' : kHexDigits[tile >> 4];
-    row += tile == 0 ? '.' : kHexDigits[tile & 15];
-  }
+  row.reserve(digits * cells.size());
+  for (const TileNumber tile : cells) append_tile(row, tile, digits);
   return row;
 }
 
-void put_map(const TileMap& map, Json& json) {
+void put_map(const TileMap& map, std::size_t digits, Json& json) {
   json["width"] = map.width();
   json["height"] = map.height();
   Json& rows = json["rows"] = Json::array();
-  std::span<const std::uint8_t> cells = map.cells();
+  std::span<const TileNumber> cells = map.cells();
   while (!cells.empty() && cells.back() == 0) cells = cells.first(cells.size() - 1);
   const auto width = static_cast<std::size_t>(map.width());
   for (; !cells.empty(); cells = cells.subspan(std::min(width, cells.size()))) {
-    rows.push_back(map_row(cells.first(std::min(width, cells.size()))));
+    rows.push_back(map_row(cells.first(std::min(width, cells.size())), digits));
   }
 }
 
@@ -448,7 +488,7 @@ std::vector<std::string_view> key_order() {
       "roles",       "solid",     "up_slope", "down_slope", "ball",    "one_way",    "ceiling",
       "flag_shapes", "tuning",    "spawns",   "curves",     "brushes", "auto_tiles", "exports",
       "tile_shapes", "tiles",     "random",   "heights",    "points",  "sprites",    "tile_size",
-      "map",         "cart",      "solver"};
+      "sheet_size",  "map",       "cart",     "solver"};
   for (const TuningField& field : tuning_fields()) order.push_back(field.key);
   order.insert(
       order.end(),
@@ -476,9 +516,12 @@ FormatResult<Json> native_document(const Level& level) {
   if (!parsed) return parsed;
   Json& document = *parsed;
   const TileSize tile = level.map.tile_size();
-  const bool has_other_tiles = tile != TileSize();
-  document["talus"] = has_shapes_with_parts(level) ? kNativeVersion : has_other_tiles ? 2 : 1;
+  const SheetLayout sheet = level.sheet(SheetId::tiles).layout();
+  const bool has_other_tiles = tile != TileSize(), has_other_sheet = sheet != SheetLayout();
+  const bool is_new = has_other_sheet || has_shapes_with_parts(level);
+  document["talus"] = is_new ? kNativeVersion : has_other_tiles ? kTileSizeVersion : 1;
   if (has_other_tiles) document["tile_size"] = {tile.width, tile.height};
+  if (has_other_sheet) document["sheet_size"] = {sheet.columns, sheet.count};
   document["palette"] = json_of(level.palette);
   const bool named =
       std::any_of(level.flag_names.begin(), level.flag_names.end(), [](const auto& n) { return !n.empty(); });
@@ -486,13 +529,13 @@ FormatResult<Json> native_document(const Level& level) {
   if (const auto good = put_list(json_of(level.flag_fields, "flag_fields"), "flag_fields", document); !good)
     return tl::unexpected(good.error());
   if (const auto good = put_physics(level, document); !good) return tl::unexpected(good.error());
-  if (const auto good = put_list(json_of(level.brushes), "brushes", document); !good)
+  if (const auto good = put_list(json_of(level.brushes, level.tile_count()), "brushes", document); !good)
     return tl::unexpected(good.error());
   if (!level.auto_tiles.empty()) put_auto_tiles(level.auto_tiles, object_in(document, "auto_tiles"));
   if (const auto good = put_list(json_of(level.exports), "exports", document); !good)
     return tl::unexpected(good.error());
   for (std::size_t i = 0; i < kSheetKeys.size(); ++i) put_sheet(level.sheets[i], kSheetKeys[i], document);
-  put_map(level.map, object_in(document, "map"));
+  put_map(level.map, digits_of_tile(level.tile_count()), object_in(document, "map"));
   if (level.cart) put_cart(level, object_in(document, "cart"));
   if (depth_of(document) > kMaxJsonDepth)
     return tl::unexpected(FormatError{

@@ -1,9 +1,9 @@
 // Talus's own levels, `.talus.json`: JSON that people can read, and that diffs row by row.
 //
-//   "talus"        version of the file: 3 if a shape is a polygon or a group, which Talus could not read
-//   before
-//                  version 3; else 2 if its tiles do not have 8x8 px; else 1. A newer version is refused.
-//                  This is the only key that must be there.
+//   "talus"        version of the file: 3 if its sheet of tiles does not have 16 columns of 256 tiles, or a
+//                  shape is a polygon or a group; else 2 if its tiles do not have 8x8 px; else 1. Older
+//                  versions of Talus could not read it. A newer version is refused. This is the only key
+//                  that must be there.
 //   "palette"      16 colours "rrggbb". Default: Sweetie 16.
 //   "flag_names"   up to 8 strings, by flag; "" for a flag without a name. Default: no names.
 //   "flag_fields"  numbers over several flags: "name" (""); "first", the flag of the lowest bit, 0..6;
@@ -26,24 +26,27 @@
 //   "brushes"      up to 1000 named brushes: "name" (""), up to 1000 bytes; "random", whether each cell
 //                  takes a random tile of the brush (false); "rows", 1..256 rows of one length, 1..256
 //                  cells, as in the map.
-//   "auto_tiles"   which tile, 1..255, plays which part of painted ground, by the names of the parts in
+//   "auto_tiles"   which tile, not 0, plays which part of painted ground, by the names of the parts in
 //                  level/auto_tiles.h ("inside", "slope_up", ...). Default: no tiles.
 //   "exports"      up to 100 presets of exports: "name" (""); "to", the id of an exporter (""), kept if it
 //                  is unknown; "path" of the file or folder, with '/', absolute or relative to the folder
 //                  of the level's file (""); "parts", those of the Lua runtime besides those that the level
 //                  uses (""), as in "players, pairs"; each up to 4096 bytes; "on_save", whether the editor
 //                  exports it whenever it saves the level (false). Default: no presets.
-//   "tile_shapes"  by tile number "0".."255": "kind", "solid", "slope", "profile" (default: the flags
+//   "tile_shapes"  by tile number, from "0": "kind", "solid", "slope", "profile" (default: the flags
 //                  give the shape); "side", "floor" or "ceiling" ("floor"); "one_way" (false); "tiles",
 //                  1..8 (1); "heights", a list of numbers: 2 for a slope, 3 to 8 times the tile's width and
 //                  one for a profile; each 0 px to 8 times the tile's height. Or "polygon", with "points", a
 //                  list of 3..256 points [x, y] in px from the tile's top left, none further than 8 tiles
 //                  from it, and no two sides that meet but neighbours; or "group", with "parts", 1..64 shapes
 //                  that are no groups, with up to 1024 points in all, and without other members.
-//   "tiles"        by tile number "0".."255": "flags", a list of the flags that are set (default: no
+//   "tiles"        by tile number, from "0": "flags", a list of the flags that are set (default: no
 //                  flags), and "pixels", eight rows of eight hexadecimal palette indices, "." for 0
 //                  (default: all 0). Blank tiles are left out.
 //   "sprites"      the same for the images that are not on the map.
+//   "sheet_size"   [columns, tiles] of the sheet of tiles: 1..2048 columns, 1..65536 tiles, at most 2048
+//   rows.
+//                  Default: [16, 256]. With more than 256 tiles each cell has four digits instead of two.
 //   "tile_size"    [width, height] of the cells of the map, 1..256 px each. Default: [8, 8].
 //   "map"          "width" (240) and "height" (136), 1..2097152 cells each, 16777216 cells in all, and at
 //   most
@@ -66,6 +69,7 @@
 namespace talus {
 
 inline constexpr int kNativeVersion = 3;
+inline constexpr int kTileSizeVersion = 2;  // of levels that need no newer one, but whose tiles do not have 8x8 px
 
 bool accepts_native(std::string_view bytes, const FormatContext& context);
 FormatResult<Level> read_native(std::string_view bytes, const FormatContext& context);

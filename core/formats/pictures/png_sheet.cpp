@@ -18,19 +18,23 @@ void append(std::vector<std::uint8_t>& bytes, Rgb color) {
   bytes.insert(bytes.end(), {color.r, color.g, color.b});
 }
 
-// clear_zero: adds a fourth byte for each pixel, 0 if its colour is colour 0.
-std::vector<std::uint8_t> bytes_of_sheet(const Sheet& sheet, const Palette& palette, TileSize tile,
-                                         bool clear_zero) {
+// clear_zero: pixels of colour 0 are transparent.
+std::string png_of_sheet(const Sheet& sheet, const Palette& palette, TileSize tile, bool clear_zero) {
   std::vector<std::uint8_t> bytes;
-  for (int y = 0; y < kSheetColumns * tile.height; ++y) {
-    for (int x = 0; x < kSheetColumns * tile.width; ++x) {
-      const TileImage& image = sheet.images[y / tile.height * kSheetColumns + x / tile.width];
-      const std::uint8_t color = color_at(image, tile, x % tile.width, y % tile.height);
+  const SheetLayout layout = sheet.layout();
+  for (int y = 0; y < layout.rows() * tile.height; ++y) {
+    for (int x = 0; x < layout.columns * tile.width; ++x) {
+      const Cell place = {x / tile.width, y / tile.height};
+      const bool is_image = layout.contains(place);  // the last row may be shorter
+      const std::uint8_t color =
+          is_image ? color_at(sheet.images[layout.tile_at(place)], tile, x % tile.width, y % tile.height)
+                   : std::uint8_t{0};
       append(bytes, palette[color]);
       if (clear_zero) bytes.push_back(color == 0 ? 0 : 255);
     }
   }
-  return bytes;
+  return encode_png(layout.columns * tile.width, layout.rows() * tile.height, clear_zero ? 4 : 3,
+                    bytes.data());
 }
 
 // The opaque colours in the order of their first pixels; at most `most` + 1.
@@ -73,20 +77,15 @@ std::string write_png_part(const Level& level, PngPart part) {
     return encode_png(kColorCount, 1, 3, bytes.data());
   }
   const SheetId id = part == PngPart::tiles ? SheetId::tiles : SheetId::sprites;
-  return encode_png(kSheetSide, kSheetSide, 3,
-                    bytes_of_sheet(level.sheet(id), level.palette, TileSize(), false).data());
+  return png_of_sheet(level.sheet(id), level.palette, TileSize(), false);
 }
 
 std::string write_map_tiles(const Level& level) {
-  const TileSize tile = level.map.tile_size();
-  const auto bytes = bytes_of_sheet(level.sheet(SheetId::tiles), level.palette, tile, false);
-  return encode_png(kSheetColumns * tile.width, kSheetColumns * tile.height, 3, bytes.data());
+  return png_of_sheet(level.sheet(SheetId::tiles), level.palette, level.map.tile_size(), false);
 }
 
 std::string write_clear_tiles(const Level& level) {
-  const TileSize tile = level.map.tile_size();
-  const auto bytes = bytes_of_sheet(level.sheet(SheetId::tiles), level.palette, tile, true);
-  return encode_png(kSheetColumns * tile.width, kSheetColumns * tile.height, 4, bytes.data());
+  return png_of_sheet(level.sheet(SheetId::tiles), level.palette, level.map.tile_size(), true);
 }
 
 std::uint8_t color_at(const TileImage& image, TileSize tile, int x, int y) {

@@ -15,7 +15,7 @@ constexpr std::array<SectionInfo, kSectionCount> kSections = {{
     {Section::sfx, "SFX", 9, 64, 66},
     {Section::patterns, "PATTERNS", 15, 60, 192},
     {Section::tracks, "TRACKS", 14, 8, 51},
-    {Section::flags, "FLAGS", 6, 2, kTileCount},
+    {Section::flags, "FLAGS", 6, 2, kCartTiles},
     {Section::screen, "SCREEN", 18, kTicMapHeight, 120},
     {Section::palette, "PALETTE", 12, 2, 3 * kColorCount},
 }};
@@ -188,15 +188,22 @@ Level level_of_bank(const Bank& bank) {
   set_images(level.sheet(SheetId::sprites), at(bank, Section::sprites));
   const std::string& flags = at(bank, Section::flags);
   for (std::size_t i = 0; i < flags.size(); ++i) {
-    level.sheets[i / kTileCount].flags[i % kTileCount] = static_cast<std::uint8_t>(flags[i]);
+    level.sheets[i / kCartTiles].flags[i % kCartTiles] = static_cast<std::uint8_t>(flags[i]);
   }
   const std::string& map = at(bank, Section::map);
-  std::copy(map.begin(), map.end(), level.map.cells().begin());
+  std::transform(map.begin(), map.end(), level.map.cells().begin(),
+                 [](char tile) { return static_cast<std::uint8_t>(tile); });
   level.palette = palette_of(at(bank, Section::palette));
   return level;
 }
 
 std::optional<std::string> tile_problem_of_cart(const Level& level) {
+  const SheetLayout sheet = level.sheet(SheetId::tiles).layout();
+  if (sheet.count > kCartTiles)
+    return "the level has " + std::to_string(sheet.count) + " tiles, but a cart has only 256";
+  if (sheet != SheetLayout())
+    return "the sheet has " + std::to_string(sheet.columns) + " columns of " + std::to_string(sheet.count) +
+           " tiles, but that of a cart has 16 columns of 256";
   const auto [width, height] = level.map.tile_size();
   if (level.map.tile_size() == TileSize()) return {};
   return "the tiles have " + std::to_string(width) + "x" + std::to_string(height) +

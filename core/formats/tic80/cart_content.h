@@ -83,7 +83,8 @@ Bank edited_bank(const Level& level, const Bank& before);
 // TIC-80's palette for carts from before there were palettes.
 Level level_of_bank(const Bank& bank);
 
-// Why a cart cannot have the level's tiles: they do not have 8x8 px; nothing if it can.
+// Why a cart cannot have the level's tiles: they do not have 8x8 px, or are not 256 in 16 columns; nothing if
+// it can.
 std::optional<std::string> tile_problem_of_cart(const Level& level);
 // Returns an error if the tiles or the map do not fit. Anything else that carts cannot hold goes into the
 // companion.

@@ -2,10 +2,10 @@
 #include "tiled_level.h"
 
 #include <algorithm>
-#include <bitset>
 #include <charconv>
 #include <cmath>
 #include <locale>
+#include <set>
 #include <span>
 #include <sstream>
 #include <utility>
@@ -62,10 +62,10 @@ class TiledLevelMaker {
   void name_flags();
   bool is_free(int flag) const;
   bool knows_property(const TiledProperty& property) const;
-  void take_tile(std::uint8_t number);
+  void take_tile(TileNumber number);
   std::uint8_t flags_of(const TiledTile& tile);
   TiledObject in_cell(const TiledObject& object, const TiledSource& source) const;
-  TileShape own_shape_of(std::uint8_t number, const TiledSource& source, const TiledTile& tile,
+  TileShape own_shape_of(TileNumber number, const TiledSource& source, const TiledTile& tile,
                          const TileShape& before);
   TileShape shape_of_objects(const std::string& tile, const std::vector<TiledObject>& objects,
                              std::optional<bool> one_way);
@@ -251,11 +251,13 @@ void TiledLevelMaker::take_pixels() {
     drops_.add(
         "the colours of the tileset, which has more than 16: each pixel got the nearest of the palette");
   const MatchedPicture matched = match_colors(picture, level_.palette);
-  for (int i = 0; i < kSheetSide * kSheetSide; ++i) {
-    const int x = i % kSheetSide, y = i / kSheetSide;
-    const auto tile = static_cast<std::size_t>(y / kCartTileSize * kSheetColumns + x / kCartTileSize);
-    level_.sheet(SheetId::tiles)
-        .images[tile][static_cast<std::size_t>(y % kCartTileSize * kCartTileSize + x % kCartTileSize)] =
+  Sheet& sheet = level_.sheet(SheetId::tiles);
+  for (int i = 0; i < picture.width * picture.height; ++i) {
+    const int x = i % picture.width, y = i / picture.width;
+    const Cell place{x / kCartTileSize, y / kCartTileSize};
+    if (!sheet.layout().contains(place)) continue;
+    sheet.images[static_cast<std::size_t>(sheet.layout().tile_at(place))]
+                [static_cast<std::size_t>(y % kCartTileSize * kCartTileSize + x % kCartTileSize)] =
         matched.indices[static_cast<std::size_t>(i)];
   }
 }
@@ -275,20 +277,20 @@ void TiledLevelMaker::name_flags() {
     const std::string& name = names[static_cast<std::size_t>(flag)];
     flags_[name] = flags_[xml_text(name)] = flag;
   }
-  using Tiles = std::bitset<kTileCount>;
+  using Tiles = std::set<std::size_t>;
   std::map<std::string, Tiles> wanted;
   std::array<Tiles, kFlagCount> by_number;
-  for (std::size_t number = 0; number < kTileCount; ++number) {
+  for (std::size_t number = 0; number < tiles_.sources.size(); ++number) {
     const TiledTile* const tile = tile_of(tiles_.sources[number]);
     if (tile == nullptr) continue;
     if (const auto* flags = find_property<std::int64_t>(tile->properties, "flags")) {
       for (std::size_t flag = 0; flag < kFlagCount; ++flag)
-        by_number[flag][number] = (*flags >> flag & 1) != 0;
+        if ((*flags >> flag & 1) != 0) by_number[flag].insert(number);
     }
     for (const TiledProperty& property : tile->properties) {
       const bool* const is_on = std::get_if<bool>(&property.value);
       const bool can_be_named = is_on != nullptr && *is_on && !property.name.empty();
-      if (can_be_named && !knows_property(property)) wanted[property.name].set(number);
+      if (can_be_named && !knows_property(property)) wanted[property.name].insert(number);
     }
   }
   for (const auto& [name, tiles] : wanted) {
@@ -296,7 +298,7 @@ void TiledLevelMaker::name_flags() {
     while (flag < kFlagCount && !(is_free(flag) && by_number[static_cast<std::size_t>(flag)] == tiles))
       ++flag;
     for (int i = 0; i < kFlagCount && flag == kFlagCount; ++i) {
-      if (is_free(i) && by_number[static_cast<std::size_t>(i)].none()) flag = i;
+      if (is_free(i) && by_number[static_cast<std::size_t>(i)].empty()) flag = i;
     }
     if (flag == kFlagCount) continue;
     level_.flag_names[static_cast<std::size_t>(flag)] = name;
@@ -339,7 +341,7 @@ std::uint8_t TiledLevelMaker::flags_of(const TiledTile& tile) {
   return flags;
 }
 
-void TiledLevelMaker::take_tile(std::uint8_t number) {
+void TiledLevelMaker::take_tile(TileNumber number) {
   const TiledSource& source = tiles_.sources[number];
   const TileShape before = std::exchange(level_.tile_shapes[number], {});
   const TiledTile* const tile = tile_of(source);
@@ -363,7 +365,7 @@ TiledObject TiledLevelMaker::in_cell(const TiledObject& object, const TiledSourc
 }
 
 // before: the tile's own shape in the base. It stays if the outline is still that of the tile.
-TileShape TiledLevelMaker::own_shape_of(std::uint8_t number, const TiledSource& source, const TiledTile& tile,
+TileShape TiledLevelMaker::own_shape_of(TileNumber number, const TiledSource& source, const TiledTile& tile,
                                         const TileShape& before) {
   const TileShape of_flags = shape_of_flags(level_, level_.tile_flags(number));
   const TileShape expected = before.kind != TileShape::Kind::none ? before : of_flags;
@@ -545,15 +547,17 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
   const auto layer = layer_of(choices);
   if (!layer) return tl::unexpected(layer.error());
   if (const auto read = read_base(); !read) return tl::unexpected(read.error());
-  auto tiles =
-      number_tiles(map_, **layer, pictures_, choices.used_tiles, level_.palette[0], drops_, progress_);
+  auto tiles = number_tiles(map_, **layer, pictures_, choices.used_tiles,
+                            base_.sheet(SheetId::tiles).layout(), level_.palette[0], drops_, progress_);
   if (!tiles) return tl::unexpected(tiles.error());
   tiles_ = *std::move(tiles);
   level_.map = std::move(tiles_.map);
-  if (!tiles_.keeps_numbers) forget_numbers();
+  const SheetLayout layout{tiles_.columns, static_cast<int>(tiles_.sources.size())};
+  if (!tiles_.keeps_numbers || layout.count < level_.tile_count()) forget_numbers();
+  level_.set_tile_layout(layout);
   take_pixels();
   name_flags();
-  for (int tile = 0; tile < kTileCount; ++tile) take_tile(static_cast<std::uint8_t>(tile));
+  for (int tile = 0; tile < layout.count; ++tile) take_tile(static_cast<TileNumber>(tile));
   for (const TiledLayer& objects : map_.layers) take_objects(objects);
   if (!map_.background.empty() && map_.background != tiled_color(level_.palette[0]))
     drops_.add("\"backgroundcolor\" of the map, which is not colour 0");

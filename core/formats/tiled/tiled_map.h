@@ -2,7 +2,7 @@
 // TMX and Lua on the other.
 //
 // How a level looks there (tiled_objects.h makes the objects):
-//   one tileset   "tiles", 16 columns, with its picture beside the map. A tile has the int `flags`; a bool
+//   one tileset   "tiles", with its picture beside the map. A tile has the int `flags`; a bool
 //                 for each flag that is set (see tiled_flag_names); words for its shape (`shape`,
 //                 `shape_side`, `shape_one_way`, `shape_heights`); and the shape as a polygon or box, with
 //                 the bool `one_way` if it is one-way, as importers of engines look for it there

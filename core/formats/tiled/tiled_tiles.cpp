@@ -15,23 +15,12 @@ constexpr std::size_t kCellsAtOnce = 65'536;  // between checks of the progress
 constexpr std::uint32_t kTurns = kTiledFlipX | kTiledFlipY | kTiledFlipXY;
 constexpr const char* kTakeUsed = "`talus import --tiles-used` takes only those that the map shows";
 
-FormatError cell_error(const TiledLayer& layer, const TiledMap& map, std::size_t cell, std::string message,
-                       std::string remedy = {}) {
-  const auto width = static_cast<std::size_t>(map.width);
-  return {"layer " + tiled_quoted(layer.name) + ", cell (" + std::to_string(cell % width) + ", " +
-              std::to_string(cell / width) + ")",
-          std::move(message), std::move(remedy)};
-}
-
 FormatError whole_error(std::string message, std::string remedy = {}) {
   return {"", std::move(message), std::move(remedy)};
 }
 
 // Columns and tiles of a tileset, computed from its picture if the file does not say.
-struct TilesetGrid {
-  int columns, count;
-};
-TilesetGrid grid_of(const TiledTileset& tileset) {
+SheetLayout grid_of(const TiledTileset& tileset) {
   const auto along = [&](int length, int side) {
     return std::max(0, (length - 2 * tileset.margin + tileset.spacing) / (side + tileset.spacing));
   };
@@ -41,7 +30,7 @@ TilesetGrid grid_of(const TiledTileset& tileset) {
   const std::int64_t in_picture = std::int64_t{columns} * along(tileset.image_height, tile_height);
   const int count =
       tileset.tile_count > 0 ? tileset.tile_count : static_cast<int>(std::min(in_picture, kMost));
-  return {columns > 0 ? columns : kSheetColumns, count > 0 ? count : kTileCount};
+  return {columns > 0 ? columns : kCartColumns, count > 0 ? count : kCartTiles};
 }
 
 // By the number in the layer, with the bits that turn the tile.
@@ -49,15 +38,16 @@ using SourceOfCell = std::unordered_map<std::uint32_t, TiledSource>;
 
 class TileNumberer {
  public:
-  TileNumberer(const TiledMap& map, const TiledLayer& layer, const TiledPictures& pictures, Rgb background,
-               TiledDrops& drops, const Progress& progress)
+  TileNumberer(const TiledMap& map, const TiledLayer& layer, const TiledPictures& pictures,
+               const SheetLayout& base, Rgb background, TiledDrops& drops, const Progress& progress)
       : progress_(progress),
         map_(map),
         layer_(layer),
         pictures_(pictures),
+        base_(base),
         background_(background),
         drops_(drops),
-        tiles_{{}, TileMap(map.width, map.height, map.tile_size)} {
+        tiles_{.map = TileMap(map.width, map.height, map.tile_size)} {
     for (std::size_t i = 0; i < map.tilesets.size(); ++i) order_.push_back(static_cast<int>(i));
     std::stable_sort(order_.begin(), order_.end(),
                      [&](int a, int b) { return tileset(a).first_gid < tileset(b).first_gid; });
@@ -71,7 +61,11 @@ class TileNumberer {
   // The tiles that the different cells show; blank sources for empty cells.
   FormatResult<SourceOfCell> sources_of_cells() const;
   void tell_parts_outside(const TiledSource& source) const;
-  FormatResult<int> only_tileset(const SourceOfCell& cells) const;
+  std::vector<int> shown_tilesets(const SourceOfCell& cells);
+  SheetLayout layout_of(const std::vector<int>& tilesets) const;
+  FormatResult<void> place_tilesets(const std::vector<int>& tilesets);
+  FormatResult<void> add_turned(const SourceOfCell& cells);
+  FormatResult<void> add_tile(const TiledSource& source);
   bool is_blank(const TiledSource& source) const;
   FormatResult<void> free_tile_0();
   FormatResult<void> fill_map(const SourceOfCell& cells);
@@ -80,6 +74,7 @@ class TileNumberer {
   const TiledMap& map_;
   const TiledLayer& layer_;
   const TiledPictures& pictures_;
+  SheetLayout base_;
   Rgb background_;
   TiledDrops& drops_;
   std::vector<int> order_;  // tilesets by their first number
@@ -95,7 +90,7 @@ FormatResult<SourceOfCell> TileNumberer::sources_of_cells() const {
     if ((i > 0 && cell == layer_.cells[i - 1]) || sources.contains(cell)) continue;
     if (sources.size() == kMostDifferent) {
       return tl::unexpected(whole_error("shows more than " + std::to_string(kMostDifferent) +
-                                        " different tiles, but a level has only 255 besides the empty one"));
+                                        " different tiles, but a level has only as many with the empty one"));
     }
     const std::uint32_t gid = cell & kTiledIdBits;
     if (gid == 0) {
@@ -131,35 +126,99 @@ void TileNumberer::tell_parts_outside(const TiledSource& source) const {
   }
 }
 
-// -1 if there is none.
-FormatResult<int> TileNumberer::only_tileset(const SourceOfCell& cells) const {
+// The tilesets of which the map shows tiles, by their first numbers; if it shows no tile, the first tileset.
+std::vector<int> TileNumberer::shown_tilesets(const SourceOfCell& cells) {
   std::set<int> shown;
   for (const auto& [cell, source] : cells) {
     if (source.tileset >= 0) shown.insert(source.tileset);
   }
-  if (shown.size() > 1) {
-    return tl::unexpected(whole_error(
-        "shows tiles of " + std::to_string(shown.size()) + " tilesets, but a level has only one", kTakeUsed));
-  }
-  const int only = !shown.empty() ? *shown.begin() : order_.empty() ? -1 : order_.front();
+  if (shown.empty() && !order_.empty()) shown.insert(order_.front());
+  std::vector<int> tilesets;
   for (const int i : order_) {
-    if (i != only)
+    if (shown.contains(i))
+      tilesets.push_back(i);
+    else
       drops_.add("the tileset " + tiled_quoted(tileset(i).name) + ", which the map does not show");
   }
-  if (only >= 0 && grid_of(tileset(only)).count > kTileCount) {
-    return tl::unexpected(whole_error("has a tileset of " + std::to_string(grid_of(tileset(only)).count) +
-                                          " tiles, but a level has only 256",
+  return tilesets;
+}
+
+// Puts the tilesets below one another.
+FormatResult<void> TileNumberer::place_tilesets(const std::vector<int>& tilesets) {
+  SheetLayout layout = layout_of(tilesets);
+  const bool is_known = tilesets.size() == 1 && grid_of(tileset(tilesets[0])) == base_;
+  if (is_known) layout = base_;
+  if (layout.columns > kMaxSheetSide || layout.rows() > kMaxSheetSide || layout.count > kMaxTiles) {
+    return tl::unexpected(whole_error("has tilesets of " + std::to_string(layout.columns) + "x" +
+                                          std::to_string(layout.rows()) +
+                                          " tiles in all, but a level has only 65536, in up to 2048 columns "
+                                          "and rows",
                                       kTakeUsed));
   }
-  return only;
+  tiles_.columns = layout.columns;
+  tiles_.sources.assign(static_cast<std::size_t>(layout.count), {});
+  int row = 0;
+  for (const int i : tilesets) {
+    const SheetLayout grid = grid_of(tileset(i));
+    for (int id = 0; id < grid.count; ++id) {
+      const Cell place = grid.place_of(id);
+      const int number = layout.tile_at({place.x, row + place.y});
+      tiles_.sources[static_cast<std::size_t>(number)] = {i, id, 0};
+    }
+    row += grid.rows();
+  }
+  return {};
+}
+
+// That of a cart if a single tileset fits on it; else one as wide as the widest of them.
+SheetLayout TileNumberer::layout_of(const std::vector<int>& tilesets) const {
+  int columns = 1, last = 1;
+  std::int64_t rows = 0;
+  for (const int i : tilesets) columns = std::max(columns, grid_of(tileset(i)).columns);
+  for (const int i : tilesets) {
+    rows += grid_of(tileset(i)).rows();
+    last = (grid_of(tileset(i)).count - 1) % grid_of(tileset(i)).columns + 1;
+  }
+  const bool fits_cart = tilesets.size() <= 1 && columns <= kCartColumns && rows <= kCartTiles / kCartColumns;
+  if (fits_cart) return {};
+  constexpr std::int64_t kMost = 1 << 30;  // of a file that lies; no level has so many
+  return {columns, static_cast<int>(std::min((rows - 1) * columns + last, kMost))};
+}
+
+// Adds the tiles that the map turns behind the others.
+FormatResult<void> TileNumberer::add_turned(const SourceOfCell& cells) {
+  std::set<TiledSource> turned;
+  for (const auto& [cell, source] : cells) {
+    if (source.turn != 0) turned.insert(source);
+  }
+  if (turned.empty()) return {};
+  drops_.add("that " + std::to_string(turned.size()) +
+             " of the tiles are others that are mirrored or turned: they are tiles of their own");
+  for (const TiledSource& source : turned) {
+    if (const auto added = add_tile(source); !added) return added;
+  }
+  return {};
+}
+
+// Takes the first place behind all others, or makes one.
+FormatResult<void> TileNumberer::add_tile(const TiledSource& source) {
+  const auto is_taken = [](const TiledSource& s) { return s.tileset >= 0; };
+  const auto last = std::find_if(tiles_.sources.rbegin(), tiles_.sources.rend(), is_taken);
+  if (last != tiles_.sources.rbegin()) {
+    *last.base() = source;
+    return {};
+  }
+  const auto full = static_cast<std::size_t>(std::min(kMaxTiles, kMaxSheetSide * tiles_.columns));
+  if (tiles_.sources.size() < full) return tiles_.sources.push_back(source), FormatResult<void>();
+  return tl::unexpected(
+      whole_error("needs more than " + std::to_string(full) + " tiles with those that it turns", kTakeUsed));
 }
 
 // A tile that is not drawn and has no properties.
 bool TileNumberer::is_blank(const TiledSource& source) const {
   if (source.tileset < 0) return true;
   if (find_tile(tileset(source.tileset), source.id)) return false;
-  TiledTiles alone{{}, TileMap(1, 1)};
-  alone.sources[0] = source;
+  const TiledTiles alone{.columns = 1, .sources = {source}, .map = TileMap(1, 1)};
   const PngPicture picture = picture_of_tiles(alone, map_, pictures_);
   for (int i = 0; i < kCartTileSize * kCartTileSize; ++i) {
     const int x = i % kCartTileSize, y = i / kCartTileSize;
@@ -170,16 +229,13 @@ bool TileNumberer::is_blank(const TiledSource& source) const {
 
 // For empty cells. The map is not filled yet.
 FormatResult<void> TileNumberer::free_tile_0() {
-  const auto empty = std::find(layer_.cells.begin(), layer_.cells.end(), 0U);
-  if (empty == layer_.cells.end() || is_blank(tiles_.sources[0])) return {};
-  const auto blank = std::find_if(tiles_.sources.begin(), tiles_.sources.end(),
-                                  [&](const TiledSource& source) { return is_blank(source); });
+  const bool has_empty = std::find(layer_.cells.begin(), layer_.cells.end(), 0U) != layer_.cells.end();
+  if (!has_empty || is_blank(tiles_.sources[0])) return {};
+  auto blank = std::find_if(tiles_.sources.begin(), tiles_.sources.end(),
+                            [&](const TiledSource& source) { return is_blank(source); });
   if (blank == tiles_.sources.end()) {
-    const std::set<std::uint32_t> cells(layer_.cells.begin(), layer_.cells.end());
-    return tl::unexpected(
-        cell_error(layer_, map_, static_cast<std::size_t>(empty - layer_.cells.begin()),
-                   "is empty, but all 256 tiles have drawings: no tile is left for empty cells",
-                   cells.size() <= kTileCount ? kTakeUsed : ""));
+    if (const auto added = add_tile({}); !added) return added;
+    blank = std::prev(tiles_.sources.end());
   }
   std::swap(tiles_.sources[0], *blank);
   drops_.add("the number of tile 0, which is now " + std::to_string(blank - tiles_.sources.begin()) +
@@ -188,11 +244,11 @@ FormatResult<void> TileNumberer::free_tile_0() {
 }
 
 FormatResult<void> TileNumberer::fill_map(const SourceOfCell& cells) {
-  std::map<TiledSource, std::uint8_t> numbers;
-  for (std::size_t n = 0; n < kTileCount; ++n)
-    numbers.try_emplace(tiles_.sources[n], static_cast<std::uint8_t>(n));
+  std::map<TiledSource, TileNumber> numbers;
+  for (std::size_t n = 0; n < tiles_.sources.size(); ++n)
+    numbers.try_emplace(tiles_.sources[n], static_cast<TileNumber>(n));
   numbers[TiledSource{}] = 0;
-  std::unordered_map<std::uint32_t, std::uint8_t> number_of_cell;
+  std::unordered_map<std::uint32_t, TileNumber> number_of_cell;
   for (const auto& [cell, source] : cells) number_of_cell[cell] = numbers.at(source);
   const std::size_t count = layer_.cells.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -205,24 +261,9 @@ FormatResult<void> TileNumberer::fill_map(const SourceOfCell& cells) {
 FormatResult<TiledTiles> TileNumberer::as_they_are() {
   const auto cells = sources_of_cells();
   if (!cells) return tl::unexpected(cells.error());
-  const auto only = only_tileset(*cells);
-  if (!only) return tl::unexpected(only.error());
-  const auto turned = std::find_if(layer_.cells.begin(), layer_.cells.end(), [](std::uint32_t cell) {
-    return (cell & kTiledIdBits) != 0 && (cell & kTurns) != 0;
-  });
-  if (turned != layer_.cells.end()) {
-    return tl::unexpected(cell_error(layer_, map_, static_cast<std::size_t>(turned - layer_.cells.begin()),
-                                     "holds a tile that is mirrored or turned, but a level cannot turn tiles",
-                                     "`talus import --tiles-used` makes it a tile of its own"));
-  }
-  if (*only >= 0) {
-    const auto [columns, count] = grid_of(tileset(*only));
-    const bool fits = columns <= kSheetColumns && (count - 1) / columns < kSheetColumns;
-    for (int id = 0; id < count; ++id) {
-      const int number = fits ? id / columns * kSheetColumns + id % columns : id;
-      tiles_.sources[static_cast<std::size_t>(number)] = {*only, id, 0};
-    }
-  }
+  if (const auto placed = place_tilesets(shown_tilesets(*cells)); !placed)
+    return tl::unexpected(placed.error());
+  if (const auto added = add_turned(*cells); !added) return tl::unexpected(added.error());
   if (const auto freed = free_tile_0(); !freed) return tl::unexpected(freed.error());
   if (const auto filled = fill_map(*cells); !filled) return tl::unexpected(filled.error());
   return std::move(tiles_);
@@ -234,10 +275,16 @@ FormatResult<TiledTiles> TileNumberer::used() {
   std::set<TiledSource> shown;
   for (const auto& [cell, source] : *cells) shown.insert(source);
   shown.erase(TiledSource{});
-  if (shown.size() >= kTileCount) {
+  if (shown.size() >= kMaxTiles) {
     return tl::unexpected(whole_error("shows " + std::to_string(shown.size()) +
-                                      " different tiles, but a level has only 255 besides the empty one"));
+                                      " different tiles, but a level has only 65535 besides the empty one"));
   }
+  const auto columns =
+      static_cast<std::size_t>(shown.size() < kCartColumns * kMaxSheetSide ? kCartColumns : 2 * kCartColumns);
+  const std::size_t rows =
+      std::max<std::size_t>(kCartTiles / kCartColumns, (shown.size() + columns) / columns);
+  tiles_.columns = static_cast<int>(columns);
+  tiles_.sources.assign(rows * columns, {});
   std::copy(shown.begin(), shown.end(), tiles_.sources.begin() + 1);
   tiles_.keeps_numbers = false;
   if (const auto filled = fill_map(*cells); !filled) return tl::unexpected(filled.error());
@@ -313,20 +360,23 @@ TiledPlace place_of_tile(const TiledMap& map, const TiledPictures& pictures, con
 }
 
 FormatResult<TiledTiles> number_tiles(const TiledMap& map, const TiledLayer& layer,
-                                      const TiledPictures& pictures, bool used_tiles, Rgb background,
-                                      TiledDrops& drops, const Progress& progress) {
-  TileNumberer numberer(map, layer, pictures, background, drops, progress);
+                                      const TiledPictures& pictures, bool used_tiles, const SheetLayout& base,
+                                      Rgb background, TiledDrops& drops, const Progress& progress) {
+  TileNumberer numberer(map, layer, pictures, base, background, drops, progress);
   return used_tiles ? numberer.used() : numberer.as_they_are();
 }
 
 PngPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const TiledPictures& pictures) {
-  PngPicture sheet{kSheetSide, kSheetSide, {}, {}, {}};
-  sheet.pixels.resize(kSheetSide * kSheetSide);
-  sheet.transparent.assign(kSheetSide * kSheetSide, true);
-  for (int i = 0; i < kSheetSide * kSheetSide; ++i) {
-    const int x = i % kSheetSide, y = i / kSheetSide;
-    const TiledSource& source =
-        tiles.sources[static_cast<std::size_t>(y / kCartTileSize * kSheetColumns + x / kCartTileSize)];
+  const SheetLayout layout{tiles.columns, static_cast<int>(tiles.sources.size())};
+  PngPicture sheet{layout.columns * kCartTileSize, layout.rows() * kCartTileSize, {}, {}, {}};
+  const int pixels = sheet.width * sheet.height;
+  sheet.pixels.resize(static_cast<std::size_t>(pixels));
+  sheet.transparent.assign(static_cast<std::size_t>(pixels), true);
+  for (int i = 0; i < pixels; ++i) {
+    const int x = i % sheet.width, y = i / sheet.width;
+    const Cell place{x / kCartTileSize, y / kCartTileSize};
+    if (!layout.contains(place)) continue;
+    const TiledSource& source = tiles.sources[static_cast<std::size_t>(layout.tile_at(place))];
     const auto color = color_of(map, pictures, source, x % kCartTileSize, y % kCartTileSize);
     if (!color) continue;
     sheet.pixels[static_cast<std::size_t>(i)] = *color;

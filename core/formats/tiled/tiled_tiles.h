@@ -29,18 +29,22 @@ struct TiledSource {
 };
 
 struct TiledTiles {
-  std::array<TiledSource, kTileCount> sources;  // by tile of the level
+  int columns = kCartColumns;                                               // of the level's sheet
+  std::vector<TiledSource> sources = std::vector<TiledSource>(kCartTiles);  // by tile of the level
   TileMap map;
   bool keeps_numbers = true;  // whether each tile has the number of its tileset, or its place on the sheet
 };
 
-// Without `used_tiles` the map must show one tileset of up to 256 tiles, none of them turned. Tiles keep
-// their places on a sheet of up to 16x16 tiles, and their numbers on others. Tile 0 is the empty one: if the
-// tileset's first tile is drawn and some cells are empty, it swaps its number with a free one. progress:
-// receives how many of the cells are numbered.
+// Without `used_tiles` the level gets all tiles of the tilesets that the map shows. A single one with the
+// layout of the base keeps its numbers, and one of up to 16x16 tiles lies on a cart's sheet, each tile at its
+// place. Else the sheet is as wide as the widest tileset, and the tilesets lie below one another. Tiles that
+// the map turns become tiles of their own, behind the others. Tile 0 is the empty one: if it is drawn and
+// some cells are empty, it swaps its number with a blank one, which is added behind the others if there is
+// none. With `used_tiles` it gets only the tiles that the map shows. progress: receives how many of the cells
+// are numbered.
 FormatResult<TiledTiles> number_tiles(const TiledMap& map, const TiledLayer& layer,
-                                      const TiledPictures& pictures, bool used_tiles, Rgb background,
-                                      TiledDrops& drops, const Progress& progress);
+                                      const TiledPictures& pictures, bool used_tiles, const SheetLayout& base,
+                                      Rgb background, TiledDrops& drops, const Progress& progress);
 
 // Where a tile is drawn in a cell that shows it: its bottom left corner is that of the cell, moved by the
 // offset of its tileset.
@@ -50,9 +54,9 @@ struct TiledPlace {
 };
 TiledPlace place_of_tile(const TiledMap& map, const TiledPictures& pictures, const TiledSource& source);
 
-// The sheet of 128x128 px with the level's tiles, each as 8x8 px of it: of tiles of another size only some
-// pixels are taken. Of larger tiles than the map's it is
-// the part in the cell. Unknown pixels are transparent, except those of missing pictures.
+// The sheet with the level's tiles, each as 8x8 px of it: of tiles of another size only some pixels are
+// taken. Of larger tiles than the map's it is the part in the cell. Unknown pixels are transparent, except
+// those of missing pictures.
 PngPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const TiledPictures& pictures);
 
 // A box or polygon of a tile of that size as it appears in cells that turn it; other objects stay as they

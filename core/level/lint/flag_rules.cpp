@@ -20,7 +20,7 @@ constexpr LintRule kShared{.code = "shared-flag",
 
 void check_flags(const LintContext& context, int tile, std::vector<Problem>& out) {
   const Level& level = context.level;
-  const std::uint8_t flags = level.tile_flags(static_cast<std::uint8_t>(tile));
+  const std::uint8_t flags = level.tile_flags(static_cast<TileNumber>(tile));
   std::string labels;
   int count = 0, last_flag = FlagRoles::kUnused;
   for (const FlagRoleInfo& info : flag_role_infos()) {
@@ -64,7 +64,7 @@ void check_roles(const LintContext& context, std::vector<Problem>& out) {
 
 void fix_conflict(const LintContext& context, const Problem& problem, std::vector<Edit>& out) {
   const Level& level = context.level;
-  const auto tile = static_cast<std::uint8_t>(problem.tile);
+  const auto tile = static_cast<TileNumber>(problem.tile);
   const TileRole kept = context.tiles[tile].role;
   int flags = level.tile_flags(tile), kept_flag = FlagRoles::kUnused;
   std::string labels;
@@ -85,7 +85,7 @@ void fix_conflict(const LintContext& context, const Problem& problem, std::vecto
 
 void fix_idle_flag(const LintContext& context, const Problem& problem, std::vector<Edit>& out) {
   const Level& level = context.level;
-  const auto tile = static_cast<std::uint8_t>(problem.tile);
+  const auto tile = static_cast<TileNumber>(problem.tile);
   int flags = level.tile_flags(tile);
   for (const int flag : {level.roles.one_way, level.roles.ceiling}) {
     if (flag != FlagRoles::kUnused) flags &= ~(1 << flag);

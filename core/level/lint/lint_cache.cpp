@@ -2,6 +2,7 @@
 #include "lint_cache.h"
 
 #include <algorithm>
+#include <bit>
 
 #include <tuple>
 
@@ -31,7 +32,7 @@ bool is_before(const Problem& a, const Problem& b) {  // by row, column and rule
   return std::tie(p.y, p.x, a.rule->code) < std::tie(q.y, q.x, b.rule->code);
 }
 
-std::optional<Cell> find_in(const TileMap& map, std::uint8_t tile, const std::array<Cell, 2>& area) {
+std::optional<Cell> find_in(const TileMap& map, TileNumber tile, const std::array<Cell, 2>& area) {
   for (Cell c = area[0]; c.y <= area[1].y; ++c.y) {
     for (c.x = area[0].x; c.x <= area[1].x; ++c.x) {
       if (map.at(c) == tile) return c;
@@ -75,7 +76,9 @@ void LintCache::begin(const Level& level, const LintOptions& options) {
   auto tiles = std::make_unique<const LintTiles>(level, options);
   const bool others = tiles_ == nullptr || !(*tiles == *tiles_);
   tiles_ = std::move(tiles);
-  for (int tile = 0; tile < kTileCount; ++tile) {
+  tile_problems_.resize(tiles_->count());
+  seen_.assign((tiles_->count() + 63) / 64, 0);
+  for (int tile = 0; tile < level.tile_count(); ++tile) {
     std::vector<Problem>& found = tile_problems_[static_cast<std::size_t>(tile)];
     found.clear();
     check_tile({level, *tiles_}, tile, found);
@@ -126,8 +129,12 @@ void LintCache::look_at_cells(const Level& level) {
       check_area({level, *tiles_}, area, found);
       put(block, std::move(found));
     }
-    // A tile that is gone from the block stays in the set: list() checks whether it is still there.
-    if (level.map.contains(cell)) blocks_[block_at(cell)].tiles.set(level.map.at(cell));
+    // A tile that is gone from the block stays noted: list() checks whether it is still there.
+    if (!level.map.contains(cell)) continue;
+    std::vector<TileNumber>& noted = blocks_[block_at(cell)].tiles;
+    const TileNumber tile = level.map.at(cell);
+    const auto place = std::lower_bound(noted.begin(), noted.end(), tile);
+    if (place == noted.end() || *place != tile) noted.insert(place, tile);
   }
   cells_.clear();
 }
@@ -138,11 +145,22 @@ void LintCache::look_at_block(const Level& level, std::size_t number) {
   std::vector<Problem> found;
   check_area({level, *tiles_}, area, found);
   put(block, std::move(found));
-  block.tiles.reset();
-  for (Cell c = area[0]; c.y <= area[1].y; ++c.y) {
-    for (c.x = area[0].x; c.x <= area[1].x; ++c.x) block.tiles.set(level.map.at(c));
-  }
+  note_tiles(level, area, block);
   block.is_known = true;
+}
+
+void LintCache::note_tiles(const Level& level, const std::array<Cell, 2>& area, Block& block) {
+  for (Cell c = area[0]; c.y <= area[1].y; ++c.y) {
+    for (c.x = area[0].x; c.x <= area[1].x; ++c.x) {
+      const TileNumber tile = level.map.at(c);
+      seen_[tile / 64] |= std::uint64_t{1} << tile % 64;
+    }
+  }
+  block.tiles.clear();
+  for (std::size_t word = 0; word < seen_.size(); ++word) {
+    for (; seen_[word] != 0; seen_[word] &= seen_[word] - 1)
+      block.tiles.push_back(static_cast<TileNumber>(64 * word + std::countr_zero(seen_[word])));
+  }
 }
 
 void LintCache::put(Block& block, std::vector<Problem> found) {
@@ -156,16 +174,18 @@ void LintCache::put(Block& block, std::vector<Problem> found) {
 
 // Returns the first cell with a tile; empty if there is none. The tiles that blocks have noted may be out of
 // date.
-std::optional<Cell> LintCache::find(const Level& level, std::size_t tile) {
+std::optional<Cell> LintCache::find(const Level& level, TileNumber tile) {
   std::optional<Cell> first;
   for (std::size_t number = 0; number < blocks_.size(); ++number) {
     const bool begins_row = number % static_cast<std::size_t>(across_) == 0;
     if (begins_row && first) return first;
-    if (!blocks_[number].tiles.test(tile)) continue;
-    if (const auto found = find_in(level.map, static_cast<std::uint8_t>(tile), area_of(number))) {
+    std::vector<TileNumber>& tiles = blocks_[number].tiles;
+    const auto noted = std::lower_bound(tiles.begin(), tiles.end(), tile);
+    if (noted == tiles.end() || *noted != tile) continue;
+    if (const auto found = find_in(level.map, tile, area_of(number))) {
       if (!first || found->y < first->y) first = found;
     } else {
-      blocks_[number].tiles.reset(tile);
+      tiles.erase(noted);
     }
   }
   return first;
@@ -174,10 +194,20 @@ std::optional<Cell> LintCache::find(const Level& level, std::size_t tile) {
 void LintCache::list(const Level& level) {
   bool has_balls = next_ < blocks_.size();  // true until all blocks are checked, as the rest may have balls
   problems_.clear();
-  for (std::size_t tile = 0; tile < kTileCount; ++tile) {
+  std::size_t left_out = 0;
+  Severity worst = Severity::warning;
+  const auto leave_out = [&](Severity severity, std::size_t count) {
+    left_out += count;
+    if (count > 0) worst = std::max(worst, severity);
+  };
+  for (std::size_t tile = 0; tile < tiles_->count(); ++tile) {
     const bool is_ball = (*tiles_)[tile].role == TileRole::ball && !has_balls;
     if (!is_ball && tile_problems_[tile].empty()) continue;
-    const std::optional<Cell> first = find(level, tile);
+    if (!is_ball && problems_.size() >= kMaxProblems) {  // looking for cells takes long
+      for (const Problem& problem : tile_problems_[tile]) leave_out(problem.severity, 1);
+      continue;
+    }
+    const std::optional<Cell> first = find(level, static_cast<TileNumber>(tile));
     if (!first) continue;
     has_balls = has_balls || is_ball;
     for (Problem problem : tile_problems_[tile]) {
@@ -186,12 +216,6 @@ void LintCache::list(const Level& level) {
     }
   }
   check_level({level, *tiles_, has_balls}, problems_);
-  std::size_t left_out = 0;
-  Severity worst = Severity::warning;
-  const auto leave_out = [&](Severity severity, std::size_t count) {
-    left_out += count;
-    if (count > 0) worst = std::max(worst, severity);
-  };
   // While there is room, all problems of the blocks in a row are listed. Those of the next row come later.
   std::size_t listed = 0, row_begins_at = 0;
   for (std::size_t number = 0; number < blocks_.size(); ++number) {

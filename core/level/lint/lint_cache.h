@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <bitset>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -44,15 +43,16 @@ class LintCache {
     std::vector<Problem> problems;  // at most kMaxProblems
     std::size_t left_out = 0;       // problems beyond kMaxProblems
     Severity worst_left_out = Severity::warning;
-    std::bitset<kTileCount> tiles;  // that are in the block
+    std::vector<TileNumber> tiles;  // that are in the block, ascending
     bool is_known = false;
   };
 
   void begin(const Level& level, const LintOptions& options);
   void look_at_cells(const Level& level);
   void look_at_block(const Level& level, std::size_t number);
+  void note_tiles(const Level& level, const std::array<Cell, 2>& area, Block& block);
   void put(Block& block, std::vector<Problem> found);
-  std::optional<Cell> find(const Level& level, std::size_t tile);
+  std::optional<Cell> find(const Level& level, TileNumber tile);
   void list(const Level& level);
   std::array<Cell, 2> area_of(std::size_t block) const;
   std::size_t block_at(Cell cell) const {
@@ -62,12 +62,13 @@ class LintCache {
   std::vector<Cell> cells_;        // noted cells
   bool map_ = true, rest_ = true;  // noted changes
   std::unique_ptr<const LintTiles> tiles_;
-  std::array<std::vector<Problem>, kTileCount> tile_problems_;  // problems of each tile, without a cell
-  int width_ = 0, height_ = 0;                                  // size of the map, cells
-  int side_ = 1;                                                // side of a block, cells
-  int across_ = 1;                                              // blocks in a row
-  std::vector<Block> blocks_;                                   // row by row
-  std::size_t next_ = 0;                                        // all blocks before it are checked
+  std::vector<std::vector<Problem>> tile_problems_;  // of each tile, without a cell
+  std::vector<std::uint64_t> seen_;                  // by tile, a bit each; used while a block is looked at
+  int width_ = 0, height_ = 0;                       // size of the map, cells
+  int side_ = 1;                                     // side of a block, cells
+  int across_ = 1;                                   // blocks in a row
+  std::vector<Block> blocks_;                        // row by row
+  std::size_t next_ = 0;                             // all blocks before it are checked
   std::vector<Problem> problems_;
 };
 

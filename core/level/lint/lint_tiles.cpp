@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
+
+#include <talus/level/ground.h>
 
 namespace talus {
 namespace {
@@ -16,15 +19,6 @@ std::uint64_t mask_of(const TileImage& image) {
 }
 
 bool is_partial(std::uint64_t mask) { return mask != 0 && ~mask != 0; }
-
-std::array<TileShape, kTileCount> usable_shapes(const Level& level) {
-  std::array<TileShape, kTileCount> shapes;
-  for (int tile = 0; tile < kTileCount; ++tile) {
-    TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
-    if (!problem_of(shape, level.map.tile_size())) shapes[static_cast<std::size_t>(tile)] = std::move(shape);
-  }
-  return shapes;
-}
 
 std::vector<Curve> usable_curves(const Level& level) {
   std::vector<Curve> curves;
@@ -62,14 +56,16 @@ LintTiles::LintTiles(const Level& level, const LintOptions& options)
     : options_(options),
       tile_(level.map.tile_size()),
       shapes_(usable_shapes(level)),
+      tiles_(shapes_.size()),
+      masks_(shapes_.size()),
       outlines_(shapes_, tile_),
       sources_(usable_curves(level)),
       curves_(cut_curves(sources_)),
       slope_cells_(static_cast<int>(std::ceil(level.tuning.shared.slope_width / tile_.width))),
       slope_rows_(static_cast<int>(std::ceil(level.tuning.shared.slope_height / tile_.height))) {
-  for (std::size_t i = 0; i < kTileCount; ++i) {
+  for (std::size_t i = 0; i < count(); ++i) {
     Tile& tile = tiles_[i];
-    tile.role = role_of(level.tile_flags(static_cast<std::uint8_t>(i)), level.roles);
+    tile.role = role_of(level.tile_flags(static_cast<TileNumber>(i)), level.roles);
     tile.solid = is_full(shapes_[i]);
     tile.own_shape = level.tile_shapes[i].kind != TileShape::Kind::none;
     tile.line = is_line_shape(shapes_[i]);
@@ -91,13 +87,15 @@ LintTiles::LintTiles(const Level& level, const LintOptions& options)
 
 void LintTiles::note_masks(const Level& level) {
   const Sheet& sheet = level.sheet(SheetId::tiles);
-  for (std::size_t i = 0; i < kTileCount; ++i) {
+  for (std::size_t i = 0; i < count(); ++i) {
     masks_[i] = mask_of(sheet.images[i]);
     tiles_[i].blank = masks_[i] == 0;
   }
   if (slope_cells_ != 2) return;
-  for (std::size_t i = 1; i < kTileCount; ++i) {
-    const bool beside = i % kSheetColumns != 0 && is_slope(i - 1) && !tiles_[i - 1].own_shape;
+  const SheetLayout layout = sheet.layout();
+  for (std::size_t i = 1; i < count(); ++i) {
+    const bool beside =
+        layout.place_of(static_cast<int>(i)).x != 0 && is_slope(i - 1) && !tiles_[i - 1].own_shape;
     if (beside && tiles_[i].shapeless && is_partial(masks_[i])) tiles_[i].half_of = static_cast<int>(i) - 1;
   }
 }
@@ -115,13 +113,14 @@ int LintTiles::reach() const {
 // A tile that looks like a slope but is none was probably intended as one.
 void LintTiles::note_likeness() {
   has_pictures_ = std::any_of(masks_.begin(), masks_.end(), [](std::uint64_t mask) { return mask != 0; });
-  for (std::size_t i = 0; i < kTileCount; ++i) {
+  std::unordered_map<std::uint64_t, int> slopes;  // the first slope with each mask
+  for (std::size_t i = 0; i < count(); ++i) {
+    if (is_slope(i) && !tiles_[i].own_shape) slopes.try_emplace(masks_[i], static_cast<int>(i));
+  }
+  for (std::size_t i = 0; i < count(); ++i) {
     Tile& tile = tiles_[i];
     if (!tile.shapeless || tile.half_of >= 0 || !is_partial(masks_[i])) continue;
-    for (std::size_t other = 0; other < kTileCount && tile.like < 0; ++other) {
-      if (is_slope(other) && !tiles_[other].own_shape && masks_[other] == masks_[i])
-        tile.like = static_cast<int>(other);
-    }
+    if (const auto slope = slopes.find(masks_[i]); slope != slopes.end()) tile.like = slope->second;
   }
 }
 

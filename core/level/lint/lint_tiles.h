@@ -40,7 +40,8 @@ class LintTiles {
   bool is_empty(std::size_t tile) const {
     return tiles_[tile].shapeless && (tile == 0 || tiles_[tile].blank);
   }
-  // The shape of a tile, 0..255. Its kind is none if it is invalid.
+  std::size_t count() const { return tiles_.size(); }  // of the level's tiles
+  // The shape of a tile. Its kind is none if it is invalid.
   const TileShape& shape(int tile) const { return shapes_[static_cast<std::size_t>(tile)]; }
   bool has_pictures() const { return has_pictures_; }  // whether a tile has a pixel that is not colour 0
   const TileOutlines& outlines() const { return outlines_; }
@@ -63,10 +64,10 @@ class LintTiles {
   void note_likeness();
 
   LintOptions options_;
-  TileSize tile_;                             // of the map
-  std::array<TileShape, kTileCount> shapes_;  // only valid ones
-  std::array<Tile, kTileCount> tiles_;
-  std::array<std::uint64_t, kTileCount> masks_{};  // for each pixel, row by row: whether it is not colour 0
+  TileSize tile_;                     // of the map
+  std::vector<TileShape> shapes_;     // by tile; only valid ones
+  std::vector<Tile> tiles_;           // by tile
+  std::vector<std::uint64_t> masks_;  // by tile; for each pixel, row by row: whether it is not colour 0
   bool has_pictures_ = false;
   TileOutlines outlines_;
   std::vector<Curve> sources_;

@@ -90,7 +90,7 @@ class SeamFixer {
     if (shape == nullptr) return;
     const int by = right ? shape->tiles : -1;
     const double y = right ? seam_.left_y : seam_.right_y;
-    const auto next = beside(level_.map.at(tile), by);
+    const auto next = beside(level_, level_.map.at(tile), by);
     if (!next) return;
     for (int dy = -1; dy <= 1; ++dy) {
       const Cell cell{tile.x + by, tile.y + dy};
@@ -110,7 +110,7 @@ class SeamFixer {
     const Cell at = left ? seam_.left_tile : seam_.right_tile;
     const TileShape* before = shape_at(at);
     if (before == nullptr) return;
-    const std::uint8_t tile = level_.map.at(at);
+    const TileNumber tile = level_.map.at(at);
     TileShape after = *before;
     double& height = left ? after.heights.back() : after.heights.front();
     const double now = height;

@@ -57,7 +57,7 @@ void check_edges(const LintContext& context, std::array<Cell, 2> area, std::vect
   const TileMap& map = context.level.map;
   for (Cell cell = area[0]; cell.y <= area[1].y; ++cell.y) {
     for (cell.x = area[0].x; cell.x <= area[1].x; ++cell.x) {
-      const std::uint8_t tile = map.at(cell);
+      const TileNumber tile = map.at(cell);
       const LintTiles::Tile& facts = context.tiles[tile];
       if (!facts.line || (context.tiles.is_slope(tile) && !facts.own_shape)) continue;
       const auto& [first, last] = facts.covered;
@@ -80,7 +80,7 @@ void check_usable(const LintContext& context, std::vector<Problem>& out) {
     if (const auto problem = problem_of(context.level.flag_shapes[static_cast<std::size_t>(flag)], size))
       report(out, kBadShape, "the shape of flag " + std::to_string(flag) + " " + *problem, {}, -1, flag);
   }
-  for (int tile = 0; tile < kTileCount; ++tile) {
+  for (int tile = 0; tile < context.level.tile_count(); ++tile) {
     if (const auto problem = problem_of(context.level.tile_shapes[static_cast<std::size_t>(tile)], size))
       report(out, kBadShape, "the shape of " + tile_text(tile) + " " + *problem, {}, tile);
   }
@@ -100,7 +100,7 @@ bool is_inside(const TileShape& shape, TileSize tile, int x, int y) {
   return shape.side == TileShape::Side::floor ? tile.height - down <= height : down <= height;
 }
 
-Edit draw_shape(const Level& level, std::uint8_t tile) {
+Edit draw_shape(const Level& level, TileNumber tile) {
   const TileShape shape = shape_of_tile(level, tile);
   Edit edit{"Draw " + tile_text(tile) + " as what it is", {}};
   for (int pixel = 0; pixel < kCartTileSize * kCartTileSize; ++pixel) {
@@ -114,7 +114,7 @@ Edit draw_shape(const Level& level, std::uint8_t tile) {
 
 void fix_steepness(const LintContext& context, const Problem& problem, std::vector<Edit>& out) {
   const Level& level = context.level;
-  const auto tile = static_cast<std::uint8_t>(problem.tile);
+  const auto tile = static_cast<TileNumber>(problem.tile);
   TileShape shape = shape_of_tile(level, tile);
   const double steepest = level.tuning.exact.steepest;
   const double width =
@@ -141,7 +141,7 @@ void fix_steepness(const LintContext& context, const Problem& problem, std::vect
 }
 
 void fix_picture(const LintContext& context, const Problem& problem, std::vector<Edit>& out) {
-  const auto tile = static_cast<std::uint8_t>(problem.tile);
+  const auto tile = static_cast<TileNumber>(problem.tile);
   out.push_back(draw_shape(context.level, tile));
   if (context.level.tile_flags(tile) != 0)
     out.push_back(change_flags(context.level, tile, 0, "Clear all flags of " + tile_text(tile)));

@@ -28,7 +28,7 @@ std::string tile_at_text(int tile, Cell cell) { return tile_text(tile) + " at " 
 // The list is empty if the cell has no shape, if flags make it a slope, or if its own tile is not drawn
 // either.
 std::vector<Cell> undrawn_cells(const Level& level, const LintTiles& tiles, Cell cell) {
-  const std::uint8_t number = level.map.at(cell);
+  const TileNumber number = level.map.at(cell);
   const LintTiles::Tile& tile = tiles[number];
   std::vector<Cell> undrawn;
   if (!tile.line || tile.blank || tiles.is_slope(number)) return undrawn;
@@ -53,7 +53,8 @@ void check_drawn(const LintContext& context, Cell cell, int tile, std::vector<Pr
   const std::vector<Cell> undrawn = undrawn_cells(context.level, context.tiles, cell);
   if (undrawn.empty()) return;
   const std::size_t more = undrawn.size() - 1;
-  const bool sheet_ends = tile % kSheetColumns + undrawn.back().x - cell.x >= kSheetColumns;
+  const SheetLayout sheet = context.level.sheet(SheetId::tiles).layout();
+  const bool sheet_ends = sheet.place_of(tile).x + undrawn.back().x - cell.x >= sheet.columns;
   report(out, kHalfMissing,
          tile_at_text(tile, cell) + " has a shape that also covers " + cell_text(undrawn.front()) +
              (more == 0 ? "" : " and " + std::to_string(more) + (more == 1 ? " more cell" : " more cells")) +
@@ -79,7 +80,7 @@ void check_right_half(const LintContext& context, Cell cell, int tile, std::vect
 void check_slopes(const LintContext& context, std::array<Cell, 2> area, std::vector<Problem>& out) {
   for (Cell cell = area[0]; cell.y <= area[1].y; ++cell.y) {
     for (cell.x = area[0].x; cell.x <= area[1].x; ++cell.x) {
-      const std::uint8_t tile = context.level.map.at(cell);
+      const TileNumber tile = context.level.map.at(cell);
       if (context.tiles.is_slope(tile))
         check_slope(context, cell, tile, out);
       else if (context.tiles[tile].line)
@@ -112,7 +113,7 @@ void fix_right_half(const LintContext& context, const Problem& problem, std::vec
       return;
     }
     if (!tiles.is_empty(level.map.at(right))) continue;
-    const auto half = beside(problem.tile, i);
+    const auto half = beside(level, problem.tile, i);
     if (!half || tiles[*half].blank || tiles[*half].solid || tiles.is_slope(*half)) return;
     out.push_back(put_tile(level, right, *half,
                            "Place " + tile_text(*half) + ", the slope's right half, at " + cell_text(right)));
@@ -128,12 +129,9 @@ void fix_undrawn_shape(const LintContext& context, const Problem& problem, std::
   const Cell cell = *problem.cell;
   Edit edit;
   for (const Cell at : undrawn_cells(level, tiles, cell)) {
-    const int row = problem.tile / kSheetColumns + at.y - cell.y;
-    const auto right = beside(problem.tile, at.x - cell.x);
-    if (!right || row < 0 || row >= kSheetColumns) return;
-    const auto tile = static_cast<std::uint8_t>(*right + (at.y - cell.y) * kSheetColumns);
-    if (tiles[tile].blank || !tiles[tile].shapeless) return;
-    edit.changes.emplace_back(CellChange{at, level.map.at(at), tile});
+    const auto tile = beside(level, problem.tile, at.x - cell.x, at.y - cell.y);
+    if (!tile || tiles[*tile].blank || !tiles[*tile].shapeless) return;
+    edit.changes.emplace_back(CellChange{at, level.map.at(at), *tile});
   }
   const auto& first = std::get<CellChange>(edit.changes.front());
   const bool is_one = edit.changes.size() == 1;
@@ -149,9 +147,9 @@ void fix_overlap(const LintContext& context, const Problem& problem, std::vector
   for (int i = 1; i < tiles.slope_cells(); ++i) {
     const Cell right{problem.cell->x + i, problem.cell->y};
     if (!level.map.contains(right)) return;
-    const std::uint8_t tile = level.map.at(right);
+    const TileNumber tile = level.map.at(right);
     if (!tiles[tile].solid && !tiles.is_slope(tile)) continue;
-    const auto half = beside(problem.tile, i);
+    const auto half = beside(level, problem.tile, i);
     if (tiles.is_slope(tile) && half == tile) {
       const TileRole role = tiles[tile].role;
       const int flag = role == TileRole::up_slope ? level.roles.up_slope : level.roles.down_slope;
@@ -174,7 +172,7 @@ void fix_missing_left(const LintContext& context, const Problem& problem, std::v
   const Cell cell = *problem.cell, left{cell.x - 1, cell.y};
   const int half_of = tiles[static_cast<std::size_t>(problem.tile)].half_of;
   if (level.map.contains(left) && tiles.is_empty(level.map.at(left))) {
-    out.push_back(put_tile(level, left, static_cast<std::uint8_t>(half_of),
+    out.push_back(put_tile(level, left, static_cast<TileNumber>(half_of),
                            "Place " + tile_text(half_of) + ", the slope's left half, at " + cell_text(left)));
   }
   out.push_back(
@@ -185,7 +183,7 @@ void fix_unflagged(const LintContext& context, const Problem& problem, std::vect
   const Level& level = context.level;
   const LintTiles& tiles = context.tiles;
   const int like = tiles[static_cast<std::size_t>(problem.tile)].like;
-  const auto tile = static_cast<std::uint8_t>(problem.tile);
+  const auto tile = static_cast<TileNumber>(problem.tile);
   const TileRole role = tiles[static_cast<std::size_t>(like)].role;
   const int flag = role == TileRole::up_slope ? level.roles.up_slope : level.roles.down_slope;
   const std::uint8_t flags = level.tile_flags(tile);
@@ -210,7 +208,7 @@ std::optional<SlopeFault> slope_fault_at(const Level& level, const LintTiles& ti
         i == 1 ? "the tile to its right" : "the tile " + std::to_string(i) + " to its right";
     if (!level.map.contains(right))
       return SlopeFault{&kHalfMissing, "the map ends at its right: the rest of the slope is cut off"};
-    const std::uint8_t other = level.map.at(right);
+    const TileNumber other = level.map.at(right);
     if (tiles.is_empty(other))
       return SlopeFault{&kHalfMissing, where + " is empty: half of the slope is not drawn"};
     if (tiles[other].solid)

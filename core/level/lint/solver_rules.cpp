@@ -1,6 +1,6 @@
 // Finds ground that the level's solver does not know, or has too much of.
-#include <array>
 #include <utility>
+#include <vector>
 
 #include <talus/level/ground.h>
 #include "../bump_boxes.h"
@@ -33,16 +33,16 @@ void check_tiles(const Level& level, std::vector<Problem>& out) {
   if (solver == SolverKind::exact) return;
   const bool is_bump = solver == SolverKind::bump;
   const TileSize size = level.map.tile_size();
-  std::array<bool, kTileCount> used{};
-  for (const std::uint8_t tile : level.map.cells()) used[tile] = true;
+  std::vector<bool> used(static_cast<std::size_t>(level.tile_count()));
+  for (const TileNumber tile : level.map.cells()) used[tile] = true;
   std::string tiles;
   int count = 0, first = -1;
-  for (int tile = 0; tile < kTileCount; ++tile) {
+  for (int tile = 0; tile < level.tile_count(); ++tile) {
     if (!used[static_cast<std::size_t>(tile)]) continue;
-    const TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
+    const TileShape shape = shape_of_tile(level, static_cast<TileNumber>(tile));
     const bool has_role =
         level.tile_shapes[static_cast<std::size_t>(tile)].kind == TileShape::Kind::none &&
-        role_of(level.tile_flags(static_cast<std::uint8_t>(tile)), level.roles) != TileRole::none;
+        role_of(level.tile_flags(static_cast<TileNumber>(tile)), level.roles) != TileRole::none;
     if (shape.kind == TileShape::Kind::none || has_role || problem_of(shape, size)) continue;
     if (is_bump ? bump_takes_all_of(shape) : !is_unknown_to_article(shape, size)) continue;
     if (count == 0) first = tile;

@@ -98,7 +98,7 @@ class SpawnLinter {
     const Spawn& spawn = level_.spawns[static_cast<std::size_t>(index)];
     const Vec2 reach = {level_.tuning.shared.slope_width, level_.tuning.shared.slope_height};
     return any_cell(spawn.position - reach, spawn.position + spawn.size, [&](Cell at) {
-      const std::uint8_t tile = level_.map.at(at);
+      const TileNumber tile = level_.map.at(at);
       if (!tiles_.is_slope(tile) || tiles_[tile].own_shape) return false;
       const double depth = depth_in_slope(level_, spawn.position, spawn.size, at);
       if (!(depth > 0)) return false;
@@ -154,7 +154,7 @@ void check_ball(const LintContext& context, Cell cell, int tile, std::vector<Pro
   const int up = std::max(0, cell.y - tiles.slope_rows());
   for (Cell at{left, up}; at.y <= cell.y; ++at.y) {
     for (at.x = left; at.x <= cell.x; ++at.x) {
-      const std::uint8_t slope = context.level.map.at(at);
+      const TileNumber slope = context.level.map.at(at);
       if (!tiles.is_slope(slope) || tiles[slope].own_shape) continue;
       const double depth = depth_in_slope(context.level, ball.position(), {ball.w, ball.h}, at);
       if (!(depth > 0)) continue;
@@ -170,7 +170,7 @@ void check_ball(const LintContext& context, Cell cell, int tile, std::vector<Pro
 void check_balls(const LintContext& context, std::array<Cell, 2> area, std::vector<Problem>& out) {
   for (Cell cell = area[0]; cell.y <= area[1].y; ++cell.y) {
     for (cell.x = area[0].x; cell.x <= area[1].x; ++cell.x) {
-      const std::uint8_t tile = context.level.map.at(cell);
+      const TileNumber tile = context.level.map.at(cell);
       if (context.tiles[tile].role == TileRole::ball) check_ball(context, cell, tile, out);
     }
   }

@@ -9,7 +9,7 @@ namespace talus {
 namespace {
 
 using S = ReportScene;
-constexpr std::uint8_t kSolidTile = 1, kSlopeTile = 2;
+constexpr TileNumber kSolidTile = 1, kSlopeTile = 2;
 constexpr int kHillSlopes = 12;  // slopes of the hillside
 
 // Places in px and cells, from the origin of the scene.

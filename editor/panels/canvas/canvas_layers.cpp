@@ -19,17 +19,6 @@ constexpr float kFarZoom = 0.25f;
 constexpr float kLeastScreen = 16;    // px of the screen: closer borders would cover everything
 constexpr double kSamePlace = 0.005;  // px: closer bodies hide one another
 
-// The corner and the opposite corner of an image on its sheet's texture.
-struct SheetUv {
-  ImVec2 from, to;
-};
-SheetUv uv_of(int tile) {
-  const float side = 1.0f / kSheetColumns;
-  const ImVec2 from{static_cast<float>(tile % kSheetColumns) * side,
-                    static_cast<float>(tile / kSheetColumns) * side};
-  return {from, {from.x + side, from.y + side}};
-}
-
 // The visible cells of the map.
 struct CellSpan {
   int x0, y0, x1, y1;  // half open
@@ -45,11 +34,11 @@ bool is_one_color(const TileImage& image) {
 }
 
 constexpr int kNothing = -1;
-using ShownTiles = std::array<int, kTileCount>;  // by tile: what is drawn for it, or kNothing
+using ShownTiles = std::vector<int>;  // by tile: what is drawn for it, or kNothing
 
 // The cells from `from` to column `end` of a row, all at once: a screen may have a hundred thousand.
 void draw_row(ImDrawList& list, const TileMap& map, Cell from, int end, const ShownTiles& shown,
-              const CanvasView& view) {
+              const CanvasView& view, const Ui& ui) {
   int count = 0;
   for (Cell cell = from; cell.x < end; ++cell.x) count += shown[map.at(cell)] == kNothing ? 0 : 1;
   if (count == 0) return;
@@ -57,15 +46,15 @@ void draw_row(ImDrawList& list, const TileMap& map, Cell from, int end, const Sh
   for (Cell cell = from; cell.x < end; ++cell.x) {
     const int tile = shown[map.at(cell)];
     if (tile == kNothing) continue;
-    const SheetUv uv = uv_of(tile);
+    const UvRect uv = ui.uv_of(tile);
     list.PrimRectUV(view.corner_of({cell.x, cell.y}), view.corner_of({cell.x + 1, cell.y + 1}), uv.from,
                     uv.to, IM_COL32_WHITE);
   }
 }
 
 int first_ball_tile(const Level& level) {  // -1: there is none
-  for (int tile = 0; tile < kTileCount; ++tile)
-    if (is_ball_tile(level, static_cast<std::uint8_t>(tile))) return tile;
+  for (int tile = 0; tile < level.tile_count(); ++tile)
+    if (is_ball_tile(level, static_cast<TileNumber>(tile))) return tile;
   return -1;
 }
 
@@ -98,7 +87,7 @@ void draw_body(ImDrawList& list, const Level& level, const Body& body, int first
   if (traits_of(body.kind).look == BodyLook::figure) return draw_figure(list, from, to, body.foot, alpha);
   const int tile = image_of(level, body, first_ball);
   if (tile >= 0) {
-    const SheetUv uv = uv_of(tile);
+    const UvRect uv = ui.uv_of(tile);
     list.AddImage(ui.balls, from, to, uv.from, uv.to, IM_COL32(255, 255, 255, alpha));
   } else {
     list.AddCircleFilled({(from.x + to.x) / 2, (from.y + to.y) / 2}, (to.x - from.x) / 2,
@@ -118,14 +107,15 @@ void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, co
   const Rgb background = level.palette[skip_empty ? empty[0] : 0];
   list.AddRectFilled(view.corner_of({cells.x0, cells.y0}), view.corner_of({cells.x1, cells.y1}),
                      theme::color(background));
-  ShownTiles shown;
-  for (int tile = 0; tile < kTileCount; ++tile) {
-    const bool hidden = hide_balls && is_ball_tile(level, static_cast<std::uint8_t>(tile));
+  ShownTiles shown(static_cast<std::size_t>(level.tile_count()));
+  for (int tile = 0; tile < level.tile_count(); ++tile) {
+    const bool hidden = hide_balls && is_ball_tile(level, static_cast<TileNumber>(tile));
     const int looks = hidden ? 0 : tile;  // a ball's cell shows tile 0
     shown[static_cast<std::size_t>(tile)] = looks == 0 && skip_empty ? kNothing : looks;
   }
   list.PushTextureID(ui.sheet(SheetId::tiles));
-  for (int y = cells.y0; y < cells.y1; ++y) draw_row(list, level.map, {cells.x0, y}, cells.x1, shown, view);
+  for (int y = cells.y0; y < cells.y1; ++y)
+    draw_row(list, level.map, {cells.x0, y}, cells.x1, shown, view, ui);
   list.PopTextureID();
 }
 
@@ -376,7 +366,7 @@ void draw_stamp(ImDrawList& list, const Stamp& stamp, CellRect cells, const Canv
   const Cell from = view.to_cell(view.min), to = view.to_cell(view.max);
   for (int y = std::max(cells.y, from.y); y <= std::min(cells.y + cells.h - 1, to.y); ++y) {
     for (int x = std::max(cells.x, from.x); x <= std::min(cells.x + cells.w - 1, to.x); ++x) {
-      const SheetUv uv = uv_of(stamp.at((x - cells.x) % stamp.w, (y - cells.y) % stamp.h));
+      const UvRect uv = ui.uv_of(stamp.at((x - cells.x) % stamp.w, (y - cells.y) % stamp.h));
       list.AddImage(ui.sheet(SheetId::tiles), view.corner_of({x, y}), view.corner_of({x + 1, y + 1}), uv.from,
                     uv.to, IM_COL32(255, 255, 255, alpha));
     }
@@ -384,8 +374,8 @@ void draw_stamp(ImDrawList& list, const Stamp& stamp, CellRect cells, const Canv
 }
 
 void draw_painted_cells(ImDrawList& list, const Edit& edit, const CanvasView& view, const Ui& ui, int alpha) {
-  const auto draw = [&](Cell c, std::uint8_t tile) {
-    const SheetUv uv = uv_of(tile);
+  const auto draw = [&](Cell c, TileNumber tile) {
+    const UvRect uv = ui.uv_of(tile);
     list.AddImage(ui.sheet(SheetId::tiles), view.corner_of({c.x, c.y}), view.corner_of({c.x + 1, c.y + 1}),
                   uv.from, uv.to, IM_COL32(255, 255, 255, alpha));
   };

@@ -2,10 +2,10 @@
 #include "shape_drawing.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <talus/collision/shape_forms.h>
+#include <talus/level/ground.h>
 
 namespace talus {
 namespace {
@@ -13,18 +13,6 @@ namespace {
 constexpr float kLeastCell = 4;      // px of the screen: smaller ones are left out
 constexpr float kOutlinedCell = 24;  // px of the screen: from this size on lines have room for a dark rim
 constexpr int kTint = 64;            // of 255
-
-using Shapes = std::array<TileShape, kTileCount>;
-
-// Shapes that cannot be used are left out.
-Shapes usable_shapes(const Level& level) {
-  Shapes shapes;
-  for (int tile = 0; tile < kTileCount; ++tile) {
-    TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
-    if (!problem_of(shape, level.map.tile_size())) shapes[static_cast<std::size_t>(tile)] = std::move(shape);
-  }
-  return shapes;
-}
 
 // How far polygons reach from their own cell, in cells.
 double reach_of_parts(const TileShape& shape, TileSize tile) {
@@ -39,7 +27,7 @@ double reach_of_parts(const TileShape& shape, TileSize tile) {
 }
 
 // How far the shapes reach from their own cells, in cells.
-int reach_of(const Shapes& shapes, TileSize tile) {
+int reach_of(const std::vector<TileShape>& shapes, TileSize tile) {
   double reach = 1;
   for (const TileShape& shape : shapes) {
     reach = std::max(reach, static_cast<double>(shape.tiles));
@@ -124,7 +112,7 @@ void draw_shapes(ImDrawList& list, const Level& level, const CanvasView& view, s
   const TileSize tile = map.tile_size();
   const ImVec2 cell{view.zoom * static_cast<float>(tile.width), view.zoom * static_cast<float>(tile.height)};
   if (std::min(cell.x, cell.y) < kLeastCell) return;
-  const Shapes shapes = usable_shapes(level);
+  const std::vector<TileShape> shapes = usable_shapes(level);
   const int reach = reach_of(shapes, tile);
   const Cell first = view.to_cell(view.min), last = view.to_cell(view.max);
   for (Cell at{0, std::max(0, first.y - reach)}; at.y <= std::min(map.height() - 1, last.y + reach); ++at.y) {
@@ -138,12 +126,16 @@ void draw_shapes(ImDrawList& list, const Level& level, const CanvasView& view, s
 
 void draw_sheet_shapes(ImDrawList& list, const Level& level, ImVec2 corner, float cell, std::uint32_t color,
                        const Ui& ui) {
-  const Shapes shapes = usable_shapes(level);
-  const float side = cell * kSheetColumns;
-  list.PushClipRect(corner, {corner.x + side, corner.y + side}, true);
-  for (int tile = 0; tile < kTileCount; ++tile) {
-    const ImVec2 at{corner.x + static_cast<float>(tile % kSheetColumns) * cell,
-                    corner.y + static_cast<float>(tile / kSheetColumns) * cell};
+  const std::vector<TileShape> shapes = usable_shapes(level);
+  const SheetLayout sheet = level.sheet(SheetId::tiles).layout();
+  list.PushClipRect(corner,
+                    {corner.x + static_cast<float>(sheet.columns) * cell,
+                     corner.y + static_cast<float>(sheet.rows()) * cell},
+                    true);
+  for (int tile = 0; tile < sheet.count; ++tile) {
+    const Cell place = sheet.place_of(tile);
+    const ImVec2 at{corner.x + static_cast<float>(place.x) * cell,
+                    corner.y + static_cast<float>(place.y) * cell};
     draw_tile_shape(list, shapes[static_cast<std::size_t>(tile)], level.map.tile_size(), at, {cell, cell},
                     color, ui);
   }

@@ -10,17 +10,22 @@ namespace talus {
 namespace {
 
 struct Place {
-  ImVec2 min;
+  ImVec2 min, max;
   float cell;  // px of the screen
 };
 
 // In the top right corner, as large as fits up to twice the size of the design.
 Place place_of(const CanvasView& view, const Ui& ui) {
+  const SheetLayout& sheet = ui.layout(SheetId::tiles);
   const float gap = ui.px(4);
-  const float room = std::min(view.max.x - view.min.x, view.max.y - view.min.y) - 2 * gap;
-  const float zoom =
-      std::clamp(std::floor(room / kSheetSide), 1.0f, std::max(1.0f, std::floor(2 * ui.scale)));
-  return {{view.max.x - gap - zoom * kSheetSide, view.min.y + gap}, zoom * kCartTileSize};
+  const float columns = static_cast<float>(sheet.columns), rows = static_cast<float>(sheet.rows());
+  const float room =
+      std::min((view.max.x - view.min.x - 2 * gap) / columns, (view.max.y - view.min.y - 2 * gap) / rows);
+  const float zoom = std::min(room / kCartTileSize, std::max(1.0f, std::floor(2 * ui.scale)));
+  const float cell =
+      kCartTileSize * (zoom < 1 ? zoom : std::floor(zoom));  // pixels of equal size, if it fits
+  const ImVec2 min{view.max.x - gap - cell * columns, view.min.y + gap};
+  return {min, {min.x + cell * columns, min.y + cell * rows}, cell};
 }
 
 bool paints_with_stamp(MapTool tool) {
@@ -39,12 +44,12 @@ bool SheetOverlay::update(const Session& session, Actions& actions, Ui& ui, cons
   const Place place = place_of(view, ui);
   const Cell tile{static_cast<int>(std::floor((io.MousePos.x - place.min.x) / place.cell)),
                   static_cast<int>(std::floor((io.MousePos.y - place.min.y) / place.cell))};
-  const bool on_sheet = tile.x >= 0 && tile.y >= 0 && tile.x < kSheetColumns && tile.y < kSheetColumns;
-  has_mouse_ = from_ || (shown_ && on_sheet);
+  const SheetLayout& sheet = ui.layout(SheetId::tiles);
+  has_mouse_ = from_ || (shown_ && sheet.contains(tile));
   if (!has_mouse_) return false;
-  const Cell there{std::clamp(tile.x, 0, kSheetColumns - 1), std::clamp(tile.y, 0, kSheetColumns - 1)};
+  const Cell there = sheet.nearest(tile);
   ui.view.canvas.hover = {};
-  ui.view.canvas.hover.tile = there.y * kSheetColumns + there.x;
+  ui.view.canvas.hover.tile = sheet.tile_at(there);
   if (ImGui::IsMouseClicked(0)) {
     from_ = there;
     if (!paints_with_stamp(session.choices().map_tool)) actions.push_back(action::SetMapTool{MapTool::stamp});
@@ -57,8 +62,8 @@ bool SheetOverlay::update(const Session& session, Actions& actions, Ui& ui, cons
 void SheetOverlay::draw(ImDrawList& list, const Session& session, const CanvasView& view, Ui& ui) const {
   if (!shown_) return;
   const Place place = place_of(view, ui);
-  const float side = place.cell * kSheetColumns, edge = ui.px(2);
-  const ImVec2 max{place.min.x + side, place.min.y + side};
+  const float edge = ui.px(2);
+  const ImVec2 max = place.max;
   list.AddRectFilled({place.min.x - edge, place.min.y - edge}, {max.x + edge, max.y + edge},
                      theme::color(theme::kText));
   list.AddRectFilled(place.min, max, theme::color(theme::kDark));

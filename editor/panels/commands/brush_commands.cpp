@@ -33,13 +33,13 @@ void shuffle(S session, A actions, U) {
 
 // Looks at the selected tiles if there are several, and at the whole sheet otherwise.
 void propose_ground(S session, A actions, U ui) {
-  std::vector<std::uint8_t> among;
+  std::vector<TileNumber> among;
   const SpriteArea& area = session.choices().area;
   if (area.sheet == SheetId::tiles && area.tiles.w * area.tiles.h > 1) {
-    among = stamp_of_sheet(area.tiles).tiles;
+    among = stamp_of_sheet(ui.layout(SheetId::tiles), area.tiles).tiles;
   } else {
-    among.resize(kTileCount);
-    std::iota(among.begin(), among.end(), std::uint8_t{0});
+    among.resize(static_cast<std::size_t>(session.level().tile_count()));
+    std::iota(among.begin(), among.end(), TileNumber{0});
   }
   const AutoTiles tiles = proposed_auto_tiles(session.level(), among);
   ui.ask(request::ShowTab(panel_id::kBrushes));

@@ -149,7 +149,7 @@ std::vector<Command> curve_fields() {
 
 bool has_tile_to_shape(S session, const Ui&) { return session.choices().area.sheet == SheetId::tiles; }
 bool has_shape_to_copy(S session, const Ui& ui) {
-  const auto tile = static_cast<std::uint8_t>(session.choices().area.tile_at(0, 0));
+  const auto tile = static_cast<TileNumber>(session.choices().area.tile_at(session.level(), 0, 0));
   return has_tile_to_shape(session, ui) && shape_of_tile(session.level(), tile).kind != TileShape::Kind::none;
 }
 

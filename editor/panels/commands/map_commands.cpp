@@ -302,7 +302,7 @@ void open_find_tiles(S session, A, U ui) {
 CommandRun find_next_tile(FindDirection direction) {
   return [direction](S session, A actions, U ui) {
     if (!ui.view.level.find_tiles_open) ui.view.level.find_tile = session.choices().stamp.tiles.front();
-    const auto tile = static_cast<std::uint8_t>(ui.view.level.find_tile);
+    const auto tile = static_cast<TileNumber>(ui.view.level.find_tile);
     const auto cell = find_tile(session.level().map, tile, ui.view.canvas.search_start(), direction,
                                 session.choices().selection);
     if (!cell) {

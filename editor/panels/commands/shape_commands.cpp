@@ -17,8 +17,8 @@ bool has_many_tiles(const Session& session, const Ui& ui) {
 void suggest(const Session& session, Actions& actions, Ui& ui) {
   const Level& level = session.level();
   const SpriteArea& area = session.choices().area;
-  const int tile = area.tile_at(0, 0);
-  const int width = shape_of_tile(level, static_cast<std::uint8_t>(tile)).tiles;
+  const int tile = area.tile_at(session.level(), 0, 0);
+  const int width = shape_of_tile(level, static_cast<TileNumber>(tile)).tiles;
   Edit edit = suggest_shapes(level, area);
   bool found = !edit.empty();
   if (!has_many_tiles(session, ui)) {
@@ -34,20 +34,19 @@ void suggest(const Session& session, Actions& actions, Ui& ui) {
 }
 
 std::optional<int> owner(const Session& session) {
-  return tile_reaching_over(session.level(), session.choices().area.tile_at(0, 0));
+  return tile_reaching_over(session.level(), session.choices().area.tile_at(session.level(), 0, 0));
 }
 
 bool has_owner(const Session& session, const Ui& ui) { return has_tiles(session, ui) && owner(session); }
 
-void go_to_owner(const Session& session, Actions& actions, Ui&) {
-  const int tile = *owner(session);
-  actions.push_back(
-      action::SelectTiles{{SheetId::tiles, {tile % kSheetColumns, tile / kSheetColumns, 1, 1}}});
+void go_to_owner(const Session& session, Actions& actions, Ui& ui) {
+  actions.push_back(action::SelectTiles{{SheetId::tiles, ui.place_on_sheet(*owner(session))}});
 }
 
 void give(const Session& session, Actions& actions, Ui&) {
   const SpriteArea& area = session.choices().area;
-  const TileShape shape = shape_of_tile(session.level(), static_cast<std::uint8_t>(area.tile_at(0, 0)));
+  const TileShape shape =
+      shape_of_tile(session.level(), static_cast<TileNumber>(area.tile_at(session.level(), 0, 0)));
   emit_edit(actions, give_shape(session.level(), area, shape));
 }
 

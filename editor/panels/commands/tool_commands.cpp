@@ -113,9 +113,9 @@ CommandRun move_selection(int dx, int dy) {
       return;
     }
     SpriteArea area = session.choices().area;
-    area.tiles.x = std::clamp(area.tiles.x + dx, 0, kSheetColumns - area.tiles.w);
-    area.tiles.y = std::clamp(area.tiles.y + dy, 0, kSheetColumns - area.tiles.h);
-    actions.push_back(action::SelectTiles{area});
+    area.tiles.x += dx;
+    area.tiles.y += dy;
+    if (area.lies_in_sheet(session.level())) actions.push_back(action::SelectTiles{area});
   };
 }
 

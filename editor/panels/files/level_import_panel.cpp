@@ -76,16 +76,15 @@ void LevelImportPanel::draw_layers(const LevelImport& import, ImportChoices& cho
 }
 
 void LevelImportPanel::draw_tiles(ImportChoices& choices, Ui& ui) {
-  ImGui::TextUnformatted("A level has one set of 256 tiles. Take:");
-  if (ImGui::RadioButton("all of the map's only tileset, in their places", !choices.used_tiles))
+  ImGui::TextUnformatted("Take of the tiles:");
+  if (ImGui::RadioButton("all of the tilesets that the map shows", !choices.used_tiles))
     choices.used_tiles = false;
-  ui.item("choose/all_tiles", "Works with up to 256 tiles of one tileset, none of which is mirrored.",
+  ui.item("choose/all_tiles", "Works with up to 65,536 tiles in all. Mirrored and turned ones become tiles of their own.",
           "Space");
   if (ImGui::RadioButton("those that the map shows, with new numbers", choices.used_tiles))
     choices.used_tiles = true;
   ui.item("choose/used_tiles",
-          "Works with up to 255 different tiles, of any number of tilesets. Mirrored and turned ones become "
-          "tiles of their own.",
+          "The sheet has no others. Mirrored and turned ones become tiles of their own.",
           "Space");
   ImGui::Spacing();
 }

@@ -17,9 +17,12 @@ constexpr float kColorStrip = 10;  // px at scale 1, height of the strips of col
 constexpr float kBetween = 12;     // px at scale 1, between the pictures
 constexpr int kReportLines = 4;    // lines that always have room
 
-// A whole zoom step.
-float side_of_picture(const Ui& ui) {
-  return std::max(1.0f, std::floor(ui.px(kPreview) / kSheetSide)) * kSheetSide;
+// The size of a sheet: a whole zoom step, if it fits.
+ImVec2 size_of_picture(const SheetLayout& sheet, const Ui& ui) {
+  const float width = static_cast<float>(sheet.columns * kCartTileSize);
+  const float height = static_cast<float>(sheet.rows() * kCartTileSize);
+  const float fits = ui.px(kPreview) / std::max(width, height), zoom = fits < 1 ? fits : std::floor(fits);
+  return {width * zoom, height * zoom};
 }
 
 SheetId sheet_of(PngPart part) { return part == PngPart::sprites ? SheetId::sprites : SheetId::tiles; }
@@ -28,9 +31,9 @@ std::string count_of(int count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-void draw_palette(const Palette& palette, ImVec2 at, float side, Ui& ui) {
+void draw_palette(const Palette& palette, ImVec2 at, float length, Ui& ui) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float width = side / kColorCount;
+  const float width = length / kColorCount;
   for (int i = 0; i < kColorCount; ++i) {
     const float x = at.x + static_cast<float>(i) * width;
     list.AddRectFilled({x, at.y}, {x + width, at.y + ui.px(kColorStrip)},
@@ -39,17 +42,18 @@ void draw_palette(const Palette& palette, ImVec2 at, float side, Ui& ui) {
 }
 
 // The place of the picture, on a sheet drawn at `at`.
-void draw_target(const PngImport& import, ImVec2 at, float cell) {
+void draw_target(const PngImport& import, const SheetLayout& sheet, ImVec2 at, float cell) {
   if (import.options.part == PngPart::palette) return;
-  const int tile = import.options.tile;
+  const Cell tile = sheet.place_of(import.options.tile);
   const int width = import.plan ? import.plan->width : import.picture.width;
   const int height = import.plan ? import.plan->height : import.picture.height;
-  const ImVec2 from{at.x + static_cast<float>(tile % kSheetColumns) * cell,
-                    at.y + static_cast<float>(tile / kSheetColumns) * cell};
+  const ImVec2 from{at.x + static_cast<float>(tile.x) * cell, at.y + static_cast<float>(tile.y) * cell};
   const float px = cell / kCartTileSize;
   const ImVec2 to{from.x + static_cast<float>(width) * px, from.y + static_cast<float>(height) * px};
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.PushClipRect(at, {at.x + cell * kSheetColumns, at.y + cell * kSheetColumns}, true);
+  list.PushClipRect(
+      at, {at.x + cell * static_cast<float>(sheet.columns), at.y + cell * static_cast<float>(sheet.rows())},
+      true);
   list.AddRect({from.x - 1, from.y - 1}, {to.x + 1, to.y + 1}, theme::color(theme::kDark), 0, 0, 3);
   list.AddRect(from, to, theme::tone(theme::kAccent));
   list.PopClipRect();
@@ -167,11 +171,10 @@ PngImportOptions PictureImportPanel::draw_options(const PngImport& import, Ui& u
   ImGui::SameLine();
   const SheetId sheet = sheet_of(options.part);
   int number = number_on_screen(sheet, options.tile);
-  const int first = number_on_screen(sheet, 0);
+  const int first = number_on_screen(sheet, 0), last = number_on_screen(sheet, ui.layout(sheet).count - 1);
   ImGui::SetNextItemWidth(ui.px(56));
-  if (ImGui::DragInt("##tile", &number, 0.2f, first, first + kTileCount - 1, "%d",
-                     ImGuiSliderFlags_AlwaysClamp))
-    options.tile = std::clamp(number - first, 0, kTileCount - 1);
+  if (ImGui::DragInt("##tile", &number, 0.2f, first, last, "%d", ImGuiSliderFlags_AlwaysClamp))
+    options.tile = std::clamp(number, first, last) - first;
   ui.item("import/tile", "Where its top left corner goes; a click on the sheet below chooses it, too.", {},
           enabled);
   ui.end_row();
@@ -182,29 +185,29 @@ PngImportOptions PictureImportPanel::draw_options(const PngImport& import, Ui& u
 
 PngImportOptions PictureImportPanel::draw_pictures(const Session& session, const PngImport& import,
                                                    PngImportOptions options, Ui& ui) {
-  const float side = side_of_picture(ui);
-  const float cell = side / kSheetColumns, gap = ui.px(kBetween),
+  const SheetLayout& sheet = ui.layout(sheet_of(import.options.part));
+  const ImVec2 size = size_of_picture(sheet, ui);
+  const float cell = size.x / static_cast<float>(sheet.columns), gap = ui.px(kBetween),
               header = ImGui::GetTextLineHeightWithSpacing();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImVec2 pictures[2] = {{at.x, at.y + header}, {at.x + side + gap, at.y + header}};
+  const ImVec2 pictures[2] = {{at.x, at.y + header}, {at.x + size.x + gap, at.y + header}};
   const Palette& before = session.level().palette;
   for (int i = 0; i < 2; ++i) {
     const bool after = i == 1 && import.plan.has_value();
-    const ImVec2 from = pictures[i], to{from.x + side, from.y + side};
+    const ImVec2 from = pictures[i], to{from.x + size.x, from.y + size.y};
     list.AddText({from.x, at.y}, theme::tone(theme::kMuted), i == 0 ? "Before" : "After");
     list.AddImage(after ? ui.preview : ui.sheet(sheet_of(import.options.part)), from, to);
-    draw_palette(after ? import.plan->palette : before, {from.x, to.y + ui.px(4)}, side, ui);
-    draw_target(import, from, cell);
+    draw_palette(after ? import.plan->palette : before, {from.x, to.y + ui.px(4)}, size.x, ui);
+    draw_target(import, sheet, from, cell);
     ImGui::SetCursorScreenPos(from);
     const char* name = i == 0 ? "import/before" : "import/after";
-    const bool pressed = ImGui::InvisibleButton(name, {side, side + ui.px(4 + kColorStrip)});
+    const bool pressed = ImGui::InvisibleButton(name, {size.x, size.y + ui.px(4 + kColorStrip)});
     ui.item(name);
     if (!pressed || options.part == PngPart::palette) continue;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const int x = std::clamp(static_cast<int>((mouse.x - from.x) / cell), 0, kSheetColumns - 1);
-    const int y = std::clamp(static_cast<int>((mouse.y - from.y) / cell), 0, kSheetColumns - 1);
-    options.tile = y * kSheetColumns + x;
+    options.tile = sheet.tile_at(sheet.nearest({static_cast<int>(std::floor((mouse.x - from.x) / cell)),
+                                                static_cast<int>(std::floor((mouse.y - from.y) / cell))}));
   }
   return options;
 }
@@ -213,7 +216,8 @@ void PictureImportPanel::draw_report(const PngImport& import, Ui& ui) {
   ImGui::Spacing();
   const float top = ImGui::GetCursorPosY();
   // Not at the window's edge, since the text sets the size of the window.
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + 2 * side_of_picture(ui) + ui.px(kBetween));
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + 2 * size_of_picture(ui.layout(sheet_of(import.options.part)), ui).x +
+                         ui.px(kBetween));
   if (import.plan) {
     draw_text(text_of_changes(import));
     ui.item("import/report");

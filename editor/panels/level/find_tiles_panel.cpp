@@ -13,7 +13,9 @@ namespace {
 
 constexpr float kFindLabel = 64;  // px at scale 1
 
-std::uint8_t tile_of(int number) { return static_cast<std::uint8_t>(number); }
+std::string last_tile_text(const Ui& ui) { return std::to_string(ui.layout(SheetId::tiles).count - 1); }
+
+TileNumber tile_of(int number) { return static_cast<TileNumber>(number); }
 
 }  // namespace
 
@@ -32,8 +34,8 @@ void FindTilesPanel::draw_tile(const std::string& name, const char* label, Field
   ImGui::SameLine();
   ImGui::SetNextItemWidth(ui.px(56));
   ImGui::InputInt(("##" + name).c_str(), &field.typed, 0);
-  if (field.typed >= 0 && field.typed < kTileCount) field.tile = tile = field.typed;
-  ui.item(name, "The number of the tile, 0 to 255.");
+  if (field.typed >= 0 && field.typed < session.level().tile_count()) field.tile = tile = field.typed;
+  ui.item(name, "The number of the tile, 0 to " + last_tile_text(ui) + ".");
   ImGui::SameLine();
   if (ui.text_button(name + "_take", "Take chosen", false,
                      "Takes the tile that is chosen on the sheet or picked."))
@@ -47,7 +49,7 @@ void FindTilesPanel::draw_count(std::size_t count, bool of_selection, Ui& ui) co
     return;
   }
   ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kError));
-  ImGui::TextUnformatted("Tiles have the numbers 0 to 255.");
+  draw_text("Tiles have the numbers 0 to " + last_tile_text(ui) + ".");
   ImGui::PopStyleColor();
   ui.item("find_tiles/problem");
 }

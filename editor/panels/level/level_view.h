@@ -20,8 +20,8 @@ struct LevelView {
   bool resize_open = false;      // the dialog of the map's size
   bool new_level_open = false;   // the dialog of a new level's size
   bool find_tiles_open = false;  // the window that finds and replaces tiles
-  int find_tile = 0;             // 0..255, the tile that it finds
-  int replace_tile = 0;          // 0..255, the tile that replaces it
+  int find_tile = 0;             // of the level, the tile that it finds
+  int replace_tile = 0;          // of the level, the tile that replaces it
 };
 
 }  // namespace talus

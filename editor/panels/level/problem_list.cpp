@@ -41,7 +41,7 @@ void go_to_problem(std::size_t index, const Session& session, Actions& actions, 
     view.window.focus = Focus::map;
     view.canvas.show_map();
   } else if (problem.tile >= 0) {
-    const CellRect tile{problem.tile % kSheetColumns, problem.tile / kSheetColumns, 1, 1};
+    const CellRect tile = ui.place_on_sheet(problem.tile);
     if (tile != session.choices().area.tiles) actions.push_back(action::SelectTiles{{SheetId::tiles, tile}});
   }
 }

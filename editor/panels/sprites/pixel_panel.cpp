@@ -23,14 +23,17 @@ constexpr std::array<CommandId, 12> kTools = {
     "pixels/flip_v"_command,  "pixels/rotate"_command, "pixels/neighbours"_command};
 
 // A square of so many tiles at the area's place; if it is smaller, around a pixel of the canvas.
-SpriteArea resized(const SpriteArea& area, int tiles, Cell pixel) {
-  const auto place = [&](int first, int count, int px) {
+SpriteArea resized(const SheetLayout& sheet, const SpriteArea& area, int tiles, Cell pixel) {
+  const int columns = sheet.columns,
+            rows = sheet.count / sheet.columns;  // without a last row that is shorter
+  const auto place = [&](int first, int count, int px, int room) {
     const int at = tiles < count ? first + px / kCartTileSize / tiles * tiles : first;
-    return std::clamp(at, 0, kSheetColumns - tiles);
+    return std::clamp(at, 0, std::max(room - tiles, 0));
   };
   return {
       area.sheet,
-      {place(area.tiles.x, area.tiles.w, pixel.x), place(area.tiles.y, area.tiles.h, pixel.y), tiles, tiles}};
+      {place(area.tiles.x, area.tiles.w, pixel.x, columns), place(area.tiles.y, area.tiles.h, pixel.y, rows),
+       std::min(tiles, columns), std::min(tiles, std::max(rows, 1))}};
 }
 
 int smaller_size(int tiles) {
@@ -58,11 +61,8 @@ void draw_grid_lines(ImDrawList& list, const SpriteArea& area, const CanvasView&
 }
 
 void draw_image(ImDrawList& list, const SpriteArea& area, const CanvasView& view, const Ui& ui) {
-  constexpr float kSide = 1.0f / kSheetColumns;
-  const ImVec2 from{static_cast<float>(area.tiles.x) * kSide, static_cast<float>(area.tiles.y) * kSide};
-  list.AddImage(
-      ui.sheet(area.sheet), view.min, view.max, from,
-      {from.x + static_cast<float>(area.tiles.w) * kSide, from.y + static_cast<float>(area.tiles.h) * kSide});
+  const UvRect uv = ui.uv_of(area.sheet, area.tiles);
+  list.AddImage(ui.sheet(area.sheet), view.min, view.max, uv.from, uv.to);
   list.AddRect({view.min.x - 1, view.min.y - 1}, {view.max.x + 1, view.max.y + 1},
                theme::color(theme::kLine));
 }
@@ -98,7 +98,7 @@ void PixelPanel::draw_sizes(const Session& session, Actions& actions, Ui& ui) {
                        "A canvas of " + side + "x" + side +
                            " px; a drag on the sheet chooses any size, up to all of it.",
                        "wheel over the canvas", true, ui.px(theme::kButton)))
-      actions.push_back(action::SelectTiles{resized(area, tiles, {0, 0})});
+      actions.push_back(action::SelectTiles{resized(ui.layout(area.sheet), area, tiles, {0, 0})});
     ImGui::PopStyleVar();
   }
 }
@@ -173,7 +173,8 @@ void PixelPanel::change_size_by_wheel(const Session& session, Actions& actions, 
   const int now = std::max(area.tiles.w, area.tiles.h);
   int tiles = now;
   for (int i = 0; i < std::abs(steps); ++i) tiles = steps > 0 ? smaller_size(tiles) : larger_size(tiles);
-  if (tiles != now) actions.push_back(action::SelectTiles{resized(area, tiles, pixel)});
+  if (tiles != now)
+    actions.push_back(action::SelectTiles{resized(session.level().sheet(area.sheet).layout(), area, tiles, pixel)});
 }
 
 }  // namespace talus

@@ -1,5 +1,5 @@
-// The sheet: all 256 tiles or sprites. A click or a drag selects what the other panels work on, or paints
-// flags.
+// The sheet: all tiles or sprites; a large one scrolls, and Ctrl with the wheel zooms it. A click or a drag
+// selects what the other panels work on, or paints flags.
 #pragma once
 
 #include <optional>
@@ -16,6 +16,8 @@ class SheetPanel : public Panel {
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 
  private:
+  void draw_sheet(const Session& session, Actions& actions, Ui& ui);
+  float zoom_of(const SheetLayout& sheet, ImVec2 room, const Ui& ui) const;
   void draw_header(const Session& session, Actions& actions, Ui& ui);
   void handle_mouse(const Session& session, Actions& actions, Ui& ui, ImVec2 at, float cell);
   FlagBrush flag_brush_;

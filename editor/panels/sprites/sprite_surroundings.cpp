@@ -9,24 +9,22 @@ namespace {
 constexpr int kDimmed = 110;  // opacity of the neighbours, 0 to 255
 
 // The last place of all these tiles on the map that the mouse was on, if it still is one.
-std::optional<Cell> last_place(const TileMap& map, CellRect tiles, const View& view) {
+std::optional<Cell> last_place(const Level& level, CellRect tiles, const View& view) {
+  const SheetLayout sheet = level.sheet(SheetId::tiles).layout();
   for (int y = 0; y < tiles.h; ++y) {
     for (int x = 0; x < tiles.w; ++x) {
-      const int tile = (tiles.y + y) * kSheetColumns + tiles.x + x;
-      const auto& cell = view.sprites.tile_places[static_cast<std::size_t>(tile)];
-      if (!cell) continue;
-      if (const auto place = place_of_tiles(map, tiles, *cell)) return place;
+      const auto cell = view.sprites.tile_places.find(sheet.tile_at({tiles.x + x, tiles.y + y}));
+      if (cell == view.sprites.tile_places.end()) continue;
+      if (const auto place = place_of_tiles(level, tiles, cell->second)) return place;
     }
   }
   return std::nullopt;
 }
 
 void draw_tile(ImDrawList& list, int tile, int x, int y, const CanvasView& view, const Ui& ui) {
-  constexpr float kSide = 1.0f / kSheetColumns;
-  const float u = static_cast<float>(tile % kSheetColumns) * kSide;
-  const float v = static_cast<float>(tile / kSheetColumns) * kSide;
-  list.AddImage(ui.sheet(SheetId::tiles), view.corner_of({x, y}), view.corner_of({x + 1, y + 1}), {u, v},
-                {u + kSide, v + kSide}, IM_COL32(255, 255, 255, kDimmed));
+  const UvRect uv = ui.uv_of(tile);
+  list.AddImage(ui.sheet(SheetId::tiles), view.corner_of({x, y}), view.corner_of({x + 1, y + 1}), uv.from,
+                uv.to, IM_COL32(255, 255, 255, kDimmed));
 }
 
 // The line that bodies stand on or hang from, for a slope whose tile is at (x, y), in tiles of the canvas.
@@ -70,15 +68,15 @@ void SpriteSurroundings::draw(ImDrawList& list, const Session& session, const Ca
     for (int y = -1; y <= area.tiles.h; ++y) {
       for (int x = -1; x <= area.tiles.w; ++x) {
         const bool inside = x >= 0 && y >= 0 && x < area.tiles.w && y < area.tiles.h;
-        const auto tile = inside ? static_cast<std::uint8_t>(area.tile_at(x, y)) : around.at(x, y);
+        const auto tile = inside ? static_cast<TileNumber>(area.tile_at(level, x, y)) : around.at(x, y);
         if (tile) visit(*tile, x, y, inside);
       }
     }
   };
-  for_each([&](std::uint8_t tile, int x, int y, bool inside) {
+  for_each([&](TileNumber tile, int x, int y, bool inside) {
     if (!inside) draw_tile(list, tile, x, y, view, ui);
   });
-  for_each([&](std::uint8_t tile, int x, int y, bool) {
+  for_each([&](TileNumber tile, int x, int y, bool) {
     draw_slope_line(list, shape_of_tile(level, tile), level.map.tile_size(), x, y, view, ui.scale);
   });
   if (!known)
@@ -89,11 +87,12 @@ void SpriteSurroundings::draw(ImDrawList& list, const Session& session, const Ca
 const TileNeighbours& SpriteSurroundings::neighbours(const Session& session, const Ui& ui) {
   const TileMap& map = session.level().map;
   const CellRect& tiles = session.choices().area.tiles;
-  if (const auto place = last_place(map, tiles, ui.view)) return placed_ = neighbours_at(map, tiles, *place);
+  if (const auto place = last_place(session.level(), tiles, ui.view))
+    return placed_ = neighbours_at(map, tiles, *place);
   const bool same = counted_ && counted_tiles_ == tiles;
   // The result of a stroke can wait until its end.
   if (!same || (counted_revision_ != session.revision() && !ImGui::IsAnyMouseDown())) {
-    counted_ = commonest_neighbours(map, tiles);
+    counted_ = commonest_neighbours(session.level(), tiles);
     counted_tiles_ = tiles;
     counted_revision_ = session.revision();
   }

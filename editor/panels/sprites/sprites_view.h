@@ -1,11 +1,9 @@
 // What the panels of sprites and colours show.
 #pragma once
 
-#include <array>
-#include <optional>
+#include <map>
 
 #include <talus/collision/geometry.h>
-#include <talus/level/tileset.h>
 
 namespace talus {
 
@@ -20,7 +18,8 @@ struct SpritesView {
   PixelView pixels;
   int palette_color = 12;  // 0..15, which the sliders edit
   // Where on the map the mouse was on each tile last.
-  std::array<std::optional<Cell>, kTileCount> tile_places;
+  int sheet_zoom = 0;               // steps that the sheet is shown larger than by itself; may be negative
+  std::map<int, Cell> tile_places;  // by tile
 };
 
 }  // namespace talus

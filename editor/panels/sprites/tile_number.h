@@ -5,9 +5,9 @@
 
 namespace talus {
 
-// As in TIC-80: tiles are 0 to 255, sprites 256 to 511.
+// As in TIC-80: tiles count from 0, sprites from 256.
 inline int number_on_screen(SheetId sheet, int image) {
-  return sheet == SheetId::tiles ? image : kTileCount + image;
+  return sheet == SheetId::tiles ? image : kCartTiles + image;
 }
 
 }  // namespace talus

@@ -17,10 +17,8 @@ constexpr float kPicture = 40;   // px at scale 1, the side of a brush's picture
 constexpr float kPartSide = 24;  // px at scale 1, of a tile of the ground
 
 void draw_tile_image(ImDrawList& list, int tile, ImVec2 from, ImVec2 to, const Ui& ui) {
-  constexpr float kPart = 1.0f / kSheetColumns;
-  const ImVec2 uv{static_cast<float>(tile % kSheetColumns) * kPart,
-                  static_cast<float>(tile / kSheetColumns) * kPart};
-  list.AddImage(ui.sheet(SheetId::tiles), from, to, uv, {uv.x + kPart, uv.y + kPart});
+  const UvRect uv = ui.uv_of(tile);
+  list.AddImage(ui.sheet(SheetId::tiles), from, to, uv.from, uv.to);
 }
 
 // The brush in a square; for a brush that is too large, its top-left part.
@@ -72,14 +70,14 @@ void draw_part(GroundPart part, const Session& session, Actions& actions, Ui& ui
   const std::string name = "ground/" + std::string(info.key);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float side = ui.px(kPartSide);
-  const auto choose = [&](std::uint8_t tile) {
+  const auto choose = [&](TileNumber tile) {
     AutoTiles tiles = level.auto_tiles;
     tiles.of(part) = tile;
     push(set_auto_tiles(level, tiles), actions);
   };
   const SpriteArea& area = session.choices().area;
   if (ImGui::InvisibleButton(name.c_str(), {side, side}) && area.sheet == SheetId::tiles)
-    choose(static_cast<std::uint8_t>(area.tiles.y * kSheetColumns + area.tiles.x));
+    choose(static_cast<TileNumber>(area.tile_at(level, 0, 0)));
   if (ImGui::IsItemClicked(1)) choose(0);
   const int tile = level.auto_tiles.of(part);
   const std::string now =

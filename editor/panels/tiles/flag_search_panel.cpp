@@ -16,8 +16,7 @@ std::string counted_text(std::size_t count, const std::string& noun) {
 
 // Selects a tile, and shows its next cell, if the map has one.
 void show_tile(int tile, FlagPattern pattern, const Session& session, Actions& actions, Ui& ui) {
-  const CellRect place{tile % kSheetColumns, tile / kSheetColumns, 1, 1};
-  actions.push_back(action::SelectTiles{{SheetId::tiles, place}});
+  actions.push_back(action::SelectTiles{{SheetId::tiles, ui.place_on_sheet(tile)}});
   if (const auto cell =
           find_flagged_cell(session.level(), pattern, ui.view.canvas.search_start(), true, tile)) {
     ui.view.show_on_map(*cell);
@@ -82,12 +81,9 @@ void FlagSearchPanel::draw_tiles(const Session& session, Actions& actions, Ui& u
     if (selectable("", number, false, ImGuiSelectableFlags_SpanAllColumns))
       show_tile(tile, *counted_, session, actions, ui);
     ui.item("flag_search/tile" + number, "Selects tile " + number + ".", "click again for its next cell");
-    constexpr float kPart = 1.0f / kSheetColumns;
-    const ImVec2 from{static_cast<float>(tile % kSheetColumns) * kPart,
-                      static_cast<float>(tile / kSheetColumns) * kPart};
+    const UvRect uv = ui.uv_of(tile);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddImage(ui.sheet(SheetId::tiles), at, {at.x + side, at.y + side}, from,
-                  {from.x + kPart, from.y + kPart});
+    list.AddImage(ui.sheet(SheetId::tiles), at, {at.x + side, at.y + side}, uv.from, uv.to);
     add_text(list, {at.x + side + ui.px(8), at.y}, theme::tone(theme::kText), "#" + number);
     ImGui::TableSetColumnIndex(1);
     const std::size_t cells = use_.cells[static_cast<std::size_t>(tile)];

@@ -66,7 +66,7 @@ struct ShapeCanvas::Frame {
 std::optional<TileShape> ShapeCanvas::draw(const Session& session, Actions& actions, int tile,
                                            const TileShape& shape, ImVec2 room, Ui& ui) {
   const TileSize size = session.level().map.tile_size();
-  CellRect tiles = tiles_of_shape(tile, shape, size);
+  CellRect tiles = tiles_of_shape(session.level(), tile, shape);
   if (grip_ != Grip::none && tiles.h != rows_) {  // keeps the number of rows from when the drag began
     if (shape.side == TileShape::Side::floor) tiles.y += tiles.h - rows_;
     tiles.h = rows_;
@@ -88,16 +88,16 @@ std::optional<TileShape> ShapeCanvas::draw(const Session& session, Actions& acti
   if (has_line(shape)) drag(frame, actions);
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float side = 1.0f / kSheetColumns;
+  const SheetLayout& sheet = ui.layout(SheetId::tiles);
   for (int y = 0; y < tiles.h; ++y) {
     for (int x = 0; x < tiles.w; ++x) {
-      if (tiles.y + y < 0 || tiles.y + y >= kSheetColumns || tiles.x + x >= kSheetColumns) continue;
-      const ImVec2 uv{static_cast<float>(tiles.x + x) * side, static_cast<float>(tiles.y + y) * side};
+      if (!sheet.contains({tiles.x + x, tiles.y + y})) continue;
+      const UvRect uv = ui.uv_of(SheetId::tiles, {tiles.x + x, tiles.y + y, 1, 1});
       const float w = static_cast<float>(size.width) * frame.zoom;
       const float h = static_cast<float>(size.height) * frame.zoom;
       const ImVec2 from{frame.at.x + static_cast<float>(x) * w, frame.at.y + static_cast<float>(y) * h};
       const ImVec2 to{from.x + w, from.y + h};
-      list.AddImage(ui.sheet(SheetId::tiles), from, to, uv, {uv.x + side, uv.y + side});
+      list.AddImage(ui.sheet(SheetId::tiles), from, to, uv.from, uv.to);
       list.AddRect({from.x - 1, from.y - 1}, {to.x + 1, to.y + 1}, theme::color(theme::kLine));
     }
   }

@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 4> kTurns = {"as it is", "mirrored", "ups
 
 // Where the shape comes from, and what can be done with its picture.
 std::string origin_text(const Level& level, int tile) {
-  const TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
+  const TileShape shape = shape_of_tile(level, static_cast<TileNumber>(tile));
   const std::string number = "Tile " + std::to_string(tile);
   if (const auto left = tile_reaching_over(level, tile))
     return number + " has no shape of its own: that of tile " + std::to_string(*left) +
@@ -50,7 +50,7 @@ void ShapePanel::draw(const Session& session, Actions& actions, Ui& ui) {
     ui.hint("Sprites are not ground: choose a tile on the sheet, and give it a shape here.");
     return;
   }
-  const int tile = area.tile_at(0, 0);
+  const int tile = area.tile_at(session.level(), 0, 0);
   ImGui::BeginChild("shape");
   draw_kind(session, actions, ui, tile);
   ui.same_line_if_fits(ui.px(196));
@@ -71,7 +71,7 @@ void ShapePanel::draw(const Session& session, Actions& actions, Ui& ui) {
 void ShapePanel::draw_kind(const Session& session, Actions& actions, Ui& ui, int tile) const {
   const Level& level = session.level();
   const TileShape& own = level.tile_shapes[static_cast<std::size_t>(tile)];
-  const TileShape shape = shape_of_tile(level, static_cast<std::uint8_t>(tile));
+  const TileShape shape = shape_of_tile(level, static_cast<TileNumber>(tile));
   std::string shown(kind_label(shape));
   if (own.kind != shape.kind) shown += " by its flags";
   // Its first own shape is as similar as possible to that of its flags.
@@ -80,7 +80,7 @@ void ShapePanel::draw_kind(const Session& session, Actions& actions, Ui& ui, int
 }
 
 void ShapePanel::draw_fields(const Session& session, Actions& actions, Ui& ui, int tile) {
-  const TileShape now = shape_of_tile(session.level(), static_cast<std::uint8_t>(tile));
+  const TileShape now = shape_of_tile(session.level(), static_cast<TileNumber>(tile));
   if (const auto shape = draw_shape_fields("shape/kind", now, session, field_, actions, ui))
     actions.push_back(
         action::EditLevel{change_shapes(session.level(), session.choices().area, *shape), field_.stroke});
@@ -92,7 +92,7 @@ void ShapePanel::draw_canvas(const Session& session, Actions& actions, Ui& ui, i
                     ImGui::GetContentRegionAvail().y};
   const float height = std::clamp(room.y - ui.px(kBelowCanvas), ui.px(kLeastCanvas), ui.px(kMostCanvas));
   const int shown = tile_reaching_over(session.level(), tile).value_or(tile);
-  const TileShape shape = shape_of_tile(session.level(), static_cast<std::uint8_t>(shown));
+  const TileShape shape = shape_of_tile(session.level(), static_cast<TileNumber>(shown));
   const auto dragged = canvas_.draw(session, actions, shown, shape, {room.x, height}, ui);
   if (!dragged) return;
   actions.push_back(action::EditLevel{shown == tile
@@ -103,7 +103,7 @@ void ShapePanel::draw_canvas(const Session& session, Actions& actions, Ui& ui, i
 
 void ShapePanel::draw_copy(const Session& session, Actions& actions, Ui& ui, int tile) {
   const Level& level = session.level();
-  const bool has_shape = shape_of_tile(level, static_cast<std::uint8_t>(tile)).kind != TileShape::Kind::none;
+  const bool has_shape = shape_of_tile(level, static_cast<TileNumber>(tile)).kind != TileShape::Kind::none;
   if (!has_shape) return;
   if (target_for_ != tile) target_ = -1;
   target_for_ = tile;
@@ -115,7 +115,7 @@ void ShapePanel::draw_copy(const Session& session, Actions& actions, Ui& ui, int
   ImGui::SameLine();
   ui.label("to tile");
   ImGui::SameLine();
-  draw_target(actions, ui, target);
+  draw_target(session, actions, ui, target);
   const std::vector<int> replaced = tiles_replaced(level, tile, target, turn_);
   ui.same_line_if_fits(ui.px(64));
   if (ui.text_button("shape/copy", replaced.empty() ? "Copy" : "Replace", false,
@@ -135,19 +135,19 @@ void ShapePanel::draw_copy(const Session& session, Actions& actions, Ui& ui, int
     ui.hint("Replaces the pixels and shape of " + tiles_text(replaced) + ".");
 }
 
-void ShapePanel::draw_target(Actions& actions, Ui& ui, int target) {
+void ShapePanel::draw_target(const Session& session, Actions& actions, Ui& ui, int target) {
   int number = target;
   ImGui::SetNextItemWidth(ui.px(44));
   if (ImGui::InputInt("##target", &number, 0)) typed_ = number;
   const bool is_typed = ImGui::IsItemDeactivatedAfterEdit();
   ui.item("shape/target", "The number of the tile that gets it; at first the next one that is blank.");
   if (!is_typed) return;
-  if (typed_ >= 0 && typed_ < kTileCount)
+  if (typed_ >= 0 && typed_ < session.level().tile_count())
     target_ = typed_;
   else
     actions.push_back(action::ShowMessage{"There is no tile " + std::to_string(typed_) +
                                               ": tiles have the numbers 0 to " +
-                                              std::to_string(kTileCount - 1) + ".",
+                                              std::to_string(session.level().tile_count() - 1) + ".",
                                           true});
 }
 

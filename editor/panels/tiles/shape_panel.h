@@ -21,7 +21,7 @@ class ShapePanel : public Panel {
   void draw_canvas(const Session& session, Actions& actions, Ui& ui, int tile);
   void draw_copy(const Session& session, Actions& actions, Ui& ui, int tile);
   void draw_turn_choice(Ui& ui);
-  void draw_target(Actions& actions, Ui& ui, int target);
+  void draw_target(const Session& session, Actions& actions, Ui& ui, int target);
 
   ShapeCanvas canvas_;
   NumberEdit field_;

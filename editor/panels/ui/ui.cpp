@@ -159,6 +159,19 @@ void Ui::same_line_if_fits(float width, float gap) {
   if (ImGui::GetItemRectMax().x + space + width <= right) ImGui::SameLine(0, space);
 }
 
+CellRect Ui::place_on_sheet(int tile) const {
+  const Cell place = layout(SheetId::tiles).place_of(tile);
+  return {place.x, place.y, 1, 1};
+}
+
+UvRect Ui::uv_of(SheetId id, CellRect tiles) const {
+  const float columns = static_cast<float>(layout(id).columns), rows = static_cast<float>(layout(id).rows());
+  return {{static_cast<float>(tiles.x) / columns, static_cast<float>(tiles.y) / rows},
+          {static_cast<float>(tiles.x + tiles.w) / columns, static_cast<float>(tiles.y + tiles.h) / rows}};
+}
+
+UvRect Ui::uv_of(int tile) const { return uv_of(SheetId::tiles, place_on_sheet(tile)); }
+
 std::vector<std::string> Ui::wanted_dialogs(const Session& session) const {
   std::vector<std::string> titles;
   for (const auto& [title, is_wanted] : dialogs_)

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "icons.h"
+#include "level/cell_rect.h"
 #include "level/lint/lint.h"
 #include "map_textures.h"
 #include "panels/view.h"
@@ -25,14 +26,20 @@ class Session;
 // Whether a dialog should be open.
 using DialogTest = std::function<bool(const Session&, const View&)>;
 
+// The corners of a part of a texture, 0..1.
+struct UvRect {
+  ImVec2 from, to;
+};
+
 class Ui {
  public:
   View view;
   WidgetRegistry widgets;
-  std::array<ImTextureID, 2> sheets{};  // 128x128 px, by SheetId
-  MapTextures* map_textures = nullptr;  // null: the map is drawn tile by tile at any zoom
-  ImTextureID preview{};                // the sheet as an import would change it, while that is shown
-  ImTextureID balls{};                  // the sheet of tiles with colour 0 clear, for bodies
+  std::array<ImTextureID, 2> sheets{};   // by SheetId; 8x8 px for each image
+  std::array<SheetLayout, 2> layouts{};  // by SheetId, of the images
+  MapTextures* map_textures = nullptr;   // null: the map is drawn tile by tile at any zoom
+  ImTextureID preview{};                 // the sheet as an import would change it, while that is shown
+  ImTextureID balls{};                   // the sheet of tiles with colour 0 clear, for bodies
   // The problems of the level; never null in a frame. Not updated while a button is held, so that a stroke on
   // a huge map need not wait for the lint in each frame.
   const std::vector<Problem>* problems = nullptr;
@@ -44,6 +51,13 @@ class Ui {
   ImVec2 canvas_min, canvas_max;  // the middle of the window, px of the screen, for messages
 
   ImTextureID sheet(SheetId id) const { return sheets[static_cast<std::size_t>(id)]; }
+  const SheetLayout& layout(SheetId id) const { return layouts[static_cast<std::size_t>(id)]; }
+  // The place of a tile on the sheet.
+  CellRect place_on_sheet(int tile) const;
+  // The part of a sheet's texture that shows some images. tiles: columns and rows of the sheet.
+  UvRect uv_of(SheetId id, CellRect tiles) const;
+  // The same for a tile by its number.
+  UvRect uv_of(int tile) const;
   // Converts px at scale 1 to px of the screen.
   float px(float length) const { return static_cast<float>(static_cast<int>(length * scale + 0.5f)); }
 

@@ -115,7 +115,7 @@ std::string hover_text(const Session& session, const Hover& hover) {
   if (!hover.pixel) return "";
   std::string text = "outside the map   ";
   if (hover.cell) {
-    const std::uint8_t number = session.level().map.at(*hover.cell);
+    const TileNumber number = session.level().map.at(*hover.cell);
     text = "(" + std::to_string(hover.cell->x) + ", " + std::to_string(hover.cell->y) + ")  tile " +
            std::to_string(number) + flags_text(session.level().tile_flags(number)) + "   ";
   }

@@ -147,11 +147,13 @@ void Workspace::draw_left(Frame& frame, ImVec2 at, ImVec2 size) {
   Ui& ui = frame.ui;
   const float bar = ui.px(kSplitterWidth), flags = ui.px(kFlags), palette = ui.px(kPalette);
   // At most as high as the sheet at the zoom that its width allows.
-  const float zoom = std::floor((size.x - ui.px(16)) / kSheetSide);
+  const SheetLayout& layout = ui.layout(frame.session.choices().area.sheet);
+  const float across = static_cast<float>(layout.columns * kCartTileSize);
+  const float zoom = std::max(1.0f, std::floor((size.x - ui.px(16)) / across));
   const float header = 2 * ui.px(kMargin) + ui.px(theme::kButton) + ImGui::GetStyle().ItemSpacing.y;
   const float sheet = std::min(
       part(ui.view.window.layout.sheet, size.y, ui.px(kSheetLeast), flags + ui.px(kPixelsLeast) + bar),
-      zoom * kSheetSide + header);
+      zoom * static_cast<float>(layout.rows() * kCartTileSize) + header);
   const float pixels = size.y - sheet - flags - bar;
   draw_region(frame, Region::sheet, at, {size.x, sheet});
   ImGui::SetCursorScreenPos({at.x, at.y + sheet});

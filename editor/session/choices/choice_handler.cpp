@@ -17,9 +17,11 @@ void ChoiceHandler::carry_out(const action::SetCurveKind& a) {
 
 template <>
 void ChoiceHandler::carry_out(const action::SelectTiles& a) {
-  if (!(a.area == choices_.area)) choices_.pixels.drop();
-  choices_.area = a.area;
-  if (a.area.sheet == SheetId::tiles) choices_.stamp = stamp_of_sheet(a.area.tiles);
+  const SpriteArea area = cut_to_sheet(open_.level, a.area);
+  if (!(area == choices_.area)) choices_.pixels.drop();
+  choices_.area = area;
+  if (area.sheet == SheetId::tiles)
+    choices_.stamp = stamp_of_sheet(open_.level.sheet(SheetId::tiles).layout(), area.tiles);
 }
 
 template <>
@@ -33,6 +35,7 @@ void ChoiceHandler::carry_out(const action::SelectPixels& a) {
 template <>
 void ChoiceHandler::carry_out(const action::SetStamp& a) {
   choices_.stamp = a.stamp;
+  fit_stamp(choices_.stamp);
 }
 
 template <>
@@ -44,12 +47,13 @@ void ChoiceHandler::carry_out(const action::SetRandomStamp& a) {
 template <>
 void ChoiceHandler::carry_out(const action::SelectCells& a) {
   choices_.selection = a.cells;
-  cut_selection();
+  fit_level();
 }
 
 template <>
 void ChoiceHandler::carry_out(const action::SetPasted& a) {
   choices_.pasted = a.tiles;
+  if (choices_.pasted) fit_stamp(*choices_.pasted);
 }
 
 template <>
@@ -103,9 +107,20 @@ void ChoiceHandler::apply(const ChoiceAction& action) {
   std::visit([this](const auto& a) { carry_out(a); }, action);
 }
 
-void ChoiceHandler::cut_selection() {
+void ChoiceHandler::fit_level() {
   const TileMap& map = open_.level.map;
   if (choices_.selection) choices_.selection = shared(*choices_.selection, {0, 0, map.width(), map.height()});
+  const SpriteArea area = cut_to_sheet(open_.level, choices_.area);
+  if (!(area == choices_.area)) choices_.pixels.drop();
+  choices_.area = area;
+  fit_stamp(choices_.stamp);
+  if (choices_.pasted) fit_stamp(*choices_.pasted);
+}
+
+// Tiles that the level lacks become tile 0.
+void ChoiceHandler::fit_stamp(Stamp& stamp) const {
+  const auto is_unknown = [&](TileNumber tile) { return tile >= open_.level.tile_count(); };
+  std::replace_if(stamp.tiles.begin(), stamp.tiles.end(), is_unknown, TileNumber{0});
 }
 
 void ChoiceHandler::forget_level() {
@@ -113,6 +128,7 @@ void ChoiceHandler::forget_level() {
   choices_.body = 0;
   choices_.selection.reset();
   choices_.pixels.drop();
+  fit_level();
 }
 
 }  // namespace talus

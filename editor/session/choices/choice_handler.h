@@ -20,13 +20,15 @@ class ChoiceHandler {
   // The selection that an edit has; cut it when the edit is done.
   void choose_cells(const std::optional<CellRect>& cells) { choices_.selection = cells; }
   PixelSelection& pixels() { return choices_.pixels; }
-  void cut_selection();  // at the edges of the map, which may have become smaller
-  void forget_level();   // another level is open
+  void fit_level();     // cuts what is chosen at the edges of map and sheets, which may have become smaller
+  void forget_level();  // another level is open
 
  private:
   // For each action of ChoiceAction, in choice_handler.cpp.
   template <class A>
   void carry_out(const A& action) = delete;
+
+  void fit_stamp(Stamp& stamp) const;
 
   const OpenLevel& open_;
   Choices choices_;

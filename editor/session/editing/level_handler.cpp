@@ -92,7 +92,7 @@ void LevelHandler::edit(const Edit& wanted, int stroke) {
   if (edit.empty()) return;
   note_edit(edit);
   open_.history.push(open_.level, std::move(edit), stroke);
-  choices_.cut_selection();
+  choices_.fit_level();
 }
 
 void LevelHandler::note_edit(const Edit& edit) {
@@ -102,7 +102,7 @@ void LevelHandler::note_edit(const Edit& edit) {
 }
 
 void LevelHandler::note_step_of_history() {
-  choices_.cut_selection();
+  choices_.fit_level();
   choices_.pixels().check(open_.level, choices_.choices().area);
 }
 

@@ -13,7 +13,8 @@ namespace talus {
 namespace {
 
 constexpr int kMostInAByte = 255;
-constexpr std::string_view kLargeMap = "map ";
+constexpr std::string_view kLargeMap = "map ";      // two digits a cell
+constexpr std::string_view kWideMap = "wide map ";  // four digits a cell
 constexpr const char* kNoTiles = "the clipboard holds no tiles of a map";
 
 bool is_space(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
@@ -53,14 +54,21 @@ std::vector<std::uint8_t> bytes_of(std::string_view text) {
 
 std::string text_of_cells(const Stamp& tiles) {
   std::string text;
-  text.reserve(2 * tiles.tiles.size() + 24);
-  if (tiles.w > kMostInAByte || tiles.h > kMostInAByte) {
+  const bool is_wide =
+      std::any_of(tiles.tiles.begin(), tiles.tiles.end(), [](int tile) { return tile > kMostInAByte; });
+  text.reserve((is_wide ? 4 : 2) * tiles.tiles.size() + 24);
+  if (is_wide) {
+    text = std::string(kWideMap) + std::to_string(tiles.w) + "x" + std::to_string(tiles.h) + "\n";
+  } else if (tiles.w > kMostInAByte || tiles.h > kMostInAByte) {
     text = std::string(kLargeMap) + std::to_string(tiles.w) + "x" + std::to_string(tiles.h) + "\n";
   } else {
     append_byte(text, tiles.w);
     append_byte(text, tiles.h);
   }
-  for (const std::uint8_t tile : tiles.tiles) append_byte(text, tile);
+  for (const TileNumber tile : tiles.tiles) {
+    append_byte(text, tile & kMostInAByte);
+    if (is_wide) append_byte(text, tile >> 8);
+  }
   return text;
 }
 
@@ -69,8 +77,9 @@ tl::expected<Stamp, std::string> cells_of_text(std::string_view text) {
     return tl::unexpected(std::string("the clipboard is empty"));
   const auto no_tiles = tl::unexpected(std::string(kNoTiles));
   std::optional<Cell> size;
-  if (text.starts_with(kLargeMap)) {
-    text.remove_prefix(kLargeMap.size());
+  const bool is_wide = text.starts_with(kWideMap);
+  if (is_wide || text.starts_with(kLargeMap)) {
+    text.remove_prefix(is_wide ? kWideMap.size() : kLargeMap.size());
     size = take_size(text);
     if (!size) return no_tiles;
   }
@@ -80,9 +89,14 @@ tl::expected<Stamp, std::string> cells_of_text(std::string_view text) {
     size = Cell{bytes[0], bytes[1]};
     bytes.erase(bytes.begin(), bytes.begin() + 2);
   }
-  if (!is_terrain_size(size->x, size->y) || static_cast<std::size_t>(size->x) * size->y != bytes.size())
+  const std::size_t bytes_of_cell = is_wide ? 2 : 1;
+  if (!is_terrain_size(size->x, size->y) ||
+      static_cast<std::size_t>(size->x) * size->y * bytes_of_cell != bytes.size())
     return no_tiles;
-  return Stamp{size->x, size->y, std::move(bytes)};
+  Stamp stamp{size->x, size->y, {}};
+  for (std::size_t i = 0; i < bytes.size(); i += bytes_of_cell)
+    stamp.tiles.push_back(static_cast<TileNumber>(is_wide ? bytes[i] | bytes[i + 1] << 8 : bytes[i]));
+  return stamp;
 }
 
 }  // namespace talus

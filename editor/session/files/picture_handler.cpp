@@ -13,18 +13,20 @@ namespace {
 
 // The part that a picture becomes: the palette if it can be nothing else, or else the shown sheet, at the
 // selection. Only a picture that is larger than the sheet is cut off.
-PngImportOptions first_options(const PngPicture& picture, const SpriteArea& area) {
+PngImportOptions first_options(const Level& level, const PngPicture& picture, const SpriteArea& area) {
   const int width = in_whole_tiles(picture.width), height = in_whole_tiles(picture.height);
+  const SheetLayout sheet = level.sheet(area.sheet).layout();
+  const int room_x = sheet.columns * kCartTileSize, room_y = sheet.rows() * kCartTileSize;
   PngImportOptions options;
-  options.fit = width > kSheetSide || height > kSheetSide ? PngFit::cut_off : PngFit::fill_up;
+  options.fit = width > room_x || height > room_y ? PngFit::cut_off : PngFit::fill_up;
   if (picture.height == 1) {
     options.part = PngPart::palette;
     return options;
   }
   options.part = area.sheet == SheetId::tiles ? PngPart::tiles : PngPart::sprites;
   const int x = area.tiles.x * kCartTileSize, y = area.tiles.y * kCartTileSize;
-  const bool fits = x + width <= kSheetSide && y + height <= kSheetSide;
-  options.tile = fits ? area.tile_at(0, 0) : 0;
+  const bool fits = x + width <= room_x && y + height <= room_y;
+  options.tile = fits ? area.tile_at(level, 0, 0) : 0;
   return options;
 }
 
@@ -79,7 +81,7 @@ void PictureHandler::open(const std::string& path, const FileReader::Finish& on_
 
 void PictureHandler::take(const std::string& path, FormatResult<PngPicture> picture) {
   if (!picture) return messages_.tell_error(to_string(picture.error(), path));
-  const PngImportOptions options = first_options(*picture, choices_.choices().area);
+  const PngImportOptions options = first_options(open_.level, *picture, choices_.choices().area);
   png_import_ = PngImport{path, *std::move(picture), options, {}};
   png_import_->plan = plan_png_import(open_.level, png_import_->picture, options);
 }

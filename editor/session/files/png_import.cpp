@@ -18,9 +18,15 @@ int fitted_side(int size, int room, PngFit fit) {
 }
 
 // The part of the picture that goes on the sheet, in whole tiles; filled-up pixels are transparent.
-tl::expected<PngPicture, std::string> fitted(const PngPicture& picture, const PngImportOptions& options) {
-  const int room_x = kSheetSide - options.tile % kSheetColumns * kCartTileSize;
-  const int room_y = kSheetSide - options.tile / kSheetColumns * kCartTileSize;
+tl::expected<PngPicture, std::string> fitted(const PngPicture& picture, const SheetLayout& sheet,
+                                             const PngImportOptions& options) {
+  if (options.tile >= sheet.count)
+    return tl::unexpected("There is no tile " + std::to_string(options.tile) + ": the sheet has only " +
+                          std::to_string(sheet.count) + ".");
+  const Cell corner = sheet.place_of(options.tile);
+  const int rows = sheet.count / sheet.columns;  // without a last row that is shorter
+  const int room_x = (sheet.columns - corner.x) * kCartTileSize;
+  const int room_y = std::max(rows - corner.y, 1) * kCartTileSize;
   const std::string size = size_text(picture.width, picture.height);
   PngPicture taken{fitted_side(picture.width, room_x, options.fit),
                    fitted_side(picture.height, room_y, options.fit),
@@ -63,10 +69,14 @@ void change_palette(const Level& level, PngImportPlan& plan) {
 void change_pixels(const PngPicture& picture, const MatchedPicture& matched, const PngImportOptions& options,
                    PngImportPlan& plan) {
   const SheetId sheet = options.part == PngPart::tiles ? SheetId::tiles : SheetId::sprites;
+  const SheetLayout layout = plan.sheet.layout();
+  const Cell corner = layout.place_of(options.tile);
   std::set<int> tiles;
   for (int y = 0; y < picture.height; ++y) {
     for (int x = 0; x < picture.width; ++x) {
-      const int tile = options.tile + y / kCartTileSize * kSheetColumns + x / kCartTileSize;
+      const Cell place{corner.x + x / kCartTileSize, corner.y + y / kCartTileSize};
+      if (!layout.contains(place)) continue;
+      const int tile = layout.tile_at(place);
       const int pixel = y % kCartTileSize * kCartTileSize + x % kCartTileSize;
       std::uint8_t& now = plan.sheet.images[static_cast<std::size_t>(tile)][static_cast<std::size_t>(pixel)];
       const std::uint8_t before = now, after = matched.indices[picture.index(x, y)];
@@ -117,7 +127,7 @@ tl::expected<PngImportPlan, std::string> plan_png_import(const Level& level, con
     return plan;
   }
   plan.edit.label = "Import a picture";
-  const auto taken = fitted(picture, options);
+  const auto taken = fitted(picture, plan.sheet.layout(), options);
   if (!taken) return tl::unexpected(taken.error());
   if (options.take_palette) {
     const auto palette = take_palette(level, palette_for(*taken, level.palette), plan);

@@ -278,7 +278,7 @@ void RunHandler::load_simulation() {
   is_opening_ = SceneCompiler::is_large(open_.level);
   if (!is_opening_) return simulation_.load(open_.level);
   Level bare = open_.level;
-  std::fill(bare.map.cells().begin(), bare.map.cells().end(), std::uint8_t{0});
+  std::fill(bare.map.cells().begin(), bare.map.cells().end(), TileNumber{0});
   simulation_.load(bare);
   compiler_.start(open_.level);
 }

@@ -47,7 +47,7 @@ typedef struct talus_body {
    null. A null `path` is an error. */
 talus_game* talus_open(const char* path, char* error, size_t error_size);
 
-/* The same for what a file holds, `size` bytes; more than 64 MiB are an error, as they are in a file. `name`:
+/* The same for what a file holds, `size` bytes; more than 96 MiB are an error, as they are in a file. `name`:
    of the file, whose extension may tell its format; null for none. Null `bytes` are an error unless `size` is
    0. */
 talus_game* talus_read(const void* bytes, size_t size, const char* name, char* error, size_t error_size);

@@ -37,6 +37,10 @@ inline constexpr std::size_t kMaxGroupPoints = 1024;   // of all polygons of one
 // Which part of a body's box stands on slopes: its whole bottom edge, or the middle of it.
 enum class Foot : std::uint8_t { box, centre };
 
+// The number of a tile, by which cells say what is in them.
+using TileNumber = std::uint16_t;
+inline constexpr int kMaxTiles = 65'536;  // different tiles, as many as there are numbers
+
 // The shape that a cell of the grid gives to the ground. A slope belongs to the cell at its left end. It may
 // reach over the cells to its right, and up (a floor) or down (a ceiling). A polygon may reach over the cells
 // on all sides.

@@ -25,18 +25,17 @@ namespace talus {
 class OutlineCompiler;  // both internal
 class TileOutlines;
 
-inline constexpr int kTileKinds = 256;  // number of different tiles
-
 // The parts of a terrain. Coordinates and heights are rounded to 1/256 px, so that ends which ought to meet
-// do meet. The size must be within the limits, and shapes and curves must be usable (see problem_of);
-// asserted.
+// do meet. The size must be within the limits, each cell must hold the number of a shape, and shapes and
+// curves must be usable (see problem_of); asserted.
 struct TerrainSource {
-  int width = 0;                             // cells; see is_terrain_size
-  int height = 0;                            // cells
-  TileSize tile = {};                        // of each cell
-  std::span<const std::uint8_t> cells;       // width * height tile numbers, row by row
-  std::array<TileShape, kTileKinds> shapes;  // by tile number; kind none: air
-  std::vector<Curve> curves;                 // free of the grid, by their numbers
+  int width = 0;                      // cells; see is_terrain_size
+  int height = 0;                     // cells
+  TileSize tile = {};                 // of each cell
+  std::span<const TileNumber> cells;  // width * height tile numbers, row by row, each one of `shapes`
+  // By tile number, 1 to kMaxTiles of them; kind none: air. At first 256 of these.
+  std::vector<TileShape> shapes = std::vector<TileShape>(256);
+  std::vector<Curve> curves;  // free of the grid, by their numbers
   // Called now and then while the terrain is made, with the share that is done, 0..1. If it returns false,
   // the work ends, and the result is not valid. Empty: the terrain is made without calls.
   std::function<bool(double)> progress = {};
@@ -71,7 +70,7 @@ class BasicTerrain {
     std::vector<Piece<Real>> pieces;
   };
   struct Chunk {
-    std::array<std::uint8_t, kChunkSide * kChunkSide> tiles{};
+    std::array<TileNumber, kChunkSide * kChunkSide> tiles{};
     std::array<TerrainRow, kChunkSide> rows{};
     std::array<std::shared_ptr<const Band>, kChunkSide / kBandRows> bands;  // null: no pieces
 
@@ -103,10 +102,10 @@ class BasicTerrain {
   // Whether its outline has pieces: those of slopes, profiles, one-way tiles or curves.
   bool has_pieces() const { return pieces_ != 0; }
 
-  // Gives a cell of the terrain (asserted) another tile, by its number. Only its surroundings are compiled
-  // anew.
-  void set_cell(Cell cell, std::uint8_t tile);
-  std::uint8_t tile_at(Cell cell) const;  // 0 outside
+  // Gives a cell of the terrain another tile, by the number of one of its shapes (both asserted). Only its
+  // surroundings are compiled anew.
+  void set_cell(Cell cell, TileNumber tile);
+  TileNumber tile_at(Cell cell) const;  // 0 outside
   // The shape of the tile there; outside of the terrain, that of tile 0. Valid as long as the terrain or a
   // copy of it lives.
   const TileShape& shape_at(Cell cell) const;

@@ -32,14 +32,14 @@ inline constexpr int kGroundPartCount = 15;  // of GroundPart
 // The tiles of one kind of ground.
 struct AutoTiles {
   // By GroundPart. 0: no tile, as tile 0 is air.
-  std::array<std::uint8_t, kGroundPartCount> tiles{};
+  std::array<TileNumber, kGroundPartCount> tiles{};
 
   // The number of the part's tile; 0: it has none.
-  std::uint8_t of(GroundPart part) const { return tiles[static_cast<std::size_t>(part)]; }
+  TileNumber of(GroundPart part) const { return tiles[static_cast<std::size_t>(part)]; }
   // The same, to be changed.
-  std::uint8_t& of(GroundPart part) { return tiles[static_cast<std::size_t>(part)]; }
+  TileNumber& of(GroundPart part) { return tiles[static_cast<std::size_t>(part)]; }
   // Whether cells with this tile are ground of the set.
-  bool has(std::uint8_t tile) const {
+  bool has(TileNumber tile) const {
     return tile != 0 && std::find(tiles.begin(), tiles.end(), tile) != tiles.end();
   }
   // Whether no part has a tile.

@@ -13,6 +13,9 @@ namespace talus {
 // and curves are left out; the lint reports them.
 TerrainSource ground_of(const Level& level);
 
+// The shape of each tile of a level, of its own or of its flags, by number. Invalid shapes are of kind none.
+std::vector<TileShape> usable_shapes(const Level& level);
+
 // Limits for the ground of a level. The solvers article and bump make boxes of each tile of ground, which
 // take some hundred bytes each. exact keeps lines, such as those of slopes, by cell, which take as much. A
 // level with more than this has no ground for its solver.

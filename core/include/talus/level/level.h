@@ -57,31 +57,38 @@ struct CartOrigin {
 };
 
 // A plain value. Readers return, and writers and compile_scene() expect, a level within the ranges below.
-// Values outside are refused by writers (problem_of) and left out of the ground.
+// Values outside are refused by writers (problem_of) and left out of the ground. Cells, brushes and the
+// ground's tiles hold numbers below tile_count(); functions that read them assert it.
 struct Level {
   std::array<Sheet, 2> sheets;                     // by SheetId
   Palette palette = default_palette();             // the 16 colours
   std::array<std::string, kFlagCount> flag_names;  // what the user calls each flag; empty: unnamed
   std::vector<FlagField> flag_fields;              // none of them shares a flag with another
   FlagRoles roles;                                 // which flag means what
-  std::array<TileShape, kTileCount> tile_shapes;   // of kind none: the tile's flags give its shape
-  std::array<TileShape, kFlagCount> flag_shapes;   // the shape that a flag stands for; kind none: no shape
-  TileMap map;                                     // numbers of tiles of the first sheet
-  std::vector<LevelCurve> curves;                  // at most kMaxCurves
-  Tuning tuning;                                   // the numbers of the physics
-  std::vector<Spawn> spawns;                       // at most kMaxSpawns
-  std::vector<Brush> brushes;                      // at most kMaxBrushes
-  AutoTiles auto_tiles;                            // of the ground that is painted
-  std::vector<ExportPreset> exports;               // at most kMaxExports
-  std::shared_ptr<const CartOrigin> cart;          // null for a level that never was a cart
+  // By tile of the first sheet, as many as it has images; of kind none: the tile's flags give its shape.
+  std::vector<TileShape> tile_shapes = std::vector<TileShape>(kCartTiles);
+  std::array<TileShape, kFlagCount> flag_shapes;  // the shape that a flag stands for; kind none: no shape
+  TileMap map;                                    // numbers of tiles of the first sheet
+  std::vector<LevelCurve> curves;                 // at most kMaxCurves
+  Tuning tuning;                                  // the numbers of the physics
+  std::vector<Spawn> spawns;                      // at most kMaxSpawns
+  std::vector<Brush> brushes;                     // at most kMaxBrushes
+  AutoTiles auto_tiles;                           // of the ground that is painted
+  std::vector<ExportPreset> exports;              // at most kMaxExports
+  std::shared_ptr<const CartOrigin> cart;         // null for a level that never was a cart
   std::string extra;  // JSON object of keys that this version does not know, or empty
 
+  // How many tiles it has, 1 to kMaxTiles; they are numbered from 0.
+  int tile_count() const { return static_cast<int>(tile_shapes.size()); }
+  // Gives the sheet of tiles this layout. New tiles are blank; those that go must not be on the map, in
+  // brushes or in the ground's tiles.
+  void set_tile_layout(const SheetLayout& layout);
   // One of the two sheets, to be changed.
   Sheet& sheet(SheetId id) { return sheets[static_cast<std::size_t>(id)]; }
   // One of the two sheets.
   const Sheet& sheet(SheetId id) const { return sheets[static_cast<std::size_t>(id)]; }
   // Bit n is flag n.
-  std::uint8_t tile_flags(std::uint8_t tile) const { return sheet(SheetId::tiles).flags[tile]; }
+  std::uint8_t tile_flags(TileNumber tile) const { return sheet(SheetId::tiles).flags[tile]; }
   // Of the tile in a cell, which must lie inside the map (asserted).
   TileRole role_at(Cell cell) const { return role_of(tile_flags(map.at(cell)), roles); }
 };
@@ -90,7 +97,7 @@ struct Level {
 bool operator==(const Level& a, const Level& b);
 
 // The shape of a tile: its own shape, or, if it has none, the shape of its flags.
-TileShape shape_of_tile(const Level& level, std::uint8_t tile);
+TileShape shape_of_tile(const Level& level, TileNumber tile);
 // The shape of the flags' role: a solid tile, or the slope of the article's box, which reaches from the
 // tile's left side over so many tiles as `slope_width` needs and is lowest at the tile's height less
 // `slope_height`, or at 0. A ball has none. Without a role, it is the shape that the lowest flag with a shape
@@ -99,9 +106,9 @@ TileShape shape_of_flags(const Level& level, std::uint8_t flags);
 
 // The kind of body that a tile on the map stands for: that of its flags, if it has no shape of its own;
 // nothing if it is ground, or neither.
-std::optional<BodyKind> body_kind_of_tile(const Level& level, std::uint8_t tile);
+std::optional<BodyKind> body_kind_of_tile(const Level& level, TileNumber tile);
 // Whether the tile stands for a body.
-bool is_ball_tile(const Level& level, std::uint8_t tile);
+bool is_ball_tile(const Level& level, TileNumber tile);
 
 inline constexpr double kCurveEndSlack = 1.0 / 256;  // px, that an end of a curve may be off the map
 // Why a curve cannot be part of a level with this map, in the words of problem_of(curve): it is invalid, or

@@ -13,17 +13,18 @@
 
 namespace talus {
 
-inline constexpr std::size_t kMaxSpawns = 65'536;         // of a level
-inline constexpr std::size_t kMaxCurves = 16'384;         // of a level
-inline constexpr std::size_t kMaxLevelHeights = 262'144;  // of all polylines together
-inline constexpr std::size_t kMaxCurveCells = 2'097'152;  // cells that all curves pass, see cells_passed
-inline constexpr std::size_t kMaxBrushCells = 1'048'576;  // of all brushes together
+inline constexpr std::size_t kMaxSpawns = 65'536;           // of a level
+inline constexpr std::size_t kMaxCurves = 16'384;           // of a level
+inline constexpr std::size_t kMaxShapeHeights = 1'048'576;  // of the shapes of all tiles together
+inline constexpr std::size_t kMaxLevelHeights = 262'144;    // of all polylines together
+inline constexpr std::size_t kMaxCurveCells = 2'097'152;    // cells that all curves pass, see cells_passed
+inline constexpr std::size_t kMaxBrushCells = 1'048'576;    // of all brushes together
 inline constexpr std::size_t kMaxNameBytes = std::size_t{4} << 20;  // of all names and other texts together
 inline constexpr std::size_t kMaxUnknownBytes = std::size_t{1} << 20;  // of all unknown members together
 
 // Limit for the bytes of a file. Of the largest levels, a full map of 4096x4096 cells takes 34 MB, and one of
-// 8x2097152 cells, with its many lines, 55 MB.
-inline constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;
+// 8x2097152 cells, with its many lines, 55 MB; with more than 256 tiles they take 68 MB and 88 MB.
+inline constexpr std::size_t kMaxFileBytes = std::size_t{96} << 20;
 
 inline constexpr std::size_t kMaxRecordedEdits = 10'000;  // of one recording
 // Memory of the versions of the level that one recording's edits make.
@@ -39,8 +40,8 @@ inline constexpr std::size_t kMaxHistoryBytes = std::size_t{512} << 20;
 std::optional<std::string> problem_of_amounts(const Level& level);
 
 // About the size of a level as data, which measures the work of going through it: its cells, heights and
-// texts, its cart, and some bytes for each body, curve and brush. Pictures, shapes and tuning are small, and
-// do not count.
+// texts, its cart, its tiles, and some bytes for each body, curve and brush. Tuning is small, and does not
+// count.
 std::size_t size_of(const Level& level);
 
 }  // namespace talus

@@ -3,7 +3,6 @@
 
 #include <cassert>
 #include <cmath>
-#include <cstdint>
 #include <vector>
 
 #include <talus/collision/shape.h>
@@ -44,12 +43,12 @@ class TileMap {
   bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width_ && c.y < height_; }
 
   // The number of the tile in a cell, which must lie inside the map (asserted).
-  std::uint8_t at(Cell c) const { return cells_[index(c)]; }
+  TileNumber at(Cell c) const { return cells_[index(c)]; }
   // Puts a tile there; as at().
-  void set(Cell c, std::uint8_t tile) { cells_[index(c)] = tile; }
+  void set(Cell c, TileNumber tile) { cells_[index(c)] = tile; }
 
-  const std::vector<std::uint8_t>& cells() const { return cells_; }  // row by row
-  std::vector<std::uint8_t>& cells() { return cells_; }              // keep its size
+  const std::vector<TileNumber>& cells() const { return cells_; }  // row by row
+  std::vector<TileNumber>& cells() { return cells_; }              // keep its size
   friend bool operator==(const TileMap&, const TileMap&) = default;
 
  private:
@@ -60,7 +59,7 @@ class TileMap {
   int width_;
   int height_;
   TileSize tile_;
-  std::vector<std::uint8_t> cells_;
+  std::vector<TileNumber> cells_;
 };
 
 }  // namespace talus

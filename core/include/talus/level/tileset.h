@@ -1,19 +1,26 @@
-// Images, flags and palette, as TIC-80 has them: two sheets of 256 images of 8x8 pixels in 16 colours.
+// Images, flags and palette. As TIC-80 has them: images of 8x8 pixels in 16 colours, and two sheets, of 256
+// images in a cart.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <vector>
+
+#include <talus/collision/shape.h>
 
 namespace talus {
 
-inline constexpr int kCartTileSize = 8;                           // px, side of an image of a sheet
-inline constexpr int kTileCount = 256;                            // images in a sheet
-inline constexpr int kSheetColumns = 16;                          // images in a row of a sheet
-inline constexpr int kSheetSide = kSheetColumns * kCartTileSize;  // px, of the square that a sheet fills
-inline constexpr int kColorCount = 16;                            // of a palette
-inline constexpr int kFlagCount = 8;                              // of an image
+inline constexpr int kCartTileSize = 8;  // px, side of an image of a sheet
+inline constexpr int kCartTiles = 256;   // images in a sheet of a cart
+inline constexpr int kCartColumns = 16;  // images in a row of a cart's sheet
+inline constexpr int kCartSheetSide =
+    kCartColumns * kCartTileSize;           // px, of the square that a cart's sheet fills
+inline constexpr int kMaxSheetSide = 2048;  // images in a row or a column of a sheet
+inline constexpr int kColorCount = 16;      // of a palette
+inline constexpr int kFlagCount = 8;        // of an image
 
 // A colour.
 struct Rgb {
@@ -31,10 +38,36 @@ using TileImage = std::array<std::uint8_t, kCartTileSize * kCartTileSize>;
 // The two sheets of a level.
 enum class SheetId : std::uint8_t { tiles, sprites };  // the map shows tiles
 
-// Images with their flags.
+// How the images of a sheet lie on it: row by row, by their numbers.
+struct SheetLayout {
+  int columns = kCartColumns;  // images in a row, 1..kMaxSheetSide
+  int count = kCartTiles;  // images, 1..kMaxTiles, in at most kMaxSheetSide rows; the last row may be shorter
+  int rows() const { return (count + columns - 1) / columns; }
+  // The place of an image, in columns and rows. tile: 0..count - 1.
+  Cell place_of(int tile) const { return {tile % columns, tile / columns}; }
+  // The number of the image there; that of no image for a place off the sheet.
+  int tile_at(Cell place) const { return place.y * columns + place.x; }
+  // Whether there is an image.
+  bool contains(Cell place) const {
+    return place.x >= 0 && place.y >= 0 && place.x < columns && tile_at(place) < count;
+  }
+  // The image that is nearest to a place, which may be off the sheet.
+  Cell nearest(Cell place) const {
+    const Cell last = place_of(count - 1);
+    const Cell inside{std::clamp(place.x, 0, columns - 1), std::clamp(place.y, 0, last.y)};
+    if (contains(inside)) return inside;
+    return last.y > 0 ? Cell{inside.x, last.y - 1} : last;  // the last row is shorter
+  }
+  friend bool operator==(const SheetLayout&, const SheetLayout&) = default;
+};
+
+// Images with their flags, at first as many as a cart has.
 struct Sheet {
-  std::array<TileImage, kTileCount> images{};    // by number, row by row on the sheet
-  std::array<std::uint8_t, kTileCount> flags{};  // bit n is flag n
+  int columns = kCartColumns;                                          // images in a row, 1..kMaxSheetSide
+  std::vector<TileImage> images = std::vector<TileImage>(kCartTiles);  // by number; 1 to kMaxTiles
+  std::vector<std::uint8_t> flags = std::vector<std::uint8_t>(kCartTiles);  // of each image; bit n is flag n
+  int count() const { return static_cast<int>(images.size()); }             // images
+  SheetLayout layout() const { return {columns, count()}; }
   friend bool operator==(const Sheet&, const Sheet&) = default;
 };
 

@@ -7,10 +7,15 @@ namespace talus {
 namespace {
 
 // How the sheet shows picked tiles: all of them if they lie there as on the map, else the first one.
-SpriteArea area_of(const Stamp& stamp) {
-  const CellRect first{stamp.at(0, 0) % kSheetColumns, stamp.at(0, 0) / kSheetColumns, 1, 1};
+SpriteArea area_of(const Level& level, const Stamp& stamp) {
+  const SheetLayout sheet = level.sheet(SheetId::tiles).layout();
+  const Cell place = sheet.place_of(stamp.at(0, 0));
+  const CellRect first{place.x, place.y, 1, 1};
   const CellRect all{first.x, first.y, stamp.w, stamp.h};
-  return {SheetId::tiles, stamp_of_sheet(all) == stamp ? all : first};
+  return {SheetId::tiles,
+          SpriteArea{SheetId::tiles, all}.lies_in_sheet(level) && stamp_of_sheet(sheet, all) == stamp
+              ? all
+              : first};
 }
 
 class PickTool : public LevelTool {
@@ -19,7 +24,7 @@ class PickTool : public LevelTool {
     const Level& level = use.session.level();
     if (!level.map.contains(*use.from)) return;
     const Stamp stamp = stamp_of_map(level, use.dragged());
-    actions.push_back(action::SelectTiles{area_of(stamp)});
+    actions.push_back(action::SelectTiles{area_of(level, stamp)});
     actions.push_back(action::SetStamp{stamp});
     actions.push_back(action::SetMapTool{MapTool::stamp});
   }
