@@ -118,8 +118,7 @@ TEST(GroundPolygons, HoldExactlyThePointsInTheGround) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     Dice dice(seed);
     TestMap map(9, 7);
-    for (TileNumber& cell : map.cells)
-      cell = dice.one_in(2) ? static_cast<std::uint8_t>(dice.up_to(12)) : 0;
+    for (TileNumber& cell : map.cells) cell = dice.one_in(2) ? static_cast<std::uint8_t>(dice.up_to(12)) : 0;
     const Terrain ground = map.compile();
     const std::vector<GroundPolygon> rings = polygons_of(map.source());
     for (int i = 0; i < 200; ++i) {

@@ -425,9 +425,10 @@ TEST(ImportTiled, HasAtMostAllNumbersOfTiles) {
     return text.replace(text.find(count), count.size(), "\"tilecount\":" + tiles);
   };
   EXPECT_EQ(read(with_tiles("8192")).level.tile_count(), 8192);
-  EXPECT_EQ(error_of(with_tiles("8193")),
-            "map: error: has tilesets of 4x2049 tiles in all, but a level has only 65536, in up to 2048 columns "
-            "and rows: `talus import --tiles-used` takes only those that the map shows");
+  EXPECT_EQ(
+      error_of(with_tiles("8193")),
+      "map: error: has tilesets of 4x2049 tiles in all, but a level has only 65536, in up to 2048 columns "
+      "and rows: `talus import --tiles-used` takes only those that the map shows");
 }
 
 TEST(ImportTiled, MirroredTilesBecomeTilesOfTheirOwn) {
@@ -524,7 +525,8 @@ TEST(ImportTiled, EmptyCellsGetATileBehindAllOthers) {
   const LoadedLevel loaded = read(text);
   EXPECT_EQ(loaded.level.tile_count(), 257);
   EXPECT_THAT(loaded.level.map.cells(), ElementsAre(256, 0, 256, 256));
-  EXPECT_THAT(loaded.dropped, testing::Contains("the number of tile 0, which is now 256: 0 is the empty tile"));
+  EXPECT_THAT(loaded.dropped,
+              testing::Contains("the number of tile 0, which is now 256: 0 is the empty tile"));
 }
 
 class ImportTiledFiles : public FolderTest {

@@ -16,8 +16,8 @@ Level level_of_joined_tiles() {
   level.map = TileMap(6, 4);
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 6; ++x)
-      level.map.set({x, y}, static_cast<TileNumber>(
-                                rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)]));
+      level.map.set({x, y},
+                    static_cast<TileNumber>(rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)]));
   return level;
 }
 

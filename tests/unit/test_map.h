@@ -8,8 +8,8 @@
 
 namespace talus {
 
-inline constexpr TileNumber kSolid = 1, kUp = 2, kDown = 3, kHill = 4, kWide = 5, kCeiling = 6,
-                              kPlatform = 7, kLow = 8, kTall = 9, kHanging = 10, kTail = 11, kFlat = 12;
+inline constexpr TileNumber kSolid = 1, kUp = 2, kDown = 3, kHill = 4, kWide = 5, kCeiling = 6, kPlatform = 7,
+                            kLow = 8, kTall = 9, kHanging = 10, kTail = 11, kFlat = 12;
 
 inline std::vector<TileShape> test_shapes() {
   using Kind = TileShape::Kind;

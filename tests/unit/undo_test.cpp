@@ -16,9 +16,7 @@
 
 namespace talus::undo_test {
 
-Edit paint(const Level& level, int x, TileNumber tile) {
-  return paint_stamp(level, {x, 0}, {1, 1, {tile}});
-}
+Edit paint(const Level& level, int x, TileNumber tile) { return paint_stamp(level, {x, 0}, {1, 1, {tile}}); }
 
 TEST(UndoStack, UndoesAndRedoes) {
   Level level;

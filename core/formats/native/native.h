@@ -69,7 +69,8 @@
 namespace talus {
 
 inline constexpr int kNativeVersion = 3;
-inline constexpr int kTileSizeVersion = 2;  // of levels that need no newer one, but whose tiles do not have 8x8 px
+inline constexpr int kTileSizeVersion =
+    2;  // of levels that need no newer one, but whose tiles do not have 8x8 px
 
 bool accepts_native(std::string_view bytes, const FormatContext& context);
 FormatResult<Level> read_native(std::string_view bytes, const FormatContext& context);

@@ -79,12 +79,12 @@ void LevelImportPanel::draw_tiles(ImportChoices& choices, Ui& ui) {
   ImGui::TextUnformatted("Take of the tiles:");
   if (ImGui::RadioButton("all of the tilesets that the map shows", !choices.used_tiles))
     choices.used_tiles = false;
-  ui.item("choose/all_tiles", "Works with up to 65,536 tiles in all. Mirrored and turned ones become tiles of their own.",
+  ui.item("choose/all_tiles",
+          "Works with up to 65,536 tiles in all. Mirrored and turned ones become tiles of their own.",
           "Space");
   if (ImGui::RadioButton("those that the map shows, with new numbers", choices.used_tiles))
     choices.used_tiles = true;
-  ui.item("choose/used_tiles",
-          "The sheet has no others. Mirrored and turned ones become tiles of their own.",
+  ui.item("choose/used_tiles", "The sheet has no others. Mirrored and turned ones become tiles of their own.",
           "Space");
   ImGui::Spacing();
 }

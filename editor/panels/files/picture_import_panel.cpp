@@ -216,7 +216,8 @@ void PictureImportPanel::draw_report(const PngImport& import, Ui& ui) {
   ImGui::Spacing();
   const float top = ImGui::GetCursorPosY();
   // Not at the window's edge, since the text sets the size of the window.
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + 2 * size_of_picture(ui.layout(sheet_of(import.options.part)), ui).x +
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() +
+                         2 * size_of_picture(ui.layout(sheet_of(import.options.part)), ui).x +
                          ui.px(kBetween));
   if (import.plan) {
     draw_text(text_of_changes(import));

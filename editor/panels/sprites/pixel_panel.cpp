@@ -174,7 +174,8 @@ void PixelPanel::change_size_by_wheel(const Session& session, Actions& actions, 
   int tiles = now;
   for (int i = 0; i < std::abs(steps); ++i) tiles = steps > 0 ? smaller_size(tiles) : larger_size(tiles);
   if (tiles != now)
-    actions.push_back(action::SelectTiles{resized(session.level().sheet(area.sheet).layout(), area, tiles, pixel)});
+    actions.push_back(
+        action::SelectTiles{resized(session.level().sheet(area.sheet).layout(), area, tiles, pixel)});
 }
 
 }  // namespace talus
