@@ -11,16 +11,15 @@ Actions& Actions::operator=(const Actions& other) = default;
 Actions& Actions::operator=(Actions&& other) noexcept = default;
 Actions::~Actions() = default;
 
-void Actions::push_back(Action action) { list_.push_back(std::move(action)); }
-
-template <class Domain>
-void Actions::add(Domain action) {
+template <class Part>
+void Actions::add(Part action) {
   list_.emplace_back(std::move(action));
 }
 
 const Action* Actions::begin() const { return list_.data(); }
 const Action* Actions::end() const { return list_.data() + list_.size(); }
 
+template void Actions::add(Action);
 template void Actions::add(LevelAction);
 template void Actions::add(ChoiceAction);
 template void Actions::add(RunAction);

@@ -54,23 +54,27 @@ class Actions {
   Actions& operator=(Actions&& other) noexcept;
   ~Actions();
 
-  // A: an action of one of the domains.
+  // A: an action of one of the domains, or an Action. An overload for Action would let each caller compile
+  // its conversion from all other actions.
   template <class A>
   void push_back(A action) {
-    using Domain = typename DomainOf<A, Action>::type;
-    add(Domain(std::in_place_type<A>, std::move(action)));
+    if constexpr (std::is_same_v<A, Action>) {
+      add(std::move(action));
+    } else {
+      using Domain = typename DomainOf<A, Action>::type;
+      add(Domain(std::in_place_type<A>, std::move(action)));
+    }
   }
-  void push_back(Action action);
 
   bool empty() const { return begin() == end(); }
   const Action* begin() const;
   const Action* end() const;
 
  private:
-  // Compiled in actions.cpp for each domain, as are the members above: in every panel they would take most of
-  // the compile time.
-  template <class Domain>
-  void add(Domain action);
+  // Compiled in actions.cpp for Action and each domain, as are the members above: in every panel they would
+  // take most of the compile time.
+  template <class Part>
+  void add(Part action);
 
   std::vector<Action> list_;
 };
