@@ -58,7 +58,9 @@ return function(level, file)
   local r, g, b = picture:getPixel(0, 0)
   love.graphics.setBackgroundColor(r, g, b)
   local clear = image(picture)
-  picture:mapPixel(function(_, _, red, green, blue) return red, green, blue, 1 end)
+  if not level.true_colour then  -- else what is clear on the sheet is clear on the map
+    picture:mapPixel(function(_, _, red, green, blue) return red, green, blue, 1 end)
+  end
   local quads, first_ball = {}, nil
   local columns, rows = picture:getWidth() / tile_width, picture:getHeight() / tile_height
   for tile = columns * rows - 1, 0, -1 do

@@ -209,6 +209,7 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
     table.number("tile_width", ground.tile.width);
     table.number("tile_height", ground.tile.height);
   }
+  if (level.sheet(SheetId::tiles).picture != nullptr) table.truth("true_colour");
   if (with_tiles) write_tiles(table.in_lines("tiles"), ground, progress);
   {
     LuaTable shapes = table.in_lines("shapes");

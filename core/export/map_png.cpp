@@ -20,15 +20,14 @@ FormatResult<std::string> map_png(const Level& level, const Progress& progress) 
                                               " px, but a picture may have at most 16384 px on each side and "
                                               "33554432 px in all, such as 8192x4096"});
   }
-  const Sheet& tiles = level.sheet(SheetId::tiles);
   std::vector<std::uint8_t> bytes;
   bytes.reserve(static_cast<std::size_t>(width * height) * 3);
   for (int y = 0; y < height; ++y) {
     if (!progress.at(kPaintShare * y / static_cast<double>(height))) return std::string();
     for (Cell c{0, y / tile.height}; c.x < level.map.width(); ++c.x) {
-      const TileImage& image = tiles.images[level.map.at(c)];
+      const TileNumber shown = level.map.at(c);
       for (int x = 0; x < tile.width; ++x) {
-        const Rgb color = level.palette[color_at(image, tile, x, y % tile.height)];
+        const Rgb color = color_on_map(level, shown, x, y % tile.height);
         bytes.insert(bytes.end(), {color.r, color.g, color.b});
       }
     }

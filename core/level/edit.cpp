@@ -116,7 +116,9 @@ template <class C>
 bool fits(const Level& level, const C& c) {
   if constexpr (std::is_same_v<C, CellChange>) {
     return level.map.contains(c.cell) && c.after < level.tile_count();
-  } else if constexpr (std::is_same_v<C, PixelChange> || std::is_same_v<C, FlagsChange>) {
+  } else if constexpr (std::is_same_v<C, PixelChange>) {  // a picture in true colour hides the pixels
+    return c.tile < level.sheet(c.sheet).count() && level.sheet(c.sheet).picture == nullptr;
+  } else if constexpr (std::is_same_v<C, FlagsChange>) {
     return c.tile < level.sheet(c.sheet).count();
   } else if constexpr (std::is_same_v<C, TileShapeChange>) {
     return c.tile < level.tile_count();

@@ -53,6 +53,7 @@ bool operator==(const Level& a, const Level& b) {
 void Level::set_tile_layout(const SheetLayout& layout) {
   const auto count = static_cast<std::size_t>(layout.count);
   Sheet& tiles = sheet(SheetId::tiles);
+  if (layout != tiles.layout()) tiles.picture = nullptr;
   tiles.columns = layout.columns;
   tiles.images.resize(count);
   tiles.flags.resize(count);

@@ -43,6 +43,11 @@ Amounts amounts_of(const Level& level) {
   return amounts;
 }
 
+std::size_t picture_bytes(const Level& level) {
+  const auto& picture = level.sheet(SheetId::tiles).picture;
+  return picture == nullptr ? 0 : picture->rgba.size();
+}
+
 }  // namespace
 
 std::optional<std::string> problem_of_amounts(const Level& level) {
@@ -73,7 +78,7 @@ std::size_t size_of(const Level& level) {
   const Amounts amounts = amounts_of(level);
   return (level.cart ? level.cart->bytes.size() : 0) + level.map.cells().size() * sizeof(TileNumber) +
          amounts.brush_cells * sizeof(TileNumber) +
-         level.sheet(SheetId::tiles).images.size() * sizeof(TileImage) +
+         level.sheet(SheetId::tiles).images.size() * sizeof(TileImage) + picture_bytes(level) +
          (amounts.shape_heights + amounts.heights) * sizeof(double) + amounts.name_bytes +
          amounts.unknown_bytes +
          kEntry * (level.spawns.size() + level.curves.size() + level.brushes.size() + level.exports.size());

@@ -280,6 +280,9 @@ tl::expected<SlopeTiles, std::string> slope_tiles(const Level& level, Vec2 a, Ve
   Line line{{std::round(a.x), std::round(a.y)}, {std::round(b.x), std::round(b.y)}};
   if (line.from.x > line.to.x) std::swap(line.from, line.to);
   if (line.from.x == line.to.x) return failure("the slope is vertical");
+  if (options.set.empty() && level.sheet(SheetId::tiles).picture != nullptr)
+    return failure(
+        "the tiles are in true colour, so no slope can be drawn on them: choose tiles with slopes");
   return options.set.empty() ? Drawer(level, line, options).run() : Chooser(level, line, options).run();
 }
 

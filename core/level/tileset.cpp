@@ -15,4 +15,10 @@ Palette default_palette() {
   return palette;
 }
 
+bool operator==(const Sheet& a, const Sheet& b) {
+  const bool same_picture =
+      a.picture == b.picture || (a.picture != nullptr && b.picture != nullptr && *a.picture == *b.picture);
+  return a.columns == b.columns && a.images == b.images && a.flags == b.flags && same_picture;
+}
+
 }  // namespace talus

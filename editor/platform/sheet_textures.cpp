@@ -33,10 +33,18 @@ std::vector<std::uint8_t> to_rgba(const Sheet& sheet, const Palette& palette, bo
   return rgba;
 }
 
-void upload(unsigned name, const SheetLayout& layout, const std::vector<std::uint8_t>& rgba) {
+void upload(unsigned name, int width, int height, const std::vector<std::uint8_t>& rgba) {
   glBindTexture(GL_TEXTURE_2D, name);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, layout.columns * kCartTileSize, layout.rows() * kCartTileSize, 0,
-               GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+}
+
+// clear_zero: pixels of colour 0 are transparent, except those of a picture in true colour.
+void upload(unsigned name, const Sheet& sheet, const Palette& palette, bool clear_zero) {
+  if (sheet.picture != nullptr)
+    return upload(name, sheet.picture->width, sheet.picture->height, sheet.picture->rgba);
+  const SheetLayout layout = sheet.layout();
+  upload(name, layout.columns * kCartTileSize, layout.rows() * kCartTileSize,
+         to_rgba(sheet, palette, clear_zero));
 }
 
 }  // namespace
@@ -63,12 +71,11 @@ void SheetTextures::update(const Level& level, std::uint64_t revision, Ui& ui) {
   for (std::size_t i = 0; i < ui.layouts.size(); ++i) ui.layouts[i] = level.sheets[i].layout();
   if (revision_ == revision) return;
   revision_ = revision;
-  for (std::size_t i = 0; i < 3; ++i)
-    upload(names_[i], level.sheets[i % 2].layout(), to_rgba(level.sheets[i % 2], level.palette, i == 2));
+  for (std::size_t i = 0; i < 3; ++i) upload(names_[i], level.sheets[i % 2], level.palette, i == 2);
 }
 
 void SheetTextures::show_preview(const Sheet& sheet, const Palette& palette, Ui& ui) {
-  upload(names_[3], sheet.layout(), to_rgba(sheet, palette, false));
+  upload(names_[3], sheet, palette, false);
   ui.preview = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(names_[3]));
 }
 

@@ -132,7 +132,8 @@ TEST(TiledShapesProperty, APolygonMatchesTheShapeThatIsReadFromIt) {
         ++nearest_ones;
         RC_ASSERT(!problem_of(nearest->shape, {}));
         if (nearest->shape.one_way) continue;
-        RC_ASSERT(std::abs(difference(outline, nearest->shape) - nearest->more - nearest->less) < 1.0);
+        // Both areas are sums over columns, which differ where an outline is steep.
+        RC_ASSERT(std::abs(difference(outline, nearest->shape) - nearest->more - nearest->less) < 2.0);
       }
     }
   }));

@@ -20,6 +20,7 @@
 #include "native_flags.h"
 #include "native_members.h"
 #include "native_objects.h"
+#include "native_picture.h"
 
 namespace talus {
 namespace {
@@ -69,6 +70,7 @@ class Reader {
       take_object(document, kSheetKeys[i], kSheetKeys[i],
                   [&](Json& v) { read_sheet(v, kSheetKeys[i], level_.sheets[i]); });
     }
+    take(document, "picture", [this](const Json& v) { read_picture(v); });
     take_object(document, "map", "map", [this](Json& v) { read_map(v); });
     take(document, "curves", [this](Json& v) { keep(take_curves(v, "curves", level_.map), level_.curves); });
     take_object(document, "cart", "cart", [this](Json& v) { read_cart(v); });
@@ -272,6 +274,13 @@ class Reader {
     if (!good) return fail_key(path, "must be eight rows of eight hexadecimal digits");
     std::transform(text.begin(), text.end(), image.begin(),
                    [](char c) { return static_cast<std::uint8_t>(c == '.' ? 0 : hex_value(c)); });
+  }
+
+  void read_picture(const Json& lines) {
+    Sheet& sheet = level_.sheet(SheetId::tiles);
+    const SheetLayout layout = sheet.layout();
+    keep(take_picture(lines, layout, layout.columns * tile_size_.width, layout.rows() * tile_size_.height),
+         sheet.picture);
   }
 
   void read_map(Json& map) {
@@ -488,7 +497,7 @@ std::vector<std::string_view> key_order() {
       "roles",       "solid",     "up_slope", "down_slope", "ball",    "one_way",    "ceiling",
       "flag_shapes", "tuning",    "spawns",   "curves",     "brushes", "auto_tiles", "exports",
       "tile_shapes", "tiles",     "random",   "heights",    "points",  "sprites",    "tile_size",
-      "sheet_size",  "map",       "cart",     "solver"};
+      "sheet_size",  "picture",   "map",      "cart",       "solver"};
   for (const TuningField& field : tuning_fields()) order.push_back(field.key);
   order.insert(
       order.end(),
@@ -518,7 +527,8 @@ FormatResult<Json> native_document(const Level& level) {
   const TileSize tile = level.map.tile_size();
   const SheetLayout sheet = level.sheet(SheetId::tiles).layout();
   const bool has_other_tiles = tile != TileSize(), has_other_sheet = sheet != SheetLayout();
-  const bool is_new = has_other_sheet || has_shapes_with_parts(level);
+  const auto& picture = level.sheet(SheetId::tiles).picture;
+  const bool is_new = has_other_sheet || picture != nullptr || has_shapes_with_parts(level);
   document["talus"] = is_new ? kNativeVersion : has_other_tiles ? kTileSizeVersion : 1;
   if (has_other_tiles) document["tile_size"] = {tile.width, tile.height};
   if (has_other_sheet) document["sheet_size"] = {sheet.columns, sheet.count};
@@ -535,6 +545,11 @@ FormatResult<Json> native_document(const Level& level) {
   if (const auto good = put_list(json_of(level.exports), "exports", document); !good)
     return tl::unexpected(good.error());
   for (std::size_t i = 0; i < kSheetKeys.size(); ++i) put_sheet(level.sheets[i], kSheetKeys[i], document);
+  if (picture != nullptr) {
+    auto lines = json_of(*picture);
+    if (!lines) return lines;
+    document["picture"] = *std::move(lines);
+  }
   put_map(level.map, digits_of_tile(level.tile_count()), object_in(document, "map"));
   if (level.cart) put_cart(level, object_in(document, "cart"));
   if (depth_of(document) > kMaxJsonDepth)

@@ -1,9 +1,9 @@
 // Talus's own levels, `.talus.json`: JSON that people can read, and that diffs row by row.
 //
 //   "talus"        version of the file: 3 if its sheet of tiles does not have 16 columns of 256 tiles, or a
-//                  shape is a polygon or a group; else 2 if its tiles do not have 8x8 px; else 1. Older
-//                  versions of Talus could not read it. A newer version is refused. This is the only key
-//                  that must be there.
+//                  picture, or a shape is a polygon or a group; else 2 if its tiles do not have 8x8 px;
+//                  else 1. Older versions of Talus could not read it. A newer version is refused. This is the
+//                  only key that must be there.
 //   "palette"      16 colours "rrggbb". Default: Sweetie 16.
 //   "flag_names"   up to 8 strings, by flag; "" for a flag without a name. Default: no names.
 //   "flag_fields"  numbers over several flags: "name" (""); "first", the flag of the lowest bit, 0..6;
@@ -47,6 +47,8 @@
 //   "sheet_size"   [columns, tiles] of the sheet of tiles: 1..2048 columns, 1..65536 tiles, at most 2048
 //   rows.
 //                  Default: [16, 256]. With more than 256 tiles each cell has four digits instead of two.
+//   "picture"      how the tiles look in true colour: lines of Base64, together a PNG with the tiles at their
+//                  places on the sheet, each as large as a cell. Default: "pixels" say how they look.
 //   "tile_size"    [width, height] of the cells of the map, 1..256 px each. Default: [8, 8].
 //   "map"          "width" (240) and "height" (136), 1..2097152 cells each, 16777216 cells in all, and at
 //   most

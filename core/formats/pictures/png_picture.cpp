@@ -146,15 +146,17 @@ FormatResult<Header> read_header(std::string_view bytes) {
 }
 
 // The header of a picture, which is not refused for its size.
-FormatResult<Header> read_small_header(std::string_view bytes, int most) {
+FormatResult<Header> read_small_header(std::string_view bytes, int most_side) {
   if (!is_png(bytes)) return tl::unexpected(FormatError{"", "is not a PNG picture"});
   auto header = read_header(bytes);
-  const auto most_side = static_cast<std::uint32_t>(most);
-  if (header && (header->width > most_side || header->height > most_side)) {
-    return tl::unexpected(FormatError{"", "is " + size_text(header->width, header->height) +
-                                              " px, but may have at most " + size_text(most_side, most_side) +
-                                              " px"});
-  }
+  if (!header) return header;
+  const auto most = static_cast<std::uint32_t>(most_side);
+  const std::string is_large =
+      "is " + size_text(header->width, header->height) + " px, but may have at most ";
+  if (header->width > most || header->height > most)
+    return tl::unexpected(FormatError{"", is_large + size_text(most, most) + " px"});
+  if (std::size_t{header->width} * header->height > kMaxSheetPicturePixels)
+    return tl::unexpected(FormatError{"", is_large + std::to_string(kMaxSheetPicturePixels) + " px in all"});
   return header;
 }
 
@@ -209,8 +211,8 @@ FormatResult<std::string_view> find_png_chunk(std::string_view bytes, std::strin
   return std::string_view();
 }
 
-FormatResult<RgbaPicture> read_rgba(std::string_view bytes, int most) {
-  const auto header = read_small_header(bytes, most);
+FormatResult<RgbaPicture> read_rgba(std::string_view bytes, int most_side) {
+  const auto header = read_small_header(bytes, most_side);
   if (!header) return tl::unexpected(header.error());
   return decode(*header);
 }

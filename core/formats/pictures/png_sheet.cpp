@@ -20,6 +20,8 @@ void append(std::vector<std::uint8_t>& bytes, Rgb color) {
 
 // clear_zero: pixels of colour 0 are transparent.
 std::string png_of_sheet(const Sheet& sheet, const Palette& palette, TileSize tile, bool clear_zero) {
+  if (sheet.picture != nullptr)
+    return encode_png(sheet.picture->width, sheet.picture->height, 4, sheet.picture->rgba.data());
   std::vector<std::uint8_t> bytes;
   const SheetLayout layout = sheet.layout();
   for (int y = 0; y < layout.rows() * tile.height; ++y) {
@@ -77,7 +79,9 @@ std::string write_png_part(const Level& level, PngPart part) {
     return encode_png(kColorCount, 1, 3, bytes.data());
   }
   const SheetId id = part == PngPart::tiles ? SheetId::tiles : SheetId::sprites;
-  return png_of_sheet(level.sheet(id), level.palette, TileSize(), false);
+  Sheet sheet = level.sheet(id);
+  sheet.picture = nullptr;  // the part is as a cart has it
+  return png_of_sheet(sheet, level.palette, TileSize(), false);
 }
 
 std::string write_map_tiles(const Level& level) {
@@ -92,6 +96,20 @@ std::uint8_t color_at(const TileImage& image, TileSize tile, int x, int y) {
   const int column = (2 * x + 1) * kCartTileSize / (2 * tile.width);
   const int row = (2 * y + 1) * kCartTileSize / (2 * tile.height);
   return image[static_cast<std::size_t>(row * kCartTileSize + column)];
+}
+
+Rgb color_on_map(const Level& level, TileNumber tile, int x, int y) {
+  const Sheet& sheet = level.sheet(SheetId::tiles);
+  const TileSize size = level.map.tile_size();
+  if (sheet.picture == nullptr) return level.palette[color_at(sheet.images[tile], size, x, y)];
+  const Cell place = sheet.layout().place_of(tile);
+  const std::uint8_t* over = sheet.picture->at(place.x * size.width + x, place.y * size.height + y);
+  const auto mixed = [&](int above, int below) {
+    constexpr int kOpaque = 255;
+    return static_cast<std::uint8_t>((above * over[3] + below * (kOpaque - over[3]) + kOpaque / 2) / kOpaque);
+  };
+  const Rgb under = level.palette[0];
+  return {mixed(over[0], under.r), mixed(over[1], under.g), mixed(over[2], under.b)};
 }
 
 MatchedPicture match_colors(const PngPicture& picture, const Palette& palette) {

@@ -11,15 +11,20 @@ enum class PngPart { tiles, sprites, palette };
 // Opaque RGB: a sheet of 128x128 px, or the palette, 16x1 px.
 std::string write_png_part(const Level& level, PngPart part);
 
-// The sheet of tiles for maps of other programs, opaque RGB: 16x16 images of the size of the map's tiles. Of
-// tiles of another size than 8x8 px the pixels are repeated or left out.
+// The sheet of tiles for maps of other programs: its picture in true colour, or opaque RGB: 16x16 images of
+// the size of the map's tiles. Of tiles of another size than 8x8 px the pixels are repeated or left out.
 std::string write_map_tiles(const Level& level);
 
-// The same for games, RGBA: colour 0 is transparent, as on bodies, but keeps its RGB values.
+// The same for games, RGBA: without a picture colour 0 is transparent, as on bodies, but keeps its RGB
+// values.
 std::string write_clear_tiles(const Level& level);
 
 // The colour, 0..15, of an image at a pixel of a tile of that size, which it fills.
 std::uint8_t color_at(const TileImage& image, TileSize tile, int x, int y);
+
+// The colour of a pixel of a tile, as the map shows it: what is not opaque lies over colour 0. x, y: px of
+// the map from the corner of the cell.
+Rgb color_on_map(const Level& level, TileNumber tile, int x, int y);
 
 // A picture in 16 colours.
 struct MatchedPicture {

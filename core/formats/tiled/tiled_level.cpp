@@ -59,6 +59,8 @@ class TiledLevelMaker {
   FormatResult<void> read_base();
   void forget_numbers();
   void take_pixels();
+  void take_images();
+  bool shows_all_of(const SheetPicture& picture) const;
   void name_flags();
   bool is_free(int flag) const;
   bool knows_property(const TiledProperty& property) const;
@@ -235,21 +237,35 @@ void TiledLevelMaker::forget_numbers() {
   level_.auto_tiles = {};
 }
 
+// As pixels of 16 colours, which carts and tools take, and as a picture if these do not show all of it.
 void TiledLevelMaker::take_pixels() {
-  const auto [tile_width, tile_height] = map_.tile_size;
-  const bool has_pictures =
-      std::any_of(pictures_.begin(), pictures_.end(), [](auto& p) { return p != nullptr && !p->is_missing; });
-  if (has_pictures && !is_own_ && map_.tile_size != TileSize())
-    drops_.add("most pixels of the pictures of tiles, which have " + std::to_string(tile_width) + "x" +
-               std::to_string(tile_height) + " px: a level shows 8x8 px of each");
-  PngPicture picture = picture_of_tiles(tiles_, map_, pictures_);
+  take_images();
+  const auto [width, height] = map_.tile_size;
+  const SheetLayout layout{tiles_.columns, static_cast<int>(tiles_.sources.size())};
+  const std::int64_t wide = std::int64_t{layout.columns} * width, high = std::int64_t{layout.rows()} * height;
+  if (wide > kMaxSheetPictureSide || high > kMaxSheetPictureSide || wide * high > kMaxSheetPicturePixels) {
+    drops_.add(
+        "the picture of the tiles in true colour, which would be too large: each tile has 8x8 px in 16 "
+        "colours");
+    return;
+  }
+  auto picture = std::make_shared<SheetPicture>(picture_of_tiles(tiles_, map_, pictures_, map_.tile_size));
+  if (shows_all_of(*picture)) return;
+  level_.sheet(SheetId::tiles).picture = std::move(picture);
+}
+
+void TiledLevelMaker::take_images() {
+  constexpr int kHalfOpaque = 128;
+  const SheetPicture rgba = picture_of_tiles(tiles_, map_, pictures_, TileSize());
+  PngPicture picture{rgba.width, rgba.height, {}, {}, {}};
+  for (std::size_t i = 0; i < rgba.rgba.size(); i += 4) {
+    const bool is_clear = rgba.rgba[i + 3] < kHalfOpaque;
+    picture.transparent.push_back(is_clear);
+    picture.pixels.push_back(is_clear ? Rgb{} : Rgb{rgba.rgba[i], rgba.rgba[i + 1], rgba.rgba[i + 2]});
+  }
   const bool has_one = map_.tilesets.size() == 1 && pictures_[0];
   if (has_one && !is_own_) picture.palette = pictures_[0]->palette;
-  if (const auto palette = palette_for(picture, level_.palette))
-    level_.palette = *palette;
-  else
-    drops_.add(
-        "the colours of the tileset, which has more than 16: each pixel got the nearest of the palette");
+  if (const auto palette = palette_for(picture, level_.palette)) level_.palette = *palette;
   const MatchedPicture matched = match_colors(picture, level_.palette);
   Sheet& sheet = level_.sheet(SheetId::tiles);
   for (int i = 0; i < picture.width * picture.height; ++i) {
@@ -260,6 +276,26 @@ void TiledLevelMaker::take_pixels() {
                 [static_cast<std::size_t>(y % kCartTileSize * kCartTileSize + x % kCartTileSize)] =
         matched.indices[static_cast<std::size_t>(i)];
   }
+}
+
+// Whether the images in 16 colours, stretched over the tiles, look as the picture does.
+bool TiledLevelMaker::shows_all_of(const SheetPicture& picture) const {
+  const Sheet& sheet = level_.sheet(SheetId::tiles);
+  const TileSize size = map_.tile_size;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const Cell place{x / size.width, y / size.height};
+      if (!sheet.layout().contains(place)) continue;
+      const TileImage& image = sheet.images[static_cast<std::size_t>(sheet.layout().tile_at(place))];
+      const std::uint8_t color = color_at(image, size, x % size.width, y % size.height);
+      const std::uint8_t* pixel = picture.at(x, y);
+      constexpr int kOpaque = 255;
+      const bool is_clear = pixel[3] == 0 && color == 0;
+      const bool is_same = pixel[3] == kOpaque && level_.palette[color] == Rgb{pixel[0], pixel[1], pixel[2]};
+      if (!is_clear && !is_same) return false;
+    }
+  }
+  return true;
 }
 
 bool TiledLevelMaker::knows_property(const TiledProperty& property) const {

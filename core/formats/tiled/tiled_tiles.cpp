@@ -2,6 +2,7 @@
 #include "tiled_tiles.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <unordered_map>
 
@@ -219,10 +220,11 @@ bool TileNumberer::is_blank(const TiledSource& source) const {
   if (source.tileset < 0) return true;
   if (find_tile(tileset(source.tileset), source.id)) return false;
   const TiledTiles alone{.columns = 1, .sources = {source}, .map = TileMap(1, 1)};
-  const PngPicture picture = picture_of_tiles(alone, map_, pictures_);
-  for (int i = 0; i < kCartTileSize * kCartTileSize; ++i) {
-    const int x = i % kCartTileSize, y = i / kCartTileSize;
-    if (!picture.is_transparent(x, y) && picture.at(x, y) != background_) return false;
+  const SheetPicture picture = picture_of_tiles(alone, map_, pictures_, map_.tile_size);
+  constexpr int kHalfOpaque = 128;
+  for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+    const Rgb color{picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]};
+    if (picture.rgba[i + 3] >= kHalfOpaque && color != background_) return false;
   }
   return true;
 }
@@ -291,15 +293,16 @@ FormatResult<TiledTiles> TileNumberer::used() {
   return std::move(tiles_);
 }
 
-// An opaque colour of a picture; nothing outside of it.
-std::optional<Rgb> color_in(const RgbaPicture& rgba, Cell at) {
-  constexpr int kHalfOpaque = 128;
-  if (at.x < 0 || at.y < 0 || at.x >= rgba.width || at.y >= rgba.height) return {};
+using Rgba = std::array<std::uint8_t, 4>;
+constexpr Rgba kClear{};
+
+// The colour of a pixel of a picture, which is transparent outside of it.
+Rgba color_in(const RgbaPicture& rgba, Cell at) {
+  if (at.x < 0 || at.y < 0 || at.x >= rgba.width || at.y >= rgba.height) return kClear;
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(rgba.bytes.data()) +
                       4 * (static_cast<std::size_t>(at.y) * static_cast<std::size_t>(rgba.width) +
                            static_cast<std::size_t>(at.x));
-  if (bytes[3] < kHalfOpaque) return {};
-  return Rgb{bytes[0], bytes[1], bytes[2]};
+  return {bytes[0], bytes[1], bytes[2], bytes[3]};
 }
 
 // The size that the file says, or else that of the picture, or else that of the map's tiles.
@@ -314,38 +317,42 @@ TileSize size_in_collection(const TiledMap& map, const TiledPictures& pictures, 
   return {std::max(1, own->second->width - tile->image_x), std::max(1, own->second->height - tile->image_y)};
 }
 
-// The colour at (x, y) of the 8x8 px that stand for a tile: of the pixel in the middle of that part of the
-// cell.
-std::optional<Rgb> color_of(const TiledMap& map, const TiledPictures& pictures, const TiledSource& source,
-                            int x, int y) {
+// The colour at (x, y) of an image of that size that stands for a tile: of the pixel in the middle of that
+// part of the cell.
+Rgba color_of(const TiledMap& map, const TiledPictures& pictures, const TiledSource& source, TileSize image,
+              int x, int y) {
   const auto of = static_cast<std::size_t>(source.tileset);
-  if (source.tileset < 0 || !pictures[of]) return {};
+  if (source.tileset < 0 || !pictures[of]) return kClear;
   const TiledTileset& tileset = map.tilesets[of];
   const auto own = pictures[of]->of_tiles.find(source.id);
   const bool has_own = own != pictures[of]->of_tiles.end();
-  if (has_own ? own->second == nullptr : pictures[of]->is_missing) return color_of_box(source.id, x, y);
-  if (tileset.is_collection && !has_own) return {};
-  // In parts of a pixel, of which a pixel has as many as the stand-in has halves of its pixels.
-  constexpr int kParts = 2 * kCartTileSize;
+  if (has_own ? own->second == nullptr : pictures[of]->is_missing) {
+    const Rgb box =
+        color_of_box(source.id, x * kCartTileSize / image.width, y * kCartTileSize / image.height);
+    return {box.r, box.g, box.b, 255};
+  }
+  if (tileset.is_collection && !has_own) return kClear;
+  // In parts of a px, so that the middles of the image's pixels are whole numbers.
+  const std::int64_t parts = std::int64_t{2} * image.width * image.height;
   const TiledPlace place = place_of_tile(map, pictures, source);
   const auto [width, height] = place.size;
-  int at_x = (2 * x + 1) * map.tile_size.width - place.x * kParts;
-  int at_y = (2 * y + 1) * map.tile_size.height - place.y * kParts;
+  std::int64_t at_x = (std::int64_t{2} * x + 1) * map.tile_size.width * image.height - place.x * parts;
+  std::int64_t at_y = (std::int64_t{2} * y + 1) * map.tile_size.height * image.width - place.y * parts;
   const bool is_quarter = (source.turn & kTiledFlipXY) != 0;
-  if (source.turn & kTiledFlipY) at_y = (is_quarter ? width : height) * kParts - at_y;
-  if (source.turn & kTiledFlipX) at_x = (is_quarter ? height : width) * kParts - at_x;
+  if (source.turn & kTiledFlipY) at_y = (is_quarter ? width : height) * parts - at_y;
+  if (source.turn & kTiledFlipX) at_x = (is_quarter ? height : width) * parts - at_x;
   if (is_quarter) std::swap(at_x, at_y);
-  if (at_x < 0 || at_y < 0 || at_x >= width * kParts || at_y >= height * kParts) return {};
-  const Cell in_tile = {at_x / kParts, at_y / kParts};
+  if (at_x < 0 || at_y < 0 || at_x >= width * parts || at_y >= height * parts) return kClear;
+  const Cell in_tile = {static_cast<int>(at_x / parts), static_cast<int>(at_y / parts)};
   if (has_own) {
     const TiledTile* const tile = find_tile(tileset, source.id);
     return color_in(*own->second, {tile->image_x + in_tile.x, tile->image_y + in_tile.y});
   }
   const int columns = grid_of(tileset).columns, row = source.id / columns, column = source.id % columns;
-  const auto color =
+  const Rgba color =
       color_in(pictures[of]->rgba, {tileset.margin + column * (width + tileset.spacing) + in_tile.x,
                                     tileset.margin + row * (height + tileset.spacing) + in_tile.y});
-  return color == tileset.transparent ? std::nullopt : color;
+  return tileset.transparent == Rgb{color[0], color[1], color[2]} ? kClear : color;
 }
 
 }  // namespace
@@ -366,21 +373,24 @@ FormatResult<TiledTiles> number_tiles(const TiledMap& map, const TiledLayer& lay
   return used_tiles ? numberer.used() : numberer.as_they_are();
 }
 
-PngPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const TiledPictures& pictures) {
+SheetPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const TiledPictures& pictures,
+                              TileSize image) {
   const SheetLayout layout{tiles.columns, static_cast<int>(tiles.sources.size())};
-  PngPicture sheet{layout.columns * kCartTileSize, layout.rows() * kCartTileSize, {}, {}, {}};
-  const int pixels = sheet.width * sheet.height;
-  sheet.pixels.resize(static_cast<std::size_t>(pixels));
-  sheet.transparent.assign(static_cast<std::size_t>(pixels), true);
-  for (int i = 0; i < pixels; ++i) {
-    const int x = i % sheet.width, y = i / sheet.width;
-    const Cell place{x / kCartTileSize, y / kCartTileSize};
-    if (!layout.contains(place)) continue;
-    const TiledSource& source = tiles.sources[static_cast<std::size_t>(layout.tile_at(place))];
-    const auto color = color_of(map, pictures, source, x % kCartTileSize, y % kCartTileSize);
-    if (!color) continue;
-    sheet.pixels[static_cast<std::size_t>(i)] = *color;
-    sheet.transparent[static_cast<std::size_t>(i)] = false;
+  SheetPicture sheet{layout.columns * image.width, layout.rows() * image.height, {}};
+  sheet.rgba.resize(4 * static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height));
+  for (int tile = 0; tile < layout.count; ++tile) {
+    const TiledSource& source = tiles.sources[static_cast<std::size_t>(tile)];
+    if (source.tileset < 0) continue;
+    const Cell place = layout.place_of(tile);
+    for (int y = 0; y < image.height; ++y) {
+      const auto row =
+          static_cast<std::size_t>(place.y * image.height + y) * static_cast<std::size_t>(sheet.width);
+      for (int x = 0; x < image.width; ++x) {
+        const Rgba color = color_of(map, pictures, source, image, x, y);
+        std::copy(color.begin(), color.end(),
+                  &sheet.rgba[4 * (row + static_cast<std::size_t>(place.x * image.width + x))]);
+      }
+    }
   }
   return sheet;
 }

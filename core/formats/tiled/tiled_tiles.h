@@ -54,10 +54,11 @@ struct TiledPlace {
 };
 TiledPlace place_of_tile(const TiledMap& map, const TiledPictures& pictures, const TiledSource& source);
 
-// The sheet with the level's tiles, each as 8x8 px of it: of tiles of another size only some pixels are
-// taken. Of larger tiles than the map's it is the part in the cell. Unknown pixels are transparent, except
-// those of missing pictures.
-PngPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const TiledPictures& pictures);
+// The sheet with the level's tiles, each as an image of that size: of tiles of another size some pixels are
+// repeated or left out. Of larger tiles than the map's it is the part in the cell. Unknown pixels are
+// transparent, except those of missing pictures.
+SheetPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const TiledPictures& pictures,
+                              TileSize image);
 
 // A box or polygon of a tile of that size as it appears in cells that turn it; other objects stay as they
 // are.

@@ -89,10 +89,21 @@ void LevelHandler::edit(const Edit& wanted, int stroke) {
   if (const auto problem = problem_after(open_.level, edit))
     return messages_.tell_error(edit.label + ": not done, because the level then " + *problem + ".");
   if (edit.selection) choices_.choose_cells(edit.selection->after);
+  if (edit.empty() && wants_hidden_pixels(wanted))
+    messages_.tell_error(wanted.label +
+                         ": not done, because the tiles are in true colour, which cannot be painted yet.");
   if (edit.empty()) return;
   note_edit(edit);
   open_.history.push(open_.level, std::move(edit), stroke);
   choices_.fit_level();
+}
+
+// Whether an edit paints pixels that a picture in true colour hides.
+bool LevelHandler::wants_hidden_pixels(const Edit& edit) const {
+  return std::any_of(edit.changes.begin(), edit.changes.end(), [&](const Change& change) {
+    const auto* pixel = std::get_if<PixelChange>(&change);
+    return pixel != nullptr && open_.level.sheet(pixel->sheet).picture != nullptr;
+  });
 }
 
 void LevelHandler::note_edit(const Edit& edit) {

@@ -36,6 +36,7 @@ class LevelHandler {
   void carry_out(const A& action) = delete;
 
   // Called for an edit that is done or undone: before it, and after it.
+  bool wants_hidden_pixels(const Edit& edit) const;
   void note_edit(const Edit& edit);
   void note_step_of_history();
 

@@ -80,8 +80,8 @@ struct Level {
 
   // How many tiles it has, 1 to kMaxTiles; they are numbered from 0.
   int tile_count() const { return static_cast<int>(tile_shapes.size()); }
-  // Gives the sheet of tiles this layout. New tiles are blank; those that go must not be on the map, in
-  // brushes or in the ground's tiles.
+  // Gives the sheet of tiles this layout. New tiles are blank, and a picture goes if the layout is another.
+  // Those tiles that go must not be on the map, in brushes or in the ground's tiles.
   void set_tile_layout(const SheetLayout& layout);
   // One of the two sheets, to be changed.
   Sheet& sheet(SheetId id) { return sheets[static_cast<std::size_t>(id)]; }

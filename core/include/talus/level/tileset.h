@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -61,14 +62,29 @@ struct SheetLayout {
   friend bool operator==(const SheetLayout&, const SheetLayout&) = default;
 };
 
+inline constexpr int kMaxSheetPictureSide = 16'384;        // px, of a picture of a sheet
+inline constexpr int kMaxSheetPicturePixels = 16'777'216;  // of a picture of a sheet
+
+// A picture in true colour.
+struct SheetPicture {
+  int width = 0, height = 0;       // px, each 1..kMaxSheetPictureSide, kMaxSheetPicturePixels together
+  std::vector<std::uint8_t> rgba;  // for each pixel red, green, blue, opacity; row by row from the top left
+  // The four bytes of a pixel, which must be inside (not checked).
+  const std::uint8_t* at(int x, int y) const { return &rgba[4 * (static_cast<std::size_t>(y) * width + x)]; }
+  friend bool operator==(const SheetPicture&, const SheetPicture&) = default;
+};
+
 // Images with their flags, at first as many as a cart has.
 struct Sheet {
   int columns = kCartColumns;                                          // images in a row, 1..kMaxSheetSide
   std::vector<TileImage> images = std::vector<TileImage>(kCartTiles);  // by number; 1 to kMaxTiles
   std::vector<std::uint8_t> flags = std::vector<std::uint8_t>(kCartTiles);  // of each image; bit n is flag n
-  int count() const { return static_cast<int>(images.size()); }             // images
+  // How the images look in true colour, each as large as the map's tiles, at their places on the sheet. Null:
+  // as `images` says, which is what carts and 16-colour tools take in any case.
+  std::shared_ptr<const SheetPicture> picture;
+  int count() const { return static_cast<int>(images.size()); }  // images
   SheetLayout layout() const { return {columns, count()}; }
-  friend bool operator==(const Sheet&, const Sheet&) = default;
+  friend bool operator==(const Sheet& a, const Sheet& b);  // pictures by their pixels
 };
 
 // TIC-80's default palette, Sweetie 16 by GrafxKid.
