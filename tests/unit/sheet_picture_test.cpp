@@ -132,7 +132,8 @@ TEST_F(SheetPictureTest, IsWhatMapsAndSheetsAreExportedAs) {
   const Level level = level_in_true_colour();
   const auto sheet = read_rgba(write_map_tiles(level));
   ASSERT_TRUE(sheet);
-  EXPECT_EQ(sheet->bytes, std::string(two_tiles().rgba.begin(), two_tiles().rgba.end()));
+  const std::vector<std::uint8_t> rgba = two_tiles().rgba;
+  EXPECT_EQ(sheet->bytes, std::string(rgba.begin(), rgba.end()));
   const auto map = read_png(*map_png(level));
   ASSERT_TRUE(map);
   EXPECT_EQ(map->at(0, 0), (Rgb{64, 191, 7})) << "tile 1";
