@@ -1,6 +1,7 @@
 #include "map_png.h"
 
-#include "../formats/pictures/png_sheet.h"
+#include "../formats/pictures/png_picture.h"
+#include "../level/tile_color.h"
 #include "export_targets.h"
 
 namespace talus {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "level/tile_color.h"
+
 namespace talus {
 namespace {
 
@@ -11,6 +13,20 @@ Rgb main_color(const TileImage& image, const Palette& palette) {
   std::array<int, kColorCount> counts{};
   for (const std::uint8_t pixel : image) ++counts[pixel];
   return palette[static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin())];
+}
+
+// The mean of some pixels of a tile in true colour: there may be 16 million in all.
+Rgb mean_color(const Level& level, TileNumber tile) {
+  constexpr int kAlong = 4;  // pixels along each side
+  const TileSize size = level.map.tile_size();
+  int r = 0, g = 0, b = 0;
+  for (int i = 0; i < kAlong * kAlong; ++i) {
+    const Rgb color = color_on_map(level, tile, (2 * (i % kAlong) + 1) * size.width / (2 * kAlong),
+                                   (2 * (i / kAlong) + 1) * size.height / (2 * kAlong));
+    r += color.r, g += color.g, b += color.b;
+  }
+  const auto mean = [](int sum) { return static_cast<std::uint8_t>(sum / (kAlong * kAlong)); };
+  return {mean(r), mean(g), mean(b)};
 }
 
 Rgb mixed(Rgb color, Rgb tint) {
@@ -78,7 +94,9 @@ TileColors tile_colors(const Level& level, const MapLook& look) {
   const Sheet& sheet = level.sheet(SheetId::tiles);
   for (std::size_t tile = 0; tile < colors.size(); ++tile) {
     const bool hidden = look.hide_balls && is_ball_tile(level, static_cast<TileNumber>(tile));
-    colors[tile] = main_color(sheet.images[hidden ? 0 : tile], level.palette);
+    const auto shown = static_cast<TileNumber>(hidden ? 0 : tile);
+    colors[tile] =
+        sheet.picture != nullptr ? mean_color(level, shown) : main_color(sheet.images[shown], level.palette);
     if (look.tinted && look.tinted->matches(sheet.flags[tile])) colors[tile] = mixed(colors[tile], look.tint);
   }
   return colors;

@@ -21,7 +21,8 @@ struct MapLook {
 };
 inline constexpr int kTintPercent = 43;
 
-// Returns the commonest colour of each tile; if several are equally common, the first one in the palette.
+// Returns the commonest colour of each tile; if several are equally common, the first one in the palette. A
+// tile in true colour has the mean of its colours.
 TileColors tile_colors(const Level& level, const MapLook& look);
 
 // The most cells that one pixel stands for, along each side.

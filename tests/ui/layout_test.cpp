@@ -96,6 +96,22 @@ TEST_P(UiLayout, PictureShowsTheLevel) {
   EXPECT_EQ(color_at(*picture, on_sheet(1)), solid);
 }
 
+TEST_P(UiLayout, PictureShowsTilesInTrueColour) {
+  Level drawn = test_level();
+  drawn.set_tile_layout({2, 8});
+  const Rgb green{40, 120, 60};  // no colour of the palette
+  SheetPicture picture{16, 32, {}};
+  for (int i = 0; i < 16 * 32; ++i) picture.rgba.insert(picture.rgba.end(), {green.r, green.g, green.b, 255});
+  drawn.sheet(SheetId::tiles).picture = std::make_shared<const SheetPicture>(std::move(picture));
+  ASSERT_TRUE(save_level(drawn, *find_format("native"), path("level.talus.json")));
+  start(path("level.talus.json"), GetParam().width, GetParam().height);
+  const auto shown = draw_picture();
+  ASSERT_TRUE(shown) << shown.error();
+  EXPECT_EQ(color_at(*shown, on_canvas("map", {100, 132})), green) << "tile 1";
+  EXPECT_EQ(color_at(*shown, on_canvas("map", {100, 100})), green) << "tile 0, which fills most of the map";
+  EXPECT_EQ(color_at(*shown, on_sheet(1)), green);
+}
+
 TEST_P(UiLayout, CurvesAndPlayersAreDrawnWithoutOverlays) {
   Level drawn = test_level();
   drawn.tuning.solver = SolverKind::exact;

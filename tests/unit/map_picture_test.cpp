@@ -39,6 +39,21 @@ TEST(MapPicture, ATileHasTheColourOfMostOfItsPixels) {
   EXPECT_EQ(colors[2], kBlue);
 }
 
+TEST(MapPicture, ATileInTrueColourHasTheMeanOfItsPixels) {
+  Level level = picture_level(1, 1);
+  level.set_tile_layout({2, 2});
+  SheetPicture picture{16, 8, std::vector<std::uint8_t>(16 * 8 * 4, 255)};
+  for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+    const bool is_first = i / 4 % 16 < 8, is_left = i / 4 % 8 < 4;
+    if (is_first) picture.rgba[i] = is_left ? 100 : 200;
+    if (!is_first) picture.rgba[i + 3] = 0;
+  }
+  level.sheet(SheetId::tiles).picture = std::make_shared<const SheetPicture>(std::move(picture));
+  const TileColors colors = tile_colors(level, {});
+  EXPECT_EQ(colors[0], (Rgb{150, 255, 255}));
+  EXPECT_EQ(colors[1], level.palette[0]) << "where it is clear, colour 0 is seen";
+}
+
 TEST(MapPicture, BallsMayBeHiddenAndFlagsTinted) {
   const Level level = picture_level(1, 1);
   EXPECT_EQ(tile_colors(level, {.hide_balls = true, .tinted = {}, .tint = {}})[2], kBlack);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../../level/tile_color.h"
+
 namespace talus {
 namespace {
 
@@ -90,26 +92,6 @@ std::string write_map_tiles(const Level& level) {
 
 std::string write_clear_tiles(const Level& level) {
   return png_of_sheet(level.sheet(SheetId::tiles), level.palette, level.map.tile_size(), true);
-}
-
-std::uint8_t color_at(const TileImage& image, TileSize tile, int x, int y) {
-  const int column = (2 * x + 1) * kCartTileSize / (2 * tile.width);
-  const int row = (2 * y + 1) * kCartTileSize / (2 * tile.height);
-  return image[static_cast<std::size_t>(row * kCartTileSize + column)];
-}
-
-Rgb color_on_map(const Level& level, TileNumber tile, int x, int y) {
-  const Sheet& sheet = level.sheet(SheetId::tiles);
-  const TileSize size = level.map.tile_size();
-  if (sheet.picture == nullptr) return level.palette[color_at(sheet.images[tile], size, x, y)];
-  const Cell place = sheet.layout().place_of(tile);
-  const std::uint8_t* over = sheet.picture->at(place.x * size.width + x, place.y * size.height + y);
-  const auto mixed = [&](int above, int below) {
-    constexpr int kOpaque = 255;
-    return static_cast<std::uint8_t>((above * over[3] + below * (kOpaque - over[3]) + kOpaque / 2) / kOpaque);
-  };
-  const Rgb under = level.palette[0];
-  return {mixed(over[0], under.r), mixed(over[1], under.g), mixed(over[2], under.b)};
 }
 
 MatchedPicture match_colors(const PngPicture& picture, const Palette& palette) {

@@ -19,13 +19,6 @@ std::string write_map_tiles(const Level& level);
 // values.
 std::string write_clear_tiles(const Level& level);
 
-// The colour, 0..15, of an image at a pixel of a tile of that size, which it fills.
-std::uint8_t color_at(const TileImage& image, TileSize tile, int x, int y);
-
-// The colour of a pixel of a tile, as the map shows it: what is not opaque lies over colour 0. x, y: px of
-// the map from the corner of the cell.
-Rgb color_on_map(const Level& level, TileNumber tile, int x, int y);
-
 // A picture in 16 colours.
 struct MatchedPicture {
   std::vector<std::uint8_t> indices;  // 0..15 for each pixel, as in PngPicture; 0 for transparent ones

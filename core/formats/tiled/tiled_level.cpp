@@ -11,6 +11,7 @@
 #include <utility>
 
 #include <talus/level/limits.h>
+#include "../../level/tile_color.h"
 #include "../native/native.h"
 #include "../native/native_objects.h"
 #include "../pictures/png_sheet.h"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "overlay/outline.h"
@@ -29,8 +30,21 @@ CellSpan visible_cells(const TileMap& map, const CanvasView& view) {
           std::clamp(to.x + 1, 0, map.width()), std::clamp(to.y + 1, 0, map.height())};
 }
 
-bool is_one_color(const TileImage& image) {
-  return std::all_of(image.begin(), image.end(), [&](std::uint8_t pixel) { return pixel == image[0]; });
+bool is_clear(const SheetPicture& picture, TileSize tile) {  // tile 0 of it
+  for (int y = 0; y < tile.height; ++y)
+    for (int x = 0; x < tile.width; ++x)
+      if (picture.at(x, y)[3] != 0) return false;
+  return true;
+}
+
+// The colour, 0..15, that tile 0 shows in all of its pixels; nothing if it has several, or is in true colour.
+std::optional<std::uint8_t> plain_color_of_tile_0(const Level& level) {
+  const Sheet& sheet = level.sheet(SheetId::tiles);
+  if (sheet.picture != nullptr)
+    return is_clear(*sheet.picture, level.map.tile_size()) ? std::optional(std::uint8_t{0}) : std::nullopt;
+  const TileImage& image = sheet.images[0];
+  const bool is_plain = std::all_of(image.begin(), image.end(), [&](int pixel) { return pixel == image[0]; });
+  return is_plain ? std::optional(image[0]) : std::nullopt;
 }
 
 constexpr int kNothing = -1;
@@ -102,11 +116,10 @@ void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, co
   const CellSpan cells = visible_cells(level.map, view);
   if (cells.x0 >= cells.x1 || cells.y0 >= cells.y1) return;
   // Most cells of most maps hold tile 0 in one colour: one rectangle below all replaces a square for each.
-  const TileImage& empty = level.sheet(SheetId::tiles).images[0];
-  const bool skip_empty = is_one_color(empty);
-  const Rgb background = level.palette[skip_empty ? empty[0] : 0];
+  const std::optional<std::uint8_t> plain = plain_color_of_tile_0(level);
+  const bool skip_empty = plain.has_value();
   list.AddRectFilled(view.corner_of({cells.x0, cells.y0}), view.corner_of({cells.x1, cells.y1}),
-                     theme::color(background));
+                     theme::color(level.palette[plain.value_or(0)]));
   ShownTiles shown(static_cast<std::size_t>(level.tile_count()));
   for (int tile = 0; tile < level.tile_count(); ++tile) {
     const bool hidden = hide_balls && is_ball_tile(level, static_cast<TileNumber>(tile));

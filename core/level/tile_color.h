@@ -1,0 +1,15 @@
+// The colours of tiles, whatever says how they look.
+#pragma once
+
+#include <talus/level/level.h>
+
+namespace talus {
+
+// The colour, 0..15, of an image at a pixel of a tile of that size, which it fills.
+std::uint8_t color_at(const TileImage& image, TileSize tile, int x, int y);
+
+// The colour of a pixel of a tile, as the map shows it: what is not opaque lies over colour 0. x, y: px of
+// the map from the corner of the cell.
+Rgb color_on_map(const Level& level, TileNumber tile, int x, int y);
+
+}  // namespace talus
