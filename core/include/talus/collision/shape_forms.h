@@ -17,6 +17,7 @@ inline constexpr double kEllipseError = 1.0 / 16;
 // before it is turned; degrees: as for a rectangle, about the top left of the box.
 TileShape polygon_of_ellipse(const Rect& box, double degrees = 0);
 
+// Which sides of a tile change places in a mirror image.
 enum class ShapeMirror : std::uint8_t {
   left_right,  // left and right change places
   up_down      // top and bottom change places
@@ -27,9 +28,12 @@ TileShape mirrored(TileShape shape, TileSize tile, ShapeMirror mirror);
 
 // Ground between two straight lines, and between two upright ones; px from the tile's top left.
 struct Trapezoid {
-  double left, right;                // x of its upright sides, left < right
-  double top_left, top_right;        // y of its upper line
-  double bottom_left, bottom_right;  // y of its lower line, not above the upper one
+  double left;          // x of its left side
+  double right;         // x of its right side, > left
+  double top_left;      // y of the left end of its upper line
+  double top_right;     // y of the right end
+  double bottom_left;   // y of the left end of its lower line, >= top_left
+  double bottom_right;  // y of the right end, >= top_right
 };
 // Cuts a usable polygon (see problem_of) at its points. The parts do not overlap, and are all of it.
 std::vector<Trapezoid> trapezoids_of(const TileShape& polygon);

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include <talus/collision/shape.h>
+
 namespace talus {
 
 // A side faces air. A slope up rises from left to right. A slope of two tiles, such as the article's 16x8 px

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <talus/collision/shape.h>
+
 namespace talus {
 
 inline constexpr int kMaxBrushSide = 256;           // cells

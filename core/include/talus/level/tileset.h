@@ -43,6 +43,7 @@ enum class SheetId : std::uint8_t { tiles, sprites };  // the map shows tiles
 struct SheetLayout {
   int columns = kCartColumns;  // images in a row, 1..kMaxSheetSide
   int count = kCartTiles;  // images, 1..kMaxTiles, in at most kMaxSheetSide rows; the last row may be shorter
+  // How many rows there are, 1 to kMaxSheetSide.
   int rows() const { return (count + columns - 1) / columns; }
   // The place of an image, in columns and rows. tile: 0..count - 1.
   Cell place_of(int tile) const { return {tile % columns, tile / columns}; }
@@ -67,7 +68,8 @@ inline constexpr int kMaxSheetPicturePixels = 16'777'216;  // of a picture of a 
 
 // A picture in true colour.
 struct SheetPicture {
-  int width = 0, height = 0;       // px, each 1..kMaxSheetPictureSide, kMaxSheetPicturePixels together
+  int width = 0;                   // px, 1..kMaxSheetPictureSide
+  int height = 0;                  // px, the same; at most kMaxSheetPicturePixels together
   std::vector<std::uint8_t> rgba;  // for each pixel red, green, blue, opacity; row by row from the top left
   // The four bytes of a pixel, which must be inside (not checked).
   const std::uint8_t* at(int x, int y) const { return &rgba[4 * (static_cast<std::size_t>(y) * width + x)]; }
@@ -83,6 +85,7 @@ struct Sheet {
   // as `images` says, which is what carts and 16-colour tools take in any case.
   std::shared_ptr<const SheetPicture> picture;
   int count() const { return static_cast<int>(images.size()); }  // images
+  // How the images lie.
   SheetLayout layout() const { return {columns, count()}; }
   friend bool operator==(const Sheet& a, const Sheet& b);  // pictures by their pixels
 };
