@@ -93,16 +93,22 @@ local function sides_of(points)
   return sides
 end
 
--- The places where the parts may change: at points, and at the borders of columns.
-local function cuts_of_polygon(points, first, last)
-  local all, cuts = {}, {}
-  for i = 1, #points, 2 do all[#all + 1] = weld(points[i]) end
-  for column = first, last - 1 do all[#all + 1] = (column + 1) * TILE_W end
+-- Sorts numbers, and returns each of them once.
+local function each_once(all)
+  local once = {}
   table.sort(all)
   for _, x in ipairs(all) do
-    if x ~= cuts[#cuts] then cuts[#cuts + 1] = x end
+    if x ~= once[#once] then once[#once + 1] = x end
   end
-  return cuts
+  return once
+end
+
+-- The places where the parts may change: at points, and at the borders of columns.
+local function cuts_of_polygon(points, first, last)
+  local all = {}
+  for i = 1, #points, 2 do all[#all + 1] = weld(points[i]) end
+  for column = first, last - 1 do all[#all + 1] = (column + 1) * TILE_W end
+  return each_once(all)
 end
 
 -- The ground between two cuts, from the top: pairs of sides.
@@ -301,16 +307,12 @@ end
 
 -- The places between the sides of a strip where a body begins or ends; of polygons alone.
 local function cuts_of(bodies, left, right)
-  local all, cuts = {}, {}
+  local all = {}
   for _, body in ipairs(bodies) do
     if body.left > left then all[#all + 1] = body.left end
     if body.right < right then all[#all + 1] = body.right end
   end
-  table.sort(all)
-  for _, x in ipairs(all) do
-    if x ~= cuts[#cuts] then cuts[#cuts + 1] = x end
-  end
-  return cuts
+  return each_once(all)
 end
 
 local function strip_at(terrain, column, row)
