@@ -64,8 +64,9 @@ class Reader {
     take_object(document, "flag_shapes", "flag_shapes", [this](Json& v) {
       read_shapes(v, "flag_shapes", "must be a flag from 0 to 7", level_.flag_shapes);
     });
-    take_object(document, "tile_shapes", "tile_shapes",
-                [this](Json& v) { read_shapes(v, "tile_shapes", no_tile_text(), level_.tile_shapes); });
+    take_object(document, "tile_shapes", "tile_shapes", [this](Json& v) {
+      read_shapes(v, "tile_shapes", no_tile_of(level_.tile_count()), level_.tile_shapes);
+    });
     for (std::size_t i = 0; i < kSheetKeys.size(); ++i) {
       take_object(document, kSheetKeys[i], kSheetKeys[i],
                   [&](Json& v) { read_sheet(v, kSheetKeys[i], level_.sheets[i]); });
@@ -148,8 +149,6 @@ class Reader {
                       "most 2048 rows");
     level_.set_tile_layout({size[0].get<int>(), size[1].get<int>()});
   }
-
-  std::string no_tile_text() const { return no_tile_of(level_.tile_count()); }
 
   void read_palette(const Json& colors) {
     if (!colors.is_array() || colors.size() != kColorCount)
@@ -323,7 +322,7 @@ class Reader {
       return fail(place,
                   "is longer than the map's width of " + std::to_string(level_.map.width()) + " cells");
     }
-    const std::string digits_text = digits == 2 ? "two" : "four";
+    const std::string digits_text = word_of_digits(digits);
     if (text.size() % digits != 0)
       return fail(place, "must have " + digits_text + " characters for each cell");
     for (std::size_t x = 0; digits * x < text.size(); ++x) {

@@ -13,7 +13,7 @@ namespace {
 // Returns what is wrong with the rows.
 std::optional<std::string> read_brush_rows(const Json& rows, int tile_count, Brush& brush) {
   const std::size_t digits = digits_of_tile(tile_count);
-  const std::string digits_text = digits == 2 ? "two" : "four";
+  const std::string digits_text = word_of_digits(digits);
   const bool counted = rows.is_array() && !rows.empty() && rows.size() <= kMaxBrushSide;
   if (!counted) return "must be a list of 1 to 256 rows";
   brush.tiles.clear();
@@ -73,6 +73,8 @@ FormatResult<Json> put_brush(const Brush& brush, int tile_count) {
 }  // namespace
 
 std::size_t digits_of_tile(int tile_count) { return tile_count <= 256 ? 2 : 4; }
+
+std::string word_of_digits(std::size_t digits) { return digits == 2 ? "two" : "four"; }
 
 void append_tile(std::string& text, TileNumber tile, std::size_t digits) {
   for (std::size_t digit = digits; digit-- > 0;) text += tile == 0 ? '.' : kHexDigits[tile >> 4 * digit & 15];

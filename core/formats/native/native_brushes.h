@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include <talus/level/level.h>
@@ -14,6 +15,8 @@ namespace talus {
 // How many hexadecimal digits a tile has in rows of the map and of brushes: 2, or 4 if a level has more than
 // 256 tiles.
 std::size_t digits_of_tile(int tile_count);
+// The same as a word, for messages: "two" or "four".
+std::string word_of_digits(std::size_t digits);
 // Appends a tile to a row; tile 0 is written as dots.
 void append_tile(std::string& text, TileNumber tile, std::size_t digits);
 // Reads up to four digits, or dots; nothing if another character is among them.

@@ -14,11 +14,9 @@
 
 namespace talus {
 
-inline constexpr int kCartTileSize = 8;  // px, side of an image of a sheet
-inline constexpr int kCartTiles = 256;   // images in a sheet of a cart
-inline constexpr int kCartColumns = 16;  // images in a row of a cart's sheet
-inline constexpr int kCartSheetSide =
-    kCartColumns * kCartTileSize;           // px, of the square that a cart's sheet fills
+inline constexpr int kCartTileSize = 8;     // px, side of an image of a sheet
+inline constexpr int kCartTiles = 256;      // images in a sheet of a cart
+inline constexpr int kCartColumns = 16;     // images in a row of a cart's sheet
 inline constexpr int kMaxSheetSide = 2048;  // images in a row or a column of a sheet
 inline constexpr int kColorCount = 16;      // of a palette
 inline constexpr int kFlagCount = 8;        // of an image
