@@ -5,7 +5,7 @@ namespace talus {
 namespace {
 
 struct Amounts {
-  std::size_t shape_heights = 0, heights = 0, curve_cells = 0, brush_cells = 0, name_bytes = 0,
+  std::size_t shape_numbers = 0, heights = 0, curve_cells = 0, brush_cells = 0, name_bytes = 0,
               unknown_bytes = 0;
 };
 
@@ -16,6 +16,13 @@ void count_texts(const Entry& entry, Amounts& amounts) {
   amounts.unknown_bytes += entry.extra.size();
 }
 
+// The heights and the points of a shape and of its parts.
+std::size_t numbers_of(const TileShape& shape) {
+  std::size_t numbers = shape.heights.size() + shape.points.size();
+  for (const TileShape& part : shape.parts) numbers += numbers_of(part);
+  return numbers;
+}
+
 Amounts amounts_of(const Level& level) {
   Amounts amounts;
   amounts.unknown_bytes = level.extra.size();
@@ -24,7 +31,7 @@ Amounts amounts_of(const Level& level) {
     count_texts(field, amounts);
     for (const std::string& value : field.values) amounts.name_bytes += value.size();
   }
-  for (const TileShape& shape : level.tile_shapes) amounts.shape_heights += shape.heights.size();
+  for (const TileShape& shape : level.tile_shapes) amounts.shape_numbers += numbers_of(shape);
   for (const Spawn& spawn : level.spawns) count_texts(spawn, amounts);
   for (const LevelCurve& curve : level.curves) {
     count_texts(curve, amounts);
@@ -56,16 +63,17 @@ std::optional<std::string> problem_of_amounts(const Level& level) {
     std::size_t has, most;
     const char* what;
   };
-  for (const Row& row : {Row{level.spawns.size(), kMaxSpawns, "bodies"},
-                         {level.curves.size(), kMaxCurves, "curves"},
-                         {amounts.shape_heights, kMaxShapeHeights, "heights of the shapes of tiles"},
-                         {amounts.heights, kMaxLevelHeights, "heights of polylines"},
-                         {amounts.curve_cells, kMaxCurveCells, "cells that curves pass"},
-                         {level.brushes.size(), kMaxBrushes, "brushes"},
-                         {amounts.brush_cells, kMaxBrushCells, "cells of brushes"},
-                         {level.exports.size(), kMaxExports, "export presets"},
-                         {amounts.name_bytes, kMaxNameBytes, "bytes of names"},
-                         {amounts.unknown_bytes, kMaxUnknownBytes, "bytes of unknown members"}}) {
+  for (const Row& row :
+       {Row{level.spawns.size(), kMaxSpawns, "bodies"},
+        {level.curves.size(), kMaxCurves, "curves"},
+        {amounts.shape_numbers, kMaxShapeNumbers, "heights and points of the shapes of tiles"},
+        {amounts.heights, kMaxLevelHeights, "heights of polylines"},
+        {amounts.curve_cells, kMaxCurveCells, "cells that curves pass"},
+        {level.brushes.size(), kMaxBrushes, "brushes"},
+        {amounts.brush_cells, kMaxBrushCells, "cells of brushes"},
+        {level.exports.size(), kMaxExports, "export presets"},
+        {amounts.name_bytes, kMaxNameBytes, "bytes of names"},
+        {amounts.unknown_bytes, kMaxUnknownBytes, "bytes of unknown members"}}) {
     if (row.has > row.most)
       return "has " + std::to_string(row.has) + " " + row.what + ", but a level holds at most " +
              std::to_string(row.most);
@@ -79,7 +87,7 @@ std::size_t size_of(const Level& level) {
   return (level.cart ? level.cart->bytes.size() : 0) + level.map.cells().size() * sizeof(TileNumber) +
          amounts.brush_cells * sizeof(TileNumber) +
          level.sheet(SheetId::tiles).images.size() * sizeof(TileImage) + picture_bytes(level) +
-         (amounts.shape_heights + amounts.heights) * sizeof(double) + amounts.name_bytes +
+         (amounts.shape_numbers + amounts.heights) * sizeof(double) + amounts.name_bytes +
          amounts.unknown_bytes +
          kEntry * (level.spawns.size() + level.curves.size() + level.brushes.size() + level.exports.size());
 }

@@ -1,6 +1,7 @@
 // Sheets with other columns and more tiles than those of a cart.
 #include <gmock/gmock.h>
 
+#include <talus/level/limits.h>
 #include "edit/sprite_area.h"
 #include "edit/stamp.h"
 #include "exported_level.h"
@@ -81,6 +82,19 @@ TEST(SheetSize, ItselfIsLimited) {
        {"[16]", "16", "[0, 256]", "[2049, 256]", "[16, 0]", "[64, 65537]", "[1, 2049]", "[1.5, 3]"})
     expect_native_error(native_with(std::string("\"sheet_size\": ") + size), "key sheet_size", wanted);
   EXPECT_EQ(level_of_native(native_with("\"sheet_size\": [32, 65536]")).tile_count(), 65536);
+}
+
+TEST(SheetSize, ShapesAreCountedWithTheirParts) {
+  Level level;
+  level.set_tile_layout({16, 4096});
+  TileShape polygon{.kind = TileShape::Kind::polygon};
+  polygon.points.resize(256);
+  TileShape group{.kind = TileShape::Kind::group, .parts = {polygon}};
+  for (TileShape& shape : level.tile_shapes) shape = group;
+  EXPECT_EQ(problem_of_amounts(level), std::nullopt);
+  level.tile_shapes[0].parts.push_back({.kind = TileShape::Kind::slope, .heights = {0, 8}});
+  EXPECT_EQ(problem_of_amounts(level),
+            "has 1048578 heights and points of the shapes of tiles, but a level holds at most 1048576");
 }
 
 TEST(SheetSize, EditsOfUnknownTilesAreDropped) {

@@ -15,7 +15,7 @@ namespace talus {
 
 inline constexpr std::size_t kMaxSpawns = 65'536;           // of a level
 inline constexpr std::size_t kMaxCurves = 16'384;           // of a level
-inline constexpr std::size_t kMaxShapeHeights = 1'048'576;  // of the shapes of all tiles together
+inline constexpr std::size_t kMaxShapeNumbers = 1'048'576;  // heights and points of all tiles' shapes
 inline constexpr std::size_t kMaxLevelHeights = 262'144;    // of all polylines together
 inline constexpr std::size_t kMaxCurveCells = 2'097'152;    // cells that all curves pass, see cells_passed
 inline constexpr std::size_t kMaxBrushCells = 1'048'576;    // of all brushes together
