@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <talus/collision/shape_forms.h>
+#include "polygon_tools.h"
 
 namespace talus {
 namespace {
@@ -149,9 +150,12 @@ bool is_unused(const Level& level, int tile) {
 // Changes another shape in the same way as `before` changed to `after`.
 TileShape with_change(TileShape shape, const TileShape& before, const TileShape& after, TileSize tile) {
   if (shape.kind == Kind::none) return shape;
+  if (shape == before) return after;
+  if (shape.kind == Kind::group) return shape;
   if (after.one_way != before.one_way) shape.one_way = after.one_way;
-  if (!has_line(shape)) return shape;
+  if (shape.kind == Kind::solid) return shape;
   if (after.side != before.side) shape.side = after.side;
+  if (!has_line(shape)) return shape;
   if (after.tiles != before.tiles) shape = with_width(std::move(shape), after.tiles, tile);
   const std::size_t count = after.heights.size();
   if (shape.kind != after.kind || shape.heights.size() != count || before.heights.size() != count)
@@ -200,9 +204,13 @@ void copy_pixels(const Level& level, const CellRect& from, const CellRect& to, S
 }  // namespace
 
 TileShape with_kind(TileShape shape, TileShape::Kind kind, TileSize tile) {
+  assert(kind != Kind::group || shape.kind == kind);
   if (kind == shape.kind) return shape;
   if (kind == Kind::none) return {};
   if (kind == Kind::solid) return {.kind = Kind::solid, .one_way = shape.one_way};
+  if (kind == Kind::polygon)
+    return as_polygon(shape.kind == Kind::none ? TileShape{.kind = Kind::solid} : shape, tile);
+  if (has_parts(shape)) shape = profile_along(shape, tile);
   const bool is_flat = shape.kind == Kind::solid && kind == Kind::profile;
   const double full = tile.height;
   if (!has_line(shape))

@@ -12,7 +12,8 @@
 namespace talus {
 
 // A usable shape of this kind that is as similar to the old one as possible: a line through a profile's ends,
-// a profile along a line or along the top of a full tile. tile: px, the size of a tile.
+// a profile along a line or along the top of other ground, the polygon of an outline (see as_polygon();
+// nothing becomes that of a full tile). kind: no group (asserted). tile: px, the size of a tile.
 TileShape with_kind(TileShape shape, TileShape::Kind kind, TileSize tile);
 // The same line over so many tiles, 1..kMaxShapeTiles (asserted). A profile gets a height for each px of its
 // width. tile: px, the size of a tile.
@@ -38,9 +39,9 @@ std::optional<int> tile_reaching_over(const Level& level, int tile);
 std::optional<TileShape> suggest_shape(const Level& level, int tile, int tiles = 1);
 // The same for each single tile of the area. Tiles without an opaque pixel keep their shapes.
 Edit suggest_shapes(const Level& level, const SpriteArea& area);
-// The first tile of the area gets this shape. What differs from its old shape changes in the other tiles,
-// too, as far as their shapes have it; the rest of them stays. Tiles that another one of the area reaches
-// over are left out.
+// The first tile of the area gets this shape, and so do others with the same old shape. What differs from its
+// old shape changes in the other tiles, too, as far as their shapes have it; the rest of them stays. Tiles
+// that another one of the area reaches over are left out.
 Edit change_shapes(const Level& level, const SpriteArea& area, const TileShape& shape);
 // Each of the same tiles gets a shape of this kind that is as similar to its old one as possible.
 Edit change_kinds(const Level& level, const SpriteArea& area, TileShape::Kind kind);
