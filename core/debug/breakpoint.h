@@ -1,4 +1,4 @@
-// Breakpoints: conditions that stop a run, and the ready-made ones to choose from.
+// Breakpoints: conditions that stop the game, and the ready-made ones to choose from.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ struct Breakpoint {
   int id = 0;             // from 1, chosen by the owner of the list
   std::string condition;  // an expression with a truth value; see expression.h
   int body = 0;           // id of the body that the condition is about; 0: any body
-  int count = 1;          // hits are numbered from 1; the run stops at this hit and at all later ones
+  int count = 1;          // hits are numbered from 1; the game stops at this hit and at all later ones
   // true: every frame in which the condition holds is a hit; false: the first one of each stretch.
   bool each_frame = false;
   bool enabled = true;
@@ -79,7 +79,7 @@ class ArmedBreakpoint {
   Expression condition_;
 };
 
-// The hit of a breakpoint that stops a run.
+// The hit of a breakpoint that stops the game.
 struct Stop {
   std::int64_t frame = 0;
   int breakpoint = 0;  // id

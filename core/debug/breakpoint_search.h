@@ -8,9 +8,9 @@ namespace talus {
 
 enum class SearchDirection { forwards, backwards };
 
-// Both directions find the same stops, as hits are numbered from frame 0 on: a run backwards stops where a
-// run forwards would have stopped. So if a breakpoint counts hits, a search begins at frame 0. Otherwise it
-// begins beside `from`; backwards it takes blocks of frames and reads each of them forwards.
+// Both directions find the same stops, as hits are numbered from frame 0 on: a search backwards stops where
+// a search forwards would have stopped. So if a breakpoint counts hits, a search begins at frame 0. Otherwise
+// it begins beside `from`; backwards it takes blocks of frames and reads each of them forwards.
 class BreakpointSearch {
  public:
   // from: the frame to go on from, which is not a stop itself. Forwards, -1 means before the first frame.

@@ -15,7 +15,7 @@ constexpr double kAlone = std::numeric_limits<double>::infinity();
 
 auto key_of(const BodyOrigin& origin) { return std::make_tuple(origin.spawn, origin.cell.x, origin.cell.y); }
 
-// Mostly a body has the same id in both runs.
+// Mostly a body has the same id in both branches.
 const Body* same_body(const Body& body, const State& other) {
   const Body* same = other.find(body.id);
   if (same != nullptr && same->origin == body.origin) return same;

@@ -11,21 +11,21 @@
 
 namespace talus {
 
-// A frame of a run.
+// A frame of a branch.
 struct Frame {
   std::shared_ptr<const Scene> scene;     // never null when the frame is looked at
   std::shared_ptr<const Terrain> ground;  // see measured_ground(); null: numbers measured against it are NaN
   State state;                            // after the step
   StepRecord record;                      // of the step that led here; empty at frame 0
   Input input;                            // of that step
-  std::optional<State> other;  // the same frame of the run compared with; nothing if there is no such run
+  std::optional<State> other;  // the same frame of the branch compared with; nothing if it has no such frame
 };
 
 // The ground of a scene in double precision. It is the scene's own, or, if the solver compiles none, a new
 // one made from the level, which takes time by the size of the map: keep it.
 std::shared_ptr<const Terrain> measured_ground(const Scene& scene, const Level& level);
 
-// A run whose frames can be read in any order.
+// A branch whose frames can be read in any order.
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
@@ -51,7 +51,7 @@ class FrameView {
   std::vector<const Frame*> frames_;  // never empty
 };
 
-// The last frames of a run, as many as are asked for.
+// The last frames of a branch, as many as are asked for.
 class FrameHistory {
  public:
   explicit FrameHistory(int before);  // before: how many frames to keep before the newest one

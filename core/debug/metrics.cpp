@@ -46,7 +46,7 @@ constexpr std::array kInfos = {
                "it met the limit of work for a step, and stopped early"},
     MetricInfo{Metric::limited, "limited", "", true, "its way or speed was cut to the largest allowed"},
     MetricInfo{Metric::parting, "parting", "px", false,
-               "distance from the same body of the run compared with; infinite when that has no such body"},
+               "distance from the same body on the other side of a comparison; infinite without one"},
 };
 
 // The entries of a body in a list that is sorted by body.

@@ -47,14 +47,14 @@ void Series::halve() {
   frames_of_point_ *= 2;
 }
 
-PlotRun::PlotRun(std::vector<PlottedExpression> plots, std::int64_t first, std::size_t most)
+PlotReader::PlotReader(std::vector<PlottedExpression> plots, std::int64_t first, std::size_t most)
     : plots_(std::move(plots)),
       series_(plots_.size(), Series(first, most)),
       history_(frames_before(plots_)),
       first_(first),
       next_(first) {}
 
-bool PlotRun::advance(const FrameSource& source, std::int64_t frames) {
+bool PlotReader::advance(const FrameSource& source, std::int64_t frames) {
   for (; frames > 0 && next_ <= source.last(); --frames) {
     if (!history_.approach(source, next_)) continue;
     const FrameView view = history_.view();
@@ -64,7 +64,7 @@ bool PlotRun::advance(const FrameSource& source, std::int64_t frames) {
   return next_ > source.last();
 }
 
-double PlotRun::progress(const FrameSource& source) const {
+double PlotReader::progress(const FrameSource& source) const {
   const std::int64_t all = source.last() + 1 - first_;
   return all > 0 ? static_cast<double>(next_ - first_) / static_cast<double>(all) : 1;
 }

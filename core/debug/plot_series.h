@@ -48,12 +48,12 @@ struct PlottedExpression {
   double value(const FrameView& view) const;
 };
 
-// Makes the series of several plots over the frames of a recording, a few frames at a time. Goes on when
-// the recording has grown.
-class PlotRun {
+// Makes the series of several plots over the frames of a branch, a few frames at a time. Goes on when the
+// branch has grown.
+class PlotReader {
  public:
   // first: the first frame; the last one is last(). most: as in Series.
-  PlotRun(std::vector<PlottedExpression> plots, std::int64_t first, std::size_t most);
+  PlotReader(std::vector<PlottedExpression> plots, std::int64_t first, std::size_t most);
 
   // Reads up to `most` frames of the source, fewer if it has to run to them first. The source must be the
   // same in every call. Returns true at the source's last frame. To cancel, drop the object.

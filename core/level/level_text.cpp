@@ -31,7 +31,7 @@ std::string role_with_article(TileRole role) {
 
 std::string spawn_name(const Level& level, int index) {
   const std::string& name = level.spawns[static_cast<std::size_t>(index)].name;
-  return name.empty() ? kind_and_number(level, index) : "spawn \"" + name + "\"";
+  return name.empty() ? kind_and_number(level, index) : "body \"" + name + "\"";
 }
 
 std::string kind_and_number(const Level& level, int index) {

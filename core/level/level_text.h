@@ -12,7 +12,7 @@ std::string cell_text(Cell cell);  // "(12, 9)"
 std::string px_text(double px);
 std::string role_label(TileRole role);         // "up-slope"
 std::string role_with_article(TileRole role);  // "an up-slope"
-// Its name, as in: spawn "hero"; without a name as below.
+// Its name, as in: body "hero"; without a name as below.
 std::string spawn_name(const Level& level, int index);
 std::string kind_and_number(const Level& level, int index);  // "player 2", counted from 1 among all spawns
 

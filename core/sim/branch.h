@@ -1,4 +1,4 @@
-// A branch of a timeline: one run of a level from frame 0, with everything that influenced it.
+// A branch of a timeline: what was played of a level from frame 0 on, with everything that influenced it.
 #pragma once
 
 #include <algorithm>

@@ -40,7 +40,6 @@ struct EndScenes {
 };
 // Compiles them beforehand, on a thread of its own, as large levels take long. progress: may stop the work;
 // then both are null.
-// null where it says so.
 EndScenes compile_ends(const Recording& recording, const Progress& progress);
 
 class Timeline {
@@ -82,7 +81,7 @@ class Timeline {
   // --- Going on
   // with_record: whether record() is needed for this step; else it is empty until another frame is shown.
   void step(const Input& input, bool with_record = true);
-  // The level was edited: the run goes on from here on the edited level. At frame 0 everything starts anew.
+  // The level was edited: playing goes on from here on the edited level. At frame 0 everything starts anew.
   // An edit that the simulation cannot see changes nothing. cells: the only cells that changed; spawns and
   // tuning may have changed, too; null: anything may have. compiled: the level's scene, if it is known.
   // Returns false if the branch's levels would have taken too much memory: then the branch is gone, and

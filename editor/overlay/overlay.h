@@ -71,7 +71,7 @@ struct ColoredTrails {
   const Overlay* color;
 };
 
-// What is drawn: a frame of a run, and what belongs to it.
+// What is drawn: a frame of a branch, and what belongs to it.
 struct OverlaySource {
   const Scene& scene;
   const State& state;

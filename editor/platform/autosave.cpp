@@ -191,7 +191,7 @@ std::optional<std::string> Autosave::follow(const Session& session, double now) 
   if (is_writing()) return {};
   const bool had_problem = problem_.has_value();
   finish_writing();
-  if (!session.modified() && session.unsaved_runs().empty())
+  if (!session.modified() && session.unsaved_branches().empty())
     remove();
   else if (revision_of(session) != written_revision_)
     write_when_due(session, now);
@@ -229,9 +229,9 @@ tl::expected<void, std::string> Autosave::save_now(const Session& session) {
 SavedWork Autosave::work_of(const Session& session) const {
   SavedWork work{file_, session.path(), session.file_name(), seconds_since_1970(),
                  std::make_shared<const Level>(session.level())};
-  for (const Branch* run : session.unsaved_runs())
+  for (const Branch* branch : session.unsaved_branches())
     work.recordings.push_back(
-        std::make_shared<const Recording>(session.timeline().whole_recording(*run, session.level())));
+        std::make_shared<const Recording>(session.timeline().whole_recording(*branch, session.level())));
   return work;
 }
 

@@ -1,5 +1,5 @@
-// Autosave: writes the level to a file while it has unsaved changes, or runs that the user has worked on, so
-// that a crash costs a few seconds at most. Nobody but the user can read these files, as the level may be
+// Autosave: writes the level to a file while it has unsaved changes, or branches that the user has worked on,
+// so that a crash costs a few seconds at most. Nobody but the user can read these files, as the level may be
 // private. It also finds the work of other processes that ended without
 // warning.
 #pragma once
@@ -23,7 +23,7 @@ struct SavedWork {
   std::string name;                    // for titles
   std::int64_t time = 0;               // s since 1970, when it was saved
   std::shared_ptr<const Level> level;  // null: the file cannot be read, and `problem` says why
-  // Runs with marks or inputs of the user's, never null; the one that was worked on last comes last.
+  // Branches with marks or inputs of the user's, never null; the one that was worked on last comes last.
   std::vector<std::shared_ptr<const Recording>> recordings = {};
   // Why recordings with it could not be read, a text each: "key frames: is missing". They are in `file`
   // alone.
@@ -84,11 +84,11 @@ class Autosave {
   std::string folder_, file_;  // file_: that of this process
   int lock_ = -1;              // descriptor
   struct Revision {
-    std::uint64_t level = 0, runs = 0;
+    std::uint64_t level = 0, branches = 0;
     friend bool operator==(const Revision&, const Revision&) = default;
   };
   static Revision revision_of(const Session& session) {
-    return {session.revision(), session.runs_revision()};
+    return {session.revision(), session.branches_revision()};
   }
 
   // The lock shows other processes that this one runs.

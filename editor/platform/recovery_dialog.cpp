@@ -29,12 +29,12 @@ std::vector<std::string> about_work(const SavedWork& work) {
             shown_line(work.file + " " + work.problem + ".")};
   std::vector<std::string> about = {work.path.empty() ? "It has no file of its own yet."
                                                       : shown_line(work.path)};
-  const std::size_t runs = work.recordings.size();
-  if (runs == 1)
+  const std::size_t recordings = work.recordings.size();
+  if (recordings == 1)
     about.push_back("With a recording of " + std::to_string(work.recordings.front()->frames) +
                     " frames that you worked on.");
-  else if (runs > 1)
-    about.push_back("With " + std::to_string(runs) + " recordings that you worked on.");
+  else if (recordings > 1)
+    about.push_back("With " + std::to_string(recordings) + " recordings that you worked on.");
   if (const std::size_t unread = work.unread_recordings.size(); unread > 0)
     about.push_back(shown_line((unread == 1 ? "A recording" : std::to_string(unread) + " recordings") +
                                " with it cannot be read: " + work.unread_recordings.front() + "."));
@@ -45,7 +45,7 @@ std::optional<RecoveryDialog::Answer> RecoveryDialog::draw(std::span<const Saved
                                                            const Session& session, Ui& ui) {
   const auto is_open = [](const Session&, const View& view) { return view.window.recovery_open; };
   if (!begin_dialog("Recover unsaved work", is_open, {ui.px(640), 0}, session, ui)) return std::nullopt;
-  const bool unsaved = session.modified() || !session.unsaved_runs().empty();
+  const bool unsaved = session.modified() || !session.unsaved_branches().empty();
   const auto readable =
       std::find_if(works.begin(), works.end(), [](const SavedWork& work) { return work.level != nullptr; });
   // Keys that are pressed before the dialog is seen must not discard anything.

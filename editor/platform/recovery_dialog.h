@@ -23,7 +23,8 @@ class RecoveryDialog {
     Choice choice = Choice::recover;
   };
   // Draws the dialog while ui.view.window.recovery_open. `reading`: the offered work is still being read.
-  // While the open level has unsaved changes, or a run that the user has worked on, nothing may replace it.
+  // While the open level has unsaved changes, or a branch that the user has worked on, nothing may replace
+  // it.
   std::optional<Answer> draw(std::span<const SavedWork> works, bool reading, const Session& session, Ui& ui);
 
  private:

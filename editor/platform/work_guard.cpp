@@ -139,7 +139,7 @@ void WorkGuard::finish_recovery(Session& session, View& view) {
 }
 
 void WorkGuard::keep(const Session& session) {
-  if (session.modified() || !session.unsaved_runs().empty()) (void)autosave_.save_now(session);
+  if (session.modified() || !session.unsaved_branches().empty()) (void)autosave_.save_now(session);
 }
 
 void WorkGuard::end(const Session& session) {

@@ -145,14 +145,14 @@ int Session::recoveries() const { return impl_->files.recoveries(); }
 std::optional<double> Session::compile_progress() const { return impl_->run.compile_progress(); }
 const std::optional<PngImport>& Session::png_import() const { return impl_->files.pictures().png_import(); }
 const std::optional<LevelImport>& Session::level_import() const { return impl_->files.level_import(); }
-std::vector<const Branch*> Session::unsaved_runs() const {
-  std::vector<const Branch*> runs;
-  for (int id : impl_->run.handmade_runs().all()) {
-    if (const Branch* run = timeline().find(id)) runs.push_back(run);
+std::vector<const Branch*> Session::unsaved_branches() const {
+  std::vector<const Branch*> branches;
+  for (int id : impl_->run.handmade_branches().all()) {
+    if (const Branch* branch = timeline().find(id)) branches.push_back(branch);
   }
-  return runs;
+  return branches;
 }
-std::uint64_t Session::runs_revision() const { return impl_->run.handmade_runs().revision(); }
+std::uint64_t Session::branches_revision() const { return impl_->run.handmade_branches().revision(); }
 bool Session::wants_save_as() const { return impl_->files.wants_save_as(); }
 bool Session::wants_save_recording() const { return impl_->files.wants_save_recording(); }
 bool Session::wants_quit() const { return impl_->files.wants_quit(); }

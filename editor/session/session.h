@@ -91,10 +91,10 @@ class Session {
   const std::vector<TrailPoint>& trail(const Branch& branch, int body, std::int64_t first,
                                        std::int64_t last) const;
   const Choices& choices() const;
-  // The runs with marks or inputs of the user's that no file has, the last changed one at the end. Actions
-  // that lose them ask first. SaveRecording saves them.
-  std::vector<const Branch*> unsaved_runs() const;
-  std::uint64_t runs_revision() const;  // grows when the result may be another one
+  // The branches with marks or inputs of the user's that no file has, the last changed one at the end.
+  // Actions that lose them ask first. SaveRecording saves them.
+  std::vector<const Branch*> unsaved_branches() const;
+  std::uint64_t branches_revision() const;  // grows when the result may be another one
 
   // The debugger; apply() and advance() bring it up to what is shown.
   const Debugger& debugger() const;

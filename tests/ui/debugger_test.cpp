@@ -244,7 +244,7 @@ TEST_F(UiDebugger, EditingRerunsTheRecordingIfTheMenuSaysSo) {
   EXPECT_LE(ball().box.bottom(), 13 * 8 + 0.01);
 }
 
-TEST_F(UiDebugger, PlotsGrowWithTheRunAndAClickShowsTheFrame) {
+TEST_F(UiDebugger, PlotsGrowAndAClickShowsTheFrame) {
   choose_ball();
   open_tab("plots");
   click("plots/choose");

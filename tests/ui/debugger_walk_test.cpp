@@ -108,7 +108,7 @@ TEST_F(UiDebuggerWalk, HomeAndEndGoToTheEndsOfTheRecording) {
   EXPECT_EQ(frame(), 0);
   EXPECT_EQ(timeline().last_frame(), 6);
   key(shift(kKeyHome));
-  EXPECT_EQ(timeline().branches().size(), 2u) << "a new run; the old one stays";
+  EXPECT_EQ(timeline().branches().size(), 2u) << "a new one; the old one stays";
   EXPECT_EQ(timeline().last_frame(), 0);
 }
 

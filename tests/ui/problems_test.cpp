@@ -40,7 +40,7 @@ TEST_F(UiProblems, ABrokenLevelIsRepairedFromThePanelAlone) {
   EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{25, 13}));
   click("problems/fix" + row_of("spawn-in-solid"));
   EXPECT_EQ(level().spawns[0].position, (Vec2{204, 96}));  // on top of the wall
-  EXPECT_EQ(last_edit(), "Move spawn \"hero\" up by 12 px to 204, 96 px");
+  EXPECT_EQ(last_edit(), "Move body \"hero\" up by 12 px to 204, 96 px");
   frames(4);
 
   click("problems/fix" + row_of("flags-conflict"));

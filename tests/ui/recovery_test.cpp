@@ -89,7 +89,7 @@ TEST_F(UiRecovery, WorkOfAProcessThatWasStillEndingIsOfferedToo) {
   EXPECT_EQ(tile_at({12, 9}), 5);
 }
 
-TEST_F(UiRecovery, AMarkedRunIsAskedAboutAndOfferedAfterACrash) {
+TEST_F(UiRecovery, AMarkedBranchIsOfferedAfterACrash) {
   for (int i = 0; i < 12; ++i) key(kKeyF10);
   key(ctrl('m'));
   frames(kFiveSeconds);

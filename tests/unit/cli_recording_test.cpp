@@ -43,7 +43,7 @@ class CliRecording : public FolderTest {
   }
 };
 
-TEST_F(CliRecording, VerifiesARunWithTheSameHashes) {
+TEST_F(CliRecording, VerifiesARecordingWithTheSameHashes) {
   const CliAnswer answer = sim({saved("good.talusrec", sample()), "--verify"});
   EXPECT_EQ(answer.status, kExitGood) << answer.err;
   EXPECT_EQ(answer.out, "passed 60 frames\n");

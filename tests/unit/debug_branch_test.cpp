@@ -102,14 +102,14 @@ TEST(DebuggedHardCase, FailingFrameIsFoundBackwardsAndExplained) {
   auto loaded = load_level(TALUS_SOURCE_DIR "/assets/hard_cases/03-step-with-a-slope.talus.json");
   ASSERT_TRUE(loaded);
   const auto hard = hard_case_of(loaded->level);
-  const auto run = [&](SolverKind solver) {
+  const auto played = [&](SolverKind solver) {
     Level level = loaded->level;
     level.tuning.solver = solver;
     Timeline timeline(level);
     for (std::int64_t i = 1; i <= (*hard)->frames; ++i) timeline.step(case_input((*hard)->input, i));
     return timeline.current();
   };
-  const BranchFrames article(run(SolverKind::article)), exact(run(SolverKind::exact));
+  const BranchFrames article(played(SolverKind::article)), exact(played(SolverKind::exact));
   BreakpointSearch back({*ArmedBreakpoint::arm({.id = 1, .condition = "penetration > 1"})},
                         article.last() + 1, SearchDirection::backwards);
   while (!back.advance(article, 64)) {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "recorded_run.h"
+#include "recorded_frames.h"
 
 namespace talus::debug_breakpoint_test {
 
@@ -120,7 +120,7 @@ TEST(Breakpoints, AWrongConditionIsNotArmed) {
   EXPECT_EQ(wrong.error().position, 4u);
 }
 
-TEST(HitCounter, CountsWhileARunGoesOn) {
+TEST(HitCounter, CountsWhileTheGameRuns) {
   const MadeFrames source = frames_of({0, 5, 0, 5, 0, 5});
   HitCounter counter({armed({.id = 3, .condition = "x > 3", .body = 1, .count = 2})});
   FrameHistory history(counter.frames_before());

@@ -1,4 +1,4 @@
-// Two runs side by side, and plotted expressions as series.
+// Two branches side by side, and plotted expressions as series.
 #include "debug/compare.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include "debug/breakpoint_search.h"
 #include "debug/plot_series.h"
 #include "level_picture.h"
-#include "recorded_run.h"
+#include "recorded_frames.h"
 
 namespace talus::debug_compare_test {
 
@@ -54,11 +54,11 @@ std::optional<Stop> first_parting(const FrameSource& a, const FrameSource& b, do
 TEST(Compare, FindsTheFirstFrameWhereSolversDiffer) {
   Level level = level_of({".o......", "........", ".../-...", "########"});
   level.tuning.shared.drift_speed = level.tuning.shared.drift_blend = 1;
-  const RecordedRun article(level, 40);
-  EXPECT_EQ(first_parting(article, RecordedRun(level, 40), 0), std::nullopt);
+  const RecordedFrames article(level, 40);
+  EXPECT_EQ(first_parting(article, RecordedFrames(level, 40), 0), std::nullopt);
 
   level.tuning.solver = SolverKind::exact;
-  const RecordedRun exact(level, 40);
+  const RecordedFrames exact(level, 40);
   std::int64_t expected = 0;
   while (expected < 40 && parting_of(article.at(expected).state.bodies[0], exact.at(expected).state) <= 0.01)
     ++expected;
@@ -68,7 +68,7 @@ TEST(Compare, FindsTheFirstFrameWhereSolversDiffer) {
   EXPECT_EQ(first_parting(article, exact, 1e6), std::nullopt);
 }
 
-TEST(Compare, HasFramesBeyondTheEndOfTheOtherRun) {
+TEST(Compare, HasFramesBeyondTheEndOfTheOtherBranch) {
   const MadeFrames a({state_of({}), state_of({}), state_of({})}),
       b({state_of({body_at(1, 0, 0)}), state_of({})});
   const ComparedFrames compared(a, &b);
@@ -119,35 +119,35 @@ TEST(Series, LeavesOutFramesWithoutANumber) {
   EXPECT_TRUE(std::isnan(series.points()[1].last));
 }
 
-TEST(PlotRun, GoesOnWhenTheRecordingGrows) {
+TEST(PlotReader, GoesOnWhenTheRecordingGrows) {
   std::vector<State> states;
   for (int i = 0; i < 6; ++i) states.push_back(state_of({body_at(1, i * i, 0)}));
   MadeFrames source(states);
   const std::vector<PlottedExpression> plots = {{*Expression::parse("x"), 1},
                                                 {*Expression::parse("x - before(x)"), 1}};
-  PlotRun run(plots, 2, 16);
-  EXPECT_FALSE(run.advance(source, 3));
-  EXPECT_EQ(run.progress(source), 0.5) << "before(x) also needs the frame before the first: a third frame";
-  EXPECT_TRUE(run.advance(source, 3));
+  PlotReader reader(plots, 2, 16);
+  EXPECT_FALSE(reader.advance(source, 3));
+  EXPECT_EQ(reader.progress(source), 0.5) << "before(x) also needs the frame before the first: a third frame";
+  EXPECT_TRUE(reader.advance(source, 3));
   source.frames.push_back(source.frames.back());
   source.frames.back().state.frame = 6;
-  EXPECT_TRUE(run.advance(source, 3));
+  EXPECT_TRUE(reader.advance(source, 3));
   std::vector<double> xs, steps;
-  for (const SeriesPoint& point : run.series()[0].points()) xs.push_back(point.last);
-  for (const SeriesPoint& point : run.series()[1].points()) steps.push_back(point.last);
+  for (const SeriesPoint& point : reader.series()[0].points()) xs.push_back(point.last);
+  for (const SeriesPoint& point : reader.series()[1].points()) steps.push_back(point.last);
   EXPECT_EQ(xs, (std::vector<double>{4, 9, 16, 25, 25}));
   EXPECT_EQ(steps, (std::vector<double>{3, 5, 7, 9, 0}));
 }
 
 TEST(FrameHistory, ReadsOnlyTheFramesThatItLacks) {
-  const RecordedRun run(level_of({"o..", "...", "###"}), 20);
+  const RecordedFrames recorded(level_of({"o..", "...", "###"}), 20);
   FrameHistory history(2);
   const auto reads_to = [&](std::int64_t frame) {
-    const std::int64_t before = run.reads;
-    history.go_to(run, frame);
+    const std::int64_t before = recorded.reads;
+    history.go_to(recorded, frame);
     for (std::size_t back = 0; back <= 2; ++back)
       EXPECT_EQ(history.view().before(back).state.frame, frame - static_cast<std::int64_t>(back));
-    return run.reads - before;
+    return recorded.reads - before;
   };
   EXPECT_EQ(reads_to(5), 3);
   EXPECT_EQ(reads_to(6), 1) << "the next one";
@@ -167,10 +167,10 @@ TEST(PlottedExpression, AConditionOnAMissingBodyHasNoValue) {
   EXPECT_EQ((PlottedExpression{grounded, 1}.value(history.view())), 0);
   EXPECT_EQ((PlottedExpression{*Expression::parse("frame > 0"), 0}.value(history.view())), 1)
       << "asks about no body";
-  PlotRun run({{grounded, 0}, {grounded, 1}}, 0, 16);
-  run.advance(source, 2);
-  EXPECT_TRUE(std::isnan(run.series()[0].points()[1].last));
-  EXPECT_EQ(run.series()[1].points()[1].last, 0);
+  PlotReader reader({{grounded, 0}, {grounded, 1}}, 0, 16);
+  reader.advance(source, 2);
+  EXPECT_TRUE(std::isnan(reader.series()[0].points()[1].last));
+  EXPECT_EQ(reader.series()[1].points()[1].last, 0);
 }
 
 }  // namespace talus::debug_compare_test

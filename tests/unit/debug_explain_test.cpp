@@ -6,7 +6,7 @@
 
 #include "debug/number_text.h"
 #include "level_picture.h"
-#include "recorded_run.h"
+#include "recorded_frames.h"
 
 namespace talus::debug_explain_test {
 
@@ -194,9 +194,9 @@ class Steps : public testing::Test {
     made.slope = SlopeProbe{made.other, 0.5, 28, 20, {-0.6, -0.8}, corrected};
     return made;
   }
-  static std::string step(const RecordedRun& run, std::int64_t frame) {
+  static std::string step(const RecordedFrames& recorded, std::int64_t frame) {
     FrameHistory history(1);
-    history.go_to(run, frame);
+    history.go_to(recorded, frame);
     return explain_step(history.view(), 1);
   }
   static Level falling(SolverKind solver) {
@@ -209,24 +209,25 @@ class Steps : public testing::Test {
 };
 
 TEST_F(Steps, TellOfAFreeFallAndALanding) {
-  const RecordedRun run(falling(SolverKind::exact), 2);
-  EXPECT_EQ(step(run, 0), "");
-  EXPECT_EQ(step(run, 1),
+  const RecordedFrames recorded(falling(SolverKind::exact), 2);
+  EXPECT_EQ(step(recorded, 0), "");
+  EXPECT_EQ(step(recorded, 1),
             "Body 1 wanted to go (0, 5) px and did. It met nothing. Its velocity went from (0, 0) to (0, "
             "5) px/frame.");
-  EXPECT_EQ(step(run, 2),
+  EXPECT_EQ(step(recorded, 2),
             "Body 1 wanted to go (0, 5) px and went (0, 3) px. It was stopped by the top of the tile at "
             "(0, 2) at 0.6 of the step; 2 px of motion left went into it and is lost. Its velocity went "
             "from (0, 5) to (0, -2.5) px/frame.");
   FrameHistory history(1);
-  history.go_to(run, 2);
+  history.go_to(recorded, 2);
   EXPECT_EQ(explain_step(history.view(), 2), "") << "no such body";
 }
 
 TEST_F(Steps, AreExplainedAlikeForEverySolver) {
   for (const SolverKind solver : solver_kinds()) {
-    const RecordedRun run(falling(solver), 2);
-    EXPECT_EQ(step(run, 2), step(RecordedRun(falling(SolverKind::exact), 2), 2)) << solver_name(solver);
+    const RecordedFrames recorded(falling(solver), 2);
+    EXPECT_EQ(step(recorded, 2), step(RecordedFrames(falling(SolverKind::exact), 2), 2))
+        << solver_name(solver);
   }
 }
 
@@ -234,7 +235,7 @@ TEST_F(Steps, TellOfAStartInsideTheGround) {
   Level level = level_of({"...", "...", "###"});
   level.tuning.solver = SolverKind::exact;
   level.spawns.push_back({.name = "", .position = {0, 9}, .velocity = {}, .extra = ""});
-  const std::string text = step(RecordedRun(level, 1), 1);
+  const std::string text = step(RecordedFrames(level, 1), 1);
   EXPECT_NE(
       text.find(" It began inside the ground, and was first put out of it. It was stopped by the top of"),
       std::string::npos)

@@ -9,7 +9,7 @@
 
 #include "debug/completion.h"
 #include "debug/expression_names.h"
-#include "recorded_run.h"
+#include "recorded_frames.h"
 
 namespace talus::debug_expression_test {
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "level_picture.h"
-#include "recorded_run.h"
+#include "recorded_frames.h"
 
 namespace talus::debug_metrics_test {
 
@@ -21,9 +21,9 @@ Level exact_level(std::initializer_list<std::string_view> rows) {
 class GroundMetrics : public testing::Test {
  protected:
   GroundMetrics()
-      : run_(exact_level({"......", "...#..", "......", "######", "######", "######", "######", "######"}),
-             0),
-        frame_(run_.at(0)) {}
+      : recorded_(
+            exact_level({"......", "...#..", "......", "######", "######", "######", "######", "######"}), 0),
+        frame_(recorded_.at(0)) {}
 
   double of(Metric metric, double x, double y, bool grounded = true) {
     Body body = body_at(1, x, y);
@@ -31,7 +31,7 @@ class GroundMetrics : public testing::Test {
     return measure(metric, frame_, body);
   }
 
-  RecordedRun run_;
+  RecordedFrames recorded_;
   Frame frame_;
 };
 
@@ -114,9 +114,9 @@ TEST(Metrics, TheLastContactWithAnEffectGivesTheNormal) {
 TEST(Metrics, FlightKeepsItsEnergyUnderConstantGravity) {
   Level level = exact_level({"o.......", "........", "........", "........", "........", "########"});
   level.tuning.exact.gravity = 0.125;
-  const RecordedRun run(level, 20);
+  const RecordedFrames recorded(level, 20);
   const auto energy = [&](std::int64_t frame) {
-    return measure(Metric::energy, run.at(frame), run.at(frame).state.bodies[0]);
+    return measure(Metric::energy, recorded.at(frame), recorded.at(frame).state.bodies[0]);
   };
   EXPECT_EQ(energy(0), 0.0625 * 0.0625 / 2 - 0.125 * 4);
   for (std::int64_t frame = 1; frame <= 20; ++frame) EXPECT_EQ(energy(frame), energy(0)) << frame;
@@ -133,14 +133,14 @@ TEST(Metrics, GroundedByEverySolver) {
     Level level = level_of({"o..", "...", "###"});
     level.tuning.solver = solver;
     level.tuning.shared.floor_bounce = 0;
-    const RecordedRun run(level, 60);
+    const RecordedFrames recorded(level, 60);
     const auto grounded = [&](std::int64_t frame) {
-      return measure(Metric::grounded, run.at(frame), run.at(frame).state.bodies[0]);
+      return measure(Metric::grounded, recorded.at(frame), recorded.at(frame).state.bodies[0]);
     };
     EXPECT_EQ(grounded(0), 0) << solver_name(solver);
     EXPECT_EQ(grounded(1), 0) << solver_name(solver);
     EXPECT_EQ(grounded(60), 1) << solver_name(solver);
-    EXPECT_NEAR(measure(Metric::floor_error, run.at(60), run.at(60).state.bodies[0]), 0, 1e-9);
+    EXPECT_NEAR(measure(Metric::floor_error, recorded.at(60), recorded.at(60).state.bodies[0]), 0, 1e-9);
   }
 }
 
@@ -153,10 +153,11 @@ TEST(Metrics, TheArticleSinksIntoSlopes) {
     level.tuning.shared.drift_speed = 1;
     level.tuning.shared.drift_blend = 1;
     level.tuning.shared.floor_bounce = 0;
-    const RecordedRun run(level, 40);
+    const RecordedFrames recorded(level, 40);
     double most = 0;
-    for (std::int64_t frame = 0; frame <= run.last(); ++frame)
-      most = std::max(most, measure(Metric::penetration, run.at(frame), run.at(frame).state.bodies[0]));
+    for (std::int64_t frame = 0; frame <= recorded.last(); ++frame)
+      most = std::max(most,
+                      measure(Metric::penetration, recorded.at(frame), recorded.at(frame).state.bodies[0]));
     return most;
   };
   EXPECT_GT(deepest(SolverKind::article), 1.9);

@@ -154,7 +154,7 @@ TEST(Fixes, ShapesCurvesAndTheSolver) {
 TEST(Fixes, BodiesAreMovedOutOfTheGround) {
   Level level = slope_level({"......", "......", ".##ab.", "######"});
   level.spawns = {{"hero", {12, 19}, {}, "", BodyKind::player, {8, 8}}};
-  EXPECT_THAT(labels_of(level, "spawn-in-solid"), ElementsAre("Move spawn \"hero\" up by 11 px to 12, 8 px"));
+  EXPECT_THAT(labels_of(level, "spawn-in-solid"), ElementsAre("Move body \"hero\" up by 11 px to 12, 8 px"));
   // The body's middle is on the slope.
   level.spawns[0].position = {28, 15};
   level.spawns[0].name.clear();

@@ -207,7 +207,7 @@ TEST(Lint, ASpawnInASolid) {
   EXPECT_THAT(
       problems(level),
       ElementsAre(
-          "E spawn-in-solid (0, 0): spawn \"hero\" at 0.5, 0.5 px starts inside the solid tile at (1, 1)",
+          "E spawn-in-solid (0, 0): body \"hero\" at 0.5, 0.5 px starts inside the solid tile at (1, 1)",
           "E spawn-in-solid (2, 1): ball 3 at 16, 15.5 px starts inside the solid tile at (2, 1)"));
 }
 

@@ -38,7 +38,7 @@ std::vector<std::string> deepest_levels() {
   return levels;
 }
 
-// A run in which the level is edited: the edit adds whatever `after` has and `before` has not.
+// A recording in which the level is edited: the edit adds whatever `after` has and `before` has not.
 Recording recording_of(const Level& before, const Level& after) {
   Timeline timeline(before);
   timeline.step({});

@@ -215,7 +215,7 @@ TEST_F(SessionDebug, AWrongOrDisabledBreakpointStopsNothing) {
   EXPECT_FALSE(session.debugger().stop());
 }
 
-TEST_F(SessionDebug, PlotsHaveANumberForEachFrameAndFollowTheRun) {
+TEST_F(SessionDebug, PlotsHaveANumberForEachFrame) {
   session.apply(action::SelectBody{1});
   session.apply(action::SetPlot{0, {"body.vy * 2", 0}});
   session.apply(action::SetPlot{1, {"vy +", 0}});
@@ -325,7 +325,7 @@ TEST_F(SessionDebug, BreakpointsAndPlotsContinueAfterTheOtherSide) {
   EXPECT_EQ(plots.series(plots.all()[0])->frames(), up[0] + 1);
 }
 
-TEST_F(SessionDebug, AnEditedLevelIsComparedWithTheRunBefore) {
+TEST_F(SessionDebug, AnEditedLevelIsComparedWithTheOldBranch) {
   step(60);
   session.apply(action::SetEditRule{{EditRule::Kind::from_start, 0}});
   Tuning tuning = session.level().tuning;

@@ -5,7 +5,7 @@
 
 #include "folder_test.h"
 #include "level_picture.h"
-#include "recorded_run.h"
+#include "recorded_frames.h"
 #include "session/debugger/breakpoints.h"
 #include "session/run/work_share.h"
 #include "session/session.h"
@@ -63,7 +63,7 @@ TEST_F(SlowSteps, SeekingToAFarFrameTakesTurns) {
   EXPECT_EQ(steps_of([&] { session_.advance(0); }), 0);
 }
 
-TEST_F(SlowSteps, TheFrameShownMeanwhileIsPartOfTheRun) {
+TEST_F(SlowSteps, TheFrameShownMeanwhileIsOfTheBranch) {
   session_.apply(act::SeekEnd{});
   if (!timeline().on_the_way()) GTEST_SUCCEED() << "the machine is quick";
   const std::int64_t shown = session_.state().frame;
@@ -114,7 +114,7 @@ TEST_F(SlowSteps, ATrailGrowsInTurns) {
 }
 
 // Each of these balls takes some tenths of a ms, and more than a turn together.
-TEST(SlowBreakpoints, AreJudgedBeforeTheRunGoesOn) {
+TEST(SlowBreakpoints, AreJudgedBeforeTheGameGoesOn) {
   Level level;
   level.tuning.solver = SolverKind::exact;
   level.tile_shapes[2].kind = TileShape::Kind::solid;

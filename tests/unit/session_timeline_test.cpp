@@ -132,7 +132,7 @@ TEST_F(SessionTimeline, TakeOverCutsTheBranchAtTheShownFrame) {
   EXPECT_EQ(timeline().last_frame(), 20);
 }
 
-TEST_F(SessionTimeline, ResettingKeepsTheOldRunAsABranch) {
+TEST_F(SessionTimeline, ResettingKeepsTheOldBranch) {
   steps(20);
   session_.apply(act::ResetPlay{});
   EXPECT_EQ(frame(), 0);
@@ -192,7 +192,7 @@ TEST_F(SessionTimeline, AStrokeRunsAgainAndMakesOneBranch) {
             timeline().state_at(*timeline().find(old), *parted - 1));
   session_.apply(act::Undo{});
   run_again();
-  EXPECT_EQ(timeline().parting_frame(), std::nullopt) << "the level is as it was, and so is the run";
+  EXPECT_EQ(timeline().parting_frame(), std::nullopt) << "the level is as it was, and so are the frames";
   EXPECT_EQ(session_.state(), before);
 }
 
@@ -237,7 +237,8 @@ TEST_F(SessionTimeline, InputOfAFrameCanBeEdited) {
   EXPECT_GT(session_.state().bodies[1].box.x, 120);
 }
 
-// Painting during play: a stroke is one run, however many frames pass, and the next stroke is another run.
+// Painting during play: a stroke is one branch, however many frames pass, and the next stroke is another
+// branch.
 TEST_F(SessionTimeline, EachStrokeDuringPlayMakesOneBranch) {
   steps(20);
   session_.apply({act::SetEditRule{{.kind = EditRule::Kind::from_start}}, act::Play{}});

@@ -132,7 +132,7 @@ TEST_P(TimelineOf, ItsRecordingRunsAgain) {
   EXPECT_EQ(again.scene(), timeline.scene());
 }
 
-TEST_P(TimelineOf, TheSameInputOnTheSameLevelGivesTheSameRun) {
+TEST_P(TimelineOf, TheSameInputGivesTheSameFrames) {
   Timeline timeline(room(GetParam()));
   for (std::int64_t frame = 1; frame <= 150; ++frame) timeline.step(input_at(frame));
   timeline.rerun(0);
@@ -242,7 +242,7 @@ TEST(Timeline, DroppingABranchKeepsTheOthers) {
   EXPECT_EQ(timeline.frame(), 0);
 }
 
-TEST(Timeline, RestartKeepsTheOldRunUnlessItIsEmpty) {
+TEST(Timeline, RestartKeepsTheOldBranchUnlessItIsEmpty) {
   Timeline timeline(drop());
   timeline.restart();
   EXPECT_EQ(timeline.branches().size(), 1u);
@@ -307,7 +307,7 @@ TEST(Timeline, TheMouseKeepsABodyWhoseNumberChanges) {
   finish(timeline);
   EXPECT_EQ(timeline.state().grabbed, 2);
   EXPECT_EQ(timeline.state().find(2)->origin.cell, (Cell{1, 0}));
-  EXPECT_EQ(timeline.compared()->input(1).grab, 1) << "the old run keeps its own";
+  EXPECT_EQ(timeline.compared()->input(1).grab, 1) << "the old branch keeps its own";
   timeline.edit_and_rerun(with_tile(level, {1, 0}, 0), nullptr, 0);
   EXPECT_EQ(timeline.current().input(1).grab, 0) << "there is no such body to hold";
 }
@@ -335,7 +335,7 @@ TEST(Timeline, ABranchOfARerunForgetsWhichFrameWasWanted) {
   timeline.fork();
   ASSERT_EQ(timeline.frame(), 20);
   timeline.switch_to(first);
-  EXPECT_EQ(timeline.frame(), 20) << "another run is shown at the same frame";
+  EXPECT_EQ(timeline.frame(), 20) << "another branch is shown at the same frame";
 }
 
 TEST(Timeline, SettingAKeyInARangeRerunsTheRest) {
@@ -381,7 +381,7 @@ TEST(Timeline, SettingTheMouseInARangeRerunsTheRest) {
   EXPECT_EQ(timeline.current().run_frame(), 0);
 }
 
-TEST(Timeline, NewInputKeepsARunOnAnEditedLevel) {
+TEST(Timeline, NewInputKeepsABranchOnAnEditedLevel) {
   Timeline timeline(drop());
   played(timeline, 20);
   timeline.edit_and_rerun(with_tile(drop(), {0, 3}, 1), nullptr, 0);
@@ -395,7 +395,7 @@ TEST(Timeline, NewInputKeepsARunOnAnEditedLevel) {
   EXPECT_EQ(timeline.branches().size(), 3u) << "of one series";
   finish(timeline);
   timeline.edit_and_rerun(with_tile(drop(), {0, 2}, 1), nullptr, 0);
-  EXPECT_EQ(timeline.branches().size(), 4u) << "a run with other input is no draft of an edited level";
+  EXPECT_EQ(timeline.branches().size(), 4u) << "a branch with other input is no draft of an edited level";
 }
 
 TEST(Timeline, NewInputKeepsFramesPlayedOnADraft) {

@@ -14,7 +14,7 @@
 //             `frames`. Each entry holds until the next one; nothing is held before the first. Default: no
 //             entries.
 //   "hashes"  texts of hexadecimal hashes (see sim/frame_hash.h) of 16 digits with a space between them.
-//             All texts together hold the hashes of frames 0..frames; or no hashes, for a run of up to
+//             All texts together hold the hashes of frames 0..frames; or no hashes, for a recording of up to
 //             kMostUnhashedFrames frames that was recorded but not run.
 //
 // Unknown keys are refused, as a recording without one of its parts would be another recording. A faulty file

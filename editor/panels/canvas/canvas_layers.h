@@ -42,7 +42,7 @@ void draw_state(ImDrawList& list, const State& state, int chosen_body, const Lev
 // cover.
 void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays, const CanvasView& view,
                    float scale, int pointed_at = 0, int stage = -1, std::span<const ScreenBox> covered = {});
-// The sources of the overlays of any run; see draw_overlays(). Only those that can be seen at this zoom:
+// The sources of the overlays of any branch; see draw_overlays(). Only those that can be seen at this zoom:
 OverlaySet drawable_overlays(OverlaySet overlays, const CanvasView& view);
 // px of the level that labels avoid: the bodies, the ramps that they are on, and covered parts.
 std::vector<Rect> label_obstacles(const Scene& scene, const State& state, const CanvasView& view,

@@ -135,7 +135,7 @@ void LevelCanvas::draw_other_side(const Session& session, Ui& ui, ImVec2 size) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(view.min, view.max, true);
   const Timeline& timeline = session.timeline();
-  // A variant uses the levels of the run that is shown.
+  // A variant uses the levels of the branch that is shown.
   const bool is_branch = !session.debugger().side_by_side().variant() && timeline.compared() != nullptr;
   other_level_at_frame_.show(session, is_branch ? *timeline.compared() : timeline.current(),
                              timeline.frame());

@@ -98,7 +98,7 @@ std::vector<Command> curve_commands() {
           {.id = "map/duplicate",
            .label = "Duplicate",
            .help = "Copies what the inspector shows to a place one tile further on: the chosen curve, with a "
-                   "tool that draws curves, or else the chosen spawn.",
+                   "tool that draws curves, or else the chosen body.",
            .key = ctrl('d'),
            .menu = menus::kMapBrushes,
            .run = duplicate,

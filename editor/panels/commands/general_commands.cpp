@@ -316,9 +316,8 @@ std::vector<Command> play_commands() {
        .menu = menus::kPlayRun,
        .run = run_from_start},
       {.id = "play/reset",
-       .label = "New run from frame 0",
-       .help =
-           "Puts every body back where the level has it, for a new run; the one before stays as a branch.",
+       .label = "New branch from frame 0",
+       .help = "Puts every body back where the level has it, in a new branch; the one before stays.",
        .key = shift(kKeyHome),
        .menu = menus::kPlayRun,
        .icon = Icon::restart,

@@ -104,8 +104,9 @@ std::vector<Command> input_roll_commands() {
                 .repeats = true},
                {.id = "roll/toggle",
                 .label = "Press or release",
-                .help = "Presses or releases the chosen key in the chosen frames, and makes the run again "
-                        "from there.",
+                .help =
+                    "Presses or releases the chosen key in the chosen frames, and runs what follows again "
+                    "from there.",
                 .key = KeyChord{' '},
                 .run = toggle_key,
                 .enabled = has_input},

@@ -44,8 +44,8 @@ void draw_branches(const Session& session, Actions& actions, Ui& ui) {
   const Timeline& timeline = session.timeline();
   const bool open = ui.begin_combo(
       "timeline/branch", short_name(timeline.current()), ui.px(kBranchWidth),
-      "Runs that parted from one another: playing on from an earlier frame, editing, "
-      "or other keys make a new one.",
+      "Branches: playing on from an earlier frame, editing, or other keys make a new one, and the one before "
+      "stays.",
       keys_of("timeline/previous_branch"_command, ui) + "  " + keys_of("timeline/next_branch"_command, ui));
   if (!open) return;
   const auto& branches = timeline.branches();
@@ -57,10 +57,10 @@ void draw_branches(const Session& session, Actions& actions, Ui& ui) {
     const float drop = ui.px(48), width = ui.px(310);
     if (selectable(label, {}, is_current, ImGuiSelectableFlags_None, {width, 0}))
       actions.push_back(action::SwitchBranch{branch.id});
-    ui.item("timeline/branch" + std::to_string(branch.id), "Shows this run.");
+    ui.item("timeline/branch" + std::to_string(branch.id), "Shows this branch.");
     ImGui::SameLine(width + ui.px(8));
     if (ImGui::SmallButton("drop")) actions.push_back(action::DropBranch{branch.id});
-    ui.item("timeline/drop" + std::to_string(branch.id), "Deletes this run.",
+    ui.item("timeline/drop" + std::to_string(branch.id), "Deletes this branch.",
             is_current ? keys_of("timeline/drop_branch"_command, ui) : "");
     ImGui::SameLine(width + ui.px(8) + drop);
     bool compared = timeline.compared() != nullptr && timeline.compared()->id == branch.id;
@@ -69,7 +69,7 @@ void draw_branches(const Session& session, Actions& actions, Ui& ui) {
       actions.push_back(action::CompareBranch{compared ? 0 : branch.id});
     ImGui::EndDisabled();
     ui.item("timeline/compare" + std::to_string(branch.id),
-            "Draws this run's bodies as ghosts beside those of the run that is shown.",
+            "Draws this branch's bodies as ghosts beside those of the branch that is shown.",
             keys_of("compare/next"_command, ui), !is_current);
     ImGui::PopID();
   });

@@ -53,8 +53,8 @@ void BreakpointsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_add(session, actions, ui);
   if (session.debugger().breakpoints().all().empty()) {
     ui.hint(
-        "No breakpoint yet. Choose a kind and add it, or type a condition. The run stops there while it "
-        "plays, and you can run back to the last frame in which the condition began to hold.");
+        "No breakpoint yet. Choose a kind and add it, or type a condition. The game stops there while it "
+        "runs, and you can run back to the last frame in which the condition began to hold.");
     return;
   }
   draw_list(session, actions, ui);
@@ -210,7 +210,7 @@ void BreakpointsPanel::draw_row(const Breakpoint& breakpoint, const Session& ses
   ImGui::AlignTextToFramePadding();
   ui.right_aligned(std::to_string(breakpoint.id), theme::tone(stopped ? theme::kAccent : theme::kMuted));
   ui.item(name + (stopped ? "/stopped" : "/number"),
-          stopped ? "This one stopped the run at the shown frame." : "Its number, which messages show.");
+          stopped ? "This one stopped the game at the shown frame." : "Its number, which messages show.");
   ImGui::TableNextColumn();
   ImGui::Checkbox("##enabled", &changed.enabled);
   ui.item(name + "/enabled", "Whether it is switched on.", "Ctrl+Enter in its condition");

@@ -1,4 +1,4 @@
-// Breakpoints: what stops a run, forwards and backwards.
+// Breakpoints: what stops the game, forwards and backwards.
 #pragma once
 
 #include <array>

@@ -20,12 +20,12 @@ std::vector<CompareChoice> compare_choices(const Session& session) {
 }
 
 CompareChoice compare_choice(const Session& session) {
-  const VariantRun* run = session.debugger().side_by_side().variant();
+  const VariantBranch* variant = session.debugger().side_by_side().variant();
   const Branch* branch = session.timeline().compared();
   const auto choices = compare_choices(session);
   const auto made = std::find_if(choices.begin(), choices.end(), [&](const CompareChoice& choice) {
-    return run != nullptr ? choice.variant == run->variant()
-                          : !choice.variant && choice.branch == (branch != nullptr ? branch->id : 0);
+    return variant != nullptr ? choice.variant == variant->variant()
+                              : !choice.variant && choice.branch == (branch != nullptr ? branch->id : 0);
   });
   return made != choices.end() ? *made : choices.front();
 }

@@ -1,4 +1,4 @@
-// What the shown run can be compared with.
+// What the shown branch can be compared with.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace talus {
 
-// One side of a comparison: a variant of the same run, or another branch.
+// One side of a comparison: a variant of the same branch, or another branch.
 struct CompareChoice {
   std::string label;  // "exact, single precision", "branch 2"
   std::string key;    // for the names of widgets

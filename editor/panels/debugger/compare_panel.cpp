@@ -31,7 +31,8 @@ void ComparePanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (!is_compared(session)) {
     ui.hint(
         "Choose what to compare with: the same input goes through both, and the other side is drawn as "
-        "ghosts. Runs on changed levels are compared as branches: see the list beside the timeline.");
+        "ghosts. To compare two branches, such as before and after an edit, see the list beside the "
+        "timeline.");
     return;
   }
   draw_parting(session, actions, ui);
@@ -45,7 +46,7 @@ void ComparePanel::draw_choice(const Session& session, Actions& actions, Ui& ui)
   ImGui::SameLine();
   const CompareChoice now = compare_choice(session);
   if (ui.begin_combo("compare/with", now.label, ui.px(170),
-                     "What the shown run is compared with. The key chooses the next one.",
+                     "What the shown branch is compared with. The key chooses the next one.",
                      keys_of("compare/next"_command, ui))) {
     for (const CompareChoice& choice : compare_choices(session)) {
       if (selectable(choice.label, {}, choice == now)) compare_with(choice, actions);

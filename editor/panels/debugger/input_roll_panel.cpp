@@ -27,7 +27,7 @@ void InputRollPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (session.timeline().last_frame() == 0) {
     ui.hint(
         "Nothing was played yet. This strip shows what is held in each frame, and can change it: click a "
-        "frame, or drag over several, and the run is made again with the new input.");
+        "frame, or drag over several, and a new branch plays the new input.");
     return;
   }
   const float column = ui.px(kColumn);
@@ -98,9 +98,10 @@ void InputRollPanel::draw_row(int index, const Session& session, Ui& ui, Columns
   ImGui::SameLine();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("row", {column * static_cast<float>(view.count), height});
-  ui.item("input_roll/" + std::string(label),
-          "Click a frame to press or release the key; drag over several. The run is made again from there.",
-          keys_of("view/input"_command, ui) + ", arrows, " + keys_of("roll/toggle"_command, ui));
+  ui.item(
+      "input_roll/" + std::string(label),
+      "Click a frame to press or release the key; drag over several. What follows is run again from there.",
+      keys_of("view/input"_command, ui) + ", arrows, " + keys_of("roll/toggle"_command, ui));
   if (ImGui::IsItemActivated()) take_keys(ui.view, index);
   handle_row(key, session, view, at, column);
 

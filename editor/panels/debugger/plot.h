@@ -1,4 +1,4 @@
-// A plot of a series over the frames of a run.
+// A plot of a series over the frames of a branch.
 #pragma once
 
 #include "debug/plot_series.h"

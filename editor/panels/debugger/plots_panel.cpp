@@ -34,7 +34,7 @@ void PlotsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_add(session, actions, ui);
   if (session.debugger().plots().all().empty() && !ui.view.debugger.shows_times) {
     ui.hint(
-        "No plot yet: choose a number, or type an expression. Each is plotted over the whole run, "
+        "No plot yet: choose a number, or type an expression. Each is plotted over the whole branch, "
         "for the chosen body; a click on a plot shows that frame.");
     return;
   }

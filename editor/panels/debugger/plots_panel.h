@@ -1,4 +1,4 @@
-// Plots: expressions, with their current values and as curves over the whole run.
+// Plots: expressions, with their current values and as curves over the whole branch.
 #pragma once
 
 #include <string>

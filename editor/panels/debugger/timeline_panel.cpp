@@ -40,10 +40,10 @@ class Track {
     list_.PushClipRect(min_, max_, true);
     // The part that is still to be run again is empty.
     const float end = axis_.left + axis_.width;
-    const float run = std::clamp(axis_.x_of(static_cast<double>(branch_.run_frame())), axis_.left, end);
+    const float done = std::clamp(axis_.x_of(static_cast<double>(branch_.run_frame())), axis_.left, end);
     list_.AddRectFilled({axis_.left, middle() - ui_.px(2)}, {end, middle() + ui_.px(2)},
                         theme::color(theme::kDark));
-    list_.AddRectFilled({axis_.left, middle() - ui_.px(2)}, {run, middle() + ui_.px(2)},
+    list_.AddRectFilled({axis_.left, middle() - ui_.px(2)}, {done, middle() + ui_.px(2)},
                         theme::tone(theme::kMuted, 150));
     for (const Chapter& chapter : branch_.chapters)
       if (chapter.first > 0) tick(chapter.first, theme::tone(theme::kWarning, 170));

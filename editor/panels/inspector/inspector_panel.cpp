@@ -235,7 +235,8 @@ void InspectorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   std::string name = "Body " + std::to_string(body->id);
   const int spawn = chosen_spawn(session);
   name += spawn >= 0                ? "  (" + title_of_spawn(session.level(), spawn) + ")"
-          : body->origin.spawn >= 0 ? "  (spawn " + std::to_string(body->origin.spawn + 1) + ")"
+          : body->origin.spawn >= 0 ? "  (" + std::string(traits_of(body->kind).word) + " " +
+                                          std::to_string(body->origin.spawn + 1) + ")"
                                     : "  (from cell " + std::to_string(body->origin.cell.x) + "," +
                                           std::to_string(body->origin.cell.y) + ")";
   if (session.state().grabbed == body->id && session.playback().input.mouse_down) name += ", held";

@@ -34,14 +34,14 @@ constexpr std::array<AnswerChoice, 2> kChangedAnswers = {
       action::Answer::keep, 'K'}}};
 
 constexpr std::array<AnswerChoice, 2> kDropAnswers = {
-    {{"question/cancel", "Cancel", "Keeps the run.", action::Answer::cancel, 'C'},
-     {"question/drop", "Drop it", "Deletes the run.", action::Answer::discard, 'D'}}};
+    {{"question/cancel", "Cancel", "Keeps the branch.", action::Answer::cancel, 'C'},
+     {"question/drop", "Drop it", "Deletes the branch.", action::Answer::discard, 'D'}}};
 
 constexpr std::array<AnswerChoice, 2> kReplaceAnswers = {
     {{"question/cancel", "Cancel", "Writes nothing.", action::Answer::cancel, 'C'},
      {"question/replace", "Replace", "Writes the export over them.", action::Answer::replace, 'R'}}};
 
-constexpr std::array<AnswerChoice, 3> kRunAnswers = {
+constexpr std::array<AnswerChoice, 3> kBranchAnswers = {
     {{"question/save", "Save as...", "Asks for a file, then goes on.", action::Answer::save, 'S'},
      {"question/discard", "Discard", "Goes on without the recording.", action::Answer::discard, 'D'},
      {"question/cancel", "Cancel", "Goes back to it.", action::Answer::cancel, 'C'}}};
@@ -66,9 +66,9 @@ struct QuestionDialog {
 };
 constexpr std::array<QuestionDialog, 7> kQuestionDialogs = {{{"Unsaved changes", kUnsavedAnswers},
                                                              {"Changed by another program", kChangedAnswers},
-                                                             {"Drop a run", kDropAnswers},
+                                                             {"Drop a branch", kDropAnswers},
                                                              {"Replace files", kReplaceAnswers},
-                                                             {"Keep the recording", kRunAnswers},
+                                                             {"Keep the recording", kBranchAnswers},
                                                              {"Not all is saved", kUnstoredAnswers},
                                                              {"Exports of this file", kAllowAnswers}}};
 

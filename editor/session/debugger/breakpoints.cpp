@@ -83,7 +83,7 @@ bool Breakpoints::judge_more(std::optional<Stop>& stop) {
   judging_.reset();
   log_->note(judged_, counter_);
   stop = counter_.stop();
-  // If no breakpoint counts, the counter begins wherever the run plays.
+  // If no breakpoint counts, the counter begins wherever the game plays.
   if (stop && !counter_.counts()) stop->hit = log_->hits(stop->breakpoint, judged_).value_or(0);
   return true;
 }

@@ -1,4 +1,4 @@
-// Breakpoints: their list; they are judged while a run plays, and searched for in a recording.
+// Breakpoints: their list; they are judged while the game runs, and searched for in a branch.
 #pragma once
 
 #include <optional>
@@ -28,9 +28,9 @@ class Breakpoints {
   bool count(const FrameSource& source, std::int64_t frame, std::int64_t most_frames) {
     return !log_ || log_->advance(source, frame, most_frames);
   }
-  void forget_hits();  // another run is compared now
+  void forget_hits();  // another branch is compared now
 
-  // --- While it runs. source: the frames of the shown run.
+  // --- While it runs. source: the frames of the shown branch.
   // Whether the hits up to this frame are counted; if not, counts those of so many more frames, fewer if they
   // have many bodies. Needed before the step from there is judged. Takes no time if no breakpoint counts.
   bool ready(const FrameSource& source, std::int64_t frame, std::int64_t most_frames);
@@ -41,11 +41,11 @@ class Breakpoints {
   // Judges the frame that was begun for kBodiesAtOnce more bodies. Returns true when it is judged, and puts
   // the stop there, or nothing, into `stop`.
   bool judge_more(std::optional<Stop>& stop);
-  void forget_frames();  // the frames belong to another run now, or the breakpoints have changed
+  void forget_frames();  // the frames belong to another branch now, or the breakpoints have changed
 
   // --- Searching
   void search(std::int64_t from, SearchDirection direction);
-  void search_first(ArmedBreakpoint condition);  // in the whole run, forwards; not one of the list
+  void search_first(ArmedBreakpoint condition);  // in the whole branch, forwards; not one of the list
   void cancel_search() { search_.reset(); }
   bool searching() const { return search_.has_value(); }
   SearchDirection direction() const { return direction_; }

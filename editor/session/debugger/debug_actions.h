@@ -1,4 +1,4 @@
-// Actions: stopping a run, plotting its numbers and comparing it with another one.
+// Actions: stopping the game, plotting the numbers of a branch and comparing it with another one.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 #include "debug/breakpoint_search.h"
 #include "session/debugger/plot_list.h"
-#include "session/run/variant_run.h"
+#include "session/run/variant_branch.h"
 
 namespace talus {
 namespace action {
@@ -37,7 +37,7 @@ struct SetPlot {  // replaces the one with this index; a larger index: a new one
 struct RemovePlot {
   std::size_t index = 0;
 };
-struct CompareVariant {            // runs the same input through it, beside the shown run
+struct CompareVariant {            // runs the same input through it, beside the shown branch
   std::optional<Variant> variant;  // nothing: ends the comparison
 };
 

@@ -1,4 +1,4 @@
-// DebugHandler: lets the debugger stop the run, and reports what it found.
+// DebugHandler: lets the debugger stop the game, and reports what it found.
 #pragma once
 
 #include <string>
@@ -19,18 +19,18 @@ class DebugHandler {
   void apply(const DebugAction& action);
   const Debugger& debugger() const { return debugger_; }
 
-  // Brings the debugger up to the run; call it whenever the run has changed.
+  // Brings the debugger up to the timeline; call it whenever that has changed.
   void follow() { debugger_.follow(run_.timeline(), open_.level); }
-  void forget_run() { debugger_.forget_run(); }  // the run belongs to another level now
-  void play(double seconds);                     // until a breakpoint stops it
-  void advance();                                // continues the debugger's work
+  void forget_timeline() { debugger_.forget_timeline(); }  // it belongs to another level now
+  void play(double seconds);                               // until a breakpoint stops it
+  void advance();                                          // continues the debugger's work
 
  private:
   // For each action of DebugAction, in debug_handler.cpp.
   template <class A>
   void carry_out(const A& action) = delete;
 
-  void note_stop();  // the run has stopped at debugger_.stop()
+  void note_stop();  // the game has stopped at debugger_.stop()
 
   const OpenLevel& open_;
   RunHandler& run_;

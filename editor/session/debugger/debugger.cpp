@@ -11,7 +11,7 @@ constexpr double kJudgeSeconds = 0.02;  // for judging a frame, and for counting
 }  // namespace
 
 FrameView Debugger::view(const Timeline& timeline) const {
-  return shown_frame_.view(timeline, source(), other_run(timeline));
+  return shown_frame_.view(timeline, source(), other_id(timeline));
 }
 
 const std::shared_ptr<const Terrain>& Debugger::ground(const Timeline& timeline) const {
@@ -39,9 +39,9 @@ void Debugger::follow(const Timeline& timeline, const Level& level) {
   if (&timeline.scene() == timeline.level_scene().get())
     frames.know(branch.chapters[branch.chapter_at(timeline.frame())].version, timeline.level_scene());
   side_.follow(timeline, level, frames_.count());
-  if (is_other || side_.run() != side_run_) forget_parting();
-  if (!is_other && side_.run() != side_run_) breakpoints_.forget_hits();
-  side_run_ = side_.run();
+  if (is_other || side_.id() != side_id_) forget_parting();
+  if (!is_other && side_.id() != side_id_) breakpoints_.forget_hits();
+  side_id_ = side_.id();
   if (is_other) {
     breakpoints_.forget_frames();
     plots_.begin_again();
@@ -51,7 +51,7 @@ void Debugger::follow(const Timeline& timeline, const Level& level) {
   revision_ = branch.revision;
 }
 
-void Debugger::forget_run() {
+void Debugger::forget_timeline() {
   compare_with(std::nullopt);
   forget_parting();
   const std::vector<Breakpoint> all = breakpoints_.all();
@@ -134,7 +134,7 @@ std::optional<std::int64_t> Debugger::advance(const Timeline& timeline, const Le
     }
     // One after another: frames that are read in order cost a step each, others a seek.
     const bool done = !searching() &&
-                      shown_frame_.advance(timeline, source(), other_run(timeline), kSeconds) &&
+                      shown_frame_.advance(timeline, source(), other_id(timeline), kSeconds) &&
                       breakpoints_.count(source(), timeline.frame(), frames_.count()) &&
                       advance_plots(timeline, chosen_body) && advance_parting();
     is_busy_ = !done;
@@ -153,8 +153,8 @@ bool Debugger::advance_plots(const Timeline& timeline, int chosen_body) {
   return parting_plot_.advance(source(), body, frames_.count()) && done;
 }
 
-// The whole run, and what is played later: forwards from the frames that were searched before. Returns true
-// at the last frame.
+// The whole branch, and what is played later: forwards from the frames that were searched before. Returns
+// true at the last frame.
 bool Debugger::advance_parting() {
   if (side_.variant() == nullptr || parting_frame_) return true;
   if (!parting_search_) {
@@ -197,12 +197,12 @@ std::optional<double> Debugger::comparing_progress(const Timeline& timeline) con
                                    : 0;
 }
 
-// Read apart from the judged frames, so that each goes along its run in order.
+// Read apart from the judged frames, so that each goes along its branch in order.
 const Frame* Debugger::other_frame(const Timeline& timeline) const {
   const Branch* branch = side_.branch(timeline);
   if (branch == nullptr || !side_.has(timeline.frame())) return nullptr;
   const BranchFrames& frames = other_frames_.of(*branch);
-  const bool known = other_frame_.scene != nullptr && other_run_ == other_frames_.run() &&
+  const bool known = other_frame_.scene != nullptr && other_id_ == other_frames_.id() &&
                      other_frame_.state.frame == timeline.frame();
   if (!known) {
     const Stopwatch clock;
@@ -213,7 +213,7 @@ const Frame* Debugger::other_frame(const Timeline& timeline) const {
       }
     frames.read(timeline.frame(), other_frame_);
   }
-  other_run_ = other_frames_.run();
+  other_id_ = other_frames_.id();
   return &other_frame_;
 }
 

@@ -1,5 +1,5 @@
-// Debugger: what stops a run, which expressions are plotted over it, and which run it is compared with. It
-// looks at the session's timeline and never changes it. Long work is done a little at a time.
+// Debugger: what stops the game, which expressions are plotted over the branch, and what that is compared
+// with. It looks at the session's timeline and never changes it. Long work is done a little at a time.
 #pragma once
 
 #include <optional>
@@ -37,16 +37,17 @@ class Debugger {
   // --- While it runs
   // The timeline belongs to another level now: the comparison ends, and the breakpoints, which are about
   // bodies and cells of the old level, are switched off.
-  void forget_run();
+  void forget_timeline();
   // Brings everything up to the timeline; call it whenever that has changed.
   void follow(const Timeline& timeline, const Level& level);
   // Whether a step may be made: the shown frame is judged, and the hits of the breakpoints up to it are
   // counted. If not, it counts some more of them.
   bool may_step(const Timeline& timeline);
-  // Judges the frame after a step for a few ms. Returns whether the run stops there. Costs nothing without
+  // Judges the frame after a step for a few ms. Returns whether the game stops there. Costs nothing without
   // breakpoints.
   bool stops_at(const Timeline& timeline, const Level& level);
-  // Goes on for a few ms, if a frame with many bodies is not judged yet. Returns whether the run stops there.
+  // Goes on for a few ms, if a frame with many bodies is not judged yet. Returns whether the game stops
+  // there.
   bool still_stops_at(const Timeline& timeline);
   // Spends a few ms on remaining work. Returns the frame that a search has just found, if there is one.
   std::optional<std::int64_t> advance(const Timeline& timeline, const Level& level, int chosen_body);
@@ -73,16 +74,15 @@ class Debugger {
   std::optional<std::int64_t> other_end() const;
   // The first frame in which the sides have parted, as far as it is known: for a variant by more than
   // parting(), for a branch by any difference.
-  // more than parting(), with a branch at all.
   std::optional<std::int64_t> parting_frame(const Timeline& timeline) const;
   // How far a variant has been run, 0 to 1, while it is behind the shown frame.
   std::optional<double> comparing_progress(const Timeline& timeline) const;
 
  private:
-  // The shown run with the other side; it must be followed (asserted).
+  // The shown branch with the other side; it must be followed (asserted).
   ComparedFrames source() const { return {*shown_.get(), side_.frames()}; }
-  // The run of the other side, if that has the shown frame; else 0.
-  int other_run(const Timeline& timeline) const { return side_.has(timeline.frame()) ? side_.run() : 0; }
+  // The id of the other side, if that has the shown frame; else 0.
+  int other_id(const Timeline& timeline) const { return side_.has(timeline.frame()) ? side_.id() : 0; }
   bool advance_plots(const Timeline& timeline, int chosen_body);
   bool advance_parting();
   void forget_parting();
@@ -92,7 +92,7 @@ class Debugger {
   SideBySide side_;
   FollowedFrames shown_;
   int branch_ = 0, revision_ = 0;  // of the followed branch
-  int side_run_ = 0;
+  int side_id_ = 0;
 
   double parting_ = 0.01;
   std::optional<BreakpointSearch> parting_search_;
@@ -102,7 +102,7 @@ class Debugger {
   mutable ShownFrame shown_frame_;  // caches
   mutable FollowedFrames other_frames_;
   mutable Frame other_frame_;
-  mutable int other_run_ = 0;             // the run of that frame
+  mutable int other_id_ = 0;              // the side of that frame
   mutable bool other_is_behind_ = false;  // the other side's frame was wanted, and is still to be run
 
   std::optional<Stop> stop_;

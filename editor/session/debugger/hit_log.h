@@ -1,4 +1,4 @@
-// HitLog: the frames of a run in which breakpoints hit, so that the hits up to any frame are known without
+// HitLog: the frames of a branch in which breakpoints hit, so that the hits up to any frame are known without
 // counting again.
 #pragma once
 

@@ -33,7 +33,7 @@ void PlotList::remove(std::size_t index) {
 }
 
 const Series* PlotList::series(const Entry& entry) const {
-  return run_ && entry.expression ? &run_->series()[entry.series] : nullptr;
+  return reader_ && entry.expression ? &reader_->series()[entry.series] : nullptr;
 }
 
 double PlotList::value(const Entry& entry, const FrameView& view, int chosen_body) {
@@ -42,8 +42,8 @@ double PlotList::value(const Entry& entry, const FrameView& view, int chosen_bod
 }
 
 bool PlotList::advance(const FrameSource& source, int chosen_body, std::int64_t most_frames) {
-  if (run_ && chosen_body != chosen_body_) begin_again();
-  if (!run_) {
+  if (reader_ && chosen_body != chosen_body_) begin_again();
+  if (!reader_) {
     chosen_body_ = chosen_body;
     std::vector<PlottedExpression> plots;
     for (Entry& entry : entries_) {
@@ -51,9 +51,9 @@ bool PlotList::advance(const FrameSource& source, int chosen_body, std::int64_t 
       entry.series = plots.size();
       plots.push_back({*entry.expression, body_of(entry.plot, chosen_body)});
     }
-    run_.emplace(std::move(plots), 0, kMostPoints);
+    reader_.emplace(std::move(plots), 0, kMostPoints);
   }
-  return run_->series().empty() || run_->advance(source, most_frames);
+  return reader_->series().empty() || reader_->advance(source, most_frames);
 }
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// PlotList: expressions that are plotted, with their values over the whole run.
+// PlotList: expressions that are plotted, with their values over the whole branch.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ class PlotList {
     PlotText plot;
     std::optional<Expression> expression;  // nothing: its text is faulty
     ExpressionError error;                 // in that case
-    std::size_t series = 0;                // its place in the run
+    std::size_t series = 0;                // its place in the reader
   };
 
   const std::vector<Entry>& all() const { return entries_; }
@@ -36,15 +36,15 @@ class PlotList {
   // Its value in the last frame of a history; NaN: there is none.
   static double value(const Entry& entry, const FrameView& view, int chosen_body);
 
-  // The frames belong to another run now, or another body is chosen.
-  void begin_again() { run_.reset(); }
+  // The frames belong to another branch now, or another body is chosen.
+  void begin_again() { reader_.reset(); }
   // Reads up to so many more frames. Returns true at the last one.
   bool advance(const FrameSource& source, int chosen_body, std::int64_t most_frames);
 
  private:
   std::vector<Entry> entries_;
-  std::optional<PlotRun> run_;
-  int chosen_body_ = 0;  // the body of the run
+  std::optional<PlotReader> reader_;
+  int chosen_body_ = 0;  // the body of the reader
 };
 
 }  // namespace talus

@@ -44,7 +44,7 @@ struct RecoverLevel {
   std::shared_ptr<const Level> level;  // never null
   std::string path;                    // empty: it has none
   std::string name;                    // for titles, without a path
-  // The runs that were saved with it, never null; the last one is shown.
+  // The branches that were saved with it, never null; the last one is shown.
   std::vector<std::shared_ptr<const Recording>> recordings = {};
 };
 // Checks whether another program has changed the level's file; see Session::question().

@@ -117,11 +117,11 @@ void FileHandler::answer_about_changes(action::Answer answer) {
   if (!wants_save_as_) pending_.reset();
 }
 
-void FileHandler::answer_about_run(action::Answer answer) {
+void FileHandler::answer_about_branch(action::Answer answer) {
   if (answer == action::Answer::save) {
     wants_save_recording_ = true;
   } else if (answer == action::Answer::discard) {
-    if (const auto run = run_.handmade_runs().latest()) run_.give_up(*run);
+    if (const auto branch = run_.handmade_branches().latest()) run_.give_up(*branch);
     continue_pending();
   } else {
     pending_.reset();
@@ -145,7 +145,7 @@ void FileHandler::ask_before_discarding(DiscardingAction discarding) {
   messages_.take_back_question();
   pending_.reset();
   wants_save_as_ = wants_save_recording_ = false;
-  if (is_stored()) return ask_about_run(std::move(discarding));
+  if (is_stored()) return ask_about_branch(std::move(discarding));
   pending_ = std::move(discarding);
   if (open_.history.is_saved()) return ask_about_unstored();
   messages_.ask(Question{"Save the changes to " + file_name() + "?"},
@@ -169,20 +169,20 @@ void FileHandler::go_on_when_stored() {
 }
 
 void FileHandler::continue_pending() {
-  if (auto discarding = std::exchange(pending_, std::nullopt)) ask_about_run(std::move(*discarding));
+  if (auto discarding = std::exchange(pending_, std::nullopt)) ask_about_branch(std::move(*discarding));
 }
 
-// Shows the run that would be saved.
-void FileHandler::ask_about_run(DiscardingAction discarding) {
-  const auto run = run_.handmade_runs().latest();
-  if (!run || run_.timeline().find(*run) == nullptr) return discard_and_do(discarding);
+// Shows the branch that would be saved.
+void FileHandler::ask_about_branch(DiscardingAction discarding) {
+  const auto branch = run_.handmade_branches().latest();
+  if (!branch || run_.timeline().find(*branch) == nullptr) return discard_and_do(discarding);
   run_.set_running(false);
-  if (run_.timeline().current().id != *run) run_.switch_to(*run);
+  if (run_.timeline().current().id != *branch) run_.switch_to(*branch);
   pending_ = std::move(discarding);
-  messages_.ask(Question{"Keep the recording of run " + std::to_string(*run) +
+  messages_.ask(Question{"Keep the recording of branch " + std::to_string(*branch) +
                              "?\nIt has marks or inputs of yours, and is not saved in a file yet.",
-                         Question::Kind::unsaved_run},
-                [this](action::Answer answer) { answer_about_run(answer); });
+                         Question::Kind::unsaved_branch},
+                [this](action::Answer answer) { answer_about_branch(answer); });
 }
 
 void FileHandler::discard_and_do(const DiscardingAction& discarding) {
@@ -399,7 +399,7 @@ void FileHandler::replace_level(Level opened, std::string opened_path, const For
   note_file();
   exports_.forget_level();
   level_.replace(std::move(opened));
-  debug_.forget_run();
+  debug_.forget_timeline();
   // An old error no longer holds, but things that a save just before has dropped are still to be reported.
   messages_.dismiss_error();
 }

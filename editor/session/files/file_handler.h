@@ -65,8 +65,8 @@ class FileHandler {
   void answer_about_changes(action::Answer answer);
   void ask_about_unstored();
   void go_on_when_stored();
-  void ask_about_run(DiscardingAction discarding);  // the same for a run with the user's marks or inputs
-  void answer_about_run(action::Answer answer);
+  void ask_about_branch(DiscardingAction discarding);  // the same for one with the user's marks or inputs
+  void answer_about_branch(action::Answer answer);
   void continue_pending();
   void discard_and_do(const DiscardingAction& discarding);
 

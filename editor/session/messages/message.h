@@ -17,7 +17,7 @@ struct Question {
     changed_outside,
     drop_branch,
     replace_files,
-    unsaved_run,
+    unsaved_branch,
     unstored,
     allow_exports
   };

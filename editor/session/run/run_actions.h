@@ -28,7 +28,7 @@ struct Play {};
 struct Pause {};
 struct TogglePlay {};
 struct StepFrame {};  // pauses and makes one step, or shows the next recorded frame: see Session
-struct ResetPlay {};  // a new run from frame 0 of the current level; keeps running if it ran
+struct ResetPlay {};  // a new branch from frame 0 of the current level; keeps running if it ran
 struct SetSpeed {
   double factor = 1;  // kMinSpeed to kMaxSpeed; clamped
 };

@@ -105,7 +105,7 @@ void RunHandler::seek(std::int64_t frame) {
 template <>
 void RunHandler::carry_out(const action::SetMark& a) {
   simulation_.timeline().set_mark(a.frame, a.name);
-  handmade_runs_.note_marks(timeline().current().id, true);
+  handmade_branches_.note_marks(timeline().current().id, true);
 }
 
 template <>
@@ -113,7 +113,7 @@ void RunHandler::carry_out(const action::RemoveMark& a) {
   const std::size_t before = timeline().current().marks.size();
   simulation_.timeline().remove_mark(a.frame);
   const Branch& branch = timeline().current();
-  if (branch.marks.size() != before) handmade_runs_.note_marks(branch.id, !branch.marks.empty());
+  if (branch.marks.size() != before) handmade_branches_.note_marks(branch.id, !branch.marks.empty());
 }
 
 template <>
@@ -153,7 +153,7 @@ void RunHandler::carry_out(const action::DropBranch& a) {
   const Branch* branch = timeline().find(a.branch);
   if (branch == nullptr || messages_.question()) return;
   if (branch->last_frame() == 0) return drop_branch(a.branch);
-  messages_.ask(Question{"Drop run " + std::to_string(a.branch) + " with " +
+  messages_.ask(Question{"Drop branch " + std::to_string(a.branch) + " with " +
                              std::to_string(branch->last_frame()) + " frames? This cannot be undone.",
                          Question::Kind::drop_branch},
                 [this, branch = a.branch](action::Answer answer) {
@@ -165,7 +165,7 @@ void RunHandler::drop_branch(int branch) {
   keep_chosen_body([&] {
     if (branch == timeline().current().id) simulation_.set_running(false);
     simulation_.timeline().drop(branch);
-    handmade_runs_.note_gone(branch);
+    handmade_branches_.note_gone(branch);
     simulation_.show();
   });
 }
@@ -188,7 +188,7 @@ void RunHandler::carry_out(const action::SetMouse& a) {
   note_input([&] { simulation_.timeline().set_mouse(a.first, a.last, a.position); });
 }
 
-// Notes that an input was set by hand, unless it has changed nothing in the run.
+// Notes that an input was set by hand, unless it has changed nothing in the branch.
 void RunHandler::note_input(FunctionRef<void()> change) {
   const auto shown = [this] {
     const Branch& branch = timeline().current();
@@ -197,7 +197,7 @@ void RunHandler::note_input(FunctionRef<void()> change) {
   const auto before = shown();
   change();
   simulation_.show();
-  if (shown() != before) handmade_runs_.note_input(shown().first);
+  if (shown() != before) handmade_branches_.note_input(shown().first);
 }
 
 template <>
@@ -240,7 +240,7 @@ void RunHandler::advance(double seconds, FunctionRef<bool()> may_step, FunctionR
 
 // A recording that was read must give the recorded frames; if it does not, the user should know where.
 void RunHandler::note_rerun_ended() {
-  handmade_runs_.note_run_again(timeline().current().id);
+  handmade_branches_.note_rerun(timeline().current().id);
   if (const auto frame = timeline().unexpected_frame(timeline().current()))
     messages_.tell_error("Frame " + std::to_string(*frame) +
                          " differs from the recording; later frames may differ, too.");
@@ -262,7 +262,7 @@ void RunHandler::refresh_scene() {
   keep_chosen_body(
       [&] { has_room = simulation_.edit(open_.level, changes.whole ? nullptr : &changes.cells); });
   if (!has_room) {
-    messages_.tell("The run begins anew, as its edits of the level took more than " +
+    messages_.tell("A new branch begins, as the one before has edits of the level that take more than " +
                    std::to_string(kMaxVersionBytes >> 20) + " MiB.");
   }
 }
@@ -300,7 +300,7 @@ std::optional<double> RunHandler::compile_progress() const {
 void RunHandler::load_level() {
   read_hard_case();
   load_simulation();
-  handmade_runs_.clear();
+  handmade_branches_.clear();
   trails_ = other_trails_ = {};
   scene_changes_ = {};
 }
@@ -319,9 +319,9 @@ void RunHandler::load(const Recording& recording, const EndScenes& scenes) {
 void RunHandler::recover(const std::vector<std::shared_ptr<const Recording>>& recordings,
                          const EndScenes& scenes) {
   load(*recordings.front(), scenes);
-  handmade_runs_.note_input(timeline().current().id);
+  handmade_branches_.note_input(timeline().current().id);
   for (std::size_t i = 1; i < recordings.size(); ++i)
-    handmade_runs_.note_input(simulation_.timeline().add(*recordings[i]));
+    handmade_branches_.note_input(simulation_.timeline().add(*recordings[i]));
   scene_changes_ = {};
   scene_changes_.whole = true;
 }

@@ -1,5 +1,4 @@
-// RunHandler: the run of the open level: plays it, moves in the recording, and keeps it up to date with
-// edits.
+// RunHandler: runs the open level: plays it, moves along its branches, and keeps them up to date with edits.
 #pragma once
 
 #include <memory>
@@ -7,7 +6,7 @@
 #include <vector>
 
 #include <talus/collision/function_ref.h>
-#include "handmade_runs.h"
+#include "handmade_branches.h"
 #include "level/hard_case.h"
 #include "run_actions.h"
 #include "scene_changes.h"
@@ -27,7 +26,7 @@ class RunHandler {
 
   const Simulation& simulation() const { return simulation_; }
   const Timeline& timeline() const { return simulation_.timeline(); }
-  const HandmadeRuns& handmade_runs() const { return handmade_runs_; }
+  const HandmadeBranches& handmade_branches() const { return handmade_branches_; }
   const std::optional<HardCase>& hard_case() const { return hard_case_; }
   // Of the timeline, and of the variant.
   Trails& trails() { return trails_; }
@@ -58,8 +57,8 @@ class RunHandler {
   void show_frame(std::int64_t frame) { simulation_.seek(frame); }  // of the current scene
   void switch_to(int branch);
   void play_new(const std::vector<Input>& inputs);  // as a new branch, which ends there, paused
-  void note_saved(int branch) { handmade_runs_.note_saved(branch); }
-  void give_up(int branch) { handmade_runs_.note_gone(branch); }  // the run is not worth keeping any more
+  void note_saved(int branch) { handmade_branches_.note_saved(branch); }
+  void give_up(int branch) { handmade_branches_.note_gone(branch); }  // it is not worth keeping any more
 
  private:
   // For each action of RunAction, in run_handler.cpp.
@@ -68,7 +67,7 @@ class RunHandler {
 
   void seek(std::int64_t frame);
   void drop_branch(int branch);
-  void note_input(FunctionRef<void()> change);          // of the current run, by hand
+  void note_input(FunctionRef<void()> change);          // of the current branch, by hand
   void keep_chosen_body(FunctionRef<void()> renumber);  // across a change that may give bodies other ids
   void load_simulation();
   void leave_compiler();  // the timeline brings a scene of its own
@@ -83,7 +82,7 @@ class RunHandler {
   bool is_opening_ = false;  // the compiler works on the first scene of the level
   int scenes_ = 0;
   std::optional<HardCase> hard_case_;
-  HandmadeRuns handmade_runs_;
+  HandmadeBranches handmade_branches_;
 };
 
 }  // namespace talus

@@ -13,7 +13,7 @@ class ShownFrame {
   // source: the frames of the timeline's current branch, including the shown one (asserted). Valid until the
   // next call for another frame. Until it is read, which may take many steps, the frame is alone: without
   // frames before it and without another side.
-  // other: the run of the other side, if its frame is there; else 0.
+  // other: the id of the other side, if its frame is there; else 0.
   FrameView view(const Timeline& timeline, const FrameSource& source, int other);
   // Spends so many seconds on reading what view() was asked for, if that is still shown. Returns true if
   // nothing is left to read.
@@ -21,7 +21,7 @@ class ShownFrame {
   bool is_read() const { return is_read_; }  // what view() was asked for last
   // The stages of what the timeline shows; the step is not made again. ground: as Frame::ground.
   const std::vector<Stage>& stages(const Timeline& timeline, std::shared_ptr<const Terrain> ground, int body);
-  void forget();  // the run belongs to another level now
+  void forget();  // the timeline belongs to another level now
 
  private:
   struct Key {

@@ -7,7 +7,7 @@ const BranchFrames& FollowedFrames::of(const Branch& branch) {
     frames_->grow(branch);
   } else {
     frames_.emplace(branch);
-    ++run_;
+    ++id_;
   }
   branch_ = branch.id;
   revision_ = branch.revision;
@@ -29,7 +29,7 @@ void SideBySide::follow(const Timeline& shown, const Level& level, std::int64_t 
   if (variant_) {
     const int begun = variant_->begun();
     variant_->follow(shown, level, most_steps);
-    if (variant_->begun() != begun) frames_.clear();  // another run, though its branch has the same number
+    if (variant_->begun() != begun) frames_.clear();  // another branch, though it has the same number
     frames_.of(variant_->timeline()->current());
   } else if (const Branch* compared = shown.compared()) {
     frames_.of(*compared);

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "debug/branch_frames.h"
-#include "variant_run.h"
+#include "variant_branch.h"
 
 namespace talus {
 
@@ -17,10 +17,11 @@ class FollowedFrames {
   const BranchFrames& of(const Branch& branch);
   const BranchFrames* get() const { return frames_ ? &*frames_ : nullptr; }
   void clear() { frames_.reset(); }
-  int run() const { return run_; }  // unique for every run that was followed
+  // Unique for every branch that was followed. A branch that was run again gets another one.
+  int id() const { return id_; }
 
  private:
-  int branch_ = 0, revision_ = 0, run_ = 0;
+  int branch_ = 0, revision_ = 0, id_ = 0;
   std::optional<BranchFrames> frames_;
 };
 
@@ -28,21 +29,21 @@ class SideBySide {
  public:
   // nothing: the other side is the timeline's compared branch, if there is one
   void set_variant(std::optional<Variant> variant);
-  const VariantRun* variant() const { return variant_ ? &*variant_ : nullptr; }
+  const VariantBranch* variant() const { return variant_ ? &*variant_ : nullptr; }
 
   // Brings it up to the shown frame; a variant makes at most so many steps.
   void follow(const Timeline& shown, const Level& level, std::int64_t most_steps);
   // The other side's frames when they were followed last; null: there is no other side, or it has not begun.
   const BranchFrames* frames() const { return frames_.get(); }
   // unique for every other side; 0: there is none
-  int run() const { return frames() != nullptr ? frames_.run() : 0; }
-  // The other side's run; null: there is none, or it has not begun.
+  int id() const { return frames() != nullptr ? frames_.id() : 0; }
+  // The other side's branch; null: there is none, or it has not begun.
   const Branch* branch(const Timeline& shown) const;
   // Whether it has reached this frame.
   bool has(std::int64_t frame) const { return frames() != nullptr && frames()->last() >= frame; }
 
  private:
-  std::optional<VariantRun> variant_;
+  std::optional<VariantBranch> variant_;
   FollowedFrames frames_;
 };
 

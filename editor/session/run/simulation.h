@@ -21,7 +21,7 @@ class Simulation {
   // The same level was edited; see Timeline::edit, also for the result. The rule says what follows.
   bool edit(const Level& edited, const std::vector<Cell>* cells, ScenePtr compiled = nullptr);
   void set_rule(const EditRule& rule) { rule_ = rule; }
-  void reset();  // a new run from frame 0; keeps running if it ran
+  void reset();  // a new branch from frame 0; keeps running if it ran
 
   // Input in each frame besides the user's; stays until it is set again.
   void set_script(std::vector<CaseInput> script) { script_ = std::move(script); }

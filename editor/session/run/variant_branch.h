@@ -1,4 +1,4 @@
-// VariantRun: a run with the same input through another solver or precision.
+// VariantBranch: a branch with the same input as another one, through another solver or precision.
 #pragma once
 
 #include <memory>
@@ -14,13 +14,13 @@ struct Variant {
   friend bool operator==(const Variant&, const Variant&) = default;
 };
 
-class VariantRun {
+class VariantBranch {
  public:
-  explicit VariantRun(Variant variant) : variant_(variant) {}
+  explicit VariantBranch(Variant variant) : variant_(variant) {}
 
   const Variant& variant() const { return variant_; }
-  // Brings it up to the current branch of `a`, by at most so many steps. Begins anew if that is another run
-  // than the one it followed. level: as in Timeline::recording.
+  // Brings it up to the current branch of `a`, by at most so many steps. Begins anew if that is another
+  // branch than the one it followed. level: as in Timeline::recording.
   void follow(const Timeline& a, const Level& level, std::int64_t most_steps);
   const Timeline* timeline() const { return timeline_.get(); }  // null before the first follow()
   int begun() const { return begun_; }                          // how often it began anew

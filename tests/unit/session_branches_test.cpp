@@ -1,4 +1,4 @@
-// Runs that the user has worked on: which are asked about before they are lost, and which are saved
+// Branches that the user has worked on: which are asked about before they are lost, and which are saved
 // automatically.
 #include <gtest/gtest.h>
 
@@ -8,11 +8,11 @@
 #include "platform/autosave.h"
 #include "slope_level.h"
 
-namespace talus::session_runs_test {
+namespace talus::session_branches_test {
 
 namespace act = action;
 
-class SessionRuns : public FolderTest {
+class SessionBranches : public FolderTest {
  protected:
   void SetUp() override { play(session_, 20); }
 
@@ -36,68 +36,69 @@ class SessionRuns : public FolderTest {
   Session session_{level(), "", "slopes"};
 };
 
-TEST_F(SessionRuns, AMerePlaythroughIsNotAskedAbout) {
+TEST_F(SessionBranches, AMerePlaythroughIsNotAskedAbout) {
   session_.apply(act::SeekFrame{5});
   session_.apply(act::TakeOver{});
   play(session_, 5);
-  EXPECT_TRUE(session_.unsaved_runs().empty());
+  EXPECT_TRUE(session_.unsaved_branches().empty());
   session_.apply(act::NewLevel{});
   EXPECT_FALSE(session_.question());
   EXPECT_EQ(session_.timeline().last_frame(), 0);
 }
 
-TEST_F(SessionRuns, AMarkIsAskedAboutAndKept) {
+TEST_F(SessionBranches, AMarkIsAskedAboutAndKept) {
   session_.apply(act::SetMark{7, "sticks"});
-  ASSERT_FALSE(session_.unsaved_runs().empty());
+  ASSERT_FALSE(session_.unsaved_branches().empty());
   session_.apply(act::Quit{});
   ASSERT_TRUE(session_.question());
-  EXPECT_EQ(session_.question()->kind, Question::Kind::unsaved_run);
-  EXPECT_EQ(session_.question()->text,
-            "Keep the recording of run 1?\nIt has marks or inputs of yours, and is not saved in a file yet.");
+  EXPECT_EQ(session_.question()->kind, Question::Kind::unsaved_branch);
+  EXPECT_EQ(
+      session_.question()->text,
+      "Keep the recording of branch 1?\nIt has marks or inputs of yours, and is not saved in a file yet.");
   answer(act::Answer::cancel);
   EXPECT_FALSE(session_.wants_quit());
   session_.apply(act::Quit{});
   answer(act::Answer::save);
   EXPECT_TRUE(session_.wants_save_recording());
   EXPECT_FALSE(session_.wants_quit());
-  session_.apply(act::SaveRecording{path("run.talusrec")});
+  session_.apply(act::SaveRecording{path("branch.talusrec")});
   EXPECT_TRUE(session_.wants_quit());
   EXPECT_FALSE(session_.wants_save_recording());
-  const auto saved = load_recording(path("run.talusrec"));
+  const auto saved = load_recording(path("branch.talusrec"));
   ASSERT_TRUE(saved);
   EXPECT_EQ(saved->frames, 20);
   EXPECT_EQ(saved->marks, (std::vector<Mark>{{7, "sticks"}}));
 }
 
-TEST_F(SessionRuns, ARemovedMarkIsNotAskedAbout) {
+TEST_F(SessionBranches, ARemovedMarkIsNotAskedAbout) {
   session_.apply(act::SetMark{7, "sticks"});
   session_.apply(act::RemoveMark{3});
-  EXPECT_FALSE(session_.unsaved_runs().empty()) << "another frame";
+  EXPECT_FALSE(session_.unsaved_branches().empty()) << "another frame";
   session_.apply(act::RemoveMark{7});
-  EXPECT_TRUE(session_.unsaved_runs().empty());
+  EXPECT_TRUE(session_.unsaved_branches().empty());
 }
 
-TEST_F(SessionRuns, InputsSetByHandAreAskedAboutRunByRun) {
+TEST_F(SessionBranches, EachBranchWithInputsByHandIsAskedAbout) {
   session_.apply(act::SetInput{3, 6, InputKey::left, false});
-  EXPECT_TRUE(session_.unsaved_runs().empty()) << "it was not held before";
+  EXPECT_TRUE(session_.unsaved_branches().empty()) << "it was not held before";
   session_.apply(act::SetMark{7, "sticks"});
   session_.apply(act::SetInput{3, 6, InputKey::left, true});
   run_again(session_);
-  ASSERT_FALSE(session_.unsaved_runs().empty());
-  EXPECT_EQ(session_.unsaved_runs().back()->id, 2);
+  ASSERT_FALSE(session_.unsaved_branches().empty());
+  EXPECT_EQ(session_.unsaved_branches().back()->id, 2);
   session_.apply(act::SwitchBranch{1});
   session_.apply(act::NewLevel{});
   ASSERT_TRUE(session_.question());
   EXPECT_EQ(session_.timeline().current().id, 2) << "what is asked about is shown";
   answer(act::Answer::discard);
-  ASSERT_TRUE(session_.question()) << "the run with the mark";
+  ASSERT_TRUE(session_.question()) << "the branch with the mark";
   EXPECT_EQ(session_.timeline().current().id, 1);
   answer(act::Answer::discard);
   EXPECT_FALSE(session_.question());
   EXPECT_EQ(session_.timeline().last_frame(), 0) << "a new level";
 }
 
-TEST_F(SessionRuns, TheLevelIsAskedAboutFirst) {
+TEST_F(SessionBranches, TheLevelIsAskedAboutFirst) {
   session_.apply(act::EditLevel{paint_stamp(session_.level(), {5, 1}, {1, 1, {1}}), 0});
   session_.apply(act::SetMark{7, "sticks"});
   session_.apply(act::Quit{});
@@ -105,12 +106,12 @@ TEST_F(SessionRuns, TheLevelIsAskedAboutFirst) {
   EXPECT_EQ(session_.question()->kind, Question::Kind::unsaved_changes);
   answer(act::Answer::discard);
   ASSERT_TRUE(session_.question());
-  EXPECT_EQ(session_.question()->kind, Question::Kind::unsaved_run);
+  EXPECT_EQ(session_.question()->kind, Question::Kind::unsaved_branch);
   answer(act::Answer::discard);
   EXPECT_TRUE(session_.wants_quit());
 }
 
-TEST_F(SessionRuns, AreSavedAutomaticallyAndRecovered) {
+TEST_F(SessionBranches, AreSavedAutomaticallyAndRecovered) {
   session_.apply(act::SetMark{7, "sticks"});
   ASSERT_FALSE(session_.modified());
   {
@@ -134,13 +135,13 @@ TEST_F(SessionRuns, AreSavedAutomaticallyAndRecovered) {
   EXPECT_TRUE(next.question()) << "it is in no file yet";
 }
 
-TEST_F(SessionRuns, UnrunRunsAreSavedAutomaticallyAndRecovered) {
+TEST_F(SessionBranches, UnrunBranchesAreSavedAndRecovered) {
   session_.apply(act::SetMark{7, "sticks"});
   session_.apply(act::SetInput{3, 6, InputKey::left, true});
   run_again(session_);
   Session first, second;
   recover(first, saved_by_itself(session_, "first"));
-  recover(second, saved_by_itself(first, "second"));  // all runs of this session are over
+  recover(second, saved_by_itself(first, "second"));  // before any of its branches was run
   ASSERT_EQ(second.timeline().branches().size(), 2u);
   run_again(second);
   EXPECT_EQ(second.timeline().last_frame(), 20);
@@ -153,10 +154,10 @@ TEST_F(SessionRuns, UnrunRunsAreSavedAutomaticallyAndRecovered) {
   EXPECT_EQ(second.timeline().last_frame(), 20);
 }
 
-TEST_F(SessionRuns, RunsWithoutMarksAreNotSavedAutomatically) {
+TEST_F(SessionBranches, BranchesWithoutMarksAreNotSaved) {
   Autosave autosave(path("state"));
   for (int second = 0; second < 20; ++second) EXPECT_FALSE(autosave.follow(session_, second));
   EXPECT_FALSE(exists("state"));
 }
 
-}  // namespace talus::session_runs_test
+}  // namespace talus::session_branches_test

@@ -1,4 +1,4 @@
-#include "variant_run.h"
+#include "variant_branch.h"
 
 namespace talus {
 namespace {
@@ -22,7 +22,7 @@ Recording with(Variant variant, Recording recording) {
 
 }  // namespace
 
-void VariantRun::follow(const Timeline& a, const Level& level, std::int64_t most_steps) {
+void VariantBranch::follow(const Timeline& a, const Level& level, std::int64_t most_steps) {
   const Branch& branch = a.current();
   const bool goes_on = timeline_ != nullptr && branch.id == branch_ && branch.revision == revision_ &&
                        branch.chapters.size() == chapters_;
@@ -36,7 +36,7 @@ void VariantRun::follow(const Timeline& a, const Level& level, std::int64_t most
     b.step(branch.input(b.last_frame() + 1), false);
 }
 
-void VariantRun::begin(const Timeline& a, const Level& level) {
+void VariantBranch::begin(const Timeline& a, const Level& level) {
   const Branch& branch = a.current();
   timeline_ = std::make_unique<Timeline>(with(variant_, a.recording(branch, level)));
   timeline_->limit_way(1);

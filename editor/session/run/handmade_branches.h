@@ -1,5 +1,5 @@
-// HandmadeRuns: the runs of a session that the user has worked on and that no file has yet: runs with marks,
-// or with inputs that were set by hand. A run that was only played is easily played again.
+// HandmadeBranches: the branches of a session that the user has worked on and that no file has yet: branches
+// with marks, or with inputs that were set by hand. A branch that was only played is easily played again.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@
 
 namespace talus {
 
-class HandmadeRuns {
+class HandmadeBranches {
  public:
   // The branch with this id now has marks, or no longer has any.
   void note_marks(int branch, bool has_any);
-  void note_input(int branch);      // an input of it was set by hand
-  void note_run_again(int branch);  // the run was run again to its end: earlier saves of it are out of date
+  void note_input(int branch);  // an input of it was set by hand
+  void note_rerun(int branch);  // it was run again to its end: earlier saves of it are out of date
   void note_saved(int branch) { forget(branch); }
   void note_gone(int branch) { forget(branch); }
   void clear();
@@ -23,14 +23,14 @@ class HandmadeRuns {
   std::uint64_t revision() const { return revision_; }  // grows with each of these changes
 
  private:
-  struct Run {
+  struct Entry {
     int branch = 0;
     bool marks = false, input = false;
   };
   void forget(int branch);
-  Run take(int branch);
+  Entry take(int branch);
 
-  std::vector<Run> runs_;  // the latest last
+  std::vector<Entry> entries_;  // the latest last
   std::uint64_t revision_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Runs of small levels that keep every frame, for the tests of the debugger.
+// Small levels that are played and keep every frame, for the tests of the debugger.
 #pragma once
 
 #include <functional>
@@ -9,11 +9,11 @@
 
 namespace talus {
 
-class RecordedRun final : public FrameSource {
+class RecordedFrames final : public FrameSource {
  public:
   using InputAt = std::function<Input(std::int64_t frame)>;
 
-  RecordedRun(const Level& level, std::int64_t frames, const InputAt& input_at = {})
+  RecordedFrames(const Level& level, std::int64_t frames, const InputAt& input_at = {})
       : scene_(std::make_shared<const Scene>(compile_scene(level))),
         ground_(measured_ground(*scene_, level)) {
     frames_.push_back({scene_, ground_, initial_state(*scene_), {}, {}, {}});
