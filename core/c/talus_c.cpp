@@ -88,7 +88,7 @@ bool are_finite(std::initializer_list<double> numbers) {
 
 const Terrain& queried_ground(talus_game& game) {
   if (!game.ground) game.ground = game.scene->ground;
-  if (!game.ground) game.ground = std::make_shared<const Terrain>(ground_of(game.level));
+  if (!game.ground) game.ground = std::make_shared<const Terrain>(terrain_of(game.level));
   return *game.ground;
 }
 

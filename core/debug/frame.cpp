@@ -7,7 +7,7 @@
 namespace talus {
 
 std::shared_ptr<const Terrain> measured_ground(const Scene& scene, const Level& level) {
-  return scene.ground ? scene.ground : std::make_shared<const Terrain>(ground_of(level));
+  return scene.ground ? scene.ground : std::make_shared<const Terrain>(terrain_of(level));
 }
 
 FrameHistory::FrameHistory(int before) : ring_(static_cast<std::size_t>(before) + 1) {}

@@ -73,6 +73,10 @@ auto& place(L& level, const ExportsChange&) {
   return level.exports;
 }
 template <class L>
+auto& place(L& level, const LayersChange&) {
+  return level.layers;
+}
+template <class L>
 auto& place(L& level, const LevelChange&) {
   return level;
 }
@@ -122,6 +126,8 @@ bool fits(const Level& level, const C& c) {
     return c.tile < level.sheet(c.sheet).count();
   } else if constexpr (std::is_same_v<C, TileShapeChange>) {
     return c.tile < level.tile_count();
+  } else if constexpr (std::is_same_v<C, LayersChange>) {
+    return c.before.chosen == level.layers.chosen;
   } else {
     return true;
   }
@@ -136,7 +142,7 @@ template <class C>
 constexpr bool kIsCounted =
     std::is_same_v<C, FlagNameChange> || std::is_same_v<C, FlagFieldsChange> ||
     std::is_same_v<C, CurvesChange> || std::is_same_v<C, SpawnsChange> || std::is_same_v<C, BrushesChange> ||
-    std::is_same_v<C, ExportsChange> || std::is_same_v<C, TileShapeChange>;
+    std::is_same_v<C, ExportsChange> || std::is_same_v<C, TileShapeChange> || std::is_same_v<C, LayersChange>;
 
 // The parts of a level that problem_of_amounts counts.
 Level counted_part(const Level& level) {
@@ -147,10 +153,22 @@ Level counted_part(const Level& level) {
   part.curves = level.curves;
   part.spawns = level.spawns;
   part.tile_shapes = level.tile_shapes;
+  part.layers = level.layers;
   part.brushes = level.brushes;
   part.exports = level.exports;
   part.extra = level.extra;
   return part;
+}
+
+// The memory of the cells that one of the lists does not share with the other.
+std::size_t memory_of_cells(const TileLayers& layers, const TileLayers& other) {
+  std::size_t bytes = layers.list.size() * sizeof(TileLayer);
+  for (const TileLayer& layer : layers.list) {
+    const auto is_same = [&](const TileLayer& its) { return its.cells == layer.cells; };
+    if (layer.cells != nullptr && std::none_of(other.list.begin(), other.list.end(), is_same))
+      bytes += layer.cells->size() * sizeof(TileNumber);
+  }
+  return bytes;
 }
 
 // The memory of a change besides its own size.
@@ -162,6 +180,8 @@ std::size_t memory_behind(const C& change) {
     return 2 * sizeof(Level) + size_of(change.before) + size_of(change.after);
   } else if constexpr (std::is_same_v<C, TileShapeChange>) {
     return (change.before.heights.size() + change.after.heights.size()) * sizeof(double);
+  } else if constexpr (std::is_same_v<C, LayersChange>) {
+    return memory_of_cells(change.before, change.after) + memory_of_cells(change.after, change.before);
   } else if constexpr (kIsCounted<C>) {
     Level before, after;
     before.map = after.map = TileMap(1, 1);  // map and tiles are not part of the change
@@ -206,7 +226,18 @@ Edit replace_by(const Level& level, std::shared_ptr<const Level> other, std::str
   return edit;
 }
 
+int layer_after(const Edit& edit) {
+  int layer = edit.layer;
+  for (const Change& change : edit.changes) {
+    if (const auto* layers = std::get_if<LayersChange>(&change)) layer = layers->after.chosen;
+    if (const auto* whole = std::get_if<LevelChange>(&change))
+      layer = static_cast<const Level&>(whole->after).layers.chosen;
+  }
+  return layer;
+}
+
 void apply_edit(Level& level, const Edit& edit) {
+  level.choose_layer(edit.layer);
   for (const Change& change : edit.changes) {
     std::visit(
         [&](const auto& c) {
@@ -219,6 +250,7 @@ void apply_edit(Level& level, const Edit& edit) {
 }
 
 void revert_edit(Level& level, const Edit& edit) {
+  level.choose_layer(layer_after(edit));
   std::for_each(edit.changes.rbegin(), edit.changes.rend(), [&](const Change& change) {
     std::visit(
         [&](const auto& c) {
@@ -231,6 +263,7 @@ void revert_edit(Level& level, const Edit& edit) {
 }
 
 void rebase_edit(const Level& level, Edit& edit) {
+  edit.layer = level.layers.chosen;
   std::erase_if(edit.changes, [&](Change& change) {
     if (!std::visit([&](const auto& c) { return fits(level, c); }, change)) return true;
     return std::visit(
@@ -251,6 +284,7 @@ EditMerger::EditMerger(const Edit& edit) {
 }
 
 void EditMerger::merge(Edit& edit, const Edit& next) {
+  assert(layer_after(edit) == next.layer);
   for (const Change& change : next.changes) merge_change(edit, change);
   if (edit.selection && next.selection)
     edit.selection->after = next.selection->after;

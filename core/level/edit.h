@@ -82,6 +82,9 @@ class LevelCopy {
  private:
   std::shared_ptr<const Level> level_;
 };
+struct LayersChange {  // the layers without the cells of the chosen one, which is the same in both
+  TileLayers before, after;
+};
 struct LevelChange {  // the whole level, which was read again from its file
   LevelCopy before, after;
 };
@@ -92,7 +95,7 @@ struct MapChange {  // the whole map: its size has changed, or too many cells to
 using Change =
     std::variant<CellChange, PixelChange, FlagsChange, ColorChange, FlagNameChange, FlagFieldsChange,
                  RolesChange, TileShapeChange, FlagShapeChange, CurvesChange, TuningChange, SpawnsChange,
-                 BrushesChange, AutoTilesChange, ExportsChange, LevelChange, MapChange>;
+                 BrushesChange, AutoTilesChange, ExportsChange, LayersChange, LevelChange, MapChange>;
 
 // The change of the selection of cells on the map, so that undo restores that, too.
 struct SelectionChange {
@@ -106,6 +109,7 @@ struct Edit {
   std::string label;            // for the Edit menu and the history: "Paint tiles"
   std::vector<Change> changes;  // at most one for each place; applied first to last, undone last to first
   std::optional<SelectionChange> selection = {};
+  int layer = 0;  // the chosen one, whose cells it changes; see rebase_edit
   bool empty() const { return changes.empty(); }
 };
 
@@ -118,13 +122,18 @@ std::optional<std::string> problem_after(const Level& level, const Edit& edit);
 // The memory that an edit takes, in bytes.
 std::size_t memory_of(const Edit& edit);
 
+// Applying and reverting choose the layer of the edit.
 void apply_edit(Level& level, const Edit& edit);
 void revert_edit(Level& level, const Edit& edit);
 // Adapts an edit to a level that has changed since the tool saw it: each `before` becomes what the level
-// holds now. Changes whose place is gone, or that have no effect any more, are dropped.
+// holds now, and its layer the chosen one. Changes whose place is gone, or that have no effect any more, are
+// dropped.
 void rebase_edit(const Level& level, Edit& edit);
+// The chosen layer after an edit is applied.
+int layer_after(const Edit& edit);
 // Appends `next`. Keeps one change for each place and for the selection, with its first `before` and last
-// `after`. Changes that end where they began are dropped.
+// `after`. Changes that end where they began are dropped. Both must be of the same layer (asserted), which is
+// layer_after(edit).
 void merge_edit(Edit& edit, const Edit& next);
 
 // merge_edit for a stroke of many edits. It knows where each place's change is, so a merge takes time only by

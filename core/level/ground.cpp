@@ -1,36 +1,45 @@
 #include <talus/level/ground.h>
 
+#include <cassert>
 #include <cmath>
 
 #include "bump_boxes.h"
+#include "ground_cells.h"
 
 namespace talus {
 namespace {
 
-// The sum over all cells of the count of their tile. Maps are large: if no tile counts anything, the map is
-// not read.
+// The sum over all cells of the ground of the count of what they have. Maps are large: if nothing counts, the
+// map is not read.
 template <class Count>
-std::size_t sum_over_map(const Level& level, const Count& count) {
-  std::vector<std::size_t> counts(static_cast<std::size_t>(level.tile_count()));
+std::size_t sum_over_ground(const GroundCells& ground, const Level& level, const Count& count) {
+  std::vector<std::size_t> counts(static_cast<std::size_t>(level.tile_count()) + ground.stacks.size());
   bool any = false;
-  for (std::size_t tile = 0; tile < counts.size(); ++tile) {
-    counts[tile] = count(static_cast<TileNumber>(tile));
-    any = any || counts[tile] != 0;
+  for (std::size_t number = 0; number < counts.size(); ++number) {
+    counts[number] = count(static_cast<TileNumber>(number));
+    any = any || counts[number] != 0;
   }
   std::size_t sum = 0;
   if (any)
-    for (const TileNumber tile : level.map.cells()) sum += counts[tile];
+    for (const TileNumber number : ground.cells) sum += counts[number];
   return sum;
 }
 
+std::size_t ground_boxes(const Level& level, TileNumber tile) {
+  const TileShape shape = shape_of_tile(level, tile);
+  if (shape.kind == TileShape::Kind::none) return 0;
+  const TileSize size = level.map.tile_size();
+  if (level.tuning.solver != SolverKind::bump || problem_of(shape, size)) return 1;
+  return bump_boxes(shape, size).size();
+}
+
 // Counts for the solvers article, which makes one or two boxes of each tile that it knows, and bump.
-std::size_t ground_boxes(const Level& level) {
-  return sum_over_map(level, [&](TileNumber tile) -> std::size_t {
-    const TileShape shape = shape_of_tile(level, tile);
-    if (shape.kind == TileShape::Kind::none) return 0;
-    const TileSize size = level.map.tile_size();
-    if (level.tuning.solver != SolverKind::bump || problem_of(shape, size)) return 1;
-    return bump_boxes(shape, size).size();
+std::size_t ground_boxes(const GroundCells& ground, const Level& level) {
+  return sum_over_ground(ground, level, [&](TileNumber number) {
+    std::size_t boxes = 0;
+    for (const TileNumber tile : tiles_of(number, ground.stacks, level.tile_count()))
+      boxes += ground_boxes(level, tile);
+    return boxes;
   });
 }
 
@@ -56,16 +65,31 @@ std::vector<TileShape> usable_shapes(const Level& level) {
 }
 
 TerrainSource ground_of(const Level& level) {
+  assert(level.layers.count() == 1);
+  return ground_of(level, ground_cells(level));
+}
+
+TerrainSource ground_of(const Level& level, const GroundCells& ground) {
   TerrainSource source;
   source.width = level.map.width();
   source.height = level.map.height();
   source.tile = level.map.tile_size();
-  source.cells = level.map.cells();
+  source.cells = ground.cells;
   source.shapes = usable_shapes(level);
+  for (std::size_t i = 0; i < ground.stacks.size(); ++i) {
+    TileShape shape = shape_of_number(level, ground.stacks, static_cast<TileNumber>(source.shapes.size()));
+    source.shapes.push_back(problem_of(shape, source.tile) ? TileShape() : std::move(shape));
+  }
   for (const LevelCurve& c : level.curves) {
     if (!problem_of(c.curve, level.map)) source.curves.push_back(c.curve);
   }
   return source;
+}
+
+Terrain terrain_of(const Level& level) {
+  const GroundCells ground = ground_cells(level);
+  if (ground.overflow == 0) return Terrain(ground_of(level, ground));
+  return Terrain(ground_of(without_tiles(level)));
 }
 
 std::size_t ground_lines(const TileShape& shape, TileSize tile) {
@@ -85,15 +109,24 @@ std::size_t ground_lines(const TileShape& shape, TileSize tile) {
   return static_cast<std::size_t>(std::ceil(cells));
 }
 
-std::size_t ground_lines(const Level& level) {
-  return sum_over_map(level, [&](TileNumber tile) {
-    return ground_lines(shape_of_tile(level, tile), level.map.tile_size());
+std::size_t ground_lines(const Level& level) { return ground_lines(level, ground_cells(level)); }
+
+std::size_t ground_lines(const Level& level, const GroundCells& ground) {
+  return sum_over_ground(ground, level, [&](TileNumber number) {
+    return ground_lines(shape_of_number(level, ground.stacks, number), level.map.tile_size());
   });
 }
 
 std::optional<std::string> ground_problem(const Level& level) {
+  return ground_problem(level, ground_cells(level));
+}
+
+std::optional<std::string> ground_problem(const Level& level, const GroundCells& ground) {
+  if (ground.overflow > 0)
+    return "has more than " + std::to_string(ground.overflow - 1) +
+           " different stacks of tiles in its layers of ground: use fewer layers of ground, or fewer tiles";
   const bool is_exact = level.tuning.solver == SolverKind::exact;
-  const std::size_t has = is_exact ? ground_lines(level) : ground_boxes(level);
+  const std::size_t has = is_exact ? ground_lines(level, ground) : ground_boxes(ground, level);
   const std::size_t most = is_exact ? kMaxGroundLines : kMaxGroundBoxes;
   if (has <= most) return std::nullopt;
   return "has ground of " + std::to_string(has) + (is_exact ? " lines" : " boxes") + ", but the solver " +

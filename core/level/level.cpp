@@ -39,15 +39,23 @@ TileShape shape_before_modifiers(const Level& level, std::uint8_t flags) {
   return {};
 }
 
+bool same_layers(const Level& a, const Level& b) {
+  if (a.layers.chosen == b.layers.chosen) return a.layers == b.layers && a.map == b.map;
+  if (a.layers.count() != b.layers.count()) return false;
+  Level other = a;
+  other.choose_layer(b.layers.chosen);
+  return other.layers == b.layers && other.map == b.map;
+}
+
 }  // namespace
 
 bool operator==(const Level& a, const Level& b) {
   const bool same_cart = a.cart == b.cart || (a.cart && b.cart && *a.cart == *b.cart);
   return same_cart && a.sheets == b.sheets && a.palette == b.palette && a.flag_names == b.flag_names &&
          a.flag_fields == b.flag_fields && a.roles == b.roles && a.tile_shapes == b.tile_shapes &&
-         a.flag_shapes == b.flag_shapes && a.map == b.map && a.curves == b.curves && a.tuning == b.tuning &&
-         a.spawns == b.spawns && a.brushes == b.brushes && a.auto_tiles == b.auto_tiles &&
-         a.exports == b.exports && a.extra == b.extra;
+         a.flag_shapes == b.flag_shapes && same_layers(a, b) && a.curves == b.curves &&
+         a.tuning == b.tuning && a.spawns == b.spawns && a.brushes == b.brushes &&
+         a.auto_tiles == b.auto_tiles && a.exports == b.exports && a.extra == b.extra;
 }
 
 void Level::set_tile_layout(const SheetLayout& layout) {
@@ -58,6 +66,22 @@ void Level::set_tile_layout(const SheetLayout& layout) {
   tiles.images.resize(count);
   tiles.flags.resize(count);
   tile_shapes.resize(count);
+}
+
+const std::vector<TileNumber>& Level::cells_of(int layer) const {
+  const auto& cells = layers.list[static_cast<std::size_t>(layer)].cells;
+  return cells != nullptr ? *cells : map.cells();
+}
+
+void Level::choose_layer(int layer) {
+  if (layer == layers.chosen) return;
+  TileLayer& next = layers.list[static_cast<std::size_t>(layer)];
+  std::vector<TileNumber> cells = *next.cells;
+  std::swap(cells, map.cells());
+  layers.list[static_cast<std::size_t>(layers.chosen)].cells =
+      std::make_shared<const std::vector<TileNumber>>(std::move(cells));
+  next.cells = nullptr;
+  layers.chosen = layer;
 }
 
 TileShape shape_of_tile(const Level& level, TileNumber tile) {

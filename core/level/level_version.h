@@ -20,20 +20,25 @@ struct LevelVersion {
     std::array<TileShape, kFlagCount> flag_shapes;
     friend bool operator==(const Tiles&, const Tiles&) = default;
   };
-  using Row = std::vector<TileNumber>;  // tiles of a row of the map, left to right
+  using Row = std::vector<TileNumber>;  // tiles of a row of a layer, left to right
+  struct Layer {
+    TileLayer looks;                               // without cells
+    std::vector<std::shared_ptr<const Row>> rows;  // from the top; all of one length
+  };
 
   // No pointer is null.
   std::shared_ptr<const Tiles> tiles;
   std::shared_ptr<const std::vector<LevelCurve>> curves;
   std::shared_ptr<const std::vector<Spawn>> spawns;
   Tuning tuning;
-  TileSize tile_size;                            // of the map
-  std::vector<std::shared_ptr<const Row>> rows;  // of the map, from the top; all of one length
+  TileSize tile_size;         // of the map
+  std::vector<Layer> layers;  // all of one size
+  int chosen_layer = 0;
 };
 
 // Returns the version of a level. before: the version to share equal parts with; null: there is none.
 LevelVersion version_of(const Level& level, const LevelVersion* before = nullptr);
-// The same for a level that differs from `before` only in these cells of the map, in its spawns and in its
+// The same for a level that differs from `before` only in these cells of its layers, in its spawns and in its
 // tuning. Takes time by the number of cells.
 LevelVersion version_of(const Level& level, const LevelVersion& before, std::span<const Cell> changed);
 
@@ -48,7 +53,7 @@ void put_version(const LevelVersion& version, Level& level);
 Level level_of(const LevelVersion& version);
 
 // Returns the cells of the map in which two versions differ, row by row; nothing if they differ in anything
-// else, or in more than `most` cells.
+// else but the looks of layers, or in more than `most` cells.
 std::optional<std::vector<Cell>> changed_cells(const LevelVersion& a, const LevelVersion& b,
                                                std::size_t most);
 

@@ -1,12 +1,14 @@
 // Counts what a level holds.
 #include <talus/level/limits.h>
 
+#include <algorithm>
+
 namespace talus {
 namespace {
 
 struct Amounts {
-  std::size_t shape_numbers = 0, heights = 0, curve_cells = 0, brush_cells = 0, name_bytes = 0,
-              unknown_bytes = 0;
+  std::size_t shape_numbers = 0, heights = 0, curve_cells = 0, layer_cells = 0, brush_cells = 0,
+              name_bytes = 0, unknown_bytes = 0;
 };
 
 // The texts that every entry of a list has.
@@ -39,6 +41,11 @@ Amounts amounts_of(const Level& level) {
     if (!problem_of(curve.curve))
       amounts.curve_cells += static_cast<std::size_t>(cells_passed(curve.curve, level.map.tile_size()));
   }
+  for (const TileLayer& layer : level.layers.list) {
+    count_texts(layer, amounts);
+    // The chosen layer has its cells elsewhere, and as many as any other.
+    if (layer.cells != nullptr) amounts.layer_cells = layer.cells->size() * level.layers.list.size();
+  }
   for (const Brush& brush : level.brushes) {
     count_texts(brush, amounts);
     amounts.brush_cells += brush.tiles.size();
@@ -69,6 +76,8 @@ std::optional<std::string> problem_of_amounts(const Level& level) {
         {amounts.shape_numbers, kMaxShapeNumbers, "heights and points of the shapes of tiles"},
         {amounts.heights, kMaxLevelHeights, "heights of polylines"},
         {amounts.curve_cells, kMaxCurveCells, "cells that curves pass"},
+        {level.layers.list.size(), kMaxLayers, "layers"},
+        {amounts.layer_cells, kMaxLayerCells, "cells of all layers"},
         {level.brushes.size(), kMaxBrushes, "brushes"},
         {amounts.brush_cells, kMaxBrushCells, "cells of brushes"},
         {level.exports.size(), kMaxExports, "export presets"},
@@ -84,7 +93,8 @@ std::optional<std::string> problem_of_amounts(const Level& level) {
 std::size_t size_of(const Level& level) {
   constexpr std::size_t kEntry = 128;  // bytes, about what an entry takes in memory or as text
   const Amounts amounts = amounts_of(level);
-  return (level.cart ? level.cart->bytes.size() : 0) + level.map.cells().size() * sizeof(TileNumber) +
+  return (level.cart ? level.cart->bytes.size() : 0) +
+         std::max(level.map.cells().size(), amounts.layer_cells) * sizeof(TileNumber) +
          amounts.brush_cells * sizeof(TileNumber) +
          level.sheet(SheetId::tiles).images.size() * sizeof(TileImage) + picture_bytes(level) +
          (amounts.shape_numbers + amounts.heights) * sizeof(double) + amounts.name_bytes +

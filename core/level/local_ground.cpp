@@ -5,8 +5,40 @@
 #include <cmath>
 
 #include <talus/level/ground.h>
+#include "cell_rect.h"
 
 namespace talus {
+namespace {
+
+std::vector<TileNumber> window_of(const std::vector<TileNumber>& cells, int width, const CellRect& window) {
+  std::vector<TileNumber> tiles;
+  for (int y = window.y; y < window.y + window.h; ++y) {
+    const auto row = cells.begin() + static_cast<std::ptrdiff_t>(y) * width + window.x;
+    tiles.insert(tiles.end(), row, row + window.w);
+  }
+  return tiles;
+}
+
+// What the ground of a level's cells depends on, with these cells alone.
+Level window_of(const Level& level, const CellRect& window) {
+  Level part;
+  part.sheet(SheetId::tiles).flags = level.sheet(SheetId::tiles).flags;
+  part.roles = level.roles;
+  part.tile_shapes = level.tile_shapes;
+  part.flag_shapes = level.flag_shapes;
+  part.tuning = level.tuning;
+  part.layers = level.layers;
+  part.map = TileMap(window.w, window.h, level.map.tile_size());
+  part.map.cells() = window_of(level.map.cells(), level.map.width(), window);
+  for (TileLayer& layer : part.layers.list) {
+    if (layer.cells != nullptr)
+      layer.cells =
+          std::make_shared<const std::vector<TileNumber>>(window_of(*layer.cells, level.map.width(), window));
+  }
+  return part;
+}
+
+}  // namespace
 
 LocalGround ground_around(const Level& level, const Rect& box, int cells) {
   const TileMap& map = level.map;
@@ -19,17 +51,8 @@ LocalGround ground_around(const Level& level, const Rect& box, int cells) {
   const Cell first{cell(box.x, tile_width, -1, map.width()), cell(box.y, tile_height, -1, map.height())};
   const Cell last{cell(box.right(), tile_width, 1, map.width()),
                   cell(box.bottom(), tile_height, 1, map.height())};
-  std::vector<TileNumber> tiles;
-  for (int y = first.y; y <= last.y; ++y) {
-    for (int x = first.x; x <= last.x; ++x) tiles.push_back(map.at({x, y}));
-  }
-  TerrainSource source;
-  source.width = last.x - first.x + 1;
-  source.height = last.y - first.y + 1;
-  source.tile = map.tile_size();
-  source.cells = tiles;
-  source.shapes = usable_shapes(level);
-  return {Terrain(source), map.corner_of(first)};
+  return {terrain_of(window_of(level, {first.x, first.y, last.x - first.x + 1, last.y - first.y + 1})),
+          map.corner_of(first)};
 }
 
 }  // namespace talus

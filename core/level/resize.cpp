@@ -16,33 +16,45 @@ class Resizer {
       : level_(level),
         frame_(frame),
         period_{std::max(level.map.width(), frame.width), std::max(level.map.height(), frame.height)},
-        result_{TileMap(frame.width, frame.height, level.map.tile_size()), {}, {}} {
+        result_{TileMap(frame.width, frame.height, level.map.tile_size()), level.layers, {}, {}} {
     if (!frame.wrap) return;
     frame_.shift = {wrapped(frame.shift.x, period_.x), wrapped(frame.shift.y, period_.y)};
   }
 
   ResizedMap run() {
-    shift_tiles();
+    shift_layers();
     for (const Spawn& spawn : level_.spawns) shift(spawn);
     for (const LevelCurve& curve : level_.curves) shift(curve);
     return std::move(result_);
   }
 
  private:
-  void shift_tiles() {
-    const TileMap& map = level_.map;
-    for (Cell from{0, 0}; from.y < map.height(); ++from.y) {
-      for (from.x = 0; from.x < map.width(); ++from.x) {
-        const TileNumber tile = map.at(from);
-        if (tile == 0) continue;
+  void shift_layers() {
+    for (int layer = 0; layer < level_.layers.count(); ++layer) {
+      std::vector<TileNumber> cells = shifted(level_.cells_of(layer));
+      if (layer == level_.layers.chosen)
+        result_.map.cells() = std::move(cells);
+      else
+        result_.layers.list[static_cast<std::size_t>(layer)].cells =
+            std::make_shared<const std::vector<TileNumber>>(std::move(cells));
+    }
+  }
+
+  std::vector<TileNumber> shifted(const std::vector<TileNumber>& cells) {
+    TileMap there(frame_.width, frame_.height, level_.map.tile_size());
+    auto tile = cells.begin();
+    for (Cell from{0, 0}; from.y < level_.map.height(); ++from.y) {
+      for (from.x = 0; from.x < level_.map.width(); ++from.x, ++tile) {
+        if (*tile == 0) continue;
         Cell to{from.x + frame_.shift.x, from.y + frame_.shift.y};
         if (frame_.wrap) to = {to.x % period_.x, to.y % period_.y};
-        if (result_.map.contains(to))
-          result_.map.set(to, tile);
+        if (there.contains(to))
+          there.set(to, *tile);
         else
           ++result_.lost_tiles;
       }
     }
+    return std::move(there.cells());
   }
 
   // The distances, px, that may lead something to its new place; with wrap, also to the other side.

@@ -18,10 +18,11 @@ struct MapFrame {
 
 struct ResizedMap {
   TileMap map;
+  TileLayers layers;
   std::vector<Spawn> spawns;
   std::vector<LevelCurve> curves;
-  // What has no place on the new map: cells with a tile other than 0, bodies wholly beside it, curves that
-  // reach beyond its edges.
+  // What has no place on the new map: cells of any layer with a tile other than 0, bodies wholly beside it,
+  // curves that reach beyond its edges.
   std::size_t lost_tiles = 0, lost_spawns = 0, lost_curves = 0;
   bool loses() const { return lost_tiles + lost_spawns + lost_curves > 0; }
 };

@@ -83,18 +83,40 @@ bool is_physical(const Level& level, TileNumber tile) {
 }
 
 // A slope belongs to the cell at its left end, whichever way it is turned.
-void mirror_map(const Level& level, Level& image) {
-  const TileMap& map = level.map;
-  image.map = TileMap(map.width(), map.height(), map.tile_size());
-  for (Cell cell{0, 0}; cell.y < map.height(); ++cell.y) {
-    for (cell.x = 0; cell.x < map.width(); ++cell.x) {
-      const TileNumber tile = map.at(cell);
-      if (!is_physical(level, tile)) continue;
-      const int tiles = std::max(1, shape_of_tile(level, tile).tiles);
-      const Cell to{map.width() - cell.x - tiles, cell.y};
-      if (image.map.contains(to)) image.map.set(to, tile);
+std::vector<TileNumber> mirrored_cells(const Level& level, const std::vector<TileNumber>& cells) {
+  TileMap image(level.map.width(), level.map.height());
+  auto tile = cells.begin();
+  for (Cell cell{0, 0}; cell.y < image.height(); ++cell.y) {
+    for (cell.x = 0; cell.x < image.width(); ++cell.x, ++tile) {
+      if (!is_physical(level, *tile)) continue;
+      const int tiles = std::max(1, shape_of_tile(level, *tile).tiles);
+      const Cell to{image.width() - cell.x - tiles, cell.y};
+      if (image.contains(to)) image.set(to, *tile);
     }
   }
+  return std::move(image.cells());
+}
+
+std::vector<TileNumber> moved_cells(const TileMap& map, const std::vector<TileNumber>& cells, int columns,
+                                    int rows) {
+  TileMap image(map.width() + columns, map.height() + rows);
+  auto tile = cells.begin();
+  for (Cell cell{0, 0}; cell.y < map.height(); ++cell.y)
+    for (cell.x = 0; cell.x < map.width(); ++cell.x, ++tile)
+      image.set({cell.x + columns, cell.y + rows}, *tile);
+  return std::move(image.cells());
+}
+
+// Replaces the cells of each layer by change(cells), as many as a map of this size has.
+template <class Change>
+void change_layers(Level& level, int width, int height, const Change& change) {
+  for (int layer = 0; layer < level.layers.count(); ++layer) {
+    auto& cells = level.layers.list[static_cast<std::size_t>(layer)].cells;
+    if (cells != nullptr) cells = std::make_shared<const std::vector<TileNumber>>(change(*cells));
+  }
+  std::vector<TileNumber> chosen = change(level.map.cells());
+  level.map = TileMap(width, height, level.map.tile_size());
+  level.map.cells() = std::move(chosen);
 }
 
 void scale_shape(TileShape& shape, int factor) {
@@ -108,7 +130,8 @@ void scale_shape(TileShape& shape, int factor) {
 Level mirrored(const Level& level) {
   Level image = level;
   const double width = level.map.px_width();
-  mirror_map(level, image);
+  change_layers(image, level.map.width(), level.map.height(),
+                [&](const auto& cells) { return mirrored_cells(level, cells); });
   std::swap(image.roles.up_slope, image.roles.down_slope);
   const TileSize tile = level.map.tile_size();
   for (TileShape& shape : image.tile_shapes) shape = mirrored(shape, tile, ShapeMirror::left_right);
@@ -125,12 +148,8 @@ Level mirrored(const Level& level) {
 
 Level moved(const Level& level, int columns, int rows) {
   Level image = level;
-  image.map = TileMap(level.map.width() + columns, level.map.height() + rows, level.map.tile_size());
-  for (Cell cell{0, 0}; cell.y < level.map.height(); ++cell.y) {
-    for (cell.x = 0; cell.x < level.map.width(); ++cell.x) {
-      image.map.set({cell.x + columns, cell.y + rows}, level.map.at(cell));
-    }
-  }
+  change_layers(image, level.map.width() + columns, level.map.height() + rows,
+                [&](const auto& cells) { return moved_cells(level.map, cells, columns, rows); });
   const Vec2 by = level.map.corner_of({columns, rows});
   change_curves(image, Shift{by});
   for (Spawn& spawn : image.spawns) spawn.position = spawn.position + by;

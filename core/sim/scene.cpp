@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <utility>
 
 #include <talus/level/ground.h>
 #include "../level/bump_boxes.h"
+#include "../level/ground_cells.h"
 
 namespace talus {
 namespace {
@@ -88,11 +91,21 @@ TileBoxes boxes_of(const Level& level, TileNumber tile) {
   return boxes;
 }
 
-// By tile, so that a map is compiled with one look-up a cell.
-std::vector<TileBoxes> tile_boxes(const Level& level) {
-  std::vector<TileBoxes> boxes(static_cast<std::size_t>(level.tile_count()));
-  for (std::size_t tile = 0; tile < boxes.size(); ++tile)
-    boxes[tile] = boxes_of(level, static_cast<TileNumber>(tile));
+// Of all tiles that a number stands for.
+TileBoxes boxes_of(const Level& level, std::span<const TileStack> stacks, TileNumber number) {
+  TileBoxes all;
+  for (const TileNumber tile : tiles_of(number, stacks, level.tile_count())) {
+    TileBoxes boxes = boxes_of(level, tile);
+    std::move(boxes.parts.begin(), boxes.parts.end(), std::back_inserter(all.parts));
+  }
+  return all;
+}
+
+// By number, so that a map is compiled with one look-up a cell.
+std::vector<TileBoxes> boxes_by_number(const Level& level, std::span<const TileStack> stacks) {
+  std::vector<TileBoxes> boxes(static_cast<std::size_t>(level.tile_count()) + stacks.size());
+  for (std::size_t number = 0; number < boxes.size(); ++number)
+    boxes[number] = boxes_of(level, stacks, static_cast<TileNumber>(number));
   return boxes;
 }
 
@@ -123,10 +136,11 @@ void note_bodies(Scene& scene) {
   scene.features.pairs = scene.tuning.shared.balls_block != 0 && bodies > 1;
 }
 
-void compile_ground(const Level& level, const std::function<bool(double)>& progress, Scene& scene) {
-  TerrainSource source = ground_of(level);
+void compile_ground(const Level& level, const GroundCells& ground,
+                    const std::function<bool(double)>& progress, Scene& scene) {
+  TerrainSource source = ground_of(level, ground);
   source.progress = progress;
-  scene.ground_lines = ground_lines(level);
+  scene.ground_lines = ground_lines(level, ground);
   if (scene.ground_lines > kMaxGroundLines) source.shapes.assign(source.shapes.size(), {});
   if (level.tuning.exact.single_precision != 0) {
     scene.single_ground = std::make_shared<const BasicTerrain<float>>(source);
@@ -138,21 +152,44 @@ void compile_ground(const Level& level, const std::function<bool(double)>& progr
   }
 }
 
+// A cell of an edited level, and the number of what its ground has there.
+struct NumberedCell {
+  Cell cell;
+  TileNumber number;
+};
+
+// The cells in map order, each once; nothing if one has a stack of tiles that the scene does not know.
+std::optional<std::vector<NumberedCell>> numbered(const Scene& scene, const Level& edited,
+                                                  std::span<const Cell> changed) {
+  std::vector<NumberedCell> cells;
+  for (const Cell cell : changed) {
+    const auto number = ground_number(edited, scene.stacks, cell);
+    if (!number) return std::nullopt;
+    cells.push_back({cell, *number});
+  }
+  const auto key = [](const NumberedCell& c) { return std::pair(c.cell.x, c.cell.y); };
+  std::sort(cells.begin(), cells.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  const auto same = [](const NumberedCell& a, const NumberedCell& b) { return a.cell == b.cell; };
+  cells.erase(std::unique(cells.begin(), cells.end(), same), cells.end());
+  return cells;
+}
+
 template <class Ground>
-std::shared_ptr<const Ground> with_cells(const Ground& ground, const TileMap& map,
-                                         std::span<const Cell> changed) {
+std::shared_ptr<const Ground> with_cells(const Ground& ground, std::span<const NumberedCell> changed) {
   auto next = std::make_shared<Ground>(ground);
-  for (const Cell cell : changed) next->set_cell(cell, map.at(cell));
+  for (const NumberedCell& c : changed) next->set_cell(c.cell, c.number);
   return next;
 }
 
 // Scene::ground_lines of an edited level, which differs from the scene's in these cells, each there once.
-std::size_t lines_after(const Scene& scene, const Level& edited, std::span<const Cell> changed) {
+std::size_t lines_after(const Scene& scene, const Level& edited, std::span<const NumberedCell> changed) {
   std::size_t lines = scene.ground_lines;
-  for (const Cell cell : changed) {
-    const TileNumber old = scene.ground ? scene.ground->tile_at(cell) : scene.single_ground->tile_at(cell);
-    lines += ground_lines(shape_of_tile(edited, edited.map.at(cell)), edited.map.tile_size());
-    lines -= ground_lines(shape_of_tile(edited, old), edited.map.tile_size());
+  const auto lines_of = [&](TileNumber number) {
+    return ground_lines(shape_of_number(edited, scene.stacks, number), edited.map.tile_size());
+  };
+  for (const NumberedCell& c : changed) {
+    lines += lines_of(c.number);
+    lines -= lines_of(scene.ground ? scene.ground->tile_at(c.cell) : scene.single_ground->tile_at(c.cell));
   }
   return lines;
 }
@@ -171,29 +208,33 @@ void add_spawns(const Level& level, std::vector<SceneItem>& items) {
 }
 
 Scene make_scene(const Level& level, const std::function<bool(double)>& progress) {
-  std::vector<TileBoxes> boxes = tile_boxes(level);
-  if (level.tuning.solver == SolverKind::exact || ground_problem(level)) {
+  const GroundCells ground = ground_cells(level);
+  if (ground.overflow > 0) return make_scene(without_tiles(level), progress);
+  std::vector<TileBoxes> boxes = boxes_by_number(level, ground.stacks);
+  if (level.tuning.solver == SolverKind::exact || ground_problem(level, ground)) {
     for (TileBoxes& tile : boxes) tile = body_of(tile);
   }
   const TileMap& map = level.map;
+  const auto at = [&](Cell cell) { return static_cast<std::size_t>(cell.y) * map.width() + cell.x; };
 
   // A counting sort by column: the map is read row by row, as it lies in memory, and comes out in map order.
   std::vector<std::size_t> next(static_cast<std::size_t>(map.width()) + 1, 0);
   for (Cell cell{0, 0}; cell.y < map.height(); ++cell.y) {
     for (cell.x = 0; cell.x < map.width(); ++cell.x) {
-      next[cell.x + 1] += boxes[map.at(cell)].parts.size();
+      next[cell.x + 1] += boxes[ground.cells[at(cell)]].parts.size();
     }
   }
   for (std::size_t column = 1; column < next.size(); ++column) next[column] += next[column - 1];
 
   Scene scene;
+  scene.stacks = ground.stacks;
   scene.tuning = level.tuning;
   scene.tile_size = map.tile_size();
-  if (level.tuning.solver == SolverKind::exact) compile_ground(level, progress, scene);
+  if (level.tuning.solver == SolverKind::exact) compile_ground(level, ground, progress, scene);
   scene.items.resize(next.back());
   for (Cell cell{0, 0}; cell.y < map.height(); ++cell.y) {
     for (cell.x = 0; cell.x < map.width(); ++cell.x) {
-      for (const TileBoxes::Part& part : boxes[map.at(cell)].parts)
+      for (const TileBoxes::Part& part : boxes[ground.cells[at(cell)]].parts)
         scene.items[next[cell.x]++] = item_at(map, cell, part);
     }
   }
@@ -223,26 +264,29 @@ bool is_same_ground(const Tuning& a, const Tuning& b) {
 Scene recompile_scene(const Scene& scene, const Level& edited, std::span<const Cell> changed) {
   if (edited.tuning.solver != SolverKind::exact || !is_same_ground(scene.tuning, edited.tuning))
     return compile_scene(edited);
-  const auto in_map_order = [](Cell a, Cell b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
-  std::vector<Cell> cells(changed.begin(), changed.end());
-  std::sort(cells.begin(), cells.end(), in_map_order);
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  const std::size_t lines = lines_after(scene, edited, cells);
+  const auto cells = numbered(scene, edited, changed);
+  if (!cells) return compile_scene(edited);
+  const std::size_t lines = lines_after(scene, edited, *cells);
   if (std::max(lines, scene.ground_lines) > kMaxGroundLines) return compile_scene(edited);
 
   Scene next = scene;
   next.tuning = edited.tuning;
   next.ground_lines = lines;
-  if (scene.ground) next.ground = with_cells(*scene.ground, edited.map, changed);
-  if (scene.single_ground) next.single_ground = with_cells(*scene.single_ground, edited.map, changed);
+  if (scene.ground) next.ground = with_cells(*scene.ground, *cells);
+  if (scene.single_ground) next.single_ground = with_cells(*scene.single_ground, *cells);
 
-  std::erase_if(next.items, [&](const SceneItem& item) {
-    return item.spawn >= 0 || std::binary_search(cells.begin(), cells.end(), item.cell, in_map_order);
-  });
+  const auto in_map_order = [](Cell a, Cell b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
+  const auto is_changed = [&](Cell cell) {
+    const auto found =
+        std::lower_bound(cells->begin(), cells->end(), cell,
+                         [&](const NumberedCell& c, Cell at) { return in_map_order(c.cell, at); });
+    return found != cells->end() && found->cell == cell;
+  };
+  std::erase_if(next.items, [&](const SceneItem& item) { return item.spawn >= 0 || is_changed(item.cell); });
   std::vector<SceneItem> added;
-  for (const Cell cell : cells) {
-    const TileBoxes boxes = body_of(boxes_of(edited, edited.map.at(cell)));
-    for (const TileBoxes::Part& part : boxes.parts) added.push_back(item_at(edited.map, cell, part));
+  for (const NumberedCell& c : *cells) {
+    const TileBoxes boxes = body_of(boxes_of(edited, scene.stacks, c.number));
+    for (const TileBoxes::Part& part : boxes.parts) added.push_back(item_at(edited.map, c.cell, part));
   }
   const auto middle = next.items.insert(next.items.end(), added.begin(), added.end());
   std::inplace_merge(next.items.begin(), middle, next.items.end(),

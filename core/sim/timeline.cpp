@@ -106,7 +106,10 @@ bool Timeline::set_level(const Level& level, const std::vector<Cell>* cells, Sce
   auto version = std::make_shared<const LevelVersion>(cells != nullptr ? version_of(level, *version_, *cells)
                                                                        : version_of(level, version_.get()));
   // A level that was compiled elsewhere is large, and shares nothing that would make the comparison quick.
-  const auto size = [](const LevelVersion& v) { return std::pair(v.rows.size(), v.rows.front()->size()); };
+  const auto size = [](const LevelVersion& v) {
+    const auto& rows = v.layers.front().rows;
+    return std::pair(rows.size(), rows.front()->size());
+  };
   if (!is_known && *scene == *scene_ && version->spawns == version_->spawns &&
       size(*version) == size(*version_))
     return false;

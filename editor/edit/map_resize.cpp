@@ -9,6 +9,8 @@ Edit resize_map(const Level& level, const MapFrame& frame, std::optional<CellRec
   ResizedMap result = resized(level, frame);
   const bool same_size = frame.width == level.map.width() && frame.height == level.map.height();
   Edit edit{same_size ? "Shift map" : "Resize map", {}};
+  if (result.layers != level.layers)
+    edit.changes.emplace_back(LayersChange{level.layers, std::move(result.layers)});
   if (!(result.map == level.map)) edit.changes.emplace_back(MapChange{level.map, std::move(result.map)});
   if (result.spawns != level.spawns)
     edit.changes.emplace_back(SpawnsChange{level.spawns, std::move(result.spawns)});

@@ -16,7 +16,7 @@ void UndoStack::push(Level& level, Edit edit, int stroke) {
     bytes_.resize(next_);
     if (saved_ > static_cast<std::ptrdiff_t>(next_)) saved_ = -1;
   }
-  if (stroke > 0 && stroke == open_stroke_) {
+  if (stroke > 0 && stroke == open_stroke_ && layer_after(edits_.back()) == edit.layer) {
     merger_.merge(edits_.back(), edit);
     if (!edits_.back().empty()) return;
     edits_.pop_back();

@@ -106,6 +106,7 @@ const std::map<std::string, std::string> kWithoutCommand = {
     {"SetLevelImport", "a choice in a dialog, which has keys of its own"},
     {"ApplyLevelImport", "an answer of that dialog"},
     {"CancelLevelImport", "an answer of that dialog"},
+    {"ChooseLayer", "a row of the list of layers, which undo chooses, too"},
     {"AnswerQuestion", "an answer of a dialog"},
     {"CancelSaveAs", "an answer of a dialog"},
     {"CheckFile", "done by itself every second"},

@@ -267,7 +267,7 @@ TEST(RecordingLimits, EditsDoNotReadTheCart) {
   ASSERT_TRUE(again) << to_string(again.error(), "file");
   ASSERT_TRUE(again->level.cart);
   EXPECT_NE(again->level.cart->bytes.find("trace(1)"), std::string::npos);
-  EXPECT_EQ(again->edits[0].version->rows.front()->size(), 300u);
+  EXPECT_EQ(again->edits[0].version->layers[0].rows.front()->size(), 300u);
 }
 
 TEST(RecordingLimits, TheCartCountsAsAPartOfALevel) {

@@ -146,8 +146,8 @@ TEST(Native, UnknownKeysSurviveTheDataBesideThem) {
 }
 
 TEST(Native, ANewerVersionIsRefused) {
-  expect_native_error(R"({"talus": 4, "palette": 7})", "key talus",
-                      "has version 4, but this Talus reads only up to version 3");
+  expect_native_error(R"({"talus": 5, "palette": 7})", "key talus",
+                      "has version 5, but this Talus reads only up to version 4");
   expect_native_error(R"({"talus": "1"})", "key talus", "must be the version, a whole number from 1");
   expect_native_error(R"({"map": {}})", "key talus", "is missing, so this is not a Talus level");
   expect_native_error("[]", "", "is JSON, but not a Talus level");
@@ -264,7 +264,7 @@ TEST(Native, LevelsThatCannotBeReadAreNotWritten) {
   EXPECT_EQ(write_native(level, {}).error().place, "key spawns[0].x");
   level.spawns[0] = {"\xff", {}, {}, ""};
   EXPECT_EQ(write_native(level, {}).error().message,
-            "a name of a flag, spawn, curve, brush or export is not valid UTF-8");
+            "a name of a flag, layer, spawn, curve, brush or export is not valid UTF-8");
   level.spawns.clear();
   level.tuning.shared.cell_size = 0;
   EXPECT_EQ(write_native(level, {}).error().place, "key tuning.cell_size");

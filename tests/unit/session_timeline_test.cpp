@@ -339,8 +339,8 @@ TEST_F(SessionTimeline, EmptyCellsOfAGrownMapCanBePainted) {
   paint({55, 35});
   EXPECT_EQ(session_.level().map.at({55, 35}), kRoomSolid);
   const Branch& branch = timeline().current();
-  EXPECT_EQ(branch.chapters.back().version->rows.size(), 40u);
-  EXPECT_EQ(branch.chapters.back().version->rows[35]->at(55), kRoomSolid);
+  EXPECT_EQ(branch.chapters.back().version->layers[0].rows.size(), 40u);
+  EXPECT_EQ(branch.chapters.back().version->layers[0].rows[35]->at(55), kRoomSolid);
 }
 
 }  // namespace talus::session_timeline_test

@@ -15,9 +15,11 @@
 #include "hard_case_file.h"
 #include "native_brushes.h"
 #include "native_cart.h"
+#include "native_color.h"
 #include "native_document.h"
 #include "native_exports.h"
 #include "native_flags.h"
+#include "native_layers.h"
 #include "native_members.h"
 #include "native_objects.h"
 #include "native_picture.h"
@@ -73,6 +75,7 @@ class Reader {
     }
     take(document, "picture", [this](const Json& v) { read_picture(v); });
     take_object(document, "map", "map", [this](Json& v) { read_map(v); });
+    take(document, "layers", [this](Json& v) { read_layers(v); });
     take(document, "curves", [this](Json& v) { keep(take_curves(v, "curves", level_.map), level_.curves); });
     take_object(document, "cart", "cart", [this](Json& v) { read_cart(v); });
     if (error_) return tl::unexpected(*error_);
@@ -154,14 +157,9 @@ class Reader {
     if (!colors.is_array() || colors.size() != kColorCount)
       return fail_key("palette", "must be a list of 16 colours");
     for (int i = 0; i < kColorCount; ++i) {
-      const std::string text = colors[i].is_string() ? colors[i].get<std::string>() : "";
-      const bool good =
-          text.size() == 6 && std::all_of(text.begin(), text.end(), [](char c) { return hex_value(c) >= 0; });
-      if (!good) return fail_key("palette[" + std::to_string(i) + "]", "must be a colour such as \"1a1c2c\"");
-      const auto channel = [&](int at) {
-        return static_cast<std::uint8_t>(hex_value(text[at]) << 4 | hex_value(text[at + 1]));
-      };
-      level_.palette[i] = {channel(0), channel(2), channel(4)};
+      const auto color = color_of(colors[i]);
+      if (!color) return fail_key("palette[" + std::to_string(i) + "]", kColorText);
+      level_.palette[i] = *color;
     }
   }
 
@@ -297,45 +295,14 @@ class Reader {
     if (!is_terrain_size(width, height)) return fail_key("map", "has more than 16777216 cells");
     if (!is_terrain_size(width, height, tile_size_)) return fail_key("map", "is longer than 16777216 px");
     level_.map = TileMap(width, height, tile_size_);
-    take(map, "rows", [this](const Json& rows) { read_map_rows(rows); });
+    take(map, "rows", [this](const Json& rows) {
+      keep(read_rows(rows, "map.rows", "map row ", level_, progress_), level_.map.cells());
+    });
   }
 
-  void read_map_rows(const Json& rows) {
-    TileMap& map = level_.map;
-    if (!rows.is_array()) return fail_key("map.rows", "must be a list");
-    if (rows.size() > static_cast<std::size_t>(map.height())) {
-      return fail_key("map.rows", "has " + std::to_string(rows.size()) +
-                                      " rows, more than the map's height of " + std::to_string(map.height()));
-    }
-    for (int y = 0; y < static_cast<int>(rows.size()) && !error_; ++y) {
-      if (!progress_.at(static_cast<std::size_t>(y), rows.size())) error_ = was_cancelled().value();
-      read_map_row(rows[y], y);
-    }
-  }
-
-  void read_map_row(const Json& row, int y) {
-    const std::string place = "map row " + std::to_string(y);
-    if (!row.is_string()) return fail(place, "must be a string");
-    const std::string& text = row.get_ref<const std::string&>();
-    const std::size_t digits = digits_of_tile(level_.tile_count());
-    if (text.size() > digits * static_cast<std::size_t>(level_.map.width())) {
-      return fail(place,
-                  "is longer than the map's width of " + std::to_string(level_.map.width()) + " cells");
-    }
-    const std::string digits_text = word_of_digits(digits);
-    if (text.size() % digits != 0)
-      return fail(place, "must have " + digits_text + " characters for each cell");
-    for (std::size_t x = 0; digits * x < text.size(); ++x) {
-      const auto tile = tile_of_digits(std::string_view(text).substr(digits * x, digits));
-      if (!tile)
-        return fail(place, "has a cell, number " + std::to_string(x) + ", that is not " + digits_text +
-                               " hexadecimal digits");
-      if (*tile >= level_.tile_count())
-        return fail(place, "has a cell, number " + std::to_string(x) + ", with tile " +
-                               std::to_string(*tile) + ", but there are only " +
-                               std::to_string(level_.tile_count()) + " tiles");
-      level_.map.set({static_cast<int>(x), y}, *tile);
-    }
+  void read_layers(Json& layers) {
+    const auto good = take_layers(layers, level_, progress_);
+    if (!good) fail(good.error().place, good.error().message);
   }
 
   void read_cart(Json& json) {
@@ -362,11 +329,7 @@ Json& object_in(Json& parent, const std::string& key) {
 
 Json json_of(const Palette& palette) {
   Json colors = Json::array();
-  for (const Rgb& c : palette) {
-    const std::array<char, 3> bytes = {static_cast<char>(c.r), static_cast<char>(c.g),
-                                       static_cast<char>(c.b)};
-    colors.push_back(to_hex({bytes.data(), bytes.size()}));
-  }
+  for (const Rgb& color : palette) colors.push_back(text_of(color));
   return colors;
 }
 
@@ -391,24 +354,11 @@ void put_sheet(const Sheet& sheet, const std::string& key, Json& document) {
   }
 }
 
-std::string map_row(std::span<const TileNumber> cells, std::size_t digits) {
-  while (!cells.empty() && cells.back() == 0) cells = cells.first(cells.size() - 1);
-  std::string row;
-  row.reserve(digits * cells.size());
-  for (const TileNumber tile : cells) append_tile(row, tile, digits);
-  return row;
-}
-
-void put_map(const TileMap& map, std::size_t digits, Json& json) {
-  json["width"] = map.width();
-  json["height"] = map.height();
-  Json& rows = json["rows"] = Json::array();
-  std::span<const TileNumber> cells = map.cells();
-  while (!cells.empty() && cells.back() == 0) cells = cells.first(cells.size() - 1);
-  const auto width = static_cast<std::size_t>(map.width());
-  for (; !cells.empty(); cells = cells.subspan(std::min(width, cells.size()))) {
-    rows.push_back(map_row(cells.first(std::min(width, cells.size())), digits));
-  }
+// rows: whether the cells stand here, or with the layers.
+void put_map(const Level& level, bool rows, Json& json) {
+  json["width"] = level.map.width();
+  json["height"] = level.map.height();
+  if (rows) json["rows"] = json_of_rows(level.map.cells(), level);
 }
 
 FormatResult<void> put_numbers(const Tuning& tuning, std::string_view group, Json& json) {
@@ -496,14 +446,15 @@ std::vector<std::string_view> key_order() {
       "roles",       "solid",     "up_slope", "down_slope", "ball",    "one_way",    "ceiling",
       "flag_shapes", "tuning",    "spawns",   "curves",     "brushes", "auto_tiles", "exports",
       "tile_shapes", "tiles",     "random",   "heights",    "points",  "sprites",    "tile_size",
-      "sheet_size",  "picture",   "map",      "cart",       "solver"};
+      "sheet_size",  "picture",   "map",      "layers",     "cart",    "solver"};
   for (const TuningField& field : tuning_fields()) order.push_back(field.key);
   order.insert(
       order.end(),
-      {"x",        "y",      "vx",     "vy",       "size",  "foot",   "from",   "to",        "from_slope",
-       "to_slope", "center", "radius", "x0",       "x1",    "upper",  "middle", "amplitude", "wavelength",
-       "origin",   "ys",     "flags",  "pixels",   "width", "height", "rows",   "comment",   "chunks",
-       "lines",    "chunk",  "bank",   "reserved", "code",  "data",   "path",   "parts",     "on_save"});
+      {"x",        "y",       "vx",     "vy",       "size",   "foot",     "from",   "to",        "from_slope",
+       "to_slope", "center",  "radius", "x0",       "x1",     "upper",    "middle", "amplitude", "wavelength",
+       "origin",   "ys",      "flags",  "pixels",   "width",  "height",   "rows",   "comment",   "chunks",
+       "lines",    "chunk",   "bank",   "reserved", "code",   "data",     "path",   "parts",     "on_save",
+       "ground",   "visible", "locked", "opacity",  "offset", "parallax", "tint"});
   for (const GroundPartInfo& part : kGroundParts) order.push_back(part.key);
   const auto hard_case = hard_case_keys();
   order.insert(order.end(), hard_case.begin(), hard_case.end());
@@ -527,8 +478,13 @@ FormatResult<Json> native_document(const Level& level) {
   const SheetLayout sheet = level.sheet(SheetId::tiles).layout();
   const bool has_other_tiles = tile != TileSize(), has_other_sheet = sheet != SheetLayout();
   const auto& picture = level.sheet(SheetId::tiles).picture;
-  const bool is_new = has_other_sheet || picture != nullptr || has_shapes_with_parts(level);
-  document["talus"] = is_new ? kNativeVersion : has_other_tiles ? kTileSizeVersion : 1;
+  auto layers = json_of_layers(level);
+  if (!layers) return layers;
+  const bool has_layers = !layers->empty();
+  document["talus"] = has_layers                                                              ? kNativeVersion
+                      : has_other_sheet || picture != nullptr || has_shapes_with_parts(level) ? kSheetVersion
+                      : has_other_tiles ? kTileSizeVersion
+                                        : 1;
   if (has_other_tiles) document["tile_size"] = {tile.width, tile.height};
   if (has_other_sheet) document["sheet_size"] = {sheet.columns, sheet.count};
   document["palette"] = json_of(level.palette);
@@ -549,7 +505,8 @@ FormatResult<Json> native_document(const Level& level) {
     if (!lines) return lines;
     document["picture"] = *std::move(lines);
   }
-  put_map(level.map, digits_of_tile(level.tile_count()), object_in(document, "map"));
+  if (!layers->empty()) document["layers"] = *std::move(layers);
+  put_map(level, !has_layers, object_in(document, "map"));
   if (level.cart) put_cart(level, object_in(document, "cart"));
   if (depth_of(document) > kMaxJsonDepth)
     return tl::unexpected(FormatError{
@@ -568,7 +525,7 @@ FormatResult<std::string> print_document(const Json& document) {
     return text;
   } catch (const Json::exception&) {
     return tl::unexpected(
-        FormatError{"", "a name of a flag, spawn, curve, brush or export is not valid UTF-8"});
+        FormatError{"", "a name of a flag, layer, spawn, curve, brush or export is not valid UTF-8"});
   }
 }
 

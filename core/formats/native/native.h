@@ -1,9 +1,9 @@
 // Talus's own levels, `.talus.json`: JSON that people can read, and that diffs row by row.
 //
-//   "talus"        version of the file: 3 if its sheet of tiles does not have 16 columns of 256 tiles, or a
-//                  picture, or a shape is a polygon or a group; else 2 if its tiles do not have 8x8 px;
-//                  else 1. Older versions of Talus could not read it. A newer version is refused. This is the
-//                  only key that must be there.
+//   "talus"        version of the file: 4 if it has layers; else 3 if its sheet of tiles does not have 16
+//                  columns of 256 tiles, or a picture, or a shape is a polygon or a group; else 2 if its
+//                  tiles do not have 8x8 px; else 1. Older versions of Talus could not read it. A newer
+//                  version is refused. This is the only key that must be there.
 //   "palette"      16 colours "rrggbb". Default: Sweetie 16.
 //   "flag_names"   up to 8 strings, by flag; "" for a flag without a name. Default: no names.
 //   "flag_fields"  numbers over several flags: "name" (""); "first", the flag of the lowest bit, 0..6;
@@ -54,6 +54,12 @@
 //   most
 //                  16777216 px each; "rows", from the top: two hexadecimal digits for each cell, ".." for
 //                  tile 0. Empty cells at the end of a row and empty rows at the end are left out.
+//   "layers"       1..100 layers of tiles, from the back to the front, with up to 67108864 cells in all:
+//                  "name" (""); "ground", whether its tiles are ground and bodies (true); "visible" (true);
+//                  "locked" (false); "opacity", 0..1 (1); "offset", [x, y] in px, of its picture, each within
+//                  1000000 ([0, 0]); "parallax", [x, y], each within 100 ([1, 1]); "tint", a colour "rrggbb"
+//                  that its own are multiplied by ("ffffff"); "rows", as those of "map", which has none then.
+//                  Default: one layer with the rows of "map".
 //   "cart"         the rest of the cart that the level came from (see native_cart.h). Default: no cart.
 //
 // With the member "companion" a file is not a level, but what a cart's level has beyond the cart (see
@@ -70,9 +76,10 @@
 
 namespace talus {
 
-inline constexpr int kNativeVersion = 3;
-inline constexpr int kTileSizeVersion =
-    2;  // of levels that need no newer one, but whose tiles do not have 8x8 px
+inline constexpr int kNativeVersion = 4;  // of levels with layers
+// Of levels without, but with another sheet, a picture in true colour, polygons or groups.
+inline constexpr int kSheetVersion = 3;
+inline constexpr int kTileSizeVersion = 2;  // of levels with none of that, but tiles of other than 8x8 px
 
 bool accepts_native(std::string_view bytes, const FormatContext& context);
 FormatResult<Level> read_native(std::string_view bytes, const FormatContext& context);

@@ -15,6 +15,10 @@ struct EditLevel {  // an edit made by a tool; a stroke > 0 merges with an entry
   Edit edit;
   int stroke = 0;
 };
+// Makes a layer the one that tools work on. Is not an edit. Does nothing without such a layer.
+struct ChooseLayer {
+  int layer = 0;  // index in Level::layers
+};
 struct Undo {};
 struct Redo {};
 
@@ -35,7 +39,7 @@ struct PastePixels {  // the pixels are selected, and float
 }  // namespace action
 
 // The actions that LevelHandler carries out.
-using LevelAction = std::variant<action::EditLevel, action::Undo, action::Redo, action::MovePixels,
-                                 action::TurnPixels, action::PastePixels>;
+using LevelAction = std::variant<action::EditLevel, action::ChooseLayer, action::Undo, action::Redo,
+                                 action::MovePixels, action::TurnPixels, action::PastePixels>;
 
 }  // namespace talus

@@ -14,6 +14,13 @@ void LevelHandler::carry_out(const action::EditLevel& a) {
 }
 
 template <>
+void LevelHandler::carry_out(const action::ChooseLayer& a) {
+  if (a.layer < 0 || a.layer >= open_.level.layers.count()) return;
+  open_.level.choose_layer(a.layer);
+  ++open_.revision;
+}
+
+template <>
 void LevelHandler::carry_out(const action::Undo&) {
   if (!open_.history.can_undo() || reader_.is_busy()) return;
   run_.begin_series();

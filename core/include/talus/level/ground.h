@@ -9,9 +9,12 @@
 
 namespace talus {
 
-// The parts of a level's terrain. Refers to the level's map, which must stay alive meanwhile. Invalid shapes
-// and curves are left out; the lint reports them.
+// The parts of a level's terrain. Refers to the level's map, which must stay alive meanwhile, and must have
+// no other layer of tiles (asserted). Invalid shapes and curves are left out; the lint reports them.
 TerrainSource ground_of(const Level& level);
+
+// The terrain of a level with any layers.
+Terrain terrain_of(const Level& level);
 
 // The shape of each tile of a level, of its own or of its flags, by number. Invalid shapes are of kind none.
 std::vector<TileShape> usable_shapes(const Level& level);
@@ -28,8 +31,8 @@ std::size_t ground_lines(const TileShape& shape, TileSize tile);
 // For all tiles of the map together.
 std::size_t ground_lines(const Level& level);
 
-// Says that a level has too much ground for its solver, as a sentence without its subject; nothing if it has
-// not.
+// Says that a level has too much ground for its solver, or too many different stacks of tiles in its layers,
+// as a sentence without its subject; nothing if it has not.
 std::optional<std::string> ground_problem(const Level& level);
 
 }  // namespace talus

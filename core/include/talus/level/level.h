@@ -14,6 +14,7 @@
 #include <talus/level/exports.h>
 #include <talus/level/flag_fields.h>
 #include <talus/level/flag_roles.h>
+#include <talus/level/tile_layer.h>
 #include <talus/level/tile_map.h>
 #include <talus/level/tileset.h>
 #include <talus/level/tuning.h>
@@ -68,7 +69,8 @@ struct Level {
   // By tile of the first sheet, as many as it has images; of kind none: the tile's flags give its shape.
   std::vector<TileShape> tile_shapes = std::vector<TileShape>(kCartTiles);
   std::array<TileShape, kFlagCount> flag_shapes;  // the shape that a flag stands for; kind none: no shape
-  TileMap map;                                    // numbers of tiles of the first sheet
+  TileLayers layers;                              // what the map consists of
+  TileMap map;                                    // tiles of the first sheet: the cells of the chosen layer
   std::vector<LevelCurve> curves;                 // at most kMaxCurves
   Tuning tuning;                                  // the numbers of the physics
   std::vector<Spawn> spawns;                      // at most kMaxSpawns
@@ -83,6 +85,10 @@ struct Level {
   // Gives the sheet of tiles this layout. New tiles are blank, and a picture goes if the layout is another.
   // Those tiles that go must not be on the map, in brushes or in the ground's tiles.
   void set_tile_layout(const SheetLayout& layout);
+  // The tiles of a layer, row by row. layer: index in `layers`.
+  const std::vector<TileNumber>& cells_of(int layer) const;
+  // Makes a layer the chosen one. layer: index in `layers`. Takes time by the number of cells.
+  void choose_layer(int layer);
   // One of the two sheets, to be changed.
   Sheet& sheet(SheetId id) { return sheets[static_cast<std::size_t>(id)]; }
   // One of the two sheets.
@@ -93,7 +99,7 @@ struct Level {
   TileRole role_at(Cell cell) const { return role_of(tile_flags(map.at(cell)), roles); }
 };
 
-// The same content; carts are compared by their bytes.
+// The same content, whichever layer is chosen; carts are compared by their bytes.
 bool operator==(const Level& a, const Level& b);
 
 // The shape of a tile: its own shape, or, if it has none, the shape of its flags.

@@ -18,8 +18,10 @@ inline constexpr std::size_t kMaxCurves = 16'384;           // of a level
 inline constexpr std::size_t kMaxShapeNumbers = 1'048'576;  // heights and points of all tiles' shapes
 inline constexpr std::size_t kMaxLevelHeights = 262'144;    // of all polylines together
 inline constexpr std::size_t kMaxCurveCells = 2'097'152;    // cells that all curves pass, see cells_passed
-inline constexpr std::size_t kMaxBrushCells = 1'048'576;    // of all brushes together
-inline constexpr std::size_t kMaxNameBytes = std::size_t{4} << 20;  // of all names and other texts together
+inline constexpr int kMaxLayers = 100;                      // of a level
+inline constexpr std::size_t kMaxLayerCells = std::size_t{4} << 24;  // of all layers, if there are several
+inline constexpr std::size_t kMaxBrushCells = 1'048'576;             // of all brushes together
+inline constexpr std::size_t kMaxNameBytes = std::size_t{4} << 20;   // of all names and other texts together
 inline constexpr std::size_t kMaxUnknownBytes = std::size_t{1} << 20;  // of all unknown members together
 
 // Limit for the bytes of a file. Of the largest levels, a full map of 4096x4096 cells takes 34 MB, and one of

@@ -68,6 +68,9 @@ struct Scene {
   // Only for the exact solver: lines of the level's ground, see <talus/level/ground.h>. If they are too many,
   // there is no ground.
   std::size_t ground_lines = 0;
+  // What the numbers of the ground from `tile_count` on stand for: the tiles of several layers in one cell,
+  // from the back to the front; sorted. Empty if the level has one layer of ground.
+  std::vector<std::vector<TileNumber>> stacks;
   SceneFeatures features;  // what its bodies need
   TileSize tile_size;      // of the level's map
   Tuning tuning;           // the level's
