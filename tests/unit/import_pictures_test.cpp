@@ -3,7 +3,7 @@
 
 #include <talus/formats/format.h>
 #include "folder_test.h"
-#include "formats/tiled/tiled_boxes.h"
+#include "formats/import/numbered_box.h"
 #include "png_bytes.h"
 
 namespace talus::import_pictures_test {

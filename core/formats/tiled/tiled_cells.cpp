@@ -46,7 +46,7 @@ tl::expected<std::string, std::string> uncompressed(std::string bytes, std::stri
   if (compression.empty()) return bytes;
   const bool is_zstd = compression == "zstd";
   if (!is_zstd && compression != "zlib" && compression != "gzip")
-    return tl::unexpected("has the unknown compression " + tiled_quoted(compression));
+    return tl::unexpected("has the unknown compression " + quoted_name(compression));
   auto content = is_zstd ? unpack_zstd(bytes, limit) : unpack_zlib(bytes, limit);
   if (content) return std::move(*content);
   return tl::unexpected(std::string(content.error().is_too_large ? "unpacks to more cells than the layer has"
@@ -77,7 +77,7 @@ CellsResult decode_tiled_cells(std::string_view data, std::string_view encoding,
                     [&](std::string bytes) { return uncompressed(std::move(bytes), compression, 4 * count); })
                 .and_then([](const std::string& bytes) { return cells_of_bytes(bytes); });
   } else {
-    return tl::unexpected("has the unknown encoding " + tiled_quoted(encoding));
+    return tl::unexpected("has the unknown encoding " + quoted_name(encoding));
   }
   if (cells && cells->size() != count) return tl::unexpected(tiled_count_problem(cells->size(), count));
   return cells;

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "../files/atomic_file.h"
-#include "../files/real_path.h"
+#include "../import/linked_files.h"
 #include "../last_catch.h"
 #include "../text/utf8_text.h"
 #include "tiled_json.h"
@@ -25,29 +25,6 @@ char first_character(std::string_view bytes) {
   if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);  // the byte order mark
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   return first == bytes.npos ? '\0' : bytes[first];
-}
-
-// An error in a file that another file names.
-tl::unexpected<FormatError> error_in(const std::string& file, const FormatError& error) {
-  return tl::unexpected(error_within("file " + file, error));
-}
-
-// Where a file is that has this name in the map. Absolute paths would lead to other places on other machines.
-FormatResult<std::string> place_in(const std::string& folder, const std::string& name) {
-  std::error_code failure;
-  const fs::path path(name);
-  const bool is_drive = name.size() > 1 && name[1] == ':';
-  if (name.find('\0') != name.npos || path.is_absolute() || is_drive || name.find("://") != name.npos)
-    return error_in(name, {"", "must be relative to the folder of the map"});
-  const fs::path file = fs::path(folder) / path;
-  if (fs::exists(file, failure) && !fs::is_regular_file(file, failure))
-    return error_in(name, {"", "is not a file"});
-  return file.string();
-}
-
-std::string with_slashes(std::string path) {
-  std::replace(path.begin(), path.end(), '\\', '/');
-  return path;
 }
 
 bool is_xml_name(const std::string& extension) { return extension == "tmx" || extension == "tsx"; }
@@ -71,12 +48,6 @@ FormatResult<Json> tiled_json_of(std::string_view bytes, const std::string& exte
   if (!json && is_xml_name(extension) && !json.error().place.empty())
     json.error().message += ", and not XML either";
   return json;
-}
-
-std::shared_ptr<const TiledPicture> missing_picture() {
-  TiledPicture picture;
-  picture.is_missing = true;
-  return std::make_shared<const TiledPicture>(std::move(picture));
 }
 
 // Tilesets whose files are missing get the map's size of tiles, and as many of them as the cells show.
@@ -104,23 +75,10 @@ void measure_missing_tilesets(TiledMap& map) {
   }
 }
 
-// The number of pixels that a picture claims; 0 if it would be refused for its size.
-std::size_t pixels_of_png(std::string_view bytes) {
-  constexpr std::size_t kSides = 8;  // bytes
-  const auto header = find_png_chunk(bytes, "IHDR");
-  if (!header || header->size() < kSides) return 0;
-  const auto side_at = [&](std::size_t at) {
-    std::size_t side = 0;
-    for (std::size_t i = at; i < at + kSides / 2; ++i)
-      side = side << 8 | static_cast<std::uint8_t>((*header)[i]);
-    return side <= kMaxTiledPictureSide ? side : 0;  // a larger picture is refused without being read
-  };
-  return side_at(0) * side_at(kSides / 2);
-}
-
 class TiledFiles {
  public:
-  TiledFiles(const FormatContext& context, TiledDrops& drops) : context_(context), drops_(drops) {}
+  TiledFiles(const FormatContext& context, ImportDrops& drops)
+      : context_(context), drops_(drops), files_(context, drops) {}
 
   FormatResult<TiledMap> read_map(std::string_view bytes);
   TiledPictures read_pictures(TiledMap& map);
@@ -130,38 +88,16 @@ class TiledFiles {
   FormatResult<TiledTileset> tileset_in(const std::string& source, const std::string& place);
   FormatResult<const TiledTemplate*> find_template(const std::string& name);
   FormatResult<TiledTemplate> template_in(const std::string& name, const std::string& place);
-  FormatResult<std::string> read_beside(const std::string& name, const std::string& place,
-                                        std::size_t most = kMaxFileBytes);
-  std::shared_ptr<const TiledPicture> picture_in(const std::string& image, const std::string& of);
-  FormatResult<TiledPicture> read_picture(const std::string& name, const std::string& place);
 
   const FormatContext& context_;
-  TiledDrops& drops_;
-  std::size_t bytes_ = 0;  // bytes read from files beside the map so far
+  ImportDrops& drops_;
+  LinkedFiles files_;
   // A map may name one file by many names, each time another.
   std::map<FileNumber, TiledTileset> tilesets_;
-  std::map<FileNumber, std::shared_ptr<const TiledPicture>> pictures_;
-  std::size_t pixels_ = 0;  // of pictures_
   using Template = FormatResult<TiledTemplate>;
   std::map<FileNumber, std::shared_ptr<const Template>> templates_;
   std::map<std::string, std::shared_ptr<const Template>> templates_by_name_;
 };
-
-// The limit is for all files together: a thousand tilesets could name one large file each.
-FormatResult<std::string> TiledFiles::read_beside(const std::string& name, const std::string& place,
-                                                  std::size_t most) {
-  std::error_code failure;
-  const auto size = fs::file_size(place, failure);
-  if (!failure && size <= most && size > kMaxFileBytes - bytes_) {
-    return error_in(name, {"", "is too large: all files that a map names may have up to " +
-                                   std::to_string(kMaxFileBytes >> 20) + " MiB together"});
-  }
-  auto bytes = read_file(place, std::min(most, kMaxFileBytes - bytes_));
-  if (!bytes) return error_in(name, bytes.error());
-  if (context_.linked != nullptr) context_.linked->push_back(place);
-  bytes_ += bytes->size();
-  return bytes;
-}
 
 // A tileset without a map gets an empty map.
 FormatResult<TiledMap> TiledFiles::read_map(std::string_view bytes) {
@@ -199,7 +135,7 @@ FormatResult<void> TiledFiles::read_tileset(TiledTileset& tileset) {
   const std::string source = with_slashes(tileset.source);
   if (context_.folder.empty())
     return error_in(source, {"", "is a tileset in a file beside the map, but the map has no file"});
-  const auto place = place_in(context_.folder, source);
+  const auto place = files_.place_of(source);
   if (!place) return tl::unexpected(place.error());
   const auto number = file_number(*place);
   const auto known = number ? tilesets_.find(*number) : tilesets_.end();
@@ -228,7 +164,7 @@ FormatResult<void> TiledFiles::read_tileset(TiledTileset& tileset) {
 }
 
 FormatResult<TiledTileset> TiledFiles::tileset_in(const std::string& source, const std::string& place) {
-  const auto bytes = read_beside(source, place);
+  const auto bytes = files_.read(source, place);
   if (!bytes) return tl::unexpected(bytes.error());
   const auto json = tiled_json_of(*bytes, context_for_file(source).extension, {});
   if (!json) return error_in(source, json.error());
@@ -247,7 +183,7 @@ FormatResult<const TiledTemplate*> TiledFiles::find_template(const std::string& 
   std::shared_ptr<const Template>& known = templates_by_name_[name];
   if (known == nullptr) {
     const std::string path = with_slashes(name);
-    const auto place = place_in(context_.folder, path);
+    const auto place = files_.place_of(path);
     const auto number = place ? file_number(*place) : std::nullopt;
     std::shared_ptr<const Template>& of_file = templates_[number.value_or(FileNumber())];
     const auto wrong = [](tl::unexpected<FormatError> error) {
@@ -269,7 +205,7 @@ FormatResult<const TiledTemplate*> TiledFiles::find_template(const std::string& 
 }
 
 FormatResult<TiledTemplate> TiledFiles::template_in(const std::string& name, const std::string& place) {
-  const auto bytes = read_beside(name, place, kMaxTiledTemplateBytes);
+  const auto bytes = files_.read(name, place, kMaxTiledTemplateBytes);
   if (!bytes) return tl::unexpected(bytes.error());
   const auto json = tiled_json_of(*bytes, context_for_file(name).extension, {});
   if (!json) return error_in(name, json.error());
@@ -283,22 +219,26 @@ FormatResult<TiledTemplate> TiledFiles::template_in(const std::string& name, con
 TiledPictures TiledFiles::read_pictures(TiledMap& map) {
   TiledPictures pictures;
   for (TiledTileset& tileset : map.tilesets) {
-    const std::string of = "the picture of the tileset " + tiled_quoted(tileset.name);
+    const std::string of = "the picture of the tileset " + quoted_name(tileset.name);
     const bool has_one = tileset.is_collection || !tileset.image.empty();
     pictures.emplace_back();
     if (tileset.is_missing) {
-      pictures.back() = missing_picture();
+      LinkedPicture missing;
+      missing.is_missing = true;
+      pictures.back() = std::make_shared<const TiledPicture>(
+          TiledPicture{std::make_shared<const LinkedPicture>(std::move(missing))});
     } else if (!has_one || context_.folder.empty()) {
       drops_.add(of);
     } else if (!tileset.is_collection) {
-      pictures.back() = picture_in(tileset.image, of);
-      if (tileset.image_width == 0) tileset.image_width = pictures.back()->rgba.width;
-      if (tileset.image_height == 0) tileset.image_height = pictures.back()->rgba.height;
+      const auto file = files_.picture(tileset.image, of);
+      pictures.back() = std::make_shared<const TiledPicture>(TiledPicture{file});
+      if (tileset.image_width == 0) tileset.image_width = file->rgba.width;
+      if (tileset.image_height == 0) tileset.image_height = file->rgba.height;
     } else {
       TiledPicture all;
       for (const TiledTile& tile : *tileset.tiles) {
         if (tile.image.empty()) continue;
-        const auto own = picture_in(tile.image, "a picture of the tileset " + tiled_quoted(tileset.name));
+        const auto own = files_.picture(tile.image, "a picture of the tileset " + quoted_name(tileset.name));
         all.of_tiles[tile.id] =
             own->is_missing ? nullptr : std::shared_ptr<const RgbaPicture>(own, &own->rgba);
       }
@@ -308,47 +248,7 @@ TiledPictures TiledFiles::read_pictures(TiledMap& map) {
   return pictures;
 }
 
-// of: what it is the picture of, for a message that it cannot be read.
-std::shared_ptr<const TiledPicture> TiledFiles::picture_in(const std::string& image, const std::string& of) {
-  const auto dropped = [&](const FormatError& error) {
-    drops_.add(of + ", " + error.place + ": " + error.message);
-    return missing_picture();
-  };
-  const std::string name = with_slashes(image);
-  const auto place = place_in(context_.folder, name);
-  if (!place) return dropped(place.error());
-  const auto number = file_number(*place);
-  if (const auto known = number ? pictures_.find(*number) : pictures_.end(); known != pictures_.end())
-    return known->second;
-  auto picture = read_picture(name, *place);
-  const auto shared =
-      picture ? std::make_shared<const TiledPicture>(*std::move(picture)) : dropped(picture.error());
-  if (number) pictures_[*number] = shared;
-  return shared;
-}
-
-FormatResult<TiledPicture> TiledFiles::read_picture(const std::string& name, const std::string& place) {
-  const auto bytes = read_beside(name, place);
-  if (!bytes) return tl::unexpected(bytes.error());
-  const std::size_t pixels = pixels_of_png(*bytes);
-  if (pixels > kMaxTiledPixels - pixels_) {
-    return error_in(name, {"", "is too large: all pictures that a map names may have up to " +
-                                   std::to_string(kMaxTiledPixels) + " pixels together"});
-  }
-  pixels_ += pixels;
-  auto rgba = read_rgba(*bytes, kMaxTiledPictureSide);
-  if (!rgba) return error_in(name, rgba.error());
-  const auto chunk = find_png_chunk(*bytes, "PLTE");
-  TiledPicture picture;
-  picture.rgba = *std::move(rgba);
-  for (std::size_t i = 0; chunk && i + 3 <= chunk->size(); i += 3)
-    picture.palette.push_back({static_cast<std::uint8_t>((*chunk)[i]),
-                               static_cast<std::uint8_t>((*chunk)[i + 1]),
-                               static_cast<std::uint8_t>((*chunk)[i + 2])});
-  return picture;
-}
-
-FormatResult<Level> read_files(std::string_view bytes, const FormatContext& context, TiledDrops& drops) {
+FormatResult<Level> read_files(std::string_view bytes, const FormatContext& context, ImportDrops& drops) {
   TiledFiles files(context, drops);
   auto map = files.read_map(bytes);
   if (!map) return tl::unexpected(map.error());
@@ -377,7 +277,7 @@ std::vector<TiledLayerName> tiled_layers_of_file(const std::string& path, const 
   if (!bytes) return layers;
   FormatContext context = context_for_file(path);
   context.progress = progress;
-  TiledDrops drops;
+  ImportDrops drops;
   const auto map = read_guarded([&] { return TiledFiles(context, drops).read_map(*bytes); });
   if (!map) return layers;
   for (const TiledLayer& layer : map->layers) {
@@ -389,7 +289,7 @@ std::vector<TiledLayerName> tiled_layers_of_file(const std::string& path, const 
 }
 
 FormatResult<Level> read_tiled(std::string_view bytes, const FormatContext& context) {
-  TiledDrops drops;
+  ImportDrops drops;
   auto level = read_files(bytes, context, drops);
   if (level && context.dropped != nullptr) {
     for (std::string& phrase : drops.phrases()) context.dropped->push_back(std::move(phrase));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "../import/hex_color.h"
 #include "../text/utf8_text.h"
 #include "tiled_cells.h"
 #include "tiled_chunks.h"
@@ -40,11 +41,11 @@ std::size_t tile_layers_in(const Json& json) {
 
 class TiledReader : private TiledNodeReader {
  public:
-  TiledReader(const FindTiledTemplate& find_template, TiledDrops& drops)
+  TiledReader(const FindTiledTemplate& find_template, ImportDrops& drops)
       : TiledNodeReader(drops), find_template_(find_template) {}
 
   TiledMap map(const Json& json, const Progress& progress);
-  TiledTileset tileset(const TiledNode& node);
+  TiledTileset tileset(const JsonNode& node);
 
   using TiledNodeReader::result;
 
@@ -54,27 +55,27 @@ class TiledReader : private TiledNodeReader {
     Vec2 offset;
   };
 
-  bool check_map(const TiledNode& node);
-  TileSize tile_size(const TiledNode& node, int most);
-  void layers(const TiledNode& node, const Group& group, const Progress& progress, TiledMap& map);
-  void tile_layer(const TiledNode& node, Vec2 offset, const TiledMap& map, TiledLayer& layer);
-  std::vector<TiledChunk> chunks_of(const TiledNode& node);
-  std::optional<TiledChunk> chunk(const TiledNode& layer, const TiledNode& node);
+  bool check_map(const JsonNode& node);
+  TileSize tile_size(const JsonNode& node, int most);
+  void layers(const JsonNode& node, const Group& group, const Progress& progress, TiledMap& map);
+  void tile_layer(const JsonNode& node, Vec2 offset, const TiledMap& map, TiledLayer& layer);
+  std::vector<TiledChunk> chunks_of(const JsonNode& node);
+  std::optional<TiledChunk> chunk(const JsonNode& layer, const JsonNode& node);
   // The data of a layer or a chunk, in the encoding of the layer.
-  std::vector<std::uint32_t> cells(const TiledNode& node, const TiledNode& layer, std::size_t count);
-  std::vector<TiledObject> objects(const TiledNode& node, Vec2 offset);
-  TiledObject object(const TiledNode& node, Vec2 offset);
-  std::optional<Json> templated(const TiledNode& node);
-  std::uint32_t gid(const TiledNode& node);
-  std::vector<Vec2> points(const TiledNode& node, const char* key);
-  void points_of_text(const TiledNode& node, const char* key, std::string_view text,
+  std::vector<std::uint32_t> cells(const JsonNode& node, const JsonNode& layer, std::size_t count);
+  std::vector<TiledObject> objects(const JsonNode& node, Vec2 offset);
+  TiledObject object(const JsonNode& node, Vec2 offset);
+  std::optional<Json> templated(const JsonNode& node);
+  std::uint32_t gid(const JsonNode& node);
+  std::vector<Vec2> points(const JsonNode& node, const char* key);
+  void points_of_text(const JsonNode& node, const char* key, std::string_view text,
                       std::vector<Vec2>& points);
-  bool has_room_for_point(const TiledNode& node, const char* key);
-  TiledTile tile(const TiledNode& node);
-  bool tiles_have_images(const TiledNode& node);
-  void add_to_collection(const TiledNode& node, TiledTileset& tileset);
-  TiledProperties properties(const TiledNode& node, const std::string& of);
-  std::optional<TiledProperty> property(const TiledNode& node);
+  bool has_room_for_point(const JsonNode& node, const char* key);
+  TiledTile tile(const JsonNode& node);
+  bool tiles_have_images(const JsonNode& node);
+  void add_to_collection(const JsonNode& node, TiledTileset& tileset);
+  TiledProperties properties(const JsonNode& node, const std::string& of);
+  std::optional<TiledProperty> property(const JsonNode& node);
 
   const FindTiledTemplate& find_template_;
   std::size_t objects_ = 0, layers_ = 0, points_ = 0;  // read so far
@@ -86,7 +87,7 @@ class TiledReader : private TiledNodeReader {
 };
 
 TiledMap TiledReader::map(const Json& json, const Progress& progress) {
-  const TiledNode node{json, ""};
+  const JsonNode node{json, ""};
   TiledMap map;
   if (!json.is_object()) {
     fail(node, "", "is not a Tiled map");
@@ -115,7 +116,7 @@ TiledMap TiledReader::map(const Json& json, const Progress& progress) {
     fail(node, "width", "is longer than 16777216 px, the most that a level has");
   map.properties = properties(node, "the map");
   map.background = text(node, "backgroundcolor");
-  for_each(node, "tilesets", [&](const TiledNode& entry) {
+  for_each(node, "tilesets", [&](const JsonNode& entry) {
     if (map.tilesets.size() == kMaxTiledTilesets)
       return fail(entry, "", tiled_too_many("tileset", kMaxTiledTilesets));
     map.tilesets.push_back(tileset(entry));
@@ -143,18 +144,17 @@ TiledMap TiledReader::map(const Json& json, const Progress& progress) {
   return map;
 }
 
-bool TiledReader::check_map(const TiledNode& node) {
+bool TiledReader::check_map(const JsonNode& node) {
   const Json* layers = node.find("layers");
   const std::string orientation = text(node, "orientation");
   if (orientation.empty() || (layers == nullptr && !node.find("tilewidth")))
     fail(node, "", "is not a Tiled map");
   else if (orientation != "orthogonal")
-    fail(node, "orientation",
-         "has the orientation " + tiled_quoted(orientation) + ", but must be orthogonal");
+    fail(node, "orientation", "has the orientation " + quoted_name(orientation) + ", but must be orthogonal");
   return !error_;
 }
 
-TileSize TiledReader::tile_size(const TiledNode& node, int most) {
+TileSize TiledReader::tile_size(const JsonNode& node, int most) {
   const double width = number(node, "tilewidth"), height = number(node, "tileheight");
   const auto is_side = [&](double side) { return side >= 1 && side <= most && side == std::floor(side); };
   if (is_side(width) && is_side(height)) return {static_cast<int>(width), static_cast<int>(height)};
@@ -165,11 +165,11 @@ TileSize TiledReader::tile_size(const TiledNode& node, int most) {
   return {};
 }
 
-void TiledReader::layers(const TiledNode& node, const Group& group, const Progress& progress, TiledMap& map) {
+void TiledReader::layers(const JsonNode& node, const Group& group, const Progress& progress, TiledMap& map) {
   const Json* const all = node.find("layers");
   const double part = 1.0 / static_cast<double>(all == nullptr ? 1 : std::max<std::size_t>(all->size(), 1));
   double done = 0;
-  for_each(node, "layers", [&](const TiledNode& entry) {
+  for_each(node, "layers", [&](const JsonNode& entry) {
     const Progress of_entry = progress.part(done, done + part);
     done += part;
     if (!of_entry.at(0)) {
@@ -180,7 +180,7 @@ void TiledReader::layers(const TiledNode& node, const Group& group, const Progre
     const std::string type = text(entry, "type");
     TiledLayer layer;
     layer.name = text(entry, "name");
-    const std::string of = "the layer " + tiled_quoted(layer.name);
+    const std::string of = "the layer " + quoted_name(layer.name);
     const Vec2 offset = group.offset + Vec2{number(entry, "offsetx"), number(entry, "offsety")};
     properties(entry, of);
     drop_others(entry, of,
@@ -199,9 +199,9 @@ void TiledReader::layers(const TiledNode& node, const Group& group, const Progre
   });
 }
 
-void TiledReader::tile_layer(const TiledNode& node, Vec2 offset, const TiledMap& map, TiledLayer& layer) {
+void TiledReader::tile_layer(const JsonNode& node, Vec2 offset, const TiledMap& map, TiledLayer& layer) {
   layer.has_tiles = true;
-  if (offset != Vec2{0, 0}) drops_.add("the offset of the layer " + tiled_quoted(layer.name));
+  if (offset != Vec2{0, 0}) drops_.add("the offset of the layer " + quoted_name(layer.name));
   if (is_infinite_) {
     chunks_.resize(map.layers.size());
     chunks_.push_back(chunks_of(node));
@@ -214,19 +214,19 @@ void TiledReader::tile_layer(const TiledNode& node, Vec2 offset, const TiledMap&
   }
 }
 
-std::vector<TiledChunk> TiledReader::chunks_of(const TiledNode& node) {
+std::vector<TiledChunk> TiledReader::chunks_of(const JsonNode& node) {
   std::vector<TiledChunk> chunks;
   const auto take = [&](std::optional<TiledChunk> chunk) {
     if (chunk) chunks.push_back(*std::move(chunk));
   };
   const Json* data = node.find("data");
   if (data != nullptr && !has_no_cells(*data)) take(chunk(node, node));  // a layer without chunks is one
-  for_each(node, "chunks", [&](const TiledNode& entry) { take(chunk(node, entry)); });
+  for_each(node, "chunks", [&](const JsonNode& entry) { take(chunk(node, entry)); });
   return chunks;
 }
 
 // node: a chunk of the layer, or the layer itself.
-std::optional<TiledChunk> TiledReader::chunk(const TiledNode& layer, const TiledNode& node) {
+std::optional<TiledChunk> TiledReader::chunk(const JsonNode& layer, const JsonNode& node) {
   TiledChunk chunk;
   chunk.x = whole(node, "x", -kMaxTiledChunkPlace, kMaxTiledChunkPlace, 0);
   chunk.y = whole(node, "y", -kMaxTiledChunkPlace, kMaxTiledChunkPlace, 0);
@@ -245,7 +245,7 @@ std::optional<TiledChunk> TiledReader::chunk(const TiledNode& layer, const Tiled
   return chunk;
 }
 
-std::vector<std::uint32_t> TiledReader::cells(const TiledNode& node, const TiledNode& layer,
+std::vector<std::uint32_t> TiledReader::cells(const JsonNode& node, const JsonNode& layer,
                                               std::size_t count) {
   const Json* data = node.find("data");
   std::vector<std::uint32_t> cells;
@@ -274,18 +274,18 @@ std::vector<std::uint32_t> TiledReader::cells(const TiledNode& node, const Tiled
   return cells;
 }
 
-std::vector<TiledObject> TiledReader::objects(const TiledNode& node, Vec2 offset) {
+std::vector<TiledObject> TiledReader::objects(const JsonNode& node, Vec2 offset) {
   std::vector<TiledObject> all;
-  for_each(node, "objects", [&](const TiledNode& entry) {
+  for_each(node, "objects", [&](const JsonNode& entry) {
     if (++objects_ > kMaxTiledObjects) return fail(entry, "", tiled_too_many("object", kMaxTiledObjects));
     const auto joined = templated(entry);
-    if (!error_) all.push_back(object(joined ? TiledNode{*joined, entry.path} : entry, offset));
+    if (!error_) all.push_back(object(joined ? JsonNode{*joined, entry.path} : entry, offset));
   });
   return all;
 }
 
 // The object with what its template says; nothing if it has none that can be read.
-std::optional<Json> TiledReader::templated(const TiledNode& node) {
+std::optional<Json> TiledReader::templated(const JsonNode& node) {
   const std::string name = text(node, "template");
   if (name.empty()) return {};
   const auto found = find_template_(name);
@@ -305,7 +305,7 @@ std::optional<Json> TiledReader::templated(const TiledNode& node) {
   return with_template(node.json, from, tileset == gids_.end() ? 0 : tileset->second);
 }
 
-TiledObject TiledReader::object(const TiledNode& node, Vec2 offset) {
+TiledObject TiledReader::object(const JsonNode& node, Vec2 offset) {
   TiledObject object;
   object.name = text(node, "name");
   object.type = text(node, class_key(node));
@@ -335,7 +335,7 @@ TiledObject TiledReader::object(const TiledNode& node, Vec2 offset) {
   return object;
 }
 
-std::uint32_t TiledReader::gid(const TiledNode& node) {
+std::uint32_t TiledReader::gid(const JsonNode& node) {
   constexpr double kMost = std::numeric_limits<std::uint32_t>::max();
   const double value = number(node, "gid");
   if (value >= 0 && value <= kMost && value == std::trunc(value)) return static_cast<std::uint32_t>(value);
@@ -343,21 +343,21 @@ std::uint32_t TiledReader::gid(const TiledNode& node) {
   return 0;
 }
 
-std::vector<Vec2> TiledReader::points(const TiledNode& node, const char* key) {
+std::vector<Vec2> TiledReader::points(const JsonNode& node, const char* key) {
   std::vector<Vec2> points;
   const Json* list = node.find(key);
   if (list != nullptr && list->is_string()) {
     points_of_text(node, key, list->get_ref<const std::string&>(), points);
     return points;
   }
-  for_each(node, key, [&](const TiledNode& point) {
+  for_each(node, key, [&](const JsonNode& point) {
     if (has_room_for_point(point, "")) points.push_back({number(point, "x"), number(point, "y")});
   });
   return points;
 }
 
 // "0,8 16,0.5", as in XML.
-void TiledReader::points_of_text(const TiledNode& node, const char* key, std::string_view text,
+void TiledReader::points_of_text(const JsonNode& node, const char* key, std::string_view text,
                                  std::vector<Vec2>& points) {
   const auto coordinate = [&](std::string_view digits) {
     double number = 0;
@@ -377,12 +377,12 @@ void TiledReader::points_of_text(const TiledNode& node, const char* key, std::st
   }
 }
 
-bool TiledReader::has_room_for_point(const TiledNode& node, const char* key) {
+bool TiledReader::has_room_for_point(const JsonNode& node, const char* key) {
   if (++points_ > kMaxTiledPoints) fail(node, key, tiled_too_many("point", kMaxTiledPoints));
   return !error_;
 }
 
-TiledTileset TiledReader::tileset(const TiledNode& node) {
+TiledTileset TiledReader::tileset(const JsonNode& node) {
   constexpr int kMost = 1 << 20, kMostSpace = 1024;  // px; products of them fit an int
   constexpr std::size_t kMostName = 200;             // bytes; a map may name one file many times
   TiledTileset tileset;
@@ -395,10 +395,10 @@ TiledTileset TiledReader::tileset(const TiledNode& node) {
   tileset.source = text(node, "source");
   if (!tileset.source.empty()) return tileset;
   const std::string name = text(node, "name");
-  const std::string of = "the tileset " + tiled_quoted(name);
+  const std::string of = "the tileset " + quoted_name(name);
   tileset.name = shortened(name, kMostName);
   tileset.is_collection = tiles_have_images(node);
-  if (!tileset.is_collection) tileset.tile_size = tile_size(node, kMaxTiledPictureSide);
+  if (!tileset.is_collection) tileset.tile_size = tile_size(node, kMaxTiledTileSide);
   tileset.image = text(node, "image");
   if (tileset.image.size() > kMostPath) fail(node, "image", long_path());
   tileset.image_width = whole(node, "imagewidth", 0, kMost, 0);
@@ -408,13 +408,13 @@ TiledTileset TiledReader::tileset(const TiledNode& node) {
   tileset.spacing = whole(node, "spacing", 0, kMostSpace, 0);
   tileset.margin = whole(node, "margin", 0, kMostSpace, 0);
   if (const Json* offset = node.find("tileoffset"); offset != nullptr && offset->is_object()) {
-    const TiledNode place{*offset, node.path_of("tileoffset")};
+    const JsonNode place{*offset, node.path_of("tileoffset")};
     tileset.offset_x = whole(place, "x", -kMostSpace, kMostSpace, 0);
     tileset.offset_y = whole(place, "y", -kMostSpace, kMostSpace, 0);
   }
-  tileset.transparent = color_of_tiled(text(node, "transparentcolor"));
+  tileset.transparent = color_of_hex(text(node, "transparentcolor"));
   properties(node, of);
-  for_each(node, "tiles", [&](const TiledNode& entry) {
+  for_each(node, "tiles", [&](const JsonNode& entry) {
     tileset.tiles->push_back(tile(entry));
     if (tileset.is_collection) add_to_collection(entry, tileset);
   });
@@ -446,15 +446,15 @@ TiledTileset TiledReader::tileset(const TiledNode& node) {
   return tileset;
 }
 
-bool TiledReader::tiles_have_images(const TiledNode& node) {
+bool TiledReader::tiles_have_images(const JsonNode& node) {
   bool found = false;
-  for_each(node, "tiles", [&](const TiledNode& entry) { found = found || entry.find("image") != nullptr; });
+  for_each(node, "tiles", [&](const JsonNode& entry) { found = found || entry.find("image") != nullptr; });
   return found && text(node, "image").empty();
 }
 
 // The last tile of the set was read from the node.
-void TiledReader::add_to_collection(const TiledNode& node, TiledTileset& tileset) {
-  constexpr int kMost = kMaxTiledPictureSide;
+void TiledReader::add_to_collection(const JsonNode& node, TiledTileset& tileset) {
+  constexpr int kMost = kMaxTiledTileSide;
   TiledTile& tile = tileset.tiles->back();
   tile.image = text(node, "image");
   if (tile.image.size() > kMostPath) fail(node, "image", long_path());
@@ -467,7 +467,7 @@ void TiledReader::add_to_collection(const TiledNode& node, TiledTileset& tileset
   tileset.tile_count = std::max(tileset.tile_count, tile.id + 1);  // some ids may have no tile
 }
 
-TiledTile TiledReader::tile(const TiledNode& node) {
+TiledTile TiledReader::tile(const JsonNode& node) {
   TiledTile tile;
   tile.id = whole(node, "id", 0, 1 << 20, 0);
   tile.type = text(node, class_key(node));
@@ -482,22 +482,22 @@ TiledTile TiledReader::tile(const TiledNode& node) {
 
 // `of`: the owner of properties that mean nothing to a level. What tiles and objects drop is said where the
 // level is made.
-TiledProperties TiledReader::properties(const TiledNode& node, const std::string& of) {
+TiledProperties TiledReader::properties(const JsonNode& node, const std::string& of) {
   TiledProperties all;
   const bool are_read = of == "a tile" || of == "an object" || of == "the map";
-  for_each(node, "properties", [&](const TiledNode& entry) {
+  for_each(node, "properties", [&](const JsonNode& entry) {
     const std::string name = text(entry, "name");
     auto read = property(entry);
     const bool is_kept = read && are_read && (of != "the map" || name == kTiledLevelProperty);
     if (is_kept)
       all.push_back(std::move(*read));
     else
-      drops_.add("the property " + tiled_quoted(name) + " of " + of);
+      drops_.add("the property " + quoted_name(name) + " of " + of);
   });
   return all;
 }
 
-std::optional<TiledProperty> TiledReader::property(const TiledNode& node) {
+std::optional<TiledProperty> TiledReader::property(const JsonNode& node) {
   const std::string name = text(node, "name");
   const Json* value = node.find("value");
   if (value == nullptr) return {};
@@ -512,14 +512,14 @@ std::optional<TiledProperty> TiledReader::property(const TiledNode& node) {
 }  // namespace
 
 FormatResult<TiledMap> read_tiled_map(const Json& json, const FindTiledTemplate& find_template,
-                                      TiledDrops& drops, const Progress& progress) {
+                                      ImportDrops& drops, const Progress& progress) {
   TiledReader reader(find_template, drops);
   TiledMap map = reader.map(json, progress);
   return reader.result(std::move(map));
 }
 
 FormatResult<TiledTileset> read_tiled_tileset(const Json& json, const FindTiledTemplate& find_template,
-                                              TiledDrops& drops) {
+                                              ImportDrops& drops) {
   TiledReader reader(find_template, drops);
   TiledTileset tileset = reader.tileset({json, ""});
   return reader.result(std::move(tileset));

@@ -16,8 +16,8 @@ namespace talus {
 // find_template: finds the templates that objects of the map name. A template that cannot be found is
 // dropped.
 FormatResult<TiledMap> read_tiled_map(const Json& json, const FindTiledTemplate& find_template,
-                                      TiledDrops& drops, const Progress& progress = {});
+                                      ImportDrops& drops, const Progress& progress = {});
 FormatResult<TiledTileset> read_tiled_tileset(const Json& json, const FindTiledTemplate& find_template,
-                                              TiledDrops& drops);
+                                              ImportDrops& drops);
 
 }  // namespace talus

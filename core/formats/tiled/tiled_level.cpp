@@ -11,10 +11,9 @@
 #include <utility>
 
 #include <talus/level/limits.h>
-#include "../../level/tile_color.h"
+#include "../import/sheet_images.h"
 #include "../native/native.h"
 #include "../native/native_objects.h"
-#include "../pictures/png_sheet.h"
 #include "../text/append_number.h"
 #include "../text/xml_text.h"
 #include "tiled_objects.h"
@@ -49,7 +48,7 @@ void sort_by_x(std::vector<Entry>& entries) {
 
 class TiledLevelMaker {
  public:
-  TiledLevelMaker(const TiledMap& map, const TiledPictures& pictures, TiledDrops& drops,
+  TiledLevelMaker(const TiledMap& map, const TiledPictures& pictures, ImportDrops& drops,
                   const Progress& progress)
       : map_(map), pictures_(pictures), drops_(drops), progress_(progress) {}
 
@@ -60,8 +59,6 @@ class TiledLevelMaker {
   FormatResult<void> read_base();
   void forget_numbers();
   void take_pixels();
-  void take_images();
-  bool shows_all_of(const SheetPicture& picture) const;
   void name_flags();
   bool is_free(int flag) const;
   bool knows_property(const TiledProperty& property) const;
@@ -89,7 +86,7 @@ class TiledLevelMaker {
 
   const TiledMap& map_;
   const TiledPictures& pictures_;
-  TiledDrops& drops_;
+  ImportDrops& drops_;
   const Progress& progress_;
   bool is_own_ = false;                    // whether Talus wrote the map
   Level base_;                             // the level when it was written
@@ -107,7 +104,7 @@ bool is_name_of(const std::string& written, const std::string& name) {
 }
 
 std::string named(std::string_view what, const std::string& name) {
-  return std::string(what) + (name.empty() ? "" : " " + tiled_quoted(name));
+  return std::string(what) + (name.empty() ? "" : " " + quoted_name(name));
 }
 
 // The tile's number in the level and, if that differs, its number in the tileset.
@@ -174,7 +171,7 @@ FormatResult<const TiledLayer*> TiledLevelMaker::layer_of(const ImportChoices& c
   for (const TiledLayer& layer : map_.layers) {
     if (!layer.has_tiles) continue;
     layers.push_back(&layer);
-    names += (names.empty() ? "" : ", ") + tiled_quoted(layer.name);
+    names += (names.empty() ? "" : ", ") + quoted_name(layer.name);
   }
   const auto fail = [](std::string message, std::string remedy = {}) {
     return tl::unexpected(FormatError{"", std::move(message), std::move(remedy)});
@@ -240,7 +237,9 @@ void TiledLevelMaker::forget_numbers() {
 
 // As pixels of 16 colours, which carts and tools take, and as a picture if these do not show all of it.
 void TiledLevelMaker::take_pixels() {
-  take_images();
+  const bool has_one = map_.tilesets.size() == 1 && pictures_[0] && pictures_[0]->file && !is_own_;
+  put_images(picture_of_tiles(tiles_, map_, pictures_, TileSize()),
+             has_one ? pictures_[0]->file->palette : std::vector<Rgb>(), level_);
   const auto [width, height] = map_.tile_size;
   const SheetLayout layout{tiles_.columns, static_cast<int>(tiles_.sources.size())};
   const std::int64_t wide = std::int64_t{layout.columns} * width, high = std::int64_t{layout.rows()} * height;
@@ -251,52 +250,8 @@ void TiledLevelMaker::take_pixels() {
     return;
   }
   auto picture = std::make_shared<SheetPicture>(picture_of_tiles(tiles_, map_, pictures_, map_.tile_size));
-  if (shows_all_of(*picture)) return;
+  if (images_show(*picture, level_)) return;
   level_.sheet(SheetId::tiles).picture = std::move(picture);
-}
-
-void TiledLevelMaker::take_images() {
-  constexpr int kHalfOpaque = 128;
-  const SheetPicture rgba = picture_of_tiles(tiles_, map_, pictures_, TileSize());
-  PngPicture picture{rgba.width, rgba.height, {}, {}, {}};
-  for (std::size_t i = 0; i < rgba.rgba.size(); i += 4) {
-    const bool is_clear = rgba.rgba[i + 3] < kHalfOpaque;
-    picture.transparent.push_back(is_clear);
-    picture.pixels.push_back(is_clear ? Rgb{} : Rgb{rgba.rgba[i], rgba.rgba[i + 1], rgba.rgba[i + 2]});
-  }
-  const bool has_one = map_.tilesets.size() == 1 && pictures_[0];
-  if (has_one && !is_own_) picture.palette = pictures_[0]->palette;
-  if (const auto palette = palette_for(picture, level_.palette)) level_.palette = *palette;
-  const MatchedPicture matched = match_colors(picture, level_.palette);
-  Sheet& sheet = level_.sheet(SheetId::tiles);
-  for (int i = 0; i < picture.width * picture.height; ++i) {
-    const int x = i % picture.width, y = i / picture.width;
-    const Cell place{x / kCartTileSize, y / kCartTileSize};
-    if (!sheet.layout().contains(place)) continue;
-    sheet.images[static_cast<std::size_t>(sheet.layout().tile_at(place))]
-                [static_cast<std::size_t>(y % kCartTileSize * kCartTileSize + x % kCartTileSize)] =
-        matched.indices[static_cast<std::size_t>(i)];
-  }
-}
-
-// Whether the images in 16 colours, stretched over the tiles, look as the picture does.
-bool TiledLevelMaker::shows_all_of(const SheetPicture& picture) const {
-  const Sheet& sheet = level_.sheet(SheetId::tiles);
-  const TileSize size = map_.tile_size;
-  for (int y = 0; y < picture.height; ++y) {
-    for (int x = 0; x < picture.width; ++x) {
-      const Cell place{x / size.width, y / size.height};
-      if (!sheet.layout().contains(place)) continue;
-      const TileImage& image = sheet.images[static_cast<std::size_t>(sheet.layout().tile_at(place))];
-      const std::uint8_t color = color_at(image, size, x % size.width, y % size.height);
-      const std::uint8_t* pixel = picture.at(x, y);
-      constexpr int kOpaque = 255;
-      const bool is_clear = pixel[3] == 0 && color == 0;
-      const bool is_same = pixel[3] == kOpaque && level_.palette[color] == Rgb{pixel[0], pixel[1], pixel[2]};
-      if (!is_clear && !is_same) return false;
-    }
-  }
-  return true;
 }
 
 bool TiledLevelMaker::knows_property(const TiledProperty& property) const {
@@ -372,7 +327,7 @@ std::uint8_t TiledLevelMaker::flags_of(const TiledTile& tile) {
       if (is_false) pattern.bits = 0;
       flags = pattern.put_in(flags);
     } else if (!knows_property(property) && !is_false) {
-      drops_.add("the property " + tiled_quoted(property.name) + " of a tile");
+      drops_.add("the property " + quoted_name(property.name) + " of a tile");
     }
   }
   return flags;
@@ -483,7 +438,7 @@ void TiledLevelMaker::tell_stale_words(const TiledTile& tile, const TileShape& s
       continue;
     if (property == TiledProperty{"shape_one_way", false}) continue;
     if (std::find(words.begin(), words.end(), property) == words.end())
-      drops_.add("the property " + tiled_quoted(property.name) + " of a tile, as its outline says otherwise");
+      drops_.add("the property " + quoted_name(property.name) + " of a tile, as its outline says otherwise");
   }
 }
 
@@ -495,7 +450,7 @@ void TiledLevelMaker::take_objects(const TiledLayer& layer) {
                (object.type == kTiledCurveType || layer.name == kTiledCurveLayer)) {
       take_curve(object);
     } else {
-      drops_.add("an object of the layer " + tiled_quoted(layer.name));
+      drops_.add("an object of the layer " + quoted_name(layer.name));
     }
   }
 }
@@ -518,7 +473,7 @@ void TiledLevelMaker::take_spawn(const TiledObject& object, Spawn spawn) {
   constexpr std::array<std::string_view, 3> kKnown = {"vx", "vy", "foot"};
   for (const TiledProperty& property : object.properties) {
     if (std::find(kKnown.begin(), kKnown.end(), property.name) == kKnown.end())
-      drops_.add("the property " + tiled_quoted(property.name) + " of a body");
+      drops_.add("the property " + quoted_name(property.name) + " of a body");
   }
   if (object.rotation != 0) drops_.add("the rotation of a body");
   if (object.form == TiledObject::Form::tile) drops_.add("the picture of a body");
@@ -605,7 +560,7 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
 }  // namespace
 
 FormatResult<Level> level_of_tiled(const TiledMap& map, const TiledPictures& pictures,
-                                   const ImportChoices& choices, TiledDrops& drops,
+                                   const ImportChoices& choices, ImportDrops& drops,
                                    const Progress& progress) {
   return TiledLevelMaker(map, pictures, drops, progress).make(choices);
 }

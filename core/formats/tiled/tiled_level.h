@@ -16,7 +16,7 @@ namespace talus {
 // If the picture has up to 16 colours, they become the palette. progress: receives how much of the level is
 // made.
 FormatResult<Level> level_of_tiled(const TiledMap& map, const TiledPictures& pictures,
-                                   const ImportChoices& choices, TiledDrops& drops,
+                                   const ImportChoices& choices, ImportDrops& drops,
                                    const Progress& progress = {});
 
 }  // namespace talus

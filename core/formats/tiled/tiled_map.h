@@ -25,6 +25,7 @@
 #include <vector>
 
 #include <talus/level/level.h>
+#include "../import/import_drops.h"
 
 namespace talus {
 
@@ -42,8 +43,7 @@ inline constexpr std::size_t kMaxTiledObjects = 262'144;
 inline constexpr std::size_t kMaxTiledPoints = std::size_t{1} << 21;  // of polygons and polylines
 inline constexpr std::size_t kMaxTiledLayers = 4096;                  // groups count, too
 inline constexpr std::size_t kMaxTiledTilesets = 4096;
-inline constexpr std::size_t kMaxTiledPixels = std::size_t{1} << 25;  // of different pictures
-inline constexpr int kMaxTiledPictureSide = 4096;  // px, of a picture or a tile of a tileset
+inline constexpr int kMaxTiledTileSide = 4096;  // px, of a tile of a tileset
 
 struct TiledProperty {
   std::string name;
@@ -128,27 +128,9 @@ struct TiledMap {
 // The path of a file that is named in a file of that folder, without "." and with "/" alone.
 std::string tiled_path(const std::string& folder, std::string name);
 
-std::string tiled_color(Rgb color);                        // "#1a1c2c"
-std::optional<Rgb> color_of_tiled(std::string_view text);  // also without "#"; nothing for other texts
+std::string tiled_color(Rgb color);  // "#1a1c2c"
 
-// Returns a name in quotes, for messages. Names in files may be of any length, so a long one is cut.
-std::string tiled_quoted(std::string_view name);
 // "is one layer too many: a map may have at most 4096", for what a map has one of above a limit.
 std::string tiled_too_many(std::string_view thing, std::size_t most);
-
-// What was found and cannot be kept, each thing once.
-class TiledDrops {
- public:
-  // Cuts the phrase to 200 bytes. Of different phrases it keeps the first 1000, and counts how often others
-  // came.
-  void add(std::string_view phrase);
-  // In alphabetical order. A thing that was found several times has its count: "the animation of a tile (3
-  // times)". If some were not kept, the last one is "and 234 more".
-  std::vector<std::string> phrases() const;
-
- private:
-  std::map<std::string, int> counts_;
-  std::size_t more_ = 0;
-};
 
 }  // namespace talus

@@ -6,7 +6,7 @@
 #include <set>
 #include <unordered_map>
 
-#include "tiled_boxes.h"
+#include "../import/numbered_box.h"
 #include "tiled_shapes.h"
 
 namespace talus {
@@ -40,7 +40,7 @@ using SourceOfCell = std::unordered_map<std::uint32_t, TiledSource>;
 class TileNumberer {
  public:
   TileNumberer(const TiledMap& map, const TiledLayer& layer, const TiledPictures& pictures,
-               const SheetLayout& base, Rgb background, TiledDrops& drops, const Progress& progress)
+               const SheetLayout& base, Rgb background, ImportDrops& drops, const Progress& progress)
       : progress_(progress),
         map_(map),
         layer_(layer),
@@ -77,7 +77,7 @@ class TileNumberer {
   const TiledPictures& pictures_;
   SheetLayout base_;
   Rgb background_;
-  TiledDrops& drops_;
+  ImportDrops& drops_;
   std::vector<int> order_;  // tilesets by their first number
   TiledTiles tiles_;
 };
@@ -122,7 +122,7 @@ void TileNumberer::tell_parts_outside(const TiledSource& source) const {
   const bool is_inside = place.x >= 0 && place.y >= 0 && place.x + width <= map_.tile_size.width &&
                          place.y + height <= map_.tile_size.height;
   if (!is_inside) {
-    drops_.add("the parts of a tile of the tileset " + tiled_quoted(tileset(source.tileset).name) +
+    drops_.add("the parts of a tile of the tileset " + quoted_name(tileset(source.tileset).name) +
                " that are drawn outside of its cell");
   }
 }
@@ -139,7 +139,7 @@ std::vector<int> TileNumberer::shown_tilesets(const SourceOfCell& cells) {
     if (shown.contains(i))
       tilesets.push_back(i);
     else
-      drops_.add("the tileset " + tiled_quoted(tileset(i).name) + ", which the map does not show");
+      drops_.add("the tileset " + quoted_name(tileset(i).name) + ", which the map does not show");
   }
   return tilesets;
 }
@@ -326,7 +326,7 @@ Rgba color_of(const TiledMap& map, const TiledPictures& pictures, const TiledSou
   const TiledTileset& tileset = map.tilesets[of];
   const auto own = pictures[of]->of_tiles.find(source.id);
   const bool has_own = own != pictures[of]->of_tiles.end();
-  if (has_own ? own->second == nullptr : pictures[of]->is_missing) {
+  if (has_own ? own->second == nullptr : pictures[of]->is_missing()) {
     const Rgb box =
         color_of_box(source.id, x * kCartTileSize / image.width, y * kCartTileSize / image.height);
     return {box.r, box.g, box.b, 255};
@@ -350,8 +350,8 @@ Rgba color_of(const TiledMap& map, const TiledPictures& pictures, const TiledSou
   }
   const int columns = grid_of(tileset).columns, row = source.id / columns, column = source.id % columns;
   const Rgba color =
-      color_in(pictures[of]->rgba, {tileset.margin + column * (width + tileset.spacing) + in_tile.x,
-                                    tileset.margin + row * (height + tileset.spacing) + in_tile.y});
+      color_in(pictures[of]->file->rgba, {tileset.margin + column * (width + tileset.spacing) + in_tile.x,
+                                          tileset.margin + row * (height + tileset.spacing) + in_tile.y});
   return tileset.transparent == Rgb{color[0], color[1], color[2]} ? kClear : color;
 }
 
@@ -368,7 +368,7 @@ TiledPlace place_of_tile(const TiledMap& map, const TiledPictures& pictures, con
 
 FormatResult<TiledTiles> number_tiles(const TiledMap& map, const TiledLayer& layer,
                                       const TiledPictures& pictures, bool used_tiles, const SheetLayout& base,
-                                      Rgb background, TiledDrops& drops, const Progress& progress) {
+                                      Rgb background, ImportDrops& drops, const Progress& progress) {
   TileNumberer numberer(map, layer, pictures, base, background, drops, progress);
   return used_tiles ? numberer.used() : numberer.as_they_are();
 }

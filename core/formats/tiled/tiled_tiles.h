@@ -4,18 +4,18 @@
 #include <map>
 #include <memory>
 
-#include "../pictures/png_picture.h"
+#include "../import/linked_files.h"
 #include "tiled_map.h"
 
 namespace talus {
 
 // The picture of a tileset.
 struct TiledPicture {
-  RgbaPicture rgba;
-  std::vector<Rgb> palette;  // of the file; empty: the file has none
+  std::shared_ptr<const LinkedPicture> file;  // null for a collection
   // Of a collection, the picture of each tile by its id; null where it cannot be read.
-  std::map<int, std::shared_ptr<const RgbaPicture>> of_tiles;
-  bool is_missing = false;  // whether it cannot be read: numbered boxes stand for its tiles
+  std::map<int, std::shared_ptr<const RgbaPicture>> of_tiles = {};
+  // Whether it cannot be read: numbered boxes stand for its tiles.
+  bool is_missing() const { return file != nullptr && file->is_missing; }
 };
 // By tileset; tilesets of one file share it. Null: not known.
 using TiledPictures = std::vector<std::shared_ptr<const TiledPicture>>;
@@ -44,7 +44,7 @@ struct TiledTiles {
 // are numbered.
 FormatResult<TiledTiles> number_tiles(const TiledMap& map, const TiledLayer& layer,
                                       const TiledPictures& pictures, bool used_tiles, const SheetLayout& base,
-                                      Rgb background, TiledDrops& drops, const Progress& progress);
+                                      Rgb background, ImportDrops& drops, const Progress& progress);
 
 // Where a tile is drawn in a cell that shows it: its bottom left corner is that of the cell, moved by the
 // offset of its tileset.

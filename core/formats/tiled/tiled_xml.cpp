@@ -150,7 +150,7 @@ class TiledXml {
   Json attributes(const pugi::xml_node& node) {
     Json json = Json::object();
     count_values(node, 2);
-    json[kTiledLineKey] = line_of(node);
+    json[kXmlLineKey] = line_of(node);
     for (const pugi::xml_attribute attribute : node.attributes()) {
       count_values(node, 1);
       std::string name = attribute.name();
@@ -207,7 +207,7 @@ class TiledXml {
     for (const pugi::xml_node child : node.children("property")) {
       count_values(child, 4);
       Json json = {{"name", child.attribute("name").value()}, {"value", property_value(child)}};
-      json[kTiledLineKey] = line_of(child);
+      json[kXmlLineKey] = line_of(child);
       if (child.child("properties")) json.erase("value");  // a value with members
       list.push_back(std::move(json));
     }

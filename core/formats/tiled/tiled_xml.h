@@ -9,7 +9,7 @@
 
 namespace talus {
 
-// Every object has the line of its element (kTiledLineKey). Errors have their place by line. progress:
+// Every object has the line of its element (kXmlLineKey). Errors have their place by line. progress:
 // receives how much of the text is converted, and may stop the work, which is an error.
 FormatResult<Json> tiled_json_of_xml(std::string_view text, const Progress& progress = {});
 

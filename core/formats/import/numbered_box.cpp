@@ -1,5 +1,5 @@
 // Digits of 3x5 px.
-#include "tiled_boxes.h"
+#include "numbered_box.h"
 
 #include <array>
 #include <string_view>

@@ -1,0 +1,35 @@
+// Phrases with their counts.
+#include "import_drops.h"
+
+#include "../text/utf8_text.h"
+
+namespace talus {
+
+std::string quoted_name(std::string_view name) {
+  constexpr std::size_t kMost = 80;  // bytes
+  return "\"" + shortened(name, kMost) + "\"";
+}
+
+void ImportDrops::add(std::string_view phrase) {
+  constexpr std::size_t kMostPhrases = 1000;
+  constexpr std::size_t kMostShown = 200;  // bytes
+  const std::string shown = shortened(phrase, kMostShown);
+  if (const auto known = counts_.find(shown); known != counts_.end())
+    ++known->second;
+  else if (counts_.size() < kMostPhrases)
+    counts_.emplace(shown, 1);
+  else
+    ++more_;
+}
+
+std::vector<std::string> ImportDrops::phrases() const {
+  std::vector<std::string> phrases;
+  for (const auto& [phrase, count] : counts_) {
+    const std::string shown = printable(phrase);
+    phrases.push_back(count == 1 ? shown : shown + " (" + std::to_string(count) + " times)");
+  }
+  if (more_ > 0) phrases.push_back("and " + std::to_string(more_) + " more");
+  return phrases;
+}
+
+}  // namespace talus

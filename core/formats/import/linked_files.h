@@ -1,0 +1,58 @@
+// LinkedFiles: the files beside a file of another program that its content names, such as pictures.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <talus/level/limits.h>
+#include "../files/real_path.h"
+#include "../pictures/png_picture.h"
+#include "import_drops.h"
+
+namespace talus {
+
+inline constexpr std::size_t kMaxLinkedPixels = std::size_t{1} << 25;  // of different pictures together
+inline constexpr int kMaxLinkedPictureSide = 4096;                     // px, of a picture
+
+// A picture that a file names.
+struct LinkedPicture {
+  RgbaPicture rgba;
+  std::vector<Rgb> palette;  // of the file; empty: the file has none
+  bool is_missing = false;   // whether it cannot be read: numbered boxes stand for its tiles
+};
+
+// An error in a file that another file names.
+tl::unexpected<FormatError> error_in(const std::string& file, const FormatError& error);
+
+// The name of a file with "/" alone between its folders.
+std::string with_slashes(std::string path);
+
+// All names are relative to the folder of the context. Its `linked` gets the path of each file that is read.
+class LinkedFiles {
+ public:
+  // Both must outlive it.
+  LinkedFiles(const FormatContext& context, ImportDrops& drops) : context_(context), drops_(drops) {}
+
+  // The path of a file. Names that are no relative paths are errors, as absolute ones would lead to other
+  // places on other machines; so are those of anything but files.
+  FormatResult<std::string> place_of(const std::string& name) const;
+  // The bytes of a file. place: from place_of(). All files together may have kMaxFileBytes.
+  FormatResult<std::string> read(const std::string& name, const std::string& place,
+                                 std::size_t most = kMaxFileBytes);
+  // A PNG. A file is read once, whatever its names. One that cannot be read is dropped, and is_missing.
+  // of: what it is the picture of.
+  std::shared_ptr<const LinkedPicture> picture(const std::string& name, const std::string& of);
+
+ private:
+  FormatResult<LinkedPicture> read_picture(const std::string& name, const std::string& place);
+
+  const FormatContext& context_;
+  ImportDrops& drops_;
+  std::size_t bytes_ = 0;   // read so far
+  std::size_t pixels_ = 0;  // of pictures_
+  std::map<FileNumber, std::shared_ptr<const LinkedPicture>> pictures_;
+};
+
+}  // namespace talus

@@ -1,0 +1,19 @@
+// The tiles of a level that comes from another program, in 16 colours.
+#pragma once
+
+#include <vector>
+
+#include <talus/level/level.h>
+
+namespace talus {
+
+// Gives each tile of the level its image of `images`, which has 8x8 px for each, at the tiles' places. The
+// level's palette gets the colours if there are few enough. palette: of the file with the picture; may be
+// empty.
+void put_images(const SheetPicture& images, const std::vector<Rgb>& palette, Level& level);
+
+// Whether the tiles' images, stretched over the tiles, look as the picture does, which has an image of the
+// size of the map's tiles for each.
+bool images_show(const SheetPicture& picture, const Level& level);
+
+}  // namespace talus
