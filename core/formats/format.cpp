@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "last_catch.h"
+#include "ldtk/ldtk_format.h"
 #include "native/native.h"
 #include "text/utf8_text.h"
 #include "tic80/tic_cart.h"
@@ -72,10 +73,12 @@ std::span<const Format> formats() {
   static constexpr std::array<std::string_view, 2> kNativeExtensions = {"talus.json", "json"};
   static constexpr std::array<std::string_view, 1> kTicExtensions = {"tic"};
   static constexpr std::array<std::string_view, 1> kPngExtensions = {"png"};
+  static constexpr std::array<std::string_view, 2> kLdtkExtensions = {"ldtk", "ldtkl"};
   static constexpr std::array<std::string_view, 2> kTiledJsonExtensions = {"tmj", "tsj"};
   static constexpr std::array<std::string_view, 2> kTiledXmlExtensions = {"tmx", "tsx"};
   static constexpr std::array<std::string_view, 4> kCartMembers = {"palette", "tiles", "sprites", "map"};
-  static const std::array<Format, 6> list = {{
+  static const std::array<Format, 7> list = {{
+      {"ldtk", "LDtk project", kLdtkExtensions, accepts_ldtk, read_ldtk, nullptr},
       {"tmj", "Tiled map, JSON", kTiledJsonExtensions, accepts_tiled_json, read_tiled, nullptr},
       {"tmx", "Tiled map, XML", kTiledXmlExtensions, accepts_tiled_xml, read_tiled, nullptr},
       {"native", "Talus level", kNativeExtensions, accepts_native, read_native, write_native},

@@ -24,7 +24,9 @@ void add_import_command(CLI::App& program, CommandContext& context) {
   auto input = std::make_shared<std::string>();
   auto into = std::make_shared<PngIntoLevel>();
   auto choices = std::make_shared<ImportChoices>();
-  command->add_option("FILE", *input, "Level, cart or Tiled map; with --into, a PNG of up to 128x128 px")
+  command
+      ->add_option("FILE", *input,
+                   "Level, cart, Tiled map or LDtk project; with --into, a PNG of up to 128x128 px")
       ->required();
   command
       ->add_option("-o,--output", into->output,
@@ -45,6 +47,10 @@ void add_import_command(CLI::App& program, CommandContext& context) {
   command
       ->add_option("--layer", choices->layer,
                    "The tile layer to take from a map with several: its name, or its number, from 1")
+      ->excludes(level);
+  command
+      ->add_option("--level", choices->level,
+                   "The level to take from an LDtk project with several: its name, or its number, from 1")
       ->excludes(level);
   command
       ->add_flag("--tiles-used", choices->used_tiles,

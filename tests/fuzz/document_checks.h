@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <talus/formats/format.h>
+#include "formats/ldtk/ldtk_format.h"
 #include "formats/native/hard_case_file.h"
 #include "formats/native/input_entry.h"
 #include "formats/native/native.h"
@@ -109,6 +110,19 @@ inline Checked check_tiled(std::string_view document) {
     }
   }
   return checked;
+}
+
+// Checks a project of LDtk, without the files beside it.
+inline Checked check_ldtk(std::string_view document) {
+  std::vector<std::string> dropped;
+  FormatContext context{"ldtk"};
+  context.choices.level_number = 1;
+  context.dropped = &dropped;
+  const auto level = read_ldtk(document, context);
+  for (const std::string& phrase : dropped) {
+    if (phrase != printable(phrase)) return {true, "a phrase is not printable: " + phrase};
+  }
+  return level ? checked_level(*level) : checked_error(level.error());
 }
 
 }  // namespace talus

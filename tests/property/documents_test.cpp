@@ -54,6 +54,7 @@ TEST(Documents, TheSeedsAreReadable) {
   EXPECT_TRUE(check_tiled(grammar_of_seed("sets.tmx").document(none)).is_read);
   EXPECT_TRUE(check_tiled(grammar_of_seed("small.tsx").document(none)).is_read);
   EXPECT_TRUE(check_tiled(grammar_of_seed("small.tsj").document(none)).is_read);
+  EXPECT_TRUE(check_ldtk(grammar_of_seed("small.ldtk").document(none)).is_read);
 }
 
 TEST(Documents, NativeLevels) { expect_promises("all.talus.json", 700, check_native); }
@@ -67,6 +68,8 @@ TEST(Documents, InfiniteMapsInXml) { expect_promises("infinite.tmx", 300, check_
 TEST(Documents, MapsOfTiledWithManyTilesets) { expect_promises("sets.tmx", 300, check_tiled); }
 TEST(Documents, TilesetsOfTiledInJson) { expect_promises("small.tsj", 200, check_tiled); }
 TEST(Documents, TilesetsOfTiledInXml) { expect_promises("small.tsx", 100, check_tiled); }
+
+TEST(Documents, ProjectsOfLdtk) { expect_promises("small.ldtk", 1000, check_ldtk); }
 
 TEST(Documents, Settings) {
   expect_promises("settings.json", 1500, [](std::string_view document) {

@@ -95,4 +95,47 @@ TEST_F(UiLevelImport, EscapeGoesBack) {
   EXPECT_TRUE(level() == before);
 }
 
+// A project of LDtk with two levels side by side, of 8 and 16 px.
+class UiLdtkImport : public UiLevelImport {
+ protected:
+  std::string save_project() {
+    const auto level = [](const char* name, int x, int columns, const char* values) {
+      const std::string cells = std::to_string(columns);
+      return std::string(R"({"identifier":")") + name + R"(","worldX":)" + std::to_string(x) +
+             R"(,"worldY":0,"pxWid":)" + std::to_string(8 * columns) +
+             R"(,"pxHei":8,"layerInstances":[{"__identifier":"G","__type":"IntGrid","__cWid":)" + cells +
+             R"(,"__cHei":1,"__gridSize":8,"intGridCsv":[)" + values + "]}]}";
+    };
+    std::ofstream(path("game.ldtk")) << R"({"defs":{"layers":[],"tilesets":[]},"levels":[)"
+                                     << level("Cave", 0, 1, "1") << "," << level("Top", 8, 2, "1,1") << "]}";
+    return path("game.ldtk");
+  }
+};
+
+TEST_F(UiLdtkImport, ALevelIsChosenInThePictureOfTheWorld) {
+  start();
+  drop(save_project());
+  frames(3);
+  ASSERT_TRUE(session().level_import());
+  EXPECT_EQ(import().choices.level_number, 1);
+  EXPECT_EQ(find("choose/used_tiles"), nullptr) << "that is a question about maps of Tiled";
+  click("choose/world/level2");
+  frames(2);
+  EXPECT_EQ(import().choices.level_number, 2);
+  click("choose/open");
+  frames(3);
+  EXPECT_EQ(level().map.width(), 2);
+  EXPECT_EQ(session().path(), "") << "the project is not written over";
+}
+
+TEST_F(UiLdtkImport, ALevelIsChosenInTheList) {
+  start(save_project());
+  frames(3);
+  ASSERT_NE(find("choose/level2"), nullptr);
+  click("choose/level2");
+  frames(2);
+  press_key(kKeyEnter);
+  EXPECT_EQ(level().map.width(), 2);
+}
+
 }  // namespace talus::level_import_test

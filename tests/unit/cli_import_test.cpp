@@ -1,6 +1,7 @@
 // talus import of maps of Tiled: choices, warnings and errors.
 #include "cli_answer.h"
 #include "folder_test.h"
+#include "ldtk_text.h"
 #include "tiled_files.h"
 
 namespace talus::cli_import_test {
@@ -50,6 +51,20 @@ TEST_F(CliImportTest, TakesTheChoiceAndWarnsOfTheRest) {
             "two.tmx: warning: not in the level: the layer \"back\"\n"
             "two.tmx: warning: not in the level: the picture of the tileset \"\"\n");
   EXPECT_EQ(load_level(path("two.talus.json"))->level.map.at({0, 0}), 1);
+}
+
+TEST_F(CliImportTest, TakesALevelOfAProjectOfLdtk) {
+  const std::string project = ldtk_project(ldtk_level(ldtk_grid(1, 1, "1"), "Cave") + "," +
+                                           ldtk_level(ldtk_grid(3, 1, "1,0,0"), "Top"));
+  const std::string file = put("game.ldtk", project);
+  const auto import_level = [&](const std::string& name) {
+    return cli_answer({"import", file, "--level", name, "-o", path("top.talus.json")});
+  };
+  EXPECT_EQ(import_level("Top").status, 0);
+  EXPECT_EQ(load_level(path("top.talus.json"))->level.map.width(), 3);
+  const CliAnswer wrong = import_level("Sky");
+  EXPECT_EQ(wrong.status, 1);
+  EXPECT_EQ(wrong.err, file + ": error: has no level with the name \"Sky\", but \"Cave\", \"Top\"\n");
 }
 
 }  // namespace talus::cli_import_test

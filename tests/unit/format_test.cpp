@@ -45,7 +45,8 @@ TEST(Formats, TheNameDecidesIfTheContentDoesNot) {
   EXPECT_EQ(read_level("print()", {"tic"}).error().place, "byte 0");
   EXPECT_EQ(read_level("print()", {"json"}).error().place, "line 1, column 1");
   EXPECT_EQ(read_level("print()", {"txt"}).error().message,
-            "is in none of these formats: Tiled map, JSON; Tiled map, XML; Talus level; TIC-80 cartridge; "
+            "is in none of these formats: LDtk project; Tiled map, JSON; Tiled map, XML; Talus level; TIC-80 "
+            "cartridge; "
             "TIC-80 PNG cartridge; TIC-80 text project");
 }
 

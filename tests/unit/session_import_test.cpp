@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "folder_test.h"
+#include "ldtk_text.h"
 #include "session/session.h"
 #include "tiled_files.h"
 
@@ -99,6 +100,26 @@ TEST_F(SessionImportTest, CancellingLeavesTheLevelAsItIs) {
   session.apply(action::ApplyLevelImport{});
   EXPECT_EQ(session.level().map.at({0, 0}), 4);
   EXPECT_TRUE(session.modified());
+}
+
+TEST_F(SessionImportTest, AsksForALevelOfAProjectOfLdtk) {
+  const auto level = [](const std::string& name, const std::string& values) {
+    return ldtk_level(ldtk_grid(2, 1, values), name, "\"worldX\":5,\"worldDepth\":1,");
+  };
+  put("game.ldtk", ldtk_project(level("Cave", "0,1") + "," + level("Top", "1,1")));
+  Session session;
+  session.apply(action::OpenFile{path("game.ldtk")});
+  ASSERT_TRUE(session.level_import());
+  ASSERT_EQ(session.level_import()->levels.size(), 2u);
+  EXPECT_EQ(session.level_import()->levels[1].name, "Top");
+  EXPECT_EQ(session.level_import()->levels[1].x, 5);
+  EXPECT_EQ(session.level_import()->levels[1].depth, 1);
+  EXPECT_EQ(session.level_import()->levels[1].width, 32);
+  EXPECT_EQ(session.level_import()->choices, ImportChoices{.level_number = 1});
+  EXPECT_EQ(session.level_import()->plan->level.map.at({0, 0}), 0);
+  session.apply({action::SetLevelImport{{.level_number = 2}}, action::ApplyLevelImport{}});
+  EXPECT_NE(session.level().map.at({0, 0}), 0);
+  EXPECT_EQ(session.path(), "");
 }
 
 }  // namespace talus::session_import_test

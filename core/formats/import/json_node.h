@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "../text/json_text.h"
-#include "import_drops.h"
 
 namespace talus {
 
@@ -36,8 +35,6 @@ struct JsonNode {
 // Reads members, and keeps the first error. After an error it goes on with fallbacks.
 class JsonNodeReader {
  protected:
-  explicit JsonNodeReader(ImportDrops& drops) : drops_(drops) {}
-
   // The value, or the error.
   template <class Value>
   FormatResult<Value> result(Value value) {
@@ -66,7 +63,6 @@ class JsonNodeReader {
     }
   }
 
-  ImportDrops& drops_;
   std::optional<FormatError> error_;
 };
 

@@ -1,4 +1,4 @@
-// Layers, tiles, and the result.
+// Levels, layers, tiles, and the result.
 #include "level_import_panel.h"
 
 #include <algorithm>
@@ -10,12 +10,14 @@
 #include "panels/ui/dialog.h"
 #include "panels/ui/long_list.h"
 #include "reading_panel.h"
+#include "world_picture.h"
 
 namespace talus {
 namespace {
 
 constexpr float kReportWidth = 520;  // px at scale 1
 constexpr float kListLines = 8;      // of a list before it scrolls
+constexpr float kWorldHeight = 200;  // px at scale 1
 
 // What was read, or why it cannot be read, in sentences.
 std::string text_of(const LevelImport& import) {
@@ -41,6 +43,11 @@ std::string layer_label(const TiledLayerName& layer) {
          (layer.cells == 1 ? " tile)" : " tiles)");
 }
 
+std::string level_label(const LdtkLevelName& level) {
+  return (level.world.empty() ? "" : level.world + "/") + level.name + " (" + std::to_string(level.width) +
+         "x" + std::to_string(level.height) + " px)";
+}
+
 }  // namespace
 
 void LevelImportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
@@ -51,12 +58,33 @@ void LevelImportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
                " holds more than a level can");
     ImportChoices choices = import->choices;
     if (import->layers.size() > 1) draw_layers(*import, choices, ui);
-    draw_tiles(choices, ui);
+    if (import->levels.empty())
+      draw_tiles(choices, ui);
+    else
+      draw_levels(*import, choices, ui);
     if (choices != import->choices) actions.push_back(action::SetLevelImport{choices});
     draw_report(*import, ui);
     draw_buttons(*import, actions, ui);
   }
   ImGui::EndPopup();
+}
+
+void LevelImportPanel::draw_levels(const LevelImport& import, ImportChoices& choices, Ui& ui) {
+  ImGui::TextUnformatted("A level is one of the project's. Take:");
+  choices.level_number =
+      1 + draw_world(import.levels, choices.level_number - 1, {ui.px(kReportWidth), ui.px(kWorldHeight)}, ui);
+  const int count = static_cast<int>(import.levels.size());
+  const float lines = std::min(static_cast<float>(count), kListLines);
+  ImGui::BeginChild("levels", {ui.px(kReportWidth), lines * ImGui::GetFrameHeightWithSpacing()}, false,
+                    ImGuiWindowFlags_NavFlattened);
+  draw_rows(count, [&](int row) {
+    const std::string number = std::to_string(row + 1);
+    const std::string label = level_label(import.levels[static_cast<std::size_t>(row)]);
+    if (radio_button(label, number, choices.level_number == row + 1)) choices.level_number = row + 1;
+    ui.item("choose/level" + number, "Opens this level of the project.", "Space");
+  });
+  ImGui::EndChild();
+  ImGui::Spacing();
 }
 
 void LevelImportPanel::draw_layers(const LevelImport& import, ImportChoices& choices, Ui& ui) {

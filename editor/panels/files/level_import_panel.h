@@ -14,6 +14,7 @@ class LevelImportPanel : public Panel {
 
  private:
   // Each returns the choices changed by the user.
+  static void draw_levels(const LevelImport& import, ImportChoices& choices, Ui& ui);
   static void draw_layers(const LevelImport& import, ImportChoices& choices, Ui& ui);
   static void draw_tiles(ImportChoices& choices, Ui& ui);
   static void draw_report(const LevelImport& import, Ui& ui);

@@ -6,7 +6,9 @@
 namespace talus {
 
 LevelImport first_level_import(const std::string& path, const Progress& progress) {
-  LevelImport import{path, tiled_layers_of_file(path), {}, tl::unexpected(FormatError{})};
+  LevelImport import{path, {}, ldtk_levels_of_file(path), {}, tl::unexpected(FormatError{})};
+  if (import.levels.empty()) import.layers = tiled_layers_of_file(path);
+  if (!import.levels.empty()) import.choices.level_number = 1;
   if (import.layers.size() > 1) {
     const auto fullest =
         std::max_element(import.layers.begin(), import.layers.end(),

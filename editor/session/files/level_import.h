@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "formats/ldtk/ldtk_format.h"
 #include "formats/tiled/tiled_format.h"
 
 namespace talus {
@@ -13,12 +14,13 @@ namespace talus {
 struct LevelImport {
   std::string path;
   std::vector<TiledLayerName> layers;  // of tiles
+  std::vector<LdtkLevelName> levels;   // of a project; empty: the file is none
   ImportChoices choices;
   FormatResult<LoadedLevel> plan;  // the result with these choices, or why there is none
 };
 
 // For a file that cannot be read without choices. Chooses the layer with the most tiles, and only the used
-// tiles if it cannot be read otherwise, so that it can be opened at once.
+// tiles if it cannot be read otherwise, or the first level of a project, so that it can be opened at once.
 LevelImport first_level_import(const std::string& path, const Progress& progress = {});
 
 }  // namespace talus

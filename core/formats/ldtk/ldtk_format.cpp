@@ -1,0 +1,164 @@
+// The files of a project: the project, a level, its pictures.
+#include "ldtk_format.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+#include "../files/atomic_file.h"
+#include "../import/linked_files.h"
+#include "../last_catch.h"
+#include "../text/utf8_text.h"
+#include "ldtk_level.h"
+#include "ldtk_reader.h"
+
+namespace talus {
+namespace {
+
+constexpr double kLdtkParsed = 0.5, kLdtkRead = 0.7;    // shares of the time
+constexpr std::string_view kUtf8Mark = "\xef\xbb\xbf";  // the byte order mark
+
+std::string_view without_mark(std::string_view bytes) {
+  if (bytes.starts_with(kUtf8Mark)) bytes.remove_prefix(kUtf8Mark.size());
+  return bytes;
+}
+
+// The number in the text, from 1; else 0.
+int ldtk_number_in(const std::string& text) {
+  int number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stopped, problem] = std::from_chars(text.data(), end, number);
+  return problem == std::errc() && stopped == end && number > 0 ? number : 0;
+}
+
+// With its world, if there are several.
+std::string shown_name(const LdtkLevelHead& level) {
+  return quoted_name(level.world.empty() ? level.name : level.world + "/" + level.name);
+}
+
+// "Cave", or "World/Cave".
+bool is_called(const LdtkLevelHead& level, const std::string& name) {
+  return level.name == name || (!level.world.empty() && level.world + "/" + level.name == name);
+}
+
+FormatResult<const LdtkLevelHead*> chosen_level(const LdtkProject& project, const ImportChoices& choices) {
+  constexpr std::size_t kMostNamed = 50;
+  const auto& levels = project.levels;
+  const auto count = static_cast<int>(levels.size());
+  std::string names;
+  for (std::size_t i = 0; i < std::min(levels.size(), kMostNamed); ++i)
+    names += (names.empty() ? "" : ", ") + shown_name(levels[i]);
+  if (levels.size() > kMostNamed) names += " and " + std::to_string(levels.size() - kMostNamed) + " more";
+  const auto at = [&](int number) -> const LdtkLevelHead* {
+    return number > 0 && number <= count ? &levels[static_cast<std::size_t>(number - 1)] : nullptr;
+  };
+  const LdtkLevelHead* chosen = nullptr;
+  if (choices.level_number > 0) {
+    chosen = at(choices.level_number);
+  } else if (!choices.level.empty()) {
+    const auto named = std::find_if(levels.begin(), levels.end(), [&](const LdtkLevelHead& level) {
+      return is_called(level, choices.level);
+    });
+    chosen = named != levels.end() ? &*named : at(ldtk_number_in(choices.level));
+  } else if (count > 1) {
+    return tl::unexpected(FormatError{"", "has the levels " + names + ", but a level is one of them",
+                                      "choose one by `talus import --level NAME`"});
+  } else {
+    chosen = at(1);
+  }
+  if (chosen != nullptr) return chosen;
+  return tl::unexpected(
+      FormatError{"", "has no level with the name " + quoted_name(choices.level) + ", but " + names});
+}
+
+FormatResult<LdtkLevel> read_chosen(const LdtkProject& project, const LdtkLevelHead& head,
+                                    const FormatContext& context, LinkedFiles& files) {
+  if (head.file.empty()) return read_ldtk_level(project, head, *head.json, head.path);
+  const std::string name = with_slashes(head.file);
+  if (context.folder.empty())
+    return error_in(name, {"", "is a level in a file beside the project, but the project has no file"});
+  const auto place = files.place_of(name);
+  if (!place) return tl::unexpected(place.error());
+  const auto bytes = files.read(name, *place);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const auto json = parse_json(without_mark(*bytes));
+  if (!json) return error_in(name, json.error());
+  auto level = read_ldtk_level(project, head, *json, "");
+  if (!level) return error_in(name, level.error());
+  return level;
+}
+
+// Those of the tilesets that the level shows.
+LdtkPictures ldtk_pictures_of(const LdtkProject& project, const LdtkLevel& level,
+                              const FormatContext& context, LinkedFiles& files, ImportDrops& drops) {
+  LdtkPictures pictures(project.tilesets.size());
+  for (const LdtkLayer& layer : level.layers) {
+    if (layer.tileset < 0 || layer.tiles.empty() || !layer.is_visible) continue;
+    const auto index = static_cast<std::size_t>(layer.tileset);
+    const LdtkTileset& tileset = project.tilesets[index];
+    if (pictures[index] != nullptr) continue;
+    const std::string of = "the picture of the tileset " + quoted_name(tileset.name);
+    if (!tileset.path.empty() && !context.folder.empty()) {
+      pictures[index] = files.picture(tileset.path, of);
+      continue;
+    }
+    drops.add(of + (tileset.path.empty() ? ", which is not in a file" : ""));
+    LinkedPicture missing;
+    missing.is_missing = true;
+    pictures[index] = std::make_shared<const LinkedPicture>(std::move(missing));
+  }
+  return pictures;
+}
+
+FormatResult<Level> read_ldtk_files(std::string_view bytes, const FormatContext& context,
+                                    ImportDrops& drops) {
+  const auto json = parse_json(without_mark(bytes), context.progress.part(0, kLdtkParsed));
+  if (!json) return tl::unexpected(json.error());
+  const auto project = read_ldtk_project(*json);
+  if (!project) return tl::unexpected(project.error());
+  const auto head = chosen_level(*project, context.choices);
+  if (!head) return tl::unexpected(head.error());
+  LinkedFiles files(context, drops);
+  const auto level = read_chosen(*project, **head, context, files);
+  if (!level) return tl::unexpected(level.error());
+  const LdtkPictures pictures = ldtk_pictures_of(*project, *level, context, files, drops);
+  return level_of_ldtk(*project, *level, pictures, context.choices, drops,
+                       context.progress.part(kLdtkRead, 1));
+}
+
+}  // namespace
+
+bool accepts_ldtk(std::string_view bytes, const FormatContext& context) {
+  constexpr std::size_t kHeader = 1024;  // bytes
+  const std::string_view text = without_mark(bytes);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == text.npos || text[first] != '{') return false;
+  if (context.extension == "ldtk" || context.extension == "ldtkl") return true;
+  return text.substr(first, kHeader).find("\"LDtk Project JSON\"") != text.npos;
+}
+
+std::vector<LdtkLevelName> ldtk_levels_of_file(const std::string& path, const Progress& progress) {
+  std::vector<LdtkLevelName> names;
+  const auto bytes = read_file(path);
+  if (!bytes || !accepts_ldtk(*bytes, context_for_file(path))) return names;
+  const auto json = parse_json(without_mark(*bytes), progress);
+  if (!json) return names;
+  const auto project = read_guarded([&] { return read_ldtk_project(*json); });
+  if (!project) return names;
+  for (const LdtkLevelHead& level : project->levels) {
+    names.push_back({printable(level.name), printable(level.world), level.x, level.y, level.depth,
+                     level.width, level.height, level.color});
+  }
+  return names;
+}
+
+FormatResult<Level> read_ldtk(std::string_view bytes, const FormatContext& context) {
+  ImportDrops drops;
+  auto level = read_ldtk_files(bytes, context, drops);
+  if (level && context.dropped != nullptr) {
+    for (std::string& phrase : drops.phrases()) context.dropped->push_back(std::move(phrase));
+  }
+  return level;
+}
+
+}  // namespace talus

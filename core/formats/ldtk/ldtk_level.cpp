@@ -1,0 +1,208 @@
+// Pictures, flags, shapes and bodies.
+#include "ldtk_level.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <talus/level/limits.h>
+#include "../import/sheet_images.h"
+#include "../native/native_objects.h"
+#include "ldtk_names.h"
+
+namespace talus {
+namespace {
+
+class LdtkLevelMaker {
+ public:
+  LdtkLevelMaker(const LdtkProject& project, const LdtkLevel& source, const LdtkPictures& pictures,
+                 ImportDrops& drops, const Progress& progress)
+      : project_(project), source_(source), pictures_(pictures), drops_(drops), progress_(progress) {}
+
+  FormatResult<Level> make(const ImportChoices& choices);
+
+ private:
+  FormatResult<void> take_pictures();
+  void name_flags();
+  void take_tiles();
+  void take_entities(const LdtkLayer& layer);
+  void take_body(const LdtkEntity& entity, BodyKind kind, Vec2 offset);
+
+  const LdtkProject& project_;
+  const LdtkLevel& source_;
+  const LdtkPictures& pictures_;
+  ImportDrops& drops_;
+  const Progress& progress_;
+  LdtkTiles tiles_;
+  std::map<std::string, int> flags_;  // by name
+  Vec2 origin_;                       // px, of the map in the level of LDtk
+  Level level_;
+};
+
+// About as wide as high.
+SheetLayout layout_for(std::size_t count) {
+  const auto tiles = std::max(static_cast<int>(count), kCartTiles);
+  const int rows_of_cart = static_cast<int>(std::ceil(std::sqrt(tiles) / kCartColumns));
+  return {kCartColumns * rows_of_cart, tiles};
+}
+
+// Puts an image into a picture of images of that size. rgba: of the image, of which some pixels are left out
+// or repeated if it has another size.
+void put_image(const std::vector<std::uint8_t>& rgba, TileSize size, Cell place, TileSize image,
+               SheetPicture& picture) {
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const int from_x = (2 * x + 1) * size.width / (2 * image.width);
+      const int from_y = (2 * y + 1) * size.height / (2 * image.height);
+      const auto from = static_cast<std::ptrdiff_t>(4) * (from_y * size.width + from_x);
+      const auto to = static_cast<std::ptrdiff_t>(4) *
+                      ((static_cast<std::ptrdiff_t>(place.y) * image.height + y) * picture.width +
+                       static_cast<std::ptrdiff_t>(place.x) * image.width + x);
+      std::copy_n(rgba.begin() + from, 4, picture.rgba.begin() + to);
+    }
+  }
+}
+
+SheetPicture blank_picture(std::int64_t width, std::int64_t height) {
+  SheetPicture picture{static_cast<int>(width), static_cast<int>(height), {}};
+  picture.rgba.resize(4 * static_cast<std::size_t>(width * height));
+  return picture;
+}
+
+// As pixels of 16 colours, which carts and tools take, and in true colour if these do not show all of it.
+FormatResult<void> LdtkLevelMaker::take_pictures() {
+  const TileSize size = tiles_.map.tile_size(), small;
+  const SheetLayout layout = layout_for(tiles_.cells.size());
+  level_.map = std::move(tiles_.map);
+  tiles_.map = TileMap(1, 1, size);
+  level_.set_tile_layout(layout);
+  const std::int64_t width = std::int64_t{layout.columns} * size.width;
+  const std::int64_t height = std::int64_t{layout.rows()} * size.height;
+  const bool fits = width <= kMaxSheetPictureSide && height <= kMaxSheetPictureSide &&
+                    width * height <= kMaxSheetPicturePixels;
+  if (!fits) {
+    drops_.add(
+        "the picture of the tiles in true colour, which would be too large: each tile has 8x8 px in 16 "
+        "colours");
+  }
+  SheetPicture picture = fits ? blank_picture(width, height) : SheetPicture();
+  SheetPicture images = blank_picture(layout.columns * small.width, layout.rows() * small.height);
+  // The empty tile has the background's colour, so that no other colour takes its place in the palette.
+  const Rgb back = source_.head.color;
+  std::vector<std::uint8_t> empty;
+  for (int i = 0; i < size.width * size.height; ++i) empty.insert(empty.end(), {back.r, back.g, back.b, 255});
+  put_image(empty, size, {}, small, images);
+  for (std::size_t tile = 1; tile < tiles_.cells.size(); ++tile) {
+    if (!progress_.at(tile, tiles_.cells.size())) return was_cancelled();
+    const auto rgba = picture_of_ldtk_cell(tiles_, tiles_.cells[tile], pictures_);
+    const Cell place = layout.place_of(static_cast<int>(tile));
+    put_image(rgba, size, place, small, images);
+    if (fits) put_image(rgba, size, place, size, picture);
+  }
+  level_.palette[0] = back;
+  put_images(images, {}, level_);
+  if (fits && !images_show(picture, level_))
+    level_.sheet(SheetId::tiles).picture = std::make_shared<const SheetPicture>(std::move(picture));
+  return {};
+}
+
+// Names of values and tags become flags if there are not too many. Flags without a role come first. Those
+// that lose their role are none that the level has a use for.
+void LdtkLevelMaker::name_flags() {
+  constexpr std::array<int, kFlagCount> kOrder = {4, 5, 6, 7, 3, 2, 1, 0};
+  std::set<std::string> names;
+  for (const LdtkCell& cell : tiles_.cells)
+    names.insert(tiles_.marks[cell.mark].names.begin(), tiles_.marks[cell.mark].names.end());
+  if (names.size() > kFlagCount) {
+    drops_.add("the " + std::to_string(names.size()) +
+               " names of values and tags of tiles, as tiles have only 8 flags");
+    return;
+  }
+  std::size_t next = 0;
+  for (const std::string& name : names) {
+    const int flag = kOrder[next++];
+    flags_[name] = flag;
+    level_.flag_names[static_cast<std::size_t>(flag)] = name;
+    for (const FlagRoleInfo& role : flag_role_infos()) {
+      if (level_.roles.*role.flag == flag) level_.roles.*role.flag = FlagRoles::kUnused;
+    }
+  }
+}
+
+void LdtkLevelMaker::take_tiles() {
+  for (std::size_t tile = 0; tile < tiles_.cells.size(); ++tile) {
+    const LdtkMark& mark = tiles_.marks[tiles_.cells[tile].mark];
+    std::uint8_t& flags = level_.sheet(SheetId::tiles).flags[tile];
+    for (const std::string& name : mark.names) {
+      const auto flag = flags_.find(name);
+      if (flag != flags_.end()) flags = static_cast<std::uint8_t>(flags | 1 << flag->second);
+    }
+    const TileShape& shape = tiles_.shapes[mark.shape];
+    const bool is_full = shape == TileShape{.kind = TileShape::Kind::solid};
+    if (is_full && level_.roles.solid != FlagRoles::kUnused)
+      flags = static_cast<std::uint8_t>(flags | 1 << level_.roles.solid);
+    else
+      level_.tile_shapes[tile] = shape;
+  }
+}
+
+void LdtkLevelMaker::take_entities(const LdtkLayer& layer) {
+  for (const LdtkEntity& entity : layer.entities) {
+    if (const auto kind = ldtk_body_of_name(entity.type))
+      take_body(entity, *kind, Vec2{1.0 * layer.offset_x, 1.0 * layer.offset_y} - origin_);
+    else
+      drops_.add("an entity " + quoted_name(entity.type));
+  }
+}
+
+// offset: px, of the entity's layer on the map.
+void LdtkLevelMaker::take_body(const LdtkEntity& entity, BodyKind kind, Vec2 offset) {
+  if (level_.spawns.size() == kMaxSpawns) return drops_.add("a body, since a level holds at most 65536");
+  Spawn spawn;
+  spawn.name = entity.name;
+  spawn.kind = kind;
+  spawn.velocity = entity.velocity;
+  const auto side = [](double length) { return std::clamp(length, 1.0, kMaxBodySize); };
+  const bool has_size = entity.size.x > 0 && entity.size.y > 0;
+  spawn.size =
+      has_size ? Vec2{side(entity.size.x), side(entity.size.y)} : new_body_size(kind, level_.map.tile_size());
+  spawn.position =
+      entity.position + offset - Vec2{entity.pivot.x * spawn.size.x, entity.pivot.y * spawn.size.y};
+  if (const auto written = json_of(std::vector<Spawn>{spawn}, ""); !written)
+    drops_.add("the body " + quoted_name(entity.type) + ", as a number of it " + written.error().message);
+  else
+    level_.spawns.push_back(std::move(spawn));
+}
+
+FormatResult<Level> LdtkLevelMaker::make(const ImportChoices& choices) {
+  const auto ground = ldtk_ground_layer(source_, choices);
+  if (!ground) return tl::unexpected(ground.error());
+  if (*ground >= 0) {
+    const LdtkLayer& layer = source_.layers[static_cast<std::size_t>(*ground)];
+    origin_ = {1.0 * layer.offset_x, 1.0 * layer.offset_y};
+  }
+  auto tiles = ldtk_tiles_of(project_, source_, *ground, pictures_, drops_, progress_.part(0, 0.6));
+  if (!tiles) return tl::unexpected(tiles.error());
+  tiles_ = *std::move(tiles);
+  level_.tuning = new_tuning(tiles_.map.tile_size());
+  if (const auto taken = take_pictures(); !taken) return tl::unexpected(taken.error());
+  name_flags();
+  take_tiles();
+  for (const LdtkLayer& layer : source_.layers) take_entities(layer);
+  if (source_.has_picture) drops_.add("the picture behind the level");
+  if (auto problem = problem_of_amounts(level_)) return tl::unexpected(FormatError{"", *std::move(problem)});
+  return std::move(level_);
+}
+
+}  // namespace
+
+FormatResult<Level> level_of_ldtk(const LdtkProject& project, const LdtkLevel& source,
+                                  const LdtkPictures& pictures, const ImportChoices& choices,
+                                  ImportDrops& drops, const Progress& progress) {
+  return LdtkLevelMaker(project, source, pictures, drops, progress).make(choices);
+}
+
+}  // namespace talus

@@ -1,0 +1,111 @@
+// LdtkProject: what a project of LDtk holds that levels have, too.
+//
+// A level is a stack of layers. Layers of the kind IntGrid have a value in each cell; all but layers of
+// entities may have tiles, which need not lie on the grid, and several of which may lie in one cell.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <talus/level/level.h>
+#include "../text/json_text.h"
+
+namespace talus {
+
+// Limits for a project, and for the level that is read of it.
+inline constexpr std::size_t kMaxLdtkTilesets = 4096;
+inline constexpr std::size_t kMaxLdtkLayers = 4096;
+inline constexpr std::size_t kMaxLdtkLevels = 65'536;
+inline constexpr int kMaxLdtkTileSide = 4096;  // px, of a tile of a tileset
+inline constexpr int kMaxLdtkPlace = 1 << 26;  // px, of a tile or an entity from the corner of its level
+
+// A value of an enum, and the tiles of a tileset that have it.
+struct LdtkTag {
+  std::string name;
+  std::vector<int> tiles;  // ids, ascending
+};
+
+struct LdtkTileset {
+  int uid = 0;
+  std::string name;
+  std::string path;  // of its picture, from the folder of the project; empty: it has none
+  int side = 1;      // px, of a tile, 1..kMaxLdtkTileSide
+  std::vector<LdtkTag> tags;
+  std::vector<int> with_data;  // ids of the tiles that have custom data, ascending
+};
+
+// A value of an IntGrid.
+struct LdtkValue {
+  int value = 0;
+  std::string name;  // may be empty
+  Rgb color;
+};
+
+struct LdtkLayerDef {
+  int uid = 0;
+  Vec2 pivot;  // 0..1, by which tiles of another size than the grid's lie in their cells
+  bool has_parallax = false;
+  std::vector<LdtkValue> values;
+};
+
+// What the project says of a level without its layers.
+struct LdtkLevelHead {
+  std::string name;           // may be the same as that of others
+  std::string world;          // the name of its world; empty: the project has no worlds
+  int x = 0, y = 0;           // px, in its world
+  int depth = 0;              // greater is above
+  int width = 0, height = 0;  // px
+  Rgb color;                  // of its background
+  std::string file;  // with its layers, from the folder of the project; empty: they are in the project
+  std::string path;  // in the JSON of the project
+  const Json* json = nullptr;  // of the project, which must stay alive
+};
+
+struct LdtkProject {
+  std::vector<LdtkTileset> tilesets;
+  std::vector<LdtkLayerDef> layers;
+  std::vector<LdtkLevelHead> levels;  // of all worlds
+};
+
+struct LdtkTile {
+  int x = 0, y = 0;                // px, in the layer
+  int source_x = 0, source_y = 0;  // px, of its corner in the tileset's picture
+  int id = 0;                      // in the tileset
+  bool flip_x = false, flip_y = false;
+  double opacity = 1;  // 0..1
+};
+
+struct LdtkEntity {
+  std::string type;  // the identifier of its definition
+  std::string name;  // the text of its field `name`; may be empty
+  Vec2 position;     // px, of its pivot in the layer
+  Vec2 size;         // px
+  Vec2 pivot;        // 0..1, of the size
+  Vec2 velocity;     // px/frame, of its fields `vx` and `vy`
+};
+
+struct LdtkLayer {
+  enum class Type : std::uint8_t { int_grid, tiles, entities };
+  Type type = Type::tiles;
+  std::string name;
+  int columns = 0, rows = 0;       // cells
+  int side = 1;                    // px, of a cell
+  int offset_x = 0, offset_y = 0;  // px
+  double opacity = 1;              // 0..1
+  bool is_visible = true;
+  int def = -1;                 // index in LdtkProject::layers; -1: unknown
+  int tileset = -1;             // index in LdtkProject::tilesets; -1: none
+  std::vector<int> values;      // of an IntGrid: row by row, 0 is empty; of others: empty
+  std::vector<LdtkTile> tiles;  // from the lowest
+  std::vector<LdtkEntity> entities;
+};
+
+struct LdtkLevel {
+  LdtkLevelHead head;
+  bool has_picture = false;       // whether a picture lies behind it
+  std::vector<LdtkLayer> layers;  // from the top
+};
+
+}  // namespace talus

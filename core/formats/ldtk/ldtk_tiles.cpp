@@ -1,0 +1,436 @@
+// Spreads the tiles of all layers over the cells, and numbers the different cells.
+#include "ldtk_tiles.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "ldtk_names.h"
+
+namespace talus {
+namespace {
+
+tl::unexpected<FormatError> ldtk_error(std::string message, std::string remedy = {}) {
+  return tl::unexpected(FormatError{"", std::move(message), std::move(remedy)});
+}
+
+int divided_down(int value, int by) { return value >= 0 ? value / by : -1 - (-1 - value) / by; }
+
+struct PlacedPart {
+  std::uint32_t cell;
+  LdtkPart part;
+};
+
+// Gives each different value a number, from 0.
+template <class Value>
+class Numbering {
+ public:
+  std::uint32_t number_of(const Value& value) {
+    const auto [known, is_new] = numbers_.try_emplace(value, static_cast<std::uint32_t>(numbers_.size()));
+    if (is_new) values_.push_back(value);
+    return known->second;
+  }
+  std::size_t size() const { return values_.size(); }
+  const Value& operator[](std::size_t number) const { return values_[number]; }
+  std::vector<Value> take() { return std::move(values_); }
+
+ private:
+  std::map<Value, std::uint32_t> numbers_;
+  std::vector<Value> values_;
+};
+
+class LdtkNumberer {
+ public:
+  LdtkNumberer(const LdtkProject& project, const LdtkLevel& level, int ground, const LdtkPictures& pictures,
+               ImportDrops& drops, const Progress& progress)
+      : project_(project), level_(level), pictures_(pictures), drops_(drops), progress_(progress) {
+    if (ground >= 0) ground_ = &level.layers[static_cast<std::size_t>(ground)];
+    marks_.number_of({});
+    cells_.number_of({});
+  }
+
+  FormatResult<LdtkTiles> number();
+
+ private:
+  struct Tags {  // of a tile of a tileset
+    std::vector<std::string> names;
+    std::optional<TileShape> shape;
+  };
+  struct Cover {  // of a part
+    bool is_clear = true, is_opaque = true;
+  };
+
+  bool is_ground(const LdtkLayer& layer) const;
+  FormatResult<void> make_map();
+  void read_values(const LdtkLayer& layer);
+  std::uint32_t mark_with(std::uint32_t mark, const LdtkLayer& layer, int value);
+  LdtkGround ground_of(const LdtkLayer& layer, int value);
+  const LdtkValue* find_value(const LdtkLayer& layer, int value) const;
+  std::uint32_t number_of_shape(const TileShape& shape);
+  FormatResult<void> place_layer(const LdtkLayer& layer);
+  FormatResult<void> place_colors(const LdtkLayer& layer);
+  FormatResult<void> place_tile(const LdtkLayer& layer, const LdtkTile& tile);
+  FormatResult<void> place(const LdtkSource& source, int x, int y);
+  FormatResult<void> number_cells();
+  FormatResult<LdtkCell> cell_of(std::uint32_t mark, std::span<const PlacedPart> parts);
+  const Tags& tags_of(const LdtkSource& source);
+  FormatResult<Cover> cover_of(const LdtkPart& part);
+  FormatResult<void> count_pixels(std::size_t parts);
+
+  const LdtkProject& project_;
+  const LdtkLevel& level_;
+  const LdtkPictures& pictures_;
+  ImportDrops& drops_;
+  const Progress& progress_;
+  const LdtkLayer* ground_ = nullptr;  // null: there is none
+  TileMap map_;
+  Numbering<LdtkSource> sources_;
+  Numbering<LdtkMark> marks_;
+  Numbering<LdtkCell> cells_;
+  std::vector<TileShape> shapes_ = {TileShape()};
+  std::vector<std::uint32_t> mark_of_cell_;  // empty: no layer has values
+  std::map<std::pair<std::uint32_t, std::pair<const LdtkLayer*, int>>, std::uint32_t> marks_with_;
+  std::vector<PlacedPart> parts_;
+  std::map<std::pair<int, int>, Tags> tags_;  // by tileset and tile
+  std::map<LdtkPart, Cover> covers_;
+  std::size_t pixels_ = 0;  // that are looked at or drawn
+};
+
+// Values of a layer with another grid or place cannot be those of the cells.
+bool LdtkNumberer::is_ground(const LdtkLayer& layer) const {
+  return layer.type == LdtkLayer::Type::int_grid && layer.side == ground_->side &&
+         layer.offset_x == ground_->offset_x && layer.offset_y == ground_->offset_y &&
+         layer.columns == ground_->columns && layer.rows == ground_->rows;
+}
+
+FormatResult<void> LdtkNumberer::make_map() {
+  const int side = ground_ != nullptr ? ground_->side : kCartTileSize;
+  const int columns = ground_ != nullptr ? ground_->columns : (level_.head.width + side - 1) / side;
+  const int rows = ground_ != nullptr ? ground_->rows : (level_.head.height + side - 1) / side;
+  if (side > kMaxTileSide) {
+    return ldtk_error("has a grid of " + std::to_string(side) + " px, but a level needs one of 1 to " +
+                      std::to_string(kMaxTileSide));
+  }
+  if (!is_terrain_size(columns, rows, {side, side})) {
+    return ldtk_error("has " + std::to_string(columns) + "x" + std::to_string(rows) +
+                      " cells, but a level has 1 to 16777216 of them, and is at most 16777216 px long");
+  }
+  map_ = TileMap(columns, rows, {side, side});
+  return {};
+}
+
+const LdtkValue* LdtkNumberer::find_value(const LdtkLayer& layer, int value) const {
+  if (layer.def < 0) return nullptr;
+  const auto& values = project_.layers[static_cast<std::size_t>(layer.def)].values;
+  const auto found =
+      std::find_if(values.begin(), values.end(), [&](const LdtkValue& each) { return each.value == value; });
+  return found == values.end() ? nullptr : &*found;
+}
+
+// A value is solid unless its name says otherwise.
+LdtkGround LdtkNumberer::ground_of(const LdtkLayer& layer, int value) {
+  const LdtkValue* const known = find_value(layer, value);
+  const std::string name = known != nullptr ? known->name : "";
+  auto ground = ldtk_ground_of_name(name, map_.tile_size());
+  if (!ground) return {{.kind = TileShape::Kind::solid}, name.empty(), false};
+  if (ground->is_unclear) {
+    drops_.add("the slope of the value " + quoted_name(name) +
+               ", as its name does not tell how it goes: it is a full tile");
+  }
+  return *ground;
+}
+
+std::uint32_t LdtkNumberer::number_of_shape(const TileShape& shape) {
+  const auto known = std::find(shapes_.begin(), shapes_.end(), shape);
+  const auto number = static_cast<std::uint32_t>(known - shapes_.begin());
+  if (known == shapes_.end()) shapes_.push_back(shape);
+  return number;
+}
+
+void add_name(std::string name, std::vector<std::string>& names) {
+  const auto at = std::lower_bound(names.begin(), names.end(), name);
+  if (at == names.end() || *at != name) names.insert(at, std::move(name));
+}
+
+// The mark of a cell that also has a value of a layer below those that it is from.
+std::uint32_t LdtkNumberer::mark_with(std::uint32_t mark, const LdtkLayer& layer, int value) {
+  const auto key = std::pair(mark, std::pair(&layer, value));
+  if (const auto known = marks_with_.find(key); known != marks_with_.end()) return known->second;
+  LdtkMark joined = marks_[mark];
+  const LdtkGround ground = ground_of(layer, value);
+  if (joined.shape == 0) joined.shape = number_of_shape(ground.shape);
+  if (!ground.is_plain) add_name(find_value(layer, value)->name, joined.names);
+  return marks_with_[key] = marks_.number_of(joined);
+}
+
+void LdtkNumberer::read_values(const LdtkLayer& layer) {
+  mark_of_cell_.resize(map_.cells().size());
+  for (std::size_t i = 0; i < layer.values.size(); ++i) {
+    if (layer.values[i] != 0) mark_of_cell_[i] = mark_with(mark_of_cell_[i], layer, layer.values[i]);
+  }
+}
+
+// Adds the parts of a tile to all cells that it reaches into. x, y: px, of its corner on the map.
+FormatResult<void> LdtkNumberer::place(const LdtkSource& source, int x, int y) {
+  const int side = map_.tile_size().width;
+  const int left = std::max(0, divided_down(x, side));
+  const int right = std::min(map_.width() - 1, divided_down(x + source.side - 1, side));
+  const int bottom = std::min(map_.height() - 1, divided_down(y + source.side - 1, side));
+  const int top = std::max(0, divided_down(y, side));
+  if (source.opacity == 0 || left > right || top > bottom) return {};
+  const auto count = static_cast<std::size_t>(right - left + 1) * static_cast<std::size_t>(bottom - top + 1);
+  if (count > kMaxLdtkParts - parts_.size()) {
+    return ldtk_error("shows too many tiles: all cells together may show parts of " +
+                      std::to_string(kMaxLdtkParts));
+  }
+  const std::uint32_t number = sources_.number_of(source);
+  for (int row = top; row <= bottom; ++row) {
+    for (int column = left; column <= right; ++column) {
+      const auto cell = static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(map_.width()) +
+                        static_cast<std::uint32_t>(column);
+      parts_.push_back({cell, {number, x - column * side, y - row * side}});
+    }
+  }
+  return {};
+}
+
+FormatResult<void> LdtkNumberer::place_tile(const LdtkLayer& layer, const LdtkTile& tile) {
+  LdtkSource source;
+  source.tileset = layer.tileset;
+  source.x = tile.source_x;
+  source.y = tile.source_y;
+  source.id = tile.id;
+  source.side = project_.tilesets[static_cast<std::size_t>(layer.tileset)].side;
+  source.flips = (tile.flip_x ? 1 : 0) + (tile.flip_y ? 2 : 0);
+  source.opacity = static_cast<int>(tile.opacity * layer.opacity * 255 + 0.5);
+  const Vec2 pivot = layer.def < 0 ? Vec2() : project_.layers[static_cast<std::size_t>(layer.def)].pivot;
+  const int room = layer.side - source.side;  // that a tile of another size leaves
+  const auto shift = [&](double of_pivot, bool flips) {
+    return static_cast<int>(room * (flips ? 1 - of_pivot : of_pivot));
+  };
+  const int origin_x = ground_ != nullptr ? ground_->offset_x : 0;
+  const int origin_y = ground_ != nullptr ? ground_->offset_y : 0;
+  return place(source, tile.x + layer.offset_x - origin_x + shift(pivot.x, tile.flip_x),
+               tile.y + layer.offset_y - origin_y + shift(pivot.y, tile.flip_y));
+}
+
+// LDtk draws an IntGrid without a tileset in the colours of its values.
+FormatResult<void> LdtkNumberer::place_colors(const LdtkLayer& layer) {
+  for (std::size_t i = 0; i < layer.values.size(); ++i) {
+    if (layer.values[i] == 0) continue;
+    const LdtkValue* const value = find_value(layer, layer.values[i]);
+    const Rgb color = value != nullptr ? value->color : Rgb();
+    LdtkSource source;
+    source.side = layer.side;
+    source.opacity = static_cast<int>(layer.opacity * 255 + 0.5);
+    source.rgb = static_cast<std::uint32_t>(color.r << 16 | color.g << 8 | color.b);
+    const int column = static_cast<int>(i) % layer.columns, row = static_cast<int>(i) / layer.columns;
+    const auto placed = place(source, column * layer.side + layer.offset_x - ground_->offset_x,
+                              row * layer.side + layer.offset_y - ground_->offset_y);
+    if (!placed) return placed;
+  }
+  return {};
+}
+
+FormatResult<void> LdtkNumberer::place_layer(const LdtkLayer& layer) {
+  const std::string of = "the layer " + quoted_name(layer.name);
+  const bool has_parallax =
+      layer.def >= 0 && project_.layers[static_cast<std::size_t>(layer.def)].has_parallax;
+  const bool has_picture = !layer.tiles.empty() || !layer.values.empty();
+  if (has_parallax && has_picture) drops_.add("the parallax of " + of);
+  if (!layer.is_visible && !layer.tiles.empty()) drops_.add("the tiles of " + of + ", which is hidden");
+  if (!layer.is_visible) return {};
+  if (layer.type == LdtkLayer::Type::int_grid && layer.tileset < 0) return place_colors(layer);
+  if (layer.tileset < 0) {
+    if (!layer.tiles.empty()) drops_.add("the tiles of " + of + ", which has no tileset");
+    return {};
+  }
+  for (const LdtkTile& tile : layer.tiles) {
+    if (const auto placed = place_tile(layer, tile); !placed) return placed;
+  }
+  return {};
+}
+
+// The shape that a tile's tags give it, as its flips turn it.
+TileShape flipped_shape(TileShape shape, int flips) {
+  if ((flips & 1) != 0) std::reverse(shape.heights.begin(), shape.heights.end());
+  if ((flips & 2) != 0 && has_heights(shape)) {
+    shape.side = shape.side == TileShape::Side::floor ? TileShape::Side::ceiling : TileShape::Side::floor;
+  }
+  return shape;
+}
+
+const LdtkNumberer::Tags& LdtkNumberer::tags_of(const LdtkSource& source) {
+  const auto [known, is_new] = tags_.try_emplace({source.tileset, source.id});
+  Tags& tags = known->second;
+  if (!is_new || source.tileset < 0) return tags;
+  const LdtkTileset& tileset = project_.tilesets[static_cast<std::size_t>(source.tileset)];
+  for (const LdtkTag& tag : tileset.tags) {
+    if (!std::binary_search(tag.tiles.begin(), tag.tiles.end(), source.id)) continue;
+    const auto ground = ldtk_ground_of_name(tag.name, map_.tile_size());
+    const bool is_shape = ground && ground->shape.kind != TileShape::Kind::none && !ground->is_unclear;
+    if (is_shape && !tags.shape) tags.shape = ground->shape;
+    if (!is_shape || !ground->is_plain) add_name(tag.name, tags.names);
+  }
+  if (std::binary_search(tileset.with_data.begin(), tileset.with_data.end(), source.id))
+    drops_.add("the custom data of a tile of the tileset " + quoted_name(tileset.name));
+  return tags;
+}
+
+// Of so many parts of cells, each of which may have all pixels of a cell.
+FormatResult<void> LdtkNumberer::count_pixels(std::size_t parts) {
+  const auto side = static_cast<std::size_t>(map_.tile_size().width);
+  pixels_ += parts * side * side;
+  if (pixels_ <= kMaxLdtkPixels) return {};
+  return ldtk_error("shows too many different tiles: their parts in cells may have up to " +
+                    std::to_string(kMaxLdtkPixels) + " pixels together");
+}
+
+// Whether a part of a tile can be seen in its cell, and whether anything below it can.
+FormatResult<LdtkNumberer::Cover> LdtkNumberer::cover_of(const LdtkPart& part) {
+  const auto [known, is_new] = covers_.try_emplace(part);
+  Cover& cover = known->second;
+  if (!is_new) return cover;
+  const LdtkSource& source = sources_[part.source];
+  const int side = map_.tile_size().width;
+  const int left = std::max(0, part.x), right = std::min(side, part.x + source.side);
+  const int top = std::max(0, part.y), bottom = std::min(side, part.y + source.side);
+  if (const auto counted = count_pixels(1); !counted) return tl::unexpected(counted.error());
+  cover.is_opaque = right - left == side && bottom - top == side;
+  for (int y = top; y < bottom; ++y) {
+    for (int x = left; x < right; ++x) {
+      constexpr int kOpaque = 255;
+      const int opacity = color_in_ldtk_source(source, pictures_, x - part.x, y - part.y).a;
+      cover.is_clear = cover.is_clear && opacity == 0;
+      cover.is_opaque = cover.is_opaque && opacity == kOpaque;
+    }
+  }
+  return cover;
+}
+
+// mark: of the cell's values. parts: from the lowest.
+FormatResult<LdtkCell> LdtkNumberer::cell_of(std::uint32_t mark, std::span<const PlacedPart> parts) {
+  LdtkCell cell;
+  LdtkMark joined;
+  bool is_covered = false;
+  std::optional<TileShape> shape;
+  for (auto each = parts.rbegin(); each != parts.rend(); ++each) {
+    const LdtkSource& source = sources_[each->part.source];
+    const bool is_in_place = each->part.x == 0 && each->part.y == 0 && source.side == map_.tile_size().width;
+    if (is_in_place) {
+      const Tags& tags = tags_of(source);
+      for (const std::string& name : tags.names) add_name(name, joined.names);
+      if (tags.shape && !shape) shape = flipped_shape(*tags.shape, source.flips);
+    }
+    const auto cover = is_covered ? Cover() : cover_of(each->part);
+    if (!cover) return tl::unexpected(cover.error());
+    if (!cover->is_clear) cell.parts.push_back(each->part);
+    is_covered = is_covered || cover->is_opaque;
+  }
+  std::reverse(cell.parts.begin(), cell.parts.end());
+  cell.mark = mark;
+  if (joined.names.empty() && !shape) return cell;
+  const LdtkMark& of_values = marks_[mark];
+  const bool is_solid = shapes_[of_values.shape].kind == TileShape::Kind::solid;
+  joined.shape = shape && (of_values.shape == 0 || is_solid) ? number_of_shape(*shape) : of_values.shape;
+  for (const std::string& name : of_values.names) add_name(name, joined.names);
+  cell.mark = marks_.number_of(joined);
+  return cell;
+}
+
+FormatResult<void> LdtkNumberer::number_cells() {
+  constexpr std::size_t kCellsAtOnce = 4096;  // between checks of the progress
+  std::stable_sort(parts_.begin(), parts_.end(),
+                   [](const PlacedPart& a, const PlacedPart& b) { return a.cell < b.cell; });
+  const std::size_t count = map_.cells().size();
+  auto first = parts_.begin();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i % kCellsAtOnce == 0 && !progress_.at(i, count)) return was_cancelled();
+    auto end = first;
+    while (end != parts_.end() && end->cell == i) ++end;
+    const std::uint32_t mark = mark_of_cell_.empty() ? 0 : mark_of_cell_[i];
+    if (first == end && mark == 0) continue;
+    auto cell = cell_of(mark, {first, end});
+    if (!cell) return tl::unexpected(cell.error());
+    first = end;
+    const std::size_t known = cells_.size();
+    const std::uint32_t number = cells_.number_of(*cell);
+    if (cells_.size() > known) {
+      if (const auto counted = count_pixels(cell->parts.size()); !counted) return counted;
+    }
+    if (number >= kMaxTiles) {
+      return ldtk_error("has more than " + std::to_string(kMaxTiles) +
+                        " different cells, but a level has only as many tiles");
+    }
+    map_.cells()[i] = static_cast<TileNumber>(number);
+  }
+  return {};
+}
+
+FormatResult<LdtkTiles> LdtkNumberer::number() {
+  if (const auto made = make_map(); !made) return tl::unexpected(made.error());
+  for (const LdtkLayer& layer : level_.layers) {
+    if (layer.type != LdtkLayer::Type::int_grid) continue;
+    const bool is_empty =
+        std::all_of(layer.values.begin(), layer.values.end(), [](int value) { return value == 0; });
+    if (is_ground(layer))
+      read_values(layer);
+    else if (!is_empty)
+      drops_.add("the values of the layer " + quoted_name(layer.name) + ", which has another grid");
+  }
+  for (auto layer = level_.layers.rbegin(); layer != level_.layers.rend(); ++layer) {
+    if (const auto placed = place_layer(*layer); !placed) return tl::unexpected(placed.error());
+  }
+  if (const auto numbered = number_cells(); !numbered) return tl::unexpected(numbered.error());
+  return LdtkTiles{std::move(map_), cells_.take(), sources_.take(), marks_.take(), std::move(shapes_)};
+}
+
+std::size_t filled_cells(const LdtkLayer& layer) {
+  return layer.values.size() -
+         static_cast<std::size_t>(std::count(layer.values.begin(), layer.values.end(), 0));
+}
+
+}  // namespace
+
+FormatResult<int> ldtk_ground_layer(const LdtkLevel& level, const ImportChoices& choices) {
+  std::vector<int> grids;
+  std::string names;
+  int most_tiles = -1;
+  for (std::size_t i = 0; i < level.layers.size(); ++i) {
+    const LdtkLayer& layer = level.layers[i];
+    const int index = static_cast<int>(i);
+    if (layer.type == LdtkLayer::Type::int_grid) {
+      grids.push_back(index);
+      names += (names.empty() ? "" : ", ") + quoted_name(layer.name);
+    } else if (layer.type == LdtkLayer::Type::tiles &&
+               (most_tiles < 0 ||
+                layer.tiles.size() > level.layers[static_cast<std::size_t>(most_tiles)].tiles.size())) {
+      most_tiles = index;
+    }
+  }
+  const auto layer_at = [&](int i) -> const LdtkLayer& { return level.layers[static_cast<std::size_t>(i)]; };
+  const bool by_number = choices.layer_number > 0;
+  if (by_number || !choices.layer.empty()) {
+    auto chosen = std::find_if(grids.begin(), grids.end(),
+                               [&](int i) { return !by_number && layer_at(i).name == choices.layer; });
+    if (by_number && choices.layer_number <= std::ssize(grids))
+      chosen = grids.begin() + (choices.layer_number - 1);
+    if (chosen != grids.end()) return *chosen;
+    return ldtk_error("has no IntGrid with the name " + quoted_name(choices.layer) +
+                      (names.empty() ? "" : ", but " + names));
+  }
+  if (grids.empty()) return most_tiles;
+  return *std::max_element(grids.begin(), grids.end(), [&](int a, int b) {
+    return filled_cells(layer_at(a)) < filled_cells(layer_at(b));
+  });
+}
+
+FormatResult<LdtkTiles> ldtk_tiles_of(const LdtkProject& project, const LdtkLevel& level, int ground,
+                                      const LdtkPictures& pictures, ImportDrops& drops,
+                                      const Progress& progress) {
+  return LdtkNumberer(project, level, ground, pictures, drops, progress).number();
+}
+
+}  // namespace talus

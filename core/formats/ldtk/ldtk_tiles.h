@@ -1,0 +1,89 @@
+// Which tiles of a level stand for the cells of a level of LDtk.
+//
+// A cell of LDtk shows parts of any number of tiles, of several layers, which need not lie on its grid. Cells
+// that look the same and have the same ground are one tile of the level, whose picture is composed of them.
+#pragma once
+
+#include <compare>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../import/import_drops.h"
+#include "../import/linked_files.h"
+#include "ldtk_project.h"
+
+namespace talus {
+
+// By tileset; null: its picture is not known.
+using LdtkPictures = std::vector<std::shared_ptr<const LinkedPicture>>;
+
+// Limits for the level that is read.
+inline constexpr std::size_t kMaxLdtkParts = std::size_t{1} << 22;  // parts of tiles in all cells together
+inline constexpr std::size_t kMaxLdtkPixels =
+    std::size_t{1} << 28;  // of different parts, and of the parts of different cells
+
+// A tile as some cells show it.
+struct LdtkSource {
+  int tileset = -1;       // -1: a rectangle of one colour
+  int x = 0, y = 0;       // px, of its corner in the tileset's picture
+  int id = 0;             // in the tileset
+  int side = 1;           // px
+  int flips = 0;          // bit 0: left and right are swapped, bit 1: up and down
+  int opacity = 255;      // 0..255
+  std::uint32_t rgb = 0;  // of the rectangle
+  friend auto operator<=>(const LdtkSource&, const LdtkSource&) = default;
+};
+
+// A tile's part in a cell.
+struct LdtkPart {
+  std::uint32_t source = 0;  // its index
+  int x = 0, y = 0;          // px, of the tile's corner in the cell; may be outside of it
+  friend auto operator<=>(const LdtkPart&, const LdtkPart&) = default;
+};
+
+// What cells say besides their pictures.
+struct LdtkMark {
+  std::vector<std::string> names;  // of values and tags that are not plain ground, each once, in order
+  std::uint32_t shape = 0;         // its index; 0: no ground
+  friend auto operator<=>(const LdtkMark&, const LdtkMark&) = default;
+};
+
+// What a tile of the level stands for.
+struct LdtkCell {
+  std::vector<LdtkPart> parts;  // from the lowest
+  std::uint32_t mark = 0;       // its index
+  friend auto operator<=>(const LdtkCell&, const LdtkCell&) = default;
+};
+
+struct LdtkTiles {
+  TileMap map;
+  std::vector<LdtkCell> cells;  // by tile of the level; 0 is the empty one
+  std::vector<LdtkSource> sources;
+  std::vector<LdtkMark> marks;    // 0 is that of an empty cell
+  std::vector<TileShape> shapes;  // 0 is none
+};
+
+// The layer whose grid the level has: the IntGrid with the most values, or that of the choice; without an
+// IntGrid, the layer with the most tiles. -1: no layer has a grid.
+// choices: `layer` and `layer_number` choose among the IntGrids, from the top.
+FormatResult<int> ldtk_ground_layer(const LdtkLevel& level, const ImportChoices& choices);
+
+// ground: from ldtk_ground_layer().
+FormatResult<LdtkTiles> ldtk_tiles_of(const LdtkProject& project, const LdtkLevel& level, int ground,
+                                      const LdtkPictures& pictures, ImportDrops& drops,
+                                      const Progress& progress);
+
+// The picture of a tile, of the size of the map's: for each pixel red, green, blue, opacity.
+std::vector<std::uint8_t> picture_of_ldtk_cell(const LdtkTiles& tiles, const LdtkCell& cell,
+                                               const LdtkPictures& pictures);
+
+// The colour of a pixel of a tile that lies at (x, y) of its place in the map, flips included. x, y:
+// 0..side-1.
+struct LdtkColor {
+  int r = 0, g = 0, b = 0;
+  int a = 0;  // opacity, 0..255
+};
+LdtkColor color_in_ldtk_source(const LdtkSource& source, const LdtkPictures& pictures, int x, int y);
+
+}  // namespace talus
