@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "../ground_level.h"
 #include "rule_group.h"
 
 namespace talus {
@@ -59,13 +60,21 @@ bool is_of_cells_alone(const Edit& edit) {
 }  // namespace
 
 std::vector<Edit> fixes_for(const Level& level, const LintOptions& options, const Problem& problem) {
+  if (!has_plain_ground(level)) {
+    const Level ground = ground_level(level);
+    const LintTiles tiles(ground, options);
+    std::vector<Edit> fixes = fixes_with({ground, tiles}, problem);
+    std::erase_if(fixes, [&](const Edit& edit) { return !fits_layers(level, edit); });
+    return fixes;
+  }
   const LintTiles tiles(level, options);
   return fixes_with({level, tiles}, problem);
 }
 
 Edit fix_all(const Level& level, const LintOptions& options, std::span<const Problem> problems,
              const LintRule& rule, int* fixed) {
-  Level trial = level;
+  const bool is_plain = has_plain_ground(level);
+  Level trial = is_plain ? level : ground_level(level);
   Edit all;
   EditMerger merger;
   auto tiles = std::make_unique<LintTiles>(trial, options);
@@ -75,6 +84,7 @@ Edit fix_all(const Level& level, const LintOptions& options, std::span<const Pro
     const Problem& problem = problems[i];
     if (problem.rule != &rule) continue;
     for (const Edit& edit : fixes_with({trial, *tiles}, problem)) {
+      if (!is_plain && !fits_layers(level, edit)) continue;
       const std::size_t before = problems_around({trial, *tiles}, problem);
       apply_edit(trial, edit);
       auto changed = is_of_cells_alone(edit) ? nullptr : std::make_unique<LintTiles>(trial, options);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../ground_level.h"
 #include "lint_cache.h"
 #include "rule_group.h"
 
@@ -21,7 +22,7 @@ std::span<const LintRule* const> lint_rules() {
 
 std::vector<Problem> lint(const Level& level, const LintOptions& options) {
   LintCache cache;
-  cache.finish(level, options);
+  cache.finish(has_plain_ground(level) ? level : ground_level(level), options);
   return cache.problems();
 }
 

@@ -6,6 +6,8 @@
 #include <utility>
 #include <variant>
 
+#include "level/ground_level.h"
+
 namespace talus {
 namespace {
 
@@ -51,11 +53,38 @@ void CheckHandler::apply(const CheckAction& action) {
 }
 
 const std::vector<Problem>& CheckHandler::problems() {
-  lint_cache_.finish(open_.level, lint_options_);
+  lint_cache_.finish(linted(), lint_options_);
   return lint_cache_.problems();
 }
 
+const Level& CheckHandler::linted() {
+  if (has_plain_ground(open_.level)) {
+    ground_.reset();
+    noted_cells_.clear();
+    return open_.level;
+  }
+  for (const Cell cell : std::exchange(noted_cells_, {}))
+    if (ground_ && !update_cell(open_.level, cell, *ground_)) ground_.reset();
+  if (!ground_) {
+    ground_ = ground_level(open_.level);
+    lint_cache_.note_map();
+    lint_cache_.note_rest();
+  }
+  return *ground_;
+}
+
+// The level is not edited yet when an edit is noted, so its cells are taken later.
+void CheckHandler::note_ground(const Edit& edit) {
+  const bool are_cells = std::all_of(edit.changes.begin(), edit.changes.end(), [](const Change& change) {
+    return std::holds_alternative<CellChange>(change);
+  });
+  if (!are_cells) ground_.reset();
+  for (const Change& change : edit.changes)
+    if (const auto* cell = std::get_if<CellChange>(&change)) noted_cells_.push_back(cell->cell);
+}
+
 void CheckHandler::note_edit(const Edit& edit) {
+  note_ground(edit);
   for (const Change& change : edit.changes) {
     if (const auto* cell = std::get_if<CellChange>(&change)) {
       lint_cache_.note_cell(cell->cell);
@@ -68,6 +97,7 @@ void CheckHandler::note_edit(const Edit& edit) {
 }
 
 void CheckHandler::forget_level() {
+  ground_.reset();
   lint_cache_.note_map();
   reach_.forget();
 }
@@ -86,7 +116,7 @@ void CheckHandler::lint_some() {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   const std::chrono::duration<double> most(kLintSeconds);
-  lint_cache_.advance(open_.level, lint_options_, [&] { return Clock::now() - start < most; });
+  lint_cache_.advance(linted(), lint_options_, [&] { return Clock::now() - start < most; });
 }
 
 }  // namespace talus

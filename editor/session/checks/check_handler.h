@@ -1,6 +1,9 @@
 // CheckHandler: likely problems of the level, and where a player gets to.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "check_actions.h"
 #include "level/edit.h"
 #include "level/lint/lint_cache.h"
@@ -35,12 +38,16 @@ class CheckHandler {
   void carry_out(const A& action) = delete;
 
   void lint_some();
+  void note_ground(const Edit& edit);
+  const Level& linted();  // the level, or its ground_level() if that is another one
 
   const OpenLevel& open_;
   RunHandler& run_;
   ChoiceHandler& choices_;
   MessageHandler& messages_;
   LintCache lint_cache_;
+  std::optional<Level> ground_;    // ground_level() of the level; nothing: not needed, or out of date
+  std::vector<Cell> noted_cells_;  // which `ground_` does not have yet
   LintOptions lint_options_;
   ReachFinder reach_;
   int scene_ = 0;  // number of RunHandler::scenes() that reach_ belongs to

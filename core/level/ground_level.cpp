@@ -1,0 +1,54 @@
+#include "ground_level.h"
+
+#include <algorithm>
+
+#include "ground_cells.h"
+
+namespace talus {
+namespace {
+
+bool fits_layers(const Level& level, const CellChange& change) {
+  const bool is_ground = level.layers.list[static_cast<std::size_t>(level.layers.chosen)].is_ground;
+  return is_ground && level.map.contains(change.cell) && level.map.at(change.cell) == change.before &&
+         change.after < level.tile_count();
+}
+
+}  // namespace
+
+bool has_plain_ground(const Level& level) {
+  return level.layers.count() == 1 && level.layers.list.front().is_ground;
+}
+
+Level ground_level(const Level& level) {
+  const GroundCells ground = ground_cells(level);
+  if (ground.overflow > 0) return without_tiles(level);
+  Level flat = level;
+  flat.layers = {};
+  flat.map.cells().assign(ground.cells.begin(), ground.cells.end());
+  if (ground.stacks.empty()) return flat;
+  const int count = level.tile_count() + static_cast<int>(ground.stacks.size());
+  const int least_columns = (count + kMaxSheetSide - 1) / kMaxSheetSide;
+  flat.set_tile_layout({std::max(level.sheet(SheetId::tiles).columns, least_columns), count});
+  for (int number = level.tile_count(); number < count; ++number)
+    flat.tile_shapes[static_cast<std::size_t>(number)] =
+        shape_of_number(level, ground.stacks, static_cast<TileNumber>(number));
+  return flat;
+}
+
+bool update_cell(const Level& level, Cell cell, Level& of_ground) {
+  if (of_ground.tile_count() != level.tile_count()) return false;
+  const auto number = ground_number(level, {}, cell);
+  if (number) of_ground.map.set(cell, *number);
+  return number.has_value();
+}
+
+bool fits_layers(const Level& level, const Edit& edit) {
+  return std::all_of(edit.changes.begin(), edit.changes.end(), [&](const Change& change) {
+    if (const auto* cell = std::get_if<CellChange>(&change)) return fits_layers(level, *cell);
+    if (const auto* shape = std::get_if<TileShapeChange>(&change)) return shape->tile < level.tile_count();
+    if (const auto* flags = std::get_if<FlagsChange>(&change)) return flags->tile < level.tile_count();
+    return true;
+  });
+}
+
+}  // namespace talus
