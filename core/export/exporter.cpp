@@ -7,6 +7,7 @@
 
 #include "../formats/files/atomic_file.h"
 #include "export_targets.h"
+#include "flat_level.h"
 
 namespace talus {
 namespace {
@@ -39,6 +40,16 @@ constexpr Names<3> kCppFiles = {"level.talus.json", "main.cpp", "CMakeLists.txt"
 constexpr Names<9> kCsvFiles = {"map.csv",    "flags.csv", "sprite_flags.csv", "polygons.csv", "lines.csv",
                                 "bodies.csv", "roles.csv", "tuning.csv",       "sizes.csv"};
 
+// With all layers of tiles made one.
+FormatResult<Exported> write_flat(const Exporter& exporter, const ExportRequest& request) {
+  const auto flat = flat_level(request.level);
+  if (!flat) return tl::unexpected(flat.error());
+  auto exported =
+      exporter.write({flat->level, request.name, request.read_asset, request.parts, request.progress});
+  if (exported) exported->dropped.insert(exported->dropped.end(), flat->dropped.begin(), flat->dropped.end());
+  return exported;
+}
+
 }  // namespace
 
 Exported exported_file(std::string bytes, std::vector<std::string> dropped) {
@@ -59,7 +70,8 @@ std::string ExportRequest::sheet_name() const {
 }
 
 FormatResult<Exported> Exporter::make(const ExportRequest& request) const {
-  FormatResult<Exported> exported = write(request);
+  const bool is_flat = takes_layers || request.level.layers.is_plain();
+  FormatResult<Exported> exported = is_flat ? write(request) : write_flat(*this, request);
   if (request.progress.stopped()) return was_cancelled();
   return exported;
 }
@@ -77,6 +89,7 @@ std::span<const Exporter> exporters() {
        .extensions = find_format("native")->extensions,
        .write = export_native,
        .purpose = "A copy of the level for Talus itself.",
+       .takes_layers = true,
        .keeps_unknown = true},
       {.id = "tic",
        .label = "TIC-80 cartridge",
@@ -130,6 +143,7 @@ std::span<const Exporter> exporters() {
        .label = "game in C++",
        .write = export_cpp,
        .purpose = "A program with the collision core that plays the level: a start for your own game.",
+       .takes_layers = true,
        .beside = kCppFiles},
       {.id = "tmj",
        .label = "Tiled map, JSON",
@@ -137,6 +151,7 @@ std::span<const Exporter> exporters() {
        .write = export_tmj,
        .purpose =
            "Map and tileset for Tiled, with a collision polygon for each shape and flags as properties.",
+       .takes_layers = true,
        .beside = kSheetBeside,
        .shares_sheet = true},
       {.id = "tmx",
@@ -144,6 +159,7 @@ std::span<const Exporter> exporters() {
        .extensions = kTmx,
        .write = export_tmx,
        .purpose = "The same map and tileset as XML.",
+       .takes_layers = true,
        .beside = kSheetBeside,
        .shares_sheet = true},
       {.id = "sti",
@@ -198,6 +214,7 @@ std::span<const Exporter> exporters() {
        .extensions = kPng,
        .write = export_tiles_png,
        .purpose = "The tiles as one picture, 8x8 px each.",
+       .takes_layers = true,
        .usual_suffix = "-tiles",
        .shares_sheet = true},
       {.id = "sprites-png",
@@ -205,12 +222,14 @@ std::span<const Exporter> exporters() {
        .extensions = kPng,
        .write = export_sprites_png,
        .purpose = "The sprites as one picture, 8x8 px each.",
+       .takes_layers = true,
        .usual_suffix = "-sprites"},
       {.id = "palette-png",
        .label = "PNG picture of the palette",
        .extensions = kPng,
        .write = export_palette_png,
        .purpose = "The 16 colours as a picture of 16x1 px.",
+       .takes_layers = true,
        .usual_suffix = "-palette"},
   };
   return list;

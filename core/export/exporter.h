@@ -67,7 +67,9 @@ struct Exporter {
   // Implements make(), which callers use. After its progress was stopped the result is not valid.
   FormatResult<Exported> (*write)(const ExportRequest& request);
   std::string_view purpose = {};  // one sentence: what it is for and what is in it; may be empty
-  bool takes_parts = false;       // whether it writes the Lua runtime, which has parts
+  bool takes_layers =
+      false;                 // whether it takes all layers of tiles; else they are made one, see flat_level.h
+  bool takes_parts = false;  // whether it writes the Lua runtime, which has parts
   // The suffix of its usual file name, "-sti", so that no two exporters have the same.
   std::string_view usual_suffix = {};
   // Names of all files that it may write besides the named one, or in the folder. * stands for the given name
