@@ -35,6 +35,7 @@ FormatResult<std::string> rest_of(const Level& level) {
   const SheetLayout layout = rest.sheet(SheetId::tiles).layout();
   rest.sheet(SheetId::tiles) = {};
   rest.set_tile_layout(layout);
+  rest.layers = {};
   rest.map = TileMap(level.map.width(), level.map.height(), level.map.tile_size());
   auto written = write_native(rest, {});
   if (!written) return tl::unexpected(written.error());
@@ -163,7 +164,7 @@ class TiledXmlWriter {
     pugi::xml_node node = root.append_child(layer.has_tiles ? "layer" : "objectgroup");
     put(node, "id", next_layer_++);
     put(node, "name", layer.name);
-    if (layer.is_hidden) put(node, "visible", 0);
+    if (layer.is_hidden || !layer.looks.visible) put(node, "visible", 0);
     if (!layer.has_tiles) {
       int id = next_object_ - 1;
       put(node, "draworder", "index");
@@ -173,6 +174,8 @@ class TiledXmlWriter {
     }
     put(node, "width", map.width);
     put(node, "height", map.height);
+    looks(node, layer.looks);
+    properties(node, tiled_properties(layer.looks));
     pugi::xml_node data = node.append_child("data");
     if (layer.cells.size() > kMostListedCells) {
       put(data, "encoding", "base64");
@@ -188,6 +191,17 @@ class TiledXmlWriter {
       if ((i + 1) % static_cast<std::size_t>(map.width) == 0) csv += '\n';
     }
     data.append_child(pugi::node_pcdata).set_value(csv.c_str());
+  }
+
+  // Those that are not the usual ones.
+  void looks(pugi::xml_node& node, const TileLayer& looks) {
+    if (looks.locked) put(node, "locked", 1);
+    if (looks.opacity != 1) put(node, "opacity", looks.opacity);
+    if (looks.offset.x != 0) put(node, "offsetx", looks.offset.x);
+    if (looks.offset.y != 0) put(node, "offsety", looks.offset.y);
+    if (looks.parallax.x != 1) put(node, "parallaxx", looks.parallax.x);
+    if (looks.parallax.y != 1) put(node, "parallaxy", looks.parallax.y);
+    if (looks.tint != Rgb{255, 255, 255}) put(node, "tintcolor", tiled_color(looks.tint));
   }
 
   void objects(pugi::xml_node& group, const std::vector<TiledObject>& objects, int& id) {

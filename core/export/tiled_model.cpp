@@ -33,12 +33,15 @@ TiledTileset tileset_of(const ExportRequest& request) {
   return tileset;
 }
 
-TiledLayer tile_layer(const Level& level) {
+TiledLayer tile_layer(const Level& level, int index) {
   TiledLayer layer;
   layer.has_tiles = true;
-  layer.name = kTiledTileLayer;
-  const bool is_empty = is_tile_0_blank(level);
-  for (const TileNumber tile : level.map.cells())
+  layer.looks = level.layers.list[static_cast<std::size_t>(index)];
+  layer.looks.cells = nullptr;
+  const bool is_plain = level.layers.is_plain();
+  layer.name = is_plain || layer.looks.name.empty() ? kTiledTileLayer : layer.looks.name;
+  const bool is_empty = level.layers.count() > 1 || is_tile_0_blank(level);
+  for (const TileNumber tile : level.cells_of(index))
     layer.cells.push_back(tile == 0 && is_empty ? 0 : tile + 1U);
   return layer;
 }
@@ -53,7 +56,7 @@ TiledMap tiled_map_of(const ExportRequest& request) {
   map.tile_size = level.map.tile_size();
   map.background = tiled_color(level.palette[0]);
   map.tilesets.push_back(tileset_of(request));
-  map.layers.push_back(tile_layer(level));
+  for (int layer = 0; layer < level.layers.count(); ++layer) map.layers.push_back(tile_layer(level, layer));
   TiledLayer spawns, curves;
   spawns.name = kTiledSpawnLayer;
   for (const Spawn& spawn : level.spawns) spawns.objects.push_back(tiled_object(spawn));
@@ -74,6 +77,11 @@ TiledProperties tiled_flag_properties(const Level& level, std::uint8_t flags) {
     if (has_flag(flags, flag)) properties.push_back({names[static_cast<std::size_t>(flag)], true});
   }
   return properties;
+}
+
+TiledProperties tiled_properties(const TileLayer& looks) {
+  if (looks.is_ground) return {};
+  return {{"ground", false}};
 }
 
 bool is_tile_0_blank(const Level& level) {

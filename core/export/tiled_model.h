@@ -11,6 +11,8 @@ namespace talus {
 TiledMap tiled_map_of(const ExportRequest& request);
 // `flags`, and a bool for each flag that is set; nothing for a tile without flags.
 TiledProperties tiled_flag_properties(const Level& level, std::uint8_t flags);
+// Whether a layer is only drawn, as the bool `ground`; nothing for a layer that is ground.
+TiledProperties tiled_properties(const TileLayer& looks);
 // Whether cells with tile 0 are empty: tile 0 has neither colours nor flags nor a shape.
 bool is_tile_0_blank(const Level& level);
 

@@ -227,7 +227,7 @@ class TiledTextWriter {
       text_.put("type", "objectgroup");
       text_.put("name", "");
       text_.put("draworder", "index");
-      placement(true);
+      placement({});
       properties({});
       int id = 0;  // counts within each tile
       objects(tile.objects, id);
@@ -237,14 +237,21 @@ class TiledTextWriter {
   }
 
   // The place of a layer, and whether it is shown. Tiled reads what is missing in JSON as 0 and false.
-  void placement(bool is_shown) {
+  void placement(const TileLayer& looks) {
     text_.put("x", 0);
     text_.put("y", 0);
-    text_.put("opacity", 1);
-    text_.put("visible", is_shown);
-    if (!text_.is_lua()) return;
-    text_.put("offsetx", 0);
-    text_.put("offsety", 0);
+    text_.put("opacity", looks.opacity);
+    text_.put("visible", looks.visible);
+    if (text_.is_lua() || looks.offset != Vec2()) {
+      text_.put("offsetx", looks.offset.x);
+      text_.put("offsety", looks.offset.y);
+    }
+    if (looks.locked) text_.put("locked", true);
+    if (looks.parallax != Vec2{1, 1}) {
+      text_.put("parallaxx", looks.parallax.x);
+      text_.put("parallaxy", looks.parallax.y);
+    }
+    if (looks.tint != Rgb{255, 255, 255}) text_.put("tintcolor", tiled_color(looks.tint));
   }
 
   void layer(const TiledLayer& layer, const TiledMap& map) {
@@ -252,8 +259,10 @@ class TiledTextWriter {
     text_.put("type", layer.has_tiles ? "tilelayer" : "objectgroup");
     text_.put("id", next_layer_++);
     text_.put("name", layer.name);
-    placement(!layer.is_hidden);
-    properties({});
+    TileLayer looks = layer.looks;
+    looks.visible = looks.visible && !layer.is_hidden;
+    placement(looks);
+    properties(tiled_properties(looks));
     if (layer.has_tiles) {
       text_.put("width", map.width);
       text_.put("height", map.height);

@@ -46,7 +46,7 @@ void add_import_command(CLI::App& program, CommandContext& context) {
       ->needs(level);
   command
       ->add_option("--layer", choices->layer,
-                   "The tile layer to take from a map with several: its name, or its number, from 1")
+                   "Takes one tile layer of several alone: its name, or its number, from 1")
       ->excludes(level);
   command
       ->add_option("--level", choices->level,

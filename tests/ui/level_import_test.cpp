@@ -35,9 +35,10 @@ TEST_F(UiLevelImport, TheLayerIsChosenByTheMouse) {
   drop(save_map());
   frames(3);
   ASSERT_TRUE(session().level_import());
-  EXPECT_EQ(import().choices.layer_number, 2);
+  EXPECT_EQ(import().choices, ImportChoices{.used_tiles = true});
   ASSERT_NE(find("choose/report"), nullptr) << "it can be opened at once";
   click("choose/layer3");
+  click("choose/all_tiles");
   frames(2);
   ASSERT_NE(find("choose/error"), nullptr);
   EXPECT_FALSE(find("choose/open")->enabled);
@@ -55,12 +56,12 @@ TEST_F(UiLevelImport, TheLayerIsChosenByKeys) {
   start(save_map());
   frames(3);
   ASSERT_NE(find("choose/open"), nullptr) << "the program's argument is asked about, too";
-  for (int i = 0; i < 3; ++i) press_key(kKeyUp);  // past the options of tiles
+  for (int i = 0; i < 2; ++i) press_key(kKeyUp);  // to all tiles
   press_key(' ');
   ASSERT_NE(find("choose/error"), nullptr);
   press_letter('o');
   ASSERT_NE(find("choose/open"), nullptr) << "it cannot be opened so";
-  for (int i = 0; i < 2; ++i) press_key(kKeyUp);
+  for (int i = 0; i < 3; ++i) press_key(kKeyUp);
   press_key(' ');
   EXPECT_EQ(import().choices, (ImportChoices{.layer_number = 1}));
   press_key(kKeyDown);

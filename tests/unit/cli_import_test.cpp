@@ -36,13 +36,9 @@ class CliImportTest : public FolderTest {
   std::string errors_;
 };
 
-TEST_F(CliImportTest, AsksForAChoice) {
-  EXPECT_EQ(import({}), 1);
-  EXPECT_EQ(
-      errors(),
-      "two.tmx: error: has the tile layers \"front\", \"back\", but a level has only one: choose one by "
-      "`talus import --layer NAME`\n");
-  EXPECT_FALSE(exists("two.talus.json"));
+TEST_F(CliImportTest, TakesAllLayers) {
+  EXPECT_EQ(import({}), 0);
+  EXPECT_EQ(load_level(path("two.talus.json"))->level.layers.count(), 2);
 }
 
 TEST_F(CliImportTest, TakesTheChoiceAndWarnsOfTheRest) {

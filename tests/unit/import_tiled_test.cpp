@@ -353,11 +353,8 @@ TEST(ImportTiled, NamesOfXmlDoNotClashInJson) {
   EXPECT_THAT(dropped("<data ", "<data/><data "), ElementsAre("map:line 1: error: has \"data\" twice"));
   EXPECT_THAT(dropped("name=\"l\"", "name=\"&#xD800;\""),
               ElementsAre("map:line 1: error: refers to a character that does not exist"));
-  EXPECT_THAT(dropped("</tileset>",
-                      "</tileset>\n<layer name=\"a&#10;::error::[31m\"><data "
-                      "encoding=\"csv\">2</data></layer>"),
-              ElementsAre(R"(map: error: has the tile layers "a\n::error::[31m", "l", but a level has )"
-                          "only one: choose one by `talus import --layer NAME`"));
+  EXPECT_THAT(dropped("</tileset>", "</tileset>\n<imagelayer name=\"a&#10;::error::[31m\"/>"),
+              ElementsAre(R"(the layer "a\n::error::[31m", which is a picture)"));
 }
 
 TEST(ImportTiled, EntitiesOfAFileAreNotExpanded) {
@@ -377,13 +374,44 @@ TEST(ImportTiled, EntitiesOfAFileAreNotExpanded) {
             "has no tile layer with the name \"none\", but \"&a29;&file;\"");
 }
 
+TEST(ImportTiled, TakesAllLayers) {
+  const Level level = read(map_text({.layers = R"(,{"type":"group","name":"g","opacity":0.5,"offsetx":3,)"
+                                               R"("layers":[{"type":"tilelayer","name":"back","opacity":0.5,)"
+                                               R"("visible":false,"locked":true,"parallaxx":0.25,)"
+                                               R"("tintcolor":"#ff8000","data":[0,3,0,0],"properties":[)"
+                                               R"({"name":"ground","type":"bool","value":false}]}]})"}))
+                          .level;
+  ASSERT_EQ(level.layers.count(), 2);
+  EXPECT_EQ(level.layers.chosen, 0);
+  EXPECT_EQ(level.layers.list[0].name, "ground");
+  EXPECT_THAT(level.map.cells(), ElementsAre(0, 1, 0, 0));
+  TileLayer back = level.layers.list[1];
+  EXPECT_THAT(*back.cells, ElementsAre(0, 2, 0, 0));
+  back.cells = nullptr;
+  EXPECT_EQ(back, (TileLayer{.name = "back",
+                             .is_ground = false,
+                             .visible = false,
+                             .locked = true,
+                             .opacity = 0.25,
+                             .offset = {3, 0},
+                             .parallax = {0.25, 1},
+                             .tint = {255, 128, 0},
+                             .extra = {},
+                             .cells = nullptr}));
+}
+
+// The ground is not moved, and that is said.
+TEST(ImportTiled, TellsThatAnOffsetMovesNoGround) {
+  const LoadedLevel one =
+      read(map_text({.layers = R"(,{"type":"tilelayer","name":"a","offsety":4,"data":[0,0,0,0]})"}));
+  EXPECT_THAT(one.dropped,
+              testing::Contains("the offset of the ground of the layer \"a\": only its picture is moved"));
+}
+
 TEST(ImportTiled, ChoosesOneOfSeveralLayers) {
   const std::string text = map_text(
       {.layers =
            R"(,{"type":"group","name":"g","layers":[{"type":"tilelayer","name":"back","data":[3,3,3,3]}]})"});
-  EXPECT_EQ(error_of(text),
-            "map: error: has the tile layers \"ground\", \"back\", but a level has only one: choose one by "
-            "`talus import --layer NAME`");
   FormatContext context{"tmj"};
   std::vector<std::string> dropped;
   context.choices.layer = "back";

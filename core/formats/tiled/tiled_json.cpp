@@ -39,6 +39,11 @@ std::size_t tile_layers_in(const Json& json) {
   return count;
 }
 
+Rgb product(Rgb a, Rgb b) {
+  const auto channel = [](std::uint8_t x, std::uint8_t y) { return static_cast<std::uint8_t>(x * y / 255); };
+  return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b)};
+}
+
 class TiledReader : private TiledNodeReader {
  public:
   TiledReader(const FindTiledTemplate& find_template, ImportDrops& drops)
@@ -50,15 +55,12 @@ class TiledReader : private TiledNodeReader {
   using TiledNodeReader::result;
 
  private:
-  struct Group {  // the group that layers are in
-    std::string name;
-    Vec2 offset;
-  };
-
   bool check_map(const JsonNode& node);
   TileSize tile_size(const JsonNode& node, int most);
-  void layers(const JsonNode& node, const Group& group, const Progress& progress, TiledMap& map);
-  void tile_layer(const JsonNode& node, Vec2 offset, const TiledMap& map, TiledLayer& layer);
+  // group: the looks of what the layers are in.
+  void layers(const JsonNode& node, const TileLayer& group, const Progress& progress, TiledMap& map);
+  TileLayer looks(const JsonNode& node, const TileLayer& group);
+  void tile_layer(const JsonNode& node, const TiledMap& map, TiledLayer& layer);
   std::vector<TiledChunk> chunks_of(const JsonNode& node);
   std::optional<TiledChunk> chunk(const JsonNode& layer, const JsonNode& node);
   // The data of a layer or a chunk, in the encoding of the layer.
@@ -165,7 +167,31 @@ TileSize TiledReader::tile_size(const JsonNode& node, int most) {
   return {};
 }
 
-void TiledReader::layers(const JsonNode& node, const Group& group, const Progress& progress, TiledMap& map) {
+// Those of the group and of the layer together. Numbers out of a level's range are brought into it.
+TileLayer TiledReader::looks(const JsonNode& node, const TileLayer& group) {
+  const auto near_zero = [](Vec2 v, double most) {
+    return Vec2{std::clamp(v.x, -most, most), std::clamp(v.y, -most, most)};
+  };
+  TileLayer looks = group;
+  looks.name = text(node, "name");
+  looks.visible = group.visible && (node.find("visible") == nullptr || truth(node, "visible"));
+  looks.locked = group.locked || truth(node, "locked");
+  looks.opacity = group.opacity * std::clamp(number(node, "opacity", 1), 0.0, 1.0);
+  looks.offset =
+      near_zero(group.offset + Vec2{number(node, "offsetx"), number(node, "offsety")}, kMaxLayerOffset);
+  looks.parallax = near_zero(
+      {group.parallax.x * number(node, "parallaxx", 1), group.parallax.y * number(node, "parallaxy", 1)},
+      kMaxParallax);
+  if (const auto tint = color_of_hex(text(node, "tintcolor"))) looks.tint = product(group.tint, *tint);
+  const TiledProperties words = properties(node, "the layer " + quoted_name(looks.name));
+  for (const char* word : {"collidable", "ground"}) {
+    if (const bool* is_ground = find_property<bool>(words, word)) looks.is_ground = *is_ground;
+  }
+  return looks;
+}
+
+void TiledReader::layers(const JsonNode& node, const TileLayer& group, const Progress& progress,
+                         TiledMap& map) {
   const Json* const all = node.find("layers");
   const double part = 1.0 / static_cast<double>(all == nullptr ? 1 : std::max<std::size_t>(all->size(), 1));
   double done = 0;
@@ -181,17 +207,16 @@ void TiledReader::layers(const JsonNode& node, const Group& group, const Progres
     TiledLayer layer;
     layer.name = text(entry, "name");
     const std::string of = "the layer " + quoted_name(layer.name);
-    const Vec2 offset = group.offset + Vec2{number(entry, "offsetx"), number(entry, "offsety")};
-    properties(entry, of);
-    drop_others(entry, of,
-                {"id",      "name",    "type",       "visible", "locked", "width",    "height",
-                 "offsetx", "offsety", "draworder",  "color",   "data",   "encoding", "compression",
-                 "objects", "layers",  "properties", "chunks",  "startx", "starty"});
-    if (type == "group") return layers(entry, {layer.name, offset}, of_entry, map);
+    layer.looks = looks(entry, group);
+    drop_others(entry, of, {"id",       "name",        "type",    "visible",   "locked",     "width",
+                            "height",   "offsetx",     "offsety", "draworder", "color",      "data",
+                            "encoding", "compression", "objects", "layers",    "properties", "chunks",
+                            "startx",   "starty",      "opacity", "tintcolor", "parallaxx",  "parallaxy"});
+    if (type == "group") return layers(entry, layer.looks, of_entry, map);
     if (type == "tilelayer") {
-      tile_layer(entry, offset, map, layer);
+      tile_layer(entry, map, layer);
     } else if (type == "objectgroup") {
-      layer.objects = objects(entry, offset);
+      layer.objects = objects(entry, layer.looks.offset);
     } else {
       return drops_.add(of + ", which is a picture");
     }
@@ -199,9 +224,8 @@ void TiledReader::layers(const JsonNode& node, const Group& group, const Progres
   });
 }
 
-void TiledReader::tile_layer(const JsonNode& node, Vec2 offset, const TiledMap& map, TiledLayer& layer) {
+void TiledReader::tile_layer(const JsonNode& node, const TiledMap& map, TiledLayer& layer) {
   layer.has_tiles = true;
-  if (offset != Vec2{0, 0}) drops_.add("the offset of the layer " + quoted_name(layer.name));
   if (is_infinite_) {
     chunks_.resize(map.layers.size());
     chunks_.push_back(chunks_of(node));
@@ -488,7 +512,9 @@ TiledProperties TiledReader::properties(const JsonNode& node, const std::string&
   for_each(node, "properties", [&](const JsonNode& entry) {
     const std::string name = text(entry, "name");
     auto read = property(entry);
-    const bool is_kept = read && are_read && (of != "the map" || name == kTiledLevelProperty);
+    const bool is_of_ground = (name == "ground" || name == "collidable") && of.starts_with("the layer ");
+    const bool is_kept =
+        read && (is_of_ground || (are_read && (of != "the map" || name == kTiledLevelProperty)));
     if (is_kept)
       all.push_back(std::move(*read));
     else

@@ -55,7 +55,8 @@ class TiledLevelMaker {
   FormatResult<Level> make(const ImportChoices& choices);
 
  private:
-  FormatResult<const TiledLayer*> layer_of(const ImportChoices& choices) const;
+  FormatResult<std::vector<const TiledLayer*>> layers_of(const ImportChoices& choices) const;
+  void take_layers(const std::vector<const TiledLayer*>& layers);
   FormatResult<void> read_base();
   void forget_numbers();
   void take_pixels();
@@ -165,7 +166,8 @@ int number_in(const std::string& text) {
   return problem == std::errc() && stopped == end && number > 0 ? number : 0;
 }
 
-FormatResult<const TiledLayer*> TiledLevelMaker::layer_of(const ImportChoices& choices) const {
+// All tile layers, or the one that is chosen.
+FormatResult<std::vector<const TiledLayer*>> TiledLevelMaker::layers_of(const ImportChoices& choices) const {
   std::vector<const TiledLayer*> layers;
   std::string names;
   for (const TiledLayer& layer : map_.layers) {
@@ -173,31 +175,46 @@ FormatResult<const TiledLayer*> TiledLevelMaker::layer_of(const ImportChoices& c
     layers.push_back(&layer);
     names += (names.empty() ? "" : ", ") + quoted_name(layer.name);
   }
-  const auto fail = [](std::string message, std::string remedy = {}) {
-    return tl::unexpected(FormatError{"", std::move(message), std::move(remedy)});
-  };
-  auto chosen = layers.begin();
+  if (choices.layer.empty() && choices.layer_number <= 0) return layers;
+  auto chosen = layers.end();
   const int number = choices.layer_number > 0 ? choices.layer_number : number_in(choices.layer);
-  const auto by_number =
-      number > 0 && number <= static_cast<int>(layers.size()) ? layers.begin() + (number - 1) : layers.end();
-  if (choices.layer_number > 0) {
-    chosen = by_number;
-  } else if (!choices.layer.empty()) {
+  if (choices.layer_number <= 0)
     chosen = std::find_if(layers.begin(), layers.end(),
                           [&](const TiledLayer* layer) { return layer->name == choices.layer; });
-    if (chosen == layers.end()) chosen = by_number;
-  } else if (layers.size() > 1) {
-    return fail("has the tile layers " + names + ", but a level has only one",
-                "choose one by `talus import --layer NAME`");
-  }
+  if (chosen == layers.end() && number > 0 && number <= static_cast<int>(layers.size()))
+    chosen = layers.begin() + (number - 1);
   if (chosen == layers.end())
-    return fail("has no tile layer with the name \"" + choices.layer + "\", but " + names);
-  const TiledLayer* const taken = *chosen;
+    return tl::unexpected(
+        FormatError{"", "has no tile layer with the name \"" + choices.layer + "\", but " + names});
   for (const TiledLayer* layer : layers) {
-    if (layer != taken)
+    if (layer != *chosen)
       drops_.add(layer->name.empty() ? "a layer without a name" : named("the layer", layer->name));
   }
-  return taken;
+  return std::vector<const TiledLayer*>{*chosen};
+}
+
+// A single layer is shown even if it is hidden, and has no name: nobody has to tell it from others.
+void TiledLevelMaker::take_layers(const std::vector<const TiledLayer*>& layers) {
+  std::vector<TileLayer> list;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    TileLayer& layer = list.emplace_back(layers[i]->looks);
+    if (layers.size() == 1) {
+      layer.name.clear();
+      layer.visible = layer.is_ground = true;
+    }
+    if (layer.is_ground && layer.offset != Vec2())
+      drops_.add("the offset of the ground of " + named("the layer", layers[i]->name) +
+                 ": only its picture is moved");
+    layer.cells = std::make_shared<const std::vector<TileNumber>>(std::move(tiles_.cells[i]));
+  }
+  const auto ground =
+      std::find_if(list.begin(), list.end(), [](const auto& layer) { return layer.is_ground; });
+  TileLayer& chosen = ground == list.end() ? list.front() : *ground;
+  level_.map = TileMap(map_.width, map_.height, map_.tile_size);
+  level_.map.cells() = *chosen.cells;
+  chosen.cells = nullptr;
+  level_.layers.chosen = static_cast<int>(&chosen - list.data());
+  level_.layers.list = std::move(list);
 }
 
 // Reads the parts of the level for which Tiled has no place.
@@ -536,14 +553,14 @@ bool TiledLevelMaker::takes(const Curve& curve, const std::string& name) {
 }
 
 FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
-  const auto layer = layer_of(choices);
-  if (!layer) return tl::unexpected(layer.error());
+  const auto layers = layers_of(choices);
+  if (!layers) return tl::unexpected(layers.error());
   if (const auto read = read_base(); !read) return tl::unexpected(read.error());
-  auto tiles = number_tiles(map_, **layer, pictures_, choices.used_tiles,
+  auto tiles = number_tiles(map_, *layers, pictures_, choices.used_tiles,
                             base_.sheet(SheetId::tiles).layout(), level_.palette[0], drops_, progress_);
   if (!tiles) return tl::unexpected(tiles.error());
   tiles_ = *std::move(tiles);
-  level_.map = std::move(tiles_.map);
+  take_layers(*layers);
   const SheetLayout layout{tiles_.columns, static_cast<int>(tiles_.sources.size())};
   if (!tiles_.keeps_numbers || layout.count < level_.tile_count()) forget_numbers();
   level_.set_tile_layout(layout);

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
 #include <unordered_map>
+#include <utility>
 
 #include "../import/numbered_box.h"
 #include "tiled_shapes.h"
@@ -34,21 +36,22 @@ SheetLayout grid_of(const TiledTileset& tileset) {
   return {columns > 0 ? columns : kCartColumns, count > 0 ? count : kCartTiles};
 }
 
-// By the number in the layer, with the bits that turn the tile.
+// By the number in the layers, with the bits that turn the tile.
 using SourceOfCell = std::unordered_map<std::uint32_t, TiledSource>;
 
 class TileNumberer {
  public:
-  TileNumberer(const TiledMap& map, const TiledLayer& layer, const TiledPictures& pictures,
-               const SheetLayout& base, Rgb background, ImportDrops& drops, const Progress& progress)
+  TileNumberer(const TiledMap& map, const std::vector<const TiledLayer*>& layers,
+               const TiledPictures& pictures, const SheetLayout& base, Rgb background, ImportDrops& drops,
+               const Progress& progress)
       : progress_(progress),
         map_(map),
-        layer_(layer),
+        layers_(layers),
         pictures_(pictures),
         base_(base),
         background_(background),
-        drops_(drops),
-        tiles_{.map = TileMap(map.width, map.height, map.tile_size)} {
+        drops_(drops) {
+    for (const TiledLayer* layer : layers) cell_count_ += layer->cells.size();
     for (std::size_t i = 0; i < map.tilesets.size(); ++i) order_.push_back(static_cast<int>(i));
     std::stable_sort(order_.begin(), order_.end(),
                      [&](int a, int b) { return tileset(a).first_gid < tileset(b).first_gid; });
@@ -61,6 +64,7 @@ class TileNumberer {
   const TiledTileset& tileset(int i) const { return map_.tilesets[static_cast<std::size_t>(i)]; }
   // The tiles that the different cells show; blank sources for empty cells.
   FormatResult<SourceOfCell> sources_of_cells() const;
+  TiledSource source_of(std::uint32_t cell) const;
   void tell_parts_outside(const TiledSource& source) const;
   std::vector<int> shown_tilesets(const SourceOfCell& cells);
   SheetLayout layout_of(const std::vector<int>& tilesets) const;
@@ -73,45 +77,52 @@ class TileNumberer {
 
   const Progress& progress_;
   const TiledMap& map_;
-  const TiledLayer& layer_;
+  const std::vector<const TiledLayer*>& layers_;
   const TiledPictures& pictures_;
   SheetLayout base_;
   Rgb background_;
   ImportDrops& drops_;
   std::vector<int> order_;  // tilesets by their first number
   TiledTiles tiles_;
+  std::size_t cell_count_ = 0;  // of all layers
 };
 
 FormatResult<SourceOfCell> TileNumberer::sources_of_cells() const {
   constexpr std::size_t kMostDifferent = 65'536;
   SourceOfCell sources;
-  for (std::size_t i = 0; i < layer_.cells.size(); ++i) {
-    const std::uint32_t cell = layer_.cells[i];
-    if (i % kCellsAtOnce == 0 && !progress_.at(i, 2 * layer_.cells.size())) return was_cancelled();
-    if ((i > 0 && cell == layer_.cells[i - 1]) || sources.contains(cell)) continue;
-    if (sources.size() == kMostDifferent) {
-      return tl::unexpected(whole_error("shows more than " + std::to_string(kMostDifferent) +
-                                        " different tiles, but a level has only as many with the empty one"));
+  std::size_t done = 0;
+  for (const TiledLayer* layer : layers_) {
+    std::optional<std::uint32_t> last;  // the cell before
+    for (const std::uint32_t cell : layer->cells) {
+      if (done++ % kCellsAtOnce == 0 && !progress_.at(done, 2 * cell_count_)) return was_cancelled();
+      if (std::exchange(last, cell) == cell || sources.contains(cell)) continue;
+      if (sources.size() == kMostDifferent) {
+        return tl::unexpected(
+            whole_error("shows more than " + std::to_string(kMostDifferent) +
+                        " different tiles, but a level has only as many with the empty one"));
+      }
+      sources[cell] = source_of(cell);
     }
-    const std::uint32_t gid = cell & kTiledIdBits;
-    if (gid == 0) {
-      sources[cell] = {};
-      continue;
-    }
-    const auto after = std::upper_bound(order_.begin(), order_.end(), gid, [&](std::uint32_t number, int of) {
-      return number < tileset(of).first_gid;
-    });
-    const int of = after == order_.begin() ? -1 : *std::prev(after);
-    const auto id = of < 0 ? 0 : gid - tileset(of).first_gid;
-    if (of < 0 || id >= static_cast<std::uint32_t>(grid_of(tileset(of)).count)) {
-      drops_.add("tile " + std::to_string(gid) + " in cells, which no tileset has");
-      sources[cell] = {};
-      continue;
-    }
-    sources[cell] = {of, static_cast<int>(id), cell & kTurns};
-    tell_parts_outside(sources[cell]);
   }
   return sources;
+}
+
+// A blank one for a cell that is empty, or whose tile no tileset has.
+TiledSource TileNumberer::source_of(std::uint32_t cell) const {
+  const std::uint32_t gid = cell & kTiledIdBits;
+  if (gid == 0) return {};
+  const auto after = std::upper_bound(order_.begin(), order_.end(), gid, [&](std::uint32_t number, int of) {
+    return number < tileset(of).first_gid;
+  });
+  const int of = after == order_.begin() ? -1 : *std::prev(after);
+  const auto id = of < 0 ? 0 : gid - tileset(of).first_gid;
+  if (of < 0 || id >= static_cast<std::uint32_t>(grid_of(tileset(of)).count)) {
+    drops_.add("tile " + std::to_string(gid) + " in cells, which no tileset has");
+    return {};
+  }
+  const TiledSource source{of, static_cast<int>(id), cell & kTurns};
+  tell_parts_outside(source);
+  return source;
 }
 
 void TileNumberer::tell_parts_outside(const TiledSource& source) const {
@@ -219,7 +230,7 @@ FormatResult<void> TileNumberer::add_tile(const TiledSource& source) {
 bool TileNumberer::is_blank(const TiledSource& source) const {
   if (source.tileset < 0) return true;
   if (find_tile(tileset(source.tileset), source.id)) return false;
-  const TiledTiles alone{.columns = 1, .sources = {source}, .map = TileMap(1, 1)};
+  const TiledTiles alone{.columns = 1, .sources = {source}, .cells = {}};
   const SheetPicture picture = picture_of_tiles(alone, map_, pictures_, map_.tile_size);
   constexpr int kHalfOpaque = 128;
   for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
@@ -231,7 +242,9 @@ bool TileNumberer::is_blank(const TiledSource& source) const {
 
 // For empty cells. The map is not filled yet.
 FormatResult<void> TileNumberer::free_tile_0() {
-  const bool has_empty = std::find(layer_.cells.begin(), layer_.cells.end(), 0U) != layer_.cells.end();
+  const bool has_empty = std::any_of(layers_.begin(), layers_.end(), [](const TiledLayer* layer) {
+    return std::find(layer->cells.begin(), layer->cells.end(), 0U) != layer->cells.end();
+  });
   if (!has_empty || is_blank(tiles_.sources[0])) return {};
   auto blank = std::find_if(tiles_.sources.begin(), tiles_.sources.end(),
                             [&](const TiledSource& source) { return is_blank(source); });
@@ -252,10 +265,17 @@ FormatResult<void> TileNumberer::fill_map(const SourceOfCell& cells) {
   numbers[TiledSource{}] = 0;
   std::unordered_map<std::uint32_t, TileNumber> number_of_cell;
   for (const auto& [cell, source] : cells) number_of_cell[cell] = numbers.at(source);
-  const std::size_t count = layer_.cells.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i % kCellsAtOnce == 0 && !progress_.at(count + i, 2 * count)) return was_cancelled();
-    tiles_.map.cells()[i] = number_of_cell.at(layer_.cells[i]);
+  std::size_t done = 0;
+  for (const TiledLayer* layer : layers_) {
+    std::vector<TileNumber>& filled = tiles_.cells.emplace_back();
+    filled.reserve(layer->cells.size());
+    std::pair<std::uint32_t, TileNumber> last{0, number_of_cell.contains(0) ? number_of_cell.at(0) : 0};
+    for (const std::uint32_t cell : layer->cells) {
+      if (done++ % kCellsAtOnce == 0 && !progress_.at(cell_count_ + done, 2 * cell_count_))
+        return was_cancelled();
+      if (cell != last.first) last = {cell, number_of_cell.at(cell)};
+      filled.push_back(last.second);
+    }
   }
   return {};
 }
@@ -366,10 +386,10 @@ TiledPlace place_of_tile(const TiledMap& map, const TiledPictures& pictures, con
   return place;
 }
 
-FormatResult<TiledTiles> number_tiles(const TiledMap& map, const TiledLayer& layer,
+FormatResult<TiledTiles> number_tiles(const TiledMap& map, const std::vector<const TiledLayer*>& layers,
                                       const TiledPictures& pictures, bool used_tiles, const SheetLayout& base,
                                       Rgb background, ImportDrops& drops, const Progress& progress) {
-  TileNumberer numberer(map, layer, pictures, base, background, drops, progress);
+  TileNumberer numberer(map, layers, pictures, base, background, drops, progress);
   return used_tiles ? numberer.used() : numberer.as_they_are();
 }
 

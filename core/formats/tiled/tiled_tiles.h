@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <vector>
 
 #include "../import/linked_files.h"
 #include "tiled_map.h"
@@ -31,18 +32,18 @@ struct TiledSource {
 struct TiledTiles {
   int columns = kCartColumns;                                               // of the level's sheet
   std::vector<TiledSource> sources = std::vector<TiledSource>(kCartTiles);  // by tile of the level
-  TileMap map;
+  std::vector<std::vector<TileNumber>> cells;                               // by layer, row by row
   bool keeps_numbers = true;  // whether each tile has the number of its tileset, or its place on the sheet
 };
 
-// Without `used_tiles` the level gets all tiles of the tilesets that the map shows. A single one with the
-// layout of the base keeps its numbers, and one of up to 16x16 tiles lies on a cart's sheet, each tile at its
-// place. Else the sheet is as wide as the widest tileset, and the tilesets lie below one another. Tiles that
-// the map turns become tiles of their own, behind the others. Tile 0 is the empty one: if it is drawn and
-// some cells are empty, it swaps its number with a blank one, which is added behind the others if there is
-// none. With `used_tiles` it gets only the tiles that the map shows. progress: receives how many of the cells
-// are numbered.
-FormatResult<TiledTiles> number_tiles(const TiledMap& map, const TiledLayer& layer,
+// Numbers the tiles of some layers of the map. Without `used_tiles` the level gets all tiles of the tilesets
+// that the map shows. A single one with the layout of the base keeps its numbers, and one of up to 16x16
+// tiles lies on a cart's sheet, each tile at its place. Else the sheet is as wide as the widest tileset, and
+// the tilesets lie below one another. Tiles that the map turns become tiles of their own, behind the others.
+// Tile 0 is the empty one: if it is drawn and some cells are empty, it swaps its number with a blank one,
+// which is added behind the others if there is none. With `used_tiles` it gets only the tiles that the map
+// shows. progress: receives how many of the cells are numbered.
+FormatResult<TiledTiles> number_tiles(const TiledMap& map, const std::vector<const TiledLayer*>& layers,
                                       const TiledPictures& pictures, bool used_tiles, const SheetLayout& base,
                                       Rgb background, ImportDrops& drops, const Progress& progress);
 

@@ -88,16 +88,18 @@ void LevelImportPanel::draw_levels(const LevelImport& import, ImportChoices& cho
 }
 
 void LevelImportPanel::draw_layers(const LevelImport& import, ImportChoices& choices, Ui& ui) {
-  ImGui::TextUnformatted("A level has one layer of tiles. Take:");
+  ImGui::TextUnformatted("Take of the layers:");
   const int count = static_cast<int>(import.layers.size());
   const float lines = std::min(static_cast<float>(count), kListLines);
+  if (radio_button("all of them", "0", choices.layer_number == 0)) choices.layer_number = 0;
+  ui.item("choose/layer0", "The level has each as a layer.", "Space");
   ImGui::BeginChild("layers", {ui.px(kReportWidth), lines * ImGui::GetFrameHeightWithSpacing()}, false,
                     ImGuiWindowFlags_NavFlattened);
   draw_rows(count, [&](int row) {
     const std::string number = std::to_string(row + 1);
     const std::string label = layer_label(import.layers[static_cast<std::size_t>(row)]);
     if (radio_button(label, number, choices.layer_number == row + 1)) choices.layer_number = row + 1;
-    ui.item("choose/layer" + number, "The level's map is this layer.", "Space");
+    ui.item("choose/layer" + number, "The level has this layer alone.", "Space");
   });
   ImGui::EndChild();
   ImGui::Spacing();

@@ -49,8 +49,8 @@ struct WrittenLevel {
 
 // What to take from a file of another program that holds more than a level can.
 struct ImportChoices {
-  // The tile layer to take, by name; if none has that name, by its number, from 1. Empty: the file must have
-  // only one. Of a project of LDtk, the IntGrid whose values are the ground; empty: that with the most.
+  // The only tile layer to take, by name; if none has that name, by its number, from 1. Empty: all of them. Of
+  // a project of LDtk, the IntGrid whose values are the ground; empty: that with the most.
   std::string layer = {};
   int layer_number = 0;  // the same only by number, which goes before the name; 0: by name
   // The level to take of a project that has several, by name, or by WORLD/NAME in one with worlds; if none
