@@ -4,6 +4,7 @@
 #include <regex>
 
 #include <talus/formats/format.h>
+#include "export/exporter.h"
 #include "folder_test.h"
 #include "ldtk_text.h"
 #include "png_bytes.h"
@@ -289,6 +290,64 @@ TEST_F(ImportLdtkPictures, MoreThan8NamesAreLeftOut) {
   EXPECT_EQ(nine.level.tile_flags(nine.level.map.at({0, 0})), 0);
   EXPECT_THAT(nine.dropped,
               ElementsAre("the 9 names of values and tags of tiles, as tiles have only 8 flags"));
+}
+
+TEST_F(ImportLdtkPictures, MayBeOfAseprite) {
+  std::filesystem::remove(path("t.png"));
+  const auto number = [](std::size_t value, int size) {
+    std::string bytes;
+    for (int i = 0; i < size; ++i) bytes += static_cast<char>(value >> (8 * i) & 255);
+    return bytes;
+  };
+  const std::string layer = number(24, 4) + number(0x2004, 2) + number(1, 2) + std::string(16, '\0');
+  const std::string pixels("\xff\0\0\xff\0\0\xff\xff", 8);
+  const std::string cel = number(26 + pixels.size(), 4) + number(0x2005, 2) + std::string(6, '\0') +
+                          number(255, 1) + std::string(9, '\0') + number(2, 2) + number(1, 2) + pixels;
+  std::string file =
+      number(0, 4) + number(0xa5e0, 2) + number(1, 2) + number(2, 2) + number(1, 2) + number(32, 2);
+  file.resize(128);
+  put("t.png", file + number(16 + layer.size() + cel.size(), 4) + number(0xf1fa, 2) + std::string(10, '\0') +
+                   layer + cel);
+  const LoadedLevel loaded = load(ldtk_project(ldtk_level(ldtk_tiles(1, 1, ldtk_tile(0, 0, 0)))));
+  EXPECT_THAT(loaded.dropped, IsEmpty());
+  EXPECT_EQ(color(loaded.level, 0), kRed);
+  EXPECT_EQ(color(loaded.level, 1), kBlue);
+}
+
+TEST_F(ImportLdtkPictures, GroundAndBodiesOfAnExportAreTheSame) {
+  Level level;
+  level.map = TileMap(6, 3);
+  level.map.cells() = {0, 0, 0, 0, 0, 4,  //
+                       0, 2, 3, 5, 0, 0,  //
+                       1, 1, 1, 1, 1, 1};
+  level.tile_shapes[1] = {.kind = TileShape::Kind::solid};
+  level.tile_shapes[2] = {.kind = TileShape::Kind::slope, .tiles = 2, .heights = {0, 7.5}};
+  level.tile_shapes[4] = {
+      .kind = TileShape::Kind::slope, .side = TileShape::Side::ceiling, .heights = {8, 1}};
+  level.tile_shapes[5] = {.kind = TileShape::Kind::solid, .one_way = true};
+  Spawn player;
+  player.name = "Ada";
+  player.kind = BodyKind::player;
+  player.position = {8, 2};
+  player.size = {6, 12};
+  level.spawns.push_back(player);
+  const ReadAsset no_asset = [](const std::string& name) {
+    return read_file(std::string(TALUS_SOURCE_DIR) + "/assets/" + name);
+  };
+  const Exporter& exporter = *find_exporter("ldtk");
+  ASSERT_TRUE(
+      write_exported(exporter, exporter.write({level, "out.ldtk", no_asset}).value(), path("out.ldtk")));
+  const auto again = load_level(path("out.ldtk"));
+  ASSERT_TRUE(again) << to_string(again.error(), "out.ldtk");
+  for (std::size_t i = 0; i < level.map.cells().size(); ++i) {
+    EXPECT_EQ(shape_of_tile(again->level, again->level.map.cells()[i]),
+              shape_of_tile(level, level.map.cells()[i]))
+        << "cell " << i;
+  }
+  ASSERT_EQ(again->level.spawns.size(), 1u);
+  EXPECT_EQ(again->level.spawns[0].name, "Ada");
+  EXPECT_EQ(again->level.spawns[0].position, player.position);
+  EXPECT_EQ(again->level.spawns[0].size, player.size);
 }
 
 TEST_F(ImportLdtkPictures, LevelsMayBeInFilesOfTheirOwn) {

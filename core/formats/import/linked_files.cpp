@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "../files/atomic_file.h"
+#include "../pictures/aseprite_picture.h"
 
 namespace talus {
 namespace {
@@ -12,7 +13,12 @@ namespace {
 namespace fs = std::filesystem;
 
 // The number of pixels that a picture claims; 0 if it would be refused for its size.
-std::size_t pixels_of_png(std::string_view bytes) {
+std::size_t pixels_of_picture(std::string_view bytes) {
+  if (is_aseprite(bytes)) {
+    const TileSize size = size_of_aseprite(bytes);
+    const bool fits = size.width <= kMaxLinkedPictureSide && size.height <= kMaxLinkedPictureSide;
+    return fits ? static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) : 0;
+  }
   constexpr std::size_t kSides = 8;  // bytes
   const auto header = find_png_chunk(bytes, "IHDR");
   if (!header || header->size() < kSides) return 0;
@@ -87,13 +93,14 @@ std::shared_ptr<const LinkedPicture> LinkedFiles::picture(const std::string& nam
 FormatResult<LinkedPicture> LinkedFiles::read_picture(const std::string& name, const std::string& place) {
   const auto bytes = read(name, place);
   if (!bytes) return tl::unexpected(bytes.error());
-  const std::size_t pixels = pixels_of_png(*bytes);
+  const std::size_t pixels = pixels_of_picture(*bytes);
   if (pixels > kMaxLinkedPixels - pixels_) {
     return error_in(name, {"", "is too large: all pictures that a map names may have up to " +
                                    std::to_string(kMaxLinkedPixels) + " pixels together"});
   }
   pixels_ += pixels;
-  auto rgba = read_rgba(*bytes, kMaxLinkedPictureSide);
+  auto rgba = is_aseprite(*bytes) ? read_aseprite(*bytes, kMaxLinkedPictureSide)
+                                  : read_rgba(*bytes, kMaxLinkedPictureSide);
   if (!rgba) return error_in(name, rgba.error());
   const auto chunk = find_png_chunk(*bytes, "PLTE");
   LinkedPicture picture;
