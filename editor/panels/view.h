@@ -10,6 +10,7 @@
 #include "panels/preferences.h"
 #include "panels/requests.h"
 #include "panels/sprites/sprites_view.h"
+#include "panels/tiles/shape_view.h"
 #include "panels/window/window_view.h"
 
 namespace talus {
@@ -19,6 +20,7 @@ struct View {
   CommandsView commands;
   CanvasesView canvas;
   SpritesView sprites;
+  ShapeView shape;
   LevelView level;
   DebuggerView debugger;
   FilesView files;
@@ -33,6 +35,7 @@ struct View {
   void forget_level() {  // another level is open
     canvas.forget_level();
     debugger.forget_level();
+    shape.forget_level();
     requests.take<request::PutBreakpointAt>();
   }
 };

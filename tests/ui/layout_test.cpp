@@ -183,6 +183,7 @@ TEST_F(UiKeys, EachReachesItsCommand) {
       Ui& ui = app().ui();
       ui.view.window.focus = command.scope == Scope::sprites ? Focus::sprites
                              : command.scope == Scope::input ? Focus::input
+                             : command.scope == Scope::shape ? Focus::shape
                                                              : Focus::map;
       Session probe(test_level());
       Ui view;

@@ -25,6 +25,7 @@ std::vector<Command> export_commands();      // work everywhere
 std::vector<Command> problem_commands();     // work everywhere: the problems, and the reach
 std::vector<Command> curve_commands();       // work in the map, on curves and bodies
 std::vector<Command> shape_commands();       // work everywhere, on the selected tiles
+std::vector<Command> polygon_commands();     // work in the shape editor, and give it the keys
 std::vector<Command> panel_commands();       // work everywhere: tabs and menus by keys
 std::vector<Command> field_commands();       // work everywhere: values that are typed or chosen in a panel
 std::vector<Command> input_roll_commands();  // work in the input roll, and give it the keys

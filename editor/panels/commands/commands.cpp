@@ -23,7 +23,7 @@ std::span<const Command> commands() {
   static const std::vector<Command> all =
       joined({general_commands(), player_commands(), cursor_commands(), program_commands(), debug_commands(),
               input_roll_commands(), tool_commands(), map_commands(), brush_commands(), curve_commands(),
-              shape_commands(), flag_commands(), picture_commands(), export_commands(), problem_commands(),
+              shape_commands(), polygon_commands(), flag_commands(), picture_commands(), export_commands(), problem_commands(),
               panel_commands(), field_commands()});
   return all;
 }
@@ -60,6 +60,8 @@ std::string_view scope_label(Scope scope) {
       return "In the sprites";
     case Scope::map:
       return "In the map";
+    case Scope::shape:
+      return "In the shape editor";
     case Scope::input:
       return "In the input roll";
     case Scope::cursor:
@@ -75,6 +77,7 @@ const Command& focus_command(Scope scope) {
   assert(scope != Scope::everywhere);
   return find_command(scope == Scope::sprites ? "view/sprites"_command
                       : scope == Scope::map   ? "view/map"_command
+                      : scope == Scope::shape ? "view/shape"_command
                       : scope == Scope::input ? "view/input"_command
                       : scope == Scope::play  ? "play/toggle"_command
                                               : "view/cursor"_command);
@@ -86,6 +89,8 @@ bool has_focus(const Command& command, const Session& session, const View& view)
       return view.window.focus == Focus::sprites;
     case Scope::map:
       return view.window.focus == Focus::map;
+    case Scope::shape:
+      return view.window.focus == Focus::shape;
     case Scope::input:
       return view.window.focus == Focus::input;
     case Scope::cursor:

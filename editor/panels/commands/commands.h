@@ -18,7 +18,7 @@ namespace talus {
 
 // Where the keys of a command work. play: while they steer players, before those of the map. cursor: while
 // the keyboard's cursor is shown, before those of all other scopes.
-enum class Scope { everywhere, sprites, map, input, cursor, play };
+enum class Scope { everywhere, sprites, map, shape, input, cursor, play };
 
 using CommandRun = std::function<void(const Session&, Actions&, Ui&)>;
 using CommandTest = std::function<bool(const Session&, const Ui&)>;

@@ -1,5 +1,6 @@
 // The commands of the keyboard's cursor. While it is shown, their keys come before all others.
 #include "command_table.h"
+#include "panels/tiles/edited_shape.h"
 
 namespace talus {
 namespace {
@@ -9,10 +10,16 @@ using A = Actions&;
 using U = Ui&;
 using Stride = KeyCursor::Stride;
 
-void show_or_draw(S, A, U ui) {
+// In the shape editor, an unfinished polygon comes first.
+void show_or_draw(S session, A actions, U ui) {
   View& view = ui.view;
+  const bool at_shape = view.window.focus == Focus::shape || view.canvas.cursor.is_on("shape");
+  if (at_shape && edited_shape(session, view).is_drawing &&
+      (view.canvas.cursor.is_on("shape") || !view.shape.drawing->empty()))
+    return close_drawing(session, actions, view);
   if (view.canvas.cursor.on()) return view.canvas.cursor.toggle_pen();
   if (view.window.focus == Focus::sprites) return view.canvas.cursor.go_to({"pixels"});
+  if (at_shape) return view.canvas.cursor.go_to({"shape"});
   if (view.canvas.mode == CanvasMode::two_maps && view.canvas.second_map)
     return view.canvas.cursor.go_to({"second_map"});
   view.canvas.cursor.go_to({"map", "play"});
@@ -90,9 +97,11 @@ std::vector<Command> cursor_keys() {
 std::vector<Command> cursor_commands() {
   std::vector<Command> all = {{.id = "view/cursor",
                                .label = "Keyboard's cursor, pen down and up",
-                               .help = "Shows a cursor on the map or the pixels. The arrows move it, and "
-                                       "Space acts as the left button. While it is shown, this puts the pen "
-                                       "down, which holds that button, or lifts it: one hand can draw.",
+                               .help =
+                                   "Shows a cursor on the map or the pixels. The arrows move it, and "
+                                   "Space acts as the left button. While it is shown, this puts the pen "
+                                   "down, which holds that button, or lifts it: one hand can draw. In the "
+                                   "shape editor it closes an unfinished polygon.",
                                .key = KeyChord{kKeyEnter},
                                .menu = menus::kViewFocus,
                                .run = show_or_draw,

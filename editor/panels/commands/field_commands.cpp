@@ -190,10 +190,10 @@ std::vector<Command> other_fields() {
   return {
       {.id = "shape/choose",
        .label = "Choose the tile's shape...",
-       .help = "Opens the list: none, solid, slope or profile.",
+       .help = "Opens the list: none, solid, slope, profile or polygon.",
        .run = go_to_field(panel_id::kShape, "shape/kind"),
        .enabled = has_tile_to_shape,
-       .words = "collision ground kind full slope heights"},
+       .words = "collision ground kind full slope heights polygon"},
       {.id = "shape/turn_copy",
        .label = "Copy the tile turned or mirrored...",
        .help = "Opens the list of turns; Tab goes on to the tile that gets the copy.",

@@ -3,6 +3,7 @@
 
 #include "command_table.h"
 #include "panels/canvas/play_keys.h"
+#include "panels/tiles/edited_shape.h"
 #include "panels/tiles/flag_label.h"
 #include "panels/ui/dialog.h"
 
@@ -75,6 +76,17 @@ void show_map(S, A, U ui) {
   if (ui.view.canvas.cursor.on()) ui.view.canvas.cursor.go_to({"map"});
 }
 
+// A drawn polygon that is not in the level yet comes first, where it is drawn.
+void undo(S session, A actions, U ui) {
+  if (ui.view.window.focus == Focus::shape && take_back_unfinished(session, ui.view)) return;
+  if (session.history().can_undo()) actions.push_back(action::Undo{});
+}
+bool can_undo(S session, const Ui& ui) {
+  const EditedShape edited = edited_shape(session, ui.view);
+  const bool is_unfinished = edited.is_drawing || edited.is_draft;
+  return session.history().can_undo() || (ui.view.window.focus == Focus::shape && is_unfinished);
+}
+
 std::vector<Command> file_commands() {
   return {
       {.id = "file/new",
@@ -118,8 +130,8 @@ std::vector<Command> file_commands() {
        .help = "Takes back the last change; a stroke is one change.",
        .key = ctrl('z'),
        .menu = menus::kEditUndo,
-       .run = emit<action::Undo>,
-       .enabled = [](S s, const Ui&) { return s.history().can_undo(); },
+       .run = undo,
+       .enabled = can_undo,
        .repeats = true},
       {.id = "edit/redo",
        .label = "Redo",

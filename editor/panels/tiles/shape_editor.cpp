@@ -15,16 +15,10 @@ namespace {
 using Kind = TileShape::Kind;
 using Side = TileShape::Side;
 
-constexpr std::array<Kind, 4> kChoices = {Kind::none, Kind::solid, Kind::slope, Kind::profile};
+constexpr std::array<Kind, 5> kChoices = {Kind::none, Kind::solid, Kind::slope, Kind::profile, Kind::polygon};
 constexpr float kKindWidth = 132;   // px at scale 1, of the list of kinds
 constexpr float kCheckWidth = 88;   // px at scale 1, of a check box
 constexpr float kHeightWidth = 32;  // px at scale 1, least width of one height
-
-std::string_view label_of(Kind kind) {
-  constexpr std::array<std::string_view, 6> kLabels = {"none",    "solid",   "slope",
-                                                       "profile", "polygon", "group"};
-  return kLabels[static_cast<std::size_t>(kind)];
-}
 
 std::string named_part(std::string_view name, std::string_view part) {
   return std::string(name) + "_" + std::string(part);
@@ -38,25 +32,38 @@ class ShapeFields {
 
   bool draw() {
     if (shape_.kind == Kind::none || shape_.kind == Kind::group) return false;
-    if (shape_.kind != Kind::solid) {
-      if (shape_.kind == Kind::slope) draw_slope();
-      if (shape_.kind == Kind::profile) draw_profile();
-      if (has_heights(shape_)) draw_width();
-      bool hangs = shape_.side == Side::ceiling;
+    if (shape_.kind == Kind::polygon) {
+      draw_one_way();
+      if (!shape_.one_way) return changed_;
       ui_.same_line_if_fits(ui_.px(kCheckWidth));
-      check("ceiling", "ceiling", hangs,
-            has_heights(shape_) ? "The ground hangs above the line, and is measured downwards."
-                                : "If it is one-way, its lower lines stop bodies, and not its upper ones.");
-      shape_.side = hangs ? Side::ceiling : Side::floor;
+      draw_ceiling("Its lower lines stop bodies, and not its upper ones.");
+      return changed_;
     }
-    if (shape_.kind != Kind::solid) ui_.same_line_if_fits(ui_.px(kCheckWidth));
-    check("one_way", "one-way", shape_.one_way, "Stops only what comes from the open side of its line.");
+    if (shape_.kind == Kind::slope) draw_slope();
+    if (shape_.kind == Kind::profile) draw_profile();
+    if (has_heights(shape_)) {
+      draw_width();
+      ui_.same_line_if_fits(ui_.px(kCheckWidth));
+      draw_ceiling("The ground hangs above the line, and is measured downwards.");
+      ui_.same_line_if_fits(ui_.px(kCheckWidth));
+    }
+    draw_one_way();
     return changed_;
   }
   const TileShape& shape() const { return shape_; }
 
  private:
   std::string named(std::string_view part) const { return named_part(name_, part); }
+
+  void draw_ceiling(std::string_view help) {
+    bool hangs = shape_.side == Side::ceiling;
+    check("ceiling", "ceiling", hangs, help);
+    shape_.side = hangs ? Side::ceiling : Side::floor;
+  }
+
+  void draw_one_way() {
+    check("one_way", "one-way", shape_.one_way, "Stops only what comes from the open side of its line.");
+  }
 
   void draw_slope() {
     const float width = width_of("right %.6g px");
@@ -145,16 +152,22 @@ class ShapeFields {
 
 }  // namespace
 
-std::string_view kind_label(const TileShape& shape) { return label_of(shape.kind); }
+std::string_view kind_label(Kind kind) {
+  constexpr std::array<std::string_view, 6> kLabels = {"none",    "solid",   "slope",
+                                                       "profile", "polygon", "group"};
+  return kLabels[static_cast<std::size_t>(kind)];
+}
+std::string_view kind_label(const TileShape& shape) { return kind_label(shape.kind); }
 
 std::optional<Kind> choose_shape_kind(std::string_view name, Kind now, const std::string& shown, Ui& ui) {
   const bool open = ui.begin_combo(name, shown, ui.px(kKindWidth),
                                    "The ground of such a tile: a full tile, a slope between "
-                                   "two heights, or a profile with a height for each column line.");
+                                   "two heights, a profile with a height for each column line, or a "
+                                   "polygon, which begins as the outline of the old shape.");
   if (!open) return std::nullopt;
   std::optional<Kind> chosen;
   for (const Kind kind : kChoices) {
-    const std::string label(label_of(kind));
+    const std::string label(kind_label(kind));
     if (selectable(label, {}, kind == now) && kind != now) chosen = kind;
     ui.item(named_part(name, label));
   }

@@ -1,6 +1,7 @@
 // The controls of one shape of the ground.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,10 @@
 #include "session/session.h"
 
 namespace talus {
+
+// A shape is made of such a kind, or is a group of them.
+inline constexpr std::array<TileShape::Kind, 4> kPartKinds = {
+    TileShape::Kind::solid, TileShape::Kind::slope, TileShape::Kind::profile, TileShape::Kind::polygon};
 
 // The list of kinds, which shows `shown` while it is closed. Returns the new choice, if it is not `now`.
 std::optional<TileShape::Kind> choose_shape_kind(std::string_view name, TileShape::Kind now,
@@ -21,5 +26,6 @@ std::optional<TileShape> draw_shape_fields(std::string_view name, const TileShap
                                            const Session& session, NumberEdit& edit, Actions& actions,
                                            Ui& ui);
 std::string_view kind_label(const TileShape& shape);  // "slope"
+std::string_view kind_label(TileShape::Kind kind);    // the same
 
 }  // namespace talus

@@ -1,5 +1,5 @@
-// The shape of the selected tile: magnified, in numbers, suggested from its pixels, and copied to other
-// tiles.
+// The shape of the selected tile: magnified, in numbers, in parts, suggested from its pixels, and copied to
+// other tiles.
 #pragma once
 
 #include "edit/tile_shapes.h"
@@ -16,14 +16,22 @@ class ShapePanel : public Panel {
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 
  private:
-  void draw_kind(const Session& session, Actions& actions, Ui& ui, int tile) const;
-  void draw_fields(const Session& session, Actions& actions, Ui& ui, int tile);
+  void draw_below_line(const Session& session, Actions& actions, Ui& ui);
+  void draw_below_polygon(const Session& session, Actions& actions, Ui& ui);
+  void follow_tile(const Session& session, Ui& ui);
+  void draw_kind(const Session& session, Actions& actions, Ui& ui) const;
+  void draw_polygon_tools(const Session& session, Actions& actions, Ui& ui) const;
+  void draw_fields(const Session& session, Actions& actions, Ui& ui);
+  void draw_point(const Session& session, Actions& actions, Ui& ui);
+  void draw_parts(const Session& session, Actions& actions, Ui& ui) const;
+  void draw_new_part(const Session& session, Actions& actions, Ui& ui) const;
   void draw_canvas(const Session& session, Actions& actions, Ui& ui, int tile);
   void draw_copy(const Session& session, Actions& actions, Ui& ui, int tile);
   void draw_turn_choice(Ui& ui);
   void draw_target(const Session& session, Actions& actions, Ui& ui, int target);
 
   ShapeCanvas canvas_;
+  int shown_ = -1;  // tile in the last frame
   NumberEdit field_;
   ShapeTurn turn_ = ShapeTurn::mirrored;
   int target_ = -1;      // tile that a copy goes to; -1: the first free one

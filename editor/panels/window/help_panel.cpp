@@ -28,13 +28,16 @@ std::vector<MouseHelp> mouse_help(const Ui& ui) {
       {"left and right button on the pixels", "draw with their two colours"},
       {"middle button on the pixels", "picks the colour"},
       {"wheel on the pixels", "a canvas of 8, 16, 32 or 64 px; up shows the tile at the mouse"},
+      {"left button on a polygon's points or inside", "drags a point, or all of it; Alt does not snap"},
+      {"left button on a side of a polygon", "inserts a point, which can be dragged on"},
+      {"right button on a point of a polygon", "removes it"},
       {"mouse over the sprites or the map", "gives them the keys; so do a click, " +
                                                 keys("view/sprites"_command) + " and " +
                                                 keys("view/map"_command)},
       {"drag on the sheet", "selects tiles: the canvas, the flags and the stamp follow"},
       {"drag with Paint flags, on the sheet or the map",
        "sets the tinted flag, or clears it where the first tile has it"},
-      {"without a mouse: " + keys("view/cursor"_command) + " on the map or the pixels",
+      {"without a mouse: " + keys("view/cursor"_command) + " on the map, the pixels or a shape",
        "shows a cursor for the arrows; see below"},
       {"a file dropped on the window", "is opened"},
   };
@@ -117,8 +120,8 @@ void HelpPanel::draw(const Session&, Actions&, Ui& ui) {
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
     draw_mouse(ui);
     draw_control_keys(ui);
-    for (Scope scope :
-         {Scope::play, Scope::everywhere, Scope::cursor, Scope::map, Scope::sprites, Scope::input})
+    for (Scope scope : {Scope::play, Scope::everywhere, Scope::cursor, Scope::map, Scope::sprites,
+                        Scope::shape, Scope::input})
       draw_scope(scope, ui);
     ui.place("help/window", ImGui::GetWindowPos(),
              {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),

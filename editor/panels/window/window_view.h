@@ -10,7 +10,7 @@
 namespace talus {
 
 // The part of the window that gets the keys.
-enum class Focus { sprites, map, input };  // input: the input roll
+enum class Focus { sprites, map, input, shape };  // input: the input roll; shape: the shape editor
 
 // Sizes of the fixed regions, as fractions of the window, so that they survive a change of its size; what
 // does not fit is clamped to the regions' smallest sizes.

@@ -76,6 +76,12 @@ void leave_input_roll(View& view) {
   if (view.window.focus == Focus::input) view.window.focus = Focus::map;
 }
 
+void leave_hidden_shape(View& view) {
+  constexpr int kFramesToAppear = 5;
+  const bool is_shown = ImGui::GetFrameCount() <= view.shape.last_frame + kFramesToAppear;
+  if (view.window.focus == Focus::shape && !is_shown) view.window.focus = Focus::map;
+}
+
 // Of the panels that share a region, `id` is shown now.
 void remember_tab(std::vector<std::string>& chosen, const std::vector<Panel*>& here, const std::string& id) {
   if (std::find(chosen.begin(), chosen.end(), id) != chosen.end()) return;
@@ -129,6 +135,7 @@ void Workspace::draw(const Session& session, Actions& actions, Ui& ui) {
   for (PanelPlace& place : panels_)
     if (place.region == Region::floating) place.panel->draw(session, actions, ui);
   follow_mouse(ui.view);
+  leave_hidden_shape(ui.view);
 }
 
 // A press is meant for the part under the mouse. Only a move into a side counts: F2 and F3 stay in effect
