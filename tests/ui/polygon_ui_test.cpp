@@ -466,6 +466,15 @@ TEST_F(UiPolygon, AFlagMayStandForOne) {
   EXPECT_EQ(level().flag_shapes[6], kTriangle);
 }
 
+TEST_F(UiPolygon, AFlagTakesTheShapeOfTheTile) {
+  const TileShape group = with_new_part(kFlat, kHigh);
+  put(group);
+  click("flags/lamp6", kRight);
+  frames(3);
+  click("flags/shape_of_tile");
+  EXPECT_EQ(level().flag_shapes[6], group);
+}
+
 // ---- Sizes of tiles and of the window ----
 
 struct SizeCase {

@@ -130,6 +130,19 @@ void FlagMenu::draw_shape_of_flag(const Session& session, Actions& actions, Ui& 
         action::EditLevel{set_flag_shape(level, flag_, with_kind(now, *kind, level.map.tile_size()))});
   if (const auto shape = draw_shape_fields("flags/shape", now, session, shape_edit_, actions, ui))
     actions.push_back(action::EditLevel{set_flag_shape(level, flag_, *shape), shape_edit_.stroke});
+  draw_shape_of_tile(session, actions, ui);
+}
+
+// Polygons have many points: they are drawn in the shape editor of a tile.
+void FlagMenu::draw_shape_of_tile(const Session& session, Actions& actions, Ui& ui) const {
+  const SpriteArea& area = session.choices().area;
+  if (area.sheet != SheetId::tiles) return;
+  const int tile = area.tile_at(session.level(), 0, 0);
+  const TileShape shape = shape_of_tile(session.level(), static_cast<TileNumber>(tile));
+  if (ui.text_button("flags/shape_of_tile", "Take the shape of tile " + std::to_string(tile), false,
+                     "Gives this flag the shape of the selected tile, also a polygon or a group.", {},
+                     shape.kind != TileShape::Kind::none))
+    actions.push_back(action::EditLevel{set_flag_shape(session.level(), flag_, shape)});
 }
 
 // Makes a field with the next flag, or goes back to the field that it is in.

@@ -22,6 +22,7 @@ class FlagMenu {
   void draw_flag(const Session& session, Actions& actions, Ui& ui);
   void draw_role(const Level& level, Actions& actions, Ui& ui) const;
   void draw_shape_of_flag(const Session& session, Actions& actions, Ui& ui);
+  void draw_shape_of_tile(const Session& session, Actions& actions, Ui& ui) const;
   void draw_place_in_field(const Level& level, Actions& actions, Ui& ui);
   void draw_field(const Session& session, Actions& actions, Ui& ui, std::size_t index);
   void draw_bits(const Level& level, Actions& actions, Ui& ui, std::size_t index) const;
