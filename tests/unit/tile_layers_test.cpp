@@ -168,6 +168,23 @@ TEST(TileLayers, ComeBackFromTheFile) {
   EXPECT_EQ(again.layers.chosen, 1) << "the first one that is ground";
 }
 
+TEST(TileLayers, LargeOnesArePacked) {
+  Level level = layered();
+  level.map = TileMap(1025, 1024);
+  for (TileLayer& layer : level.layers.list)
+    if (layer.cells != nullptr) layer.cells = blank_cells(level);
+  level.map.set({1024, 1023}, kFull);
+  put(level, 2, {0, 0}, 255);
+  const auto written = write_native(level, {});
+  ASSERT_TRUE(written);
+  EXPECT_LT(written->bytes.size(), 100'000u);
+  EXPECT_EQ(read_again(level), level);
+  EXPECT_EQ(error_of("\"layers\": [{\"packed\": [\"AAAA\"]}]"),
+            "key layers[0].packed: must be a zlib stream of 2 cells, two bytes each");
+  EXPECT_EQ(error_of("\"layers\": [{\"packed\": 1}]"),
+            "key layers[0].packed: must be a list of strings in Base64");
+}
+
 TEST(TileLayers, PlainLevelsKeepTheirBytes) {
   Level level;
   const auto before = write_native(level, {});

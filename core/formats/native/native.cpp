@@ -454,7 +454,7 @@ std::vector<std::string_view> key_order() {
        "to_slope", "center",  "radius", "x0",       "x1",     "upper",    "middle", "amplitude", "wavelength",
        "origin",   "ys",      "flags",  "pixels",   "width",  "height",   "rows",   "comment",   "chunks",
        "lines",    "chunk",   "bank",   "reserved", "code",   "data",     "path",   "parts",     "on_save",
-       "ground",   "visible", "locked", "opacity",  "offset", "parallax", "tint"});
+       "ground",   "visible", "locked", "opacity",  "offset", "parallax", "tint",   "packed"});
   for (const GroundPartInfo& part : kGroundParts) order.push_back(part.key);
   const auto hard_case = hard_case_keys();
   order.insert(order.end(), hard_case.begin(), hard_case.end());

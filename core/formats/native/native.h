@@ -58,8 +58,9 @@
 //                  "name" (""); "ground", whether its tiles are ground and bodies (true); "visible" (true);
 //                  "locked" (false); "opacity", 0..1 (1); "offset", [x, y] in px, of its picture, each within
 //                  1000000 ([0, 0]); "parallax", [x, y], each within 100 ([1, 1]); "tint", a colour "rrggbb"
-//                  that its own are multiplied by ("ffffff"); "rows", as those of "map", which has none then.
-//                  Default: one layer with the rows of "map".
+//                  that its own are multiplied by ("ffffff"); "rows", as those of "map", which has none then,
+//                  or, for a map of more than 1048576 cells, "packed", lines of Base64 with a zlib stream of
+//                  the numbers of all cells, the low byte first. Default: one layer with the rows of "map".
 //   "cart"         the rest of the cart that the level came from (see native_cart.h). Default: no cart.
 //
 // With the member "companion" a file is not a level, but what a cart's level has beyond the cart (see

@@ -5,7 +5,10 @@
 #include <utility>
 
 #include <talus/level/limits.h>
+#include "../text/base64.h"
+#include "../text/unpack.h"
 #include "native_brushes.h"
+#include "native_bytes.h"
 #include "native_color.h"
 #include "native_members.h"
 
@@ -49,6 +52,42 @@ std::string row_text(std::span<const TileNumber> cells, std::size_t digits) {
   return row;
 }
 
+// Larger layers are packed, as text of all rows would be larger than a file may be.
+constexpr std::size_t kMostCellsAsText = std::size_t{1} << 20;
+
+std::string packed(const std::vector<TileNumber>& cells) {
+  std::string bytes;
+  bytes.reserve(2 * cells.size());
+  for (const TileNumber tile : cells) {
+    bytes += static_cast<char>(tile & 0xff);
+    bytes += static_cast<char>(tile >> 8);
+  }
+  return pack_zlib(bytes);
+}
+
+FormatResult<std::vector<TileNumber>> read_packed(const Json& lines, const std::string& key,
+                                                  const Level& level) {
+  const std::size_t count = level.map.cells().size();
+  const auto text = base64_of(lines);
+  const auto bytes = text ? decode_base64(*text) : std::nullopt;
+  if (!bytes) return layer_error("key " + key, "must be a list of strings in Base64");
+  const auto cells_as_bytes = unpack_zlib(*bytes, 2 * count);
+  if (!cells_as_bytes || cells_as_bytes->size() != 2 * count)
+    return layer_error("key " + key,
+                       "must be a zlib stream of " + std::to_string(count) + " cells, two bytes each");
+  std::vector<TileNumber> cells(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto low = static_cast<std::uint8_t>((*cells_as_bytes)[2 * i]);
+    const auto high = static_cast<std::uint8_t>((*cells_as_bytes)[2 * i + 1]);
+    cells[i] = static_cast<TileNumber>(high << 8 | low);
+    if (cells[i] >= level.tile_count())
+      return layer_error("key " + key, "has a cell, number " + std::to_string(i) + ", with tile " +
+                                           std::to_string(cells[i]) + ", but there are only " +
+                                           std::to_string(level.tile_count()) + " tiles");
+  }
+  return cells;
+}
+
 bool is_pair_within(Vec2 pair, double most) {
   const auto is_good = [most](double number) { return number >= -most && number <= most; };
   return is_good(pair.x) && is_good(pair.y);
@@ -80,10 +119,12 @@ FormatResult<TileLayer> take_layer(Json& json, const std::string& path, const Le
     if (!color) return take.fail("tint", kColorText);
     layer.tint = *color;
   });
-  Json rows = Json::array();
+  Json rows = Json::array(), bytes;
   take.member("rows", [&](const Json& its) { rows = its; });
+  take.member("packed", [&](const Json& its) { bytes = its; });
   if (const auto good = take.result(true); !good) return tl::unexpected(good.error());
-  auto cells = read_rows(rows, path + ".rows", path + " row ", level, progress);
+  auto cells = bytes.is_null() ? read_rows(rows, path + ".rows", path + " row ", level, progress)
+                               : read_packed(bytes, path + ".packed", level);
   if (!cells) return tl::unexpected(cells.error());
   layer.cells = std::make_shared<const std::vector<TileNumber>>(*std::move(cells));
   layer.extra = take.rest();
@@ -111,7 +152,10 @@ FormatResult<Json> json_of_layer(const TileLayer& layer, const std::vector<TileN
   if (layer.offset != usual.offset) put("offset", layer.offset);
   if (layer.parallax != usual.parallax) put("parallax", layer.parallax);
   if (layer.tint != usual.tint) json["tint"] = text_of(layer.tint);
-  json["rows"] = json_of_rows(cells, level);
+  if (cells.size() > kMostCellsAsText)
+    json["packed"] = json_of_bytes(packed(cells));
+  else
+    json["rows"] = json_of_rows(cells, level);
   return parsed;
 }
 
