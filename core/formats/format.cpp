@@ -77,10 +77,14 @@ std::span<const Format> formats() {
   static constexpr std::array<std::string_view, 2> kTiledJsonExtensions = {"tmj", "tsj"};
   static constexpr std::array<std::string_view, 2> kTiledXmlExtensions = {"tmx", "tsx"};
   static constexpr std::array<std::string_view, 4> kCartMembers = {"palette", "tiles", "sprites", "map"};
+  static constexpr std::array<std::string_view, 5> kTiledMembers = {"tiles", "tile_shapes", "map", "spawns",
+                                                                    "curves"};
   static const std::array<Format, 7> list = {{
       {"ldtk", "LDtk project", kLdtkExtensions, accepts_ldtk, read_ldtk, nullptr},
-      {"tmj", "Tiled map, JSON", kTiledJsonExtensions, accepts_tiled_json, read_tiled, nullptr},
-      {"tmx", "Tiled map, XML", kTiledXmlExtensions, accepts_tiled_xml, read_tiled, nullptr},
+      {"tmj", "Tiled map, JSON", kTiledJsonExtensions, accepts_tiled_json, read_tiled, write_tiled,
+       kTiledMembers, true},
+      {"tmx", "Tiled map, XML", kTiledXmlExtensions, accepts_tiled_xml, read_tiled, write_tiled,
+       kTiledMembers, true},
       {"native", "Talus level", kNativeExtensions, accepts_native, read_native, write_native},
       {"tic", "TIC-80 cartridge", kTicExtensions, accepts_tic, read_tic, write_tic, kCartMembers},
       {"tic-png", "TIC-80 PNG cartridge", kPngExtensions, accepts_tic_png, read_tic_png, nullptr,

@@ -58,6 +58,12 @@ void add_companion(LoadedLevel& loaded) {
   if (joined->is_whole) loaded.companion.content = content_hash(*place.bytes);
 }
 
+// How the map of Tiled of that path was numbered when its companion was saved; nothing if that is not known.
+std::optional<TiledFrame> known_frame(const std::string& path) {
+  const Place place = look_at(companion_path(path));
+  return place.is_free || !place.bytes ? std::nullopt : frame_of_companion(*place.bytes);
+}
+
 // Reads the level of a companion that was named itself. Errors are about the companion.
 FormatResult<LoadedLevel> load_owner(const std::string& owner) {
   const auto failure = [&](const std::string& what) {
@@ -136,9 +142,12 @@ tl::unexpected<FormatError> companion_error(const std::string& path, FormatError
 }
 
 // Returns the text of the companion that the written level needs; empty if it needs none.
-FormatResult<std::string> needed_companion(const Level& level, const Format& format, const std::string& bytes,
-                                           const std::string& path) {
-  const auto held = format.read(bytes, context_for_file(path));
+FormatResult<std::string> needed_companion(const Level& level, const Format& format,
+                                           const WrittenLevel& written, const std::string& path) {
+  if (written.held)
+    return level == *written.held ? FormatResult<std::string>()
+                                  : write_companion(level, *written.held, format, last_name(path));
+  const auto held = format.read(written.bytes, context_for_file(path));
   if (!held) return tl::unexpected(held.error());
   return write_companion(level, *held, format, last_name(path));
 }
@@ -146,7 +155,7 @@ FormatResult<std::string> needed_companion(const Level& level, const Format& for
 FormatResult<SavedLevel> save_pair(const Level& level, const Format& format, const std::string& path,
                                    const WrittenLevel& written, const CompanionFile& known) {
   const std::string beside = companion_path(path);
-  const auto needed = needed_companion(level, format, written.bytes, path);
+  const auto needed = needed_companion(level, format, written, path);
   if (!needed) return companion_error(beside, needed.error());
   const Place before = look_at(beside);
   const bool is_known = before.bytes && known.path == beside && known.content == content_hash(*before.bytes);
@@ -205,6 +214,7 @@ FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoice
     return load_owner(owner);
   FormatContext context = context_for_file(path);
   context.choices = choices;
+  if (!choices.frame) context.choices.frame = known_frame(path);
   context.progress = progress.part(kReading, 1);
   auto loaded = read_level(*bytes, context);
   if (!loaded) return loaded;

@@ -13,12 +13,21 @@ namespace {
 namespace fs = std::filesystem;
 using Purpose = FileRequest::Purpose;
 
-std::vector<std::string> level_endings(bool to_save) {
+std::vector<std::string> endings_to_open() {
+  std::vector<std::string> endings;
+  for (const Format& format : formats())
+    endings.insert(endings.end(), format.extensions.begin(), format.extensions.end());
+  return endings;
+}
+
+// A map of Tiled can be saved as the kind of file that it was.
+std::vector<std::string> endings_to_save(const Level& level) {
   std::vector<std::string> endings;
   for (const Format& format : formats()) {
-    if (format.write || !to_save)
+    if (format.write && !format.writes_back)
       endings.insert(endings.end(), format.extensions.begin(), format.extensions.end());
   }
+  if (level.tiled) endings.push_back(level.tiled->extension);
   return endings;
 }
 
@@ -67,7 +76,7 @@ FileRequest open_level(const Session& session, const View& view) {
   const std::string near = has_path                          ? session.path()
                            : view.files.recent_files.empty() ? ""
                                                              : view.files.recent_files[0];
-  std::vector<std::string> endings = level_endings(false);
+  std::vector<std::string> endings = endings_to_open();
   endings.emplace_back(kRecordingExtension);
   return {FileDialog::open, Purpose::opens, "Open a level, cart or recording", near, endings, ""};
 }
@@ -84,8 +93,8 @@ FileRequest save_level_as(const Session& session) {
   std::string near = session.path();
   if (near.empty() && session.level().cart != nullptr)
     near = named_like(session, is_mere_cart(session.level()) ? ".tic" : ".talus.json");
-  return {FileDialog::save_as, Purpose::saves,       "Save the level as", near,
-          level_endings(true), "." + ending_of(near)};
+  return {FileDialog::save_as,  Purpose::saves, "Save the level as", near, endings_to_save(session.level()),
+          "." + ending_of(near)};
 }
 
 }  // namespace

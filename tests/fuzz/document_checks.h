@@ -94,6 +94,20 @@ inline Checked check_input(std::string_view document) {
   return {true};
 }
 
+// Checks that saving a level of Tiled again changes no byte, and that a changed cell is there afterwards.
+inline Checked check_saving_tiled(Level level, std::string_view document) {
+  const FormatContext context{"tmj"};
+  const auto same = write_tiled(level, context);
+  if (!same) return checked_error(same.error());
+  if (same->bytes != document) return {true, "an unchanged map of Tiled gets other bytes"};
+  TileNumber& cell = level.map.cells()[level.map.cells().size() / 2];
+  cell = cell == 0 ? static_cast<TileNumber>(level.tile_count() - 1) : TileNumber{0};
+  const auto changed = write_tiled(level, context);
+  if (!changed) return checked_error(changed.error());
+  auto again = read_tiled_again(changed->bytes, context, {});
+  return again ? Checked{true, ""} : checked_error(again.error());
+}
+
 // Checks a document in JSON or XML, without the files beside it.
 inline Checked check_tiled(std::string_view document) {
   Checked checked;
@@ -107,6 +121,9 @@ inline Checked check_tiled(std::string_view document) {
     if (!checked.problem.empty()) return checked;
     for (const std::string& phrase : dropped) {
       if (phrase != printable(phrase)) return {true, "a phrase is not printable: " + phrase};
+    }
+    if (level && !used_tiles) {
+      if (const Checked saved = check_saving_tiled(*level, document); !saved.problem.empty()) return saved;
     }
   }
   return checked;

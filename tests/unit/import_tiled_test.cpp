@@ -51,7 +51,7 @@ TileShape shape_of(const std::string& objects, const std::string& properties = "
 TEST(ImportTiled, KeepsThePlacesOfTilesOnASmallSheet) {
   const LoadedLevel loaded = read(map_text({.cells = "1,6,0,16"}));
   EXPECT_EQ(loaded.format->id, "tmj");
-  EXPECT_EQ(loaded.format->write, nullptr);
+  EXPECT_TRUE(loaded.format->writes_back);
   EXPECT_EQ(loaded.level.map.width(), 2);
   EXPECT_THAT(loaded.level.map.cells(), ElementsAre(0, 17, 0, 51));
   EXPECT_THAT(loaded.dropped, ElementsAre("the picture of the tileset \"t\""));

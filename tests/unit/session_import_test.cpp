@@ -1,4 +1,4 @@
-// A map of Tiled becomes a new level in the editor, so that saving never replaces the map.
+// A map of Tiled in the editor: saving goes into its own file.
 #include <gmock/gmock.h>
 
 #include "folder_test.h"
@@ -10,20 +10,52 @@ namespace talus::session_import_test {
 
 class SessionImportTest : public FolderTest {};
 
-TEST_F(SessionImportTest, AMapBecomesANewLevelThatHasNoFile) {
+TEST_F(SessionImportTest, AMapIsSavedIntoItsFile) {
   const Exported exported = tiled_export_of(level_for_tiled(), "tmj", "cave.tmj");
   ASSERT_TRUE(write_exported(*find_exporter("tmj"), exported, path("cave.tmj")));
   Session session;
   session.apply(action::OpenFile{path("cave.tmj")});
   EXPECT_TRUE(session.level() == level_for_tiled());
-  EXPECT_EQ(session.path(), "");
-  ASSERT_TRUE(session.message());
-  EXPECT_FALSE(session.message()->is_error);
-  EXPECT_EQ(session.message()->text, "Made a new level from cave.tmj; saving asks for a file name.");
+  EXPECT_EQ(session.path(), path("cave.tmj"));
+  EXPECT_FALSE(session.message());
+  session.apply(action::SaveFile{});
+  EXPECT_EQ(bytes_of("cave.tmj"), exported.files[0].bytes);
   session.apply(action::EditLevel{{"Paint", {CellChange{{0, 0}, 0, 4}}}});
   session.apply(action::SaveFile{});
-  EXPECT_TRUE(session.wants_save_as());
-  EXPECT_EQ(bytes_of("cave.tmj"), exported.files[0].bytes);
+  EXPECT_FALSE(session.wants_save_as());
+  EXPECT_FALSE(session.modified());
+  EXPECT_NE(bytes_of("cave.tmj"), exported.files[0].bytes);
+  EXPECT_FALSE(exists("cave.tmj.talus.json"));
+  const auto again = load_level(path("cave.tmj"));
+  ASSERT_TRUE(again);
+  EXPECT_TRUE(again->level == session.level());
+}
+
+TEST_F(SessionImportTest, AMapThatAnotherProgramChangedIsAskedAbout) {
+  const Exported exported = tiled_export_of(level_for_tiled(), "tmj", "cave.tmj");
+  ASSERT_TRUE(write_exported(*find_exporter("tmj"), exported, path("cave.tmj")));
+  Session session;
+  session.apply(action::OpenFile{path("cave.tmj")});
+  session.apply(action::EditLevel{{"Paint", {CellChange{{0, 0}, 0, 4}}}});
+  put("cave.tmj", exported.files[0].bytes + "\n");
+  session.apply(action::SaveFile{});
+  ASSERT_TRUE(session.question());
+  EXPECT_EQ(bytes_of("cave.tmj"), exported.files[0].bytes + "\n");
+}
+
+TEST_F(SessionImportTest, AMapCanBeSavedAsALevel) {
+  const Exported exported = tiled_export_of(level_for_tiled(), "tmj", "cave.tmj");
+  ASSERT_TRUE(write_exported(*find_exporter("tmj"), exported, path("cave.tmj")));
+  Session session;
+  session.apply(action::OpenFile{path("cave.tmj")});
+  session.apply(action::SaveFileAs{path("cave.talus.json")});
+  EXPECT_EQ(session.path(), path("cave.talus.json"));
+  session.apply(action::NewLevel{});
+  session.apply(action::SaveFileAs{path("new.tmj")});
+  ASSERT_TRUE(session.message());
+  EXPECT_TRUE(session.message()->is_error);
+  EXPECT_THAT(session.message()->text, testing::HasSubstr("only a level that came from it can be saved"));
+  EXPECT_FALSE(exists("new.tmj"));
 }
 
 TEST_F(SessionImportTest, WarnsOfWhatIsDropped) {
@@ -35,7 +67,7 @@ TEST_F(SessionImportTest, WarnsOfWhatIsDropped) {
   session.apply(action::OpenFile{path("room.tmx")});
   ASSERT_TRUE(session.message());
   EXPECT_EQ(session.message()->text,
-            "Made a new level from room.tmx; saving asks for a file name. Not in it: an object of the layer "
+            "Opened room.tmx. Saving keeps what Talus does not show: an object of the layer "
             "\"things\"; the layer \"sky\", which is a picture.");
 }
 
@@ -84,9 +116,14 @@ TEST_F(SessionImportTest, AsksIfTheMapHoldsMoreThanALevelCan) {
   session.apply(action::ApplyLevelImport{});
   EXPECT_FALSE(session.level_import());
   EXPECT_THAT(session.level().map.cells(), testing::ElementsAre(2, 0));
-  EXPECT_EQ(session.path(), "");
   ASSERT_TRUE(session.message());
-  EXPECT_THAT(session.message()->text, testing::HasSubstr("Not in it: the layer \"front\""));
+  EXPECT_THAT(session.message()->text, testing::HasSubstr("does not show: the layer \"front\""));
+
+  session.apply(action::EditLevel{{"Paint", {CellChange{{1, 0}, 0, 2}}}});
+  session.apply(action::SaveFile{});
+  std::string changed = kLayers;
+  changed.replace(changed.find(">3,0<"), 5, ">3,3<");
+  EXPECT_EQ(bytes_of("two.tmx"), changed);
 }
 
 TEST_F(SessionImportTest, CancellingLeavesTheLevelAsItIs) {

@@ -5,6 +5,12 @@
 //   "companion"  "file": name of the file that it was saved with; "with": for each member that such a file
 //                holds itself (see Format::holds), by its name, a hash of the member at that time.
 //
+//                Of a map of Tiled also "frame": how its tiles and cells were numbered, since reading the map
+//                alone may number them otherwise. "tiles": for each run of tiles of the level the number of
+//                the first in cells of the map and how many there are, 0 for tiles of no tileset; "columns"
+//                of the sheet; "used", whether only the tiles that the map shows were taken; "map": [x, y,
+//                width, height] in cells.
+//
 // The other members are those of a native level that differ from the level that the file alone gives; of an
 // object only the members that differ. null removes a member that the file gives; for a role it means no
 // flag, as in a level.
@@ -15,6 +21,7 @@
 // the cells that the file fills.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +40,8 @@ std::string owner_of_companion(const std::string& path);
 // One sentence without its full stop on why nothing else may be written there; empty if the name is not that
 // of a companion of an existing file.
 std::string companion_place_problem(const std::string& path);
+// How the companion of a map of Tiled says that the map was numbered; nothing if it does not, or wrongly.
+std::optional<TiledFrame> frame_of_companion(std::string_view bytes);
 // Whether the text is a companion, maybe a faulty one: JSON with the member "companion".
 bool is_companion(std::string_view bytes);
 

@@ -56,13 +56,40 @@ tl::expected<std::string, UnpackError> unpack_zstd(std::string_view packed, std:
   return content;
 }
 
-std::string pack_zlib(std::string_view content) {
-  uLongf length = compressBound(static_cast<uLong>(content.size()));
-  std::string packed(length, '\0');
+namespace {
+
+std::string deflated(std::string_view content, int window_bits) {
+  constexpr int kUsualMemory = 8;
+  z_stream stream = {};
   // It fails only if memory runs out.
-  if (compress(reinterpret_cast<Bytef*>(packed.data()), &length,
-               reinterpret_cast<const Bytef*>(content.data()), static_cast<uLong>(content.size())) != Z_OK)
+  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, window_bits, kUsualMemory,
+                   Z_DEFAULT_STRATEGY) != Z_OK)
     throw std::bad_alloc();
+  std::string packed(deflateBound(&stream, static_cast<uLong>(content.size())), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));  // zlib does not write to it
+  stream.avail_in = static_cast<uInt>(content.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  deflate(&stream, Z_FINISH);
+  packed.resize(packed.size() - stream.avail_out);
+  deflateEnd(&stream);
+  return packed;
+}
+
+}  // namespace
+
+std::string pack_zlib(std::string_view content) { return deflated(content, MAX_WBITS); }
+
+std::string pack_gzip(std::string_view content) {
+  constexpr int kGzipHeader = 16;
+  return deflated(content, MAX_WBITS + kGzipHeader);
+}
+
+std::string pack_zstd(std::string_view content) {
+  std::string packed(ZSTD_compressBound(content.size()), '\0');
+  const std::size_t length =
+      ZSTD_compress(packed.data(), packed.size(), content.data(), content.size(), ZSTD_CLEVEL_DEFAULT);
+  if (ZSTD_isError(length) != 0) throw std::bad_alloc();
   packed.resize(length);
   return packed;
 }

@@ -24,7 +24,9 @@ tl::expected<std::string, UnpackError> unpack_zlib(std::string_view packed, std:
 // frame after the last one.
 tl::expected<std::string, UnpackError> unpack_zstd(std::string_view packed, std::size_t limit);
 
-// Returns a zlib stream of the content.
+// Return a stream or a frame of the content.
 std::string pack_zlib(std::string_view content);
+std::string pack_gzip(std::string_view content);
+std::string pack_zstd(std::string_view content);
 
 }  // namespace talus

@@ -49,8 +49,11 @@ CellBounds cell_of(const TiledObject& object, TileSize tile, const CellBounds& w
   return {cell_x, cell_y, cell_x + 1, cell_y + 1};
 }
 
-CellBounds bounds_of(const TiledChunks& chunks, const TiledMap& map) {
+CellBounds bounds_of(const TiledChunks& chunks, const TiledMap& map, const TiledFrame* frame) {
   CellBounds all, kept;
+  if (frame != nullptr)
+    kept = {frame->x, frame->y, std::int64_t{frame->x} + frame->width,
+            std::int64_t{frame->y} + frame->height};
   for (const auto& of_layer : chunks) {
     for (const TiledChunk& chunk : of_layer) {
       all.add({chunk.x, chunk.y, std::int64_t{chunk.x} + chunk.width, std::int64_t{chunk.y} + chunk.height});
@@ -79,8 +82,8 @@ void put_chunk(const TiledChunk& chunk, const CellBounds& bounds, std::vector<st
 
 }  // namespace
 
-std::optional<std::string> join_chunks(TiledChunks chunks, TiledMap& map) {
-  const CellBounds bounds = bounds_of(chunks, map);
+std::optional<std::string> join_chunks(TiledChunks chunks, const TiledFrame* frame, TiledMap& map) {
+  const CellBounds bounds = bounds_of(chunks, map, frame);
   const std::string size = std::to_string(bounds.width()) + "x" + std::to_string(bounds.height());
   if (!is_terrain_size(bounds.width(), bounds.height(), map.tile_size)) {
     return "is an infinite map whose tiles are spread over " + size +
@@ -96,6 +99,7 @@ std::optional<std::string> join_chunks(TiledChunks chunks, TiledMap& map) {
   }
   map.width = static_cast<int>(bounds.width());
   map.height = static_cast<int>(bounds.height());
+  map.first = {static_cast<int>(bounds.x0), static_cast<int>(bounds.y0)};
   const Vec2 origin = {static_cast<double>(bounds.x0 * map.tile_size.width),
                        static_cast<double>(bounds.y0 * map.tile_size.height)};
   for (std::size_t i = 0; i < map.layers.size(); ++i) {

@@ -22,7 +22,8 @@ using TiledChunks = std::vector<std::vector<TiledChunk>>;
 // Gives the map the size of the rectangle around all chunks, without the rows and columns at its edges in
 // which no layer has a tile and no object begins. The layers get their cells, and the objects move with them.
 // An infinite map without tiles keeps the map's size. Where chunks overlap, the last one counts. Returns what
-// is wrong, as the end of a sentence, if that map would be too large: then it is as it was.
-std::optional<std::string> join_chunks(TiledChunks chunks, TiledMap& map);
+// is wrong, as the end of a sentence, if that map would be too large: then it is as it was. frame: how the
+// map was numbered before, whose rectangle stays in it; null: it was not read before.
+std::optional<std::string> join_chunks(TiledChunks chunks, const TiledFrame* frame, TiledMap& map);
 
 }  // namespace talus

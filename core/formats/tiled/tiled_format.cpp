@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <span>
+#include <utility>
 
 #include "../files/atomic_file.h"
 #include "../import/linked_files.h"
@@ -51,22 +53,23 @@ FormatResult<Json> tiled_json_of(std::string_view bytes, const std::string& exte
 }
 
 // Tilesets whose files are missing get the map's size of tiles, and as many of them as the cells show.
-void measure_missing_tilesets(TiledMap& map) {
+// frame: as in ImportChoices.
+void measure_missing_tilesets(const std::optional<TiledFrame>& frame, TiledMap& map) {
   constexpr std::size_t kMostName = 200;           // bytes
   std::map<std::uint32_t, std::uint32_t> last_of;  // by first number, the last number that a cell has
   for (const TiledTileset& tileset : map.tilesets) last_of[tileset.first_gid] = tileset.first_gid;
   const bool is_any_missing = std::any_of(map.tilesets.begin(), map.tilesets.end(),
                                           [](const TiledTileset& tileset) { return tileset.is_missing; });
   if (!is_any_missing) return;
-  for (const TiledLayer& layer : map.layers) {
-    for (const std::uint32_t cell : layer.cells) {
-      const std::uint32_t gid = cell & kTiledIdBits;
-      const auto after = last_of.upper_bound(gid);
-      if (after == last_of.begin()) continue;
-      std::uint32_t& last = std::prev(after)->second;
-      last = std::max(last, gid);
-    }
-  }
+  const auto add = [&](std::uint32_t cell) {
+    const std::uint32_t gid = cell & kTiledIdBits;
+    const auto after = last_of.upper_bound(gid);
+    if (after == last_of.begin()) return;
+    std::uint32_t& last = std::prev(after)->second;
+    last = std::max(last, gid);
+  };
+  for (const TiledLayer& layer : map.layers) std::for_each(layer.cells.begin(), layer.cells.end(), add);
+  if (frame) std::for_each(frame->tiles.begin(), frame->tiles.end(), add);
   for (TiledTileset& tileset : map.tilesets) {
     if (!tileset.is_missing) continue;
     tileset.name = shortened(tileset.source, kMostName);
@@ -77,11 +80,14 @@ void measure_missing_tilesets(TiledMap& map) {
 
 class TiledFiles {
  public:
-  TiledFiles(const FormatContext& context, ImportDrops& drops)
-      : context_(context), drops_(drops), files_(context, drops) {}
+  // known: tilesets that are taken from here, not from their files.
+  TiledFiles(const FormatContext& context, std::span<const TiledOrigin::File> known, ImportDrops& drops)
+      : context_(context), known_(known), drops_(drops), files_(context, drops) {}
 
   FormatResult<TiledMap> read_map(std::string_view bytes);
   TiledPictures read_pictures(TiledMap& map);
+  // Those in files of their own that were read.
+  std::vector<TiledOrigin::File> take_tilesets() { return std::move(tileset_files_); }
 
  private:
   FormatResult<void> read_tileset(TiledTileset& tileset);
@@ -90,6 +96,8 @@ class TiledFiles {
   FormatResult<TiledTemplate> template_in(const std::string& name, const std::string& place);
 
   const FormatContext& context_;
+  std::span<const TiledOrigin::File> known_;
+  std::vector<TiledOrigin::File> tileset_files_;
   ImportDrops& drops_;
   LinkedFiles files_;
   // A map may name one file by many names, each time another.
@@ -119,13 +127,15 @@ FormatResult<TiledMap> TiledFiles::read_map(std::string_view bytes) {
     map->layers.push_back(std::move(layer));
     map->tilesets.push_back(*std::move(tileset));
   } else {
-    map = read_tiled_map(*json, find, drops_, context_.progress.part(kTiledParsed, kTiledMapRead));
+    const auto& frame = context_.choices.frame;
+    map = read_tiled_map(*json, find, frame ? &*frame : nullptr, drops_,
+                         context_.progress.part(kTiledParsed, kTiledMapRead));
   }
   if (!map) return map;
   for (TiledTileset& tileset : map->tilesets) {
     if (const auto read = read_tileset(tileset); !read) return tl::unexpected(read.error());
   }
-  measure_missing_tilesets(*map);
+  measure_missing_tilesets(context_.choices.frame, *map);
   return map;
 }
 
@@ -164,10 +174,13 @@ FormatResult<void> TiledFiles::read_tileset(TiledTileset& tileset) {
 }
 
 FormatResult<TiledTileset> TiledFiles::tileset_in(const std::string& source, const std::string& place) {
-  const auto bytes = files_.read(source, place);
+  const auto known = std::find_if(known_.begin(), known_.end(),
+                                  [&](const TiledOrigin::File& file) { return file.path == place; });
+  auto bytes = known == known_.end() ? files_.read(source, place) : FormatResult<std::string>(known->bytes);
   if (!bytes) return tl::unexpected(bytes.error());
   const auto json = tiled_json_of(*bytes, context_for_file(source).extension, {});
   if (!json) return error_in(source, json.error());
+  tileset_files_.push_back({place, *std::move(bytes)});
   const fs::path folder = fs::path(source).parent_path();
   const auto find = [&](const std::string& name) {  // from the folder of the tileset
     return find_template(name.starts_with('/') ? name : (folder / with_slashes(name)).string());
@@ -248,12 +261,33 @@ TiledPictures TiledFiles::read_pictures(TiledMap& map) {
   return pictures;
 }
 
-FormatResult<Level> read_files(std::string_view bytes, const FormatContext& context, ImportDrops& drops) {
-  TiledFiles files(context, drops);
+// Completes the origin of a level that was read.
+void keep_origin(std::string_view bytes, const FormatContext& context,
+                 std::vector<TiledOrigin::File> tilesets, Level& level) {
+  auto origin = std::make_shared<TiledOrigin>(*level.tiled);
+  level.tiled.reset();
+  TileMap map = std::exchange(level.map, TileMap(1, 1, level.map.tile_size()));
+  auto opened = std::make_shared<Level>(level);
+  for (TileLayer& layer : opened->layers.list) layer.cells = nullptr;
+  origin->opened = std::move(opened);
+  level.map = std::move(map);
+  origin->extension = context.extension;
+  origin->folder = context.folder;
+  origin->bytes = bytes;
+  origin->tilesets = std::move(tilesets);
+  level.tiled = std::move(origin);
+}
+
+FormatResult<Level> read_files(std::string_view bytes, const FormatContext& context,
+                               std::span<const TiledOrigin::File> known, ImportDrops& drops) {
+  TiledFiles files(context, known, drops);
   auto map = files.read_map(bytes);
   if (!map) return tl::unexpected(map.error());
   const TiledPictures pictures = files.read_pictures(*map);
-  return level_of_tiled(*map, pictures, context.choices, drops, context.progress.part(kTiledMapRead, 1));
+  auto level =
+      level_of_tiled(*map, pictures, context.choices, drops, context.progress.part(kTiledMapRead, 1));
+  if (level) keep_origin(bytes, context, files.take_tilesets(), *level);
+  return level;
 }
 
 }  // namespace
@@ -278,7 +312,7 @@ std::vector<TiledLayerName> tiled_layers_of_file(const std::string& path, const 
   FormatContext context = context_for_file(path);
   context.progress = progress;
   ImportDrops drops;
-  const auto map = read_guarded([&] { return TiledFiles(context, drops).read_map(*bytes); });
+  const auto map = read_guarded([&] { return TiledFiles(context, {}, drops).read_map(*bytes); });
   if (!map) return layers;
   for (const TiledLayer& layer : map->layers) {
     if (!layer.has_tiles) continue;
@@ -290,11 +324,17 @@ std::vector<TiledLayerName> tiled_layers_of_file(const std::string& path, const 
 
 FormatResult<Level> read_tiled(std::string_view bytes, const FormatContext& context) {
   ImportDrops drops;
-  auto level = read_files(bytes, context, drops);
+  auto level = read_files(bytes, context, {}, drops);
   if (level && context.dropped != nullptr) {
     for (std::string& phrase : drops.phrases()) context.dropped->push_back(std::move(phrase));
   }
   return level;
+}
+
+FormatResult<Level> read_tiled_again(std::string_view bytes, const FormatContext& context,
+                                     std::span<const TiledOrigin::File> tilesets) {
+  ImportDrops drops;
+  return read_guarded([&] { return read_files(bytes, context, tilesets, drops); });
 }
 
 }  // namespace talus

@@ -1,9 +1,12 @@
-// Maps and tilesets of Tiled, `.tmx`, `.tmj`, `.tsx` and `.tsj`. They are only read here. A tileset becomes a
-// level with an empty map.
+// Maps and tilesets of Tiled, `.tmx`, `.tmj`, `.tsx` and `.tsj`. A tileset becomes a
+// level with an empty map. A level is written back into the file that it came from, of which only what was
+// edited changes (tiled_save.cpp). core/export writes new maps.
 //
 // Files of tilesets and pictures are found by relative paths from the folder of the file that names them.
-// Without a folder, tilesets are an error, and pictures are left out. core/export writes maps.
+// Without a folder, tilesets are an error, and pictures are left out.
 #pragma once
+
+#include <span>
 
 #include <talus/formats/format.h>
 
@@ -22,5 +25,13 @@ std::vector<TiledLayerName> tiled_layers_of_file(const std::string& path, const 
 
 // Reads either form. The content says which it is.
 FormatResult<Level> read_tiled(std::string_view bytes, const FormatContext& context);
+// The same with tilesets that stand for those in their files.
+FormatResult<Level> read_tiled_again(std::string_view bytes, const FormatContext& context,
+                                     std::span<const TiledOrigin::File> tilesets);
+
+// Writes the file that the level came from, with what was edited; `held` is the level that it gives. It is an
+// error if the level came from no such file, or from one in another folder, or if the file cannot hold its
+// cells or the pictures of its tiles.
+FormatResult<WrittenLevel> write_tiled(const Level& level, const FormatContext& context);
 
 }  // namespace talus

@@ -49,7 +49,7 @@ class TiledReader : private TiledNodeReader {
   TiledReader(const FindTiledTemplate& find_template, ImportDrops& drops)
       : TiledNodeReader(drops), find_template_(find_template) {}
 
-  TiledMap map(const Json& json, const Progress& progress);
+  TiledMap map(const Json& json, const TiledFrame* frame, const Progress& progress);
   TiledTileset tileset(const JsonNode& node);
 
   using TiledNodeReader::result;
@@ -88,7 +88,7 @@ class TiledReader : private TiledNodeReader {
   std::size_t templated_bytes_ = 0;            // of templates, once for each object
 };
 
-TiledMap TiledReader::map(const Json& json, const Progress& progress) {
+TiledMap TiledReader::map(const Json& json, const TiledFrame* frame, const Progress& progress) {
   const JsonNode node{json, ""};
   TiledMap map;
   if (!json.is_object()) {
@@ -128,7 +128,7 @@ TiledMap TiledReader::map(const Json& json, const Progress& progress) {
   if (!error_) layers(node, {}, progress, map);
   if (!error_ && is_infinite_) {
     chunks_.resize(map.layers.size());
-    if (auto problem = join_chunks(std::move(chunks_), map)) fail(node, "layers", *std::move(problem));
+    if (auto problem = join_chunks(std::move(chunks_), frame, map)) fail(node, "layers", *std::move(problem));
   }
   const bool has_ground = std::any_of(map.layers.begin(), map.layers.end(),
                                       [](const TiledLayer& layer) { return layer.has_tiles; });
@@ -538,9 +538,9 @@ std::optional<TiledProperty> TiledReader::property(const JsonNode& node) {
 }  // namespace
 
 FormatResult<TiledMap> read_tiled_map(const Json& json, const FindTiledTemplate& find_template,
-                                      ImportDrops& drops, const Progress& progress) {
+                                      const TiledFrame* frame, ImportDrops& drops, const Progress& progress) {
   TiledReader reader(find_template, drops);
-  TiledMap map = reader.map(json, progress);
+  TiledMap map = reader.map(json, frame, progress);
   return reader.result(std::move(map));
 }
 

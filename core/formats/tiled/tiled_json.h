@@ -14,9 +14,10 @@ namespace talus {
 // only `source`. progress: receives how many of the layers are read, and may stop the work, which is an
 // error.
 // find_template: finds the templates that objects of the map name. A template that cannot be found is
-// dropped.
+// dropped. frame: see join_chunks().
 FormatResult<TiledMap> read_tiled_map(const Json& json, const FindTiledTemplate& find_template,
-                                      ImportDrops& drops, const Progress& progress = {});
+                                      const TiledFrame* frame, ImportDrops& drops,
+                                      const Progress& progress = {});
 FormatResult<TiledTileset> read_tiled_tileset(const Json& json, const FindTiledTemplate& find_template,
                                               ImportDrops& drops);
 

@@ -56,6 +56,7 @@ class TiledLevelMaker {
 
  private:
   FormatResult<std::vector<const TiledLayer*>> layers_of(const ImportChoices& choices) const;
+  std::vector<int> numbers_of(const std::vector<const TiledLayer*>& layers) const;
   void take_layers(const std::vector<const TiledLayer*>& layers);
   FormatResult<void> read_base();
   void forget_numbers();
@@ -191,6 +192,16 @@ FormatResult<std::vector<const TiledLayer*>> TiledLevelMaker::layers_of(const Im
       drops_.add(layer->name.empty() ? "a layer without a name" : named("the layer", layer->name));
   }
   return std::vector<const TiledLayer*>{*chosen};
+}
+
+// By layer, its number among the tile layers of the map.
+std::vector<int> TiledLevelMaker::numbers_of(const std::vector<const TiledLayer*>& layers) const {
+  std::vector<int> numbers;
+  for (const TiledLayer* layer : layers) {
+    numbers.push_back(static_cast<int>(
+        std::count_if(map_.layers.data(), layer, [](const TiledLayer& before) { return before.has_tiles; })));
+  }
+  return numbers;
 }
 
 // A single layer is shown even if it is hidden, and has no name: nobody has to tell it from others.
@@ -556,11 +567,14 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
   const auto layers = layers_of(choices);
   if (!layers) return tl::unexpected(layers.error());
   if (const auto read = read_base(); !read) return tl::unexpected(read.error());
-  auto tiles = number_tiles(map_, *layers, pictures_, choices.used_tiles,
-                            base_.sheet(SheetId::tiles).layout(), level_.palette[0], drops_, progress_);
+  auto tiles = number_tiles(map_, *layers, pictures_, choices, base_.sheet(SheetId::tiles).layout(),
+                            level_.palette[0], drops_, progress_);
   if (!tiles) return tl::unexpected(tiles.error());
   tiles_ = *std::move(tiles);
   take_layers(*layers);
+  TiledOrigin origin;
+  origin.frame = frame_of(tiles_, map_);
+  origin.layers = numbers_of(*layers);
   const SheetLayout layout{tiles_.columns, static_cast<int>(tiles_.sources.size())};
   if (!tiles_.keeps_numbers || layout.count < level_.tile_count()) forget_numbers();
   level_.set_tile_layout(layout);
@@ -571,6 +585,7 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
   if (!map_.background.empty() && map_.background != tiled_color(level_.palette[0]))
     drops_.add("\"backgroundcolor\" of the map, which is not colour 0");
   if (auto problem = problem_of_amounts(level_)) return tl::unexpected(FormatError{"", *std::move(problem)});
+  level_.tiled = std::make_shared<const TiledOrigin>(std::move(origin));
   return std::move(level_);
 }
 

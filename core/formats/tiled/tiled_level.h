@@ -13,8 +13,8 @@ namespace talus {
 // name a flag that the same tiles have by number, or else one that nothing is known about. Shapes: the first
 // outline of a tile that tile_shape_of knows, or else what comes nearest. It is one-way if `shape_one_way` is
 // true or, without that property, `one_way` of the outline. `collidable` without an outline is a solid tile.
-// If the picture has up to 16 colours, they become the palette. progress: receives how much of the level is
-// made.
+// The level's origin gets its layer and its frame. If the picture has up to 16 colours, they become the
+// palette. progress: receives how much of the level is made.
 FormatResult<Level> level_of_tiled(const TiledMap& map, const TiledPictures& pictures,
                                    const ImportChoices& choices, ImportDrops& drops,
                                    const Progress& progress = {});

@@ -119,6 +119,7 @@ struct TiledLayer {
 
 struct TiledMap {
   int width = 0, height = 0;  // cells
+  Cell first;                 // place of its first cell in the file; (0, 0) unless the map is infinite
   TileSize tile_size;         // of each cell
   std::string background;     // colour, see tiled_color; empty: not set
   std::vector<TiledTileset> tilesets;

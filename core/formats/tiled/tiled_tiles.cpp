@@ -59,6 +59,7 @@ class TileNumberer {
 
   FormatResult<TiledTiles> as_they_are();
   FormatResult<TiledTiles> used();
+  FormatResult<TiledTiles> again(const TiledFrame& frame);
 
  private:
   const TiledTileset& tileset(int i) const { return map_.tilesets[static_cast<std::size_t>(i)]; }
@@ -245,6 +246,7 @@ FormatResult<void> TileNumberer::free_tile_0() {
   const bool has_empty = std::any_of(layers_.begin(), layers_.end(), [](const TiledLayer* layer) {
     return std::find(layer->cells.begin(), layer->cells.end(), 0U) != layer->cells.end();
   });
+  tiles_.is_0_empty = has_empty || is_blank(tiles_.sources[0]);
   if (!has_empty || is_blank(tiles_.sources[0])) return {};
   auto blank = std::find_if(tiles_.sources.begin(), tiles_.sources.end(),
                             [&](const TiledSource& source) { return is_blank(source); });
@@ -309,6 +311,30 @@ FormatResult<TiledTiles> TileNumberer::used() {
   tiles_.sources.assign(rows * columns, {});
   std::copy(shown.begin(), shown.end(), tiles_.sources.begin() + 1);
   tiles_.keeps_numbers = false;
+  if (const auto filled = fill_map(*cells); !filled) return tl::unexpected(filled.error());
+  return std::move(tiles_);
+}
+
+FormatResult<TiledTiles> TileNumberer::again(const TiledFrame& frame) {
+  const auto cells = sources_of_cells();
+  if (!cells) return tl::unexpected(cells.error());
+  tiles_.columns = frame.columns;
+  tiles_.keeps_numbers = frame.keeps_numbers;
+  tiles_.sources.clear();
+  for (const std::uint32_t tile : frame.tiles) tiles_.sources.push_back(source_of(tile));
+  const std::set<TiledSource> known(tiles_.sources.begin(), tiles_.sources.end());
+  std::set<TiledSource> added;
+  for (const int i : frame.keeps_numbers ? shown_tilesets(*cells) : std::vector<int>()) {
+    for (int id = 0; id < grid_of(tileset(i)).count; ++id) added.insert({i, id, 0});
+  }
+  for (const auto& [cell, source] : *cells) {
+    if (source.tileset >= 0) added.insert(source);
+  }
+  for (const TiledSource& source : added) {
+    if (known.contains(source)) continue;
+    if (const auto done = add_tile(source); !done) return tl::unexpected(done.error());
+  }
+  if (const auto freed = free_tile_0(); !freed) return tl::unexpected(freed.error());
   if (const auto filled = fill_map(*cells); !filled) return tl::unexpected(filled.error());
   return std::move(tiles_);
 }
@@ -387,10 +413,29 @@ TiledPlace place_of_tile(const TiledMap& map, const TiledPictures& pictures, con
 }
 
 FormatResult<TiledTiles> number_tiles(const TiledMap& map, const std::vector<const TiledLayer*>& layers,
-                                      const TiledPictures& pictures, bool used_tiles, const SheetLayout& base,
-                                      Rgb background, ImportDrops& drops, const Progress& progress) {
+                                      const TiledPictures& pictures, const ImportChoices& choices,
+                                      const SheetLayout& base, Rgb background, ImportDrops& drops,
+                                      const Progress& progress) {
   TileNumberer numberer(map, layers, pictures, base, background, drops, progress);
-  return used_tiles ? numberer.used() : numberer.as_they_are();
+  if (choices.frame) return numberer.again(*choices.frame);
+  return choices.used_tiles ? numberer.used() : numberer.as_they_are();
+}
+
+TiledFrame frame_of(const TiledTiles& tiles, const TiledMap& map) {
+  TiledFrame frame{.tiles = {},
+                   .columns = tiles.columns,
+                   .is_0_empty = tiles.is_0_empty,
+                   .keeps_numbers = tiles.keeps_numbers,
+                   .x = map.first.x,
+                   .y = map.first.y,
+                   .width = map.width,
+                   .height = map.height};
+  for (const TiledSource& source : tiles.sources) {
+    const std::uint32_t first =
+        source.tileset < 0 ? 0 : map.tilesets[static_cast<std::size_t>(source.tileset)].first_gid;
+    frame.tiles.push_back(first == 0 ? 0 : (first + static_cast<std::uint32_t>(source.id)) | source.turn);
+  }
+  return frame;
 }
 
 SheetPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const TiledPictures& pictures,

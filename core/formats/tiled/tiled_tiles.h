@@ -33,6 +33,7 @@ struct TiledTiles {
   int columns = kCartColumns;                                               // of the level's sheet
   std::vector<TiledSource> sources = std::vector<TiledSource>(kCartTiles);  // by tile of the level
   std::vector<std::vector<TileNumber>> cells;                               // by layer, row by row
+  bool is_0_empty = true;     // whether tile 0 stands for empty cells, too
   bool keeps_numbers = true;  // whether each tile has the number of its tileset, or its place on the sheet
 };
 
@@ -42,10 +43,15 @@ struct TiledTiles {
 // the tilesets lie below one another. Tiles that the map turns become tiles of their own, behind the others.
 // Tile 0 is the empty one: if it is drawn and some cells are empty, it swaps its number with a blank one,
 // which is added behind the others if there is none. With `used_tiles` it gets only the tiles that the map
-// shows. progress: receives how many of the cells are numbered.
+// shows. With a frame all tiles keep the numbers that they have there, and those that it lacks come behind
+// them. progress: receives how many of the cells are numbered.
 FormatResult<TiledTiles> number_tiles(const TiledMap& map, const std::vector<const TiledLayer*>& layers,
-                                      const TiledPictures& pictures, bool used_tiles, const SheetLayout& base,
-                                      Rgb background, ImportDrops& drops, const Progress& progress);
+                                      const TiledPictures& pictures, const ImportChoices& choices,
+                                      const SheetLayout& base, Rgb background, ImportDrops& drops,
+                                      const Progress& progress);
+
+// How the tiles and cells are numbered now.
+TiledFrame frame_of(const TiledTiles& tiles, const TiledMap& map);
 
 // Where a tile is drawn in a cell that shows it: its bottom left corner is that of the cell, moved by the
 // offset of its tileset.

@@ -30,10 +30,11 @@ std::string with_note(std::string text, const std::string& note) {
   return text;
 }
 
-// The message about a level whose file cannot be saved.
-std::string import_text(const std::string& file, const std::vector<std::string>& dropped) {
-  std::string text = "Made a new level from " + file + "; saving asks for a file name.";
-  const char* separator = " Not in it: ";
+// The message about a level of another program's file. can_save: whether saving goes into that file.
+std::string import_text(const std::string& file, bool can_save, const std::vector<std::string>& dropped) {
+  std::string text =
+      can_save ? "Opened " + file + "." : "Made a new level from " + file + "; saving asks for a file name.";
+  const char* separator = can_save ? " Saving keeps what Talus does not show: " : " Not in it: ";
   for (const std::string& what : dropped) {
     text.append(separator).append(what);
     separator = "; ";
@@ -41,10 +42,18 @@ std::string import_text(const std::string& file, const std::vector<std::string>&
   return dropped.empty() ? text : text + ".";
 }
 
+// How to read the file of a level again, so that its tiles keep their numbers.
+ImportChoices choices_of(const Level& level) {
+  if (!level.tiled) return {};
+  const std::vector<int>& layers = level.tiled->layers;
+  return {.layer_number = layers.size() == 1 ? layers[0] + 1 : 0, .frame = level.tiled->frame};
+}
+
 std::string known_extensions() {
   std::vector<std::string_view> all;
   for (const Format& format : formats()) {
-    if (format.write) all.insert(all.end(), format.extensions.begin(), format.extensions.end());
+    if (format.write && !format.writes_back)
+      all.insert(all.end(), format.extensions.begin(), format.extensions.end());
   }
   return joined(all, ".");
 }
@@ -226,11 +235,13 @@ void FileHandler::take_opened(const action::OpenFile& file, OpenedFile opened) {
     return open_recording(file.path, *recording, opened.scenes);
   LoadedLevel& loaded = std::get<LoadedLevel>(opened.content);
   if (file.as_copy) {
+    loaded.level.tiled.reset();
     replace_level(std::move(loaded.level), {}, nullptr);
     const std::string file_name = last_name(file.path);
     name_ = file_name.substr(0, file_name.find('.')) + " (copy)";
-  } else if (loaded.format->write == nullptr) {
+  } else if (loaded.format->write == nullptr || loaded.format->writes_back) {
     open_imported(file.path, std::move(loaded));
+    if (stamp_) stamp_ = opened.stamp;
   } else {
     replace_level(std::move(loaded.level), loaded.path, loaded.format, std::move(loaded.companion));
     if (stamp_ && loaded.path == file.path) stamp_ = opened.stamp;
@@ -238,10 +249,12 @@ void FileHandler::take_opened(const action::OpenFile& file, OpenedFile opened) {
   }
 }
 
-// The name for a file that cannot be written.
 void FileHandler::open_imported(const std::string& file, LoadedLevel loaded) {
-  replace_level(std::move(loaded.level), file, loaded.format);
-  messages_.tell(with_note(import_text(last_name(file), loaded.dropped), loaded.note));
+  const bool can_save = loaded.format->write != nullptr;
+  replace_level(std::move(loaded.level), can_save ? loaded.path : file, loaded.format,
+                std::move(loaded.companion));
+  if (can_save && loaded.dropped.empty() && loaded.note.empty()) return;
+  messages_.tell(with_note(import_text(last_name(file), can_save, loaded.dropped), loaded.note));
 }
 
 template <>
@@ -341,10 +354,11 @@ void FileHandler::take_file_change(FilesChange found) {
 void FileHandler::reload() {
   is_reloading_ = true;
   note_file();  // first: a file that is written from now on is another change
-  reading_.read(open_.path, [this, file = open_.path](const Progress& progress) {
-    auto loaded = std::make_shared<FormatResult<LoadedLevel>>(load_level(file, {}, progress));
-    return FileReader::Finish([this, loaded] { take_reloaded(*loaded); });
-  });
+  reading_.read(
+      open_.path, [this, file = open_.path, choices = choices_of(open_.level)](const Progress& progress) {
+        auto loaded = std::make_shared<FormatResult<LoadedLevel>>(load_level(file, choices, progress));
+        return FileReader::Finish([this, loaded] { take_reloaded(*loaded); });
+      });
 }
 
 void FileHandler::take_reloaded(const FormatResult<LoadedLevel>& loaded) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -45,12 +46,13 @@ tl::unexpected<FormatError> was_cancelled();
 struct WrittenLevel {
   std::string bytes;                 // the whole file
   std::vector<std::string> dropped;  // one phrase each: "the BINARY chunk of bank 0"; empty: nothing was lost
+  std::shared_ptr<const Level> held = {};  // the level that the bytes alone give; null: reading them tells
 };
 
 // What to take from a file of another program that holds more than a level can.
 struct ImportChoices {
-  // The only tile layer to take, by name; if none has that name, by its number, from 1. Empty: all of them. Of
-  // a project of LDtk, the IntGrid whose values are the ground; empty: that with the most.
+  // The only tile layer to take, by name; if none has that name, by its number, from 1. Empty: all of them.
+  // Of a project of LDtk, the IntGrid whose values are the ground; empty: that with the most.
   std::string layer = {};
   int layer_number = 0;  // the same only by number, which goes before the name; 0: by name
   // The level to take of a project that has several, by name, or by WORLD/NAME in one with worlds; if none
@@ -59,6 +61,8 @@ struct ImportChoices {
   int level_number = 0;  // the same only by number, which goes before the name; 0: by name
   // Takes only the tiles that the map shows, with new numbers, also from several tilesets.
   bool used_tiles = false;
+  // Of a map of Tiled that was read before: how it was numbered then, so that it is numbered so again.
+  std::optional<TiledFrame> frame = {};
   friend bool operator==(const ImportChoices&, const ImportChoices&) = default;
 };
 
@@ -85,6 +89,7 @@ struct Format {
   // The keys of a native level (docs/formats.md) that such a file holds. Keys that it lacks, and all
   // others, go into its companion. Empty: it has no companion.
   std::span<const std::string_view> holds = {};
+  bool writes_back = false;  // whether it writes only levels that came from such a file, into that one
 };
 
 // Every format, in the order in which content is tried.

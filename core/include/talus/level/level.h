@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -57,6 +58,39 @@ struct CartOrigin {
   friend bool operator==(const CartOrigin&, const CartOrigin&) = default;
 };
 
+struct Level;
+
+// How a level numbers the tiles and cells of the map of Tiled that it came from.
+struct TiledFrame {
+  // By tile of the level, its number in cells of the map, with the bits that turn it. 0: no tileset has it.
+  std::vector<std::uint32_t> tiles;
+  int columns = kCartColumns;  // of the level's sheet of tiles
+  bool is_0_empty = true;      // whether tile 0 stands for empty cells, too
+  bool keeps_numbers = true;   // whether tiles have the numbers or the places of their tileset
+  // Cells of the map, where that of the level begins: other places than 0 are those of infinite maps.
+  int x = 0, y = 0;
+  int width = 0, height = 0;  // cells, of the level's map when it was read
+  friend bool operator==(const TiledFrame&, const TiledFrame&) = default;
+};
+
+// The map or the tileset of Tiled that a level came from, kept so that saving changes nothing of the file but
+// what was edited. formats/ alone looks inside.
+struct TiledOrigin {
+  // A tileset in a file of its own.
+  struct File {
+    std::string path;   // as it was opened
+    std::string bytes;  // the whole file, as read
+    friend bool operator==(const File&, const File&) = default;
+  };
+  std::string extension;       // of the name of the map's file, without the dot
+  std::string folder;          // of the map's file
+  std::string bytes;           // the whole file, as read
+  std::vector<File> tilesets;  // each file once
+  std::vector<int> layers;     // by layer of the level, which of the map's tile layers it is, from 0
+  TiledFrame frame;
+  std::shared_ptr<const Level> opened;  // what the files alone gave, without the cells of its map
+};
+
 // A plain value. Readers return, and writers and compile_scene() expect, a level within the ranges below.
 // Values outside are refused by writers (problem_of) and left out of the ground. Cells, brushes and the
 // ground's tiles hold numbers below tile_count(); functions that read them assert it.
@@ -78,6 +112,7 @@ struct Level {
   AutoTiles auto_tiles;                           // of the ground that is painted
   std::vector<ExportPreset> exports;              // at most kMaxExports
   std::shared_ptr<const CartOrigin> cart;         // null for a level that never was a cart
+  std::shared_ptr<const TiledOrigin> tiled;       // null for a level that did not come from Tiled
   std::string extra;  // JSON object of keys that this version does not know, or empty
 
   // How many tiles it has, 1 to kMaxTiles; they are numbered from 0.
@@ -99,7 +134,8 @@ struct Level {
   TileRole role_at(Cell cell) const { return role_of(tile_flags(map.at(cell)), roles); }
 };
 
-// The same content, whichever layer is chosen; carts are compared by their bytes.
+// The same content, whichever layer is chosen; carts are compared by their bytes, and maps of Tiled not at
+// all.
 bool operator==(const Level& a, const Level& b);
 
 // The shape of a tile: its own shape, or, if it has none, the shape of its flags.

@@ -1,0 +1,49 @@
+// TiledDocument: the text of a map or a tileset of Tiled, which is changed at places of it and stays as it is
+// everywhere else.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <talus/formats/format.h>
+
+namespace talus {
+
+// Cells of a tile layer that are stored together: all of them, or a part of an infinite map.
+struct TiledBlock {
+  int x = 0, y = 0, width = 0, height = 0;  // cells
+  std::vector<std::uint32_t> cells;         // row by row, as in TiledLayer
+  bool is_chunk = false;                    // whether the map is infinite
+};
+
+class TiledDocument {
+ public:
+  virtual ~TiledDocument() = default;
+
+  // Of a map with as many tile layers; groups do not count. layer: from 0, in the order of the file.
+  virtual int layer_count() const = 0;
+  virtual FormatResult<std::vector<TiledBlock>> blocks(int layer) const = 0;
+  // Puts other cells into a block, by its place in blocks(). A block that is no chunk may get another size.
+  virtual void put_cells(int layer, std::size_t block, const TiledBlock& content) = 0;
+  // Call it once for a layer.
+  virtual void add_chunks(int layer, const std::vector<TiledBlock>& chunks) = 0;
+  // Sets what differs of a layer: whether it is shown and locked, and its opacity.
+  virtual void set_looks(int layer, const TileLayer& before, const TileLayer& now) = 0;
+  // Sets the size of the map and of its tile layers.
+  virtual void set_size(int width, int height) = 0;
+
+  virtual std::string text() const = 0;  // with all changes
+};
+
+// bytes: a file that read_tiled() has read. They must live as long as the document.
+FormatResult<std::unique_ptr<TiledDocument>> tiled_xml_document(std::string_view bytes);
+FormatResult<std::unique_ptr<TiledDocument>> tiled_json_document(std::string_view bytes);
+FormatResult<std::unique_ptr<TiledDocument>> tiled_document(std::string_view bytes);
+
+// The last line break of a text.
+std::string_view line_end_of(std::string_view text);
+
+}  // namespace talus
