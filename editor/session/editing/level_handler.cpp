@@ -6,6 +6,8 @@
 #include <utility>
 #include <variant>
 
+#include "edit/layer_tools.h"
+
 namespace talus {
 
 template <>
@@ -15,19 +17,23 @@ void LevelHandler::carry_out(const action::EditLevel& a) {
 
 template <>
 void LevelHandler::carry_out(const action::ChooseLayer& a) {
-  if (a.layer < 0 || a.layer >= open_.level.layers.count()) return;
+  const int before = open_.level.layers.chosen;
+  if (a.layer < 0 || a.layer >= open_.level.layers.count() || a.layer == before) return;
   open_.level.choose_layer(a.layer);
   ++open_.revision;
+  note_layer(before);
 }
 
 template <>
 void LevelHandler::carry_out(const action::Undo&) {
   if (!open_.history.can_undo() || reader_.is_busy()) return;
   run_.begin_series();
+  const int layer = open_.level.layers.chosen;
   open_.history.undo(open_.level);
   const Edit& edit = open_.history.edits()[open_.history.position()];
   if (edit.selection) choices_.choose_cells(edit.selection->before);
   note_edit(edit);
+  note_layer(layer);
   note_step_of_history();
 }
 
@@ -35,10 +41,12 @@ template <>
 void LevelHandler::carry_out(const action::Redo&) {
   if (!open_.history.can_redo() || reader_.is_busy()) return;
   run_.begin_series();
+  const int layer = open_.level.layers.chosen;
   open_.history.redo(open_.level);
   const Edit& edit = open_.history.edits()[open_.history.position() - 1];
   if (edit.selection) choices_.choose_cells(edit.selection->after);
   note_edit(edit);
+  note_layer(layer);
   note_step_of_history();
 }
 
@@ -85,6 +93,7 @@ void LevelHandler::edit_by_user(const Edit& wanted, int stroke) {
     if (const auto* presets = std::get_if<ExportsChange>(&change))
       open_.permissions.note_edit(presets->before, presets->after);
   }
+  if (const auto problem = problem_of_painting(open_.level, wanted)) return messages_.tell_error(*problem);
   edit(wanted, stroke);
 }
 
@@ -117,6 +126,11 @@ void LevelHandler::note_edit(const Edit& edit) {
   ++open_.revision;
   run_.note_edit(edit);
   checks_.note_edit(edit);
+}
+
+// The map has the cells of another layer if another one is chosen.
+void LevelHandler::note_layer(int before) {
+  if (open_.level.layers.chosen != before) checks_.note_other_layer();
 }
 
 void LevelHandler::note_step_of_history() {

@@ -22,7 +22,8 @@ class LevelHandler {
 
   void apply(const LevelAction& action);
 
-  // As EditLevel. Exports that the user changes become allowed.
+  // As EditLevel. Exports that the user changes become allowed. What paints on a locked or hidden layer is
+  // refused with a message.
   void edit_by_user(const Edit& wanted, int stroke = 0);
   void edit(const Edit& wanted, int stroke = 0);  // by any part of the program
   void replace(Level opened);                     // opens another level, without a history
@@ -38,6 +39,7 @@ class LevelHandler {
   // Called for an edit that is done or undone: before it, and after it.
   bool wants_hidden_pixels(const Edit& edit) const;
   void note_edit(const Edit& edit);
+  void note_layer(int before);  // before: index of the layer that was chosen
   void note_step_of_history();
 
   int begin_stroke() { return ++open_.last_stroke; }  // returns a number that no edit has yet

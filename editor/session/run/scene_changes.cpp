@@ -1,6 +1,7 @@
 // Which changes of a level the simulation sees.
 #include "scene_changes.h"
 
+#include <algorithm>
 #include <type_traits>
 #include <variant>
 
@@ -15,6 +16,15 @@ bool same_physics(const Level& level, std::uint8_t flags_a, std::uint8_t flags_b
          shape_of_flags(level, flags_a) == shape_of_flags(level, flags_b);
 }
 
+// Whether layers differ at most in their looks.
+bool same_ground(const TileLayers& a, const TileLayers& b) {
+  const auto same = [](const TileLayer& x, const TileLayer& y) {
+    return x.is_ground == y.is_ground && x.cells == y.cells;
+  };
+  return a.chosen == b.chosen &&
+         std::equal(a.list.begin(), a.list.end(), b.list.begin(), b.list.end(), same);
+}
+
 // Whether the simulation can see a change. Painting pixels, or one plain tile over another, must not cost a
 // compilation.
 bool changes_scene(const Level& level, const Change& change) {
@@ -26,6 +36,8 @@ bool changes_scene(const Level& level, const Change& change) {
                  !same_physics(level, level.tile_flags(c.before), level.tile_flags(c.after));
         } else if constexpr (std::is_same_v<T, FlagsChange>) {
           return c.sheet == SheetId::tiles && !same_physics(level, c.before, c.after);
+        } else if constexpr (std::is_same_v<T, LayersChange>) {
+          return !same_ground(c.before, c.after);
         } else {
           return !(std::is_same_v<T, PixelChange> || std::is_same_v<T, ColorChange> ||
                    std::is_same_v<T, FlagNameChange> || std::is_same_v<T, FlagFieldsChange> ||
