@@ -10,7 +10,8 @@
 
 namespace talus {
 
-using TileColors = std::vector<Rgb>;  // by tile
+using TileColors = std::vector<Rgb>;            // by tile
+using TileOpacity = std::vector<std::uint8_t>;  // by tile, 0 is clear
 
 // Options of the picture.
 struct MapLook {
@@ -20,10 +21,26 @@ struct MapLook {
   friend bool operator==(const MapLook&, const MapLook&) = default;
 };
 inline constexpr int kTintPercent = 43;
+// The look of one layer of a map.
+struct LayerLook {
+  int layer = 0;          // index in Level::layers
+  bool is_opaque = true;  // else tile 0 of layers that are not at the back, colour 0 and what is clear in
+                          // true colour are clear
+  MapLook look;           // balls and tinted flags; of layers that are ground only
+  friend bool operator==(const LayerLook&, const LayerLook&) = default;
+};
 
 // Returns the commonest colour of each tile; if several are equally common, the first one in the palette. A
 // tile in true colour has the mean of its colours.
 TileColors tile_colors(const Level& level, const MapLook& look);
+
+// The tiles of a layer as a picture needs them.
+struct LayerPaint {
+  TileColors colors;    // of what is not clear
+  TileOpacity opacity;  // how much of the tile is not clear; empty: all of each tile
+};
+// Returns the tiles of a layer, each in one colour as tile_colors(). look.layer: of the level (asserted).
+LayerPaint layer_paint(const Level& level, const LayerLook& look);
 
 // The most cells that one pixel stands for, along each side.
 inline constexpr int kMaxBlock = 1 << 21;
@@ -33,5 +50,8 @@ inline constexpr int kMaxBlock = 1 << 21;
 // power of 2, 1..kMaxBlock.
 std::vector<std::uint8_t> map_picture(const TileMap& map, const TileColors& colors, Cell from, int block,
                                       int width, int height);
+// The same for a layer of a level; where its tiles are clear, so is the picture.
+std::vector<std::uint8_t> layer_picture(const Level& level, int layer, const LayerPaint& paint, Cell from,
+                                        int block, int width, int height);
 
 }  // namespace talus

@@ -32,7 +32,7 @@ void MapTextureCache::update(const Level& level, std::uint64_t revision, Ui& ui)
   revision_ = revision;
 }
 
-std::vector<MapTextures::Piece> MapTextureCache::pieces(const CellRect& cells, int block, const MapLook& look,
+std::vector<MapTextures::Piece> MapTextureCache::pieces(const CellRect& cells, int block, const LayerLook& look,
                                                         const OtherLevel* other) {
   std::vector<Piece> found;
   const OtherLevel shown = other != nullptr ? *other : OtherLevel{level_, revision_, 0};
@@ -43,7 +43,7 @@ std::vector<MapTextures::Piece> MapTextureCache::pieces(const CellRect& cells, i
   const auto index = [&](int cell) { return static_cast<int>(cell / side); };
   for (int row = index(part->y); row <= index(part->y + part->h - 1); ++row) {
     for (int column = index(part->x); column <= index(part->x + part->w - 1); ++column) {
-      const Key key{shown.place, block, look.hide_balls, column, row};
+      const Key key{shown.place, look.layer, block, look.look.hide_balls, column, row};
       Texture& texture = textures_[key];
       if (is_stale(texture, block, look, shown.number)) draw(texture, key, look, shown);
       texture.used = frame_;
@@ -62,17 +62,17 @@ std::vector<MapTextures::Piece> MapTextureCache::pieces(const CellRect& cells, i
   return found;
 }
 
-bool MapTextureCache::is_stale(const Texture& texture, int block, const MapLook& look,
+bool MapTextureCache::is_stale(const Texture& texture, int block, const LayerLook& look,
                                std::uint64_t revision) const {
   if (texture.name == 0 || texture.look != look) return true;
   return texture.revision != revision && (block == 1 || frame_ - texture.drawn >= kFramesBetween);
 }
 
-void MapTextureCache::draw(Texture& texture, const Key& key, const MapLook& look,
+void MapTextureCache::draw(Texture& texture, const Key& key, const LayerLook& look,
                            const OtherLevel& shown) const {
-  const auto [place, block, hides_balls, column, row] = key;
+  const auto [place, layer, block, hides_balls, column, row] = key;
   const Cell from{column * kSide * block, row * kSide * block};
-  auto rgba = map_picture(shown.level->map, tile_colors(*shown.level, look), from, block, kSide, kSide);
+  auto rgba = layer_picture(*shown.level, layer, layer_paint(*shown.level, look), from, block, kSide, kSide);
   texture.revision = shown.number;
   texture.look = look;
   texture.drawn = frame_;

@@ -23,7 +23,7 @@ class MapTextureCache : public MapTextures {
 
   // Call it at the start of a frame. level: valid until the next call. revision: of the level, as in Session.
   void update(const Level& level, std::uint64_t revision, Ui& ui);
-  std::vector<Piece> pieces(const CellRect& cells, int block, const MapLook& look,
+  std::vector<Piece> pieces(const CellRect& cells, int block, const LayerLook& look,
                             const OtherLevel* other) override;
 
  private:
@@ -35,16 +35,16 @@ class MapTextureCache : public MapTextures {
   struct Texture {
     unsigned name = 0;
     std::vector<std::uint8_t> rgba;     // content of the texture
-    MapLook look;                       // the look that it has
+    LayerLook look;                     // the look that it has
     std::uint64_t revision = 0;         // of the level that it shows
     std::uint64_t drawn = 0, used = 0;  // frames
   };
-  // Key of a texture: place of the other level (0: the edited one), block, whether balls are hidden, column
-  // and row among those of the same kind.
-  using Key = std::tuple<int, int, bool, int, int>;
+  // Key of a texture: place of the other level (0: the edited one), layer, block, whether balls are hidden,
+  // column and row among those of the same kind.
+  using Key = std::tuple<int, int, int, bool, int, int>;
 
-  bool is_stale(const Texture& texture, int block, const MapLook& look, std::uint64_t revision) const;
-  void draw(Texture& texture, const Key& key, const MapLook& look, const OtherLevel& shown) const;
+  bool is_stale(const Texture& texture, int block, const LayerLook& look, std::uint64_t revision) const;
+  void draw(Texture& texture, const Key& key, const LayerLook& look, const OtherLevel& shown) const;
   void forget_oldest();
 
   const Level* level_ = nullptr;

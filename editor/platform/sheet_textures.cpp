@@ -67,7 +67,7 @@ void SheetTextures::update(const Level& level, std::uint64_t revision, Ui& ui) {
     return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(names_[i]));
   };
   ui.sheets = {id(0), id(1)};
-  ui.balls = id(2);
+  ui.clear_tiles = id(2);
   for (std::size_t i = 0; i < ui.layouts.size(); ++i) ui.layouts[i] = level.sheets[i].layout();
   if (revision_ == revision) return;
   revision_ = revision;

@@ -7,6 +7,7 @@
 #include "app.h"
 #include "edit/level_settings.h"
 #include "panels/canvas/canvas_layers.h"
+#include "panels/canvas/tile_drawing.h"
 #include "panels/window/panel_list.h"
 #include "picture.h"
 
@@ -79,7 +80,7 @@ tl::expected<void, std::string> write_shot(const Session& session, const ShotOpt
                         zoom,
                         session.level().map.tile_size()};
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  draw_tiles(list, session.level(), view, ui, true);
+  draw_tiles(list, session.level(), view, ui, {.hide_balls = true});
   draw_curves(list, session.level(), view, ui.scale);
   draw_bodies(list, session, session.level(), view, ui, 255);
   draw_overlays(list, session, options.overlays, view, ui.scale);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "ball_room.h"
+#include "edit/layer_tools.h"
 #include "edit/level_settings.h"
 
 namespace talus::level_at_frame_test {
@@ -102,6 +103,42 @@ TEST_F(LevelOfAFrame, AfterAnUndoneStrokeIsTheLevelOfTheSession) {
   session_.apply(action::SeekFrame{12});
   show();
   EXPECT_EQ(tile_at({5, 3}), kRoomSolid);
+}
+
+TEST_F(LevelOfAFrame, ComparesTheCellsOfAllLayers) {
+  session_.apply(action::EditLevel{add_layer(session_.level())});
+  steps(10);
+  paint({5, 3});
+  session_.apply(action::ChooseLayer{0});
+  paint({6, 4});
+  steps(10);
+  session_.apply(action::SeekFrame{9});
+  show();
+  ASSERT_TRUE(level_at_frame_.is_other());
+  EXPECT_THAT(level_at_frame_.changed(), ElementsAre(Cell{5, 3}, Cell{6, 4}));
+}
+
+TEST_F(LevelOfAFrame, HasTheLooksThatLayersHaveNow) {
+  steps(10);
+  paint({5, 3});
+  TileLayer looks = session_.level().layers.list[0];
+  looks.opacity = 0.5;
+  session_.apply(action::EditLevel{set_layer_looks(session_.level(), 0, looks)});
+  steps(10);
+  session_.apply(action::SeekFrame{9});
+  show();
+  ASSERT_TRUE(level_at_frame_.is_other());
+  EXPECT_EQ(level_at_frame_.level(session_).layers.list[0].opacity, 0.5);
+}
+
+TEST_F(LevelOfAFrame, ReportsAnotherNumberOfLayers) {
+  steps(10);
+  session_.apply(action::EditLevel{add_layer(session_.level())});
+  steps(10);
+  session_.apply(action::SeekFrame{9});
+  show();
+  EXPECT_EQ(level_at_frame_.caption(),
+            "Level as it was at this frame (other: layers); edits go to the newest");
 }
 
 }  // namespace talus::level_at_frame_test

@@ -109,4 +109,48 @@ TEST(MapPicture, TheLongestRowFitsAPixel) {
             (Rgb{255, 255, 255}));
 }
 
+TEST(MapPicture, LayersInFrontAreClearWhereTheyShowNothing) {
+  Level level = picture_level(2, 1);
+  level.sheet(SheetId::tiles).images[1][1] = 0;
+  level.map.cells() = {1, 0};
+  level.layers.list = {{.cells = std::make_shared<const std::vector<TileNumber>>(2)}, {}};
+  level.layers.chosen = 1;
+  const auto picture = [&](const LayerLook& look, int block) {
+    return layer_picture(level, look.layer, layer_paint(level, look), {0, 0}, block, 2, 1);
+  };
+  const auto front = picture({1, false, {}}, 1);
+  EXPECT_EQ(pixel(front, 0), kRed);
+  EXPECT_EQ(alpha(front, 0), 255 * 63 / 64) << "one pixel of 64 has colour 0";
+  EXPECT_EQ(alpha(front, 1), 0) << "tile 0";
+  const auto block = picture({1, false, {}}, 2);
+  EXPECT_NEAR(pixel(block, 0).r, kRed.r, 2) << "what is clear does not darken the rest";
+  EXPECT_EQ(alpha(block, 0), 255 * 63 / 64 / 2);
+  const auto back = picture({0, true, {}}, 1);
+  EXPECT_EQ(pixel(back, 0), kBlack);
+  EXPECT_EQ(alpha(back, 0), 255);
+}
+
+TEST(MapPicture, OnlyGroundHidesItsBalls) {
+  Level level = picture_level(1, 1);
+  level.layers.list = {{.cells = std::make_shared<const std::vector<TileNumber>>(1)}, {}};
+  level.layers.chosen = 1;
+  LayerLook look{1, false, {}};
+  look.look.hide_balls = true;
+  EXPECT_EQ(layer_paint(level, look).opacity[2], 0);
+  level.layers.list[1].is_ground = false;
+  EXPECT_EQ(layer_paint(level, look).opacity[2], 255);
+}
+
+TEST(MapPicture, LayersInTrueColourKeepTheirOpacity) {
+  Level level = picture_level(1, 1);
+  level.set_tile_layout({2, 2});
+  SheetPicture picture{16, 8, std::vector<std::uint8_t>(16 * 8 * 4, 200)};
+  for (std::size_t i = 3; i < picture.rgba.size(); i += 4)
+    if (i / 4 % 8 < 4) picture.rgba[i] = 0;  // clear in the left half
+  level.sheet(SheetId::tiles).picture = std::make_shared<const SheetPicture>(std::move(picture));
+  const LayerPaint paint = layer_paint(level, {0, false, {}});
+  EXPECT_EQ(paint.colors[1], (Rgb{200, 200, 200})) << "not mixed with what is below";
+  EXPECT_EQ(paint.opacity[1], 100);
+}
+
 }  // namespace talus::map_picture_test

@@ -12,59 +12,13 @@
 #include "overlay/visible_items.h"
 #include "overlay_painter.h"
 #include "session/run/scene_compiler.h"
+#include "tile_drawing.h"
 
 namespace talus {
 namespace {
 
-constexpr float kFarZoom = 0.25f;
 constexpr float kLeastScreen = 16;    // px of the screen: closer borders would cover everything
 constexpr double kSamePlace = 0.005;  // px: closer bodies hide one another
-
-// The visible cells of the map.
-struct CellSpan {
-  int x0, y0, x1, y1;  // half open
-};
-CellSpan visible_cells(const TileMap& map, const CanvasView& view) {
-  const Cell from = view.to_cell(view.min), to = view.to_cell(view.max);
-  return {std::clamp(from.x, 0, map.width()), std::clamp(from.y, 0, map.height()),
-          std::clamp(to.x + 1, 0, map.width()), std::clamp(to.y + 1, 0, map.height())};
-}
-
-bool is_clear(const SheetPicture& picture, TileSize tile) {  // tile 0 of it
-  for (int y = 0; y < tile.height; ++y)
-    for (int x = 0; x < tile.width; ++x)
-      if (picture.at(x, y)[3] != 0) return false;
-  return true;
-}
-
-// The colour, 0..15, that tile 0 shows in all of its pixels; nothing if it has several, or is in true colour.
-std::optional<std::uint8_t> plain_color_of_tile_0(const Level& level) {
-  const Sheet& sheet = level.sheet(SheetId::tiles);
-  if (sheet.picture != nullptr)
-    return is_clear(*sheet.picture, level.map.tile_size()) ? std::optional(std::uint8_t{0}) : std::nullopt;
-  const TileImage& image = sheet.images[0];
-  const bool is_plain = std::all_of(image.begin(), image.end(), [&](int pixel) { return pixel == image[0]; });
-  return is_plain ? std::optional(image[0]) : std::nullopt;
-}
-
-constexpr int kNothing = -1;
-using ShownTiles = std::vector<int>;  // by tile: what is drawn for it, or kNothing
-
-// The cells from `from` to column `end` of a row, all at once: a screen may have a hundred thousand.
-void draw_row(ImDrawList& list, const TileMap& map, Cell from, int end, const ShownTiles& shown,
-              const CanvasView& view, const Ui& ui) {
-  int count = 0;
-  for (Cell cell = from; cell.x < end; ++cell.x) count += shown[map.at(cell)] == kNothing ? 0 : 1;
-  if (count == 0) return;
-  list.PrimReserve(6 * count, 4 * count);
-  for (Cell cell = from; cell.x < end; ++cell.x) {
-    const int tile = shown[map.at(cell)];
-    if (tile == kNothing) continue;
-    const UvRect uv = ui.uv_of(tile);
-    list.PrimRectUV(view.corner_of({cell.x, cell.y}), view.corner_of({cell.x + 1, cell.y + 1}), uv.from,
-                    uv.to, IM_COL32_WHITE);
-  }
-}
 
 int first_ball_tile(const Level& level) {  // -1: there is none
   for (int tile = 0; tile < level.tile_count(); ++tile)
@@ -72,11 +26,22 @@ int first_ball_tile(const Level& level) {  // -1: there is none
   return -1;
 }
 
-// The image of a body: its own tile, or the first ball tile; -1 if there is none.
-int image_of(const Level& level, const Body& body, int first_ball) {
-  if (body.origin.spawn < 0 && level.map.contains(body.origin.cell) &&
-      is_ball_tile(level, level.map.at(body.origin.cell)))
-    return level.map.at(body.origin.cell);
+// Where bodies have their images from.
+struct BodyImages {
+  explicit BodyImages(const Level& its_level)
+      : level(its_level), layers(ground_layers(its_level)), first_ball(first_ball_tile(its_level)) {}
+  const Level& level;
+  std::vector<LayerCells> layers;
+  int first_ball;
+};
+
+// The image of a body: its own tile, of the layer in front, or the first ball tile; -1 if there is none.
+int image_of(const BodyImages& images, const Body& body) {
+  const auto& [level, layers, first_ball] = images;
+  if (body.origin.spawn >= 0 || !level.map.contains(body.origin.cell)) return first_ball;
+  const auto at = static_cast<std::size_t>(body.origin.cell.y) * level.map.width() + body.origin.cell.x;
+  for (auto cells = layers.rbegin(); cells != layers.rend(); ++cells)
+    if (is_ball_tile(level, (**cells)[at])) return (**cells)[at];
   return first_ball;
 }
 
@@ -94,15 +59,15 @@ void draw_figure(ImDrawList& list, ImVec2 from, ImVec2 to, Foot foot, int alpha)
                      theme::color(theme::kText, alpha));
 }
 
-void draw_body(ImDrawList& list, const Level& level, const Body& body, int first_ball, const CanvasView& view,
+void draw_body(ImDrawList& list, const BodyImages& images, const Body& body, const CanvasView& view,
                const Ui& ui, int alpha) {
   const ImVec2 from = view.to_screen({body.box.x, body.box.y});
   const ImVec2 to = view.to_screen({body.box.right(), body.box.bottom()});
   if (traits_of(body.kind).look == BodyLook::figure) return draw_figure(list, from, to, body.foot, alpha);
-  const int tile = image_of(level, body, first_ball);
+  const int tile = image_of(images, body);
   if (tile >= 0) {
     const UvRect uv = ui.uv_of(tile);
-    list.AddImage(ui.balls, from, to, uv.from, uv.to, IM_COL32(255, 255, 255, alpha));
+    list.AddImage(ui.clear_tiles, from, to, uv.from, uv.to, IM_COL32(255, 255, 255, alpha));
   } else {
     list.AddCircleFilled({(from.x + to.x) / 2, (from.y + to.y) / 2}, (to.x - from.x) / 2,
                          theme::color(theme::kText, alpha));
@@ -110,44 +75,6 @@ void draw_body(ImDrawList& list, const Level& level, const Body& body, int first
 }
 
 }  // namespace
-
-void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, const Ui& ui, bool hide_balls) {
-  list.AddRectFilled(view.min, view.max, theme::color(theme::kOutside));
-  const CellSpan cells = visible_cells(level.map, view);
-  if (cells.x0 >= cells.x1 || cells.y0 >= cells.y1) return;
-  // Most cells of most maps hold tile 0 in one colour: one rectangle below all replaces a square for each.
-  const std::optional<std::uint8_t> plain = plain_color_of_tile_0(level);
-  const bool skip_empty = plain.has_value();
-  list.AddRectFilled(view.corner_of({cells.x0, cells.y0}), view.corner_of({cells.x1, cells.y1}),
-                     theme::color(level.palette[plain.value_or(0)]));
-  ShownTiles shown(static_cast<std::size_t>(level.tile_count()));
-  for (int tile = 0; tile < level.tile_count(); ++tile) {
-    const bool hidden = hide_balls && is_ball_tile(level, static_cast<TileNumber>(tile));
-    const int looks = hidden ? 0 : tile;  // a ball's cell shows tile 0
-    shown[static_cast<std::size_t>(tile)] = looks == 0 && skip_empty ? kNothing : looks;
-  }
-  list.PushTextureID(ui.sheet(SheetId::tiles));
-  for (int y = cells.y0; y < cells.y1; ++y)
-    draw_row(list, level.map, {cells.x0, y}, cells.x1, shown, view, ui);
-  list.PopTextureID();
-}
-
-bool is_far(const CanvasView& view) { return view.zoom <= kFarZoom; }
-
-void draw_far_tiles(ImDrawList& list, const TileMap& map, const CanvasView& view, const Ui& ui,
-                    const MapLook& look, const OtherLevel* other) {
-  if (ui.map_textures == nullptr) return;
-  const CellSpan span = visible_cells(map, view);
-  if (span.x0 >= span.x1 || span.y0 >= span.y1) return;
-  const int smaller = std::min(view.tile.width, view.tile.height);
-  int block = 1;  // cells for each texel; a texel is at least half a pixel
-  while (block < kMaxBlock && static_cast<float>(block * smaller) * view.zoom <= 0.5f) block *= 2;
-  const CellRect cells{span.x0, span.y0, span.x1 - span.x0, span.y1 - span.y0};
-  for (const MapTextures::Piece& piece : ui.map_textures->pieces(cells, block, look, other))
-    list.AddImage(piece.texture, view.corner_of({piece.cells.x, piece.cells.y}),
-                  view.corner_of({piece.cells.x + piece.cells.w, piece.cells.y + piece.cells.h}), {0, 0},
-                  piece.uv);
-}
 
 void draw_curves(ImDrawList& list, const Level& level, const CanvasView& view, float scale) {
   if (level.curves.empty()) return;
@@ -171,9 +98,16 @@ ImU32 flag_color(int flag, int alpha) {
 void draw_flag_tint(ImDrawList& list, const Level& level, const CanvasView& view, FlagPattern pattern) {
   const int flag = pattern.lowest_flag();
   const CellSpan cells = visible_cells(level.map, view);
+  std::vector<LayerCells> layers = ground_layers(level);
+  if (!level.layers.list[static_cast<std::size_t>(level.layers.chosen)].is_ground)
+    layers.push_back(&level.map.cells());
   for (int y = cells.y0; y < cells.y1; ++y) {
     for (int x = cells.x0; x < cells.x1; ++x) {
-      if (!pattern.matches(level.tile_flags(level.map.at({x, y})))) continue;
+      const auto at = static_cast<std::size_t>(y) * level.map.width() + x;
+      const bool matches = std::any_of(layers.begin(), layers.end(), [&](LayerCells tiles) {
+        return pattern.matches(level.tile_flags((*tiles)[at]));
+      });
+      if (!matches) continue;
       const ImVec2 from = view.corner_of({x, y}), to = view.corner_of({x + 1, y + 1});
       list.AddRectFilled(from, to, flag_color(flag, 110));
       if (view.zoom >= 2) list.AddRect(from, to, flag_color(flag, 220));
@@ -237,9 +171,9 @@ void draw_bodies(ImDrawList& list, const Session& session, const Level& level, c
 void draw_state(ImDrawList& list, const State& state, int chosen_body, const Level& level,
                 const CanvasView& view, const Ui& ui, int alpha) {
   const Rect visible = view.visible();
-  const int ball = first_ball_tile(level);
+  const BodyImages images(level);
   for (const Body& body : state.bodies) {
-    if (meet(body.box, visible)) draw_body(list, level, body, ball, view, ui, alpha);
+    if (meet(body.box, visible)) draw_body(list, images, body, view, ui, alpha);
   }
   if (const Body* chosen = state.find(chosen_body)) {
     const float gap = ui.px(2);

@@ -12,17 +12,9 @@
 
 namespace talus {
 
-// The tiles of the map, and what lies beyond its edge. `hide_balls`: leaves out ball tiles, as in play.
-void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, const Ui& ui, bool hide_balls);
-// The same at low zoom, in blocks of one colour; draws nothing without MapTextures. other: shows this level
-// with its map instead of the edited one.
-void draw_far_tiles(ImDrawList& list, const TileMap& map, const CanvasView& view, const Ui& ui,
-                    const MapLook& look, const OtherLevel* other = nullptr);
-// Whether a canvas shows the map at such a low zoom: a cell has few pixels of the screen, or less than one.
-bool is_far(const CanvasView& view);
 // The level's curves; muted if the solver ignores them.
 void draw_curves(ImDrawList& list, const Level& level, const CanvasView& view, float scale);
-// Tints the cells whose tile matches.
+// Tints the cells with a tile that matches in the chosen layer or one that is ground.
 void draw_flag_tint(ImDrawList& list, const Level& level, const CanvasView& view, FlagPattern pattern);
 ImU32 flag_color(int flag, int alpha);  // the tint of a flag, the same in the legend and the panels
 void draw_grid(ImDrawList& list, const TileMap& map, const CanvasView& view);

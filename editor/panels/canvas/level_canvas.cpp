@@ -19,6 +19,7 @@
 #include "play_keys.h"
 #include "selection_drawing.h"
 #include "shape_drawing.h"
+#include "tile_drawing.h"
 
 namespace talus {
 namespace {
@@ -69,13 +70,16 @@ std::string cursor_hint(const Ui& ui) {
 }
 
 // Estimates how much of the map's drawing a box hides, at places that are kStep px apart.
-int tiles_below(const TileMap& map, const ScreenBox& box, const CanvasView& view) {
+int tiles_below(const Level& level, const ScreenBox& box, const CanvasView& view) {
   constexpr float kStep = 4;
   int count = 0;
   for (float y = box.min.y; y <= box.max.y; y += kStep) {
     for (float x = box.min.x; x <= box.max.x; x += kStep) {
       const Cell cell = view.to_cell({x, y});
-      if (map.contains(cell) && map.at(cell) != 0) ++count;
+      if (!level.map.contains(cell)) continue;
+      const auto at = static_cast<std::size_t>(cell.y) * level.map.width() + cell.x;
+      for (int layer = 0; layer < level.layers.count(); ++layer)
+        if (level.cells_of(layer)[at] != 0) ++count;
     }
   }
   return count;
@@ -122,7 +126,7 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
   if (holding_ && !session.playback().running) draw_held(session, view, ui);
   draw_captions(session, view, ui);
   sheet_overlay_.draw(list, session, view, ui);
-  if (has_minimap(ui)) minimap_.draw(list, session.level().map, view, ui, name_ + "/overview");
+  if (has_minimap(ui)) minimap_.draw(list, session.level(), view, ui, name_ + "/overview");
   ui.view.canvas.cursor.draw(name_, list, view, ui.scale);
   list.PopClipRect();
 }
@@ -336,11 +340,11 @@ void LevelCanvas::draw_ground(const Session& session, const LevelAtFrame* then, 
   if (far) {
     const OtherLevel other{&level, is_other ? then->number() : 0, place};
     list.AddRectFilled(view.min, view.max, theme::color(theme::kOutside));
-    draw_far_tiles(list, level.map, view, ui,
-                   {is_play(), tint, tint ? rgb_of(flag_color(tint->lowest_flag(), 255)) : Rgb{}},
+    draw_far_tiles(list, level, view, ui,
+                   {is_play(), tint, tint ? rgb_of(flag_color(tint->lowest_flag(), 255)) : Rgb{}}, is_play(),
                    is_other ? &other : nullptr);
   } else {
-    draw_tiles(list, level, view, ui, is_play());
+    draw_tiles(list, level, view, ui, {.hide_balls = is_play(), .parallax = is_play()});
   }
   if (is_other) draw_marked_cells(list, then->changed(), view);
   draw_curves(list, level, view, ui.scale);
@@ -423,8 +427,8 @@ ScreenBox LevelCanvas::captions_box(const Session& session, const CanvasView& vi
   const float flags = session.choices().flag_overlay ? line : 0;  // tinted cells, below
   const float down = view.max.y - box.max.y - gap - flags;
   const ScreenBox low{{box.min.x, box.min.y + down}, {box.max.x, box.max.y + down}};
-  const TileMap& map = session.level().map;
-  return tiles_below(map, low, view) < tiles_below(map, box, view) ? low : box;
+  const Level& level = session.level();
+  return tiles_below(level, low, view) < tiles_below(level, box, view) ? low : box;
 }
 
 // Beside the captions, or below them if there is no room.

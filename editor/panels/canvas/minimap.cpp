@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "canvas_layers.h"
+#include "tile_drawing.h"
 
 namespace talus {
 namespace {
@@ -64,12 +64,15 @@ bool Minimap::update(const TileMap& map, const CanvasView& view, const Ui& ui, b
   return over || dragging_;
 }
 
-void Minimap::draw(ImDrawList& list, const TileMap& map, const CanvasView& view, Ui& ui,
+void Minimap::draw(ImDrawList& list, const Level& level, const CanvasView& view, Ui& ui,
                    std::string_view name) const {
-  const CanvasView place = place_of(map, view, ui);
+  const CanvasView place = place_of(level.map, view, ui);
   list.AddRectFilled({place.min.x - 2, place.min.y - 2}, {place.max.x + 2, place.max.y + 2},
                      theme::color(theme::kDark, 230));
-  draw_far_tiles(list, map, place, ui, {});
+  // Layers may lie beyond the map.
+  list.PushClipRect({place.min.x - 1, place.min.y - 1}, {place.max.x + 1, place.max.y + 1}, true);
+  draw_far_tiles(list, level, place, ui, {});
+  list.PopClipRect();
   draw_shown(list, place, view, ui);
   list.AddRect({place.min.x - 2, place.min.y - 2}, {place.max.x + 2, place.max.y + 2},
                theme::color(theme::kMuted));

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include <talus/level/tile_map.h>
+#include <talus/level/level.h>
 #include "camera.h"
 #include "panels/ui/ui.h"
 
@@ -17,7 +17,7 @@ class Minimap {
   bool update(const TileMap& map, const CanvasView& view, const Ui& ui, bool hovered,
               std::optional<Vec2>& centre);
   // `name`: of its widget.
-  void draw(ImDrawList& list, const TileMap& map, const CanvasView& view, Ui& ui,
+  void draw(ImDrawList& list, const Level& level, const CanvasView& view, Ui& ui,
             std::string_view name) const;
 
  private:

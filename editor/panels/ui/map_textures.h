@@ -27,9 +27,9 @@ class MapTextures {
     ImVec2 uv;
   };
   virtual ~MapTextures() = default;
-  // The textures that cover the part of `cells` on the map, one texel for each block of cells. Valid in this
-  // frame only. block: a power of 2. other: the level to show instead; null: the edited one.
-  virtual std::vector<Piece> pieces(const CellRect& cells, int block, const MapLook& look,
+  // The textures of a layer that cover the part of `cells` on the map, one texel for each block of cells.
+  // Valid in this frame only. block: a power of 2. other: the level to show instead; null: the edited one.
+  virtual std::vector<Piece> pieces(const CellRect& cells, int block, const LayerLook& look,
                                     const OtherLevel* other) = 0;
 };
 

@@ -39,7 +39,7 @@ class Ui {
   std::array<SheetLayout, 2> layouts{};  // by SheetId, of the images
   MapTextures* map_textures = nullptr;   // null: the map is drawn tile by tile at any zoom
   ImTextureID preview{};                 // the sheet as an import would change it, while that is shown
-  ImTextureID balls{};                   // the sheet of tiles with colour 0 clear, for bodies
+  ImTextureID clear_tiles{};             // the sheet of tiles with colour 0 clear, for bodies and layers
   // The problems of the level; never null in a frame. Not updated while a button is held, so that a stroke on
   // a huge map need not wait for the lint in each frame.
   const std::vector<Problem>* problems = nullptr;
