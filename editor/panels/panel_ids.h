@@ -14,6 +14,7 @@ inline constexpr std::string_view kTuning = "tuning";
 inline constexpr std::string_view kBrushes = "brushes";
 inline constexpr std::string_view kProblems = "problems";
 inline constexpr std::string_view kHistory = "history";
+inline constexpr std::string_view kLayers = "layers";
 inline constexpr std::string_view kFlagSearch = "flag_search";
 inline constexpr std::string_view kInputRoll = "input_roll";
 inline constexpr std::string_view kPlots = "plots";

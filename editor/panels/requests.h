@@ -57,6 +57,10 @@ struct FitMap {};
 struct FitFirstScreen {};
 // To the problems panel: scrolls to the chosen problem.
 struct ShowProblem {};
+// To the panel of layers: begins to rename a layer.
+struct RenameLayer {
+  int layer = 0;  // index in Level::layers
+};
 // To the breakpoints panel: takes this cell as the place of the new breakpoint.
 struct PutBreakpointAt {
   Cell cell;
@@ -74,8 +78,8 @@ struct OpenProgram {
 
 using Request = std::variant<request::ShowTab, request::FocusField, request::FocusPanel, request::ShowCell,
                              request::Scroll, request::Zoom, request::FitMap, request::FitFirstScreen,
-                             request::ShowProblem, request::PutBreakpointAt, request::ShowFileDialog,
-                             request::OpenProgram>;
+                             request::ShowProblem, request::RenameLayer, request::PutBreakpointAt,
+                             request::ShowFileDialog, request::OpenProgram>;
 
 class Requests {
  public:

@@ -10,11 +10,13 @@ struct Row {
   int key;
   SDL_Keycode sdl;
 };
-constexpr std::array<Row, 11> kRows = {{{kKeyTab, SDLK_TAB},
+constexpr std::array<Row, 13> kRows = {{{kKeyTab, SDLK_TAB},
                                         {kKeyDelete, SDLK_DELETE},
                                         {kKeyEscape, SDLK_ESCAPE},
                                         {kKeyHome, SDLK_HOME},
                                         {kKeyEnd, SDLK_END},
+                                        {kKeyPageUp, SDLK_PAGEUP},
+                                        {kKeyPageDown, SDLK_PAGEDOWN},
                                         {kKeyLeft, SDLK_LEFT},
                                         {kKeyRight, SDLK_RIGHT},
                                         {kKeyUp, SDLK_UP},

@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 // For each action, the command that does it, or that leads to the place where keys do it.
 const std::map<std::string, std::string> kCommandOfAction = {
     {"EditLevel", "flags/switch0"},
+    {"ChooseLayer", "layers/above"},
     {"Undo", "edit/undo"},
     {"Redo", "edit/redo"},
     {"NewLevel", "file/new"},
@@ -106,7 +107,6 @@ const std::map<std::string, std::string> kWithoutCommand = {
     {"SetLevelImport", "a choice in a dialog, which has keys of its own"},
     {"ApplyLevelImport", "an answer of that dialog"},
     {"CancelLevelImport", "an answer of that dialog"},
-    {"ChooseLayer", "a row of the list of layers, which undo chooses, too"},
     {"AnswerQuestion", "an answer of a dialog"},
     {"CancelSaveAs", "an answer of a dialog"},
     {"CheckFile", "done by itself every second"},

@@ -19,6 +19,7 @@ std::vector<Command> program_commands();     // work everywhere, too
 std::vector<Command> tool_commands();        // work in the sprites
 std::vector<Command> map_commands();         // work in the map: its tools and its selection
 std::vector<Command> brush_commands();       // work in the map: brushes, ground, minimap
+std::vector<Command> layer_commands();       // work in the map, on its layers
 std::vector<Command> flag_commands();        // work everywhere
 std::vector<Command> picture_commands();     // work everywhere
 std::vector<Command> export_commands();      // work everywhere

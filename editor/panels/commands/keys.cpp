@@ -28,6 +28,10 @@ std::string key_name(int key) {
       return "Down";
     case kKeyEnter:
       return "Enter";
+    case kKeyPageUp:
+      return "PageUp";
+    case kKeyPageDown:
+      return "PageDown";
     case kKeyBackspace:
       return "Backspace";
     case ' ':

@@ -15,6 +15,8 @@ enum Key : int {
   kKeyEscape,
   kKeyHome,
   kKeyEnd,
+  kKeyPageUp,
+  kKeyPageDown,
   kKeyLeft,
   kKeyRight,
   kKeyUp,

@@ -27,6 +27,8 @@ inline constexpr MenuPlace kEditUndo{"Edit", 0}, kEditShape{"Edit", 1}, kEditFla
 
 inline constexpr MenuPlace kMapTools{"Map", 0}, kMapSelection{"Map", 1}, kMapBrushes{"Map", 2},
     kMapSearch{"Map", 3};
+inline constexpr MenuPlace kLayerChoice{"Map/Layers", 0}, kLayerChanges{"Map/Layers", 1},
+    kLayerSwitches{"Map/Layers", 2};
 
 inline constexpr MenuPlace kSpritesSelection{"Sprites", 0}, kSpritesTools{"Sprites", 1},
     kSpritesChanges{"Sprites", 2}, kSpritesPalette{"Sprites", 3}, kSpritesView{"Sprites", 4};

@@ -132,7 +132,10 @@ constexpr Glyph kGlyphs[] = {
     {Icon::frame, 0xf096, "F"},        {Icon::ellipse, 0xf1db, "O"},     {Icon::enlarge, 0xf065, "[+]"},
     {Icon::rotate, 0xf01e, "R"},       {Icon::clear, 0xf014, "C"},       {Icon::grid, 0xf00a, "#"},
     {Icon::minimap, 0xf278, "M"},      {Icon::dice, 0xf074, "~"},        {Icon::zoom_in, 0xf00e, "+"},
-    {Icon::zoom_out, 0xf010, "-"},     {Icon::close, 0xf00d, "x"},
+    {Icon::zoom_out, 0xf010, "-"},     {Icon::eye, 0xf06e, "o"},         {Icon::eye_closed, 0xf070, "-"},
+    {Icon::lock, 0xf023, "L"},         {Icon::unlock, 0xf09c, "U"},      {Icon::plus, 0xf067, "+"},
+    {Icon::copy, 0xf24d, "++"},        {Icon::arrow_up, 0xf062, "^"},    {Icon::arrow_down, 0xf063, "v"},
+    {Icon::merge_down, 0xf103, "_"},   {Icon::close, 0xf00d, "x"},
 };
 
 const Glyph* find_glyph(Icon icon) {

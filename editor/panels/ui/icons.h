@@ -47,6 +47,15 @@ enum class Icon {
   dice,
   zoom_in,
   zoom_out,
+  eye,
+  eye_closed,
+  lock,
+  unlock,
+  plus,
+  copy,
+  arrow_up,
+  arrow_down,
+  merge_down,
   close,
 };
 

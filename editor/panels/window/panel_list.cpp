@@ -25,6 +25,7 @@
 #include "panels/inspector/inspector_panel.h"
 #include "panels/level/find_tiles_panel.h"
 #include "panels/level/history_panel.h"
+#include "panels/level/layers_panel.h"
 #include "panels/level/new_level_panel.h"
 #include "panels/level/problems_panel.h"
 #include "panels/level/reach_panel.h"
@@ -68,6 +69,7 @@ std::vector<PanelPlace> make_panels() {
   panels.push_back(place<ProblemsPanel>(Region::right_bottom));
   panels.push_back(place<HistoryPanel>(Region::right_bottom));
   panels.push_back(place<FlagSearchPanel>(Region::right_bottom));
+  panels.push_back(place<LayersPanel>(Region::right_bottom));
   panels.push_back(place<InputRollPanel>(Region::dock));
   panels.push_back(place<PlotsPanel>(Region::dock));
   panels.push_back(place<BreakpointsPanel>(Region::dock));

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <string>
 
+#include "edit/layer_tools.h"
 #include "overlay/number_label.h"
 #include "panels/canvas/canvas_layers.h"
+#include "panels/commands/commands.h"
 #include "panels/level/problem_list.h"
 #include "panels/sprites/tile_number.h"
 
@@ -13,7 +15,8 @@ namespace talus {
 namespace {
 
 constexpr float kStamp = 360;  // px at scale 1, where the stamp's part begins
-constexpr float kFile = 670;   // px at scale 1, where the file's part begins
+constexpr float kFile = 670;   // px at scale 1, where the parts of the layer and of the file begin
+constexpr float kLayer = 150;  // px at scale 1, of the layer's part
 // Tiles of the stamp's picture in a row or column: more would be too small to see.
 constexpr int kMostShown = 8;
 
@@ -84,14 +87,29 @@ void draw_exporting(const ExportProgress& progress, float x, Ui& ui) {
                 "The level is being exported: File > Export shows how far it is, and ends it.", ui);
 }
 
+// The layer that the tools paint on, if there are several. Returns where the next part begins, px at scale 1.
+float draw_layer_part(const Session& session, float x, Ui& ui) {
+  const TileLayers& layers = session.level().layers;
+  if (layers.count() == 1) return x;
+  const TileLayer& chosen = layers.list[static_cast<std::size_t>(layers.chosen)];
+  const std::string state = chosen.locked ? " (locked)" : chosen.visible ? "" : " (hidden)";
+  const bool is_free = state.empty();
+  ImGui::SameLine(ui.px(x));
+  draw_short_text("layer: " + layer_name(session.level(), layers.chosen) + state, ui.px(kLayer),
+                  theme::tone(is_free ? theme::kMuted : theme::kWarning));
+  ui.item("status/layer", "The layer of the map that the tools paint on: choose it under Layers.",
+          keys_of("layers/above"_command, ui) + ", " + keys_of("layers/below"_command, ui));
+  return x + kLayer + 12;
+}
+
 // The level's file, or why its changes are not saved. before: the text at the line's end, for which it leaves
-// room.
-void draw_file(const Session& session, const std::string& before, Ui& ui) {
+// room. x: px at scale 1.
+void draw_file(const Session& session, const std::string& before, float x, Ui& ui) {
   const std::string& problem = ui.view.window.autosave_problem;
   const std::string name = session.file_name() + (session.modified() ? "  (not saved)" : "");
   const std::string text = problem.empty() ? name : "Not saved automatically: " + problem;
   const bool warns = session.modified() || !problem.empty();
-  ImGui::SameLine(ui.px(kFile));
+  ImGui::SameLine(ui.px(x));
   draw_short_text(text, ImGui::GetContentRegionAvail().x - size_of_text(before).x - ui.px(16),
                   theme::tone(warns ? theme::kWarning : theme::kMuted));
   if (!problem.empty())
@@ -150,7 +168,7 @@ void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
               "Bodies of the simulation.");
   }
   const std::string problems = problems_text(session, ui);
-  draw_file(session, problems, ui);
+  draw_file(session, problems, draw_layer_part(session, kFile, ui), ui);
   ImGui::SameLine();
   ui.right_aligned(problems, theme::tone(ui.problems->empty() ? theme::kMuted : theme::kWarning));
   ui.tooltip("See the Problems tab.");
