@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <tuple>
 #include <utility>
 
 #include "frame_hash.h"
@@ -96,7 +97,8 @@ bool Timeline::has_room() const {
 }
 
 // Whether the simulation sees a difference. Spawns count though they look the same to it: their order tells
-// which body belongs to which after the next edit. So does the size of the map, which later cells refer to.
+// which body belongs to which after the next edit. So do the size of the map and the number of its layers,
+// which later cells refer to.
 bool Timeline::set_level(const Level& level, const std::vector<Cell>* cells, ScenePtr compiled) {
   const bool is_known = compiled != nullptr;
   ScenePtr scene = std::move(compiled);
@@ -108,7 +110,7 @@ bool Timeline::set_level(const Level& level, const std::vector<Cell>* cells, Sce
   // A level that was compiled elsewhere is large, and shares nothing that would make the comparison quick.
   const auto size = [](const LevelVersion& v) {
     const auto& rows = v.layers.front().rows;
-    return std::pair(rows.size(), rows.front()->size());
+    return std::tuple(v.layers.size(), rows.size(), rows.front()->size());
   };
   if (!is_known && *scene == *scene_ && version->spawns == version_->spawns &&
       size(*version) == size(*version_))

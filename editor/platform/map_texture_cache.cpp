@@ -32,8 +32,8 @@ void MapTextureCache::update(const Level& level, std::uint64_t revision, Ui& ui)
   revision_ = revision;
 }
 
-std::vector<MapTextures::Piece> MapTextureCache::pieces(const CellRect& cells, int block, const LayerLook& look,
-                                                        const OtherLevel* other) {
+std::vector<MapTextures::Piece> MapTextureCache::pieces(const CellRect& cells, int block,
+                                                        const LayerLook& look, const OtherLevel* other) {
   std::vector<Piece> found;
   const OtherLevel shown = other != nullptr ? *other : OtherLevel{level_, revision_, 0};
   const TileMap& map = shown.level->map;

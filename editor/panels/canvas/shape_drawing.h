@@ -16,7 +16,8 @@ void fill_to_base(ImDrawList& list, const std::vector<ImVec2>& line, float base,
 // other ground is tinted, too. color: 0xRRGGBB, of the overlay.
 void draw_tile_shape(ImDrawList& list, const TileShape& shape, TileSize tile, ImVec2 corner, ImVec2 cell,
                      std::uint32_t color, const Ui& ui);
-// The shapes of all visible cells, of all layers that are ground; nothing if tiles are too small to show a shape.
+// The shapes of all visible cells, of all layers that are ground; nothing if tiles are too small to show a
+// shape.
 void draw_shapes(ImDrawList& list, const Level& level, const CanvasView& view, std::uint32_t color,
                  const Ui& ui);
 // The shapes of the tiles of the sheet, whose tile 0 is at `corner`.

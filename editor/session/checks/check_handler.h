@@ -26,10 +26,10 @@ class CheckHandler {
   const LintOptions& lint_options() const { return lint_options_; }
   const ReachFinder& reach() const { return reach_; }
 
-  void note_edit(const Edit& edit);  // call it for each edit done or undone
-  void forget_level();               // another level is open
+  void note_edit(const Edit& edit);                    // call it for each edit done or undone
+  void forget_level();                                 // another level is open
   void note_other_layer() { lint_cache_.note_map(); }  // another layer of the map is chosen
-  void follow_scene();               // results for another scene are out of date
+  void follow_scene();                                 // results for another scene are out of date
   // Spends a few ms on the unchecked part of the level, and on where the player gets to.
   void advance();
 

@@ -21,8 +21,7 @@ bool same_ground(const TileLayers& a, const TileLayers& b) {
   const auto same = [](const TileLayer& x, const TileLayer& y) {
     return x.is_ground == y.is_ground && x.cells == y.cells;
   };
-  return a.chosen == b.chosen &&
-         std::equal(a.list.begin(), a.list.end(), b.list.begin(), b.list.end(), same);
+  return a.chosen == b.chosen && std::equal(a.list.begin(), a.list.end(), b.list.begin(), b.list.end(), same);
 }
 
 // Whether the simulation can see a change. Painting pixels, or one plain tile over another, must not cost a
