@@ -36,6 +36,19 @@ TEST(ImportLdtkLimits, PartsAndPixelsAreCounted) {
       "together");
 }
 
+TEST(ImportLdtkLimits, LayersAreCountedBeforeTheyAreMade) {
+  constexpr const char* kError =
+      "file: error: has too many layers: a level has up to 100, of up to 67108864 cells together";
+  const auto error_of_layers = [](std::size_t count, int side) {
+    const std::string layer =
+        ldtk_layer("Tiles", "T", side, side, R"("gridTiles":[)" + ldtk_tile(0, 0, 0) + "]");
+    return error_of(ldtk_project(ldtk_level(times(count, layer))));
+  };
+  EXPECT_EQ(error_of_layers(100, 1), "");
+  EXPECT_EQ(error_of_layers(101, 1), kError);
+  EXPECT_EQ(error_of_layers(5, 4096), kError);
+}
+
 TEST(ImportLdtkLimits, FarTilesCostNothing) {
   const std::string tiles = ldtk_tile(67108864, -67108864, 0) + "," + ldtk_tile(-67108864, 0, 0);
   EXPECT_EQ(error_of(project_of(2, 2, 8, 4096, tiles)), "");

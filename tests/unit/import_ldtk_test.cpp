@@ -99,13 +99,16 @@ TEST(ImportLdtk, GridsWithoutTilesetsHaveTheColoursOfTheirValues) {
   EXPECT_EQ(level.map.at({1, 0}), 0);
 }
 
-TEST(ImportLdtk, SeveralGridsAreOneGround) {
+TEST(ImportLdtk, EachGridIsALayerOfTheGround) {
   const std::string layers = ldtk_grid(3, 1, "0,2,0") + "," + ldtk_grid(3, 1, "1,1,0");
   const std::string values = std::string(kWall) + R"(,{"value":2,"identifier":"slope up"})";
-  const LoadedLevel loaded = loaded_of(ldtk_project(ldtk_level(layers), values));
-  EXPECT_TRUE(is_solid_at(loaded.level, 0));
-  EXPECT_THAT(heights_at(loaded.level, 1), ElementsAre(0, 8)) << "the upper layer goes first";
-  EXPECT_EQ(shape_at(loaded.level, 2).kind, TileShape::Kind::none);
+  const Level level = level_of(ldtk_project(ldtk_level(layers), values));
+  ASSERT_EQ(level.layers.count(), 2);
+  EXPECT_EQ(level.layers.chosen, 0) << "the lower layer has more values";
+  EXPECT_TRUE(level.layers.list[0].is_ground);
+  EXPECT_TRUE(level.layers.list[1].is_ground);
+  EXPECT_TRUE(is_solid_at(level, 0));
+  EXPECT_THAT(shape_of_tile(level, level.cells_of(1)[1]).heights, ElementsAre(0, 8));
 }
 
 TEST(ImportLdtk, ValuesOfAnotherGridAreLeftOut) {
@@ -172,15 +175,21 @@ class ImportLdtkPictures : public FolderTest {
     const auto loaded = load_level(put("p.ldtk", text), choices);
     return loaded ? "" : to_string(loaded.error(), "p.ldtk");
   }
-  // The colour at (x, y) px of the first row of cells.
+  // The colour of a pixel in the highest layer that is not clear there.
   static Rgb color(const Level& level, int x, int y = 0) {
     const auto& images = level.sheet(SheetId::tiles).images;
-    const TileImage& image = images[level.map.at({x / 8, y / 8})];
-    return level.palette[image[static_cast<std::size_t>(8 * (y % 8) + x % 8)]];
+    const auto cell = static_cast<std::size_t>(y / 8 * level.map.width() + x / 8);
+    for (int layer = level.layers.count() - 1; layer >= 0; --layer) {
+      const TileImage& image = images[level.cells_of(layer)[cell]];
+      const std::uint8_t color = image[static_cast<std::size_t>(8 * (y % 8) + x % 8)];
+      if (color != 0 && level.layers.list[static_cast<std::size_t>(layer)].visible)
+        return level.palette[color];
+    }
+    return level.palette[0];
   }
 };
 
-TEST_F(ImportLdtkPictures, TilesOfOneCellBecomeOnePicture) {
+TEST_F(ImportLdtkPictures, TilesOfOneLayerBecomeOnePicture) {
   const std::string layers =
       ldtk_tiles(3, 1, ldtk_tile(0, 0, 2)) + "," +
       ldtk_tiles(3, 1, ldtk_tile(0, 0, 1) + "," + ldtk_tile(8, 0, 1) + "," + ldtk_tile(8, 0, 0)) + "," +
@@ -191,16 +200,24 @@ TEST_F(ImportLdtkPictures, TilesOfOneCellBecomeOnePicture) {
   EXPECT_EQ(color(loaded.level, 8), kRed) << "the last tile is the upper one";
   EXPECT_EQ(color(loaded.level, 16), kBack);
   EXPECT_TRUE(is_solid_at(loaded.level, 2));
+  ASSERT_EQ(loaded.level.layers.count(), 3);
+  EXPECT_EQ(loaded.level.layers.chosen, 0);
+  EXPECT_EQ(loaded.level.layers.list[2].name, "Tiles");
+  EXPECT_FALSE(loaded.level.layers.list[2].is_ground);
   EXPECT_THAT(loaded.dropped, IsEmpty());
   EXPECT_THAT(loaded.linked, ElementsAre(path("t.png")));
 }
 
+// An IntGrid with tiles.
+std::string grid_with_tiles(int columns, const std::string& values, const std::string& tiles) {
+  return ldtk_grid(columns, 1, values, R"("__tilesetDefUid":1,"autoLayerTiles":[)" + tiles + "]");
+}
+
 TEST_F(ImportLdtkPictures, CellsThatLookTheSameAreOneTile) {
-  const std::string layers = ldtk_tiles(4, 1,
-                                        ldtk_tile(0, 0, 1) + "," + ldtk_tile(0, 0, 0) + "," +
-                                            ldtk_tile(8, 0, 0) + "," + ldtk_tile(16, 0, 0)) +
-                             "," + ldtk_grid(4, 1, "0,0,1,0");
-  const Level level = load(ldtk_project(ldtk_level(layers), kWall)).level;
+  const std::string tiles =
+      ldtk_tile(0, 0, 1) + "," + ldtk_tile(0, 0, 0) + "," + ldtk_tile(8, 0, 0) + "," + ldtk_tile(16, 0, 0);
+  const Level level = load(ldtk_project(ldtk_level(grid_with_tiles(4, "0,0,1,0", tiles)), kWall)).level;
+  EXPECT_EQ(level.layers.count(), 1);
   EXPECT_EQ(level.map.at({0, 0}), level.map.at({1, 0})) << "what is hidden does not count";
   EXPECT_NE(level.map.at({1, 0}), level.map.at({2, 0})) << "its ground differs";
   EXPECT_EQ(level.map.at({3, 0}), 0);
@@ -234,14 +251,25 @@ TEST_F(ImportLdtkPictures, OpacityOfTilesAndLayersIsInTheTrueColours) {
   EXPECT_THAT(std::vector<int>(pixel, pixel + 4), ElementsAre(255, 0, 0, 64));
 }
 
-TEST_F(ImportLdtkPictures, HiddenLayersAreGroundWithoutAPicture) {
+TEST_F(ImportLdtkPictures, HiddenLayersStayHidden) {
   const std::string layers = ldtk_tiles(2, 1, ldtk_tile(0, 0, 0), R"(,"visible":false)") + "," +
                              ldtk_grid(2, 1, "0,1", R"("visible":false,"__tilesetDefUid":null)");
   const LoadedLevel loaded = load(ldtk_project(ldtk_level(layers), kWall));
+  ASSERT_EQ(loaded.level.layers.count(), 2);
   EXPECT_EQ(color(loaded.level, 0), kBack);
-  EXPECT_EQ(color(loaded.level, 8), kBack);
+  EXPECT_FALSE(loaded.level.layers.list[0].visible);
   EXPECT_TRUE(is_solid_at(loaded.level, 1));
-  EXPECT_THAT(loaded.dropped, ElementsAre("the tiles of the layer \"Tiles\", which is hidden"));
+  EXPECT_THAT(loaded.dropped, IsEmpty());
+}
+
+TEST_F(ImportLdtkPictures, EmptyLayersAreLeftOut) {
+  const std::string empty = ldtk_tiles(2, 1, "") + "," + ldtk_grid(2, 1, "0,0");
+  const Level level = level_of(ldtk_project(ldtk_level(empty + "," + ldtk_grid(2, 1, "1,0")), kWall));
+  EXPECT_EQ(level.layers.count(), 1);
+  const Level nothing = level_of(ldtk_project(ldtk_level(ldtk_tiles(2, 1, ""))));
+  ASSERT_EQ(nothing.layers.count(), 1);
+  EXPECT_TRUE(nothing.layers.list[0].is_ground);
+  EXPECT_EQ(nothing.map.width(), 2);
 }
 
 TEST_F(ImportLdtkPictures, MissingPicturesAreNumberedBoxes) {
@@ -260,11 +288,10 @@ TEST_F(ImportLdtkPictures, TagsOfTilesBecomeFlagsAndShapes) {
   const std::string tileset = ldtk_tileset(
       R"("enumTags":[{"enumValueId":"Grass","tileIds":[0]},{"enumValueId":"SlopeUp","tileIds":[1]},)"
       R"({"enumValueId":"Unused","tileIds":[2]}],"customData":[{"tileId":0,"data":"x"}])");
-  const std::string layers = ldtk_tiles(4, 1,
-                                        ldtk_tile(0, 0, 0) + "," + ldtk_tile(8, 0, 1) + "," +
-                                            ldtk_tile(16, 0, 1, 1) + "," + ldtk_tile(24, 0, 1, 2)) +
-                             "," + ldtk_grid(4, 1, "0,0,1,0");
-  const LoadedLevel loaded = load(ldtk_project(ldtk_level(layers), kWall, tileset));
+  const std::string tiles = ldtk_tile(0, 0, 0) + "," + ldtk_tile(8, 0, 1) + "," + ldtk_tile(16, 0, 1, 1) +
+                            "," + ldtk_tile(24, 0, 1, 2);
+  const LoadedLevel loaded =
+      load(ldtk_project(ldtk_level(grid_with_tiles(4, "0,0,1,0", tiles)), kWall, tileset));
   EXPECT_EQ(loaded.level.flag_names[4], "Grass");
   EXPECT_EQ(loaded.level.flag_names[5], "");
   EXPECT_EQ(loaded.level.tile_flags(loaded.level.map.at({0, 0})), 1 << 4);

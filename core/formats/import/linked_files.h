@@ -41,8 +41,8 @@ class LinkedFiles {
   // The bytes of a file. place: from place_of(). All files together may have kMaxFileBytes.
   FormatResult<std::string> read(const std::string& name, const std::string& place,
                                  std::size_t most = kMaxFileBytes);
-  // A PNG, or a picture of Aseprite. A file is read once, whatever its names. One that cannot be read is dropped, and is_missing.
-  // of: what it is the picture of.
+  // A PNG, or a picture of Aseprite. A file is read once, whatever its names. One that cannot be read is
+  // dropped, and is_missing. of: what it is the picture of.
   std::shared_ptr<const LinkedPicture> picture(const std::string& name, const std::string& of);
 
  private:

@@ -25,6 +25,7 @@ class LdtkLevelMaker {
   FormatResult<Level> make(const ImportChoices& choices);
 
  private:
+  void take_layers();
   FormatResult<void> take_pictures();
   void name_flags();
   void take_tiles();
@@ -72,12 +73,21 @@ SheetPicture blank_picture(std::int64_t width, std::int64_t height) {
   return picture;
 }
 
+// A single layer is shown even if it is hidden.
+void LdtkLevelMaker::take_layers() {
+  TileLayer& chosen = tiles_.layers[static_cast<std::size_t>(tiles_.ground)];
+  if (tiles_.layers.size() == 1) chosen.visible = true;
+  level_.map = tiles_.map;
+  level_.map.cells() = *chosen.cells;
+  chosen.cells = nullptr;
+  level_.layers.list = std::move(tiles_.layers);
+  level_.layers.chosen = tiles_.ground;
+}
+
 // As pixels of 16 colours, which carts and tools take, and in true colour if these do not show all of it.
 FormatResult<void> LdtkLevelMaker::take_pictures() {
   const TileSize size = tiles_.map.tile_size(), small;
   const SheetLayout layout = layout_for(tiles_.cells.size());
-  level_.map = std::move(tiles_.map);
-  tiles_.map = TileMap(1, 1, size);
   level_.set_tile_layout(layout);
   const std::int64_t width = std::int64_t{layout.columns} * size.width;
   const std::int64_t height = std::int64_t{layout.rows()} * size.height;
@@ -188,6 +198,7 @@ FormatResult<Level> LdtkLevelMaker::make(const ImportChoices& choices) {
   if (!tiles) return tl::unexpected(tiles.error());
   tiles_ = *std::move(tiles);
   level_.tuning = new_tuning(tiles_.map.tile_size());
+  take_layers();
   if (const auto taken = take_pictures(); !taken) return tl::unexpected(taken.error());
   name_flags();
   take_tiles();

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include <talus/level/limits.h>
 #include "ldtk_names.h"
 
 namespace talus {
@@ -65,7 +66,7 @@ class LdtkNumberer {
   bool is_ground(const LdtkLayer& layer) const;
   FormatResult<void> make_map();
   void read_values(const LdtkLayer& layer);
-  std::uint32_t mark_with(std::uint32_t mark, const LdtkLayer& layer, int value);
+  std::uint32_t mark_of(const LdtkLayer& layer, int value);
   LdtkGround ground_of(const LdtkLayer& layer, int value);
   const LdtkValue* find_value(const LdtkLayer& layer, int value) const;
   std::uint32_t number_of_shape(const TileShape& shape);
@@ -73,7 +74,9 @@ class LdtkNumberer {
   FormatResult<void> place_colors(const LdtkLayer& layer);
   FormatResult<void> place_tile(const LdtkLayer& layer, const LdtkTile& tile);
   FormatResult<void> place(const LdtkSource& source, int x, int y);
-  FormatResult<void> number_cells();
+  FormatResult<std::vector<const LdtkLayer*>> taken_layers() const;
+  FormatResult<void> take_layer(const LdtkLayer& layer, const Progress& progress);
+  FormatResult<std::vector<TileNumber>> number_cells(const Progress& progress);
   FormatResult<LdtkCell> cell_of(std::uint32_t mark, std::span<const PlacedPart> parts);
   const Tags& tags_of(const LdtkSource& source);
   FormatResult<Cover> cover_of(const LdtkPart& part);
@@ -90,9 +93,12 @@ class LdtkNumberer {
   Numbering<LdtkMark> marks_;
   Numbering<LdtkCell> cells_;
   std::vector<TileShape> shapes_ = {TileShape()};
-  std::vector<std::uint32_t> mark_of_cell_;  // empty: no layer has values
-  std::map<std::pair<std::uint32_t, std::pair<const LdtkLayer*, int>>, std::uint32_t> marks_with_;
-  std::vector<PlacedPart> parts_;
+  std::vector<TileLayer> layers_;            // that are taken
+  int ground_index_ = -1;                    // of ground_ in layers_; -1: it is not in them
+  std::vector<std::uint32_t> mark_of_cell_;  // of a layer; empty: it has no values
+  std::map<std::pair<const LdtkLayer*, int>, std::uint32_t> marks_of_values_;
+  std::vector<PlacedPart> parts_;             // of a layer
+  std::size_t part_count_ = 0;                // of all layers
   std::map<std::pair<int, int>, Tags> tags_;  // by tileset and tile
   std::map<LdtkPart, Cover> covers_;
   std::size_t pixels_ = 0;  // that are looked at or drawn
@@ -154,21 +160,21 @@ void add_name(std::string name, std::vector<std::string>& names) {
   if (at == names.end() || *at != name) names.insert(at, std::move(name));
 }
 
-// The mark of a cell that also has a value of a layer below those that it is from.
-std::uint32_t LdtkNumberer::mark_with(std::uint32_t mark, const LdtkLayer& layer, int value) {
-  const auto key = std::pair(mark, std::pair(&layer, value));
-  if (const auto known = marks_with_.find(key); known != marks_with_.end()) return known->second;
-  LdtkMark joined = marks_[mark];
+// The mark of a cell with a value.
+std::uint32_t LdtkNumberer::mark_of(const LdtkLayer& layer, int value) {
+  const auto key = std::pair(&layer, value);
+  if (const auto known = marks_of_values_.find(key); known != marks_of_values_.end()) return known->second;
+  LdtkMark mark;
   const LdtkGround ground = ground_of(layer, value);
-  if (joined.shape == 0) joined.shape = number_of_shape(ground.shape);
-  if (!ground.is_plain) add_name(find_value(layer, value)->name, joined.names);
-  return marks_with_[key] = marks_.number_of(joined);
+  mark.shape = number_of_shape(ground.shape);
+  if (!ground.is_plain) add_name(find_value(layer, value)->name, mark.names);
+  return marks_of_values_[key] = marks_.number_of(mark);
 }
 
 void LdtkNumberer::read_values(const LdtkLayer& layer) {
   mark_of_cell_.resize(map_.cells().size());
   for (std::size_t i = 0; i < layer.values.size(); ++i) {
-    if (layer.values[i] != 0) mark_of_cell_[i] = mark_with(mark_of_cell_[i], layer, layer.values[i]);
+    if (layer.values[i] != 0) mark_of_cell_[i] = mark_of(layer, layer.values[i]);
   }
 }
 
@@ -181,10 +187,11 @@ FormatResult<void> LdtkNumberer::place(const LdtkSource& source, int x, int y) {
   const int top = std::max(0, divided_down(y, side));
   if (source.opacity == 0 || left > right || top > bottom) return {};
   const auto count = static_cast<std::size_t>(right - left + 1) * static_cast<std::size_t>(bottom - top + 1);
-  if (count > kMaxLdtkParts - parts_.size()) {
+  if (count > kMaxLdtkParts - part_count_) {
     return ldtk_error("shows too many tiles: all cells together may show parts of " +
                       std::to_string(kMaxLdtkParts));
   }
+  part_count_ += count;
   const std::uint32_t number = sources_.number_of(source);
   for (int row = top; row <= bottom; ++row) {
     for (int column = left; column <= right; ++column) {
@@ -204,6 +211,7 @@ FormatResult<void> LdtkNumberer::place_tile(const LdtkLayer& layer, const LdtkTi
   source.id = tile.id;
   source.side = project_.tilesets[static_cast<std::size_t>(layer.tileset)].side;
   source.flips = (tile.flip_x ? 1 : 0) + (tile.flip_y ? 2 : 0);
+  // LDtk draws each tile of a layer with the layer's opacity, also over others of the layer.
   source.opacity = static_cast<int>(tile.opacity * layer.opacity * 255 + 0.5);
   const Vec2 pivot = layer.def < 0 ? Vec2() : project_.layers[static_cast<std::size_t>(layer.def)].pivot;
   const int room = layer.side - source.side;  // that a tile of another size leaves
@@ -238,10 +246,7 @@ FormatResult<void> LdtkNumberer::place_layer(const LdtkLayer& layer) {
   const std::string of = "the layer " + quoted_name(layer.name);
   const bool has_parallax =
       layer.def >= 0 && project_.layers[static_cast<std::size_t>(layer.def)].has_parallax;
-  const bool has_picture = !layer.tiles.empty() || !layer.values.empty();
-  if (has_parallax && has_picture) drops_.add("the parallax of " + of);
-  if (!layer.is_visible && !layer.tiles.empty()) drops_.add("the tiles of " + of + ", which is hidden");
-  if (!layer.is_visible) return {};
+  if (has_parallax) drops_.add("the parallax of " + of);
   if (layer.type == LdtkLayer::Type::int_grid && layer.tileset < 0) return place_colors(layer);
   if (layer.tileset < 0) {
     if (!layer.tiles.empty()) drops_.add("the tiles of " + of + ", which has no tileset");
@@ -340,14 +345,16 @@ FormatResult<LdtkCell> LdtkNumberer::cell_of(std::uint32_t mark, std::span<const
   return cell;
 }
 
-FormatResult<void> LdtkNumberer::number_cells() {
+// The tiles of the layer whose parts and marks are there.
+FormatResult<std::vector<TileNumber>> LdtkNumberer::number_cells(const Progress& progress) {
   constexpr std::size_t kCellsAtOnce = 4096;  // between checks of the progress
   std::stable_sort(parts_.begin(), parts_.end(),
                    [](const PlacedPart& a, const PlacedPart& b) { return a.cell < b.cell; });
   const std::size_t count = map_.cells().size();
+  std::vector<TileNumber> tiles(count);
   auto first = parts_.begin();
   for (std::size_t i = 0; i < count; ++i) {
-    if (i % kCellsAtOnce == 0 && !progress_.at(i, count)) return was_cancelled();
+    if (i % kCellsAtOnce == 0 && !progress.at(i, count)) return was_cancelled();
     auto end = first;
     while (end != parts_.end() && end->cell == i) ++end;
     const std::uint32_t mark = mark_of_cell_.empty() ? 0 : mark_of_cell_[i];
@@ -358,33 +365,72 @@ FormatResult<void> LdtkNumberer::number_cells() {
     const std::size_t known = cells_.size();
     const std::uint32_t number = cells_.number_of(*cell);
     if (cells_.size() > known) {
-      if (const auto counted = count_pixels(cell->parts.size()); !counted) return counted;
+      if (const auto counted = count_pixels(cell->parts.size()); !counted)
+        return tl::unexpected(counted.error());
     }
     if (number >= kMaxTiles) {
       return ldtk_error("has more than " + std::to_string(kMaxTiles) +
                         " different cells, but a level has only as many tiles");
     }
-    map_.cells()[i] = static_cast<TileNumber>(number);
+    tiles[i] = static_cast<TileNumber>(number);
   }
+  return tiles;
+}
+
+// Those with tiles or values, and that of the ground, from the back.
+FormatResult<std::vector<const LdtkLayer*>> LdtkNumberer::taken_layers() const {
+  std::vector<const LdtkLayer*> taken;
+  for (auto layer = level_.layers.rbegin(); layer != level_.layers.rend(); ++layer) {
+    const bool is_empty = layer->tiles.empty() && std::all_of(layer->values.begin(), layer->values.end(),
+                                                              [](int value) { return value == 0; });
+    if (layer->type != LdtkLayer::Type::entities && (!is_empty || &*layer == ground_))
+      taken.push_back(&*layer);
+  }
+  if (taken.size() <= kMaxLayers && taken.size() * map_.cells().size() <= kMaxLayerCells) return taken;
+  return ldtk_error("has too many layers: a level has up to " + std::to_string(kMaxLayers) + ", of up to " +
+                    std::to_string(kMaxLayerCells) + " cells together");
+}
+
+FormatResult<void> LdtkNumberer::take_layer(const LdtkLayer& layer, const Progress& progress) {
+  parts_.clear();
+  mark_of_cell_.clear();
+  if (layer.type == LdtkLayer::Type::int_grid && is_ground(layer))
+    read_values(layer);
+  else if (layer.type == LdtkLayer::Type::int_grid)
+    drops_.add("the values of the layer " + quoted_name(layer.name) + ", which has another grid");
+  if (const auto placed = place_layer(layer); !placed) return placed;
+  auto cells = number_cells(progress);
+  if (!cells) return tl::unexpected(cells.error());
+  TileLayer& taken = layers_.emplace_back();
+  taken.name = layer.name;
+  taken.visible = layer.is_visible;
+  taken.is_ground = std::any_of(cells->begin(), cells->end(), [&](TileNumber tile) {
+    return shapes_[marks_[cells_[tile].mark].shape].kind != TileShape::Kind::none;
+  });
+  taken.cells = std::make_shared<const std::vector<TileNumber>>(*std::move(cells));
+  if (&layer == ground_) ground_index_ = static_cast<int>(layers_.size()) - 1;
   return {};
 }
 
 FormatResult<LdtkTiles> LdtkNumberer::number() {
   if (const auto made = make_map(); !made) return tl::unexpected(made.error());
-  for (const LdtkLayer& layer : level_.layers) {
-    if (layer.type != LdtkLayer::Type::int_grid) continue;
-    const bool is_empty =
-        std::all_of(layer.values.begin(), layer.values.end(), [](int value) { return value == 0; });
-    if (is_ground(layer))
-      read_values(layer);
-    else if (!is_empty)
-      drops_.add("the values of the layer " + quoted_name(layer.name) + ", which has another grid");
+  const auto layers = taken_layers();
+  if (!layers) return tl::unexpected(layers.error());
+  for (std::size_t i = 0; i < layers->size(); ++i) {
+    const auto share = [&](std::size_t done) {
+      return static_cast<double>(done) / static_cast<double>(layers->size());
+    };
+    const auto taken = take_layer(*(*layers)[i], progress_.part(share(i), share(i + 1)));
+    if (!taken) return tl::unexpected(taken.error());
   }
-  for (auto layer = level_.layers.rbegin(); layer != level_.layers.rend(); ++layer) {
-    if (const auto placed = place_layer(*layer); !placed) return tl::unexpected(placed.error());
+  if (layers_.empty()) {
+    layers_.emplace_back().cells =
+        std::make_shared<const std::vector<TileNumber>>(map_.cells().size(), TileNumber{0});
   }
-  if (const auto numbered = number_cells(); !numbered) return tl::unexpected(numbered.error());
-  return LdtkTiles{std::move(map_), cells_.take(), sources_.take(), marks_.take(), std::move(shapes_)};
+  const int ground = ground_index_ >= 0 ? ground_index_ : static_cast<int>(layers_.size()) - 1;
+  layers_[static_cast<std::size_t>(ground)].is_ground = true;  // that what is painted there becomes ground
+  return LdtkTiles{std::move(map_), std::move(layers_), ground, cells_.take(), sources_.take(),
+                   marks_.take(),   std::move(shapes_)};
 }
 
 std::size_t filled_cells(const LdtkLayer& layer) {

@@ -1,7 +1,7 @@
 // Which tiles of a level stand for the cells of a level of LDtk.
 //
-// A cell of LDtk shows parts of any number of tiles, of several layers, which need not lie on its grid. Cells
-// that look the same and have the same ground are one tile of the level, whose picture is composed of them.
+// A cell of a layer of LDtk shows parts of any number of tiles, which need not lie on the grid. Cells that
+// look the same and have the same ground are one tile of the level, whose picture is composed of them.
 #pragma once
 
 #include <compare>
@@ -57,7 +57,10 @@ struct LdtkCell {
 };
 
 struct LdtkTiles {
-  TileMap map;
+  TileMap map;  // as large as each layer, and empty
+  // From the back, with their cells: those with tiles or values, and at least one.
+  std::vector<TileLayer> layers;
+  int ground = 0;               // index of the layer that is the ground's, or else of the last one
   std::vector<LdtkCell> cells;  // by tile of the level; 0 is the empty one
   std::vector<LdtkSource> sources;
   std::vector<LdtkMark> marks;    // 0 is that of an empty cell
