@@ -39,8 +39,8 @@ std::string keys_page() {
       "*Keys "
       "and mouse* (**F1**) shows the\nkeys as they are now, and what each command does. **Ctrl+P** finds the "
       "commands without a key. `docs/write_keys` writes this page.\n";
-  for (Scope scope :
-       {Scope::everywhere, Scope::play, Scope::map, Scope::sprites, Scope::shape, Scope::input, Scope::cursor})
+  for (Scope scope : {Scope::everywhere, Scope::play, Scope::map, Scope::sprites, Scope::shape, Scope::input,
+                      Scope::cursor})
     text += table_of(scope);
   return text;
 }
