@@ -176,7 +176,14 @@ FormatResult<std::vector<const TiledLayer*>> TiledLevelMaker::layers_of(const Im
     layers.push_back(&layer);
     names += (names.empty() ? "" : ", ") + quoted_name(layer.name);
   }
-  if (choices.layer.empty() && choices.layer_number <= 0) return layers;
+  if (choices.layer.empty() && choices.layer_number <= 0) {
+    if (layers.size() <= kMaxLayers) return layers;
+    return tl::unexpected(FormatError{"",
+                                      "has " + std::to_string(layers.size()) +
+                                          " tile layers, but a level holds at most " +
+                                          std::to_string(kMaxLayers),
+                                      "choose one by `talus import --layer NAME`"});
+  }
   auto chosen = layers.end();
   const int number = choices.layer_number > 0 ? choices.layer_number : number_in(choices.layer);
   if (choices.layer_number <= 0)

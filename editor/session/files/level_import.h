@@ -19,8 +19,9 @@ struct LevelImport {
   FormatResult<LoadedLevel> plan;  // the result with these choices, or why there is none
 };
 
-// For a file that cannot be read without choices. Chooses all layers, or the first level of a project, and
-// only the used tiles if it cannot be read otherwise, so that it can be opened at once.
+// For a file that cannot be read without choices. Chooses all layers, or, if they are too many, the one
+// with the most tiles; the first level of a project; and only the used tiles if it cannot be read otherwise.
+// So it can be opened at once.
 LevelImport first_level_import(const std::string& path, const Progress& progress = {});
 
 }  // namespace talus
