@@ -15,17 +15,17 @@ inline constexpr double kMaxParallax = 100;           // to either side
 
 // A layer of tiles, as large as the map. Its fields mean what those of Tiled's layers mean.
 struct TileLayer {
-  std::string name;       // for people; may be empty or repeated
+  std::string name = {};  // for people; may be empty or repeated
   bool is_ground = true;  // whether its tiles are ground and bodies; else it is only drawn
   bool visible = true;    // whether it is drawn
   bool locked = false;    // whether tools leave it alone
   double opacity = 1;     // 0..1
-  Vec2 offset;  // px, of its picture, each at most kMaxLayerOffset to either side; not of its ground
+  Vec2 offset = {};  // px, of its picture, each at most kMaxLayerOffset to either side; not of its ground
   Vec2 parallax = {1, 1};      // by how much its picture moves with the camera, each within kMaxParallax
   Rgb tint = {255, 255, 255};  // multiplies the colours
-  std::string extra;           // JSON object of keys that this version does not know, or empty
+  std::string extra = {};      // JSON object of keys that this version does not know, or empty
   // Tiles row by row, as many as the map has cells; null for the chosen layer, whose cells are in Level::map.
-  std::shared_ptr<const std::vector<TileNumber>> cells;
+  std::shared_ptr<const std::vector<TileNumber>> cells = nullptr;
 };
 // The same content; cells are compared by their tiles.
 bool operator==(const TileLayer& a, const TileLayer& b);
