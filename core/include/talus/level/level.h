@@ -67,9 +67,10 @@ struct TiledFrame {
   int columns = kCartColumns;  // of the level's sheet of tiles
   bool is_0_empty = true;      // whether tile 0 stands for empty cells, too
   bool keeps_numbers = true;   // whether tiles have the numbers or the places of their tileset
-  // Cells of the map, where that of the level begins: other places than 0 are those of infinite maps.
-  int x = 0, y = 0;
-  int width = 0, height = 0;  // cells, of the level's map when it was read
+  int x = 0;       // column of the map at which that of the level begins: not 0 only for infinite maps
+  int y = 0;       // row of the map, the same
+  int width = 0;   // cells, of the level's map when it was read
+  int height = 0;  // cells, the same
   friend bool operator==(const TiledFrame&, const TiledFrame&) = default;
 };
 
@@ -82,12 +83,12 @@ struct TiledOrigin {
     std::string bytes;  // the whole file, as read
     friend bool operator==(const File&, const File&) = default;
   };
-  std::string extension;       // of the name of the map's file, without the dot
-  std::string folder;          // of the map's file
-  std::string bytes;           // the whole file, as read
-  std::vector<File> tilesets;  // each file once
-  std::vector<int> layers;     // by layer of the level, which of the map's tile layers it is, from 0
-  TiledFrame frame;
+  std::string extension;                // of the name of the map's file, without the dot
+  std::string folder;                   // of the map's file
+  std::string bytes;                    // the whole file, as read
+  std::vector<File> tilesets;           // each file once
+  std::vector<int> layers;              // by layer of the level, which of the map's tile layers it is, from 0
+  TiledFrame frame;                     // how the level numbers what is in them
   std::shared_ptr<const Level> opened;  // what the files alone gave, without the cells of its map
 };
 
