@@ -99,6 +99,7 @@ GroundCells ground_cells(const Level& level) {
   for (std::size_t tile = 0; tile < tile_count; ++tile)
     is_counted[tile] = counts(level, static_cast<TileNumber>(tile));
   std::vector<const TileNumber*> cells;
+  cells.reserve(layers.size());
   for (const int layer : layers) cells.push_back(level.cells_of(layer).data());
 
   GroundCells ground;

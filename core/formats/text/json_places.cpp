@@ -86,9 +86,9 @@ std::optional<TextSpan> JsonPlaces::member(TextSpan object, std::string_view key
   return std::nullopt;
 }
 
-std::string JsonPlaces::text_of(TextSpan object, std::string_view key, std::string fallback) const {
+std::string JsonPlaces::text_of(TextSpan object, std::string_view key, std::string_view fallback) const {
   const auto value = member(object, key);
-  return value && is_text(*value) ? read_string(value->in(text_)) : fallback;
+  return value && is_text(*value) ? read_string(value->in(text_)) : std::string(fallback);
 }
 
 int JsonPlaces::number_of(TextSpan object, std::string_view key, int fallback) const {

@@ -25,7 +25,7 @@ class JsonPlaces {
   bool is_object(TextSpan value) const { return text_[value.begin] == '{'; }
   bool is_text(TextSpan value) const { return text_[value.begin] == '"'; }
   // The value of a member that is text or a whole number; else the fallback.
-  std::string text_of(TextSpan object, std::string_view key, std::string fallback = {}) const;
+  std::string text_of(TextSpan object, std::string_view key, std::string_view fallback = {}) const;
   int number_of(TextSpan object, std::string_view key, int fallback = 0) const;
   // The blanks before a value or key, from the line break on; empty if it does not begin a line.
   std::string break_before(std::size_t at) const;

@@ -204,6 +204,7 @@ FormatResult<std::vector<const TiledLayer*>> TiledLevelMaker::layers_of(const Im
 // By layer, its number among the tile layers of the map.
 std::vector<int> TiledLevelMaker::numbers_of(const std::vector<const TiledLayer*>& layers) const {
   std::vector<int> numbers;
+  numbers.reserve(layers.size());
   for (const TiledLayer* layer : layers) {
     numbers.push_back(static_cast<int>(
         std::count_if(map_.layers.data(), layer, [](const TiledLayer& before) { return before.has_tiles; })));
