@@ -219,7 +219,7 @@ TEST_F(UiLayers, ADoubleClickRenames) {
 }
 
 TEST_F(UiLayers, AKeyRenamesAndEscapeCancels) {
-  key(shift(kKeyF2));
+  key(ctrl_shift('n'));
   frames(3);
   ASSERT_NE(find("layers/name"), nullptr);
   type("sky");

@@ -149,7 +149,7 @@ std::vector<Command> layer_changes() {
       {.id = "layers/rename",
        .label = "Rename layer",
        .help = "Types another name for the chosen layer.",
-       .key = shift(kKeyF2),
+       .key = ctrl_shift('n'),
        .menu = menus::kLayerChanges,
        .run = rename_chosen_layer,
        .words = "name"},
