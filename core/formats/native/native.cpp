@@ -525,7 +525,7 @@ FormatResult<std::string> print_document(const Json& document) {
     return text;
   } catch (const Json::exception&) {
     return tl::unexpected(
-        FormatError{"", "a name of a flag, layer, spawn, curve, brush or export is not valid UTF-8"});
+        FormatError{"", "a name of a flag, layer, body, curve, brush or export is not valid UTF-8"});
   }
 }
 
