@@ -10,7 +10,7 @@ using testing::ElementsAre;
 
 std::string number(std::uint32_t value, int size) {
   std::string bytes;
-  for (int i = 0; i < size; ++i) bytes += static_cast<char>(value >> (8 * i) & 255);
+  for (int i = 0; i < size; ++i) bytes += static_cast<char>(std::uint64_t{value} >> (8 * i) & 255);
   return bytes;
 }
 std::string chunk(std::uint32_t type, const std::string& content) {
