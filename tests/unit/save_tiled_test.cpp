@@ -66,10 +66,10 @@ class SaveTiled : public FolderTest {
  protected:
   // Opens the file, edits its level and saves it. Returns the error; empty if there is none.
   template <class Edit>
-  std::string edit(const std::string& name, Edit edit, const std::string& as = "") {
+  std::string edit(const std::string& name, Edit change, const std::string& as = "") {
     auto loaded = load_level(path(name));
     if (!loaded) return to_string(loaded.error(), name);
-    edit(loaded->level);
+    change(loaded->level);
     const auto saved =
         save_level(loaded->level, *loaded->format, path(as.empty() ? name : as), loaded->companion);
     return saved ? "" : to_string(saved.error(), name);
