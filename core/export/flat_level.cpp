@@ -67,12 +67,7 @@ class Flattener {
       const TileImage& image = sheet.images[tile];
       return std::all_of(image.begin(), image.end(), [](std::uint8_t color) { return color == 0; });
     }
-    const TileSize size = level_.map.tile_size();
-    const Cell place = sheet.layout().place_of(tile);
-    for (int y = 0; y < size.height; ++y)
-      for (int x = 0; x < size.width; ++x)
-        if (sheet.picture->at(place.x * size.width + x, place.y * size.height + y)[3] != 0) return false;
-    return true;
+    return is_clear(*sheet.picture, sheet.layout(), tile, level_.map.tile_size());
   }
 
   void take(int index, std::size_t cell, LayerTiles& tiles) const {

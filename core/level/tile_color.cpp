@@ -9,6 +9,14 @@ std::uint8_t color_at(const TileImage& image, TileSize tile, int x, int y) {
   return image[static_cast<std::size_t>(row * kCartTileSize + column)];
 }
 
+bool is_clear(const SheetPicture& picture, const SheetLayout& layout, TileNumber tile, TileSize size) {
+  const Cell place = layout.place_of(tile);
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x)
+      if (picture.at(place.x * size.width + x, place.y * size.height + y)[3] != 0) return false;
+  return true;
+}
+
 Rgb color_on_map(const Level& level, TileNumber tile, int x, int y) {
   const Sheet& sheet = level.sheet(SheetId::tiles);
   const TileSize size = level.map.tile_size();

@@ -8,6 +8,9 @@ namespace talus {
 // The colour, 0..15, of an image at a pixel of a tile of that size, which it fills.
 std::uint8_t color_at(const TileImage& image, TileSize tile, int x, int y);
 
+// Whether a picture of tiles of that size shows nothing of a tile.
+bool is_clear(const SheetPicture& picture, const SheetLayout& layout, TileNumber tile, TileSize size);
+
 // The colour of a pixel of a tile, as the map shows it: what is not opaque lies over colour 0. x, y: px of
 // the map from the corner of the cell.
 Rgb color_on_map(const Level& level, TileNumber tile, int x, int y);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "level/tile_color.h"
 #include "overlay/visible.h"
 
 namespace talus {
@@ -12,18 +13,12 @@ namespace {
 
 constexpr float kFarZoom = 0.25f;
 
-bool is_clear(const SheetPicture& picture, TileSize tile) {  // tile 0 of it
-  for (int y = 0; y < tile.height; ++y)
-    for (int x = 0; x < tile.width; ++x)
-      if (picture.at(x, y)[3] != 0) return false;
-  return true;
-}
-
 // The colour, 0..15, that tile 0 shows in all of its pixels; nothing if it has several, or is in true colour.
 std::optional<std::uint8_t> plain_color_of_tile_0(const Level& level) {
   const Sheet& sheet = level.sheet(SheetId::tiles);
   if (sheet.picture != nullptr)
-    return is_clear(*sheet.picture, level.map.tile_size()) ? std::optional(std::uint8_t{0}) : std::nullopt;
+    return is_clear(*sheet.picture, sheet.layout(), 0, level.map.tile_size()) ? std::optional(std::uint8_t{0})
+                                                                              : std::nullopt;
   const TileImage& image = sheet.images[0];
   const bool is_plain = std::all_of(image.begin(), image.end(), [&](int pixel) { return pixel == image[0]; });
   return is_plain ? std::optional(image[0]) : std::nullopt;
