@@ -1,6 +1,7 @@
 -- Draws a level in LÖVE 11 as Talus's editor does, from its sheet: a picture of the tiles in which colour 0 is
 -- clear. pictures(level, file) gives
---   draw_ground()      the tiles of the map; a cell with a ball, which is a body, shows tile 0
+--   draw_ground(x, y)  the layers of tiles from the back to the front; a cell with a ball, which is a body, shows
+--                      tile 0. x, y: px, the middle of the view, from which layers with parallax have their places
 --   draw_body(body)    its kind, x, y, w and h. Kinds that look like a figure, such as players, are boxes with a
 --                      face. Others have the picture of their `tile`, without one that of the level's first ball
 --                      tile, and without any they are discs
@@ -25,17 +26,35 @@ local function is_plain(picture, tile_width, tile_height)
   return true
 end
 
--- The ground never changes: its tiles go into one batch.
-local function ground_of(level, sheet, quads, skips_empty, tile_width, tile_height)
+-- Layers never change: the tiles of each go into one batch.
+local function batch_of(level, layer, sheet, quads, skips_empty, tile_width, tile_height)
   local batch = love.graphics.newSpriteBatch(sheet)
-  for i, number in ipairs(level.tiles) do
-    local tile = level.balls[number] and 0 or number
+  for i, number in ipairs(layer.tiles) do
+    local tile = layer.ground and level.balls[number] and 0 or number
     if tile ~= 0 or not skips_empty then
       batch:add(quads[tile], (i - 1) % level.width * tile_width,
                 math.floor((i - 1) / level.width) * tile_height)
     end
   end
   return batch
+end
+
+-- Whether a layer's picture is that of its tiles.
+local function is_unchanged(layer)
+  return not (layer.opacity or layer.x or layer.y or layer.parallax_x or layer.parallax_y or layer.tint)
+end
+
+-- x, y: px, the middle of the view.
+local function draw_layer(layer, batch, x, y)
+  local tint = layer.tint or {255, 255, 255}
+  local to_x = (layer.x or 0) + x * (1 - (layer.parallax_x or 1))
+  local to_y = (layer.y or 0) + y * (1 - (layer.parallax_y or 1))
+  if to_x ~= 0 or to_y ~= 0 then  -- whole pixels of the screen keep pixel art sharp
+    local screen_x, screen_y = love.graphics.transformPoint(to_x, to_y)
+    to_x, to_y = love.graphics.inverseTransformPoint(math.floor(screen_x + 0.5), math.floor(screen_y + 0.5))
+  end
+  love.graphics.setColor(tint[1] / 255, tint[2] / 255, tint[3] / 255, layer.opacity or 1)
+  love.graphics.draw(batch, to_x, to_y)
 end
 
 local function rectangle(color, x, y, w, h)
@@ -68,12 +87,18 @@ return function(level, file)
                                         tile_width, tile_height, picture:getDimensions())
     if level.balls[tile] then first_ball = tile end
   end
-  local ground = ground_of(level, image(picture), quads, is_plain(picture, tile_width, tile_height), tile_width,
-                           tile_height)
+  local full, has_plain_0 = image(picture), is_plain(picture, tile_width, tile_height)
+  local layers, batches = level.layers or {{tiles = level.tiles, ground = true}}, {}
+  for i, layer in ipairs(layers) do  -- in front of others, and in a changed layer, colour 0 is clear
+    local is_back = i == 1 and is_unchanged(layer)
+    batches[i] = batch_of(level, layer, is_back and full or clear, quads, i > 1 or has_plain_0, tile_width,
+                          tile_height)
+  end
 
-  local function draw_ground()
-    love.graphics.setColor(1, 1, 1)
-    love.graphics.draw(ground)
+  local function draw_ground(x, y)
+    for i, layer in ipairs(layers) do
+      if not layer.hidden then draw_layer(layer, batches[i], x or 0, y or 0) end
+    end
   end
   local function draw_body(body)
     local kind, tile = level.kinds[body.kind], body.tile or first_ball

@@ -8,8 +8,8 @@ namespace talus {
 
 FormatResult<Exported> export_bump(const ExportRequest& request) {
   Exported out;
-  out.files = {{"level.lua", lua_level(request.level, LuaForm::readable, request.progress)},
-               {"sheet.png", write_clear_tiles(request.level)}};
+  out.files = {{"level.lua", lua_level(request.level, LuaForm::readable, request.progress, request.layered)},
+               {"sheet.png", write_clear_tiles(request.drawn())}};
   struct Copied {
     const char *name, *asset;
     bool is_starter = false;

@@ -6,6 +6,8 @@
 #include <filesystem>
 
 #include "../formats/files/atomic_file.h"
+#include "../level/ground_cells.h"
+#include "../level/ground_level.h"
 #include "export_targets.h"
 #include "flat_level.h"
 
@@ -50,6 +52,32 @@ FormatResult<Exported> write_flat(const Exporter& exporter, const ExportRequest&
   return exported;
 }
 
+// How many bodies are lost where a cell has a body's tile in one layer of ground and ground in another.
+std::size_t bodies_in_stacks(const Level& level, const GroundCells& ground) {
+  std::vector<std::size_t> bodies;  // by stack
+  for (const TileStack& stack : ground.stacks)
+    bodies.push_back(static_cast<std::size_t>(std::count_if(
+        stack.begin(), stack.end(), [&](TileNumber tile) { return is_ball_tile(level, tile); })));
+  std::size_t count = 0;
+  for (const TileNumber number : ground.cells)
+    if (number >= level.tile_count()) count += bodies[static_cast<std::size_t>(number - level.tile_count())];
+  return count;
+}
+
+// With the ground of all layers of tiles as one layer, and the layers to be drawn.
+FormatResult<Exported> write_layered(const Exporter& exporter, const ExportRequest& request) {
+  const GroundCells cells = ground_cells(request.level);
+  if (cells.overflow > 0) return tl::unexpected(FormatError{"", *ground_problem(request.level, cells)});
+  const Level ground = ground_level(request.level);
+  auto exported = exporter.write(
+      {ground, request.name, request.read_asset, request.parts, request.progress, &request.level});
+  const std::size_t lost = bodies_in_stacks(request.level, cells);
+  if (exported && lost > 0)
+    exported->dropped.push_back(std::to_string(lost) + (lost == 1 ? " body" : " bodies") +
+                                " in cells that have ground in another layer");
+  return exported;
+}
+
 }  // namespace
 
 Exported exported_file(std::string bytes, std::vector<std::string> dropped) {
@@ -70,8 +98,10 @@ std::string ExportRequest::sheet_name() const {
 }
 
 FormatResult<Exported> Exporter::make(const ExportRequest& request) const {
-  const bool is_flat = takes_layers || request.level.layers.is_plain();
-  FormatResult<Exported> exported = is_flat ? write(request) : write_flat(*this, request);
+  const bool is_whole = takes_layers || request.level.layers.is_plain();
+  FormatResult<Exported> exported = is_whole       ? write(request)
+                                    : draws_layers ? write_layered(*this, request)
+                                                   : write_flat(*this, request);
   if (request.progress.stopped()) return was_cancelled();
   return exported;
 }
@@ -126,18 +156,21 @@ std::span<const Exporter> exporters() {
        .label = "game for LÖVE 11",
        .write = export_love,
        .purpose = "A folder that LÖVE runs as it is: a start for your own game.",
+       .draws_layers = true,
        .takes_parts = true,
        .beside = kLoveFiles},
       {.id = "lua-runtime",
        .label = "Lua runtime and level",
        .write = export_lua_runtime,
        .purpose = "The exact solver and the level, for any game in Lua 5.3 or LuaJIT.",
+       .draws_layers = true,
        .takes_parts = true,
        .beside = kRuntimeFiles},
       {.id = "bump",
        .label = "game for LÖVE with bump.lua",
        .write = export_bump,
        .purpose = "Slopes as a response for bump.lua, the level, and an example that uses them.",
+       .draws_layers = true,
        .beside = kBumpFiles},
       {.id = "cpp",
        .label = "game in C++",
@@ -167,6 +200,7 @@ std::span<const Exporter> exporters() {
        .extensions = kLua,
        .write = export_sti,
        .purpose = "A map for the STI library of LÖVE and its bump plugin.",
+       .draws_layers = true,
        .usual_suffix = "-sti",
        .beside = kSheetBeside,
        .shares_sheet = true},

@@ -54,6 +54,12 @@ struct ExportRequest {
   const ReadAsset& read_asset;
   std::string_view parts = {};  // runtime parts to add to those that the level uses: see lua_parts.h
   Progress progress = {};       // receives the progress, and says whether to go on
+  // The level with its layers of tiles, if `level` has only the ground of all of them as its one layer, see
+  // Exporter::draws_layers; null: `level` is all that there is.
+  const Level* layered = nullptr;
+
+  // The level that is drawn.
+  const Level& drawn() const { return layered == nullptr ? level : *layered; }
 
   std::string stem() const;  // the name up to its first dot: "cave"; "level" for "-" and for an empty name
   std::string sheet_name() const;  // name of a picture of the tiles beside the file: "cave-tiles.png"
@@ -68,7 +74,10 @@ struct Exporter {
   FormatResult<Exported> (*write)(const ExportRequest& request);
   std::string_view purpose = {};  // one sentence: what it is for and what is in it; may be empty
   bool takes_layers =
-      false;                 // whether it takes all layers of tiles; else they are made one, see flat_level.h
+      false;  // whether it takes all layers of tiles; else they are made one, see flat_level.h
+  // Whether it draws all layers of tiles, but collides with their ground as one: a level with several layers
+  // comes as ground_level() of it, with the level itself as ExportRequest::layered.
+  bool draws_layers = false;
   bool takes_parts = false;  // whether it writes the Lua runtime, which has parts
   // The suffix of its usual file name, "-sti", so that no two exporters have the same.
   std::string_view usual_suffix = {};

@@ -9,7 +9,7 @@ namespace talus {
 FormatResult<Exported> export_lua_runtime(const ExportRequest& request) {
   FormatResult<std::string> runtime = lua_runtime(request, LuaForm::readable, false);
   if (!runtime) return tl::unexpected(runtime.error());
-  std::string level = lua_level(request.level, LuaForm::readable, request.progress);
+  std::string level = lua_level(request.level, LuaForm::readable, request.progress, request.layered);
   const std::size_t code = runtime->size() + level.size();
   return Exported{{{"talus.lua", std::move(*runtime)}, {"level.lua", std::move(level)}},
                   dropped_solver(request.level),
@@ -20,8 +20,8 @@ FormatResult<Exported> export_love(const ExportRequest& request) {
   FormatResult<std::string> runtime = lua_runtime(request, LuaForm::readable, true);
   if (!runtime) return tl::unexpected(runtime.error());
   Exported out{{{"talus.lua", std::move(*runtime)},
-                {"level.lua", lua_level(request.level, LuaForm::readable, request.progress)},
-                {"sheet.png", write_clear_tiles(request.level)}},
+                {"level.lua", lua_level(request.level, LuaForm::readable, request.progress, request.layered)},
+                {"sheet.png", write_clear_tiles(request.drawn())}},
                dropped_solver(request.level)};
   for (const std::string name :
        {"love/main.lua", "love/conf.lua", "camera.lua", "curve_points.lua", "pictures.lua"}) {

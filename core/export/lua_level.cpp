@@ -188,11 +188,28 @@ void write_kind(LuaTable&& table, BodyKind kind, TileSize tile) {
   table.word("look", look_word(traits.look));
 }
 
-void write_tiles(LuaTable&& rows, const TerrainSource& ground, const Progress& progress) {
-  const auto width = static_cast<std::size_t>(ground.width);
-  for (std::size_t from = 0; from < ground.cells.size() && progress.at(from, ground.cells.size());
-       from += width)
-    rows.row(ground.cells.subspan(from, width));
+void write_tiles(LuaTable&& rows, std::span<const TileNumber> cells, int columns, const Progress& progress) {
+  const auto width = static_cast<std::size_t>(columns);
+  for (std::size_t from = 0; from < cells.size() && progress.at(from, cells.size()); from += width)
+    rows.row(cells.subspan(from, width));
+}
+
+void write_layer(LuaTable&& table, const Level& level, int index) {
+  const TileLayer& layer = level.layers.list[static_cast<std::size_t>(index)];
+  if (!layer.name.empty()) table.member("name") += lua_string(layer.name);
+  if (layer.is_ground) table.truth("ground");
+  if (!layer.visible) table.truth("hidden");
+  const auto number = [&](std::string_view key, double value, double usual) {
+    if (value != usual) table.number(key, value);
+  };
+  number("opacity", layer.opacity, 1);
+  number("x", layer.offset.x, 0);
+  number("y", layer.offset.y, 0);
+  number("parallax_x", layer.parallax.x, 1);
+  number("parallax_y", layer.parallax.y, 1);
+  if (layer.tint != Rgb{255, 255, 255})
+    table.numbers("tint", std::vector<int>{layer.tint.r, layer.tint.g, layer.tint.b});
+  write_tiles(table.in_lines("tiles"), level.cells_of(index), level.map.width(), {});
 }
 
 // The player's gravity has the same key as that of balls.
@@ -200,7 +217,8 @@ std::string lua_key(const TuningField& field) {
   return field.group == "player" && field.key == "gravity" ? "player_gravity" : std::string(field.key);
 }
 
-void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Progress& progress) {
+void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Progress& progress,
+                 const Level* layered) {
   const TerrainSource ground = ground_of(level);
   const auto number_key = [](auto tile) { return "[" + std::to_string(tile) + "]"; };
   table.number("width", ground.width);
@@ -210,7 +228,7 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
     table.number("tile_height", ground.tile.height);
   }
   if (level.sheet(SheetId::tiles).picture != nullptr) table.truth("true_colour");
-  if (with_tiles) write_tiles(table.in_lines("tiles"), ground, progress);
+  if (with_tiles) write_tiles(table.in_lines("tiles"), ground.cells, ground.width, progress);
   {
     LuaTable shapes = table.in_lines("shapes");
     for (std::size_t tile = 0; tile < ground.shapes.size(); ++tile) {
@@ -246,6 +264,11 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
     for (const TuningField& field : tuning_fields()) tuning.number(lua_key(field), field.of(level.tuning));
   }
   if (!with_tiles) return;
+  if (layered != nullptr) {
+    LuaTable layers = table.in_lines("layers");
+    for (int layer = 0; layer < layered->layers.count(); ++layer)
+      write_layer(layers.in_lines(""), *layered, layer);
+  }
   LuaTable parts = table.in_a_row("parts");
   // A loop over the temporary would not keep it alive.
   const std::vector<std::string> used = lua_parts(level).value();
@@ -254,13 +277,13 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
 
 }  // namespace
 
-std::string lua_level(const Level& level, LuaForm form, const Progress& progress) {
+std::string lua_level(const Level& level, LuaForm form, const Progress& progress, const Level* layered) {
   std::string text;
   if (form == LuaForm::readable)
     text = "-- A level made with Talus, for talus.lua or bump_slopes.lua. Lengths in px.\n";
   text += "return ";
   write_level(LuaTable(text, form == LuaForm::readable ? LuaTable::Layout::lines : LuaTable::Layout::small),
-              level, form == LuaForm::readable, progress);
+              level, form == LuaForm::readable, progress, layered);
   return text + '\n';
 }
 

@@ -12,6 +12,11 @@
 //                     "figure"); takes_keys (false)
 //   tuning            of exact, player, and what they share with the article, by key
 //   parts             of the runtime, that the level needs (lua_parts.h)
+//   layers            only if there are several, or one that is not drawn as it is: what is drawn, from the
+//   back to
+//                     the front: name, tiles (as above); unless default: opacity (1), x, y (0, the offset),
+//                     parallax_x, parallax_y (1), tint ({255, 255, 255}), hidden (false), ground (false: only
+//                     drawn)
 #pragma once
 
 #include <string>
@@ -25,6 +30,8 @@ namespace talus {
 // (see lint) are left out, as the solver ignores them. readable: one line for each row of the map, shape,
 // curve, body and number of the tuning. small: without tiles and parts, as a cart has the map itself, and
 // without what the runtime takes anyway for a spawn: size and foot of its kind, no velocity.
-std::string lua_level(const Level& level, LuaForm form = LuaForm::readable, const Progress& progress = {});
+// layered: the level that has the layers, as ExportRequest::layered; null: none are written.
+std::string lua_level(const Level& level, LuaForm form = LuaForm::readable, const Progress& progress = {},
+                      const Level* layered = nullptr);
 
 }  // namespace talus

@@ -1,5 +1,7 @@
 // Maps for Simple Tiled Implementation. Its plugin for bump.lua knows full tiles, and boxes in an object
 // layer. Full tiles go to the former, slopes to the latter, with the box that the solver `bump` has for them.
+#include <vector>
+
 #include <talus/level/ground.h>
 #include "../formats/pictures/png_sheet.h"
 #include "../level/bump_boxes.h"
@@ -22,12 +24,35 @@ void put(TiledProperties& properties, std::string_view name, Value value) {
   properties.push_back({std::string(name), value});
 }
 
-// Tiles say their flags and whether they are full. STI has no use for what Tiled knows about shapes.
-void describe_tiles(const Level& level, const TerrainSource& ground, TiledTileset& tileset) {
+// By tile, whether it is full wherever the map shows it: in a layer that is only drawn it must not be, and
+// the plugin does not tell layers apart.
+std::vector<bool> collidable_tiles(const Level& drawn, const TerrainSource& ground) {
+  std::vector<bool> collides;
+  for (int tile = 0; tile < drawn.tile_count(); ++tile)
+    collides.push_back(is_full_tile(ground.shapes[static_cast<std::size_t>(tile)]));
+  for (int layer = 0; layer < drawn.layers.count(); ++layer) {
+    if (drawn.layers.list[static_cast<std::size_t>(layer)].is_ground) continue;
+    for (const TileNumber tile : drawn.cells_of(layer)) collides[tile] = false;
+  }
+  return collides;
+}
+
+// By cell, whether one of its tiles is collidable.
+std::vector<bool> collidable_cells(const Level& drawn, const std::vector<bool>& tiles) {
+  std::vector<bool> cells(drawn.map.cells().size());
+  for (int layer = 0; layer < drawn.layers.count(); ++layer) {
+    const auto& of_layer = drawn.cells_of(layer);
+    for (std::size_t cell = 0; cell < cells.size(); ++cell)
+      if (tiles[of_layer[cell]]) cells[cell] = true;
+  }
+  return cells;
+}
+
+// Tiles say their flags and whether they collide. STI has no use for what Tiled knows about shapes.
+void describe_tiles(const Level& level, const std::vector<bool>& collides, TiledTileset& tileset) {
   for (TiledTile& tile : *tileset.tiles) {
     tile.properties = tiled_flag_properties(level, level.tile_flags(static_cast<TileNumber>(tile.id)));
-    if (is_full_tile(ground.shapes[static_cast<std::size_t>(tile.id)]))
-      put(tile.properties, "collidable", true);
+    if (collides[static_cast<std::size_t>(tile.id)]) put(tile.properties, "collidable", true);
   }
 }
 
@@ -46,7 +71,9 @@ TiledObject slope_object(const BumpBox& box, Cell cell, TileSize tile) {
 }
 
 // In the order of the program's solver: column by column from left to right, each from top to bottom.
-TiledLayer slope_layer(const TerrainSource& ground, const Progress& progress) {
+// collides: by cell, whether a tile collides there already.
+TiledLayer slope_layer(const TerrainSource& ground, const std::vector<bool>& collides,
+                       const Progress& progress) {
   TiledLayer layer;
   layer.name = kSlopeLayer;
   layer.is_hidden = true;
@@ -55,8 +82,8 @@ TiledLayer slope_layer(const TerrainSource& ground, const Progress& progress) {
     for (c.y = 0; c.y < ground.height; ++c.y) {
       const auto at = static_cast<std::size_t>(c.y) * static_cast<std::size_t>(ground.width) +
                       static_cast<std::size_t>(c.x);
+      if (collides[at]) continue;
       const TileShape& shape = ground.shapes[ground.cells[at]];
-      if (is_full_tile(shape)) continue;
       for (const BumpBox& box : bump_boxes(shape, ground.tile))
         layer.objects.push_back(slope_object(box, c, ground.tile));
     }
@@ -68,19 +95,22 @@ TiledLayer slope_layer(const TerrainSource& ground, const Progress& progress) {
 
 FormatResult<Exported> export_sti(const ExportRequest& request) {
   const TerrainSource ground = ground_of(request.level);
-  TiledMap map = tiled_map_of(request);
-  describe_tiles(request.level, ground, map.tilesets.front());
+  const Level& drawn = request.drawn();
+  TiledMap map = tiled_map_of({drawn, request.name, request.read_asset});
+  const std::vector<bool> collides = collidable_tiles(drawn, ground);
+  describe_tiles(drawn, collides, map.tilesets.front());
   std::vector<std::string> dropped;
   if (const std::size_t curves = map.layers.back().objects.size(); curves > 0)
     dropped.push_back("collision, which bump.lua cannot have, with " + std::to_string(curves) + " curve" +
                       (curves == 1 ? "" : "s"));
   for (std::string& phrase : dropped_by_bump(request.level)) dropped.push_back(std::move(phrase));
-  map.layers.push_back(slope_layer(ground, request.progress.part(0.2, 0.5)));
+  map.layers.push_back(
+      slope_layer(ground, collidable_cells(drawn, collides), request.progress.part(0.2, 0.5)));
   if (request.progress.stopped()) return Exported();
   if (map.layers.back().objects.size() > kMostBoxes)
     return tl::unexpected(FormatError{
         "", "the slopes need more than 1000000 boxes, too many for an STI map: make the map smaller"});
-  return tiled_files(request, tiled_lua_text(map), write_map_tiles(request.level), std::move(dropped));
+  return tiled_files(request, tiled_lua_text(map), write_map_tiles(drawn), std::move(dropped));
 }
 
 }  // namespace talus

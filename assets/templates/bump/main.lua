@@ -95,7 +95,7 @@ function love.draw()
   love.graphics.push()
   love.graphics.scale(zoom)
   love.graphics.translate(-math.floor(left * zoom) / zoom, -math.floor(top * zoom) / zoom)
-  drawing.draw_ground()
+  drawing.draw_ground(left + width / zoom / 2, top + height / zoom / 2)
   for _, body in ipairs(bodies) do drawing.draw_body(body) end
   love.graphics.pop()
   love.graphics.setColor(1, 1, 1)

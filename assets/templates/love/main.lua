@@ -59,7 +59,8 @@ function love.draw()
   love.graphics.push()
   love.graphics.scale(zoom)
   love.graphics.translate(-math.floor(left * zoom) / zoom, -math.floor(top * zoom) / zoom)
-  drawing.draw_ground()
+  local width, height = love.graphics.getDimensions()
+  drawing.draw_ground(left + width / zoom / 2, top + height / zoom / 2)
   for _, points in ipairs(curves) do love.graphics.line(points) end
   for _, body in ipairs(world.bodies) do drawing.draw_body(body) end
   love.graphics.pop()
