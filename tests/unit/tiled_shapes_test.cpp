@@ -117,6 +117,20 @@ TEST(TiledShapes, SeveralOutlinesAreAGroup) {
   EXPECT_THAT(told(loaded), ElementsAre());
 }
 
+// It was a one-way ceiling, which let all bodies fall through.
+TEST(TiledShapes, OneWayPlanksAtTheTopAreFloors) {
+  const auto plank = [](const std::string& tile) {
+    return map_with(R"(<object width="8" height="2"><properties><property name="one_way" type="bool")"
+                    R"( value="true"/></properties></object>)",
+                    tile)
+        .level.tile_shapes[5];
+  };
+  EXPECT_EQ(plank(""), polygon_shape({{0, 0}, {8, 0}, {8, 2}, {0, 2}}, true));
+  const TileShape ceiling = plank(R"(<property name="shape_side" value="ceiling"/>)");
+  EXPECT_EQ(ceiling.side, Side::ceiling) << "a level of Talus says so";
+  EXPECT_TRUE(ceiling.one_way);
+}
+
 TEST(TiledShapes, OutlinesOfPolygonsAreReadAsWritten) {
   TileShape group;
   group.kind = Kind::group;

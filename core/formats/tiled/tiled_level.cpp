@@ -70,9 +70,9 @@ class TiledLevelMaker {
   TileShape own_shape_of(TileNumber number, const TiledSource& source, const TiledTile& tile,
                          const TileShape& before);
   TileShape shape_of_objects(const std::string& tile, const std::vector<TiledObject>& objects,
-                             std::optional<bool> one_way);
+                             std::optional<bool> one_way, bool is_ceiling);
   std::optional<TileShape> shape_of_outline(const std::string& tile, const std::vector<Vec2>& outline,
-                                            bool one_way);
+                                            bool one_way, bool is_ceiling);
   void tell_stale_words(const TiledTile& tile, const TileShape& shape);
   void take_objects(const TiledLayer& layer);
   const std::string& type_of(const TiledObject& object) const;
@@ -420,13 +420,16 @@ TileShape TiledLevelMaker::own_shape_of(TileNumber number, const TiledSource& so
   if (is_solid && objects.empty()) return {.kind = TileShape::Kind::solid, .one_way = one_way || by_flags};
   std::optional<bool> all_one_way;  // empty: each outline says it
   if (word != nullptr || by_flags) all_one_way = one_way || by_flags;
-  const TileShape shape = shape_of_objects(name_of_tile(number, source), objects, all_one_way);
+  const auto* const side = find_property<std::string>(tile.properties, "shape_side");
+  const bool is_ceiling = side != nullptr && *side == "ceiling";
+  const TileShape shape = shape_of_objects(name_of_tile(number, source), objects, all_one_way, is_ceiling);
   return source.turn == 0 ? as_in_words(shape, tile, map_.tile_size) : shape;
 }
 
-// Several outlines become a group.
+// Several outlines become a group. is_ceiling: whether the tile says that its one-way outline stops bodies
+// from below.
 TileShape TiledLevelMaker::shape_of_objects(const std::string& tile, const std::vector<TiledObject>& objects,
-                                            std::optional<bool> one_way) {
+                                            std::optional<bool> one_way, bool is_ceiling) {
   TileShape group;
   group.kind = TileShape::Kind::group;
   for (const TiledObject& object : objects) {
@@ -439,7 +442,7 @@ TileShape TiledLevelMaker::shape_of_objects(const std::string& tile, const std::
                                      std::to_string(kMostCorners) + " are looked at"));
       continue;
     }
-    if (auto part = shape_of_outline(tile, outline, one_way.value_or(is_one_way(object))))
+    if (auto part = shape_of_outline(tile, outline, one_way.value_or(is_one_way(object)), is_ceiling))
       group.parts.push_back(*std::move(part));
   }
   if (group.parts.empty()) return {};
@@ -453,8 +456,11 @@ TileShape TiledLevelMaker::shape_of_objects(const std::string& tile, const std::
 
 // The shape that an outline is, or the nearest one, if no level can hold the outline.
 std::optional<TileShape> TiledLevelMaker::shape_of_outline(const std::string& tile,
-                                                           const std::vector<Vec2>& outline, bool one_way) {
-  if (auto shape = tile_shape_of(outline, one_way, map_.tile_size)) return shape;
+                                                           const std::vector<Vec2>& outline, bool one_way,
+                                                           bool is_ceiling) {
+  // A one-way plank at the top of its tile looks like a ceiling, but bodies stand on it.
+  const auto of_line = tile_shape_of(outline, one_way, map_.tile_size);
+  if (of_line && (!one_way || is_ceiling || of_line->side == TileShape::Side::floor)) return of_line;
   if (auto shape = polygon_of(outline, one_way, map_.tile_size)) return shape;
   auto nearest = nearest_tile_shape(outline, map_.tile_size);
   if (!nearest) {
