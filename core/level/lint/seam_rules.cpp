@@ -63,8 +63,10 @@ class SeamFixer {
   std::vector<Edit> fixes() {
     go_on(true);
     go_on(false);
-    change_height(true);
-    change_height(false);
+    // Whole px first: a part of a px is more likely the mistake.
+    const bool left_first = is_whole(seam_.right_y) || !is_whole(seam_.left_y);
+    change_height(left_first);
+    change_height(!left_first);
     keep_the_best();
     return std::move(edits_);
   }
@@ -81,6 +83,8 @@ class SeamFixer {
     const double base = level_.map.y_of(floor ? cell.y + 1 : cell.y);
     return floor ? base - weld(height) : base + weld(height);
   }
+
+  static bool is_whole(double y) { return y == std::floor(y); }
 
   // Adds the fix that puts the slope's next tile on the sheet beside it on the map, if that tile continues at
   // the same height and the cell is empty.
