@@ -1,0 +1,66 @@
+// The second tour of the README: a map of Tiled with 16x16 px tiles is opened, mended, saved and played.
+#include <algorithm>
+
+#include "harness.h"
+#include "level/lint/lint.h"
+#include "panels/level/problem_list.h"
+
+namespace talus::platformer_ui_test {
+
+class UiPlatformer : public UiTest {
+ protected:
+  std::string map() const { return path("platformer/meadow.tmx"); }
+  void start_tour() {
+    std::filesystem::copy(TALUS_SOURCE_DIR "/assets/platformer", path("platformer"));
+    start(map());
+    frames(8);  // the lint and the fixes are computed a few at a time
+  }
+  const std::vector<Problem>& problems() { return *app().ui().problems; }
+  const Body& player() {
+    const auto& bodies = session().state().bodies;
+    return *std::find_if(bodies.begin(), bodies.end(), [](const Body& body) { return body.box.w == 10; });
+  }
+};
+
+TEST_F(UiPlatformer, TheSeamIsFoundMendedAndSaved) {
+  start_tour();
+  EXPECT_EQ(level().map.tile_size(), (TileSize{16, 16}));
+  EXPECT_EQ(level().layers.count(), 4);
+  ASSERT_EQ(problems().size(), 6u) << "wherever the tile with the half pixel is";
+  for (const Problem& problem : problems()) {
+    EXPECT_EQ(problem.rule->code, "seam");
+    EXPECT_NE(problem.message.find("jumps 0.5 px"), std::string::npos) << problem.message;
+  }
+  const std::string before = bytes_of(map());
+  click("problems/fix0");
+  frames(8);
+  EXPECT_EQ(session().history().edits().back().label,
+            "Lower the left end of tile 9's slope from 8.5 to 8 px, wherever the tile is");
+  EXPECT_TRUE(problems().empty());
+  key(ctrl('s'));
+  frames(2);
+  EXPECT_FALSE(session().question());
+  EXPECT_EQ(bytes_of(map()), before) << "no cell was painted";
+  start(map());
+  frames(8);
+  EXPECT_TRUE(problems().empty());
+}
+
+// With the seam, its first ramp stops the player.
+TEST_F(UiPlatformer, ThePlayerRunsOverTheMendedRamp) {
+  start_tour();
+  const auto run = [this] {
+    key(ctrl('r'));
+    click(on_canvas("play", {100, 100}));
+    hold(kKeyRight);
+    frames(120);
+    let_go(kKeyRight);
+    return player().box.x;
+  };
+  const double with_seam = run();
+  click("problems/fix0");
+  frames(8);
+  EXPECT_GT(run(), with_seam + 16);
+}
+
+}  // namespace talus::platformer_ui_test
