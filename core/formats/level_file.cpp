@@ -135,6 +135,68 @@ class PairWriter {
   bool is_own_ = false, is_put_ = false, is_done_ = false;
 };
 
+// The other files of a level that change, such as tilesets: first all are written, then all are put in their
+// places. If it ends early, those that were put get their old content again.
+class OtherFiles {
+ public:
+  OtherFiles() = default;
+  OtherFiles(const OtherFiles&) = delete;
+  OtherFiles& operator=(const OtherFiles&) = delete;
+  ~OtherFiles() {
+    for (const Entry& entry : entries_) {
+      if (entry.is_put && !is_done_) (void)write_file_atomic(entry.file->path, entry.before);
+    }
+  }
+
+  // files: must live as long as this.
+  FormatResult<void> stage(const std::vector<WrittenFile>& files, const CompanionFile& known) {
+    for (const WrittenFile& file : files) {
+      const std::uint64_t hash = content_hash(file.bytes);
+      contents_[file.path] = hash;
+      const auto old = known.others.find(file.path);
+      if (old != known.others.end() && old->second == hash) continue;
+      auto before = read_file(file.path);
+      if (!before) return tl::unexpected(named(file, before.error()));
+      if (*before == file.bytes) continue;
+      auto staged = StagedFile::write(file.path, file.bytes);
+      if (!staged) return tl::unexpected(named(file, staged.error()));
+      entries_.push_back({&file, *std::move(before), *std::move(staged)});
+    }
+    return {};
+  }
+  FormatResult<void> put(std::string& note) {
+    for (Entry& entry : entries_) {
+      if (const auto put = entry.staged.put(); !put) return tl::unexpected(named(*entry.file, put.error()));
+      entry.is_put = true;
+      add_doubt(entry.file->path, entry.staged, note);
+    }
+    return {};
+  }
+  void finish() { is_done_ = true; }
+  std::vector<std::string> written() const {
+    std::vector<std::string> paths;
+    for (const Entry& entry : entries_) paths.push_back(entry.file->path);
+    return paths;
+  }
+  const std::map<std::string, std::uint64_t>& contents() const { return contents_; }
+
+ private:
+  struct Entry {
+    const WrittenFile* file;
+    std::string before;
+    StagedFile staged;
+    bool is_put = false;
+  };
+  static FormatError named(const WrittenFile& file, FormatError error) {
+    error.message = last_name(file.path) + ", a tileset of it: " + error.message;
+    return error;
+  }
+
+  std::vector<Entry> entries_;
+  std::map<std::string, std::uint64_t> contents_;
+  bool is_done_ = false;
+};
+
 // For an error of the companion, whose name the user has not typed.
 tl::unexpected<FormatError> companion_error(const std::string& path, FormatError error) {
   error.message = last_name(path) + ", for what it cannot hold: " + error.message;
@@ -164,16 +226,22 @@ FormatResult<SavedLevel> save_pair(const Level& level, const Format& format, con
   const bool stays = needed->empty() && !(before.bytes && is_companion(*before.bytes));
   auto staged = StagedFile::write(path, written.bytes);
   if (!staged) return tl::unexpected(staged.error());
+  OtherFiles others;
+  if (const auto all = others.stage(written.others, known); !all) return tl::unexpected(all.error());
   PairWriter pair(beside, before);
   if (!stays || before.is_free) {
     const auto put = pair.put_companion(*needed, is_known || (before.bytes && *before.bytes == *needed));
     if (!put) return companion_error(beside, put.error());
   }
+  std::string note = pair.doubt();
+  if (const auto put = others.put(note); !put) return tl::unexpected(put.error());
   if (const auto put = staged->put(); !put) return tl::unexpected(put.error());
+  others.finish();
   pair.finish(needed->empty() && is_known);
-  SavedLevel saved{written.dropped, {}, pair.doubt()};
+  SavedLevel saved{written.dropped, others.written(), {}, std::move(note)};
   add_doubt(path, *staged, saved.note);
-  if (!needed->empty()) saved.companion = {beside, content_hash(*needed)};
+  if (!needed->empty()) saved.companion = {beside, content_hash(*needed), {}};
+  saved.companion.others = others.contents();
   if (!pair.kept().empty())
     saved.note += (saved.note.empty() ? "" : ". ") + last_name(beside) +
                   " held something else, which is kept as " + last_name(pair.kept());
@@ -220,6 +288,10 @@ FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoice
   if (!loaded) return loaded;
   loaded->path = path;
   if (!loaded->format->holds.empty()) add_companion(*loaded);
+  if (loaded->level.tiled) {
+    for (const TiledOrigin::File& tileset : loaded->level.tiled->tilesets)
+      loaded->companion.others[tileset.path] = content_hash(tileset.bytes);
+  }
   return loaded;
 }
 
@@ -231,7 +303,7 @@ FormatResult<SavedLevel> save_level(const Level& level, const Format& format, co
   if (!format.holds.empty()) return save_pair(level, format, path, *written, known);
   if (std::string problem = companion_place_problem(path); !problem.empty())
     return tl::unexpected(FormatError{"", std::move(problem)});
-  SavedLevel saved{std::move(written->dropped)};
+  SavedLevel saved{.dropped = std::move(written->dropped)};
   if (const auto put = write_noting(path, written->bytes, saved.note); !put)
     return tl::unexpected(put.error());
   return saved;

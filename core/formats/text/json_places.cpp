@@ -71,6 +71,18 @@ std::vector<TextSpan> JsonPlaces::values(TextSpan list_or_object) const {
   }
 }
 
+std::vector<JsonPlaces::Member> JsonPlaces::members(TextSpan object) const {
+  std::vector<Member> all;
+  if (!is_object(object)) return all;
+  std::optional<std::size_t> at = first_in(object);
+  for (const TextSpan value : values(object)) {
+    all.push_back({read_string(text_.substr(*at, behind_string(text_, *at) - *at)), {*at, value.end}});
+    const std::size_t comma = behind_blanks(value.end);
+    at = behind_blanks(std::min(comma + 1, text_.size()));
+  }
+  return all;
+}
+
 std::optional<TextSpan> JsonPlaces::member(TextSpan object, std::string_view key) const {
   if (!is_object(object)) return std::nullopt;
   for (std::optional<std::size_t> at = first_in(object); at;) {
@@ -127,6 +139,64 @@ void append_json_values(const JsonPlaces& places, TextSpan list, const std::vect
   for (const std::string& value : values)
     text += (known.empty() && text.empty() ? "" : "," + (line.empty() ? " " : line)) + value;
   edits.insert(known.empty() ? list.begin + 1 : known.back().end, text);
+}
+
+namespace {
+
+// Changes values or members, which are parts of `whole` with commas between them.
+void change_parts(const JsonPlaces& places, TextSpan whole, const std::vector<TextSpan>& parts,
+                  const JsonListEdit& change, TextEdits& edits) {
+  if (change.empty()) return;
+  const auto goes = [&](std::size_t i) {
+    return std::find(change.removed.begin(), change.removed.end(), i) != change.removed.end();
+  };
+  const std::string line = parts.empty() ? "" : places.break_before(parts.front().begin);
+  const std::string separator = "," + (line.empty() ? " " : line);
+  std::size_t first_kept = 0;
+  while (first_kept < parts.size() && goes(first_kept)) ++first_kept;
+  if (first_kept == parts.size()) {
+    std::string text;
+    for (const auto& [before, value] : change.added) text += (text.empty() ? "" : separator) + value;
+    const std::size_t begin = whole.begin + 1;
+    return edits.replace(
+        parts.empty() ? TextSpan{begin, begin} : TextSpan{parts.front().begin, parts.back().end}, text);
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (i < first_kept) edits.replace({parts[i].begin, parts[i + 1].begin}, "");
+    if (i > first_kept && goes(i)) edits.replace({parts[i - 1].end, parts[i].end}, "");
+  }
+  for (const auto& [before, value] : change.added) {
+    if (before < parts.size())
+      edits.insert(parts[before].begin, value + separator);
+    else
+      edits.insert(parts.back().end, separator + value);
+  }
+}
+
+}  // namespace
+
+void change_json_list(const JsonPlaces& places, TextSpan list, const JsonListEdit& change, TextEdits& edits) {
+  change_parts(places, list, places.values(list), change, edits);
+}
+
+void change_json_members(const JsonPlaces& places, TextSpan object,
+                         const std::vector<JsonMemberEdit>& changes, TextEdits& edits) {
+  std::vector<TextSpan> parts;
+  const std::vector<JsonPlaces::Member> members = places.members(object);
+  for (const JsonPlaces::Member& member : members) parts.push_back(member.whole);
+  JsonListEdit change;
+  for (const JsonMemberEdit& edit : changes) {
+    const auto known =
+        std::find_if(members.begin(), members.end(), [&](const auto& m) { return m.key == edit.key; });
+    if (known == members.end()) {
+      if (edit.value) change.added.emplace_back(parts.size(), "\"" + edit.key + "\":" + *edit.value);
+    } else if (edit.value) {
+      edits.replace(*places.member(object, edit.key), *edit.value);
+    } else {
+      change.removed.push_back(static_cast<std::size_t>(known - members.begin()));
+    }
+  }
+  change_parts(places, object, parts, change, edits);
 }
 
 }  // namespace talus

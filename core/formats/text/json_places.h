@@ -21,6 +21,12 @@ class JsonPlaces {
   std::vector<TextSpan> values(TextSpan list_or_object) const;
   // The value of the member; nothing if the object has none, or is no object.
   std::optional<TextSpan> member(TextSpan object, std::string_view key) const;
+  // The members of an object, each from its key to the end of its value; empty for other values.
+  struct Member {
+    std::string key;
+    TextSpan whole;
+  };
+  std::vector<Member> members(TextSpan object) const;
   bool is_list(TextSpan value) const { return text_[value.begin] == '['; }
   bool is_object(TextSpan value) const { return text_[value.begin] == '{'; }
   bool is_text(TextSpan value) const { return text_[value.begin] == '"'; }
@@ -45,5 +51,22 @@ void set_json_member(const JsonPlaces& places, TextSpan object, std::string_view
 // Puts values behind the last one of a list, each in a line of its own if the others are.
 void append_json_values(const JsonPlaces& places, TextSpan list, const std::vector<std::string>& values,
                         TextEdits& edits);
+
+// Changes of a list: the values that go, by their index, and new ones before the value of that index; before
+// the list's end if there is no such value.
+struct JsonListEdit {
+  std::vector<std::size_t> removed = {};
+  std::vector<std::pair<std::size_t, std::string>> added = {};
+  bool empty() const { return removed.empty() && added.empty(); }
+};
+void change_json_list(const JsonPlaces& places, TextSpan list, const JsonListEdit& change, TextEdits& edits);
+
+// Sets and removes members of an object. Call it once for an object.
+struct JsonMemberEdit {
+  std::string key;
+  std::optional<std::string> value;  // nothing: the member goes
+};
+void change_json_members(const JsonPlaces& places, TextSpan object,
+                         const std::vector<JsonMemberEdit>& changes, TextEdits& edits);
 
 }  // namespace talus

@@ -90,6 +90,15 @@ std::optional<TextSpan> XmlPlaces::attribute(const pugi::xml_node& element, std:
   return std::nullopt;
 }
 
+std::optional<TextSpan> XmlPlaces::whole_attribute(const pugi::xml_node& element,
+                                                   std::string_view name) const {
+  const auto value = attribute(element, name);
+  if (!value) return std::nullopt;
+  std::size_t begin = text_.rfind(name, text_.rfind('=', value->begin));
+  while (is_blank_of_xml(text_[begin - 1])) --begin;
+  return TextSpan{begin, value->end + 1};
+}
+
 std::size_t XmlPlaces::end_of_attributes(const pugi::xml_node& element) const {
   std::size_t end = open_tag(element).end - (has_inside(element) ? 1 : 2);
   while (is_blank_of_xml(text_[end - 1])) --end;
@@ -149,6 +158,11 @@ void set_xml_attribute(const XmlPlaces& places, const pugi::xml_node& element, s
     return;
   }
   edits.insert(places.end_of_attributes(element), " " + std::string(name) + "=\"" + text + "\"");
+}
+
+void remove_xml_attribute(const XmlPlaces& places, const pugi::xml_node& element, std::string_view name,
+                          TextEdits& edits) {
+  if (const auto known = places.whole_attribute(element, name)) edits.replace(*known, "");
 }
 
 void append_xml_inside(const XmlPlaces& places, const pugi::xml_node& element, std::string text,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <talus/formats/format.h>
+#include "tiled_edits.h"
 
 namespace talus {
 
@@ -34,6 +35,10 @@ class TiledDocument {
   virtual void set_looks(int layer, const TileLayer& before, const TileLayer& now) = 0;
   // Sets the size of the map and of its tile layers.
   virtual void set_size(int width, int height) = 0;
+
+  // Changes tiles of a tileset whose text is in this one. tileset: from 0, in the order of the file; of a
+  // tileset's own file 0. What has no place in the text is left out. Call it once for a tileset.
+  virtual void edit_tiles(int tileset, const TiledTileEdits& edits) = 0;
 
   virtual std::string text() const = 0;  // with all changes
 };

@@ -12,6 +12,7 @@
 #include "../import/linked_files.h"
 #include "../last_catch.h"
 #include "../text/utf8_text.h"
+#include "tiled_content.h"
 #include "tiled_json.h"
 #include "tiled_level.h"
 #include "tiled_xml.h"
@@ -188,6 +189,7 @@ FormatResult<TiledTileset> TiledFiles::tileset_in(const std::string& source, con
   auto read = read_tiled_tileset(*json, find, drops_);
   if (!read) return error_in(source, read.error());
   if (!read->source.empty()) return error_in(source, {"", "is a tileset that names another file"});
+  read->file = place;
   return read;
 }
 
@@ -329,6 +331,19 @@ FormatResult<Level> read_tiled(std::string_view bytes, const FormatContext& cont
     for (std::string& phrase : drops.phrases()) context.dropped->push_back(std::move(phrase));
   }
   return level;
+}
+
+FormatResult<TiledContent> read_tiled_content(std::string_view bytes, const FormatContext& context,
+                                              std::span<const TiledOrigin::File> tilesets) {
+  ImportDrops drops;
+  return read_guarded([&]() -> FormatResult<TiledContent> {
+    TiledFiles files(context, tilesets, drops);
+    auto map = files.read_map(bytes);
+    if (!map) return tl::unexpected(map.error());
+    TiledContent model{*std::move(map), {}};
+    model.pictures = files.read_pictures(model.map);
+    return model;
+  });
 }
 
 FormatResult<Level> read_tiled_again(std::string_view bytes, const FormatContext& context,

@@ -29,9 +29,9 @@ FormatResult<Level> read_tiled(std::string_view bytes, const FormatContext& cont
 FormatResult<Level> read_tiled_again(std::string_view bytes, const FormatContext& context,
                                      std::span<const TiledOrigin::File> tilesets);
 
-// Writes the file that the level came from, with what was edited; `held` is the level that it gives. It is an
-// error if the level came from no such file, or from one in another folder, or if the file cannot hold its
-// cells or the pictures of its tiles.
+// Writes the file that the level came from, with what was edited, and the files of its tilesets; `held` is
+// the level that they give. It is an error if the level came from no such file, or from one in another
+// folder, or if the file cannot hold its cells or the pictures of its tiles.
 FormatResult<WrittenLevel> write_tiled(const Level& level, const FormatContext& context);
 
 }  // namespace talus

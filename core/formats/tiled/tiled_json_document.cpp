@@ -6,6 +6,7 @@
 #include "../text/json_text.h"
 #include "tiled_cells.h"
 #include "tiled_document.h"
+#include "tiled_json_editor.h"
 #include "tiled_map.h"
 
 namespace talus {
@@ -23,6 +24,7 @@ class TiledJsonDocument : public TiledDocument {
   void add_chunks(int layer, const std::vector<TiledBlock>& chunks) override;
   void set_looks(int layer, const TileLayer& before, const TileLayer& now) override;
   void set_size(int width, int height) override;
+  void edit_tiles(int tileset, const TiledTileEdits& edits) override;
   std::string text() const override { return edits_.applied_to(text_); }
 
  private:
@@ -149,6 +151,16 @@ void TiledJsonDocument::set_size(int width, int height) {
     if (const auto old = places_.member(node, "width")) edits_.replace(*old, std::to_string(width));
     if (const auto old = places_.member(node, "height")) edits_.replace(*old, std::to_string(height));
   }
+}
+
+void TiledJsonDocument::edit_tiles(int tileset, const TiledTileEdits& edits) {
+  TextSpan node = root_;
+  if (const auto list = places_.member(root_, "tilesets")) {
+    const std::vector<TextSpan> tilesets = places_.values(*list);
+    if (static_cast<std::size_t>(tileset) >= tilesets.size()) return;
+    node = tilesets[static_cast<std::size_t>(tileset)];
+  }
+  TiledJsonEditor(text_, places_, edits_).edit_tiles(node, edits);
 }
 
 }  // namespace

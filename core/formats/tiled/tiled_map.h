@@ -95,6 +95,7 @@ struct TiledTileset {
   std::uint32_t first_gid = 1;  // number of its first tile in cells of the map
   std::string name;
   std::string source;              // its own file, relative to the map's folder; empty: it is in the map
+  std::string file;                // path of its own file, as it was opened; empty: it is in the map
   std::string image;               // relative to the map's folder or that of its own file; empty: it has none
   bool is_missing = false;         // whether its file does not exist
   bool is_collection = false;      // whether its tiles have pictures of their own

@@ -9,6 +9,7 @@
 #include "tiled_document.h"
 #include "tiled_format.h"
 #include "tiled_map.h"
+#include "tiled_tile_writer.h"
 
 namespace talus {
 namespace {
@@ -40,13 +41,28 @@ class TiledSaver {
   TileNumber tile_of(std::uint32_t cell) const;
   // The cell of the level at a place of the file; nothing if that is off its map.
   const TileNumber* at(int x, int y) const;
-  FormatResult<Level> read_back(const std::string& bytes) const;
+  // What is written: `left_out` are tiles of which the files keep what they have.
+  struct Plan {
+    bool takes_new_names = true;  // whether flags get the names that the level gives them
+    std::set<TileNumber> left_out = {};
+  };
+  struct Attempt {
+    WrittenLevel written;
+    FormatResult<Level> held;
+    std::set<TileNumber> wrong;  // tiles that were written, and would be read as others
+  };
+  FormatResult<Attempt> attempt(const Plan& plan);
+  bool has_other_tiles() const;
+  FormatContext context_again() const;
+  FormatResult<Level> read_back(const WrittenLevel& written) const;
 
   const Level& level_;
   const TiledOrigin& origin_;
   const FormatContext& context_;
+  std::optional<TiledContent> model_;                    // if something is taken from it
   const std::vector<TileNumber>* cells_ = nullptr;       // of the layer that is being written
   std::unordered_map<std::uint32_t, TileNumber> tiles_;  // by the number in cells
+  bool has_cells_ = false;                               // whether the file has layers of tiles
 };
 
 constexpr std::uint32_t kTileBits = kTiledIdBits | kTiledFlipX | kTiledFlipY | kTiledFlipXY;
@@ -202,7 +218,8 @@ FormatResult<void> TiledSaver::write_layer(int layer, TiledDocument& document) {
 }
 
 FormatResult<void> TiledSaver::write_layers(TiledDocument& document) {
-  if (document.layer_count() == 0) return {};  // a tileset, or a map of objects alone
+  has_cells_ = document.layer_count() > 0;
+  if (!has_cells_) return {};  // a tileset, or a map of objects alone
   if (std::any_of(origin_.layers.begin(), origin_.layers.end(),
                   [&](int number) { return number >= document.layer_count(); }))
     return cannot("has other layers of tiles than the map");
@@ -223,37 +240,94 @@ bool has_same_layers(Level a, const Level& b) {
   return a.map == b.map && a.layers == b.layers;
 }
 
-// The level that the files give after saving.
-FormatResult<Level> TiledSaver::read_back(const std::string& bytes) const {
+FormatContext TiledSaver::context_again() const {
   FormatContext context{.extension = origin_.extension, .folder = origin_.folder};
   if (origin_.layers.size() == 1) context.choices.layer_number = origin_.layers[0] + 1;
   context.choices.frame = origin_.frame;
   context.choices.frame->width = level_.map.width();
   context.choices.frame->height = level_.map.height();
-  auto held = read_tiled_again(bytes, context, origin_.tilesets);
+  return context;
+}
+
+// The level that the files give after saving.
+FormatResult<Level> TiledSaver::read_back(const WrittenLevel& written) const {
+  std::vector<TiledOrigin::File> tilesets;
+  for (const WrittenFile& file : written.others) tilesets.push_back({file.path, file.bytes});
+  auto held = read_tiled_again(written.bytes, context_again(), tilesets);
   if (!held) return cannot("cannot be written so that Talus reads it again: " + held.error().message);
   return held;
+}
+
+bool TiledSaver::has_other_tiles() const {
+  return level_.tile_shapes != origin_.opened->tile_shapes ||
+         level_.sheet(SheetId::tiles).flags != origin_.opened->sheet(SheetId::tiles).flags;
+}
+
+FormatResult<TiledSaver::Attempt> TiledSaver::attempt(const Plan& plan) {
+  auto document = tiled_document(origin_.bytes);
+  if (!document) return tl::unexpected(document.error());
+  if (const auto written = write_layers(**document); !written) return tl::unexpected(written.error());
+  TiledTilesetEdits tiles;
+  if (model_) {
+    const auto names = names_for_tiled(level_, *origin_.opened, plan.takes_new_names);
+    tiles = tileset_edits(level_, origin_, *model_, names, plan.left_out);
+  }
+  for (const auto& [place, edits] : tiles.of) {
+    if (place.first.empty()) (*document)->edit_tiles(place.second, edits);
+  }
+  Attempt attempt{{(*document)->text(), {}}, Level(), {}};
+  for (const TiledOrigin::File& file : origin_.tilesets) {
+    std::string bytes = file.bytes;
+    if (const auto found = tiles.of.find({file.path, 0}); found != tiles.of.end()) {
+      auto tileset = tiled_document(file.bytes);
+      if (!tileset) return tl::unexpected(tileset.error());
+      (*tileset)->edit_tiles(0, found->second);
+      bytes = (*tileset)->text();
+    }
+    attempt.written.others.push_back({file.path, std::move(bytes)});
+  }
+  attempt.held = read_back(attempt.written);
+  const bool is_same = attempt.held && attempt.held->tiled->frame.tiles == origin_.frame.tiles;
+  for (const TileNumber tile : tiles.tiles) {
+    if (!is_same || attempt.held->tile_shapes[tile] != level_.tile_shapes[tile] ||
+        attempt.held->tile_flags(tile) != level_.tile_flags(tile))
+      attempt.wrong.insert(tile);
+  }
+  // The empty tile, alone, may be what moves the numbers.
+  if (attempt.held && !is_same && attempt.wrong.contains(0)) attempt.wrong = {0};
+  return attempt;
 }
 
 FormatResult<WrittenLevel> TiledSaver::write() {
   if (const auto checked = check_place(); !checked) return tl::unexpected(checked.error());
   if (const auto checked = check_tiles(); !checked) return tl::unexpected(checked.error());
-  auto document = tiled_document(origin_.bytes);
-  if (!document) return tl::unexpected(document.error());
-  if (const auto written = write_layers(**document); !written) return tl::unexpected(written.error());
-  WrittenLevel written{(*document)->text(), {}};
-  auto held = read_back(written.bytes);
+  if (has_other_tiles()) {
+    auto model = read_tiled_content(origin_.bytes, context_again(), origin_.tilesets);
+    if (!model) return cannot("cannot be read again: " + model.error().message);
+    model_ = *std::move(model);
+  }
+  Plan plan;
+  auto last = attempt(plan);
+  if (last && !last->wrong.empty() && level_.flag_names != origin_.opened->flag_names) {
+    plan.takes_new_names = false;
+    last = attempt(plan);
+  }
+  for (int tries = 0; last && !last->wrong.empty() && tries < 3; ++tries) {
+    plan.left_out.merge(last->wrong);
+    last = attempt(plan);
+  }
+  if (!last) return tl::unexpected(last.error());
+  FormatResult<Level>& held = last->held;
   if (!held) return tl::unexpected(held.error());
-  const bool has_cells = (*document)->layer_count() > 0;
-  if (held->tiled->frame.tiles != origin_.frame.tiles || (has_cells && !has_same_layers(*held, level_)))
+  if (held->tiled->frame.tiles != origin_.frame.tiles || (has_cells_ && !has_same_layers(*held, level_)))
     return cannot("has layers of tiles that the map cannot hold as they are");
   held->choose_layer(level_.layers.chosen);
   // Pictures that were painted elsewhere meanwhile are no edits.
   held->sheet(SheetId::tiles).images = level_.sheet(SheetId::tiles).images;
   held->sheet(SheetId::tiles).picture = level_.sheet(SheetId::tiles).picture;
   if (level_.palette == origin_.opened->palette) held->palette = level_.palette;
-  written.held = std::make_shared<const Level>(*std::move(held));
-  return written;
+  last->written.held = std::make_shared<const Level>(*std::move(held));
+  return std::move(last->written);
 }
 
 }  // namespace

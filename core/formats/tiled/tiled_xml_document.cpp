@@ -8,6 +8,7 @@
 #include "tiled_cells.h"
 #include "tiled_document.h"
 #include "tiled_map.h"
+#include "tiled_xml_editor.h"
 
 namespace talus {
 namespace {
@@ -43,6 +44,7 @@ class TiledXmlDocument : public TiledDocument {
   void add_chunks(int layer, const std::vector<TiledBlock>& chunks) override;
   void set_looks(int layer, const TileLayer& before, const TileLayer& now) override;
   void set_size(int width, int height) override;
+  void edit_tiles(int tileset, const TiledTileEdits& edits) override;
   std::string text() const override { return edits_.applied_to(text_); }
 
  private:
@@ -203,6 +205,15 @@ void TiledXmlDocument::set_size(int width, int height) {
     set_xml_attribute(places_, node, "width", std::to_string(width), edits_);
     set_xml_attribute(places_, node, "height", std::to_string(height), edits_);
   }
+}
+
+void TiledXmlDocument::edit_tiles(int tileset, const TiledTileEdits& edits) {
+  pugi::xml_node node = root_;
+  if (std::string_view(root_.name()) == "map") {
+    node = root_.child("tileset");
+    for (int i = 0; i < tileset && node; ++i) node = node.next_sibling("tileset");
+  }
+  if (node) TiledXmlEditor(text_, places_, root_, edits_).edit_tiles(node, edits);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "formats/files/real_path.h"
 #include "formats/native/recording_file.h"
 #include "formats/pictures/png_picture.h"
+#include "formats/text/content_hash.h"
 
 namespace talus {
 namespace {
@@ -342,6 +343,10 @@ void FileHandler::take_file_change(FilesChange found) {
   changed_from_ = stamp_;
   note_file();
   if (is_stored()) return reload();
+  ask_about_change(changed);
+}
+
+void FileHandler::ask_about_change(const std::string& changed) {
   messages_.ask(Question{changed + " was changed by another program.\n"
                                    "Read it again, or keep what is here? Undo switches between the two.",
                          Question::Kind::changed_outside},
@@ -430,7 +435,21 @@ bool FileHandler::save() {
     take_file_change(found);
     return false;
   }
+  if (asks_about_tileset()) return false;
   return save_to(open_.path, *format_);
+}
+
+// Whether another program changed a tileset that saving would write. Each state of it is asked about once.
+bool FileHandler::asks_about_tileset() {
+  for (auto& [path, content] : companion_.others) {
+    const auto bytes = read_file(path);
+    if (!bytes || content_hash(*bytes) == content) continue;
+    content = content_hash(*bytes);
+    changed_from_ = stamp_;
+    ask_about_change(last_name(path));
+    return true;
+  }
+  return false;
 }
 
 bool FileHandler::save_to(const std::string& saved_path, const Format& saved_format) {
@@ -447,7 +466,9 @@ bool FileHandler::save_to(const std::string& saved_path, const Format& saved_for
   const auto kept = open_.permissions.save(open_.path, open_.level.exports);
   level_.mark_saved();
   ++saves_;
-  std::string text = "Saved " + file_names() + ".";
+  std::string text = "Saved " + file_names();
+  for (const std::string& other : saved->others) text += " + " + last_name(other);
+  text += ".";
   if (!unstored_.empty()) text += " Not stored in this format: " + joined(unstored_, "") + ".";
   text = with_note(std::move(text), saved->note);
   kept ? messages_.tell(text) : messages_.tell_error(text + "\n" + kept.error());

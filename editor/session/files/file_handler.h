@@ -84,6 +84,8 @@ class FileHandler {
 
   // Records the current content of the level's files as known to this session.
   void note_file();
+  bool asks_about_tileset();
+  void ask_about_change(const std::string& changed);
   void take_file_change(FilesChange found);  // another program has changed the file; asks or reports
   void reload();
   void take_reloaded(const FormatResult<LoadedLevel>& loaded);

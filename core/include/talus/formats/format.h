@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -41,12 +42,19 @@ tl::unexpected<FormatError> error_at_line(std::string_view text, std::size_t off
 // The result when a Progress stops the work.
 tl::unexpected<FormatError> was_cancelled();
 
+// Another file that is written with a level, such as a tileset of its map.
+struct WrittenFile {
+  std::string path;   // of the file, which exists
+  std::string bytes;  // the whole file
+};
+
 // A written level, and what is lost: what neither the format nor a companion can hold. A companion is a file
 // beside the level's, NAME.talus.json, with what the format of the level's file cannot hold.
 struct WrittenLevel {
   std::string bytes;                 // the whole file
   std::vector<std::string> dropped;  // one phrase each: "the BINARY chunk of bank 0"; empty: nothing was lost
   std::shared_ptr<const Level> held = {};  // the level that the bytes alone give; null: reading them tells
+  std::vector<WrittenFile> others = {};    // other files that belong to it, also those that did not change
 };
 
 // What to take from a file of another program that holds more than a level can.
@@ -105,6 +113,9 @@ struct CompanionFile {
   std::string path = {};  // empty: there was none
   // content_hash of its bytes; nothing: not all of it was understood.
   std::optional<std::uint64_t> content = {};
+  // content_hash of the other files that the level is saved into, by their paths, when they were read or
+  // written. They are the files of a map's tilesets. A file that is not here has the level's own bytes of it.
+  std::map<std::string, std::uint64_t> others = {};
 };
 
 // The result of load_level() and read_level().
@@ -121,6 +132,7 @@ struct LoadedLevel {
 // The result of save_level().
 struct SavedLevel {
   std::vector<std::string> dropped = {};  // as in WrittenLevel
+  std::vector<std::string> others = {};   // paths of the other files that were written, such as tilesets
   CompanionFile companion = {};           // pass it to the next save_level()
   std::string note = {};                  // as in LoadedLevel
 };
@@ -137,8 +149,9 @@ FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoice
                                      const Progress& progress = {});
 // Writes the whole file or nothing of it, with a companion if the format cannot hold everything. The format
 // must have a writer. known: the companion that the level came with. That one is replaced, and removed if it
-// is no longer needed. Any other file in its place is kept under another name, and the note says so. After an
-// error both files are as they were.
+// is no longer needed. Any other file in its place is kept under another name, and the note says so. Files of
+// tilesets into which a map of Tiled is saved are written with it, if they change. After an error all files
+// are as they were.
 FormatResult<SavedLevel> save_level(const Level& level, const Format& format, const std::string& path,
                                     const CompanionFile& known = {});
 
