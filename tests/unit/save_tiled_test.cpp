@@ -234,12 +234,31 @@ TEST_F(SaveTiled, OtherLayersAreRefused) {
   EXPECT_THAT(
       edit("a.tmx", [](Level& level) { std::swap(level.layers.list[0].name, level.layers.list[1].name); }),
       HasSubstr("in another order"));
-  EXPECT_THAT(edit("a.tmx",
-                   [](Level& level) {
-                     level.layers.list[1].tint = {1, 2, 3};
-                   }),
-              HasSubstr("that the map cannot hold"));
   EXPECT_EQ(bytes_of("a.tmx"), text);
+}
+
+TEST_F(SaveTiled, LooksOfLayersAreAttributes) {
+  const std::string text = two_layers("1,2,0,1,1,1", "0,0,0,3,3,3", " offsetx=\"1\"");
+  put("a.tmx", text);
+  EXPECT_EQ(edit("a.tmx",
+                 [](Level& level) {
+                   level.layers.list[1].tint = {1, 2, 3};
+                   level.layers.list[1].name = "far";
+                   level.layers.list[1].offset = {2.5, 0};
+                   level.layers.list[1].parallax = {0.5, 1};
+                   level.layers.list[1].is_ground = false;
+                 }),
+            "");
+  std::string wanted =
+      two_layers("1,2,0,1,1,1", "0,0,0,3,3,3", " offsetx=\"2.5\" tintcolor=\"#010203\" parallaxx=\"0.5\"");
+  wanted.replace(wanted.find("\"front\""), 7, "\"far\"");
+  EXPECT_FALSE(exists("a.tmx.talus.json"));
+  std::string written = bytes_of("a.tmx");
+  const std::string ground = "<property name=\"ground\" type=\"bool\" value=\"false\"/>";
+  EXPECT_THAT(written, HasSubstr(ground));
+  const std::size_t begin = written.rfind("<properties>", written.find(ground));
+  written.erase(begin, written.find("<data", begin) - begin);
+  EXPECT_EQ(written, wanted);
 }
 
 std::string infinite(const std::string& chunks) {

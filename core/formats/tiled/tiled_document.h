@@ -31,7 +31,8 @@ class TiledDocument {
   virtual void put_cells(int layer, std::size_t block, const TiledBlock& content) = 0;
   // Call it once for a layer.
   virtual void add_chunks(int layer, const std::vector<TiledBlock>& chunks) = 0;
-  // Sets what differs of a layer: whether it is shown and locked, and its opacity.
+  // Sets what differs of a layer: its name, whether it is shown, locked and ground, its opacity, tint, offset
+  // and parallax. What its groups add to `before` is taken to stay.
   virtual void set_looks(int layer, const TileLayer& before, const TileLayer& now) = 0;
   // Sets the size of the map and of its tile layers.
   virtual void set_size(int width, int height) = 0;

@@ -134,14 +134,28 @@ void TiledJsonDocument::add_chunks(int layer, const std::vector<TiledBlock>& chu
 }
 
 void TiledJsonDocument::set_looks(int layer, const TileLayer& before, const TileLayer& now) {
-  const auto set = [&](const char* key, std::string value) {
-    set_json_member(places_, layer_at(layer), key, std::move(value), edits_);
+  const TextSpan node = layer_at(layer);
+  const auto set = [&](const char* key, const Json& value) {
+    set_json_member(places_, node, key, value.dump(-1, ' ', false, Json::error_handler_t::replace), edits_);
   };
-  std::string opacity;
-  append_number(opacity, now.opacity);
-  if (before.visible != now.visible) set("visible", now.visible ? "true" : "false");
-  if (before.locked != now.locked) set("locked", now.locked ? "true" : "false");
-  if (before.opacity != now.opacity) set("opacity", opacity);
+  const auto own = [&](const char* key) {
+    const auto value = places_.member(node, key);
+    const Json number = value ? Json::parse(value->in(text_), nullptr, false) : Json(0);
+    return number.is_number() ? number.get<double>() : 0;
+  };
+  if (before.name != now.name) set("name", now.name);
+  if (before.visible != now.visible) set("visible", now.visible);
+  if (before.locked != now.locked) set("locked", now.locked);
+  if (before.opacity != now.opacity) set("opacity", json_number(now.opacity));
+  if (before.tint != now.tint) set("tintcolor", tiled_color(now.tint));
+  if (before.offset.x != now.offset.x)
+    set("offsetx", json_number(own("offsetx") + now.offset.x - before.offset.x));
+  if (before.offset.y != now.offset.y)
+    set("offsety", json_number(own("offsety") + now.offset.y - before.offset.y));
+  if (before.parallax.x != now.parallax.x) set("parallaxx", json_number(now.parallax.x));
+  if (before.parallax.y != now.parallax.y) set("parallaxy", json_number(now.parallax.y));
+  if (before.is_ground != now.is_ground)
+    TiledJsonEditor(text_, places_, edits_).set_property(node, {"ground", now.is_ground});
 }
 
 void TiledJsonDocument::set_size(int width, int height) {

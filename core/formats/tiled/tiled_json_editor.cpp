@@ -204,6 +204,12 @@ void TiledJsonEditor::edit_object(TextSpan object, const TiledObjectEdit& edit) 
   change_json_members(places_, object, members, edits_);
 }
 
+void TiledJsonEditor::set_property(TextSpan owner, const TiledPropertyEdit& edit) {
+  std::vector<JsonMemberEdit> members;
+  edit_properties(owner, {edit}, members);
+  change_json_members(places_, owner, members, edits_);
+}
+
 void TiledJsonEditor::edit_properties(TextSpan owner, const std::vector<TiledPropertyEdit>& edits,
                                       std::vector<JsonMemberEdit>& members) {
   const auto list = places_.member(owner, "properties");

@@ -20,6 +20,7 @@ class TiledJsonEditor {
 
   // Each at most once for a value. Nothing happens if it is not of the usual form.
   void edit_tiles(TextSpan tileset, const TiledTileEdits& edits);
+  void set_property(TextSpan owner, const TiledPropertyEdit& edit);
 
  private:
   void edit_tile(TextSpan tile, const TiledTileEdit& edit);

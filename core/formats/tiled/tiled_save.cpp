@@ -96,10 +96,14 @@ FormatResult<void> TiledSaver::check_place() const {
 FormatResult<void> TiledSaver::check_tiles() const {
   if (level_.layers.list.size() != origin_.layers.size())
     return cannot("has other layers of tiles than the map");
+  std::vector<std::string> names, old_names;
   for (std::size_t i = 0; i < origin_.layers.size(); ++i) {
-    if (level_.layers.list[i].name != origin_.opened->layers.list[i].name)
-      return cannot("has layers of tiles with other names or in another order than the map");
+    names.push_back(level_.layers.list[i].name);
+    old_names.push_back(origin_.opened->layers.list[i].name);
   }
+  const bool is_moved = names != old_names &&
+                        std::is_permutation(names.begin(), names.end(), old_names.begin(), old_names.end());
+  if (is_moved) return cannot("has layers of tiles in another order than the map");
   const Sheet &now = level_.sheet(SheetId::tiles), &then = origin_.opened->sheet(SheetId::tiles);
   if (now.layout() != then.layout()) return cannot("has tiles that no tileset of the map has");
   const bool same_picture =

@@ -187,14 +187,29 @@ void TiledXmlDocument::add_chunks(int layer, const std::vector<TiledBlock>& chun
 }
 
 void TiledXmlDocument::set_looks(int layer, const TileLayer& before, const TileLayer& now) {
+  const pugi::xml_node node = layers_[static_cast<std::size_t>(layer)];
   const auto set = [&](const char* name, const std::string& value) {
-    set_xml_attribute(places_, layers_[static_cast<std::size_t>(layer)], name, value, edits_);
+    set_xml_attribute(places_, node, name, value, edits_);
   };
-  std::string opacity;
-  append_number(opacity, now.opacity);
+  const auto set_number = [&](const char* name, double value) {
+    std::string text;
+    append_number(text, value);
+    set(name, text);
+  };
+  const auto own = [&](const char* name, double usual) { return node.attribute(name).as_double(usual); };
+  if (before.name != now.name) set("name", now.name);
   if (before.visible != now.visible) set("visible", now.visible ? "1" : "0");
   if (before.locked != now.locked) set("locked", now.locked ? "1" : "0");
-  if (before.opacity != now.opacity) set("opacity", opacity);
+  if (before.opacity != now.opacity) set_number("opacity", now.opacity);
+  if (before.tint != now.tint) set("tintcolor", tiled_color(now.tint));
+  if (before.offset.x != now.offset.x)
+    set_number("offsetx", own("offsetx", 0) + now.offset.x - before.offset.x);
+  if (before.offset.y != now.offset.y)
+    set_number("offsety", own("offsety", 0) + now.offset.y - before.offset.y);
+  if (before.parallax.x != now.parallax.x) set_number("parallaxx", now.parallax.x);
+  if (before.parallax.y != now.parallax.y) set_number("parallaxy", now.parallax.y);
+  if (before.is_ground != now.is_ground)
+    TiledXmlEditor(text_, places_, root_, edits_).set_property(node, {"ground", now.is_ground});
 }
 
 void TiledXmlDocument::set_size(int width, int height) {

@@ -245,6 +245,12 @@ void TiledXmlEditor::edit_number(const pugi::xml_node& element, const char* name
   set_xml_attribute(places_, element, name, text_of_number(value), edits_);
 }
 
+void TiledXmlEditor::set_property(const pugi::xml_node& owner, const TiledPropertyEdit& edit) {
+  Changes changes;
+  edit_properties(owner, {edit}, changes);
+  change_children(owner, changes);
+}
+
 TiledXmlEditor::NewElement TiledXmlEditor::new_property(const TiledPropertyEdit& edit) {
   const ValueText value = std::visit(ValueWriter(), *edit.value);
   const std::string type = value.type.empty() ? "" : attribute_text("type", value.type);

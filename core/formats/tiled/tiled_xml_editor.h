@@ -21,6 +21,7 @@ class TiledXmlEditor {
 
   // Each at most once for an element.
   void edit_tiles(const pugi::xml_node& tileset, const TiledTileEdits& edits);
+  void set_property(const pugi::xml_node& owner, const TiledPropertyEdit& edit);
 
  private:
   struct NewElement {
