@@ -26,6 +26,7 @@ TEST_F(UiPlatformer, TheSeamIsFoundMendedAndSaved) {
   start_tour();
   EXPECT_EQ(level().map.tile_size(), (TileSize{16, 16}));
   EXPECT_EQ(level().layers.count(), 4);
+  EXPECT_EQ(level().layers.chosen, 2) << "the layer with the ground";
   ASSERT_EQ(problems().size(), 6u) << "wherever the tile with the half pixel is";
   for (const Problem& problem : problems()) {
     EXPECT_EQ(problem.rule->code, "seam");

@@ -60,6 +60,28 @@ TEST_F(ImportPictures, MayHave4096PixelsASide) {
                        "4096x4096 px"));
 }
 
+// It was the first colour of the picture, however bright.
+TEST_F(ImportPictures, LeaveTheBackgroundToTheMap) {
+  std::vector<Rgb> stripes(16, kRed);
+  for (std::size_t i = 0; i < stripes.size(); i += 2) stripes[i] = kGreen;
+  put("t.png", columns(stripes, 1, 16));
+  const auto background = [this](const std::string& attribute) {
+    put("map.tmx",
+        "<map orientation=\"orthogonal\" width=\"1\" height=\"1\" tilewidth=\"16\" tileheight=\"16\"" +
+            attribute + ">" +
+            tileset("tilewidth=\"16\" tileheight=\"16\" tilecount=\"1\" columns=\"1\"",
+                    "<image source=\"t.png\" width=\"16\" height=\"16\"/>") +
+            "<layer name=\"l\"><data encoding=\"csv\">1</data></layer></map>");
+    const auto loaded = load_level(path("map.tmx"));
+    EXPECT_NE(loaded->level.sheet(SheetId::tiles).picture, nullptr);
+    for (const std::string& phrase : loaded->dropped)
+      EXPECT_EQ(phrase.find("backgroundcolor"), std::string::npos);
+    return loaded->level.palette[0];
+  };
+  EXPECT_EQ(background(" backgroundcolor=\"#0a7f64\""), (Rgb{0x0a, 0x7f, 0x64}));
+  EXPECT_EQ(background(""), default_palette()[0]);
+}
+
 TEST_F(ImportPictures, ThatAreMissingLeaveNumberedBoxes) {
   const std::string set = tileset("tilewidth=\"16\" tileheight=\"16\" tilecount=\"400\" columns=\"20\"",
                                   "<image source=\"sub\\none.png\"/>");

@@ -4,17 +4,15 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <locale>
 #include <set>
 #include <span>
-#include <sstream>
 #include <utility>
 
 #include <talus/level/limits.h>
+#include "../import/hex_color.h"
 #include "../import/sheet_images.h"
 #include "../native/native.h"
 #include "../native/native_objects.h"
-#include "../text/append_number.h"
 #include "../text/xml_text.h"
 #include "tiled_objects.h"
 #include "tiled_shapes.h"
@@ -58,6 +56,7 @@ class TiledLevelMaker {
   FormatResult<std::vector<const TiledLayer*>> layers_of(const ImportChoices& choices) const;
   std::vector<int> numbers_of(const std::vector<const TiledLayer*>& layers) const;
   void take_layers(const std::vector<const TiledLayer*>& layers);
+  TileLayer& layer_to_choose(std::vector<TileLayer>& list) const;
   FormatResult<void> read_base();
   void forget_numbers();
   void take_pixels();
@@ -115,48 +114,9 @@ std::string name_of_tile(int number, const TiledSource& source) {
   return source.id == number ? name : name + " (" + std::to_string(source.id) + " in Tiled)";
 }
 
-std::string area_text(double area) {
-  std::string text;
-  append_number(text, std::round(area * 10) / 10);
-  return text + " px\u00b2";
-}
-
 bool is_one_way(const TiledObject& object) {
   const bool* const word = find_property<bool>(object.properties, "one_way");
   return word != nullptr && *word;
-}
-
-// How a shape differs from the outline that it stands for, as the end of a sentence.
-std::string text_of(const NearestShape& nearest) {
-  const TileShape& shape = nearest.shape;
-  if (shape.one_way) return "which hangs in the air: its upper line is kept, as a one-way floor";
-  const bool is_floor = shape.side == TileShape::Side::floor;
-  const bool is_full = shape.kind == TileShape::Kind::solid;
-  std::string text = "which is not a floor or ceiling of a level: ";
-  text += is_full ? "a whole tile" : is_floor ? "the nearest floor" : "the nearest ceiling";
-  constexpr double kSeen = 0.05;  // px²
-  if (nearest.more < kSeen && nearest.less < kSeen)
-    return text + " stands for it, off by less than 0.1 px\u00b2";
-  text += " stands for it, with ";
-  if (nearest.more >= kSeen) text += area_text(nearest.more) + " of ground more";
-  if (nearest.less < kSeen) return text;
-  return text + (nearest.more >= kSeen ? " and " : "") + area_text(nearest.less) + " less";
-}
-
-// With the heights in the tile's properties, if these give the same line: it may have more of them than its
-// corners need.
-TileShape as_in_words(const TileShape& shape, const TiledTile& tile, TileSize size) {
-  const auto* const text = find_property<std::string>(tile.properties, "shape_heights");
-  if (text == nullptr || shape.heights.empty()) return shape;
-  TileShape said = shape;
-  said.heights.clear();
-  std::istringstream words(*text);
-  words.imbue(std::locale::classic());
-  for (double height = 0; words >> height;) said.heights.push_back(height);
-  said.kind = said.heights.size() == 2 ? TileShape::Kind::slope : TileShape::Kind::profile;
-  const std::vector<TiledObject> outline = tiled_objects(said, size);
-  if (outline.empty()) return shape;
-  return tile_shape_of(outline_of(outline.front()), shape.one_way, size) == shape ? said : shape;
 }
 
 // The number in the text, from 1; else 0.
@@ -212,6 +172,24 @@ std::vector<int> TiledLevelMaker::numbers_of(const std::vector<const TiledLayer*
   return numbers;
 }
 
+// The first layer that is ground; in maps of others, in which all layers may be, the first with shapes, if
+// there is one.
+TileLayer& TiledLevelMaker::layer_to_choose(std::vector<TileLayer>& list) const {
+  std::vector<bool> has_shape(tiles_.sources.size());
+  for (std::size_t i = 0; i < has_shape.size(); ++i) {
+    const TiledTile* const tile = tile_of(tiles_.sources[i]);
+    has_shape[i] = !is_own_ && tile != nullptr && !tile->objects.empty();
+  }
+  const auto with_shapes = std::find_if(list.begin(), list.end(), [&](const TileLayer& layer) {
+    return layer.is_ground && std::any_of(layer.cells->begin(), layer.cells->end(),
+                                          [&](TileNumber tile) { return has_shape[tile]; });
+  });
+  if (with_shapes != list.end()) return *with_shapes;
+  const auto ground =
+      std::find_if(list.begin(), list.end(), [](const TileLayer& layer) { return layer.is_ground; });
+  return ground == list.end() ? list.front() : *ground;
+}
+
 // A single layer is shown even if it is hidden, and has no name: nobody has to tell it from others.
 void TiledLevelMaker::take_layers(const std::vector<const TiledLayer*>& layers) {
   std::vector<TileLayer> list;
@@ -226,9 +204,7 @@ void TiledLevelMaker::take_layers(const std::vector<const TiledLayer*>& layers) 
                  ": only its picture is moved");
     layer.cells = std::make_shared<const std::vector<TileNumber>>(std::move(tiles_.cells[i]));
   }
-  const auto ground =
-      std::find_if(list.begin(), list.end(), [](const auto& layer) { return layer.is_ground; });
-  TileLayer& chosen = ground == list.end() ? list.front() : *ground;
+  TileLayer& chosen = layer_to_choose(list);
   level_.map = TileMap(map_.width, map_.height, map_.tile_size);
   level_.map.cells() = *chosen.cells;
   chosen.cells = nullptr;
@@ -288,6 +264,8 @@ void TiledLevelMaker::take_pixels() {
   auto picture = std::make_shared<SheetPicture>(picture_of_tiles(tiles_, map_, pictures_, map_.tile_size));
   if (images_show(*picture, level_)) return;
   level_.sheet(SheetId::tiles).picture = std::move(picture);
+  // What is seen where nothing is drawn. The pixels of the picture do not need it.
+  if (!is_own_) level_.palette[0] = color_of_hex(map_.background).value_or(default_palette()[0]);
 }
 
 bool TiledLevelMaker::knows_property(const TiledProperty& property) const {
@@ -467,7 +445,7 @@ std::optional<TileShape> TiledLevelMaker::shape_of_outline(const std::string& ti
     drops_.add("the outline of " + tile + ", of which nothing is in the tile or up and right of it");
     return {};
   }
-  drops_.add("the outline of " + tile + ", " + text_of(*nearest));
+  drops_.add("the outline of " + tile + ", " + difference_text(*nearest));
   nearest->shape.one_way = nearest->shape.one_way || one_way;
   return std::move(nearest->shape);
 }

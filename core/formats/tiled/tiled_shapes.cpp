@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <locale>
 #include <numbers>
+#include <sstream>
 
 #include <talus/collision/shape_forms.h>
+#include "../text/append_number.h"
 #include "tiled_objects.h"
 
 namespace talus {
@@ -211,6 +214,12 @@ std::optional<Candidate> nearest_floor(const Line& outline, TileSize tile) {
   return nearest;
 }
 
+std::string area_text(double area) {
+  std::string text;
+  append_number(text, std::round(area * 10) / 10);
+  return text + " px\u00b2";
+}
+
 }  // namespace
 
 std::vector<Vec2> outline_of(const TiledObject& object) {
@@ -276,6 +285,36 @@ std::optional<NearestShape> nearest_tile_shape(const std::vector<Vec2>& outline,
   Candidate& best = is_floor ? *floor : *ceiling;
   if (!is_floor && best.shape.kind != TileShape::Kind::solid) best.shape.side = TileShape::Side::ceiling;
   return NearestShape{std::move(best.shape), best.more, best.less};
+}
+
+std::string difference_text(const NearestShape& nearest) {
+  const TileShape& shape = nearest.shape;
+  if (shape.one_way) return "which hangs in the air: its upper line is kept, as a one-way floor";
+  const bool is_floor = shape.side == TileShape::Side::floor;
+  const bool is_full = shape.kind == TileShape::Kind::solid;
+  std::string text = "which is not a floor or ceiling of a level: ";
+  text += is_full ? "a whole tile" : is_floor ? "the nearest floor" : "the nearest ceiling";
+  constexpr double kSeen = 0.05;  // px²
+  if (nearest.more < kSeen && nearest.less < kSeen)
+    return text + " stands for it, off by less than 0.1 px\u00b2";
+  text += " stands for it, with ";
+  if (nearest.more >= kSeen) text += area_text(nearest.more) + " of ground more";
+  if (nearest.less < kSeen) return text;
+  return text + (nearest.more >= kSeen ? " and " : "") + area_text(nearest.less) + " less";
+}
+
+TileShape as_in_words(const TileShape& shape, const TiledTile& tile, TileSize size) {
+  const auto* const text = find_property<std::string>(tile.properties, "shape_heights");
+  if (text == nullptr || shape.heights.empty()) return shape;
+  TileShape said = shape;
+  said.heights.clear();
+  std::istringstream words(*text);
+  words.imbue(std::locale::classic());
+  for (double height = 0; words >> height;) said.heights.push_back(height);
+  said.kind = said.heights.size() == 2 ? TileShape::Kind::slope : TileShape::Kind::profile;
+  const std::vector<TiledObject> outline = tiled_objects(said, size);
+  if (outline.empty()) return shape;
+  return tile_shape_of(outline_of(outline.front()), shape.one_way, size) == shape ? said : shape;
 }
 
 }  // namespace talus

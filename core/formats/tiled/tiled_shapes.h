@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "tiled_map.h"
 
@@ -34,5 +35,11 @@ struct NearestShape {
 // one-way floor along the upper line. Returns nothing if no area of it is within kMaxShapeTiles tiles to
 // the right of the tile's left side, and as many up.
 std::optional<NearestShape> nearest_tile_shape(const std::vector<Vec2>& outline, TileSize tile);
+// Returns how the shape differs from the outline that it stands for, as the end of a sentence.
+std::string difference_text(const NearestShape& nearest);
+
+// Returns the shape with the heights in the tile's properties, if these give the same line: it may have more
+// of them than its corners need. Else the shape as it is.
+TileShape as_in_words(const TileShape& shape, const TiledTile& tile, TileSize size);
 
 }  // namespace talus
