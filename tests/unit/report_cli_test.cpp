@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 
@@ -72,6 +73,32 @@ TEST(ReportRows, ExactIsExactOnLines) {
   }
 }
 
+// Twice and four times a number is exact; three times rounds, and then ties of `article` and `bump` end
+// elsewhere.
+TEST(ReportRows, LargerTilesErrAsManyTimesAsMuch) {
+  for (const ReportScene scene :
+       {ReportScene::flat_tiles, ReportScene::slope_tiles, ReportScene::wall_of_tiles}) {
+    for (const SolverKind solver : {SolverKind::article, SolverKind::bump, SolverKind::exact}) {
+      const Row usual = measure({.scene = scene, .solver = solver}, {.moves = 200, .repeats = 1});
+      for (const int tile : kReportLargerTiles) {
+        if (tile == 24 && solver != SolverKind::exact) continue;
+        const Row row =
+            measure({.scene = scene, .solver = solver, .tile = tile}, {.moves = 200, .repeats = 1});
+        const double factor = tile / 8.0;
+        EXPECT_NEAR(row.geometry->max, factor * usual.geometry->max, 1e-10)
+            << info_of(scene).name << " by " << solver_name(row.setup) << " at " << tile << " px";
+        EXPECT_EQ(row.counts->ghosts, usual.counts->ghosts);
+      }
+    }
+  }
+}
+
+TEST(ReportRows, TheReportHasLargerTiles) {
+  const auto rows = report_setups();
+  for (const int tile : kReportLargerTiles)
+    EXPECT_EQ(std::count_if(rows.begin(), rows.end(), [&](const auto& row) { return row.tile == tile; }), 9);
+}
+
 TEST(ReportRows, TheKernelIsNotExact) {
   const Row row = measure({.scene = ReportScene::flat_tiles}, {.moves = 500, .repeats = 1});
   EXPECT_GT(row.geometry->max, 1);
@@ -103,10 +130,10 @@ TEST(ReportTable, EveryRowHasEveryColumn) {
   wall.counts = Counts{1, 2, 3, 4};
   const std::string csv = csv_of({&wall, 1}, {"abc", "GNU 12", "-O2 -g,-x", "a \"quick\" one"});
   EXPECT_EQ(csv,
-            "scene,solver,precision,substeps,segments,scale_px,moves,ns_per_move,geometry_max_px,"
+            "scene,solver,precision,substeps,segments,scale_px,tile_px,moves,ns_per_move,geometry_max_px,"
             "geometry_p999_px,impact_max_px,impact_p999_px,trajectory_max_px,trajectory_p999_px,model_max_px,"
             "model_p999_px,misses,ghosts,tunnels,teleports,commit,compiler,flags,cpu\n"
-            "\"wall of bodies\",bump,double,1,0,1e+07,0,,2,1,,,,,,,1,2,3,4,"
+            "\"wall of bodies\",bump,double,1,0,1e+07,8,0,,2,1,,,,,,,1,2,3,4,"
             "\"abc\",\"GNU 12\",\"-O2 -g,-x\",\"a \"\"quick\"\" one\"\n");
 }
 

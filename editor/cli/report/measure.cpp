@@ -155,7 +155,8 @@ void measure_drops(Row& row, const Effort& effort) {
 // Pushes a box into a wall, slides it down and takes it away, and compares each move with its own answer.
 class WallTally {
  public:
-  explicit WallTally(const Setup& setup) : slack_(kNearEnd + 4 * rounding(setup)) {}
+  explicit WallTally(const Setup& setup)
+      : slack_(kNearEnd + 4 * rounding(setup)), factor_(factor_of(setup)) {}
 
   Errors geometry;
   Counts counts;
@@ -164,12 +165,12 @@ class WallTally {
   // wall: px, its left side. The mover is the last body of `state`.
   void run(Solver& solver, State& state, double wall) {
     const Rect start = state.bodies.back().box;
-    const Rect at = step(solver, state, {8, 0});
+    const Rect at = step(solver, state, {8 * factor_, 0});
     if (at.right() > wall + slack_) ++counts.misses;
     if (at.right() > wall + start.w / 2) ++counts.tunnels;
     geometry.add(distance(Wide(at.x) + at.w - wall, Wide(at.y) - start.y));
-    free_move(solver, state, {0, 40});
-    free_move(solver, state, {-5, 0});
+    free_move(solver, state, {0, 40 * factor_});
+    free_move(solver, state, {-5 * factor_, 0});
   }
 
  private:
@@ -191,20 +192,20 @@ class WallTally {
     geometry.add(error);
   }
 
-  const double slack_;
+  const double slack_, factor_;
 };
 
 // A box left of the upper half of a wall that begins at `wall`.
 Rect beside(const Setup& setup, Vec2 wall, std::uint64_t& random) {
-  const double width = stored(setup, next_between(random, 12, 13));
-  const Vec2 at =
-      stored(setup, {wall.x - width - next_between(random, 1, 4), wall.y + next_between(random, 20, 48)});
-  return {at.x, at.y, width, 14};
+  const double factor = factor_of(setup), width = stored(setup, factor * next_between(random, 12, 13));
+  const Vec2 at = stored(setup, {wall.x - width - factor * next_between(random, 1, 4),
+                                 wall.y + factor * next_between(random, 20, 48)});
+  return {at.x, at.y, width, 14 * factor};
 }
 
 void push_into_tiles(const Setup& setup, std::size_t count, WallTally& tally) {
   Level level = report_level(setup);
-  const Vec2 wall = {wall_x(setup), report_origin(setup).y - 16};
+  const Vec2 wall = {wall_x(setup), report_origin(setup).y - 16 * factor_of(setup)};
   std::uint64_t random = 1;
   add_body(level, beside(setup, wall, random), {});
   Run run(level);

@@ -42,7 +42,7 @@ std::string chart(std::span<const Row> rows, const std::string& title, const Axe
   for (const PlotLine& one : series) {
     std::string points;
     for (const Row& row : rows) {
-      if (!one.has(row.setup)) continue;
+      if (row.setup.tile != kCartTileSize || !one.has(row.setup)) continue;
       append_number(points, axes.at_x(row));
       points += ' ';
       append_number(points, axes.at_y(row));

@@ -106,25 +106,25 @@ double stored(const Setup& setup, double value) {
 Vec2 stored(const Setup& setup, Vec2 value) { return {stored(setup, value.x), stored(setup, value.y)}; }
 
 Vec2 report_origin(const Setup& setup) {
-  const double at = std::floor(setup.scale / kCartTileSize) * kCartTileSize;
+  const double at = std::floor(setup.scale / setup.tile) * setup.tile;
   if (setup.scale <= kMostSquareScale) return {at, at};
   return setup.scene >= S::bounce_fall ? Vec2{0, at} : Vec2{at, 0};
 }
 
-double wall_x(const Setup& setup) { return report_origin(setup).x + kWallColumn * kCartTileSize; }
+double wall_x(const Setup& setup) { return report_origin(setup).x + kWallColumn * setup.tile; }
 
 Level report_level(const Setup& setup) {
   Level level;
+  level.tuning = new_tuning({setup.tile, setup.tile});
   tune(setup, level.tuning);
   if (setup.scene == S::wall_of_bodies) {
     level.map = TileMap(1, 1);
     return level;
   }
   const Vec2 origin = report_origin(setup);
-  const Cell corner = {static_cast<int>(origin.x) / kCartTileSize,
-                       static_cast<int>(origin.y) / kCartTileSize};
+  const Cell corner = {static_cast<int>(origin.x) / setup.tile, static_cast<int>(origin.y) / setup.tile};
   const Cell size = ground_size(setup.scene);
-  level.map = TileMap(corner.x + size.x + 1, corner.y + size.y);
+  level.map = TileMap(corner.x + size.x + 1, corner.y + size.y, {setup.tile, setup.tile});
   level.sheet(SheetId::tiles).flags[kSolidTile] = static_cast<std::uint8_t>(1 << level.roles.solid);
   level.sheet(SheetId::tiles).flags[kSlopeTile] = static_cast<std::uint8_t>(1 << level.roles.up_slope);
   const auto add = [&](const Curve& curve) { level.curves.push_back({"", curve, ""}); };
@@ -159,8 +159,9 @@ TrueFloor true_floor(const Setup& setup) {
   switch (setup.scene) {
     case S::slope_tiles:
     case S::tiny_bodies: {
-      const Vec2 foot = origin + Vec2{kHillFoot.x * 1.0 * kCartTileSize, (kHillFoot.y + 1.0) * kCartTileSize};
-      return wide({foot, foot + Vec2{kHillSlopes * 2.0 * kCartTileSize, -kHillSlopes * 1.0 * kCartTileSize}});
+      const double tile = setup.tile;
+      const Vec2 foot = origin + Vec2{kHillFoot.x * tile, (kHillFoot.y + 1) * tile};
+      return wide({foot, foot + Vec2{2 * kHillSlopes * tile, -kHillSlopes * tile}});
     }
     case S::segment:
       return wide(moved(kLine, origin));
@@ -175,7 +176,7 @@ TrueFloor true_floor(const Setup& setup) {
       return SineFloor{sine.middle, sine.amplitude, sine.wavelength, sine.origin};
     }
     default: {
-      const Wide y = origin.y + kFlatY;
+      const Wide y = origin.y + kFlatY * factor_of(setup);
       return LineFloor{origin.x, y, origin.x + 256, y};
     }
   }
@@ -184,13 +185,13 @@ TrueFloor true_floor(const Setup& setup) {
 std::vector<Drop> report_drops(const Setup& setup, std::size_t count) {
   const TrueFloor floor = true_floor(setup);
   const Vec2 origin = report_origin(setup);
-  const double size = setup.scene == S::tiny_bodies ? 1.0 / 64 : kCartTileSize;
+  const double size = setup.scene == S::tiny_bodies ? 1.0 / 64 : setup.tile, factor = factor_of(setup);
   std::uint64_t random = 1;
   std::vector<Drop> drops(count);
   for (Drop& drop : drops) {
-    const double x = origin.x + next_between(random, 92, 156);
-    const double speed = next_between(random, 3, 8);
-    const double gap = 2 + speed * next_between(random, 0, 1.2);
+    const double x = origin.x + factor * next_between(random, 92, 156);
+    const double speed = factor * next_between(random, 3, 8);
+    const double gap = 2 * factor + speed * next_between(random, 0, 1.2);
     const auto y = static_cast<double>(highest(floor, x, x + size)) - size - gap;
     const Vec2 at = stored(setup, {x, y});
     drop.start = {at.x, at.y, size, size};

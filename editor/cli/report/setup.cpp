@@ -11,7 +11,7 @@ constexpr double kTopPolylineScale = 1e4;  // enough to see what polylines are w
 
 constexpr std::array<ReportSceneInfo, kReportSceneCount> kScenes = {{
     {S::flat_tiles, "flat tiles", "Boxes fall askew onto a floor of full tiles.", true, kTopScale},
-    {S::slope_tiles, "slope tiles", "Boxes fall askew onto a hillside of slopes, 16x8 px each.", true,
+    {S::slope_tiles, "slope tiles", "Boxes fall askew onto a hillside of slopes, 2x1 tiles each.", true,
      kTopScale},
     {S::tiny_bodies, "tiny bodies", "The same with boxes of 1/64 px.", true, kTopScale},
     {S::segment, "segment", "Boxes fall onto one straight line between two points off the grid.", false,
@@ -57,6 +57,22 @@ std::string_view solver_name(const Setup& setup) {
 }
 
 bool is_curve(ReportScene scene) { return scene == S::arc || scene == S::sine; }
+bool is_of_tiles(ReportScene scene) {
+  return scene == S::flat_tiles || scene == S::slope_tiles || scene == S::wall_of_tiles;
+}
+double factor_of(const Setup& setup) { return 1.0 * setup.tile / kCartTileSize; }
+
+namespace {
+
+// Every solver in double precision, near the origin.
+void add_larger_tiles(ReportScene scene, std::vector<Setup>& rows) {
+  for (const int tile : kReportLargerTiles) {
+    for (const SolverKind solver : {SolverKind::article, SolverKind::bump, SolverKind::exact})
+      rows.push_back({.scene = scene, .solver = solver, .tile = tile});
+  }
+}
+
+}  // namespace
 
 std::vector<Setup> report_setups() {
   std::vector<Setup> rows;
@@ -71,6 +87,7 @@ std::vector<Setup> report_setups() {
         }
       }
       add_exact(setup, rows);
+      if (is_of_tiles(info.scene) && scale == 1) add_larger_tiles(info.scene, rows);
       if (!is_curve(info.scene) || scale > kTopPolylineScale) continue;
       for (const int segments : kReportSegments) {
         setup.segments = segments;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include <talus/level/tileset.h>
 #include <talus/level/tuning.h>
 
 namespace talus {
@@ -41,16 +42,21 @@ struct Setup {
   std::optional<SolverKind> solver = {};  // nothing: the hand-written discrete kernel of `talus bench`
   bool single = false;                    // in float
   int substeps = 1;
-  int segments = 0;  // of the polyline that replaces the curve; 0: the curve itself
-  double scale = 1;  // px: about how far from the origin the scene is (see report_origin)
+  int segments = 0;          // of the polyline that replaces the curve; 0: the curve itself
+  double scale = 1;          // px: about how far from the origin the scene is (see report_origin)
+  int tile = kCartTileSize;  // px, a side of the tiles; the scene and its moves are as many times larger
 };
 
 inline constexpr std::array kReportSubsteps = {1, 2, 4, 8, 16};
+inline constexpr std::array kReportLargerTiles = {16, 24, 32};  // px
 inline constexpr std::array kReportSegments = {4, 8, 16, 32, 64, 128, 256, 512, 1024};
 
 const ReportSceneInfo& info_of(ReportScene scene);
 std::string_view solver_name(const Setup& setup);
 bool is_curve(ReportScene scene);
+bool is_of_tiles(ReportScene scene);  // whether it exists with tiles of other sizes
+// How many times larger than with the tiles of a cart everything is.
+double factor_of(const Setup& setup);
 
 // All rows; those of a scene and scale follow one another.
 std::vector<Setup> report_setups();

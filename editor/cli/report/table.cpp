@@ -59,6 +59,7 @@ std::vector<Column> csv_columns() {
       {"substeps", [](const Row& r) { return std::to_string(r.setup.substeps); }},
       {"segments", [](const Row& r) { return std::to_string(r.setup.segments); }},
       {"scale_px", [](const Row& r) { return number(r.setup.scale); }},
+      {"tile_px", [](const Row& r) { return std::to_string(r.setup.tile); }},
       {"moves", [](const Row& r) { return std::to_string(r.moves); }},
       {"ns_per_move", [](const Row& r) { return r.ns ? number(*r.ns) : ""; }},
       {"geometry_max_px", max_of<&Row::geometry>},
@@ -86,7 +87,7 @@ std::string line_of(const Row& row, bool with_segments) {
   const Setup& s = row.setup;
   std::string line = "| " + std::string(solver_name(s)) + " " + std::string(precision_of(s)) + " | ";
   if (with_segments) line += (s.segments == 0 ? "curve" : std::to_string(s.segments)) + " | ";
-  line += std::to_string(s.substeps) + " | " + rounded(s.scale) + " | ";
+  line += std::to_string(s.substeps) + " | " + rounded(s.scale) + " | " + std::to_string(s.tile) + " | ";
   line += row.ns ? rounded(*row.ns) : "";
   for (const auto kind : {&Row::geometry, &Row::impact, &Row::trajectory, &Row::model}) {
     line += " | " + pair_of(row.*kind);
@@ -102,7 +103,7 @@ std::string line_of(const Row& row, bool with_segments) {
 // The page has no combinations: one thing changes at a time, from double, one step, the curve itself, and
 // scale 1.
 bool is_on_page(const Setup& s) {
-  const int changes = (s.substeps != 1) + (s.segments != 0) + (s.scale != 1);
+  const int changes = (s.substeps != 1) + (s.segments != 0) + (s.scale != 1) + (s.tile != kCartTileSize);
   return changes == 0 || (changes == 1 && (s.substeps == 1 || !s.single));
 }
 
@@ -111,9 +112,10 @@ std::string scene_of(std::span<const Row> rows, const ReportSceneInfo& info) {
   std::string page = "## " + std::string(info.name) + "\n\n" + std::string(info.meaning) + "\n\n| solver | ";
   if (curve) page += "segments | ";
   page +=
-      "sub-steps | scale, px | ns a move | geometry | impact | trajectory | model | misses, ghosts, tunnels, "
+      "sub-steps | scale, px | tile, px | ns a move | geometry | impact | trajectory | model | misses, "
+      "ghosts, tunnels, "
       "teleports |\n|";
-  for (int i = 0; i < (curve ? 10 : 9); ++i) page += " --- |";
+  for (int i = 0; i < (curve ? 11 : 10); ++i) page += " --- |";
   page += '\n';
   for (const Row& row : rows) {
     if (row.setup.scene == info.scene && is_on_page(row.setup)) page += line_of(row, curve);
@@ -154,21 +156,25 @@ std::string losses_of(std::span<const Row> rows) {
     if (!is_standard(row.setup)) continue;
     Loss time, error;
     for (const Row& other : rows) {
-      if (other.setup.scene != row.setup.scene || other.setup.scale != row.setup.scale) continue;
+      if (other.setup.scene != row.setup.scene || other.setup.scale != row.setup.scale ||
+          other.setup.tile != row.setup.tile)
+        continue;
       if (row.ns && other.ns) time.note(other, *row.ns, *other.ns);
       if (error_of(row) && error_of(other)) error.note(other, error_of(row)->max, error_of(other)->max);
     }
     const auto add = [&](const Loss& loss, const std::string& what) {
       if (loss.rival == nullptr) return;
       page += "| " + std::string(info_of(row.setup.scene).name) + " | " + rounded(row.setup.scale) + " | " +
-              what + " | " + rounded(loss.own) + " | " + rounded(loss.other) + " | " +
-              rival_of(loss.rival->setup) + " |\n";
+              std::to_string(row.setup.tile) + " | " + what + " | " + rounded(loss.own) + " | " +
+              rounded(loss.other) + " | " + rival_of(loss.rival->setup) + " |\n";
     };
     add(time, "ns a move");
     add(error, "largest error, px");
   }
   if (page.empty()) return "Nowhere in this run.\n\n";
-  return "| scene | scale, px | what | exact | rival | which |\n| --- | --- | --- | --- | --- | --- |\n" +
+  return "| scene | scale, px | tile, px | what | exact | rival | which |\n| --- | --- | --- | --- | --- | "
+         "--- | --- "
+         "|\n" +
          page + '\n';
 }
 
@@ -192,6 +198,9 @@ segments, no curves, no `float` and no sub-steps, so they have no such rows.
 and high would be too large, near (scale, 0), or near (0, scale) if it bounces balls, of which only the heights are
 measured. The line of 500 px in height ends at 1e6, and polylines in place of curves at 1e4. Numbers get coarser with the
 distance: at 1e7 px those of `double` are 2e-9 px apart, and those of `float` 1 px.
+
+**Tile** is the side of a tile. With tiles of 16, 24 and 32 px the scene, its boxes and their moves are 2, 3 and 4 times as
+large. Numbers are 2 or 4 times as coarse there at most.
 
 All falls are steep enough to have one right answer; grazing ones are left to the property tests. What meets or misses
 something within 1/64 px of the end of its motion is not counted as a miss or a ghost.
