@@ -6,8 +6,10 @@
 #include <filesystem>
 
 #include "../formats/files/atomic_file.h"
+#include "../formats/import/import_drops.h"
 #include "../level/ground_cells.h"
 #include "../level/ground_level.h"
+#include "../level/object_ground.h"
 #include "export_targets.h"
 #include "flat_level.h"
 
@@ -41,6 +43,17 @@ constexpr Names<7> kBumpFiles = {"level.lua", "sheet.png",  "bump_slopes.lua", "
 constexpr Names<3> kCppFiles = {"level.talus.json", "main.cpp", "CMakeLists.txt"};
 constexpr Names<9> kCsvFiles = {"map.csv",    "flags.csv", "sprite_flags.csv", "polygons.csv", "lines.csv",
                                 "bodies.csv", "roles.csv", "tuning.csv",       "sizes.csv"};
+
+// Native levels alone hold objects; the ground of theirs is in all others but maps of Tiled.
+void tell_objects(const Exporter& exporter, const Level& level, std::vector<std::string>& dropped) {
+  for (const ObjectLayer& layer : level.objects) {
+    const std::string name = "the layer of objects " + quoted_name(layer.name);
+    if (!layer.is_ground)
+      dropped.push_back(name);
+    else if (exporter.takes_layers)
+      dropped.push_back(name + " and its ground, which Talus alone finds in the file");
+  }
+}
 
 // With all layers of tiles made one.
 FormatResult<Exported> write_flat(const Exporter& exporter, const ExportRequest& request) {
@@ -98,10 +111,17 @@ std::string ExportRequest::sheet_name() const {
 }
 
 FormatResult<Exported> Exporter::make(const ExportRequest& request) const {
+  if (!takes_layers && has_object_ground(request.level)) {
+    const Level tiles = with_object_tiles(request.level, true);
+    auto exported = make({tiles, request.name, request.read_asset, request.parts, request.progress});
+    if (exported) tell_objects(*this, request.level, exported->dropped);
+    return exported;
+  }
   const bool is_whole = takes_layers || request.level.layers.is_plain();
   FormatResult<Exported> exported = is_whole       ? write(request)
                                     : draws_layers ? write_layered(*this, request)
                                                    : write_flat(*this, request);
+  if (exported && !takes_objects) tell_objects(*this, request.level, exported->dropped);
   if (request.progress.stopped()) return was_cancelled();
   return exported;
 }
@@ -120,6 +140,7 @@ std::span<const Exporter> exporters() {
        .write = export_native,
        .purpose = "A copy of the level for Talus itself.",
        .takes_layers = true,
+       .takes_objects = true,
        .keeps_unknown = true},
       {.id = "tic",
        .label = "TIC-80 cartridge",
@@ -177,6 +198,7 @@ std::span<const Exporter> exporters() {
        .write = export_cpp,
        .purpose = "A program with the collision core that plays the level: a start for your own game.",
        .takes_layers = true,
+       .takes_objects = true,
        .beside = kCppFiles},
       {.id = "tmj",
        .label = "Tiled map, JSON",
@@ -249,6 +271,7 @@ std::span<const Exporter> exporters() {
        .write = export_tiles_png,
        .purpose = "The tiles as one picture, 8x8 px each.",
        .takes_layers = true,
+       .takes_objects = true,
        .usual_suffix = "-tiles",
        .shares_sheet = true},
       {.id = "sprites-png",
@@ -257,6 +280,7 @@ std::span<const Exporter> exporters() {
        .write = export_sprites_png,
        .purpose = "The sprites as one picture, 8x8 px each.",
        .takes_layers = true,
+       .takes_objects = true,
        .usual_suffix = "-sprites"},
       {.id = "palette-png",
        .label = "PNG picture of the palette",
@@ -264,6 +288,7 @@ std::span<const Exporter> exporters() {
        .write = export_palette_png,
        .purpose = "The 16 colours as a picture of 16x1 px.",
        .takes_layers = true,
+       .takes_objects = true,
        .usual_suffix = "-palette"},
   };
   return list;

@@ -78,6 +78,8 @@ struct Exporter {
   // Whether it draws all layers of tiles, but collides with their ground as one: a level with several layers
   // comes as ground_level() of it, with the level itself as ExportRequest::layered.
   bool draws_layers = false;
+  bool takes_objects =
+      false;                 // whether it takes layers of objects, or nothing of the map; else it tells them
   bool takes_parts = false;  // whether it writes the Lua runtime, which has parts
   // The suffix of its usual file name, "-sti", so that no two exporters have the same.
   std::string_view usual_suffix = {};

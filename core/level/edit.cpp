@@ -53,6 +53,10 @@ auto& place(L& level, const CurvesChange&) {
   return level.curves;
 }
 template <class L>
+auto& place(L& level, const ObjectsChange&) {
+  return level.objects;
+}
+template <class L>
 auto& place(L& level, const TuningChange&) {
   return level.tuning;
 }
@@ -141,8 +145,9 @@ bool is_no_change(const Change& change) {
 template <class C>
 constexpr bool kIsCounted =
     std::is_same_v<C, FlagNameChange> || std::is_same_v<C, FlagFieldsChange> ||
-    std::is_same_v<C, CurvesChange> || std::is_same_v<C, SpawnsChange> || std::is_same_v<C, BrushesChange> ||
-    std::is_same_v<C, ExportsChange> || std::is_same_v<C, TileShapeChange> || std::is_same_v<C, LayersChange>;
+    std::is_same_v<C, CurvesChange> || std::is_same_v<C, ObjectsChange> || std::is_same_v<C, SpawnsChange> ||
+    std::is_same_v<C, BrushesChange> || std::is_same_v<C, ExportsChange> ||
+    std::is_same_v<C, TileShapeChange> || std::is_same_v<C, LayersChange>;
 
 // The parts of a level that problem_of_amounts counts.
 Level counted_part(const Level& level) {

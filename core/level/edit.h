@@ -57,6 +57,9 @@ struct FlagShapeChange {
 struct CurvesChange {
   std::vector<LevelCurve> before, after;
 };
+struct ObjectsChange {
+  std::vector<ObjectLayer> before, after;
+};
 struct TuningChange {
   Tuning before, after;
 };
@@ -92,10 +95,10 @@ struct MapChange {  // the whole map: its size has changed, or too many cells to
   TileMap before, after;
 };
 
-using Change =
-    std::variant<CellChange, PixelChange, FlagsChange, ColorChange, FlagNameChange, FlagFieldsChange,
-                 RolesChange, TileShapeChange, FlagShapeChange, CurvesChange, TuningChange, SpawnsChange,
-                 BrushesChange, AutoTilesChange, ExportsChange, LayersChange, LevelChange, MapChange>;
+using Change = std::variant<CellChange, PixelChange, FlagsChange, ColorChange, FlagNameChange,
+                            FlagFieldsChange, RolesChange, TileShapeChange, FlagShapeChange, CurvesChange,
+                            ObjectsChange, TuningChange, SpawnsChange, BrushesChange, AutoTilesChange,
+                            ExportsChange, LayersChange, LevelChange, MapChange>;
 
 // The change of the selection of cells on the map, so that undo restores that, too.
 struct SelectionChange {

@@ -5,6 +5,7 @@
 
 #include "bump_boxes.h"
 #include "ground_cells.h"
+#include "object_ground.h"
 
 namespace talus {
 namespace {
@@ -87,6 +88,7 @@ TerrainSource ground_of(const Level& level, const GroundCells& ground) {
 }
 
 Terrain terrain_of(const Level& level) {
+  if (has_object_ground(level)) return terrain_of(with_object_tiles(level));
   const GroundCells ground = ground_cells(level);
   if (ground.overflow == 0) return Terrain(ground_of(level, ground));
   return Terrain(ground_of(without_tiles(level)));
@@ -109,7 +111,10 @@ std::size_t ground_lines(const TileShape& shape, TileSize tile) {
   return static_cast<std::size_t>(std::ceil(cells));
 }
 
-std::size_t ground_lines(const Level& level) { return ground_lines(level, ground_cells(level)); }
+std::size_t ground_lines(const Level& level) {
+  if (has_object_ground(level)) return ground_lines(with_object_tiles(level));
+  return ground_lines(level, ground_cells(level));
+}
 
 std::size_t ground_lines(const Level& level, const GroundCells& ground) {
   return sum_over_ground(ground, level, [&](TileNumber number) {
@@ -118,6 +123,8 @@ std::size_t ground_lines(const Level& level, const GroundCells& ground) {
 }
 
 std::optional<std::string> ground_problem(const Level& level) {
+  if (auto problem = object_ground_problem(level)) return problem;
+  if (has_object_ground(level)) return ground_problem(with_object_tiles(level));
   return ground_problem(level, ground_cells(level));
 }
 

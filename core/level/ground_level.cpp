@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ground_cells.h"
+#include "object_ground.h"
 
 namespace talus {
 namespace {
@@ -16,10 +17,15 @@ bool fits_layers(const Level& level, const CellChange& change) {
 }  // namespace
 
 bool has_plain_ground(const Level& level) {
-  return level.layers.count() == 1 && level.layers.list.front().is_ground;
+  return level.layers.count() == 1 && level.layers.list.front().is_ground && !has_object_ground(level);
 }
 
 Level ground_level(const Level& level) {
+  if (has_object_ground(level)) {
+    Level tiles = with_object_tiles(level);
+    tiles.curves = level.curves;  // an edit of them must be one of the level's
+    return ground_level(tiles);
+  }
   const GroundCells ground = ground_cells(level);
   if (ground.overflow > 0) return without_tiles(level);
   Level flat = level;
@@ -36,7 +42,7 @@ Level ground_level(const Level& level) {
 }
 
 bool update_cell(const Level& level, Cell cell, Level& of_ground) {
-  if (of_ground.tile_count() != level.tile_count()) return false;
+  if (of_ground.tile_count() != level.tile_count() || has_object_ground(level)) return false;
   const auto number = ground_number(level, {}, cell);
   if (number) of_ground.map.set(cell, *number);
   return number.has_value();

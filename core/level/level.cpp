@@ -54,7 +54,7 @@ bool operator==(const Level& a, const Level& b) {
   return same_cart && a.sheets == b.sheets && a.palette == b.palette && a.flag_names == b.flag_names &&
          a.flag_fields == b.flag_fields && a.roles == b.roles && a.tile_shapes == b.tile_shapes &&
          a.flag_shapes == b.flag_shapes && same_layers(a, b) && a.curves == b.curves &&
-         a.tuning == b.tuning && a.spawns == b.spawns && a.brushes == b.brushes &&
+         a.objects == b.objects && a.tuning == b.tuning && a.spawns == b.spawns && a.brushes == b.brushes &&
          a.auto_tiles == b.auto_tiles && a.exports == b.exports && a.extra == b.extra;
 }
 

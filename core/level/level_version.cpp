@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include <talus/level/limits.h>
+
 namespace talus {
 namespace {
 
@@ -82,6 +84,7 @@ LevelVersion version_of(const Level& level, const LevelVersion* before) {
   const LevelVersion& old = before != nullptr ? *before : kNone;
   LevelVersion version{shared_part(tiles_of(level), old.tiles),
                        shared_part(level.curves, old.curves),
+                       shared_part(level.objects, old.objects),
                        shared_part(level.spawns, old.spawns),
                        level.tuning,
                        level.map.tile_size(),
@@ -118,6 +121,7 @@ std::size_t memory_of(const LevelVersion& version, const LevelVersion* before) {
   std::size_t bytes = sizeof(LevelVersion);
   if (version.tiles != old.tiles) bytes += memory_of(*version.tiles);
   if (version.curves != old.curves) bytes += memory_of(*version.curves);
+  if (version.objects != old.objects) bytes += size_of(*version.objects);
   if (version.spawns != old.spawns) bytes += memory_of(*version.spawns);
   for (std::size_t layer = 0; layer < version.layers.size(); ++layer) {
     const auto& rows = version.layers[layer].rows;
@@ -140,6 +144,7 @@ void put_version(const LevelVersion& version, Level& level) {
   level.tile_shapes = version.tiles->tile_shapes;
   level.flag_shapes = version.tiles->flag_shapes;
   level.curves = *version.curves;
+  level.objects = *version.objects;
   level.spawns = *version.spawns;
   level.tuning = version.tuning;
   const auto& rows = version.layers.front().rows;
@@ -170,7 +175,7 @@ std::optional<std::vector<Cell>> changed_cells(const LevelVersion& a, const Leve
   };
   const bool only_cells =
       a.tuning == b.tuning && same(a.tiles, b.tiles) && same(a.curves, b.curves) &&
-      same(a.spawns, b.spawns) && a.tile_size == b.tile_size &&
+      same(a.objects, b.objects) && same(a.spawns, b.spawns) && a.tile_size == b.tile_size &&
       std::equal(a.layers.begin(), a.layers.end(), b.layers.begin(), b.layers.end(), same_layer);
   if (!only_cells) return std::nullopt;
   std::set<std::pair<int, int>> cells;  // row, column

@@ -29,6 +29,7 @@ struct LevelVersion {
   // No pointer is null.
   std::shared_ptr<const Tiles> tiles;
   std::shared_ptr<const std::vector<LevelCurve>> curves;
+  std::shared_ptr<const std::vector<ObjectLayer>> objects;
   std::shared_ptr<const std::vector<Spawn>> spawns;
   Tuning tuning;
   TileSize tile_size;         // of the map

@@ -8,7 +8,7 @@ namespace {
 
 struct Amounts {
   std::size_t shape_numbers = 0, heights = 0, curve_cells = 0, layer_cells = 0, brush_cells = 0,
-              name_bytes = 0, unknown_bytes = 0;
+              name_bytes = 0, unknown_bytes = 0, objects = 0, object_points = 0, object_bytes = 0;
 };
 
 // The texts that every entry of a list has.
@@ -16,6 +16,17 @@ template <class Entry>
 void count_texts(const Entry& entry, Amounts& amounts) {
   amounts.name_bytes += entry.name.size();
   amounts.unknown_bytes += entry.extra.size();
+}
+
+void count_objects(const std::vector<ObjectLayer>& layers, Amounts& amounts) {
+  for (const ObjectLayer& layer : layers) {
+    count_texts(layer, amounts);
+    amounts.objects += layer.objects.size();
+    for (const MapObject& object : layer.objects) {
+      amounts.object_points += object.points.size();
+      amounts.object_bytes += object.name.size() + object.type.size() + object.properties.size();
+    }
+  }
 }
 
 // The heights and the points of a shape and of its parts.
@@ -46,6 +57,7 @@ Amounts amounts_of(const Level& level) {
     // The chosen layer has its cells elsewhere, and as many as any other.
     if (layer.cells != nullptr) amounts.layer_cells = layer.cells->size() * level.layers.list.size();
   }
+  count_objects(level.objects, amounts);
   for (const Brush& brush : level.brushes) {
     count_texts(brush, amounts);
     amounts.brush_cells += brush.tiles.size();
@@ -78,6 +90,10 @@ std::optional<std::string> problem_of_amounts(const Level& level) {
         {amounts.curve_cells, kMaxCurveCells, "cells that curves pass"},
         {level.layers.list.size(), kMaxLayers, "layers"},
         {amounts.layer_cells, kMaxLayerCells, "cells of all layers"},
+        {level.objects.size(), kMaxObjectLayers, "layers of objects"},
+        {amounts.objects, kMaxMapObjects, "objects"},
+        {amounts.object_points, kMaxObjectPoints, "points of objects"},
+        {amounts.object_bytes, kMaxObjectBytes, "bytes of names and properties of objects"},
         {level.brushes.size(), kMaxBrushes, "brushes"},
         {amounts.brush_cells, kMaxBrushCells, "cells of brushes"},
         {level.exports.size(), kMaxExports, "export presets"},
@@ -90,6 +106,13 @@ std::optional<std::string> problem_of_amounts(const Level& level) {
   return std::nullopt;
 }
 
+std::size_t size_of(const std::vector<ObjectLayer>& objects) {
+  Amounts amounts;
+  count_objects(objects, amounts);
+  return objects.size() * sizeof(ObjectLayer) + amounts.objects * sizeof(MapObject) +
+         amounts.object_points * sizeof(Vec2) + amounts.object_bytes + amounts.name_bytes;
+}
+
 std::size_t size_of(const Level& level) {
   constexpr std::size_t kEntry = 128;  // bytes, about what an entry takes in memory or as text
   const Amounts amounts = amounts_of(level);
@@ -98,7 +121,7 @@ std::size_t size_of(const Level& level) {
          amounts.brush_cells * sizeof(TileNumber) +
          level.sheet(SheetId::tiles).images.size() * sizeof(TileImage) + picture_bytes(level) +
          (amounts.shape_numbers + amounts.heights) * sizeof(double) + amounts.name_bytes +
-         amounts.unknown_bytes +
+         amounts.unknown_bytes + size_of(level.objects) +
          kEntry * (level.spawns.size() + level.curves.size() + level.brushes.size() + level.exports.size());
 }
 

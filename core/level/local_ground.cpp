@@ -28,6 +28,10 @@ Level window_of(const Level& level, const CellRect& window) {
   part.flag_shapes = level.flag_shapes;
   part.tuning = level.tuning;
   part.layers = level.layers;
+  part.objects = level.objects;
+  const Vec2 corner = level.map.corner_of({window.x, window.y});
+  for (ObjectLayer& layer : part.objects)
+    for (MapObject& object : layer.objects) object.position = object.position - corner;
   part.map = TileMap(window.w, window.h, level.map.tile_size());
   part.map.cells() = window_of(level.map.cells(), level.map.width(), window);
   for (TileLayer& layer : part.layers.list) {

@@ -16,7 +16,7 @@ class Resizer {
       : level_(level),
         frame_(frame),
         period_{std::max(level.map.width(), frame.width), std::max(level.map.height(), frame.height)},
-        result_{TileMap(frame.width, frame.height, level.map.tile_size()), level.layers, {}, {}} {
+        result_{TileMap(frame.width, frame.height, level.map.tile_size()), level.layers, {}, {}, {}} {
     if (!frame.wrap) return;
     frame_.shift = {wrapped(frame.shift.x, period_.x), wrapped(frame.shift.y, period_.y)};
   }
@@ -25,6 +25,10 @@ class Resizer {
     shift_layers();
     for (const Spawn& spawn : level_.spawns) shift(spawn);
     for (const LevelCurve& curve : level_.curves) shift(curve);
+    result_.objects = level_.objects;
+    const Vec2 by = level_.map.corner_of(frame_.shift);
+    for (ObjectLayer& layer : result_.objects)
+      for (MapObject& object : layer.objects) object.position = object.position + by;
     return std::move(result_);
   }
 

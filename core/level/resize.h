@@ -21,6 +21,7 @@ struct ResizedMap {
   TileLayers layers;
   std::vector<Spawn> spawns;
   std::vector<LevelCurve> curves;
+  std::vector<ObjectLayer> objects;  // all of them, and none wraps
   // What has no place on the new map: cells of any layer with a tile other than 0, bodies wholly beside it,
   // curves that reach beyond its edges.
   std::size_t lost_tiles = 0, lost_spawns = 0, lost_curves = 0;

@@ -1,6 +1,8 @@
 #include "transform.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include <talus/collision/shape_forms.h>
 
@@ -125,6 +127,27 @@ void scale_shape(TileShape& shape, int factor) {
   for (TileShape& part : shape.parts) scale_shape(part, factor);
 }
 
+template <class Change>
+void change_objects(Level& level, const Change& change) {
+  for (ObjectLayer& layer : level.objects) std::for_each(layer.objects.begin(), layer.objects.end(), change);
+}
+
+// Its position is at its top left, which becomes its top right.
+void mirror_object(MapObject& object, double width) {
+  constexpr double kHalfTurn = 180;
+  const double angle = object.rotation * std::numbers::pi / kHalfTurn;
+  object.position = object.position + Vec2{std::cos(angle), std::sin(angle)} * object.size.x;
+  object.position.x = width - object.position.x;
+  object.rotation = -object.rotation;
+  for (Vec2& point : object.points) point.x = -point.x;
+}
+
+void scale_object(MapObject& object, double factor) {
+  object.position = object.position * factor;
+  object.size = object.size * factor;
+  for (Vec2& point : object.points) point = point * factor;
+}
+
 }  // namespace
 
 Level mirrored(const Level& level) {
@@ -138,6 +161,7 @@ Level mirrored(const Level& level) {
   for (TileShape& shape : image.flag_shapes) shape = mirrored(shape, tile, ShapeMirror::left_right);
   change_curves(image, Mirror{width});
   for (LevelCurve& curve : image.curves) turn_faces(curve.curve);
+  change_objects(image, [width](MapObject& object) { mirror_object(object, width); });
   for (Spawn& spawn : image.spawns) {
     spawn.position.x = width - spawn.position.x - spawn.size.x;
     spawn.velocity.x = -spawn.velocity.x;
@@ -152,6 +176,7 @@ Level moved(const Level& level, int columns, int rows) {
                 [&](const auto& cells) { return moved_cells(level.map, cells, columns, rows); });
   const Vec2 by = level.map.corner_of({columns, rows});
   change_curves(image, Shift{by});
+  change_objects(image, [by](MapObject& object) { object.position = object.position + by; });
   for (Spawn& spawn : image.spawns) spawn.position = spawn.position + by;
   return image;
 }
@@ -171,6 +196,7 @@ Level scaled(const Level& level, int factor) {
   std::for_each(image.tile_shapes.begin(), image.tile_shapes.end(), scale);
   std::for_each(image.flag_shapes.begin(), image.flag_shapes.end(), scale);
   change_curves(image, Scale{1.0 * factor});
+  change_objects(image, [factor](MapObject& object) { scale_object(object, factor); });
   for (Spawn& spawn : image.spawns) {
     spawn.position = spawn.position * factor;
     spawn.velocity = spawn.velocity * factor;

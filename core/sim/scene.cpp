@@ -8,6 +8,7 @@
 #include <talus/level/ground.h>
 #include "../level/bump_boxes.h"
 #include "../level/ground_cells.h"
+#include "../level/object_ground.h"
 
 namespace talus {
 namespace {
@@ -208,6 +209,7 @@ void add_spawns(const Level& level, std::vector<SceneItem>& items) {
 }
 
 Scene make_scene(const Level& level, const std::function<bool(double)>& progress) {
+  if (has_object_ground(level)) return make_scene(with_object_tiles(level), progress);
   const GroundCells ground = ground_cells(level);
   if (ground.overflow > 0) return make_scene(without_tiles(level), progress);
   std::vector<TileBoxes> boxes = boxes_by_number(level, ground.stacks);
@@ -264,6 +266,7 @@ bool is_same_ground(const Tuning& a, const Tuning& b) {
 Scene recompile_scene(const Scene& scene, const Level& edited, std::span<const Cell> changed) {
   if (edited.tuning.solver != SolverKind::exact || !is_same_ground(scene.tuning, edited.tuning))
     return compile_scene(edited);
+  if (has_object_ground(edited)) return recompile_scene(scene, with_object_tiles(edited), changed);
   const auto cells = numbered(scene, edited, changed);
   if (!cells) return compile_scene(edited);
   const std::size_t lines = lines_after(scene, edited, *cells);

@@ -16,6 +16,8 @@ Edit resize_map(const Level& level, const MapFrame& frame, std::optional<CellRec
     edit.changes.emplace_back(SpawnsChange{level.spawns, std::move(result.spawns)});
   if (result.curves != level.curves)
     edit.changes.emplace_back(CurvesChange{level.curves, std::move(result.curves)});
+  if (result.objects != level.objects)
+    edit.changes.emplace_back(ObjectsChange{level.objects, std::move(result.objects)});
   if (selection) {
     CellRect there = *selection;
     there.x += frame.shift.x;

@@ -67,8 +67,7 @@ TEST_F(SessionImportTest, WarnsOfWhatIsDropped) {
   session.apply(action::OpenFile{path("room.tmx")});
   ASSERT_TRUE(session.message());
   EXPECT_EQ(session.message()->text,
-            "Opened room.tmx. Saving keeps what Talus does not show: an object of the layer "
-            "\"things\"; the layer \"sky\", which is a picture.");
+            "Opened room.tmx. Saving keeps what Talus does not show: the layer \"sky\", which is a picture.");
 }
 
 TEST_F(SessionImportTest, AMapThatIsNoLevelChangesNothing) {

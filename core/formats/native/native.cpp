@@ -21,6 +21,7 @@
 #include "native_flags.h"
 #include "native_layers.h"
 #include "native_members.h"
+#include "native_object_layers.h"
 #include "native_objects.h"
 #include "native_picture.h"
 
@@ -77,6 +78,7 @@ class Reader {
     take_object(document, "map", "map", [this](Json& v) { read_map(v); });
     take(document, "layers", [this](Json& v) { read_layers(v); });
     take(document, "curves", [this](Json& v) { keep(take_curves(v, "curves", level_.map), level_.curves); });
+    take(document, "objects", [this](Json& v) { keep(take_object_layers(v, "objects"), level_.objects); });
     take_object(document, "cart", "cart", [this](Json& v) { read_cart(v); });
     if (error_) return tl::unexpected(*error_);
     if (document.size() > kMaxUnknownKeys) return tl::unexpected(FormatError{"", too_many_unknown()});
@@ -429,6 +431,7 @@ FormatResult<void> put_physics(const Level& level, Json& document) {
   if (auto good = put_list(json_of(level.spawns, "spawns"), "spawns", document); !good) return good;
   if (auto good = put_list(json_of(level.curves, "curves", level.map), "curves", document); !good)
     return good;
+  if (auto good = put_list(json_of(level.objects, "objects"), "objects", document); !good) return good;
   return put_shapes(level.tile_shapes, "tile_shapes", tile, document);
 }
 
@@ -446,15 +449,16 @@ std::vector<std::string_view> key_order() {
       "roles",       "solid",     "up_slope", "down_slope", "ball",    "one_way",    "ceiling",
       "flag_shapes", "tuning",    "spawns",   "curves",     "brushes", "auto_tiles", "exports",
       "tile_shapes", "tiles",     "random",   "heights",    "points",  "sprites",    "tile_size",
-      "sheet_size",  "picture",   "map",      "layers",     "cart",    "solver"};
+      "sheet_size",  "picture",   "map",      "layers",     "objects", "cart",       "solver"};
   for (const TuningField& field : tuning_fields()) order.push_back(field.key);
-  order.insert(
-      order.end(),
-      {"x",        "y",       "vx",     "vy",       "size",   "foot",     "from",   "to",        "from_slope",
-       "to_slope", "center",  "radius", "x0",       "x1",     "upper",    "middle", "amplitude", "wavelength",
-       "origin",   "ys",      "flags",  "pixels",   "width",  "height",   "rows",   "comment",   "chunks",
-       "lines",    "chunk",   "bank",   "reserved", "code",   "data",     "path",   "parts",     "on_save",
-       "ground",   "visible", "locked", "opacity",  "offset", "parallax", "tint",   "packed"});
+  order.insert(order.end(),
+               {"x",       "y",          "vx",        "vy",         "size",     "foot",   "from",
+                "to",      "from_slope", "to_slope",  "center",     "radius",   "x0",     "x1",
+                "upper",   "middle",     "amplitude", "wavelength", "origin",   "ys",     "flags",
+                "pixels",  "width",      "height",    "rows",       "comment",  "chunks", "lines",
+                "chunk",   "bank",       "reserved",  "code",       "data",     "path",   "parts",
+                "on_save", "ground",     "visible",   "locked",     "opacity",  "offset", "parallax",
+                "tint",    "packed",     "form",      "class",      "rotation", "tile",   "properties"});
   for (const GroundPartInfo& part : kGroundParts) order.push_back(part.key);
   const auto hard_case = hard_case_keys();
   order.insert(order.end(), hard_case.begin(), hard_case.end());
@@ -481,7 +485,7 @@ FormatResult<Json> native_document(const Level& level) {
   auto layers = json_of_layers(level);
   if (!layers) return layers;
   const bool has_layers = !layers->empty();
-  document["talus"] = has_layers                                                              ? kNativeVersion
+  document["talus"] = has_layers || !level.objects.empty()                                    ? kNativeVersion
                       : has_other_sheet || picture != nullptr || has_shapes_with_parts(level) ? kSheetVersion
                       : has_other_tiles ? kTileSizeVersion
                                         : 1;

@@ -61,6 +61,14 @@
 //                  that its own are multiplied by ("ffffff"); "rows", as those of "map", which has none then,
 //                  or, for a map of more than 1048576 cells, "packed", lines of Base64 with a zlib stream of
 //                  the numbers of all cells, the low byte first. Default: one layer with the rows of "map".
+//   "objects"      layers of objects, from the back to the front, which lie beside those of tiles: "name"
+//   ("");
+//                  "ground", whether areas and lines among them are ground (false); "visible" (true);
+//                  "objects", a list: "form", "box", "ellipse", "polygon", "polyline", "tile" or "other"
+//                  ("box"); "name" (""); "class" (""); "x", "y", px; "width", "height", px (0); "rotation",
+//                  degrees clockwise about [x, y] (0); "points", of polygons and polylines, [x, y] in px from
+//                  there; "one_way" (false); "tile", of a tile, its number in the map that it came from;
+//                  "properties", an object of what its user wrote there. Default: none.
 //   "cart"         the rest of the cart that the level came from (see native_cart.h). Default: no cart.
 //
 // With the member "companion" a file is not a level, but what a cart's level has beyond the cart (see
@@ -77,7 +85,7 @@
 
 namespace talus {
 
-inline constexpr int kNativeVersion = 4;  // of levels with layers
+inline constexpr int kNativeVersion = 4;  // of levels with layers of tiles or objects
 // Of levels without, but with another sheet, a picture in true colour, polygons or groups.
 inline constexpr int kSheetVersion = 3;
 inline constexpr int kTileSizeVersion = 2;  // of levels with none of that, but tiles of other than 8x8 px

@@ -216,6 +216,8 @@ void TiledReader::layers(const JsonNode& node, const TileLayer& group, const Pro
     if (type == "tilelayer") {
       tile_layer(entry, map, layer);
     } else if (type == "objectgroup") {
+      layer.type = text(entry, class_key(entry));
+      layer.properties = properties(entry, of);
       layer.objects = objects(entry, layer.looks.offset);
     } else {
       return drops_.add(of + ", which is a picture");

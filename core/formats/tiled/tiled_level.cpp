@@ -14,6 +14,7 @@
 #include "../native/native.h"
 #include "../native/native_objects.h"
 #include "../text/xml_text.h"
+#include "tiled_object_layers.h"
 #include "tiled_objects.h"
 #include "tiled_shapes.h"
 
@@ -74,6 +75,7 @@ class TiledLevelMaker {
                                             bool one_way, bool is_ceiling);
   void tell_stale_words(const TiledTile& tile, const TileShape& shape);
   void take_objects(const TiledLayer& layer);
+  bool has_room_for(const MapObject& object);
   const std::string& type_of(const TiledObject& object) const;
   void take_spawn(const TiledObject& object, Spawn spawn);
   const Spawn* base_spawn_like(const Spawn& spawn, const TiledObject& object) const;
@@ -96,6 +98,7 @@ class TiledLevelMaker {
   TiledTiles tiles_;
   std::map<std::string, int> flags_;                                    // by the name of their bools
   std::vector<std::pair<const LevelCurve*, TiledObject>> curves_by_x_;  // of base_
+  std::size_t object_bytes_ = 0;                                        // of the level's objects
   std::size_t curve_name_bytes_ = 0;                                    // of curves that are no base_'s
 };
 
@@ -234,6 +237,7 @@ FormatResult<void> TiledLevelMaker::read_base() {
   if (!is_own_) level_.tuning = new_tuning(map_.tile_size);
   level_.spawns.clear();
   level_.curves.clear();
+  level_.objects.clear();
   level_.sheet(SheetId::tiles) = {};
   return {};
 }
@@ -463,16 +467,29 @@ void TiledLevelMaker::tell_stale_words(const TiledTile& tile, const TileShape& s
 }
 
 void TiledLevelMaker::take_objects(const TiledLayer& layer) {
+  ObjectLayer others = object_layer_of(layer);
   for (const TiledObject& object : layer.objects) {
     if (auto spawn = spawn_of(object, type_of(object), map_.tile_size)) {
       take_spawn(object, *std::move(spawn));
     } else if (object.form == TiledObject::Form::polyline &&
                (object.type == kTiledCurveType || layer.name == kTiledCurveLayer)) {
       take_curve(object);
+    } else if (auto kept = map_object_of(object, type_of(object)); has_room_for(kept)) {
+      others.objects.push_back(std::move(kept));
     } else {
       drops_.add("an object of the layer " + quoted_name(layer.name));
     }
   }
+  if (!others.objects.empty() && level_.objects.size() < kMaxObjectLayers)
+    level_.objects.push_back(std::move(others));
+}
+
+// Whether the level can hold the object, too. Counts those that it can.
+bool TiledLevelMaker::has_room_for(const MapObject& object) {
+  const std::size_t bytes = object.name.size() + object.type.size() + object.properties.size();
+  if (!is_well_placed(object) || object_bytes_ + bytes > kMaxObjectBytes) return false;
+  object_bytes_ += bytes;
+  return true;
 }
 
 // A tile that has no type gets that of the tile in its tileset.
@@ -574,6 +591,7 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
   name_flags();
   for (int tile = 0; tile < layout.count; ++tile) take_tile(static_cast<TileNumber>(tile));
   for (const TiledLayer& objects : map_.layers) take_objects(objects);
+  if (level_.objects.empty()) level_.objects = base_.objects;
   if (!map_.background.empty() && map_.background != tiled_color(level_.palette[0]))
     drops_.add("\"backgroundcolor\" of the map, which is not colour 0");
   if (auto problem = problem_of_amounts(level_)) return tl::unexpected(FormatError{"", *std::move(problem)});

@@ -113,7 +113,9 @@ struct TiledLayer {
   bool has_tiles = false;  // whether it is a tile layer; else an object layer
   bool is_hidden = false;  // for writing; a layer that is read counts even if it is hidden
   std::string name;
-  TileLayer looks;                   // of a tile layer, with those of its groups; without its cells
+  std::string type;                  // its class
+  TiledProperties properties;        // of an object layer
+  TileLayer looks;                   // with those of its groups; without its cells
   std::vector<std::uint32_t> cells;  // row by row: 0, or a tile's number with the bits that turn it
   std::vector<TiledObject> objects;
 };

@@ -55,6 +55,7 @@ std::string differences_of(const Level& a, const Level& b, std::size_t cells) {
   add(a.sheet(SheetId::tiles).flags != b.sheet(SheetId::tiles).flags || !(a.roles == b.roles), "flags");
   add(a.tile_shapes != b.tile_shapes || a.flag_shapes != b.flag_shapes, "shapes");
   add(a.curves != b.curves, "curves");
+  add(a.objects != b.objects, "objects");
   add(a.spawns != b.spawns, "starts");
   add(!(a.tuning == b.tuning), "tuning");
   return text;

@@ -15,6 +15,7 @@
 #include <talus/level/exports.h>
 #include <talus/level/flag_fields.h>
 #include <talus/level/flag_roles.h>
+#include <talus/level/object_layer.h>
 #include <talus/level/tile_layer.h>
 #include <talus/level/tile_map.h>
 #include <talus/level/tileset.h>
@@ -107,6 +108,7 @@ struct Level {
   TileLayers layers;                              // what the map consists of
   TileMap map;                                    // tiles of the first sheet: the cells of the chosen layer
   std::vector<LevelCurve> curves;                 // at most kMaxCurves
+  std::vector<ObjectLayer> objects;               // layers of them, from the back to the front
   Tuning tuning;                                  // the numbers of the physics
   std::vector<Spawn> spawns;                      // at most kMaxSpawns
   std::vector<Brush> brushes;                     // at most kMaxBrushes

@@ -41,6 +41,9 @@ inline constexpr std::size_t kMaxHistoryBytes = std::size_t{512} << 20;
 // all of them.
 std::optional<std::string> problem_of_amounts(const Level& level);
 
+// About the memory of layers of objects, in bytes.
+std::size_t size_of(const std::vector<ObjectLayer>& objects);
+
 // About the size of a level as data, which measures the work of going through it: its cells, heights and
 // texts, its cart, its tiles, and some bytes for each body, curve and brush. Tuning is small, and does not
 // count.
