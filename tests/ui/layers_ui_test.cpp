@@ -184,6 +184,27 @@ TEST_F(UiLayers, TheGroundMarkMakesGround) {
   EXPECT_EQ(session().state().bodies.size(), 1u);
 }
 
+TEST_F(UiLayers, ObjectsHaveRowsWithMarks) {
+  Level with = level();
+  ObjectLayer walls{.name = "walls"};
+  walls.objects = {{.name = "rock", .position = {24, 24}, .size = {40, 16}}};
+  with.objects = {walls};
+  const std::string file = path("objects.talus.json");
+  ASSERT_TRUE(save_level(with, *find_format("native"), file));
+  session().apply(action::OpenFile{file});
+  frames(3);
+  EXPECT_EQ(session().scene().ground_lines, 0u);
+  click("layers/objects/0/ground");
+  EXPECT_TRUE(level().objects[0].is_ground);
+  EXPECT_EQ(label(), "Make objects ground");
+  EXPECT_GT(session().scene().ground_lines, 0u);
+  click("layers/objects/0/eye");
+  EXPECT_FALSE(level().objects[0].visible);
+  key(ctrl('z'));
+  key(ctrl('z'));
+  EXPECT_FALSE(level().objects[0].is_ground);
+}
+
 TEST_F(UiLayers, AreOrderedByADrag) {
   drag(row(kFront), {row(kBack).x, find("layers/0")->max.y - 2});
   EXPECT_EQ(names(), "front back middle");

@@ -8,6 +8,7 @@
 #include "canvas_layers.h"
 #include "case_note.h"
 #include "mouse_mark.h"
+#include "object_drawing.h"
 #include "other_side.h"
 #include "overlay_painter.h"
 #include "panels/commands/commands.h"
@@ -348,6 +349,7 @@ void LevelCanvas::draw_ground(const Session& session, const LevelAtFrame* then, 
   }
   if (is_other) draw_marked_cells(list, then->changed(), view);
   draw_curves(list, level, view, ui.scale);
+  if (!level.objects.empty() && !is_play()) draw_objects(list, level, view, ui, ImGui::GetIO().MousePos);
   if (tint && !far) draw_flag_tint(list, level, view, *tint);
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "edit/layer_tools.h"
+#include "edit/object_tools.h"
 #include "panels/canvas/drag_cancel.h"
 #include "panels/commands/commands.h"
 #include "panels/ui/long_list.h"
@@ -43,23 +44,45 @@ constexpr std::array<LayerMark, 3> kMarks = {
      {&TileLayer::is_ground, "ground", Icon::ground, Icon::ground,
       "Whether tiles of the layer are ground and bodies, or only drawn."}}};
 
-// A mark that a click switches, without the frame of a button, as each row has three.
+// A mark that a click switches, without the frame of a button, as each row has three. Returns whether it was
+// clicked.
+bool draw_switch(const char* name, Icon icon, bool on, const Ui& ui) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float side = ui.px(kRow), inset = ui.px(4);
+  const bool clicked = ImGui::InvisibleButton(name, {side, side});
+  const ImU32 color = ImGui::IsItemHovered() ? theme::tone(theme::kAccent)
+                      : on                   ? theme::tone(theme::kText)
+                                             : theme::tone(theme::kMuted, 90);
+  draw_icon(*ImGui::GetWindowDrawList(), icon, {at.x + inset, at.y + inset}, side - 2 * inset, color);
+  return clicked;
+}
+
 void draw_mark(const LayerMark& mark, int layer, const Session& session, Actions& actions, Ui& ui) {
   const TileLayer& looks = looks_of(session, layer);
   const bool on = looks.*mark.field;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float side = ui.px(kRow), inset = ui.px(4);
-  if (ImGui::InvisibleButton(mark.name, {side, side})) {
+  if (draw_switch(mark.name, on ? mark.on : mark.off, on, ui)) {
     TileLayer switched = looks;
     switched.*mark.field = !on;
     push(set_layer_looks(session.level(), layer, std::move(switched)), actions);
   }
-  const ImU32 color = ImGui::IsItemHovered() ? theme::tone(theme::kAccent)
-                      : on                   ? theme::tone(theme::kText)
-                                             : theme::tone(theme::kMuted, 90);
-  draw_icon(*ImGui::GetWindowDrawList(), on ? mark.on : mark.off, {at.x + inset, at.y + inset},
-            side - 2 * inset, color);
   ui.item("layers/" + std::to_string(layer) + "/" + mark.name, mark.help);
+}
+
+void draw_object_layer(int layer, const Session& session, Actions& actions, Ui& ui) {
+  const ObjectLayer& objects = session.level().objects[static_cast<std::size_t>(layer)];
+  const std::string id = "layers/objects/" + std::to_string(layer);
+  const bool visible = objects.visible, is_ground = objects.is_ground;
+  if (draw_switch("eye", visible ? Icon::eye : Icon::eye_closed, visible, ui))
+    push(set_object_visible(session.level(), layer, !visible), actions);
+  ui.item(id + "/eye", "Whether the objects are drawn. Hidden ground stops bodies, too.");
+  ImGui::SameLine(0, ui.px(kRow));  // no object is locked
+  if (draw_switch("ground", Icon::ground, is_ground, ui))
+    push(set_object_ground(session.level(), layer, !is_ground), actions);
+  ui.item(id + "/ground", "Whether areas and lines among the objects are ground, or only drawn.");
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  draw_text("  " + object_layer_text(session.level(), layer));
+  ui.item(id, "A layer of objects of the map.");
 }
 
 void draw_layer_label(const char* text, Ui& ui) {
@@ -83,9 +106,27 @@ void LayersPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   }
   ImGui::NewLine();
   ImGui::BeginChild("layers");
+  draw_object_layers(session, actions, ui);
   draw_list(session, actions, ui);
   draw_looks(session, actions, ui);
   ImGui::EndChild();
+}
+
+// Above the layers of tiles.
+void LayersPanel::draw_object_layers(const Session& session, Actions& actions, Ui& ui) {
+  const std::size_t count = session.level().objects.size();
+  if (count == 0) return;
+  const float rows = std::min(static_cast<float>(count), kLeastRows);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+  ImGui::BeginChild("objects", {0, rows * ui.px(kRow)});
+  draw_rows(static_cast<int>(count), [&](int at) {
+    const int layer = static_cast<int>(count) - 1 - at;
+    ImGui::PushID(layer);
+    draw_object_layer(layer, session, actions, ui);
+    ImGui::PopID();
+  });
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
 }
 
 void LayersPanel::draw_list(const Session& session, Actions& actions, Ui& ui) {

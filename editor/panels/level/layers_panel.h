@@ -22,6 +22,7 @@ class LayersPanel : public Panel {
     std::string name;
     bool has_keys = false;  // whether the field has had the keys
   };
+  void draw_object_layers(const Session& session, Actions& actions, Ui& ui);
   void draw_list(const Session& session, Actions& actions, Ui& ui);
   void draw_layer(int layer, const Session& session, Actions& actions, Ui& ui);
   void draw_name(int layer, const Session& session, Actions& actions, Ui& ui);
