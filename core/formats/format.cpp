@@ -80,7 +80,7 @@ std::span<const Format> formats() {
   static constexpr std::array<std::string_view, 5> kTiledMembers = {"tiles", "tile_shapes", "map", "spawns",
                                                                     "curves"};
   static const std::array<Format, 7> list = {{
-      {"ldtk", "LDtk project", kLdtkExtensions, accepts_ldtk, read_ldtk, nullptr},
+      {"ldtk", "LDtk project", kLdtkExtensions, accepts_ldtk, read_ldtk, nullptr, {}, false, true},
       {"tmj", "Tiled map, JSON", kTiledJsonExtensions, accepts_tiled_json, read_tiled, write_tiled,
        kTiledMembers, true},
       {"tmx", "Tiled map, XML", kTiledXmlExtensions, accepts_tiled_xml, read_tiled, write_tiled,

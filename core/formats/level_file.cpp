@@ -8,6 +8,7 @@
 #include "files/keep_aside.h"
 #include "files/real_path.h"
 #include "last_catch.h"
+#include "ldtk/ldtk_companion.h"
 #include "native/companion.h"
 #include "text/content_hash.h"
 
@@ -15,6 +16,8 @@ namespace talus {
 namespace {
 
 namespace fs = std::filesystem;
+
+bool is_ldtk_path(const std::string& path) { return context_for_file(path).extension == "ldtk"; }
 
 void add_doubt(const std::string& path, const StagedFile& staged, std::string& note) {
   if (staged.doubt().empty()) return;
@@ -41,8 +44,12 @@ void add_companion(LoadedLevel& loaded) {
   const std::string path = companion_path(loaded.path);
   const Place place = look_at(path);
   if (place.is_free) return;
+  // A level beside a project of LDtk may have been exported to it.
+  if (loaded.format->keeps_beside && place.bytes && !is_companion(*place.bytes)) return;
   auto joined = place.bytes ? read_guarded([&] {
-    return join_companion(*place.bytes, loaded.level, *loaded.format, last_name(loaded.path));
+    return loaded.format->keeps_beside
+               ? join_ldtk_companion(*place.bytes, loaded.level, last_name(loaded.path))
+               : join_companion(*place.bytes, loaded.level, *loaded.format, last_name(loaded.path));
   })
                             : FormatResult<JoinedLevel>(tl::unexpected(place.bytes.error()));
   if (!joined) {
@@ -65,16 +72,18 @@ std::optional<TiledFrame> known_frame(const std::string& path) {
 }
 
 // Reads the level of a companion that was named itself. Errors are about the companion.
-FormatResult<LoadedLevel> load_owner(const std::string& owner) {
+FormatResult<LoadedLevel> load_owner(const std::string& owner, std::string_view companion,
+                                     ImportChoices choices) {
   const auto failure = [&](const std::string& what) {
     return tl::unexpected(
         FormatError{"", "is the companion that Talus saved with " + last_name(owner) + what});
   };
   std::error_code error;
   if (!fs::exists(owner, error)) return failure(", but that file is not beside it: put both into one folder");
-  auto loaded = load_level(owner);
+  if (choices.level.empty() && choices.level_number == 0) choices.level = ldtk_memory_of(companion).last;
+  auto loaded = load_level(owner, choices);
   if (!loaded) return failure(", which cannot be read: " + to_string(loaded.error(), owner));
-  if (loaded->format->holds.empty()) return failure(", which is not a cart");
+  if (loaded->format->holds.empty() && !loaded->format->keeps_beside) return failure(", which is not a cart");
   return loaded;
 }
 
@@ -248,19 +257,56 @@ FormatResult<SavedLevel> save_pair(const Level& level, const Format& format, con
   return saved;
 }
 
+// Writes only the companion.
+FormatResult<SavedLevel> save_beside(const Level& level, const std::string& path,
+                                     const CompanionFile& known) {
+  if (!level.ldtk) return tl::unexpected(FormatError{"", "is LDtk's: save the level under another name"});
+  const std::string beside = companion_path(path);
+  const Place before = look_at(beside);
+  if (!before.bytes) return companion_error(beside, before.bytes.error());
+  const auto written = write_ldtk_companion(level, *before.bytes, last_name(path));
+  if (!written) {
+    FormatError error = written.error();
+    error.message = last_name(beside) + " " + error.message;
+    return tl::unexpected(std::move(error));
+  }
+  PairWriter pair(beside, before);
+  // What was not read of it is kept aside.
+  const bool is_own = known.path == beside
+                          ? known.content.has_value()
+                          : ldtk_tiles_of_companion(*before.bytes, level.ldtk->level).empty();
+  if (const auto put = pair.put_companion(*written, is_own); !put)
+    return companion_error(beside, put.error());
+  pair.finish(false);
+  SavedLevel saved{{}, {beside, content_hash(*written)}, pair.doubt()};
+  if (!pair.kept().empty())
+    saved.note += (saved.note.empty() ? "" : ". ") + std::string("What was there before is kept as ") +
+                  last_name(pair.kept());
+  return saved;
+}
+
+// "cave.ldtk" gives "cave"; empty for others.
+std::string without_ldtk(const std::string& path) {
+  constexpr std::string_view kEnding = ".ldtk";
+  return is_ldtk_path(path) ? path.substr(0, path.size() - kEnding.size()) : std::string();
+}
+
 }  // namespace
 
 std::string companion_path(const std::string& file) {
   std::error_code error;
   fs::path target(file);
   if (fs::is_symlink(fs::symlink_status(target, error))) target = fs::weakly_canonical(target, error);
-  return (error ? file : target.string()) + std::string(kCompanionEnding);
+  const std::string real = error ? file : target.string(), bare = without_ldtk(real);
+  return (bare.empty() ? real : bare) + std::string(kCompanionEnding);
 }
 
 std::string companion_place_problem(const std::string& path) {
   const std::string owner = owner_of_companion(path);
-  const Format* format = owner.empty() ? nullptr : format_for_file(owner);
   std::error_code error;
+  if (is_ldtk_path(owner) && level_path(path) == owner)
+    return "is what Talus adds to " + last_name(owner) + " beside it: choose another name";
+  const Format* format = owner.empty() ? nullptr : format_for_file(owner);
   if (format == nullptr || format->holds.empty() || !fs::exists(owner, error)) return "";
   return "is the name of the companion of " + last_name(owner) + " beside it: choose another name";
 }
@@ -279,15 +325,17 @@ FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoice
   const auto bytes = read_file(path, kMaxFileBytes, progress.part(0, kReading));
   if (!bytes) return tl::unexpected(bytes.error());
   if (const std::string owner = owner_of_companion(path); !owner.empty() && is_companion(*bytes))
-    return load_owner(owner);
+    return load_owner(owner, *bytes, choices);
   FormatContext context = context_for_file(path);
   context.choices = choices;
   if (!choices.frame) context.choices.frame = known_frame(path);
+  const Place beside = is_ldtk_path(path) ? look_at(companion_path(path)) : Place();
+  if (!beside.is_free && beside.bytes && is_companion(*beside.bytes)) context.companion = *beside.bytes;
   context.progress = progress.part(kReading, 1);
   auto loaded = read_level(*bytes, context);
   if (!loaded) return loaded;
   loaded->path = path;
-  if (!loaded->format->holds.empty()) add_companion(*loaded);
+  if (!loaded->format->holds.empty() || loaded->format->keeps_beside) add_companion(*loaded);
   if (loaded->level.tiled) {
     for (const TiledOrigin::File& tileset : loaded->level.tiled->tilesets)
       loaded->companion.others[tileset.path] = content_hash(tileset.bytes);
@@ -297,7 +345,8 @@ FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoice
 
 FormatResult<SavedLevel> save_level(const Level& level, const Format& format, const std::string& path,
                                     const CompanionFile& known) {
-  assert(format.write && "the format is read alone");
+  assert(format.can_save() && "the format is read alone");
+  if (format.keeps_beside) return save_beside(level, path, known);
   auto written = format.write(level, context_for_file(path));
   if (!written) return tl::unexpected(written.error());
   if (!format.holds.empty()) return save_pair(level, format, path, *written, known);

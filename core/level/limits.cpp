@@ -117,6 +117,7 @@ std::size_t size_of(const Level& level) {
   constexpr std::size_t kEntry = 128;  // bytes, about what an entry takes in memory or as text
   const Amounts amounts = amounts_of(level);
   return (level.cart ? level.cart->bytes.size() : 0) + (level.tiled ? level.tiled->bytes.size() : 0) +
+         (level.ldtk ? kEntry * level.ldtk->tiles.size() : 0) +
          std::max(level.map.cells().size(), amounts.layer_cells) * sizeof(TileNumber) +
          amounts.brush_cells * sizeof(TileNumber) +
          level.sheet(SheetId::tiles).images.size() * sizeof(TileImage) + picture_bytes(level) +

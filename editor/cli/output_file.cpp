@@ -21,10 +21,14 @@ namespace fs = std::filesystem;
 
 std::string_view first_line(std::string_view bytes) { return bytes.substr(0, bytes.find('\n')); }
 
-// For a cart also its companion, and for a companion its cart.
+// For a cart also its companion, and for a companion its cart. A level that was imported from a project of
+// LDtk may have the name of the project's companion, which it is not.
 bool reads(const std::string& input, const std::string& output) {
-  return !input.empty() && (is_same_file(output, input) || is_same_file(output, companion_path(input)) ||
-                            is_same_file(output, level_path(input)));
+  if (input.empty()) return false;
+  const std::string beside = companion_path(input);
+  const bool is_companion_there = context_for_file(input).extension != "ldtk" || level_path(beside) != beside;
+  return is_same_file(output, input) || (is_companion_there && is_same_file(output, beside)) ||
+         is_same_file(output, level_path(input));
 }
 
 // Inputs begin with a frame, too, but only a trace has bodies behind it.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <talus/formats/format.h>
+#include "formats/ldtk/ldtk_companion.h"
 #include "formats/ldtk/ldtk_format.h"
 #include "formats/native/hard_case_file.h"
 #include "formats/native/input_entry.h"
@@ -129,6 +130,18 @@ inline Checked check_tiled(std::string_view document) {
   return checked;
 }
 
+// Whether what is added to a level of LDtk is there again after saving it.
+inline Checked check_saving_ldtk(Level level) {
+  const Level held = level;
+  TileNumber& cell = level.map.cells()[level.map.cells().size() / 2];
+  cell = cell == 0 ? static_cast<TileNumber>(level.tile_count() - 1) : TileNumber{0};
+  const auto companion = write_ldtk_companion(level, "", "small.ldtk");
+  if (!companion) return checked_error(companion.error());
+  const auto again = join_ldtk_companion(*companion, held, "small.ldtk");
+  if (!again) return checked_error(again.error());
+  return again->level == level ? Checked{true, ""} : Checked{true, "a painted cell is lost by saving"};
+}
+
 // Checks a project of LDtk, without the files beside it.
 inline Checked check_ldtk(std::string_view document) {
   std::vector<std::string> dropped;
@@ -139,7 +152,24 @@ inline Checked check_ldtk(std::string_view document) {
   for (const std::string& phrase : dropped) {
     if (phrase != printable(phrase)) return {true, "a phrase is not printable: " + phrase};
   }
-  return level ? checked_level(*level) : checked_error(level.error());
+  if (!level) return checked_error(level.error());
+  if (const Checked saved = check_saving_ldtk(*level); !saved.problem.empty()) return saved;
+  return checked_level(*level);
+}
+
+// Checks what goes with a project of LDtk: its mapping, and what was added to its level.
+inline Checked check_ldtk_companion(std::string_view document) {
+  FormatContext context{"ldtk"};
+  context.companion = document;
+  const auto held = read_ldtk(
+      R"({"iid":"p","defs":{"tilesets":[],"layers":[{"uid":2,"identifier":"Ground","intGridValues":[]}]},)"
+      R"("levels":[{"iid":"c","identifier":"Cave","pxWid":32,"pxHei":16,"layerInstances":[{"__type":"IntGrid",)"
+      R"("__identifier":"Grid","__cWid":4,"__cHei":2,"__gridSize":8,"layerDefUid":2,)"
+      R"("intGridCsv":[0,3,1,0,1,1,1,4]}]}]})",
+      context);
+  if (!held) return {.problem = "a companion makes its project unreadable: " + held.error().message};
+  const auto joined = join_ldtk_companion(document, *held, "small.ldtk");
+  return joined ? checked_level(joined->level) : checked_error(joined.error());
 }
 
 }  // namespace talus

@@ -55,6 +55,7 @@ TEST(Documents, TheSeedsAreReadable) {
   EXPECT_TRUE(check_tiled(grammar_of_seed("small.tsx").document(none)).is_read);
   EXPECT_TRUE(check_tiled(grammar_of_seed("small.tsj").document(none)).is_read);
   EXPECT_TRUE(check_ldtk(grammar_of_seed("small.ldtk").document(none)).is_read);
+  EXPECT_TRUE(check_ldtk_companion(grammar_of_seed("added.ldtkc").document(none)).is_read);
 }
 
 TEST(Documents, NativeLevels) { expect_promises("all.talus.json", 700, check_native); }
@@ -70,6 +71,7 @@ TEST(Documents, TilesetsOfTiledInJson) { expect_promises("small.tsj", 200, check
 TEST(Documents, TilesetsOfTiledInXml) { expect_promises("small.tsx", 100, check_tiled); }
 
 TEST(Documents, ProjectsOfLdtk) { expect_promises("small.ldtk", 1000, check_ldtk); }
+TEST(Documents, CompanionsOfProjectsOfLdtk) { expect_promises("added.ldtkc", 1000, check_ldtk_companion); }
 
 TEST(Documents, Settings) {
   expect_promises("settings.json", 1500, [](std::string_view document) {

@@ -126,7 +126,7 @@ TEST_F(UiLdtkImport, ALevelIsChosenInThePictureOfTheWorld) {
   click("choose/open");
   frames(3);
   EXPECT_EQ(level().map.width(), 2);
-  EXPECT_EQ(session().path(), "") << "the project is not written over";
+  EXPECT_EQ(session().path(), path("game.ldtk"));
 }
 
 TEST_F(UiLdtkImport, ALevelIsChosenInTheList) {
@@ -137,6 +137,43 @@ TEST_F(UiLdtkImport, ALevelIsChosenInTheList) {
   frames(2);
   press_key(kKeyEnter);
   EXPECT_EQ(level().map.width(), 2);
+}
+
+TEST_F(UiLdtkImport, ValuesAreMappedAndMappedAgain) {
+  std::ofstream(path("one.ldtk"))
+      << R"({"defs":{"layers":[{"uid":1,"identifier":"G","intGridValues":[{"value":1,"identifier":"wall"}]}],)"
+         R"("tilesets":[]},"levels":[{"identifier":"L","pxWid":16,"pxHei":8,"layerInstances":[)"
+         R"({"__identifier":"G","__type":"IntGrid","__cWid":2,"__cHei":1,"__gridSize":8,"layerDefUid":1,)"
+         R"("intGridCsv":[1,0]}]}]})";
+  start(path("one.ldtk"));
+  frames(3);
+  ASSERT_NE(find("choose/thing1/shape"), nullptr) << "nothing is remembered";
+  click("choose/thing1/shape");
+  frames(2);
+  click("choose/thing1/shape/slope_up");
+  frames(3);
+  click("choose/open");
+  frames(3);
+  EXPECT_EQ(shape_of_tile(level(), 1).heights, (std::vector<double>{0, 8}));
+  session().apply(action::SaveFile{});
+  frames(2);
+  session().apply(action::OpenFile{path("one.ldtk")});
+  frames(3);
+  EXPECT_EQ(find("choose/open"), nullptr) << "the mapping is remembered";
+  EXPECT_EQ(shape_of_tile(level(), 1).heights, (std::vector<double>{0, 8}));
+  session().apply(action::EditLevel{{"Paint", {CellChange{{1, 0}, 0, 1}}}});
+  session().apply(action::AskLdtkMapping{});
+  frames(3);
+  click("choose/thing1/shape");
+  frames(2);
+  click("choose/thing1/shape/usual");
+  frames(3);
+  click("choose/open");
+  frames(3);
+  EXPECT_EQ(shape_of_tile(level(), 1).kind, TileShape::Kind::solid);
+  EXPECT_EQ(tile_at({1, 0}), 1) << "what was painted stays";
+  session().apply(action::Undo{});
+  EXPECT_EQ(shape_of_tile(level(), 1).heights, (std::vector<double>{0, 8}));
 }
 
 }  // namespace talus::level_import_test

@@ -30,6 +30,7 @@ const std::map<std::string, std::string> kCommandOfAction = {
     {"SaveRecording", "file/save_recording"},
     {"SaveFile", "file/save"},
     {"SaveFileAs", "file/save_as"},
+    {"AskLdtkMapping", "file/ldtk_mapping"},
     {"ExportPng", "picture/export_tiles"},
     {"PreviewExport", "file/export"},
     {"RunExports", "file/export_all"},

@@ -155,7 +155,11 @@ TEST_F(SessionImportTest, AsksForALevelOfAProjectOfLdtk) {
   EXPECT_EQ(session.level_import()->plan->level.map.at({0, 0}), 0);
   session.apply({action::SetLevelImport{{.level_number = 2}}, action::ApplyLevelImport{}});
   EXPECT_NE(session.level().map.at({0, 0}), 0);
-  EXPECT_EQ(session.path(), "");
+  EXPECT_EQ(session.path(), path("game.ldtk"));
+  session.apply(action::SaveFile{});
+  ASSERT_TRUE(session.message());
+  EXPECT_EQ(session.message()->text,
+            "Saved what was added to game.ldtk, which LDtk owns, in game.talus.json.");
 }
 
 }  // namespace talus::session_import_test

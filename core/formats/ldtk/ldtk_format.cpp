@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <set>
 
 #include "../files/atomic_file.h"
 #include "../import/linked_files.h"
 #include "../last_catch.h"
 #include "../text/utf8_text.h"
+#include "ldtk_companion.h"
+#include "ldtk_keys.h"
 #include "ldtk_level.h"
 #include "ldtk_reader.h"
 
@@ -38,7 +41,8 @@ std::string shown_name(const LdtkLevelHead& level) {
 
 // "Cave", or "World/Cave".
 bool is_called(const LdtkLevelHead& level, const std::string& name) {
-  return level.name == name || (!level.world.empty() && level.world + "/" + level.name == name);
+  return level.name == name || (!level.iid.empty() && level.iid == name) ||
+         (!level.world.empty() && level.world + "/" + level.name == name);
 }
 
 FormatResult<const LdtkLevelHead*> chosen_level(const LdtkProject& project, const ImportChoices& choices) {
@@ -88,15 +92,38 @@ FormatResult<LdtkLevel> read_chosen(const LdtkProject& project, const LdtkLevelH
   return level;
 }
 
-// Those of the tilesets that the level shows.
-LdtkPictures ldtk_pictures_of(const LdtkProject& project, const LdtkLevel& level,
-                              const FormatContext& context, LinkedFiles& files, ImportDrops& drops) {
-  LdtkPictures pictures(project.tilesets.size());
+// With what the companion remembers, where the user has not chosen otherwise.
+ImportChoices remembered(const FormatContext& context, const LdtkLevelHead& head) {
+  ImportChoices choices = context.choices;
+  if (!choices.mapping) choices.mapping = ldtk_memory_of(context.companion).mapping;
+  if (choices.ldtk_tiles.empty())
+    choices.ldtk_tiles = ldtk_tiles_of_companion(context.companion, head.iid.empty() ? head.name : head.iid);
+  return choices;
+}
+
+// Indices of the tilesets that the level shows, or that its tiles have shown before.
+std::set<std::size_t> shown_tilesets(const LdtkProject& project, const LdtkLevel& level,
+                                     const std::vector<std::string>& known) {
+  std::set<std::size_t> shown;
   for (const LdtkLayer& layer : level.layers) {
-    if (layer.tileset < 0 || layer.tiles.empty() || !layer.is_visible) continue;
-    const auto index = static_cast<std::size_t>(layer.tileset);
+    if (layer.tileset >= 0 && !layer.tiles.empty() && layer.is_visible)
+      shown.insert(static_cast<std::size_t>(layer.tileset));
+  }
+  for (const std::string& text : known) {
+    const auto key = read_ldtk_key(text, project, {kMaxTileSide, kMaxTileSide});
+    if (!key) continue;
+    for (const LdtkKey::Part& part : key->parts)
+      if (part.source.tileset >= 0) shown.insert(static_cast<std::size_t>(part.source.tileset));
+  }
+  return shown;
+}
+
+LdtkPictures ldtk_pictures_of(const LdtkProject& project, const LdtkLevel& level,
+                              const std::vector<std::string>& known, const FormatContext& context,
+                              LinkedFiles& files, ImportDrops& drops) {
+  LdtkPictures pictures(project.tilesets.size());
+  for (const std::size_t index : shown_tilesets(project, level, known)) {
     const LdtkTileset& tileset = project.tilesets[index];
-    if (pictures[index] != nullptr) continue;
     const std::string of = "the picture of the tileset " + quoted_name(tileset.name);
     if (!tileset.path.empty() && !context.folder.empty()) {
       pictures[index] = files.picture(tileset.path, of);
@@ -121,9 +148,9 @@ FormatResult<Level> read_ldtk_files(std::string_view bytes, const FormatContext&
   LinkedFiles files(context, drops);
   const auto level = read_chosen(*project, **head, context, files);
   if (!level) return tl::unexpected(level.error());
-  const LdtkPictures pictures = ldtk_pictures_of(*project, *level, context, files, drops);
-  return level_of_ldtk(*project, *level, pictures, context.choices, drops,
-                       context.progress.part(kLdtkRead, 1));
+  const ImportChoices choices = remembered(context, **head);
+  const LdtkPictures pictures = ldtk_pictures_of(*project, *level, choices.ldtk_tiles, context, files, drops);
+  return level_of_ldtk(*project, *level, pictures, choices, drops, context.progress.part(kLdtkRead, 1));
 }
 
 }  // namespace
@@ -146,7 +173,7 @@ std::vector<LdtkLevelName> ldtk_levels_of_file(const std::string& path, const Pr
   const auto project = read_guarded([&] { return read_ldtk_project(*json); });
   if (!project) return names;
   for (const LdtkLevelHead& level : project->levels) {
-    names.push_back({printable(level.name), printable(level.world), level.x, level.y, level.depth,
+    names.push_back({level.iid, printable(level.name), printable(level.world), level.x, level.y, level.depth,
                      level.width, level.height, level.color});
   }
   return names;

@@ -16,6 +16,7 @@ bool accepts_ldtk(std::string_view bytes, const FormatContext& context);
 
 // A level of a project.
 struct LdtkLevelName {
+  std::string iid;            // empty: it has none
   std::string name;           // may be the same as that of others
   std::string world;          // the name of its world; empty: the project has no worlds
   int x = 0, y = 0;           // px, of its corner in the world; levels in a row without places all have -1

@@ -2,7 +2,6 @@
 #include "ldtk_level.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -11,7 +10,8 @@
 #include <talus/level/limits.h>
 #include "../import/sheet_images.h"
 #include "../native/native_objects.h"
-#include "ldtk_names.h"
+#include "ldtk_keys.h"
+#include "ldtk_meanings.h"
 
 namespace talus {
 namespace {
@@ -19,14 +19,20 @@ namespace {
 class LdtkLevelMaker {
  public:
   LdtkLevelMaker(const LdtkProject& project, const LdtkLevel& source, const LdtkPictures& pictures,
-                 ImportDrops& drops, const Progress& progress)
-      : project_(project), source_(source), pictures_(pictures), drops_(drops), progress_(progress) {}
+                 const ImportChoices& choices, ImportDrops& drops, const Progress& progress)
+      : project_(project),
+        source_(source),
+        pictures_(pictures),
+        choices_(choices),
+        drops_(drops),
+        progress_(progress) {}
 
-  FormatResult<Level> make(const ImportChoices& choices);
+  FormatResult<Level> make();
 
  private:
   void take_layers();
   FormatResult<void> take_pictures();
+  void find_ground();
   void name_flags();
   void take_tiles();
   void take_entities(const LdtkLayer& layer);
@@ -35,11 +41,14 @@ class LdtkLevelMaker {
   const LdtkProject& project_;
   const LdtkLevel& source_;
   const LdtkPictures& pictures_;
+  const ImportChoices& choices_;
   ImportDrops& drops_;
   const Progress& progress_;
+  LdtkMapping mapping_;
   LdtkTiles tiles_;
-  std::map<std::string, int> flags_;  // by name
-  Vec2 origin_;                       // px, of the map in the level of LDtk
+  std::vector<LdtkTileMeaning> meanings_;  // by tile
+  std::map<std::string, int> flags_;       // by name
+  Vec2 origin_;                            // px, of the map in the level of LDtk
   Level level_;
 };
 
@@ -71,6 +80,16 @@ SheetPicture blank_picture(std::int64_t width, std::int64_t height) {
   SheetPicture picture{static_cast<int>(width), static_cast<int>(height), {}};
   picture.rgba.resize(4 * static_cast<std::size_t>(width * height));
   return picture;
+}
+
+// Layers with ground in them are ground, and so is that which is painted on.
+void LdtkLevelMaker::find_ground() {
+  for (TileLayer& layer : tiles_.layers) {
+    layer.is_ground = std::any_of(layer.cells->begin(), layer.cells->end(), [&](TileNumber tile) {
+      return meanings_[tile].shape.kind != TileShape::Kind::none || !meanings_[tile].roles.empty();
+    });
+  }
+  tiles_.layers[static_cast<std::size_t>(tiles_.ground)].is_ground = true;
 }
 
 // A single layer is shown even if it is hidden.
@@ -120,20 +139,30 @@ FormatResult<void> LdtkLevelMaker::take_pictures() {
 }
 
 // Names of values and tags become flags if there are not too many. Flags without a role come first. Those
-// that lose their role are none that the level has a use for.
+// that lose their role are none that the level has a use for. Roles that were chosen keep or get a flag.
 void LdtkLevelMaker::name_flags() {
-  constexpr std::array<int, kFlagCount> kOrder = {4, 5, 6, 7, 3, 2, 1, 0};
+  std::vector<int> order = {4, 5, 6, 7, 3, 2, 1, 0};
   std::set<std::string> names;
-  for (const LdtkCell& cell : tiles_.cells)
-    names.insert(tiles_.marks[cell.mark].names.begin(), tiles_.marks[cell.mark].names.end());
-  if (names.size() > kFlagCount) {
+  std::vector<int FlagRoles::*> roles;
+  for (const LdtkTileMeaning& meaning : meanings_) {
+    names.insert(meaning.flags.begin(), meaning.flags.end());
+    for (int FlagRoles::*const role : meaning.roles) {
+      if (std::find(roles.begin(), roles.end(), role) == roles.end()) roles.push_back(role);
+    }
+  }
+  if (names.size() + roles.size() > order.size()) {
     drops_.add("the " + std::to_string(names.size()) +
                " names of values and tags of tiles, as tiles have only 8 flags");
-    return;
+    names.clear();
+  }
+  for (int FlagRoles::*const role : roles) {
+    int& flag = level_.roles.*role;
+    if (flag == FlagRoles::kUnused) flag = order.front();
+    std::erase(order, flag);
   }
   std::size_t next = 0;
   for (const std::string& name : names) {
-    const int flag = kOrder[next++];
+    const int flag = order[next++];
     flags_[name] = flag;
     level_.flag_names[static_cast<std::size_t>(flag)] = name;
     for (const FlagRoleInfo& role : flag_role_infos()) {
@@ -144,13 +173,15 @@ void LdtkLevelMaker::name_flags() {
 
 void LdtkLevelMaker::take_tiles() {
   for (std::size_t tile = 0; tile < tiles_.cells.size(); ++tile) {
-    const LdtkMark& mark = tiles_.marks[tiles_.cells[tile].mark];
+    const LdtkTileMeaning& meaning = meanings_[tile];
     std::uint8_t& flags = level_.sheet(SheetId::tiles).flags[tile];
-    for (const std::string& name : mark.names) {
+    for (const std::string& name : meaning.flags) {
       const auto flag = flags_.find(name);
       if (flag != flags_.end()) flags = static_cast<std::uint8_t>(flags | 1 << flag->second);
     }
-    const TileShape& shape = tiles_.shapes[mark.shape];
+    for (int FlagRoles::*const role : meaning.roles)
+      flags = static_cast<std::uint8_t>(flags | 1 << level_.roles.*role);
+    const TileShape& shape = meaning.shape;
     const bool is_full = shape == TileShape{.kind = TileShape::Kind::solid};
     if (is_full && level_.roles.solid != FlagRoles::kUnused)
       flags = static_cast<std::uint8_t>(flags | 1 << level_.roles.solid);
@@ -161,7 +192,7 @@ void LdtkLevelMaker::take_tiles() {
 
 void LdtkLevelMaker::take_entities(const LdtkLayer& layer) {
   for (const LdtkEntity& entity : layer.entities) {
-    if (const auto kind = ldtk_body_of_name(entity.type))
+    if (const auto kind = ldtk_meaning_of_entity(mapping_, entity.type))
       take_body(entity, *kind, Vec2{1.0 * layer.offset_x, 1.0 * layer.offset_y} - origin_);
     else
       drops_.add("an entity " + quoted_name(entity.type));
@@ -187,16 +218,20 @@ void LdtkLevelMaker::take_body(const LdtkEntity& entity, BodyKind kind, Vec2 off
     level_.spawns.push_back(std::move(spawn));
 }
 
-FormatResult<Level> LdtkLevelMaker::make(const ImportChoices& choices) {
-  const auto ground = ldtk_ground_layer(source_, choices);
+FormatResult<Level> LdtkLevelMaker::make() {
+  mapping_ = choices_.mapping.value_or(LdtkMapping());
+  const auto ground = ldtk_ground_layer(source_, choices_);
   if (!ground) return tl::unexpected(ground.error());
   if (*ground >= 0) {
     const LdtkLayer& layer = source_.layers[static_cast<std::size_t>(*ground)];
     origin_ = {1.0 * layer.offset_x, 1.0 * layer.offset_y};
   }
-  auto tiles = ldtk_tiles_of(project_, source_, *ground, pictures_, drops_, progress_.part(0, 0.6));
+  auto tiles = ldtk_tiles_of(project_, source_, *ground, choices_.ldtk_tiles, pictures_, drops_,
+                             progress_.part(0, 0.6));
   if (!tiles) return tl::unexpected(tiles.error());
   tiles_ = *std::move(tiles);
+  meanings_ = ldtk_tile_meanings(project_, mapping_, tiles_, drops_);
+  find_ground();
   level_.tuning = new_tuning(tiles_.map.tile_size());
   take_layers();
   if (const auto taken = take_pictures(); !taken) return tl::unexpected(taken.error());
@@ -205,6 +240,17 @@ FormatResult<Level> LdtkLevelMaker::make(const ImportChoices& choices) {
   for (const LdtkLayer& layer : source_.layers) take_entities(layer);
   if (source_.has_picture) drops_.add("the picture behind the level");
   if (auto problem = problem_of_amounts(level_)) return tl::unexpected(FormatError{"", *std::move(problem)});
+  const LdtkLevelHead& head = source_.head;
+  LdtkOrigin origin{project_.iid,
+                    head.iid.empty() ? head.name : head.iid,
+                    head.world.empty() ? head.name : head.world + "/" + head.name,
+                    choices_.layer_number,
+                    std::move(mapping_),
+                    ldtk_things_of(project_, source_),
+                    ldtk_keys_of(tiles_, project_),
+                    nullptr};
+  origin.opened = std::make_shared<const Level>(level_);
+  level_.ldtk = std::make_shared<const LdtkOrigin>(std::move(origin));
   return std::move(level_);
 }
 
@@ -213,7 +259,7 @@ FormatResult<Level> LdtkLevelMaker::make(const ImportChoices& choices) {
 FormatResult<Level> level_of_ldtk(const LdtkProject& project, const LdtkLevel& source,
                                   const LdtkPictures& pictures, const ImportChoices& choices,
                                   ImportDrops& drops, const Progress& progress) {
-  return LdtkLevelMaker(project, source, pictures, drops, progress).make(choices);
+  return LdtkLevelMaker(project, source, pictures, choices, drops, progress).make();
 }
 
 }  // namespace talus

@@ -53,6 +53,7 @@ std::vector<std::uint8_t> picture_of_ldtk_cell(const LdtkTiles& tiles, const Ldt
   const auto [width, height] = tiles.map.tile_size();
   std::vector<std::uint8_t> rgba(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   for (const LdtkPart& part : cell.parts) {
+    if (part.is_hidden) continue;
     const LdtkSource& source = tiles.sources[part.source];
     for (int y = std::max(0, part.y); y < std::min(height, part.y + source.side); ++y) {
       for (int x = std::max(0, part.x); x < std::min(width, part.x + source.side); ++x) {

@@ -17,6 +17,7 @@ namespace talus {
 // Limits for a project, and for the level that is read of it.
 inline constexpr std::size_t kMaxLdtkTilesets = 4096;
 inline constexpr std::size_t kMaxLdtkLayers = 4096;
+inline constexpr std::size_t kMaxLdtkEntities = 65'536;  // types of them
 inline constexpr std::size_t kMaxLdtkLevels = 65'536;
 inline constexpr int kMaxLdtkTileSide = 4096;  // px, of a tile of a tileset
 inline constexpr int kMaxLdtkPlace = 1 << 26;  // px, of a tile or an entity from the corner of its level
@@ -45,13 +46,15 @@ struct LdtkValue {
 
 struct LdtkLayerDef {
   int uid = 0;
-  Vec2 pivot;  // 0..1, by which tiles of another size than the grid's lie in their cells
+  std::string name;  // may be empty
+  Vec2 pivot;        // 0..1, by which tiles of another size than the grid's lie in their cells
   bool has_parallax = false;
   std::vector<LdtkValue> values;
 };
 
 // What the project says of a level without its layers.
 struct LdtkLevelHead {
+  std::string iid;            // empty: it has none
   std::string name;           // may be the same as that of others
   std::string world;          // the name of its world; empty: the project has no worlds
   int x = 0, y = 0;           // px, in its world
@@ -63,9 +66,16 @@ struct LdtkLevelHead {
   const Json* json = nullptr;  // of the project, which must stay alive
 };
 
+struct LdtkEntityDef {
+  std::string name;
+  Rgb color;
+};
+
 struct LdtkProject {
+  std::string iid;  // empty: it has none
   std::vector<LdtkTileset> tilesets;
   std::vector<LdtkLayerDef> layers;
+  std::vector<LdtkEntityDef> entities;
   std::vector<LdtkLevelHead> levels;  // of all worlds
 };
 
@@ -89,6 +99,7 @@ struct LdtkEntity {
 struct LdtkLayer {
   enum class Type : std::uint8_t { int_grid, tiles, entities };
   Type type = Type::tiles;
+  std::string iid;  // empty: it has none
   std::string name;
   int columns = 0, rows = 0;       // cells
   int side = 1;                    // px, of a cell

@@ -106,6 +106,7 @@ LdtkProject LdtkReader::project(const JsonNode& node) {
                   : "is not a project of LDtk");
     return project;
   }
+  project.iid = text_if(node, "iid");
   definitions({*defs, "defs"}, project);
   levels(node, "", project);
   for_each(node, "worlds",
@@ -123,6 +124,11 @@ void LdtkReader::definitions(const JsonNode& node, LdtkProject& project) {
   for_each(node, "layers", [&](const JsonNode& entry) {
     if (project.layers.size() == kMaxLdtkLayers) return fail(entry, "", too_many("layer", kMaxLdtkLayers));
     project.layers.push_back(layer_def(entry));
+  });
+  for_each(node, "entities", [&](const JsonNode& entry) {
+    if (project.entities.size() == kMaxLdtkEntities)
+      return fail(entry, "", too_many("type of entities", kMaxLdtkEntities));
+    project.entities.push_back({text_if(entry, "identifier"), color(entry, "color")});
   });
 }
 
@@ -145,6 +151,7 @@ LdtkTileset LdtkReader::tileset(const JsonNode& node) {
 LdtkLayerDef LdtkReader::layer_def(const JsonNode& node) {
   LdtkLayerDef def;
   def.uid = whole(node, "uid", -kMostUid, kMostUid, 0);
+  def.name = text_if(node, "identifier");
   def.pivot = {share(node, "tilePivotX", 0), share(node, "tilePivotY", 0)};
   def.has_parallax = (has(node, "parallaxFactorX") && number(node, "parallaxFactorX") != 0) ||
                      (has(node, "parallaxFactorY") && number(node, "parallaxFactorY") != 0);
@@ -159,6 +166,7 @@ void LdtkReader::levels(const JsonNode& node, const std::string& world, LdtkProj
   for_each(node, "levels", [&](const JsonNode& entry) {
     if (project.levels.size() == kMaxLdtkLevels) return fail(entry, "", too_many("level", kMaxLdtkLevels));
     LdtkLevelHead head;
+    head.iid = text_if(entry, "iid");
     head.name = name(entry, "identifier");
     head.world = world;
     head.x = whole_if(entry, "worldX", -kMaxLdtkPlace, kMaxLdtkPlace, 0);
@@ -205,6 +213,7 @@ LdtkLayer LdtkReader::layer(const LdtkProject& project, const JsonNode& node) {
     layer.type = LdtkLayer::Type::entities;
   else if (type != "Tiles" && type != "AutoLayer")
     fail(node, "__type", "must be IntGrid, Entities, Tiles or AutoLayer");
+  layer.iid = text_if(node, "iid");
   layer.name = name(node, "__identifier");
   layer.columns = whole(node, "__cWid", 0, kMaxTerrainSide, 0);
   layer.rows = whole(node, "__cHei", 0, kMaxTerrainSide, 0);

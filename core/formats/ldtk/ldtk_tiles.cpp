@@ -8,7 +8,8 @@
 #include <utility>
 
 #include <talus/level/limits.h>
-#include "ldtk_names.h"
+#include "../text/utf8_text.h"
+#include "ldtk_keys.h"
 
 namespace talus {
 namespace {
@@ -42,34 +43,30 @@ class Numbering {
   std::vector<Value> values_;
 };
 
+// By which a layer of the level is known as this one (see ldtk_additions.h).
+std::string extra_of_ldtk_layer(const LdtkLayer& layer) {
+  return Json{{kLdtkLayerKey, printable(layer.iid.empty() ? layer.name : layer.iid)}}.dump();
+}
+
 class LdtkNumberer {
  public:
   LdtkNumberer(const LdtkProject& project, const LdtkLevel& level, int ground, const LdtkPictures& pictures,
                ImportDrops& drops, const Progress& progress)
       : project_(project), level_(level), pictures_(pictures), drops_(drops), progress_(progress) {
     if (ground >= 0) ground_ = &level.layers[static_cast<std::size_t>(ground)];
-    marks_.number_of({});
     cells_.number_of({});
   }
 
-  FormatResult<LdtkTiles> number();
+  FormatResult<LdtkTiles> number(const std::vector<std::string>& known);
 
  private:
-  struct Tags {  // of a tile of a tileset
-    std::vector<std::string> names;
-    std::optional<TileShape> shape;
-  };
   struct Cover {  // of a part
     bool is_clear = true, is_opaque = true;
   };
 
   bool is_ground(const LdtkLayer& layer) const;
   FormatResult<void> make_map();
-  void read_values(const LdtkLayer& layer);
-  std::uint32_t mark_of(const LdtkLayer& layer, int value);
-  LdtkGround ground_of(const LdtkLayer& layer, int value);
   const LdtkValue* find_value(const LdtkLayer& layer, int value) const;
-  std::uint32_t number_of_shape(const TileShape& shape);
   FormatResult<void> place_layer(const LdtkLayer& layer);
   FormatResult<void> place_colors(const LdtkLayer& layer);
   FormatResult<void> place_tile(const LdtkLayer& layer, const LdtkTile& tile);
@@ -77,8 +74,9 @@ class LdtkNumberer {
   FormatResult<std::vector<const LdtkLayer*>> taken_layers() const;
   FormatResult<void> take_layer(const LdtkLayer& layer, const Progress& progress);
   FormatResult<std::vector<TileNumber>> number_cells(const Progress& progress);
-  FormatResult<LdtkCell> cell_of(std::uint32_t mark, std::span<const PlacedPart> parts);
-  const Tags& tags_of(const LdtkSource& source);
+  FormatResult<LdtkCell> cell_of(LdtkCellValue value, std::span<const PlacedPart> parts);
+  bool has_tags(const LdtkSource& source);
+  FormatResult<void> number_known(const std::vector<std::string>& known);
   FormatResult<Cover> cover_of(const LdtkPart& part);
   FormatResult<void> count_pixels(std::size_t parts);
 
@@ -90,16 +88,13 @@ class LdtkNumberer {
   const LdtkLayer* ground_ = nullptr;  // null: there is none
   TileMap map_;
   Numbering<LdtkSource> sources_;
-  Numbering<LdtkMark> marks_;
   Numbering<LdtkCell> cells_;
-  std::vector<TileShape> shapes_ = {TileShape()};
-  std::vector<TileLayer> layers_;            // that are taken
-  int ground_index_ = -1;                    // of ground_ in layers_; -1: it is not in them
-  std::vector<std::uint32_t> mark_of_cell_;  // of a layer; empty: it has no values
-  std::map<std::pair<const LdtkLayer*, int>, std::uint32_t> marks_of_values_;
-  std::vector<PlacedPart> parts_;             // of a layer
-  std::size_t part_count_ = 0;                // of all layers
-  std::map<std::pair<int, int>, Tags> tags_;  // by tileset and tile
+  std::vector<TileLayer> layers_;               // that are taken
+  int ground_index_ = -1;                       // of ground_ in layers_; -1: it is not in them
+  const LdtkLayer* valued_ = nullptr;           // the layer, if its values are those of the cells; or null
+  std::vector<PlacedPart> parts_;               // of a layer
+  std::size_t part_count_ = 0;                  // of all layers
+  std::map<std::pair<int, int>, bool> tagged_;  // by tileset and tile
   std::map<LdtkPart, Cover> covers_;
   std::size_t pixels_ = 0;  // that are looked at or drawn
 };
@@ -133,49 +128,6 @@ const LdtkValue* LdtkNumberer::find_value(const LdtkLayer& layer, int value) con
   const auto found =
       std::find_if(values.begin(), values.end(), [&](const LdtkValue& each) { return each.value == value; });
   return found == values.end() ? nullptr : &*found;
-}
-
-// A value is solid unless its name says otherwise.
-LdtkGround LdtkNumberer::ground_of(const LdtkLayer& layer, int value) {
-  const LdtkValue* const known = find_value(layer, value);
-  const std::string name = known != nullptr ? known->name : "";
-  auto ground = ldtk_ground_of_name(name, map_.tile_size());
-  if (!ground) return {{.kind = TileShape::Kind::solid}, name.empty(), false};
-  if (ground->is_unclear) {
-    drops_.add("the slope of the value " + quoted_name(name) +
-               ", as its name does not tell how it goes: it is a full tile");
-  }
-  return *ground;
-}
-
-std::uint32_t LdtkNumberer::number_of_shape(const TileShape& shape) {
-  const auto known = std::find(shapes_.begin(), shapes_.end(), shape);
-  const auto number = static_cast<std::uint32_t>(known - shapes_.begin());
-  if (known == shapes_.end()) shapes_.push_back(shape);
-  return number;
-}
-
-void add_name(std::string name, std::vector<std::string>& names) {
-  const auto at = std::lower_bound(names.begin(), names.end(), name);
-  if (at == names.end() || *at != name) names.insert(at, std::move(name));
-}
-
-// The mark of a cell with a value.
-std::uint32_t LdtkNumberer::mark_of(const LdtkLayer& layer, int value) {
-  const auto key = std::pair(&layer, value);
-  if (const auto known = marks_of_values_.find(key); known != marks_of_values_.end()) return known->second;
-  LdtkMark mark;
-  const LdtkGround ground = ground_of(layer, value);
-  mark.shape = number_of_shape(ground.shape);
-  if (!ground.is_plain) add_name(find_value(layer, value)->name, mark.names);
-  return marks_of_values_[key] = marks_.number_of(mark);
-}
-
-void LdtkNumberer::read_values(const LdtkLayer& layer) {
-  mark_of_cell_.resize(map_.cells().size());
-  for (std::size_t i = 0; i < layer.values.size(); ++i) {
-    if (layer.values[i] != 0) mark_of_cell_[i] = mark_of(layer, layer.values[i]);
-  }
 }
 
 // Adds the parts of a tile to all cells that it reaches into. x, y: px, of its corner on the map.
@@ -258,30 +210,17 @@ FormatResult<void> LdtkNumberer::place_layer(const LdtkLayer& layer) {
   return {};
 }
 
-// The shape that a tile's tags give it, as its flips turn it.
-TileShape flipped_shape(TileShape shape, int flips) {
-  if ((flips & 1) != 0) std::reverse(shape.heights.begin(), shape.heights.end());
-  if ((flips & 2) != 0 && has_heights(shape)) {
-    shape.side = shape.side == TileShape::Side::floor ? TileShape::Side::ceiling : TileShape::Side::floor;
-  }
-  return shape;
-}
-
-const LdtkNumberer::Tags& LdtkNumberer::tags_of(const LdtkSource& source) {
-  const auto [known, is_new] = tags_.try_emplace({source.tileset, source.id});
-  Tags& tags = known->second;
-  if (!is_new || source.tileset < 0) return tags;
+bool LdtkNumberer::has_tags(const LdtkSource& source) {
+  if (source.tileset < 0) return false;
+  const auto [known, is_new] = tagged_.try_emplace({source.tileset, source.id});
+  if (!is_new) return known->second;
   const LdtkTileset& tileset = project_.tilesets[static_cast<std::size_t>(source.tileset)];
-  for (const LdtkTag& tag : tileset.tags) {
-    if (!std::binary_search(tag.tiles.begin(), tag.tiles.end(), source.id)) continue;
-    const auto ground = ldtk_ground_of_name(tag.name, map_.tile_size());
-    const bool is_shape = ground && ground->shape.kind != TileShape::Kind::none && !ground->is_unclear;
-    if (is_shape && !tags.shape) tags.shape = ground->shape;
-    if (!is_shape || !ground->is_plain) add_name(tag.name, tags.names);
-  }
+  known->second = std::any_of(tileset.tags.begin(), tileset.tags.end(), [&](const LdtkTag& tag) {
+    return std::binary_search(tag.tiles.begin(), tag.tiles.end(), source.id);
+  });
   if (std::binary_search(tileset.with_data.begin(), tileset.with_data.end(), source.id))
     drops_.add("the custom data of a tile of the tileset " + quoted_name(tileset.name));
-  return tags;
+  return known->second;
 }
 
 // Of so many parts of cells, each of which may have all pixels of a cell.
@@ -315,37 +254,25 @@ FormatResult<LdtkNumberer::Cover> LdtkNumberer::cover_of(const LdtkPart& part) {
   return cover;
 }
 
-// mark: of the cell's values. parts: from the lowest.
-FormatResult<LdtkCell> LdtkNumberer::cell_of(std::uint32_t mark, std::span<const PlacedPart> parts) {
-  LdtkCell cell;
-  LdtkMark joined;
+// parts: from the lowest.
+FormatResult<LdtkCell> LdtkNumberer::cell_of(LdtkCellValue value, std::span<const PlacedPart> parts) {
+  LdtkCell cell{{}, value};
   bool is_covered = false;
-  std::optional<TileShape> shape;
   for (auto each = parts.rbegin(); each != parts.rend(); ++each) {
-    const LdtkSource& source = sources_[each->part.source];
-    const bool is_in_place = each->part.x == 0 && each->part.y == 0 && source.side == map_.tile_size().width;
-    if (is_in_place) {
-      const Tags& tags = tags_of(source);
-      for (const std::string& name : tags.names) add_name(name, joined.names);
-      if (tags.shape && !shape) shape = flipped_shape(*tags.shape, source.flips);
-    }
-    const auto cover = is_covered ? Cover() : cover_of(each->part);
+    LdtkPart part = each->part;
+    const bool is_tagged =
+        is_in_place(part, sources_[part.source], map_.tile_size()) && has_tags(sources_[part.source]);
+    const auto cover = is_covered ? Cover() : cover_of(part);
     if (!cover) return tl::unexpected(cover.error());
-    if (!cover->is_clear) cell.parts.push_back(each->part);
+    part.is_hidden = cover->is_clear;
+    if (!part.is_hidden || is_tagged) cell.parts.push_back(part);
     is_covered = is_covered || cover->is_opaque;
   }
   std::reverse(cell.parts.begin(), cell.parts.end());
-  cell.mark = mark;
-  if (joined.names.empty() && !shape) return cell;
-  const LdtkMark& of_values = marks_[mark];
-  const bool is_solid = shapes_[of_values.shape].kind == TileShape::Kind::solid;
-  joined.shape = shape && (of_values.shape == 0 || is_solid) ? number_of_shape(*shape) : of_values.shape;
-  for (const std::string& name : of_values.names) add_name(name, joined.names);
-  cell.mark = marks_.number_of(joined);
   return cell;
 }
 
-// The tiles of the layer whose parts and marks are there.
+// The tiles of the layer whose parts are there.
 FormatResult<std::vector<TileNumber>> LdtkNumberer::number_cells(const Progress& progress) {
   constexpr std::size_t kCellsAtOnce = 4096;  // between checks of the progress
   std::stable_sort(parts_.begin(), parts_.end(),
@@ -357,9 +284,11 @@ FormatResult<std::vector<TileNumber>> LdtkNumberer::number_cells(const Progress&
     if (i % kCellsAtOnce == 0 && !progress.at(i, count)) return was_cancelled();
     auto end = first;
     while (end != parts_.end() && end->cell == i) ++end;
-    const std::uint32_t mark = mark_of_cell_.empty() ? 0 : mark_of_cell_[i];
-    if (first == end && mark == 0) continue;
-    auto cell = cell_of(mark, {first, end});
+    const int number_in_grid = valued_ != nullptr ? valued_->values[i] : 0;
+    if (first == end && number_in_grid == 0) continue;
+    const LdtkCellValue value =
+        number_in_grid == 0 ? LdtkCellValue() : LdtkCellValue{valued_->def, number_in_grid};
+    auto cell = cell_of(value, {first, end});
     if (!cell) return tl::unexpected(cell.error());
     first = end;
     const std::size_t known = cells_.size();
@@ -393,10 +322,8 @@ FormatResult<std::vector<const LdtkLayer*>> LdtkNumberer::taken_layers() const {
 
 FormatResult<void> LdtkNumberer::take_layer(const LdtkLayer& layer, const Progress& progress) {
   parts_.clear();
-  mark_of_cell_.clear();
-  if (layer.type == LdtkLayer::Type::int_grid && is_ground(layer))
-    read_values(layer);
-  else if (layer.type == LdtkLayer::Type::int_grid)
+  valued_ = layer.type == LdtkLayer::Type::int_grid && is_ground(layer) ? &layer : nullptr;
+  if (valued_ == nullptr && layer.type == LdtkLayer::Type::int_grid)
     drops_.add("the values of the layer " + quoted_name(layer.name) + ", which has another grid");
   if (const auto placed = place_layer(layer); !placed) return placed;
   auto cells = number_cells(progress);
@@ -404,16 +331,33 @@ FormatResult<void> LdtkNumberer::take_layer(const LdtkLayer& layer, const Progre
   TileLayer& taken = layers_.emplace_back();
   taken.name = layer.name;
   taken.visible = layer.is_visible;
-  taken.is_ground = std::any_of(cells->begin(), cells->end(), [&](TileNumber tile) {
-    return shapes_[marks_[cells_[tile].mark].shape].kind != TileShape::Kind::none;
-  });
+  taken.is_ground = false;
+  taken.extra = extra_of_ldtk_layer(layer);
   taken.cells = std::make_shared<const std::vector<TileNumber>>(*std::move(cells));
   if (&layer == ground_) ground_index_ = static_cast<int>(layers_.size()) - 1;
   return {};
 }
 
-FormatResult<LdtkTiles> LdtkNumberer::number() {
+// Gives each of the first tiles its number again.
+FormatResult<void> LdtkNumberer::number_known(const std::vector<std::string>& known) {
+  for (std::size_t i = 1; i < std::min<std::size_t>(known.size(), kMaxTiles); ++i) {
+    const LdtkCell none{{}, {LdtkCellValue::kNoCell, static_cast<int>(i)}};
+    const auto key = read_ldtk_key(known[i], project_, map_.tile_size());
+    LdtkCell cell = none;
+    if (key) {
+      cell = {{}, key->value};
+      for (const LdtkKey::Part& part : key->parts)
+        cell.parts.push_back({sources_.number_of(part.source), part.x, part.y, part.is_hidden});
+    }
+    if (const auto counted = count_pixels(cell.parts.size()); !counted) return counted;
+    if (cells_.number_of(cell) != i) cells_.number_of(none);
+  }
+  return {};
+}
+
+FormatResult<LdtkTiles> LdtkNumberer::number(const std::vector<std::string>& known) {
   if (const auto made = make_map(); !made) return tl::unexpected(made.error());
+  if (const auto numbered = number_known(known); !numbered) return tl::unexpected(numbered.error());
   const auto layers = taken_layers();
   if (!layers) return tl::unexpected(layers.error());
   for (std::size_t i = 0; i < layers->size(); ++i) {
@@ -428,9 +372,7 @@ FormatResult<LdtkTiles> LdtkNumberer::number() {
         std::make_shared<const std::vector<TileNumber>>(map_.cells().size(), TileNumber{0});
   }
   const int ground = ground_index_ >= 0 ? ground_index_ : static_cast<int>(layers_.size()) - 1;
-  layers_[static_cast<std::size_t>(ground)].is_ground = true;  // that what is painted there becomes ground
-  return LdtkTiles{std::move(map_), std::move(layers_), ground, cells_.take(), sources_.take(),
-                   marks_.take(),   std::move(shapes_)};
+  return LdtkTiles{std::move(map_), std::move(layers_), ground, cells_.take(), sources_.take()};
 }
 
 std::size_t filled_cells(const LdtkLayer& layer) {
@@ -474,9 +416,9 @@ FormatResult<int> ldtk_ground_layer(const LdtkLevel& level, const ImportChoices&
 }
 
 FormatResult<LdtkTiles> ldtk_tiles_of(const LdtkProject& project, const LdtkLevel& level, int ground,
-                                      const LdtkPictures& pictures, ImportDrops& drops,
-                                      const Progress& progress) {
-  return LdtkNumberer(project, level, ground, pictures, drops, progress).number();
+                                      const std::vector<std::string>& known, const LdtkPictures& pictures,
+                                      ImportDrops& drops, const Progress& progress) {
+  return LdtkNumberer(project, level, ground, pictures, drops, progress).number(known);
 }
 
 }  // namespace talus

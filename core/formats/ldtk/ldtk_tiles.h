@@ -1,7 +1,8 @@
 // Which tiles of a level stand for the cells of a level of LDtk.
 //
 // A cell of a layer of LDtk shows parts of any number of tiles, which need not lie on the grid. Cells that
-// look the same and have the same ground are one tile of the level, whose picture is composed of them.
+// look the same and have the same value and tags are one tile of the level, whose picture is composed of
+// them.
 #pragma once
 
 #include <compare>
@@ -39,32 +40,41 @@ struct LdtkSource {
 struct LdtkPart {
   std::uint32_t source = 0;  // its index
   int x = 0, y = 0;          // px, of the tile's corner in the cell; may be outside of it
+  bool is_hidden = false;    // whether nothing of it is seen: only its tags count
   friend auto operator<=>(const LdtkPart&, const LdtkPart&) = default;
 };
 
-// What cells say besides their pictures.
-struct LdtkMark {
-  std::vector<std::string> names;  // of values and tags that are not plain ground, each once, in order
-  std::uint32_t shape = 0;         // its index; 0: no ground
-  friend auto operator<=>(const LdtkMark&, const LdtkMark&) = default;
+// A value of an IntGrid in a cell.
+struct LdtkCellValue {
+  static constexpr int kUnknownLayer = -1;  // a layer without a definition
+  static constexpr int kNoCell = -2;        // `value` numbers a tile that stands for no cell of LDtk
+  int layer = kUnknownLayer;                // index in LdtkProject::layers
+  int value = 0;                            // 0: none
+  friend auto operator<=>(const LdtkCellValue&, const LdtkCellValue&) = default;
 };
 
 // What a tile of the level stands for.
 struct LdtkCell {
   std::vector<LdtkPart> parts;  // from the lowest
-  std::uint32_t mark = 0;       // its index
+  LdtkCellValue value;
   friend auto operator<=>(const LdtkCell&, const LdtkCell&) = default;
 };
 
+// Whether a tile lies where a tile of the level's size does, so that its tags count.
+inline bool is_in_place(const LdtkPart& part, const LdtkSource& source, TileSize tile) {
+  return part.x == 0 && part.y == 0 && source.side == tile.width;
+}
+
+// The key in TileLayer::extra with what a layer is known by in its project.
+inline constexpr const char* kLdtkLayerKey = "ldtk";
+
 struct LdtkTiles {
   TileMap map;  // as large as each layer, and empty
-  // From the back, with their cells: those with tiles or values, and at least one.
+  // From the back, with their cells: those with tiles or values, and at least one. None is ground yet.
   std::vector<TileLayer> layers;
   int ground = 0;               // index of the layer that is the ground's, or else of the last one
   std::vector<LdtkCell> cells;  // by tile of the level; 0 is the empty one
   std::vector<LdtkSource> sources;
-  std::vector<LdtkMark> marks;    // 0 is that of an empty cell
-  std::vector<TileShape> shapes;  // 0 is none
 };
 
 // The layer whose grid the level has: the IntGrid with the most values, or that of the choice; without an
@@ -72,10 +82,11 @@ struct LdtkTiles {
 // choices: `layer` and `layer_number` choose among the IntGrids, from the top.
 FormatResult<int> ldtk_ground_layer(const LdtkLevel& level, const ImportChoices& choices);
 
-// ground: from ldtk_ground_layer().
+// ground: from ldtk_ground_layer(). known: what the first tiles stand for, from ldtk_keys_of(); those that
+// are no such texts stand for no cell.
 FormatResult<LdtkTiles> ldtk_tiles_of(const LdtkProject& project, const LdtkLevel& level, int ground,
-                                      const LdtkPictures& pictures, ImportDrops& drops,
-                                      const Progress& progress);
+                                      const std::vector<std::string>& known, const LdtkPictures& pictures,
+                                      ImportDrops& drops, const Progress& progress);
 
 // The picture of a tile, of the size of the map's: for each pixel red, green, blue, opacity.
 std::vector<std::uint8_t> picture_of_ldtk_cell(const LdtkTiles& tiles, const LdtkCell& cell,

@@ -2,6 +2,7 @@
 #include "companion.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "../text/content_hash.h"
 #include "../text/hex.h"
@@ -228,7 +229,11 @@ std::optional<TiledFrame> frame_of_companion(std::string_view bytes) {
 std::string owner_of_companion(const std::string& path) {
   if (!path.ends_with(kCompanionEnding)) return {};
   std::string owner = path.substr(0, path.size() - kCompanionEnding.size());
-  return owner.empty() || owner.ends_with('/') ? std::string() : owner;
+  if (owner.empty() || owner.ends_with('/')) return {};
+  std::error_code error;
+  const bool is_of_ldtk =
+      !std::filesystem::exists(owner, error) && std::filesystem::exists(owner + ".ldtk", error);
+  return is_of_ldtk ? owner + ".ldtk" : owner;
 }
 
 bool is_companion(std::string_view bytes) {

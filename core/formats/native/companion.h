@@ -35,7 +35,8 @@ inline constexpr std::string_view kCompanionEnding = ".talus.json";
 // Returns the path of a file's companion: beside the real file, if the path is a link.
 std::string companion_path(const std::string& file);
 // Returns the file that a companion belongs to, "a/game.tic" for "a/game.tic.talus.json"; empty if the name
-// is not a companion's.
+// is not a companion's. Where only `a/game.ldtk` exists, "a/game.talus.json" is that of this one (see
+// ldtk/ldtk_companion.h).
 std::string owner_of_companion(const std::string& path);
 // One sentence without its full stop on why nothing else may be written there; empty if the name is not that
 // of a companion of an existing file.

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "ldtk_mapping_table.h"
 #include "panels/ui/copy_all.h"
 #include "panels/ui/dialog.h"
 #include "panels/ui/long_list.h"
@@ -54,14 +55,16 @@ void LevelImportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const auto asks = [](const Session& now, const View&) { return now.level_import() && !shows_reading(now); };
   if (!begin_dialog("What to open", asks, {0, 0}, session, ui)) return;
   if (const auto& import = session.level_import()) {
-    ui.heading(shown_line(std::filesystem::path(import->path).filename().string(), kMostLabel) +
-               " holds more than a level can");
+    const std::string name = shown_line(std::filesystem::path(import->path).filename().string(), kMostLabel);
+    const bool is_project = import->is_mapping || !import->levels.empty();
+    ui.heading(is_project ? name + ", a project of LDtk" : name + " holds more than a level can");
     ImportChoices choices = import->choices;
     if (import->layers.size() > 1) draw_layers(*import, choices, ui);
-    if (import->levels.empty())
-      draw_tiles(choices, ui);
+    if (import->levels.size() > 1) draw_levels(*import, choices, ui);
+    if (is_project)
+      draw_mapping(*import, choices, ui);
     else
-      draw_levels(*import, choices, ui);
+      draw_tiles(choices, ui);
     if (choices != import->choices) actions.push_back(action::SetLevelImport{choices});
     draw_report(*import, ui);
     draw_buttons(*import, actions, ui);
@@ -84,6 +87,18 @@ void LevelImportPanel::draw_levels(const LevelImport& import, ImportChoices& cho
     ui.item("choose/level" + number, "Opens this level of the project.", "Space");
   });
   ImGui::EndChild();
+  ImGui::Spacing();
+}
+
+void LevelImportPanel::draw_mapping(const LevelImport& import, ImportChoices& choices, Ui& ui) {
+  const LdtkOrigin* const origin = import.plan ? import.plan->level.ldtk.get() : nullptr;
+  if (origin == nullptr || origin->things.empty()) return;
+  ImGui::TextUnformatted("What values, tags and entities stand for:");
+  LdtkMapping mapping = choices.mapping.value_or(origin->mapping);
+  const float lines = std::min(static_cast<float>(origin->things.size()), kListLines);
+  if (draw_ldtk_mapping(origin->things, mapping,
+                        {ui.px(kReportWidth), lines * ImGui::GetFrameHeightWithSpacing()}, ui))
+    choices.mapping = mapping;
   ImGui::Spacing();
 }
 
@@ -133,7 +148,9 @@ void LevelImportPanel::draw_buttons(const LevelImport& import, Actions& actions,
   const float width = ui.px(112);
   const DialogButton open{.widget = "choose/open",
                           .label = "Open",
-                          .help = "Opens it as a new level; the file stays as it is.",
+                          .help = import.is_mapping
+                                      ? "Reads the level with this mapping, which undo takes back."
+                                      : "Opens it; LDtk's projects stay as they are.",
                           .letter = 'O',
                           .is_default = true,
                           .enabled = can_open,

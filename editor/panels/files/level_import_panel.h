@@ -16,6 +16,7 @@ class LevelImportPanel : public Panel {
   // Each returns the choices changed by the user.
   static void draw_levels(const LevelImport& import, ImportChoices& choices, Ui& ui);
   static void draw_layers(const LevelImport& import, ImportChoices& choices, Ui& ui);
+  static void draw_mapping(const LevelImport& import, ImportChoices& choices, Ui& ui);
   static void draw_tiles(ImportChoices& choices, Ui& ui);
   static void draw_report(const LevelImport& import, Ui& ui);
   static void draw_buttons(const LevelImport& import, Actions& actions, Ui& ui);

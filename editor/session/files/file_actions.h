@@ -30,6 +30,8 @@ struct SetLevelImport {
 };
 struct ApplyLevelImport {};  // does nothing while the file cannot be read with the choices
 struct CancelLevelImport {};
+// Opens the dialog again in which things of the level's project of LDtk are mapped; nothing for other levels.
+struct AskLdtkMapping {};
 struct SaveFile {};  // to its own path and format; without a name: see Session::wants_save_as()
 struct SaveFileAs {
   std::string path;  // its extension gives the format; with an unknown one nothing is saved
@@ -54,9 +56,10 @@ struct Quit {};
 }  // namespace action
 
 // The actions that FileHandler carries out.
-using FileAction = std::variant<action::NewLevel, action::OpenFile, action::CancelReading,
-                                action::SetLevelImport, action::ApplyLevelImport, action::CancelLevelImport,
-                                action::SaveFile, action::SaveFileAs, action::CancelSaveAs,
-                                action::SaveRecording, action::RecoverLevel, action::CheckFile, action::Quit>;
+using FileAction =
+    std::variant<action::NewLevel, action::OpenFile, action::CancelReading, action::SetLevelImport,
+                 action::ApplyLevelImport, action::CancelLevelImport, action::AskLdtkMapping,
+                 action::SaveFile, action::SaveFileAs, action::CancelSaveAs, action::SaveRecording,
+                 action::RecoverLevel, action::CheckFile, action::Quit>;
 
 }  // namespace talus

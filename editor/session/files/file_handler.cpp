@@ -6,6 +6,7 @@
 
 #include "formats/files/atomic_file.h"
 #include "formats/files/real_path.h"
+#include "formats/ldtk/ldtk_companion.h"
 #include "formats/native/recording_file.h"
 #include "formats/pictures/png_picture.h"
 #include "formats/text/content_hash.h"
@@ -45,6 +46,11 @@ std::string import_text(const std::string& file, bool can_save, const std::vecto
 
 // How to read the file of a level again, so that its tiles keep their numbers.
 ImportChoices choices_of(const Level& level) {
+  if (level.ldtk)
+    return {.layer_number = level.ldtk->layer_number,
+            .level = level.ldtk->level,
+            .mapping = level.ldtk->mapping,
+            .ldtk_tiles = level.ldtk->tiles};
   if (!level.tiled) return {};
   const std::vector<int>& layers = level.tiled->layers;
   return {.layer_number = layers.size() == 1 ? layers[0] + 1 : 0, .frame = level.tiled->frame};
@@ -111,6 +117,11 @@ void FileHandler::carry_out(const action::SaveFile&) {
 
 template <>
 void FileHandler::carry_out(const action::SaveFileAs& a) {
+  if (format_ != nullptr && format_->keeps_beside && a.path == companion_path(open_.path)) {
+    wants_save_as_ = false;
+    if (save()) go_on_when_stored();
+    return;
+  }
   const Format* chosen = format_for_file(a.path);
   if (chosen == nullptr) {
     return messages_.tell_error("Cannot save " + last_name(a.path) + ": its extension must be one of " +
@@ -237,6 +248,7 @@ void FileHandler::take_opened(const action::OpenFile& file, OpenedFile opened) {
   LoadedLevel& loaded = std::get<LoadedLevel>(opened.content);
   if (file.as_copy) {
     loaded.level.tiled.reset();
+    loaded.level.ldtk.reset();
     replace_level(std::move(loaded.level), {}, nullptr);
     const std::string file_name = last_name(file.path);
     name_ = file_name.substr(0, file_name.find('.')) + " (copy)";
@@ -251,7 +263,7 @@ void FileHandler::take_opened(const action::OpenFile& file, OpenedFile opened) {
 }
 
 void FileHandler::open_imported(const std::string& file, LoadedLevel loaded) {
-  const bool can_save = loaded.format->write != nullptr;
+  const bool can_save = loaded.format->can_save();
   replace_level(std::move(loaded.level), can_save ? loaded.path : file, loaded.format,
                 std::move(loaded.companion));
   if (can_save && loaded.dropped.empty() && loaded.note.empty()) return;
@@ -272,10 +284,33 @@ void FileHandler::carry_out(const action::SetLevelImport& a) {
 }
 
 template <>
+void FileHandler::carry_out(const action::AskLdtkMapping&) {
+  if (!open_.level.ldtk || format_ == nullptr || !format_->keeps_beside || reading_.reader().is_busy())
+    return;
+  level_import_ =
+      LevelImport{open_.path, {}, {}, choices_of(open_.level), LoadedLevel{open_.level, format_}, true};
+}
+
+// What was added to the level stays.
+void FileHandler::apply_mapping(const Level& read) {
+  Level fresh = *read.ldtk->opened;
+  fresh.ldtk = read.ldtk;
+  auto moved = move_ldtk_additions(open_.level, fresh, file_name());
+  if (!moved) return messages_.tell_error(to_string(moved.error(), open_.path));
+  level_.edit(replace_by(open_.level, std::make_shared<const Level>(std::move(moved->level)),
+                         "Change the LDtk mapping"));
+  messages_.tell(
+      with_note("Read " + file_name() + " with another mapping. Undo takes that back.", moved->note));
+}
+
+template <>
 void FileHandler::carry_out(const action::ApplyLevelImport&) {
   if (!level_import_ || !level_import_->plan || reading_.reader().is_busy()) return;
   LevelImport import = *std::exchange(level_import_, std::nullopt);
+  if (import.is_mapping) return apply_mapping(import.plan->level);
+  const bool is_mapped = import.choices.mapping.has_value();
   open_imported(import.path, *std::move(import.plan));
+  if (is_mapped) level_.forget_saved();  // the mapping is remembered by saving
 }
 
 // The level becomes that of the recording's end, so that playing goes on as it was recorded.
@@ -410,7 +445,7 @@ void FileHandler::replace_level(Level opened, std::string opened_path, const For
   companion_ = std::move(opened_companion);
   unstored_.clear();
   // Without a file of its own, so that it does not overwrite the one that was read.
-  if (format_ && !format_->write) {
+  if (format_ && !format_->can_save()) {
     name_ = last_name(open_.path);
     open_.path.clear();
     format_ = nullptr;
@@ -469,6 +504,9 @@ bool FileHandler::save_to(const std::string& saved_path, const Format& saved_for
   std::string text = "Saved " + file_names();
   for (const std::string& other : saved->others) text += " + " + last_name(other);
   text += ".";
+  if (saved_format.keeps_beside)
+    text = "Saved what was added to " + file_name() + ", which LDtk owns, in " + last_name(companion_.path) +
+           ".";
   if (!unstored_.empty()) text += " Not stored in this format: " + joined(unstored_, "") + ".";
   text = with_note(std::move(text), saved->note);
   kept ? messages_.tell(text) : messages_.tell_error(text + "\n" + kept.error());

@@ -73,6 +73,7 @@ class FileHandler {
   void note_reading_given_up();
   void read_and_open(const action::OpenFile& file);
   void take_opened(const action::OpenFile& file, OpenedFile opened);
+  void apply_mapping(const Level& read);  // the level as the project gives it with another mapping
   void open_imported(const std::string& file, LoadedLevel loaded);
   void open_recording(const std::string& file, const Recording& recording, const EndScenes& scenes);
   void replace_level(Level opened, std::string opened_path, const Format* opened_format,

@@ -17,11 +17,14 @@ struct LevelImport {
   std::vector<LdtkLevelName> levels;   // of a project; empty: the file is none
   ImportChoices choices;
   FormatResult<LoadedLevel> plan;  // the result with these choices, or why there is none
+  bool is_mapping = false;         // whether only the mapping of the open level is asked for
 };
 
 // For a file that cannot be read without choices. Chooses all layers, or, if they are too many, the one
-// with the most tiles; the first level of a project; and only the used tiles if it cannot be read otherwise.
-// So it can be opened at once.
+// with the most tiles; the level of a project that was saved last, or else the first; and only the used tiles
+// if it cannot be read otherwise. So it can be opened at once. A project with one level whose mapping is
+// remembered, or with nothing to map, leaves no choice.
+bool leaves_choice(const LevelImport& import);
 LevelImport first_level_import(const std::string& path, const Progress& progress = {});
 
 }  // namespace talus

@@ -27,6 +27,14 @@ OpenedFile read_for_opening(const std::string& path, bool has_choice, const Prog
       opened.scenes = compile_ends(*recording, progress.part(0.6, 1));
     return opened;
   }
+  if (has_choice && context_for_file(path).extension == "ldtk") {
+    LevelImport import = first_level_import(path, progress.part(0.05, 1));
+    if (!import.levels.empty() && leaves_choice(import))
+      opened.content = std::move(import);
+    else
+      put(std::move(import.plan), opened);
+    return opened;
+  }
   FormatResult<LoadedLevel> loaded = load_level(path, {}, progress.part(0.05, 0.7));
   if (!loaded && !loaded.error().remedy.empty() && has_choice)
     opened.content = first_level_import(path, progress.part(0.7, 1));

@@ -63,22 +63,29 @@ struct ImportChoices {
   // Of a project of LDtk, the IntGrid whose values are the ground; empty: that with the most.
   std::string layer = {};
   int layer_number = 0;  // the same only by number, which goes before the name; 0: by name
-  // The level to take of a project that has several, by name, or by WORLD/NAME in one with worlds; if none
-  // has that name, by its number, from 1. Empty: the project must have only one.
+  // The level to take of a project that has several, by name, or by WORLD/NAME in one with worlds, or by its
+  // iid; if none has that name, by its number, from 1. Empty: the project must have only one.
   std::string level = {};
   int level_number = 0;  // the same only by number, which goes before the name; 0: by name
   // Takes only the tiles that the map shows, with new numbers, also from several tilesets.
   bool used_tiles = false;
   // Of a map of Tiled that was read before: how it was numbered then, so that it is numbered so again.
   std::optional<TiledFrame> frame = {};
+  // Of a project of LDtk, what its things stand for; nothing: as its companion says, or else as their names
+  // say.
+  std::optional<LdtkMapping> mapping = {};
+  // Of a level of a project that was read before: LdtkOrigin::tiles, so that tiles keep their numbers; empty:
+  // as its companion says.
+  std::vector<std::string> ldtk_tiles = {};
   friend bool operator==(const ImportChoices&, const ImportChoices&) = default;
 };
 
 // What a reader or writer may need to know besides the content.
 struct FormatContext {
-  std::string extension;       // of the file's name, lower case, without the dot; may be empty
-  std::string folder = {};     // folder of the files that the content names; empty: they are not read
-  ImportChoices choices = {};  // for readers of formats that Talus only reads
+  std::string extension;            // of the file's name, lower case, without the dot; may be empty
+  std::string folder = {};          // folder of the files that the content names; empty: they are not read
+  ImportChoices choices = {};       // for readers of formats that Talus only reads
+  std::string_view companion = {};  // text of the companion beside the file; empty: there is none
   std::vector<std::string>* dropped = nullptr;  // gets a phrase for each thing that a reader could not keep
   std::vector<std::string>* linked = nullptr;   // gets the path of each file that the content names
   Progress progress = {};  // receives how much a reader has read; may stop the reading, which is an error
@@ -98,6 +105,11 @@ struct Format {
   // others, go into its companion. Empty: it has no companion.
   std::span<const std::string_view> holds = {};
   bool writes_back = false;  // whether it writes only levels that came from such a file, into that one
+  // Whether another program owns such files: they are never written, and saving a level that came from one
+  // writes its companion alone.
+  bool keeps_beside = false;
+  // Whether save_level() takes it.
+  bool can_save() const { return write != nullptr || keeps_beside; }
 };
 
 // Every format, in the order in which content is tried.
@@ -148,10 +160,10 @@ std::string level_path(const std::string& path);
 FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoices& choices = {},
                                      const Progress& progress = {});
 // Writes the whole file or nothing of it, with a companion if the format cannot hold everything. The format
-// must have a writer. known: the companion that the level came with. That one is replaced, and removed if it
-// is no longer needed. Any other file in its place is kept under another name, and the note says so. Files of
-// tilesets into which a map of Tiled is saved are written with it, if they change. After an error all files
-// are as they were.
+// must be one that can_save(). known: the companion that the level came with. That one is replaced, and
+// removed if it is no longer needed. Any other file in its place is kept under another name, and the note
+// says so. Files of tilesets into which a map of Tiled is saved are written with it, if they change. After an
+// error all files are as they were.
 FormatResult<SavedLevel> save_level(const Level& level, const Format& format, const std::string& path,
                                     const CompanionFile& known = {});
 

@@ -15,6 +15,7 @@
 #include <talus/level/exports.h>
 #include <talus/level/flag_fields.h>
 #include <talus/level/flag_roles.h>
+#include <talus/level/ldtk_origin.h>
 #include <talus/level/object_layer.h>
 #include <talus/level/tile_layer.h>
 #include <talus/level/tile_map.h>
@@ -116,6 +117,7 @@ struct Level {
   std::vector<ExportPreset> exports;              // at most kMaxExports
   std::shared_ptr<const CartOrigin> cart;         // null for a level that never was a cart
   std::shared_ptr<const TiledOrigin> tiled;       // null for a level that did not come from Tiled
+  std::shared_ptr<const LdtkOrigin> ldtk;         // null for a level that did not come from LDtk
   std::string extra;  // JSON object of keys that this version does not know, or empty
 
   // How many tiles it has, 1 to kMaxTiles; they are numbered from 0.
@@ -137,8 +139,8 @@ struct Level {
   TileRole role_at(Cell cell) const { return role_of(tile_flags(map.at(cell)), roles); }
 };
 
-// The same content, whichever layer is chosen; carts are compared by their bytes, and maps of Tiled not at
-// all.
+// The same content, whichever layer is chosen; carts are compared by their bytes, and maps of Tiled
+// and projects of LDtk not at all.
 bool operator==(const Level& a, const Level& b);
 
 // The shape of a tile: its own shape, or, if it has none, the shape of its flags.
