@@ -13,8 +13,7 @@ FormatResult<Exported> export_part(const ExportRequest& request, PngPart part) {
 }  // namespace
 
 FormatResult<Exported> export_native(const ExportRequest& request) {
-  FormatResult<WrittenLevel> written =
-      find_format("native")->write(request.level, context_for_file(request.name));
+  FormatResult<WrittenLevel> written = find_format("native")->write(request.level, {});
   if (!written) return tl::unexpected(written.error());
   return exported_file(std::move(written->bytes), std::move(written->dropped));
 }

@@ -278,7 +278,7 @@ FormatResult<SavedLevel> save_beside(const Level& level, const std::string& path
   if (const auto put = pair.put_companion(*written, is_own); !put)
     return companion_error(beside, put.error());
   pair.finish(false);
-  SavedLevel saved{{}, {beside, content_hash(*written)}, pair.doubt()};
+  SavedLevel saved{.companion = {beside, content_hash(*written)}, .note = pair.doubt()};
   if (!pair.kept().empty())
     saved.note += (saved.note.empty() ? "" : ". ") + std::string("What was there before is kept as ") +
                   last_name(pair.kept());

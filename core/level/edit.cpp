@@ -77,6 +77,10 @@ auto& place(L& level, const ExportsChange&) {
   return level.exports;
 }
 template <class L>
+auto& place(L& level, const TilesetsChange&) {
+  return level.tilesets;
+}
+template <class L>
 auto& place(L& level, const LayersChange&) {
   return level.layers;
 }
@@ -130,6 +134,8 @@ bool fits(const Level& level, const C& c) {
     return c.tile < level.sheet(c.sheet).count();
   } else if constexpr (std::is_same_v<C, TileShapeChange>) {
     return c.tile < level.tile_count();
+  } else if constexpr (std::is_same_v<C, TilesetsChange>) {
+    return !problem_of(c.after, level.sheet(SheetId::tiles).layout());
   } else if constexpr (std::is_same_v<C, LayersChange>) {
     return c.before.chosen == level.layers.chosen;
   } else {
@@ -143,11 +149,11 @@ bool is_no_change(const Change& change) {
 
 // Whether a change adds to something that has a limit in a level.
 template <class C>
-constexpr bool kIsCounted =
-    std::is_same_v<C, FlagNameChange> || std::is_same_v<C, FlagFieldsChange> ||
-    std::is_same_v<C, CurvesChange> || std::is_same_v<C, ObjectsChange> || std::is_same_v<C, SpawnsChange> ||
-    std::is_same_v<C, BrushesChange> || std::is_same_v<C, ExportsChange> ||
-    std::is_same_v<C, TileShapeChange> || std::is_same_v<C, LayersChange>;
+constexpr bool kIsCounted = std::is_same_v<C, FlagNameChange> || std::is_same_v<C, FlagFieldsChange> ||
+                            std::is_same_v<C, CurvesChange> || std::is_same_v<C, ObjectsChange> ||
+                            std::is_same_v<C, SpawnsChange> || std::is_same_v<C, BrushesChange> ||
+                            std::is_same_v<C, ExportsChange> || std::is_same_v<C, TilesetsChange> ||
+                            std::is_same_v<C, TileShapeChange> || std::is_same_v<C, LayersChange>;
 
 // The parts of a level that problem_of_amounts counts.
 Level counted_part(const Level& level) {
@@ -161,6 +167,7 @@ Level counted_part(const Level& level) {
   part.layers = level.layers;
   part.brushes = level.brushes;
   part.exports = level.exports;
+  part.tilesets = level.tilesets;
   part.extra = level.extra;
   return part;
 }

@@ -85,6 +85,9 @@ class LevelCopy {
  private:
   std::shared_ptr<const Level> level_;
 };
+struct TilesetsChange {  // their tiles stay as they are
+  std::vector<Tileset> before, after;
+};
 struct LayersChange {  // the layers without the cells of the chosen one, which is the same in both
   TileLayers before, after;
 };
@@ -98,7 +101,7 @@ struct MapChange {  // the whole map: its size has changed, or too many cells to
 using Change = std::variant<CellChange, PixelChange, FlagsChange, ColorChange, FlagNameChange,
                             FlagFieldsChange, RolesChange, TileShapeChange, FlagShapeChange, CurvesChange,
                             ObjectsChange, TuningChange, SpawnsChange, BrushesChange, AutoTilesChange,
-                            ExportsChange, LayersChange, LevelChange, MapChange>;
+                            ExportsChange, TilesetsChange, LayersChange, LevelChange, MapChange>;
 
 // The change of the selection of cells on the map, so that undo restores that, too.
 struct SelectionChange {

@@ -66,6 +66,10 @@ Amounts amounts_of(const Level& level) {
     count_texts(preset, amounts);
     amounts.name_bytes += preset.exporter.size() + preset.path.size() + preset.parts.size();
   }
+  for (const Tileset& set : level.tilesets) {
+    count_texts(set, amounts);
+    if (set.link) amounts.name_bytes += set.link->path.size();
+  }
   return amounts;
 }
 
@@ -97,6 +101,7 @@ std::optional<std::string> problem_of_amounts(const Level& level) {
         {level.brushes.size(), kMaxBrushes, "brushes"},
         {amounts.brush_cells, kMaxBrushCells, "cells of brushes"},
         {level.exports.size(), kMaxExports, "export presets"},
+        {level.tilesets.size(), kMaxTilesets, "tilesets"},
         {amounts.name_bytes, kMaxNameBytes, "bytes of names"},
         {amounts.unknown_bytes, kMaxUnknownBytes, "bytes of unknown members"}}) {
     if (row.has > row.most)
@@ -123,7 +128,8 @@ std::size_t size_of(const Level& level) {
          level.sheet(SheetId::tiles).images.size() * sizeof(TileImage) + picture_bytes(level) +
          (amounts.shape_numbers + amounts.heights) * sizeof(double) + amounts.name_bytes +
          amounts.unknown_bytes + size_of(level.objects) +
-         kEntry * (level.spawns.size() + level.curves.size() + level.brushes.size() + level.exports.size());
+         kEntry * (level.spawns.size() + level.curves.size() + level.brushes.size() + level.exports.size() +
+                   level.tilesets.size());
 }
 
 }  // namespace talus

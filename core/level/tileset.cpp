@@ -21,4 +21,29 @@ bool operator==(const Sheet& a, const Sheet& b) {
   return a.columns == b.columns && a.images == b.images && a.flags == b.flags && same_picture;
 }
 
+std::optional<std::string> problem_of(const std::vector<Tileset>& tilesets, const SheetLayout& sheet) {
+  int next = 0;  // the first number that no tileset has yet
+  for (std::size_t i = 0; i < tilesets.size(); ++i) {
+    const Tileset& set = tilesets[i];
+    const auto problem = [&](const std::string& text) { return "[" + std::to_string(i) + "] " + text; };
+    if (set.first < 0 || set.count < 1 || set.first >= sheet.count || set.count > sheet.count - set.first)
+      return problem("must have tiles of the sheet, which has " + std::to_string(sheet.count));
+    if (set.first < next) return problem("must come after the tiles of the tileset before it");
+    if (set.columns < 1 || set.columns > sheet.columns - sheet.place_of(set.first).x)
+      return problem("must have at least one column, and not more than the sheet has from its first tile on");
+    next = set.first + set.count;
+  }
+  return std::nullopt;
+}
+
+int tileset_with(const std::vector<Tileset>& tilesets, const SheetLayout& sheet, int tile) {
+  const auto after = std::upper_bound(tilesets.begin(), tilesets.end(), tile,
+                                      [](int number, const Tileset& set) { return number < set.first; });
+  if (after == tilesets.begin()) return -1;
+  const Tileset& set = *std::prev(after);
+  const bool is_in_range = tile - set.first < set.count;
+  const bool is_in_columns = (tile - set.first) % sheet.columns < set.columns;
+  return is_in_range && is_in_columns ? static_cast<int>(std::prev(after) - tilesets.begin()) : -1;
+}
+
 }  // namespace talus

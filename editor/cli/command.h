@@ -28,6 +28,7 @@ void add_edit_command(CLI::App& program, CommandContext& context);
 void add_sim_command(CLI::App& program, CommandContext& context);
 void add_replay_command(CLI::App& program, CommandContext& context);
 void add_import_command(CLI::App& program, CommandContext& context);
+void add_new_command(CLI::App& program, CommandContext& context);
 void add_export_command(CLI::App& program, CommandContext& context);
 void add_check_command(CLI::App& program, CommandContext& context);
 void add_shot_command(CLI::App& program, CommandContext& context);

@@ -2,10 +2,14 @@
 #include "png_convert.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <ostream>
 
 #include "formats/files/atomic_file.h"
 #include "formats/text/append_number.h"
+#include "formats/tilesets/new_tileset.h"
+#include "formats/tilesets/tile_cut.h"
+#include "formats/tilesets/tileset_pixels.h"
 #include "output_file.h"
 
 namespace talus {
@@ -66,6 +70,36 @@ void import_png(CommandContext& context, const PngIntoLevel& import) {
   write_level(context, level, loaded->companion, import.output, import.picture);
   if (context.status == kExitGood && import.output != "-")
     say(context.out, import.output + ": " + changes_text(*plan));
+}
+
+void make_level_from_tiles(CommandContext& context, const LevelFromTiles& order) {
+  const auto read = read_tile_picture(order.picture);
+  if (!read) return fail(context, order.picture, read.error().place, read.error().message);
+  const RgbaPicture& picture = read->picture;
+  const TileCut cut = order.tile ? TileCut{*order.tile, order.spacing, order.margin} : guess_cut(picture);
+  const std::string problem = problem_of(cut, picture.width, picture.height);
+  if (!problem.empty()) return fail(context, order.picture, "", as_clause(problem));
+  if (!is_terrain_size(order.size.width, order.size.height, cut.tile))
+    return fail(context, "talus", "", "--size is too large: a map has at most 16777216 cells and px a side");
+  const std::string link = std::filesystem::absolute(order.picture).lexically_normal().string();
+  const std::string folder = context_for_file(order.output).folder;
+  if (order.is_linked && (order.output == "-" || linked_path_in(folder, link).empty()))
+    return fail(context, order.picture, "",
+                "is not below the folder of the level, so that it cannot be linked");
+  const auto level = level_of_tiles({.picture = picture,
+                                     .palette = read->palette,
+                                     .cut = cut,
+                                     .name = std::filesystem::path(order.picture).stem().string(),
+                                     .link = order.is_linked ? link : ""},
+                                    order.size.width, order.size.height);
+  if (!level) return fail(context, order.picture, level.error().place, level.error().message);
+  write_level(context, *level, {}, order.output, order.picture);
+  if (context.status != kExitGood || order.output == "-") return;
+  const CutGrid grid = grid_of(cut, picture.width, picture.height);
+  say(context.out, order.output + ": " + std::to_string(grid.count()) + " tiles of " +
+                       std::to_string(cut.tile.width) + "x" + std::to_string(cut.tile.height) +
+                       " px, spacing " + std::to_string(cut.spacing) + ", margin " +
+                       std::to_string(cut.margin));
 }
 
 }  // namespace talus

@@ -283,6 +283,8 @@ void App::frame() {
   map_textures_->update(session_->level(), session_->revision(), ui_);
   if (const auto& import = session_->png_import(); import && import->plan)
     textures_->show_preview(import->plan->sheet, import->plan->palette, ui_);
+  if (const auto& import = session_->tile_import())
+    textures_->show_preview(import->shown, session_->level().palette, ui_);
   Actions actions;
   const double start = processor_time();
   window_->begin_frame(events_, ui_.view.canvas.cursor.begin_frame(), keys_navigate_controls());

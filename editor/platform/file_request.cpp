@@ -122,6 +122,10 @@ std::optional<FileRequest> wanted_file(const Session& session, const View& view,
                          recording};
     case FileDialog::import_png:
       return FileRequest{dialog, Purpose::opens, "Import a picture, a PNG", session.path(), {"png"}, ""};
+    case FileDialog::new_from_tiles:
+      return FileRequest{dialog, Purpose::opens, "New level from tiles, a PNG", session.path(), {"png"}, ""};
+    case FileDialog::add_tileset:
+      return FileRequest{dialog, Purpose::opens, "Add a tileset, a PNG", session.path(), {"png"}, ""};
     case FileDialog::export_tiles:
       return save_picture(session, dialog, "tiles");
     case FileDialog::export_sprites:
@@ -142,6 +146,10 @@ Action answer_to(FileDialog dialog, const std::string& path, const Session& sess
       return action::SaveRecording{path};
     case FileDialog::import_png:
       return action::OpenPng{path};
+    case FileDialog::new_from_tiles:
+      return action::OpenTiles{path, false};
+    case FileDialog::add_tileset:
+      return action::OpenTiles{path, true};
     case FileDialog::export_tiles:
       return action::ExportPng{PngPart::tiles, path};
     case FileDialog::export_sprites:

@@ -23,6 +23,7 @@
 #include "session/files/file_reader.h"
 #include "session/files/level_import.h"
 #include "session/files/png_import.h"
+#include "session/files/tile_import.h"
 #include "session/messages/message.h"
 #include "session/run/playback.h"
 #include "session/run/step_times.h"
@@ -134,6 +135,8 @@ class Session {
   const std::optional<PngImport>& png_import() const;  // waits for ApplyPngImport or CancelPngImport
   // Waits for ApplyLevelImport or CancelLevelImport.
   const std::optional<LevelImport>& level_import() const;
+  // A picture of tiles that waits for ApplyTiles or CancelTiles.
+  const std::optional<TileImport>& tile_import() const;
   bool wants_save_as() const;         // waits for SaveFileAs or CancelSaveAs
   bool wants_save_recording() const;  // waits for SaveRecording or CancelSaveAs
   bool wants_quit() const;            // the program should end

@@ -12,6 +12,7 @@
 #include <talus/level/limits.h>
 #include "../text/hex.h"
 #include "../text/json_text.h"
+#include "../tilesets/tileset_pixels.h"
 #include "hard_case_file.h"
 #include "native_brushes.h"
 #include "native_cart.h"
@@ -24,6 +25,7 @@
 #include "native_object_layers.h"
 #include "native_objects.h"
 #include "native_picture.h"
+#include "native_tilesets.h"
 
 namespace talus {
 namespace {
@@ -75,6 +77,8 @@ class Reader {
                   [&](Json& v) { read_sheet(v, kSheetKeys[i], level_.sheets[i]); });
     }
     take(document, "picture", [this](const Json& v) { read_picture(v); });
+    take(document, "tilesets",
+         [this](Json& v) { keep(take_tilesets(v, level_.sheet(SheetId::tiles).layout()), level_.tilesets); });
     take_object(document, "map", "map", [this](Json& v) { read_map(v); });
     take(document, "layers", [this](Json& v) { read_layers(v); });
     take(document, "curves", [this](Json& v) { keep(take_curves(v, "curves", level_.map), level_.curves); });
@@ -449,16 +453,18 @@ std::vector<std::string_view> key_order() {
       "roles",       "solid",     "up_slope", "down_slope", "ball",    "one_way",    "ceiling",
       "flag_shapes", "tuning",    "spawns",   "curves",     "brushes", "auto_tiles", "exports",
       "tile_shapes", "tiles",     "random",   "heights",    "points",  "sprites",    "tile_size",
-      "sheet_size",  "picture",   "map",      "layers",     "objects", "cart",       "solver"};
+      "sheet_size",  "picture",   "tilesets", "map",        "layers",  "objects",    "cart",
+      "solver"};
   for (const TuningField& field : tuning_fields()) order.push_back(field.key);
-  order.insert(order.end(),
-               {"x",       "y",          "vx",        "vy",         "size",     "foot",   "from",
-                "to",      "from_slope", "to_slope",  "center",     "radius",   "x0",     "x1",
-                "upper",   "middle",     "amplitude", "wavelength", "origin",   "ys",     "flags",
-                "pixels",  "width",      "height",    "rows",       "comment",  "chunks", "lines",
-                "chunk",   "bank",       "reserved",  "code",       "data",     "path",   "parts",
-                "on_save", "ground",     "visible",   "locked",     "opacity",  "offset", "parallax",
-                "tint",    "packed",     "form",      "class",      "rotation", "tile",   "properties"});
+  order.insert(
+      order.end(),
+      {"x",          "y",          "vx",      "vy",       "size",    "foot",      "from",     "to",
+       "from_slope", "to_slope",   "center",  "radius",   "x0",      "x1",        "upper",    "middle",
+       "amplitude",  "wavelength", "origin",  "ys",       "flags",   "pixels",    "width",    "height",
+       "rows",       "comment",    "chunks",  "lines",    "chunk",   "bank",      "reserved", "code",
+       "data",       "path",       "parts",   "on_save",  "count",   "columns",   "image",    "ground",
+       "visible",    "locked",     "spacing", "margin",   "opacity", "offset",    "parallax", "tint",
+       "packed",     "form",       "class",   "rotation", "tile",    "properties"});
   for (const GroundPartInfo& part : kGroundParts) order.push_back(part.key);
   const auto hard_case = hard_case_keys();
   order.insert(order.end(), hard_case.begin(), hard_case.end());
@@ -473,7 +479,38 @@ bool accepts_native(std::string_view bytes, const FormatContext& context) {
   return context.extension == "json" || bytes.find("\"talus\"") != std::string_view::npos;
 }
 
+namespace {
+
+// The tilesets as a file of a folder stores them. Links that would lead out of the folder are told, and go:
+// their pixels are stored. Without a folder those go whose pixels were read.
+std::vector<Tileset> stored_tilesets(const Level& level, const std::string& folder,
+                                     std::vector<std::string>& dropped) {
+  std::vector<Tileset> sets = level.tilesets;
+  for (Tileset& set : sets) {
+    const bool is_unread = set.link && folder.empty() && !set.link->path.starts_with('/');
+    if (!set.link || is_unread) continue;
+    std::string path = folder.empty() ? "" : linked_path_in(folder, set.link->path);
+    if (!path.empty()) {
+      set.link->path = std::move(path);
+      continue;
+    }
+    if (!folder.empty())
+      dropped.push_back("the link of a tileset to " + set.link->path +
+                        ", which is not in the folder of the level: its pixels are stored");
+    set.link.reset();
+  }
+  return sets;
+}
+
+}  // namespace
+
 FormatResult<Json> native_document(const Level& level) {
+  std::vector<std::string> dropped;
+  return native_document(level, "", dropped);
+}
+
+FormatResult<Json> native_document(const Level& level, const std::string& folder,
+                                   std::vector<std::string>& dropped) {
   if (auto problem = problem_of_amounts(level)) return tl::unexpected(FormatError{"", *std::move(problem)});
   auto parsed = parse_extra(level.extra);
   if (!parsed) return parsed;
@@ -481,11 +518,17 @@ FormatResult<Json> native_document(const Level& level) {
   const TileSize tile = level.map.tile_size();
   const SheetLayout sheet = level.sheet(SheetId::tiles).layout();
   const bool has_other_tiles = tile != TileSize(), has_other_sheet = sheet != SheetLayout();
-  const auto& picture = level.sheet(SheetId::tiles).picture;
+  const std::vector<Tileset> sets = stored_tilesets(level, folder, dropped);
+  const bool has_links =
+      std::any_of(sets.begin(), sets.end(), [](const Tileset& set) { return set.link.has_value(); });
+  const Sheet tiles =
+      has_links && !folder.empty() ? without_linked_pixels(level, sets) : level.sheet(SheetId::tiles);
+  const auto& picture = tiles.picture;
   auto layers = json_of_layers(level);
   if (!layers) return layers;
   const bool has_layers = !layers->empty();
-  document["talus"] = has_layers || !level.objects.empty()                                    ? kNativeVersion
+  document["talus"] = !sets.empty() || !level.objects.empty()                                 ? kNativeVersion
+                      : has_layers                                                            ? kLayerVersion
                       : has_other_sheet || picture != nullptr || has_shapes_with_parts(level) ? kSheetVersion
                       : has_other_tiles ? kTileSizeVersion
                                         : 1;
@@ -503,12 +546,15 @@ FormatResult<Json> native_document(const Level& level) {
   if (!level.auto_tiles.empty()) put_auto_tiles(level.auto_tiles, object_in(document, "auto_tiles"));
   if (const auto good = put_list(json_of(level.exports), "exports", document); !good)
     return tl::unexpected(good.error());
-  for (std::size_t i = 0; i < kSheetKeys.size(); ++i) put_sheet(level.sheets[i], kSheetKeys[i], document);
+  put_sheet(tiles, kSheetKeys[0], document);
+  put_sheet(level.sheet(SheetId::sprites), kSheetKeys[1], document);
   if (picture != nullptr) {
     auto lines = json_of(*picture);
     if (!lines) return lines;
     document["picture"] = *std::move(lines);
   }
+  if (const auto good = put_list(json_of(sets, sheet), "tilesets", document); !good)
+    return tl::unexpected(good.error());
   if (!layers->empty()) document["layers"] = *std::move(layers);
   put_map(level, !has_layers, object_in(document, "map"));
   if (level.cart) put_cart(level, object_in(document, "cart"));
@@ -529,7 +575,7 @@ FormatResult<std::string> print_document(const Json& document) {
     return text;
   } catch (const Json::exception&) {
     return tl::unexpected(
-        FormatError{"", "a name of a flag, layer, body, curve, brush or export is not valid UTF-8"});
+        FormatError{"", "a name of a flag, tileset, layer, body, curve, brush or export is not valid UTF-8"});
   }
 }
 
@@ -540,15 +586,19 @@ FormatResult<Level> read_native(std::string_view bytes, const FormatContext& con
   if (document->is_object() && document->contains("companion"))
     return tl::unexpected(FormatError{
         "", "is not a level, but the companion of a cart: put it beside the cart, and open the cart"});
-  return level_of_document(*std::move(document), context.progress.part(kParsed, 1));
+  auto level = level_of_document(*std::move(document), context.progress.part(kParsed, 1));
+  if (!level) return level;
+  if (const auto read = read_linked_tilesets(context, *level); !read) return tl::unexpected(read.error());
+  return level;
 }
 
-FormatResult<WrittenLevel> write_native(const Level& level, const FormatContext&) {
-  const auto document = native_document(level);
+FormatResult<WrittenLevel> write_native(const Level& level, const FormatContext& context) {
+  std::vector<std::string> dropped;
+  const auto document = native_document(level, context.folder, dropped);
   if (!document) return tl::unexpected(document.error());
   auto text = print_document(*document);
   if (!text) return tl::unexpected(text.error());
-  return WrittenLevel{*std::move(text), {}};
+  return WrittenLevel{*std::move(text), std::move(dropped)};
 }
 
 }  // namespace talus

@@ -1,6 +1,7 @@
 // Talus's own levels, `.talus.json`: JSON that people can read, and that diffs row by row.
 //
-//   "talus"        version of the file: 4 if it has layers; else 3 if its sheet of tiles does not have 16
+//   "talus"        version of the file: 5 if it has tilesets; else 4 if it has layers; else 3 if its sheet of
+//   tiles does not have 16
 //                  columns of 256 tiles, or a picture, or a shape is a polygon or a group; else 2 if its
 //                  tiles do not have 8x8 px; else 1. Older versions of Talus could not read it. A newer
 //                  version is refused. This is the only key that must be there.
@@ -49,6 +50,14 @@
 //                  Default: [16, 256]. With more than 256 tiles each cell has four digits instead of two.
 //   "picture"      how the tiles look in true colour: lines of Base64, together a PNG with the tiles at their
 //                  places on the sheet, each as large as a cell. Default: "pixels" say how they look.
+//   "tilesets"     up to 1024 parts of the sheet of tiles, in the order of their tiles: "name" (""); "first",
+//                  the tile in the top left corner; "count", the numbers from there to the last tile;
+//                  "columns", the tiles in a row. No two share a number. "image", the path of a PNG below the
+//                  folder of the file, with '/': it has the tiles' pixels, which are not stored then;
+//                  "tile_size", [width, height] of a tile in it, 1..256 px each ([8, 8]); "spacing" between
+//                  its tiles and "margin" around them, 0..1024 px (0); "offset", [x, y] in px, by which tiles
+//                  are shown right of and below their places, each within 1024 ([0, 0]). Default: no
+//                  tilesets.
 //   "tile_size"    [width, height] of the cells of the map, 1..256 px each. Default: [8, 8].
 //   "map"          "width" (240) and "height" (136), 1..2097152 cells each, 16777216 cells in all, and at
 //   most
@@ -85,8 +94,9 @@
 
 namespace talus {
 
-inline constexpr int kNativeVersion = 4;  // of levels with layers of tiles or objects
-// Of levels without, but with another sheet, a picture in true colour, polygons or groups.
+inline constexpr int kNativeVersion = 5;  // of levels with tilesets or layers of objects
+inline constexpr int kLayerVersion = 4;   // of levels without, but with layers of tiles
+// Of levels without all of these, but with another sheet, a picture in true colour, polygons or groups.
 inline constexpr int kSheetVersion = 3;
 inline constexpr int kTileSizeVersion = 2;  // of levels with none of that, but tiles of other than 8x8 px
 

@@ -587,6 +587,7 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
   const SheetLayout layout{tiles_.columns, static_cast<int>(tiles_.sources.size())};
   if (!tiles_.keeps_numbers || layout.count < level_.tile_count()) forget_numbers();
   level_.set_tile_layout(layout);
+  if (!is_own_) level_.tilesets = tilesets_of(tiles_, map_);  // its own are in the base
   take_pixels();
   name_flags();
   for (int tile = 0; tile < layout.count; ++tile) take_tile(static_cast<TileNumber>(tile));

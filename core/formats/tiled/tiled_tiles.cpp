@@ -22,20 +22,6 @@ FormatError whole_error(std::string message, std::string remedy = {}) {
   return {"", std::move(message), std::move(remedy)};
 }
 
-// Columns and tiles of a tileset, computed from its picture if the file does not say.
-SheetLayout grid_of(const TiledTileset& tileset) {
-  const auto along = [&](int length, int side) {
-    return std::max(0, (length - 2 * tileset.margin + tileset.spacing) / (side + tileset.spacing));
-  };
-  const auto [tile_width, tile_height] = tileset.tile_size;
-  const int columns = tileset.columns > 0 ? tileset.columns : along(tileset.image_width, tile_width);
-  constexpr std::int64_t kMost = 1 << 20;
-  const std::int64_t in_picture = std::int64_t{columns} * along(tileset.image_height, tile_height);
-  const int count =
-      tileset.tile_count > 0 ? tileset.tile_count : static_cast<int>(std::min(in_picture, kMost));
-  return {columns > 0 ? columns : kCartColumns, count > 0 ? count : kCartTiles};
-}
-
 // By the number in the layers, with the bits that turn the tile.
 using SourceOfCell = std::unordered_map<std::uint32_t, TiledSource>;
 
@@ -403,6 +389,19 @@ Rgba color_of(const TiledMap& map, const TiledPictures& pictures, const TiledSou
 
 }  // namespace
 
+SheetLayout grid_of(const TiledTileset& tileset) {
+  const auto along = [&](int length, int side) {
+    return std::max(0, (length - 2 * tileset.margin + tileset.spacing) / (side + tileset.spacing));
+  };
+  const auto [tile_width, tile_height] = tileset.tile_size;
+  const int columns = tileset.columns > 0 ? tileset.columns : along(tileset.image_width, tile_width);
+  constexpr std::int64_t kMost = 1 << 20;
+  const std::int64_t in_picture = std::int64_t{columns} * along(tileset.image_height, tile_height);
+  const int count =
+      tileset.tile_count > 0 ? tileset.tile_count : static_cast<int>(std::min(in_picture, kMost));
+  return {columns > 0 ? columns : kCartColumns, count > 0 ? count : kCartTiles};
+}
+
 TiledPlace place_of_tile(const TiledMap& map, const TiledPictures& pictures, const TiledSource& source) {
   const TiledTileset& tileset = map.tilesets[static_cast<std::size_t>(source.tileset)];
   TiledPlace place{tileset.tile_size, tileset.offset_x, 0};
@@ -436,6 +435,38 @@ TiledFrame frame_of(const TiledTiles& tiles, const TiledMap& map) {
     frame.tiles.push_back(first == 0 ? 0 : (first + static_cast<std::uint32_t>(source.id)) | source.turn);
   }
   return frame;
+}
+
+std::vector<Tileset> tilesets_of(const TiledTiles& tiles, const TiledMap& map) {
+  std::vector<Tileset> sets;
+  if (!tiles.keeps_numbers) return sets;
+  const SheetLayout layout{tiles.columns, static_cast<int>(tiles.sources.size())};
+  const auto number_in = [&](Cell place) { return std::int64_t{place.y} * layout.columns + place.x; };
+  std::map<int, std::map<int, int>> tiles_by_first;  // by tileset
+  for (int number = 0; number < layout.count; ++number) {
+    const TiledSource& source = tiles.sources[static_cast<std::size_t>(number)];
+    if (source.tileset < 0 || source.turn != 0) continue;
+    const SheetLayout grid = grid_of(map.tilesets[static_cast<std::size_t>(source.tileset)]);
+    const std::int64_t first = number - number_in(grid.place_of(source.id));
+    if (first >= 0) ++tiles_by_first[source.tileset][static_cast<int>(first)];
+  }
+  for (const auto& [tileset, firsts] : tiles_by_first) {
+    const TiledTileset& source = map.tilesets[static_cast<std::size_t>(tileset)];
+    const SheetLayout grid = grid_of(source);
+    const auto most = std::max_element(firsts.begin(), firsts.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    Tileset set;
+    set.name = source.name;
+    set.first = most->first;
+    set.columns = std::min(grid.columns, grid.count);
+    const std::int64_t count = number_in(grid.place_of(grid.count - 1)) + 1;
+    set.count = static_cast<int>(std::min<std::int64_t>(count, layout.count - set.first));
+    sets.push_back(std::move(set));
+  }
+  std::stable_sort(sets.begin(), sets.end(),
+                   [](const Tileset& a, const Tileset& b) { return a.first < b.first; });
+  if (sets.size() > kMaxTilesets || problem_of(sets, layout)) sets.clear();
+  return sets;
 }
 
 SheetPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const TiledPictures& pictures,

@@ -50,6 +50,13 @@ FormatResult<TiledTiles> number_tiles(const TiledMap& map, const std::vector<con
                                       const SheetLayout& base, Rgb background, ImportDrops& drops,
                                       const Progress& progress);
 
+// Columns and tiles of a tileset, computed from its picture if the file does not say.
+SheetLayout grid_of(const TiledTileset& tileset);
+
+// The place of each tileset of the map on the sheet, where most of its tiles lie. Empty if the tiles have new
+// numbers, or if the tilesets lie among one another.
+std::vector<Tileset> tilesets_of(const TiledTiles& tiles, const TiledMap& map);
+
 // How the tiles and cells are numbered now.
 TiledFrame frame_of(const TiledTiles& tiles, const TiledMap& map);
 

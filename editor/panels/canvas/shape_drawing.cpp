@@ -142,6 +142,8 @@ void draw_sheet_shapes(ImDrawList& list, const Level& level, ImVec2 corner, floa
     const Cell place = sheet.place_of(tile);
     const ImVec2 at{corner.x + static_cast<float>(place.x) * cell,
                     corner.y + static_cast<float>(place.y) * cell};
+    const bool is_visible = at.y + cell >= list.GetClipRectMin().y && at.y <= list.GetClipRectMax().y;
+    if (!is_visible) continue;
     draw_tile_shape(list, shapes[static_cast<std::size_t>(tile)], level.map.tile_size(), at, {cell, cell},
                     color, ui);
   }

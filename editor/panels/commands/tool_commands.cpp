@@ -372,6 +372,34 @@ std::vector<Command> sheet_commands() {
        .menu = menus::kSpritesView,
        .run = switch_sheet,
        .words = "spritesheet bank"},
+      {.id = "sheet/find",
+       .label = "Find on the sheet",
+       .help = "Finds tiles by number, tileset, flag or shape, and dims the others.",
+       .menu = menus::kSpritesView,
+       .run =
+           [](const Session& session, Actions& actions, Ui& ui) {
+             ui.view.sprites.finds = true;
+             actions.push_back(action::SelectTiles{{SheetId::tiles, session.choices().area.tiles}});
+             ui.ask(request::ShowTab(panel_id::kSheet));
+             ui.ask(request::FocusField("sheet/find"));
+           },
+       .words = "search tile flag shape"},
+      {.id = "sheet/add_tileset",
+       .label = "Add a tileset...",
+       .help = "Cuts a PNG into tiles, and adds them to the level, below its others.",
+       .menu = menus::kSpritesView,
+       .run = [](const Session&, Actions&,
+                 Ui& ui) { ui.ask(request::ShowFileDialog{FileDialog::add_tileset}); },
+       .enabled = [](const Session& session, const Ui&) { return session.level().tiled == nullptr; },
+       .words = "png picture tiles"},
+      {.id = "sheet/mark_used",
+       .label = "Mark used tiles",
+       .help = "Marks the tiles of the sheet that the map uses, and dims the others.",
+       .menu = menus::kSpritesView,
+       .run = [](const Session&, Actions&,
+                 Ui& ui) { ui.view.sprites.marks_used = !ui.view.sprites.marks_used; },
+       .checked = [](const Session&, const Ui& ui) { return ui.view.sprites.marks_used; },
+       .words = "unused count"},
       {.id = "sheet/left",
        .label = "To the left",
        .help = "Moves the selection on the sheet, or the selected pixels.",

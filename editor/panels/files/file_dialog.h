@@ -8,6 +8,8 @@ enum class FileDialog {
   save_as,
   save_recording,
   import_png,
+  new_from_tiles,
+  add_tileset,
   export_tiles,
   export_sprites,
   export_palette,

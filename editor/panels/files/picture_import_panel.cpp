@@ -255,6 +255,16 @@ void PictureImportPanel::draw_buttons(const PngImport& import, Actions& actions,
                             .width = width,
                             .gets_the_keys = !changes};
   if (dialog_button(cancel, ui)) actions.push_back(action::CancelPngImport{});
+  ImGui::SameLine();
+  const DialogButton as_tiles{.widget = "import/as_tiles",
+                              .label = "New level...",
+                              .help = "Cuts the picture into tiles, and starts an empty level with them.",
+                              .letter = 'N',
+                              .width = width};
+  if (dialog_button(as_tiles, ui)) {
+    actions.push_back(action::CancelPngImport{});
+    actions.push_back(action::OpenTiles{import.path});
+  }
 }
 
 }  // namespace talus

@@ -1,11 +1,13 @@
-// The sheet: all tiles or sprites; a large one scrolls, and Ctrl with the wheel zooms it. A click or a drag
-// selects what the other panels work on, or paints flags.
+// The sheet: all tiles, those of a tileset, or sprites; a large one scrolls, and Ctrl with the wheel zooms
+// it. A click or a drag selects what the other panels work on, or paints flags.
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "panels/panel.h"
 #include "panels/tiles/flag_brush.h"
+#include "sheet_finder.h"
 
 namespace talus {
 
@@ -17,9 +19,14 @@ class SheetPanel : public Panel {
 
  private:
   void draw_sheet(const Session& session, Actions& actions, Ui& ui);
-  float zoom_of(const SheetLayout& sheet, ImVec2 room, const Ui& ui) const;
+  float zoom_of(CellRect part, ImVec2 room, const Ui& ui) const;
   void draw_header(const Session& session, Actions& actions, Ui& ui);
-  void handle_mouse(const Session& session, Actions& actions, Ui& ui, ImVec2 at, float cell);
+  void draw_tabs(const Session& session, Actions& actions, Ui& ui);
+  void draw_tileset_menu(const Session& session, int index, Actions& actions, Ui& ui);
+  void draw_marks(const Session& session, CellRect tiles, ImVec2 at, float cell, const Ui& ui);
+  void handle_mouse(const Session& session, Actions& actions, Ui& ui, CellRect part, ImVec2 at, float cell);
+  SheetFinder finder_;
+  std::string tileset_name_;  // as typed, while the menu of a tileset is open
   FlagBrush flag_brush_;
   std::optional<Cell> drag_from_;  // the tile where the button went down
 };

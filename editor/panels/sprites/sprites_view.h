@@ -20,6 +20,10 @@ struct SpritesView {
   // Where on the map the mouse was on each tile last.
   int sheet_zoom = 0;               // steps that the sheet is shown larger than by itself; may be negative
   std::map<int, Cell> tile_places;  // by tile
+  int tileset = -1;                 // index of the tileset that the sheet shows alone; -1: all tiles
+  bool finds = false;               // whether a small sheet has the field that finds tiles, too
+  bool marks_used = false;          // whether the sheet marks the tiles that the map uses
+  int shown_tile = -1;              // tile that the sheet scrolls to when it is drawn next; -1: none
 };
 
 }  // namespace talus

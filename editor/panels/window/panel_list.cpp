@@ -30,6 +30,7 @@
 #include "panels/level/problems_panel.h"
 #include "panels/level/reach_panel.h"
 #include "panels/level/resize_panel.h"
+#include "panels/level/tile_import_panel.h"
 #include "panels/sprites/color_panel.h"
 #include "panels/sprites/palette_panel.h"
 #include "panels/sprites/pixel_panel.h"
@@ -88,6 +89,7 @@ std::vector<PanelPlace> make_panels() {
   panels.push_back(place<NewLevelPanel>(Region::floating));
   panels.push_back(place<CommandPalettePanel>(Region::floating));
   panels.push_back(place<PictureImportPanel>(Region::floating));
+  panels.push_back(place<TileImportPanel>(Region::floating));
   panels.push_back(place<LevelImportPanel>(Region::floating));
   panels.push_back(place<ReadingPanel>(Region::floating));
   panels.push_back(place<QuestionPanel>(Region::floating));

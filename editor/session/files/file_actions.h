@@ -18,6 +18,17 @@ struct NewLevel {
   int width = kTicMapWidth;    // cells
   int height = kTicMapHeight;  // cells; is_terrain_size must allow them (asserted)
 };
+struct OpenTiles {  // a PNG of tiles: see Session::tile_import()
+  std::string path;
+  bool adds = false;  // to the open level, as a tileset; else it becomes a new level
+};
+struct ApplyTiles {  // does nothing while there is no such picture, or it cannot be cut so
+  TileCut cut = {};
+  int width = 60;          // cells, of a new level's map
+  int height = 34;         // cells, the same
+  bool is_linked = false;  // whether the level shows the file instead of a copy
+};
+struct CancelTiles {};
 // Opens a level, or a recording with its level; a PNG without a cart as OpenPng. If the file leaves a choice:
 // see Session::level_import(). Large files are read beside the editor: see Session::reading().
 struct OpenFile {
@@ -56,10 +67,10 @@ struct Quit {};
 }  // namespace action
 
 // The actions that FileHandler carries out.
-using FileAction =
-    std::variant<action::NewLevel, action::OpenFile, action::CancelReading, action::SetLevelImport,
-                 action::ApplyLevelImport, action::CancelLevelImport, action::AskLdtkMapping,
-                 action::SaveFile, action::SaveFileAs, action::CancelSaveAs, action::SaveRecording,
-                 action::RecoverLevel, action::CheckFile, action::Quit>;
+using FileAction = std::variant<action::NewLevel, action::OpenTiles, action::ApplyTiles, action::CancelTiles,
+                                action::OpenFile, action::CancelReading, action::SetLevelImport,
+                                action::ApplyLevelImport, action::CancelLevelImport, action::AskLdtkMapping,
+                                action::SaveFile, action::SaveFileAs, action::CancelSaveAs,
+                                action::SaveRecording, action::RecoverLevel, action::CheckFile, action::Quit>;
 
 }  // namespace talus

@@ -89,6 +89,35 @@ void FileHandler::carry_out(const action::NewLevel& a) {
 }
 
 template <>
+void FileHandler::carry_out(const action::OpenTiles& a) {
+  const TileSize now = open_.level.map.tile_size();
+  reading_.read(a.path, [this, a, now](const Progress&) -> FileReader::Finish {
+    auto read = std::make_shared<FormatResult<TileImport>>(
+        read_tile_import(a.path, a.adds, a.adds ? now : TileSize{16, 16}));
+    return [this, a, read] {
+      if (!*read) return messages_.tell_error(to_string(read->error(), a.path));
+      tile_import_ = **std::move(read);
+    };
+  });
+}
+
+template <>
+void FileHandler::carry_out(const action::ApplyTiles& a) {
+  if (!tile_import_ || !problem_of(*tile_import_, a).empty()) return;
+  auto level = level_with(*tile_import_, a, open_.level);
+  if (!level) return messages_.tell_error(to_string(level.error(), tile_import_->path));
+  const TileImport import = *std::exchange(tile_import_, std::nullopt);
+  auto made = std::make_shared<const Level>(*std::move(level));
+  if (!import.adds) return ask_before_discarding(TakeNewLevel{made, made->tilesets.front().name});
+  level_.edit_by_user(replace_by(open_.level, made, "Add tileset " + made->tilesets.back().name));
+}
+
+template <>
+void FileHandler::carry_out(const action::CancelTiles&) {
+  tile_import_.reset();
+}
+
+template <>
 void FileHandler::carry_out(const action::OpenFile& a) {
   if (is_png(read_start_of_file(a.path, kPngStart).value_or("")))
     return pictures_.open(a.path, [this, a] { ask_before_discarding(a); });
@@ -217,6 +246,9 @@ void FileHandler::discard_and_do(const DiscardingAction& discarding) {
     level.tuning = new_tuning(fresh->tile);
     replace_level(std::move(level), {}, nullptr);
     name_ = kUnnamed;
+  } else if (const auto* made = std::get_if<TakeNewLevel>(&discarding)) {
+    replace_level(*made->level, {}, nullptr);
+    name_ = made->name;
   } else {
     wants_quit_ = true;
   }

@@ -18,6 +18,7 @@
 #include "picture_handler.h"
 #include "session/debugger/debug_handler.h"
 #include "session/editing/level_handler.h"
+#include "tile_import.h"
 
 namespace talus {
 
@@ -48,14 +49,20 @@ class FileHandler {
   int recoveries() const { return recoveries_; }
   // Waits for ApplyLevelImport or CancelLevelImport.
   const std::optional<LevelImport>& level_import() const { return level_import_; }
+  // Waits for ApplyTiles or CancelTiles.
+  const std::optional<TileImport>& tile_import() const { return tile_import_; }
   bool wants_save_as() const { return wants_save_as_; }
   bool wants_save_recording() const { return wants_save_recording_; }
   bool wants_quit() const { return wants_quit_; }
 
  private:
   // Actions that lose the changes since the last save, and so ask first.
+  struct TakeNewLevel {  // made of a picture of tiles
+    std::shared_ptr<const Level> level;
+    std::string name;  // for titles
+  };
   using DiscardingAction =
-      std::variant<action::NewLevel, action::OpenFile, action::RecoverLevel, action::Quit>;
+      std::variant<action::NewLevel, TakeNewLevel, action::OpenFile, action::RecoverLevel, action::Quit>;
 
   // For each action of FileAction, in file_handler.cpp.
   template <class A>
@@ -111,6 +118,7 @@ class FileHandler {
   const Format* format_ = nullptr;     // of the file; null: it has none, or an unknown one
 
   std::optional<LevelImport> level_import_;
+  std::optional<TileImport> tile_import_;
   std::optional<DiscardingAction>
       pending_;  // waits for the question's answer, or for the saving that it led to
   bool wants_save_as_ = false;

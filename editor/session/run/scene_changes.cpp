@@ -41,7 +41,7 @@ bool changes_scene(const Level& level, const Change& change) {
           return !(std::is_same_v<T, PixelChange> || std::is_same_v<T, ColorChange> ||
                    std::is_same_v<T, FlagNameChange> || std::is_same_v<T, FlagFieldsChange> ||
                    std::is_same_v<T, BrushesChange> || std::is_same_v<T, AutoTilesChange> ||
-                   std::is_same_v<T, ExportsChange>);
+                   std::is_same_v<T, ExportsChange> || std::is_same_v<T, TilesetsChange>);
         }
       },
       change);

@@ -106,6 +106,7 @@ struct Level {
   // By tile of the first sheet, as many as it has images; of kind none: the tile's flags give its shape.
   std::vector<TileShape> tile_shapes = std::vector<TileShape>(kCartTiles);
   std::array<TileShape, kFlagCount> flag_shapes;  // the shape that a flag stands for; kind none: no shape
+  std::vector<Tileset> tilesets;                  // parts of the first sheet, see problem_of; none: it is one
   TileLayers layers;                              // what the map consists of
   TileMap map;                                    // tiles of the first sheet: the cells of the chosen layer
   std::vector<LevelCurve> curves;                 // at most kMaxCurves
@@ -123,7 +124,8 @@ struct Level {
   // How many tiles it has, 1 to kMaxTiles; they are numbered from 0.
   int tile_count() const { return static_cast<int>(tile_shapes.size()); }
   // Gives the sheet of tiles this layout. New tiles are blank, and a picture goes if the layout is another.
-  // Those tiles that go must not be on the map, in brushes or in the ground's tiles.
+  // Those tiles that go must not be on the map, in brushes or in the ground's tiles. Tilesets that do not fit
+  // any more go, too.
   void set_tile_layout(const SheetLayout& layout);
   // The tiles of a layer, row by row. layer: index in `layers`.
   const std::vector<TileNumber>& cells_of(int layer) const;

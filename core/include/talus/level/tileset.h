@@ -1,5 +1,5 @@
-// Images, flags and palette. As TIC-80 has them: images of 8x8 pixels in 16 colours, and two sheets, of 256
-// images in a cart.
+// Images, flags, palette and tilesets. As TIC-80 has them: images of 8x8 pixels in 16 colours, and two
+// sheets, of 256 images in a cart.
 #pragma once
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -87,6 +88,43 @@ struct Sheet {
   SheetLayout layout() const { return {columns, count()}; }
   friend bool operator==(const Sheet& a, const Sheet& b);  // pictures by their pixels
 };
+
+// How a picture is cut into tiles: rows of tiles of one size.
+struct TileCut {
+  TileSize tile = {};  // px, of a tile in the picture
+  int spacing = 0;     // px, between two tiles, 0..kMaxTileGap
+  int margin = 0;      // px, around all tiles, 0..kMaxTileGap
+  int offset_x = 0;    // px, by which a tile is shown right of its place, within kMaxTileGap
+  int offset_y = 0;    // px, by which a tile is shown below its place, the same
+  friend bool operator==(const TileCut&, const TileCut&) = default;
+};
+inline constexpr int kMaxTileGap = 1024;  // px
+
+// The picture on disk that a tileset shows. It is read when the level is opened; its pixels are not stored.
+struct TilesetLink {
+  std::string path = {};    // absolute, or relative to the folder of the level's file; not empty
+  TileCut cut = {};         // where its tiles are
+  bool is_missing = false;  // whether it could not be read: numbered boxes stand for its tiles; not stored
+  friend bool operator==(const TilesetLink&, const TilesetLink&) = default;
+};
+
+// A part of the tiles of a level that belongs together: a rectangle of the sheet of tiles.
+struct Tileset {
+  std::string name = {};  // for people; may be empty or repeated
+  int first = 0;          // the tile in its top left corner
+  int count = 1;          // numbers from the first tile to the last one, with those beside the rectangle
+  int columns = 1;        // tiles in a row of it, which must end where a row of the sheet ends, or before
+  std::optional<TilesetLink> link = {};  // none: the level stores its pixels
+  std::string extra = {};                // JSON object of keys that this version does not know, or empty
+  friend bool operator==(const Tileset&, const Tileset&) = default;
+};
+inline constexpr std::size_t kMaxTilesets = 1024;  // of a level
+
+// Why these cannot be the tilesets of a sheet: "[2] reaches beyond the last tile"; nothing if they can. They
+// must stand in the order of their tiles, and no two may share a number.
+std::optional<std::string> problem_of(const std::vector<Tileset>& tilesets, const SheetLayout& sheet);
+// The index of the tileset with a tile; -1 if it belongs to none. tile: of the sheet.
+int tileset_with(const std::vector<Tileset>& tilesets, const SheetLayout& sheet, int tile);
 
 // TIC-80's default palette, Sweetie 16 by GrafxKid.
 Palette default_palette();
