@@ -82,6 +82,15 @@ TEST_F(ImportPictures, LeaveTheBackgroundToTheMap) {
   EXPECT_EQ(background(""), default_palette()[0]);
 }
 
+// A picture that grew after the tileset was written; Tiled numbers its tiles anew.
+TEST_F(ImportPictures, TellHowManyColumnsTheyHave) {
+  put("t.png", columns({kRed, kGreen, kBlue}, 16, 32));
+  const std::string set = tileset(kSmall, "<image source=\"t.png\" width=\"32\" height=\"32\"/>");
+  const LoadedLevel loaded = read(set, "1,2,3,4");
+  EXPECT_EQ(color(loaded.level, 2, 4, 4), kBlue);
+  EXPECT_EQ(color(loaded.level, 3, 4, 4), kRed);
+}
+
 TEST_F(ImportPictures, ThatAreMissingLeaveNumberedBoxes) {
   const std::string set = tileset("tilewidth=\"16\" tileheight=\"16\" tilecount=\"400\" columns=\"20\"",
                                   "<image source=\"sub\\none.png\"/>");

@@ -247,7 +247,10 @@ TiledPictures TiledFiles::read_pictures(TiledMap& map) {
     } else if (!tileset.is_collection) {
       const auto file = files_.picture(tileset.image, of);
       pictures.back() = std::make_shared<const TiledPicture>(TiledPicture{file});
-      if (tileset.image_width == 0) tileset.image_width = file->rgba.width;
+      if (file->rgba.width > 0 && tileset.image_width != file->rgba.width) {  // Tiled counts its columns, too
+        tileset.columns = 0;
+        tileset.image_width = file->rgba.width;
+      }
       if (tileset.image_height == 0) tileset.image_height = file->rgba.height;
     } else {
       TiledPicture all;
