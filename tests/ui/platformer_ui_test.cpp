@@ -32,7 +32,7 @@ TEST_F(UiPlatformer, TheSeamIsFoundMendedAndSaved) {
     EXPECT_EQ(problem.rule->code, "seam");
     EXPECT_NE(problem.message.find("jumps 0.5 px"), std::string::npos) << problem.message;
   }
-  const std::string before = bytes_of(map());
+  const std::string before = bytes_of(map()), tiles_before = bytes_of(path("platformer/meadow.tsx"));
   click("problems/fix0");
   frames(8);
   EXPECT_EQ(session().history().edits().back().label,
@@ -42,6 +42,17 @@ TEST_F(UiPlatformer, TheSeamIsFoundMendedAndSaved) {
   frames(2);
   EXPECT_FALSE(session().question());
   EXPECT_EQ(bytes_of(map()), before) << "no cell was painted";
+  const std::string tiles_after = bytes_of(path("platformer/meadow.tsx"));
+  const auto part = [](const std::string& text, const char* from, const char* to) {
+    return text.substr(text.find(from), text.find(to) - text.find(from));
+  };
+  constexpr auto kFirst = "<?xml", kMended = "<tile id=\"9\">", kNext = "<tile id=\"10\">",
+                 kLast = "</tileset>";
+  EXPECT_EQ(part(tiles_after, kFirst, kMended), part(tiles_before, kFirst, kMended));
+  EXPECT_NE(part(tiles_after, kMended, kNext), part(tiles_before, kMended, kNext));
+  EXPECT_EQ(part(tiles_after, kNext, kLast), part(tiles_before, kNext, kLast));
+  for (const auto& entry : std::filesystem::directory_iterator(path("platformer")))
+    EXPECT_EQ(entry.path().stem(), "meadow") << "no companion is needed";
   start(map());
   frames(8);
   EXPECT_TRUE(problems().empty());
