@@ -132,6 +132,19 @@ TEST_F(LdtkCompanion, LayersOfTalusAreKept) {
   EXPECT_EQ(both.note, "");
 }
 
+TEST_F(LdtkCompanion, LayersOfOneNameAreKeptApart) {
+  const std::string layers = ldtk_grid(2, 1, "1,0") + "," + ldtk_grid(2, 1, "0,1");
+  put("game.ldtk", ldtk_project(ldtk_level(layers, "Cave"), R"({"value":1,"identifier":"wall"})"));
+  Level cave = load("game.ldtk").level;
+  ASSERT_EQ(cave.layers.count(), 2);
+  cave.choose_layer(1);
+  cave.map.set({1, 0}, 1);
+  cave.choose_layer(0);
+  cave.map.set({0, 0}, 1);
+  ASSERT_TRUE(save(cave));
+  EXPECT_TRUE(load("game.ldtk").level == cave);
+}
+
 TEST_F(LdtkCompanion, OtherFilesAreNotWrittenOver) {
   project();
   const Level cave = changed_cave();

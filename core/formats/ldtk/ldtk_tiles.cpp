@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -43,11 +44,6 @@ class Numbering {
   std::vector<Value> values_;
 };
 
-// By which a layer of the level is known as this one (see ldtk_additions.h).
-std::string extra_of_ldtk_layer(const LdtkLayer& layer) {
-  return Json{{kLdtkLayerKey, printable(layer.iid.empty() ? layer.name : layer.iid)}}.dump();
-}
-
 class LdtkNumberer {
  public:
   LdtkNumberer(const LdtkProject& project, const LdtkLevel& level, int ground, const LdtkPictures& pictures,
@@ -76,6 +72,7 @@ class LdtkNumberer {
   FormatResult<std::vector<TileNumber>> number_cells(const Progress& progress);
   FormatResult<LdtkCell> cell_of(LdtkCellValue value, std::span<const PlacedPart> parts);
   bool has_tags(const LdtkSource& source);
+  std::string id_of_layer(const LdtkLayer& layer);
   FormatResult<void> number_known(const std::vector<std::string>& known);
   FormatResult<Cover> cover_of(const LdtkPart& part);
   FormatResult<void> count_pixels(std::size_t parts);
@@ -89,6 +86,7 @@ class LdtkNumberer {
   TileMap map_;
   Numbering<LdtkSource> sources_;
   Numbering<LdtkCell> cells_;
+  std::set<std::string> layer_ids_;             // of the layers that are taken
   std::vector<TileLayer> layers_;               // that are taken
   int ground_index_ = -1;                       // of ground_ in layers_; -1: it is not in them
   const LdtkLayer* valued_ = nullptr;           // the layer, if its values are those of the cells; or null
@@ -320,6 +318,14 @@ FormatResult<std::vector<const LdtkLayer*>> LdtkNumberer::taken_layers() const {
                     std::to_string(kMaxLayerCells) + " cells together");
 }
 
+// By which the layer is known (see ldtk_additions.h). Others may have its name.
+std::string LdtkNumberer::id_of_layer(const LdtkLayer& layer) {
+  const std::string name = printable(layer.iid.empty() ? layer.name : layer.iid);
+  std::string id = name;
+  for (int number = 2; !layer_ids_.insert(id).second; ++number) id = name + "#" + std::to_string(number);
+  return id;
+}
+
 FormatResult<void> LdtkNumberer::take_layer(const LdtkLayer& layer, const Progress& progress) {
   parts_.clear();
   valued_ = layer.type == LdtkLayer::Type::int_grid && is_ground(layer) ? &layer : nullptr;
@@ -332,7 +338,7 @@ FormatResult<void> LdtkNumberer::take_layer(const LdtkLayer& layer, const Progre
   taken.name = layer.name;
   taken.visible = layer.is_visible;
   taken.is_ground = false;
-  taken.extra = extra_of_ldtk_layer(layer);
+  taken.extra = Json{{kLdtkLayerKey, id_of_layer(layer)}}.dump();
   taken.cells = std::make_shared<const std::vector<TileNumber>>(*std::move(cells));
   if (&layer == ground_) ground_index_ = static_cast<int>(layers_.size()) - 1;
   return {};
