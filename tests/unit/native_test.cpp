@@ -264,7 +264,7 @@ TEST(Native, LevelsThatCannotBeReadAreNotWritten) {
   EXPECT_EQ(write_native(level, {}).error().place, "key spawns[0].x");
   level.spawns[0] = {"\xff", {}, {}, ""};
   EXPECT_EQ(write_native(level, {}).error().message,
-            "a name of a flag, layer, body, curve, brush or export is not valid UTF-8");
+            "a name of a flag, tileset, layer, body, curve, brush or export is not valid UTF-8");
   level.spawns.clear();
   level.tuning.shared.cell_size = 0;
   EXPECT_EQ(write_native(level, {}).error().place, "key tuning.cell_size");

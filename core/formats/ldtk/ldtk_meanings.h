@@ -24,7 +24,7 @@ bool is_good(const LdtkMapping::Choice& choice);
 
 // What a value or a tag stands for.
 struct LdtkMeaning {
-  TileShape shape;                 // kind none: no ground
+  TileShape shape = {};            // kind none: no ground
   bool has_shape = true;           // of a tag: whether it says anything of the shape
   std::string flag = {};           // name of its flag; empty: none by a name
   int FlagRoles::*role = nullptr;  // of its flag; null: none by a role

@@ -14,7 +14,8 @@ struct CutGrid {
   int rest_x = 0, rest_y = 0;  // px at the right and at the bottom that belong to no tile, margin included
   int count() const { return columns * rows; }
 };
-// width, height: px, of the picture. The cut must be one without a problem, but for the size of the picture.
+// width, height: px, of the picture. No tiles come out if the sides of a tile or the spacing are out of
+// range.
 CutGrid grid_of(const TileCut& cut, int width, int height);
 
 // Why a picture of that size cannot be cut so, as a sentence; empty if it can.
