@@ -184,7 +184,7 @@ TileLayer TiledReader::looks(const JsonNode& node, const TileLayer& group) {
       kMaxParallax);
   if (const auto tint = color_of_hex(text(node, "tintcolor"))) looks.tint = product(group.tint, *tint);
   const TiledProperties words = properties(node, "the layer " + quoted_name(looks.name));
-  for (const char* word : {"collidable", "ground"}) {
+  for (const char* word : {"collidable", "solid", "ground"}) {
     if (const bool* is_ground = find_property<bool>(words, word)) looks.is_ground = *is_ground;
   }
   return looks;
@@ -514,7 +514,8 @@ TiledProperties TiledReader::properties(const JsonNode& node, const std::string&
   for_each(node, "properties", [&](const JsonNode& entry) {
     const std::string name = text(entry, "name");
     auto read = property(entry);
-    const bool is_of_ground = (name == "ground" || name == "collidable") && of.starts_with("the layer ");
+    const bool is_of_ground =
+        (name == "ground" || name == "solid" || name == "collidable") && of.starts_with("the layer ");
     const bool is_kept =
         read && (is_of_ground || (are_read && (of != "the map" || name == kTiledLevelProperty)));
     if (is_kept)
