@@ -187,7 +187,7 @@ TEST_F(UiLayers, TheGroundMarkMakesGround) {
 TEST_F(UiLayers, ObjectsHaveRowsWithMarks) {
   Level with = level();
   ObjectLayer walls{.name = "walls"};
-  walls.objects = {{.name = "rock", .position = {24, 24}, .size = {40, 16}}};
+  walls.objects = {{.name = "rock", .position = {26, 26}, .size = {37, 13}}};
   with.objects = {walls};
   const std::string file = path("objects.talus.json");
   ASSERT_TRUE(save_level(with, *find_format("native"), file));
