@@ -28,6 +28,7 @@ void put(TiledProperties& properties, std::string_view name, Value value) {
 // the plugin does not tell layers apart.
 std::vector<bool> collidable_tiles(const Level& drawn, const TerrainSource& ground) {
   std::vector<bool> collides;
+  collides.reserve(static_cast<std::size_t>(drawn.tile_count()));
   for (int tile = 0; tile < drawn.tile_count(); ++tile)
     collides.push_back(is_full_tile(ground.shapes[static_cast<std::size_t>(tile)]));
   for (int layer = 0; layer < drawn.layers.count(); ++layer) {

@@ -183,6 +183,7 @@ void change_json_members(const JsonPlaces& places, TextSpan object,
                          const std::vector<JsonMemberEdit>& changes, TextEdits& edits) {
   std::vector<TextSpan> parts;
   const std::vector<JsonPlaces::Member> members = places.members(object);
+  parts.reserve(members.size());
   for (const JsonPlaces::Member& member : members) parts.push_back(member.whole);
   JsonListEdit change;
   for (const JsonMemberEdit& edit : changes) {

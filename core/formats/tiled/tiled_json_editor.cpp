@@ -49,6 +49,7 @@ std::string new_properties(const std::vector<TiledPropertyEdit>& edits) {
 
 std::string json_of_points(const std::vector<Vec2>& points) {
   std::vector<std::string> values;
+  values.reserve(points.size());
   for (const Vec2 point : points)
     values.push_back(NewObject().add("x", json_number(point.x)).add("y", json_number(point.y)).text());
   return in_brackets(values);
@@ -66,6 +67,7 @@ void TiledJsonEditor::edit_tiles(TextSpan tileset, const TiledTileEdits& edits) 
   if (list && !places_.is_list(*list)) return;  // as Tiled wrote it before 1.2
   const std::vector<TextSpan> tiles = list ? places_.values(*list) : std::vector<TextSpan>();
   std::vector<int> ids;
+  ids.reserve(tiles.size());
   for (const TextSpan tile : tiles) ids.push_back(places_.number_of(tile, "id"));
   JsonListEdit change;
   std::vector<std::string> all_new;

@@ -94,6 +94,7 @@ FormatResult<Level> with_tileset(Level level, const TilePicture& tiles) {
   const SheetLayout after{columns, first + (grid.rows - 1) * columns + grid.columns};
   if (!is_possible(after)) return too_many_tiles(after);
   std::vector<int> numbers;
+  numbers.reserve(static_cast<std::size_t>(before.count));
   for (int tile = 0; tile < before.count; ++tile) numbers.push_back(after.tile_at(before.place_of(tile)));
   std::vector<Tileset> sets = std::exchange(level.tilesets, {});
   for (Tileset& set : sets) {

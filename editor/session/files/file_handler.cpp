@@ -96,7 +96,7 @@ void FileHandler::carry_out(const action::OpenTiles& a) {
         read_tile_import(a.path, a.adds, a.adds ? now : TileSize{16, 16}));
     return [this, a, read] {
       if (!*read) return messages_.tell_error(to_string(read->error(), a.path));
-      tile_import_ = **std::move(read);
+      tile_import_ = std::move(**read);
     };
   });
 }
