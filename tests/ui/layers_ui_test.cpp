@@ -189,6 +189,7 @@ TEST_F(UiLayers, ObjectsHaveRowsWithMarks) {
   ObjectLayer walls{.name = "walls"};
   walls.objects = {{.name = "rock", .position = {26, 26}, .size = {37, 13}}};
   with.objects = {walls};
+  with.tuning.solver = SolverKind::exact;
   const std::string file = path("objects.talus.json");
   ASSERT_TRUE(save_level(with, *find_format("native"), file));
   session().apply(action::OpenFile{file});
