@@ -70,12 +70,26 @@ TEST_F(UiPicture, ADroppedPictureOpensTheImportDialog) {
   click("import/apply");
   frames(3);
   EXPECT_EQ(image(0)[0], 6);
-  // A picture of a size that cannot be read is reported when it is dropped.
-  save_png("wide.png", 1025, 8, default_palette()[6]);
-  drop(path("wide.png"));
+}
+
+TEST_F(UiPicture, ADroppedPictureThatIsTooLargeBecomesTiles) {
+  save_png("large.png", 320, 160, default_palette()[6]);
+  drop(path("large.png"));
+  frames(3);
   EXPECT_FALSE(session().png_import());
-  ASSERT_TRUE(session().message());
-  EXPECT_NE(session().message()->text.find("is 1025x8 px"), std::string::npos) << session().message()->text;
+  ASSERT_TRUE(session().tile_import());
+  click("tiles/draw");
+  frames(3);
+  EXPECT_FALSE(session().tile_import());
+  ASSERT_TRUE(session().png_import()) << "it is drawn on the sheet all the same";
+  click("import/as_tiles");
+  frames(3);
+  ASSERT_TRUE(session().tile_import());
+  click("tiles/apply");
+  frames(3);
+  ASSERT_EQ(level().tilesets.size(), 1u);
+  EXPECT_EQ(level().tilesets[0].count, 200);
+  EXPECT_EQ(level().map.tile_size(), (TileSize{16, 16}));
 }
 
 TEST_F(UiPicture, CancelChangesNothing) {

@@ -113,6 +113,11 @@ TEST_F(UiTilesets, ANewLevelIsMadeOfTiles) {
   EXPECT_EQ(level().tilesets[0].columns, 4);
   EXPECT_EQ(level().tilesets[0].name, "grey");
   EXPECT_EQ(level().map.tile_size(), (TileSize{16, 16}));
+  session().apply(action::OpenFile{png});
+  frames(5);
+  ASSERT_TRUE(session().tile_import()) << "it cannot be drawn on a sheet in true colour";
+  EXPECT_EQ(find("tiles/draw"), nullptr);
+  click("tiles/cancel");
   session().apply(action::OpenTiles{png, true});
   frames(5);
   click("tiles/apply");

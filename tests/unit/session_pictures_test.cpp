@@ -65,6 +65,23 @@ TEST_F(SessionPictures, AreFittedWhateverTheirSize) {
   EXPECT_TRUE(session.png_import()->plan);
 }
 
+TEST_F(SessionPictures, OpenAsTilesIfTheSheetIsTooSmall) {
+  Session session;
+  session.apply(act::OpenFile{red_png("fits.png", 128, 128)});
+  EXPECT_TRUE(session.png_import());
+  EXPECT_FALSE(session.tile_import());
+  session.apply({act::CancelPngImport{}, act::OpenFile{red_png("palette.png", 200, 1)}});
+  EXPECT_TRUE(session.png_import()) << "one row of pixels is a palette";
+  for (const int width : {129, 1025}) {
+    session.apply({act::CancelPngImport{}, act::OpenFile{red_png("large.png", width, 16)}});
+    EXPECT_FALSE(session.png_import());
+    ASSERT_TRUE(session.tile_import());
+    EXPECT_EQ(session.tile_import()->width(), width);
+    session.apply(act::CancelTiles{});
+  }
+  EXPECT_EQ(session.level(), Level());
+}
+
 TEST_F(SessionPictures, BadPicturesAreReportedInOneSentence) {
   Session session;
   const std::string wide = red_png("wide.png", 1025, 8);

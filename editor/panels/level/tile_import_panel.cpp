@@ -42,7 +42,7 @@ void TileImportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     ImGui::BeginGroup();
     draw_fields(*import, ui);
     ImGui::EndGroup();
-    draw_answers(*import, problem, actions, ui);
+    draw_answers(*import, problem, session, actions, ui);
   }
   ImGui::EndPopup();
 }
@@ -114,8 +114,8 @@ void TileImportPanel::draw_fields(const TileImport& import, Ui& ui) {
     order_.is_linked = true;
 }
 
-void TileImportPanel::draw_answers(const TileImport& import, const std::string& problem, Actions& actions,
-                                   Ui& ui) {
+void TileImportPanel::draw_answers(const TileImport& import, const std::string& problem,
+                                   const Session& session, Actions& actions, Ui& ui) {
   ImGui::Spacing();
   if (problem.empty())
     draw_map_note(text_of_grid(import, order_), theme::kMuted);
@@ -141,6 +141,18 @@ void TileImportPanel::draw_answers(const TileImport& import, const std::string& 
                                      ui);
   if (applies) actions.push_back(order_);
   if (cancels) actions.push_back(action::CancelTiles{});
+  if (import.adds || session.level().sheet(SheetId::tiles).picture) return;
+  ImGui::SameLine();
+  const bool draws =
+      dialog_button({.widget = "tiles/draw",
+                     .label = "Draw on sheet...",
+                     .help = "Draws the picture on the sheet of the open level, in its 16 colours.",
+                     .letter = 'D',
+                     .width = ui.px(kAnswer)},
+                    ui);
+  if (!draws) return;
+  actions.push_back(action::CancelTiles{});
+  actions.push_back(action::OpenPng{import.path});
 }
 
 }  // namespace talus

@@ -17,7 +17,8 @@ class TileImportPanel : public Panel {
   void begin(const TileImport& import);
   void draw_picture(const TileImport& import, bool is_good, Ui& ui) const;
   void draw_fields(const TileImport& import, Ui& ui);
-  void draw_answers(const TileImport& import, const std::string& problem, Actions& actions, Ui& ui);
+  void draw_answers(const TileImport& import, const std::string& problem, const Session& session,
+                    Actions& actions, Ui& ui);
 
   std::weak_ptr<const TileFile> file_;  // the picture that the order is for
   action::ApplyTiles order_;            // as the fields say, possible or not

@@ -29,7 +29,8 @@ struct ApplyTiles {  // does nothing while there is no such picture, or it canno
   bool is_linked = false;  // whether the level shows the file instead of a copy
 };
 struct CancelTiles {};
-// Opens a level, or a recording with its level; a PNG without a cart as OpenPng. If the file leaves a choice:
+// Opens a level, or a recording with its level; a PNG without a cart as OpenPng, or as OpenTiles if it is too
+// large for the sheet or the sheet is in true colour. If the file leaves a choice:
 // see Session::level_import(). Large files are read beside the editor: see Session::reading().
 struct OpenFile {
   std::string path;

@@ -120,7 +120,8 @@ void FileHandler::carry_out(const action::CancelTiles&) {
 template <>
 void FileHandler::carry_out(const action::OpenFile& a) {
   if (is_png(read_start_of_file(a.path, kPngStart).value_or("")))
-    return pictures_.open(a.path, [this, a] { ask_before_discarding(a); });
+    return pictures_.open(a.path, {.cart = [this, a] { ask_before_discarding(a); },
+                                   .tiles = [this, a] { carry_out(action::OpenTiles{a.path}); }});
   ask_before_discarding(a);
 }
 

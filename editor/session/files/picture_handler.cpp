@@ -30,6 +30,15 @@ PngImportOptions first_options(const Level& level, const PngPicture& picture, co
   return options;
 }
 
+// Whether a picture is likelier to be cut into tiles of its own than to be drawn on a sheet. One row of
+// pixels is a palette.
+bool is_for_tiles(const Sheet& sheet, const PngPicture& picture) {
+  const SheetLayout layout = sheet.layout();
+  const bool fits =
+      picture.width <= layout.columns * kCartTileSize && picture.height <= layout.rows() * kCartTileSize;
+  return picture.height > 1 && (sheet.picture || !fits);
+}
+
 }  // namespace
 
 template <>
@@ -42,7 +51,7 @@ void PictureHandler::carry_out(const action::ExportPng& a) {
 
 template <>
 void PictureHandler::carry_out(const action::OpenPng& a) {
-  open(a.path);
+  open(a.path, {});
 }
 
 template <>
@@ -69,17 +78,19 @@ void PictureHandler::apply(const PictureAction& action) {
   std::visit([this](const auto& a) { carry_out(a); }, action);
 }
 
-void PictureHandler::open(const std::string& path, const FileReader::Finish& on_cart) {
-  reading_.read(path, [this, path, on_cart](const Progress& progress) -> FileReader::Finish {
+void PictureHandler::open(const std::string& path, const Instead& instead) {
+  reading_.read(path, [this, path, instead](const Progress& progress) -> FileReader::Finish {
     const auto bytes = read_file(path, kMaxFileBytes, progress);
-    if (on_cart && bytes && has_tic_cart(*bytes)) return on_cart;
+    if (instead.cart && bytes && has_tic_cart(*bytes)) return instead.cart;
     auto picture = std::make_shared<FormatResult<PngPicture>>(
         bytes ? read_png(*bytes) : FormatResult<PngPicture>(tl::unexpected(bytes.error())));
-    return [this, path, picture] { take(path, std::move(*picture)); };
+    return [this, path, picture, instead] { take(path, std::move(*picture), instead); };
   });
 }
 
-void PictureHandler::take(const std::string& path, FormatResult<PngPicture> picture) {
+void PictureHandler::take(const std::string& path, FormatResult<PngPicture> picture, const Instead& instead) {
+  const Sheet& sheet = open_.level.sheet(SheetId::tiles);
+  if (instead.tiles && (!picture || is_for_tiles(sheet, *picture))) return instead.tiles();
   if (!picture) return messages_.tell_error(to_string(picture.error(), path));
   const PngImportOptions options = first_options(open_.level, *picture, choices_.choices().area);
   png_import_ = PngImport{path, *std::move(picture), options, {}};

@@ -20,16 +20,20 @@ class PictureHandler {
   // Waits for ApplyPngImport or CancelPngImport.
   const std::optional<PngImport>& png_import() const { return png_import_; }
 
-  // A picture goes into the open level, and loses nothing. on_cart: called instead if the picture has a cart
-  // in it; empty: it counts as a picture.
-  void open(const std::string& path, const FileReader::Finish& on_cart = nullptr);
+  // What is called instead of an import into the open level; nothing is called for an empty function.
+  struct Instead {
+    FileReader::Finish cart = nullptr;   // the picture has a cart in it
+    FileReader::Finish tiles = nullptr;  // it cannot be drawn on the sheet, or the sheet is in true colour
+  };
+  // A picture goes into the open level, and loses nothing.
+  void open(const std::string& path, const Instead& instead);
 
  private:
   // For each action of PictureAction, in picture_handler.cpp.
   template <class A>
   void carry_out(const A& action) = delete;
 
-  void take(const std::string& path, FormatResult<PngPicture> picture);
+  void take(const std::string& path, FormatResult<PngPicture> picture, const Instead& instead);
 
   const OpenLevel& open_;
   FileReading& reading_;
