@@ -24,7 +24,7 @@ LevelStamp stamp_or_gone(const std::string& path) {
 
 bool has_changed(const std::string& path, LevelStamp& known) {
   const FilesChange found = level_change(path, known);
-  if (found.change == FileChange::gone && !found.of_companion) return !known.file.is_gone();
+  if (found.change == FileChange::gone && found.gone == &known.file) return !known.file.is_gone();
   return found.change != FileChange::none;
 }
 

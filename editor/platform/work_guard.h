@@ -14,7 +14,7 @@ namespace talus {
 
 class WorkGuard {
  public:
-  static constexpr double kFileInterval = 1;  // s, between two looks at the level's file
+  static constexpr double kFileInterval = 0.5;  // s, between two looks at the level's files
 
   explicit WorkGuard(std::string folder) : autosave_(std::move(folder)) {}
 

@@ -148,12 +148,12 @@ TEST_F(UiDialogKeys, UnderlinedLettersAnswer) {
 TEST_F(UiDialogKeys, AHeldLetterIsNoAnswer) {
   paint({12, 9});
   Level other = test_level();
-  other.map.set({1, 1}, 6);
+  other.map.set({12, 9}, 6);
   ASSERT_TRUE(save_level(other, *find_format("native"), level_file()));
-  hold('r');
+  hold('t');
   frames(90);
   EXPECT_TRUE(session().question());
-  let_go('r');
+  let_go('t');
   EXPECT_TRUE(session().question());
 }
 
@@ -161,11 +161,13 @@ TEST_F(UiDialogKeys, AFileChangedOutsideIsReadAgain) {
   paint({12, 9});
   Level other = test_level();
   other.map.set({1, 1}, 6);
+  other.map.set({12, 9}, 6);
   ASSERT_TRUE(save_level(other, *find_format("native"), level_file()));
   frames(90);
   ASSERT_NE(find("question/reload"), nullptr);
-  press_letter('r');
+  press_letter('t');
   EXPECT_EQ(tile_at({1, 1}), 6);
+  EXPECT_EQ(tile_at({12, 9}), 6);
 }
 
 TEST_F(UiDialogKeys, TheDefaultAnswerIsHarmless) {

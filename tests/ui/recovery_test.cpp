@@ -285,10 +285,26 @@ TEST_F(UiRecovery, AFileChangedOutsideIsReadAgain) {
   EXPECT_EQ(tile_at({1, 1}), 0);
 }
 
-TEST_F(UiRecovery, AFileChangedOutsideIsAskedAboutWithUnsavedChanges) {
+TEST_F(UiRecovery, AFileChangedOutsideIsMergedWithUnsavedChanges) {
   paint({12, 9});
   Level other = test_level();
   other.map.set({1, 1}, 6);
+  ASSERT_TRUE(save_level(other, *find_format("native"), level_file()));
+  frames(90);
+  EXPECT_EQ(find("question/keep"), nullptr);
+  EXPECT_EQ(tile_at({1, 1}), 6);
+  EXPECT_EQ(tile_at({12, 9}), 1);
+  EXPECT_TRUE(session().modified());
+  key(ctrl('z'));
+  EXPECT_EQ(tile_at({1, 1}), 0);
+  EXPECT_EQ(tile_at({12, 9}), 1);
+}
+
+TEST_F(UiRecovery, WhatBothChangedIsAskedAbout) {
+  paint({12, 9});
+  Level other = test_level();
+  other.map.set({1, 1}, 6);
+  other.map.set({12, 9}, 6);
   ASSERT_TRUE(save_level(other, *find_format("native"), level_file()));
   frames(90);
   ASSERT_NE(find("question/keep"), nullptr);
@@ -297,14 +313,16 @@ TEST_F(UiRecovery, AFileChangedOutsideIsAskedAboutWithUnsavedChanges) {
   frames(3);
   EXPECT_EQ(find("question/keep"), nullptr);
   EXPECT_EQ(tile_at({1, 1}), 6);
-  EXPECT_EQ(tile_at({12, 9}), 0);
+  EXPECT_EQ(tile_at({12, 9}), 6);
   key(ctrl('z'));
   EXPECT_EQ(tile_at({12, 9}), 1);
 }
 
 TEST_F(UiRecovery, NoQuestionComesInTheMiddleOfAStroke) {
   paint({12, 9});
-  ASSERT_TRUE(save_level(Level(), *find_format("native"), level_file()));
+  Level other = test_level();
+  other.map.set({12, 9}, 6);
+  ASSERT_TRUE(save_level(other, *find_format("native"), level_file()));
   move(on_map({13, 9}));
   press();
   frames(90);
@@ -322,7 +340,7 @@ TEST_F(UiRecovery, AnIdleWindowDrawsNothing) {
   turn_for(2.2);
   EXPECT_EQ(app().drawn_frames(), before);
   std::ofstream(level_file()) << "{ not a level";
-  turn_for(1.2);
+  turn_for(3.2);
   EXPECT_GT(app().drawn_frames(), before + 5) << "a dialog reports the changed file, and is drawn";
 }
 

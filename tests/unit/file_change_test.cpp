@@ -102,7 +102,7 @@ TEST_F(FileChangeTest, WithUnsavedChangesItAsksAndKeeps) {
   write(level_with(7));
   session_.apply(action::CheckFile{});
   ASSERT_TRUE(session_.question());
-  EXPECT_EQ(session_.question()->kind, Question::Kind::changed_outside);
+  EXPECT_EQ(session_.question()->kind, Question::Kind::merge);
   EXPECT_EQ(first_tile(), 3);
   session_.apply(action::AnswerQuestion{action::Answer::keep});
   EXPECT_EQ(first_tile(), 3);
@@ -130,11 +130,65 @@ TEST_F(FileChangeTest, SavingDoesNotReplaceWhatAnotherProgramWrote) {
   write(level_with(7));
   session_.apply(action::SaveFile{});  // before the session has noticed the change
   ASSERT_TRUE(session_.question());
-  EXPECT_EQ(session_.question()->kind, Question::Kind::changed_outside);
+  EXPECT_EQ(session_.question()->kind, Question::Kind::merge);
   EXPECT_EQ(load_level(file())->level.map.at({0, 0}), 7);
   session_.apply(action::AnswerQuestion{action::Answer::keep});
   session_.apply(action::SaveFile{});
   EXPECT_EQ(load_level(file())->level.map.at({0, 0}), 3);
+}
+
+TEST_F(FileChangeTest, AHalfWrittenFileIsReadWhenItIsWhole) {
+  std::ofstream(file()) << "{ half a lev";
+  session_.apply(action::CheckFile{});
+  write(level_with(7));
+  session_.apply(action::CheckFile{});
+  EXPECT_EQ(first_tile(), 7);
+  EXPECT_FALSE(session_.modified());
+}
+
+TEST_F(FileChangeTest, ChangesInOtherPlacesAreMergedWithoutAQuestion) {
+  edit(3);
+  Level other = level_with(1);
+  other.map.set({2, 2}, 9);
+  write(other);
+  session_.apply(action::CheckFile{});
+  EXPECT_FALSE(session_.question());
+  EXPECT_EQ(first_tile(), 3);
+  EXPECT_EQ(session_.level().map.at({2, 2}), 9);
+  EXPECT_TRUE(session_.modified()) << "the file lacks what was changed here";
+  session_.apply(action::SaveFile{});
+  EXPECT_EQ(load_level(file())->level.map.at({0, 0}), 3);
+  EXPECT_EQ(load_level(file())->level.map.at({2, 2}), 9);
+  session_.apply({action::Undo{}, action::Undo{}});
+  EXPECT_EQ(first_tile(), 1);
+}
+
+TEST_F(FileChangeTest, NotNowChangesNothingAndSavingAsksAgain) {
+  edit(3);
+  write(level_with(7));
+  session_.apply(action::CheckFile{});
+  ASSERT_TRUE(session_.question());
+  EXPECT_TRUE(session_.question()->text.find("Both changed 1 cell,") != std::string::npos)
+      << session_.question()->text;
+  session_.apply(action::AnswerQuestion{action::Answer::cancel});
+  session_.apply(action::CheckFile{});
+  EXPECT_FALSE(session_.question());
+  EXPECT_EQ(first_tile(), 3);
+  session_.apply(action::SaveFile{});
+  EXPECT_TRUE(session_.question());
+  EXPECT_EQ(load_level(file())->level.map.at({0, 0}), 7);
+}
+
+TEST_F(FileChangeTest, SavingMergesWhatDoesNotMeetAndSavesBoth) {
+  edit(3);
+  Level other = level_with(1);
+  other.map.set({2, 2}, 9);
+  write(other);
+  session_.apply(action::SaveFile{});  // before the session has noticed the change
+  EXPECT_FALSE(session_.question());
+  EXPECT_FALSE(session_.modified());
+  EXPECT_EQ(load_level(file())->level.map.at({0, 0}), 3);
+  EXPECT_EQ(load_level(file())->level.map.at({2, 2}), 9);
 }
 
 TEST_F(FileChangeTest, QuittingAsksAboutTheFileBeforeItReplacesIt) {
@@ -143,7 +197,7 @@ TEST_F(FileChangeTest, QuittingAsksAboutTheFileBeforeItReplacesIt) {
   session_.apply(action::Quit{});
   session_.apply(action::AnswerQuestion{action::Answer::save});
   ASSERT_TRUE(session_.question());
-  EXPECT_EQ(session_.question()->kind, Question::Kind::changed_outside);
+  EXPECT_EQ(session_.question()->kind, Question::Kind::merge);
   EXPECT_FALSE(session_.wants_quit());
 }
 
@@ -166,19 +220,23 @@ TEST_F(FileChangeTest, AFileThatComesBackChangedIsAskedAbout) {
   session_.apply(action::CheckFile{});
   write(level_with(7));
   session_.apply(action::CheckFile{});
-  EXPECT_TRUE(session_.question());
+  EXPECT_EQ(first_tile(), 7) << "nothing was changed here";
+  session_.apply(action::Undo{});
+  EXPECT_EQ(first_tile(), 1);
 }
 
 TEST_F(FileChangeTest, ADamagedFileIsReportedAndChangesNothing) {
   std::ofstream(file()) << "{ half a lev";
   session_.apply(action::CheckFile{});
+  EXPECT_FALSE(session_.message()) << "another program may be writing it";
+  for (int i = 0; i < 3; ++i) session_.apply(action::CheckFile{});
   ASSERT_TRUE(session_.message());
   EXPECT_TRUE(session_.message()->is_error);
   EXPECT_EQ(first_tile(), 1);
   EXPECT_TRUE(session_.modified());
   write(level_with(7));
   session_.apply(action::CheckFile{});
-  EXPECT_TRUE(session_.question()) << "the whole file that follows is another change";
+  EXPECT_EQ(first_tile(), 7) << "the whole file that follows is another change";
 }
 
 TEST_F(FileChangeTest, SavingACartGivesItANewTimeAtOnce) {

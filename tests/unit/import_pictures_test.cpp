@@ -177,7 +177,7 @@ TEST_F(ImportPictures, EachTileOfACollectionHasItsOwn) {
   EXPECT_EQ(loaded.level.tile_shapes[loaded.level.map.at({1, 0})].heights, (std::vector<double>{8, 8}));
   EXPECT_THAT(loaded.dropped, Contains("a picture of the tileset \"t\", file none.png: cannot be opened: "
                                        "No such file or directory"));
-  EXPECT_EQ(loaded.linked.size(), 2u) << "red.png is read once";
+  EXPECT_EQ(loaded.linked.size(), 3u) << "red.png is read once, none.png is looked for";
 }
 
 // Two red columns of 8 px, and a green one; the tile has 24x32 px, and its collision box is 4 px high, from

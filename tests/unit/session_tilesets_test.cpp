@@ -42,7 +42,20 @@ TEST_F(SessionTilesets, SavingNamesTheFilesThatItWrites) {
   EXPECT_EQ(session_.message()->text, "Saved a.tmx.");
 }
 
-TEST_F(SessionTilesets, AChangedTilesetIsAskedAboutFirst) {
+TEST_F(SessionTilesets, AChangedTilesetIsMergedFirst) {
+  make_solid();
+  std::string changed = kTileset;
+  changed.replace(changed.find("name=\"t\""), 8, "name=\"u\"");
+  put("t.tsx", changed);
+  session_.apply(action::SaveFile{});
+  EXPECT_FALSE(session_.question());
+  EXPECT_THAT(bytes_of("t.tsx"), HasSubstr("name=\"u\""));
+  EXPECT_THAT(bytes_of("t.tsx"), HasSubstr("name=\"solid\""));
+  EXPECT_FALSE(session_.modified());
+}
+
+TEST_F(SessionTilesets, ACopyAsksAboutAChangedTileset) {
+  session_.apply(action::SaveFileAs{path("b.tmx")});
   make_solid();
   std::string changed = kTileset;
   changed.replace(changed.find("name=\"t\""), 8, "name=\"u\"");

@@ -54,6 +54,10 @@ FormatResult<std::string> LinkedFiles::place_of(const std::string& name) const {
   return file.string();
 }
 
+void LinkedFiles::note(const std::string& place) const {
+  if (context_.linked != nullptr) context_.linked->push_back(place);
+}
+
 // The limit is for all files together: a thousand tilesets could name one large file each.
 FormatResult<std::string> LinkedFiles::read(const std::string& name, const std::string& place,
                                             std::size_t most) {
@@ -63,9 +67,9 @@ FormatResult<std::string> LinkedFiles::read(const std::string& name, const std::
     return error_in(name, {"", "is too large: all files that a map names may have up to " +
                                    std::to_string(kMaxFileBytes >> 20) + " MiB together"});
   }
+  note(place);
   auto bytes = read_file(place, std::min(most, kMaxFileBytes - bytes_));
   if (!bytes) return error_in(name, bytes.error());
-  if (context_.linked != nullptr) context_.linked->push_back(place);
   bytes_ += bytes->size();
   return bytes;
 }

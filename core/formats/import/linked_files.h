@@ -29,7 +29,8 @@ tl::unexpected<FormatError> error_in(const std::string& file, const FormatError&
 // The name of a file with "/" alone between its folders.
 std::string with_slashes(std::string path);
 
-// All names are relative to the folder of the context. Its `linked` gets the path of each file that is read.
+// All names are relative to the folder of the context. Its `linked` gets the path of each file that is read,
+// or would be if it were there.
 class LinkedFiles {
  public:
   // Both must outlive it.
@@ -38,6 +39,8 @@ class LinkedFiles {
   // The path of a file. Names that are no relative paths are errors, as absolute ones would lead to other
   // places on other machines; so are those of anything but files.
   FormatResult<std::string> place_of(const std::string& name) const;
+  // Says that the content names a file, which is not read by read().
+  void note(const std::string& place) const;
   // The bytes of a file. place: from place_of(). All files together may have kMaxFileBytes.
   FormatResult<std::string> read(const std::string& name, const std::string& place,
                                  std::size_t most = kMaxFileBytes);

@@ -154,6 +154,7 @@ FormatResult<void> TiledFiles::read_tileset(TiledTileset& tileset) {
   std::error_code failure;
   if (!is_known && !fs::exists(*place, failure)) {
     const auto missing = error_in(source, {"", "does not exist"});
+    files_.note(*place);
     drops_.add("the tileset, " + missing.value().place + ": " + missing.value().message);
     tileset.is_missing = true;
     return {};

@@ -58,21 +58,30 @@ constexpr std::array<AnswerChoice, 2> kAllowAnswers = {
      {"question/allow", "Allow", "Writes them, now and later, as long as nobody else changes the presets.",
       action::Answer::allow, 'A'}}};
 
+constexpr std::array<AnswerChoice, 3> kMergeAnswers = {
+    {{"question/keep", "Mine", "Takes what is here in these places; Undo goes back.", action::Answer::keep,
+      'M'},
+     {"question/reload", "Theirs", "Takes what the file has in these places; Undo brings yours back.",
+      action::Answer::reload, 'T'},
+     {"question/cancel", "Not now", "Changes nothing; saving asks again.", action::Answer::cancel, 'N'}}};
+
 // By Question::Kind. Each has a title of its own, so that a new dialog opens when one question follows
 // another.
 struct QuestionDialog {
   const char* title;
   std::span<const AnswerChoice> choices;
 };
-constexpr std::array<QuestionDialog, 7> kQuestionDialogs = {{{"Unsaved changes", kUnsavedAnswers},
+constexpr std::array<QuestionDialog, 8> kQuestionDialogs = {{{"Unsaved changes", kUnsavedAnswers},
                                                              {"Changed by another program", kChangedAnswers},
                                                              {"Drop a branch", kDropAnswers},
                                                              {"Replace files", kReplaceAnswers},
                                                              {"Keep the recording", kBranchAnswers},
                                                              {"Not all is saved", kUnstoredAnswers},
-                                                             {"Exports of this file", kAllowAnswers}}};
+                                                             {"Exports of this file", kAllowAnswers},
+                                                             {"Changed in both places", kMergeAnswers}}};
 
-bool leaves_all_as_it_is(action::Answer answer) {
+bool leaves_all_as_it_is(action::Answer answer, Question::Kind kind) {
+  if (kind == Question::Kind::merge) return answer == action::Answer::cancel;
   return answer == action::Answer::cancel || answer == action::Answer::keep;
 }
 
@@ -82,7 +91,7 @@ ImVec2 size_of_list(const Ui& ui) {
   return {std::min(ui.px(680), window.x - ui.px(32)), std::min(ui.px(380), window.y - ui.px(64))};
 }
 
-void draw_answers(std::span<const AnswerChoice> choices, Actions& actions, Ui& ui) {
+void draw_answers(std::span<const AnswerChoice> choices, Question::Kind kind, Actions& actions, Ui& ui) {
   for (const AnswerChoice& choice : choices) {
     const bool is_first = &choice == choices.data();
     if (!is_first) ImGui::SameLine();
@@ -91,7 +100,7 @@ void draw_answers(std::span<const AnswerChoice> choices, Actions& actions, Ui& u
                               .help = choice.help,
                               .letter = choice.letter,
                               .is_default = is_first,
-                              .is_cancel = leaves_all_as_it_is(choice.answer),
+                              .is_cancel = leaves_all_as_it_is(choice.answer, kind),
                               .width = ui.px(96),
                               .gets_the_keys = is_first};
     if (dialog_button(button, ui)) actions.push_back(action::AnswerQuestion{choice.answer});
@@ -120,7 +129,7 @@ void QuestionPanel::draw(const Session& session, Actions& actions, Ui& ui) {
       ImGui::Spacing();
       if (has_list && session.asked_exports() != nullptr)
         draw_asked_exports(*session.asked_exports(), ui.px(theme::kButton) + ui.px(12), ui);
-      draw_answers(dialog.choices, actions, ui);
+      draw_answers(dialog.choices, kind, actions, ui);
     }
     ImGui::EndPopup();
   }

@@ -9,7 +9,6 @@
 #include "formats/ldtk/ldtk_companion.h"
 #include "formats/native/recording_file.h"
 #include "formats/pictures/png_picture.h"
-#include "formats/text/content_hash.h"
 
 namespace talus {
 namespace {
@@ -44,18 +43,6 @@ std::string import_text(const std::string& file, bool can_save, const std::vecto
   return dropped.empty() ? text : text + ".";
 }
 
-// How to read the file of a level again, so that its tiles keep their numbers.
-ImportChoices choices_of(const Level& level) {
-  if (level.ldtk)
-    return {.layer_number = level.ldtk->layer_number,
-            .level = level.ldtk->level,
-            .mapping = level.ldtk->mapping,
-            .ldtk_tiles = level.ldtk->tiles};
-  if (!level.tiled) return {};
-  const std::vector<int>& layers = level.tiled->layers;
-  return {.layer_number = layers.size() == 1 ? layers[0] + 1 : 0, .frame = level.tiled->frame};
-}
-
 std::string known_extensions() {
   std::vector<std::string_view> all;
   for (const Format& format : formats()) {
@@ -79,6 +66,8 @@ FileHandler::FileHandler(const Parts& parts, ExportTools tools, std::string name
       name_(std::move(name)),
       format_(open_.path.empty() ? nullptr : format_for_file(open_.path)) {
   open_.permissions.open(open_.path);
+  source_.path = open_.path;
+  base_ = std::make_shared<const Level>(open_.level);
   note_file();
   reading_.when_given_up([this] { note_reading_given_up(); });
 }
@@ -255,13 +244,6 @@ void FileHandler::discard_and_do(const DiscardingAction& discarding) {
   }
 }
 
-// If another program changed the file, the level here stays as it is, and differs from the file.
-void FileHandler::note_reading_given_up() {
-  if (!std::exchange(is_reloading_, false)) return;
-  stamp_ = changed_from_;
-  level_.forget_saved();
-}
-
 void FileHandler::read_and_open(const action::OpenFile& file) {
   reading_.read(file.path, [this, file](const Progress& progress) -> FileReader::Finish {
     auto opened = std::make_shared<OpenedFile>(read_for_opening(file.path, !file.as_copy, progress));
@@ -286,11 +268,12 @@ void FileHandler::take_opened(const action::OpenFile& file, OpenedFile opened) {
     const std::string file_name = last_name(file.path);
     name_ = file_name.substr(0, file_name.find('.')) + " (copy)";
   } else if (loaded.format->write == nullptr || loaded.format->writes_back) {
+    const std::vector<std::string> dropped = loaded.dropped;
     open_imported(file.path, std::move(loaded));
-    if (stamp_) stamp_ = opened.stamp;
+    note_source(file.path, opened.stamp, {}, dropped);
   } else {
     replace_level(std::move(loaded.level), loaded.path, loaded.format, std::move(loaded.companion));
-    if (stamp_ && loaded.path == file.path) stamp_ = opened.stamp;
+    if (loaded.path == file.path) note_source(file.path, opened.stamp, {}, {});
     if (!loaded.note.empty()) messages_.tell(with_note("", loaded.note));
   }
 }
@@ -307,9 +290,12 @@ template <>
 void FileHandler::carry_out(const action::SetLevelImport& a) {
   if (!level_import_) return;
   reading_.read(level_import_->path, [this, a, path = level_import_->path](const Progress& progress) {
-    auto plan = std::make_shared<FormatResult<LoadedLevel>>(load_level(path, a.choices, progress));
-    return FileReader::Finish([this, a, plan] {
+    auto stamp = std::make_shared<std::optional<LevelStamp>>();
+    auto plan =
+        std::make_shared<FormatResult<LoadedLevel>>(load_with_stamp(path, a.choices, progress, *stamp));
+    return FileReader::Finish([this, a, plan, stamp] {
       if (!level_import_) return;
+      level_import_->stamp = *stamp;
       level_import_->choices = a.choices;
       level_import_->plan = std::move(*plan);
     });
@@ -342,7 +328,9 @@ void FileHandler::carry_out(const action::ApplyLevelImport&) {
   LevelImport import = *std::exchange(level_import_, std::nullopt);
   if (import.is_mapping) return apply_mapping(import.plan->level);
   const bool is_mapped = import.choices.mapping.has_value();
+  const std::vector<std::string> dropped = import.plan->dropped;
   open_imported(import.path, *std::move(import.plan));
+  note_source(import.path, import.stamp, import.choices, dropped);
   if (is_mapped) level_.forget_saved();  // the mapping is remembered by saving
 }
 
@@ -391,72 +379,11 @@ void FileHandler::carry_out(const action::CancelLevelImport&) {
 
 template <>
 void FileHandler::carry_out(const action::CheckFile&) {
-  if (stamp_ && !messages_.question() && !wants_save_as_ && !level_import_ && !reading_.reader().is_busy())
-    take_file_change(level_change(open_.path, *stamp_));
-}
-
-void FileHandler::note_file() { stamp_ = open_.path.empty() ? std::nullopt : stamp_of_level(open_.path); }
-
-// Each state of the file is asked about or reported once.
-void FileHandler::take_file_change(FilesChange found) {
-  const std::string changed = found.of_companion ? last_name(companion_path(open_.path)) : file_name();
-  FileStamp* gone = found.of_companion && stamp_->companion ? &*stamp_->companion : &stamp_->file;
-  if (found.change == FileChange::none || (found.change == FileChange::gone && gone->is_gone())) return;
-  if (found.change == FileChange::gone) {
-    gone->set_gone();
-    level_.forget_saved();
-    return messages_.tell_error(changed +
-                                " was removed or renamed by another program. Saving writes it again.");
-  }
-  changed_from_ = stamp_;
-  note_file();
-  if (is_stored()) return reload();
-  ask_about_change(changed);
-}
-
-void FileHandler::ask_about_change(const std::string& changed) {
-  messages_.ask(Question{changed + " was changed by another program.\n"
-                                   "Read it again, or keep what is here? Undo switches between the two.",
-                         Question::Kind::changed_outside},
-                [this](action::Answer answer) {
-                  if (answer == action::Answer::reload) reload();
-                });
-}
-
-// This is an edit, so that neither version is lost.
-void FileHandler::reload() {
-  is_reloading_ = true;
-  note_file();  // first: a file that is written from now on is another change
-  reading_.read(
-      open_.path, [this, file = open_.path, choices = choices_of(open_.level)](const Progress& progress) {
-        auto loaded = std::make_shared<FormatResult<LoadedLevel>>(load_level(file, choices, progress));
-        return FileReader::Finish([this, loaded] { take_reloaded(*loaded); });
-      });
-}
-
-void FileHandler::take_reloaded(const FormatResult<LoadedLevel>& loaded) {
-  is_reloading_ = false;
-  if (!loaded) {
-    level_.forget_saved();
-    return messages_.tell_error("Another program changed this file, and it cannot be read again: " +
-                                to_string(loaded.error(), open_.path));
-  }
-  const bool is_companion_broken =
-      !companion_.path.empty() && loaded->companion.path.empty() && !loaded->note.empty();
-  if (is_companion_broken) {
-    level_.forget_saved();
-    return messages_.tell_error(with_note(
-        "Another program changed what goes with " + file_name() + ", so the level stays as it is here.",
-        loaded->note));
-  }
-  level_.edit(replace_by(open_.level, std::make_shared<const Level>(loaded->level),
-                         "Read " + file_name() + " again"));
-  run_.read_hard_case();
-  level_.mark_saved();
-  companion_ = loaded->companion;
-  unstored_.clear();
-  messages_.tell(with_note(
-      "Read " + file_names() + " again, as another program changed it. Undo takes that back.", loaded->note));
+  if (!stamp_ || messages_.question() || wants_save_as_ || level_import_ || reading_.reader().is_busy())
+    return;
+  if (declined_ && level_change(source_.path, *declined_).change == FileChange::none) return;
+  declined_.reset();
+  take_file_change(level_change(source_.path, *stamp_));
 }
 
 template <>
@@ -483,9 +410,15 @@ void FileHandler::replace_level(Level opened, std::string opened_path, const For
     open_.path.clear();
     format_ = nullptr;
   }
-  note_file();
+  source_ = Source{open_.path, {}, {}};
+  has_given_up_ = is_saving_ = false;
+  declined_.reset();
+  failures_ = 0;
   exports_.forget_level();
   level_.replace(std::move(opened));
+  stamp_.reset();
+  note_file();
+  base_ = std::make_shared<const Level>(open_.level);
   debug_.forget_timeline();
   // An old error no longer holds, but things that a save just before has dropped are still to be reported.
   messages_.dismiss_error();
@@ -498,34 +431,34 @@ bool FileHandler::save() {
     wants_save_as_ = true;
     return false;
   }
-  if (const auto found = stamp_ ? level_change(open_.path, *stamp_) : FilesChange();
-      found.change == FileChange::content) {
-    take_file_change(found);
-    return false;
+  const auto found = [&] { return stamp_ ? level_change(source_.path, *stamp_) : FilesChange(); };
+  if (const FilesChange change = found(); change.change == FileChange::content) {
+    is_saving_ = true;
+    take_file_change(change);
+    is_saving_ = false;
+    if (messages_.question() || reading_.reader().is_busy() || found().change == FileChange::content)
+      return false;
   }
   if (asks_about_tileset()) return false;
   return save_to(open_.path, *format_);
 }
 
-// Whether another program changed a tileset that saving would write. Each state of it is asked about once.
-bool FileHandler::asks_about_tileset() {
-  for (auto& [path, content] : companion_.others) {
-    const auto bytes = read_file(path);
-    if (!bytes || content_hash(*bytes) == content) continue;
-    content = content_hash(*bytes);
-    changed_from_ = stamp_;
-    ask_about_change(last_name(path));
-    return true;
-  }
-  return false;
-}
-
 bool FileHandler::save_to(const std::string& saved_path, const Format& saved_format) {
-  FormatResult<SavedLevel> saved = save_level(open_.level, saved_format, saved_path, companion_);
+  Level level = open_.level;
+  const bool is_into_old = saved_format.writes_back || saved_path == source_.path;
+  if (is_into_old && !saves_into_newest(level)) return false;
+  FormatResult<SavedLevel> saved = save_level(level, saved_format, saved_path, companion_);
   if (!saved) {
     messages_.tell_error(to_string(saved.error(), saved_path));
     return false;
   }
+  if (saved_path != source_.path) {
+    source_ = Source{saved_path, {}, {}};
+    stamp_.reset();
+  }
+  base_ = std::make_shared<const Level>(std::move(level));
+  declined_.reset();
+  has_given_up_ = false;
   open_.path = saved_path;
   format_ = &saved_format;
   companion_ = std::move(saved->companion);

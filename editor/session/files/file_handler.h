@@ -90,13 +90,25 @@ class FileHandler {
   void take_recovered(const action::RecoverLevel& saved, FormatResult<LoadedLevel> file,
                       const EndScenes& scenes);
 
-  // Records the current content of the level's files as known to this session.
+  // --- Other programs change the files; in file_changes.cpp
+  // Records the current content of the level's own files as known to this session.
   void note_file();
+  // What the level that was just opened came from.
+  void note_source(const std::string& path, std::optional<LevelStamp> stamp, ImportChoices choices,
+                   std::vector<std::string> dropped);
+  void take_file_change(const FilesChange& found);  // reads, merges, asks or reports
+  bool is_linked(const std::string& file) const;
   bool asks_about_tileset();
-  void ask_about_change(const std::string& changed);
-  void take_file_change(FilesChange found);  // another program has changed the file; asks or reports
+  bool saves_into_newest(Level& saved);
+  bool tell_of_redo();
+  bool is_undecided_in_ldtk(const LoadedLevel& newer) const;
+  void ask_to_read(const std::string& changed, const std::string& why);
   void reload();
-  void take_reloaded(const FormatResult<LoadedLevel>& loaded);
+  struct Newer;  // the level as its files have it now
+  void take_reloaded(std::shared_ptr<Newer> newer);
+  void take_unread(const Newer& newer, const std::string& why);
+  void ask_about_merge(const std::shared_ptr<Newer>& newer, const std::vector<std::string>& conflicts);
+  void take_newer(const Newer& newer, Level level);
   bool save();  // returns false if it failed or needs a name first
   bool save_to(const std::string& saved_path, const Format& saved_format);
 
@@ -111,7 +123,15 @@ class FileHandler {
 
   std::string name_;  // for titles, while there is no file
   int saves_ = 0;
-  // The files when they were last read, written or asked about; nothing: no file.
+  // What the level was read from, also if it cannot be saved there.
+  struct Source {
+    std::string path;                  // empty: no file
+    ImportChoices choices;             // with which it was read
+    std::vector<std::string> dropped;  // what it could not keep then
+  };
+  Source source_;
+  std::shared_ptr<const Level> base_;  // as its files had it when they were last read or written
+  // The files of the source when they were last read, written or asked about; nothing: no file.
   std::optional<LevelStamp> stamp_;
   CompanionFile companion_;            // the companion that the level was last read or written with
   std::vector<std::string> unstored_;  // the parts of the saved level that the file lacks, one phrase each
@@ -126,8 +146,12 @@ class FileHandler {
   bool wants_quit_ = false;
 
   int recoveries_ = 0;
-  std::optional<LevelStamp> changed_from_;  // `stamp_` before another program changed the file
-  bool is_reloading_ = false;               // whether that file is being read
+  std::optional<LevelStamp>
+      declined_;               // of changed files that the user does not want to hear of until saving
+  bool is_reloading_ = false;  // whether changed files are being read
+  bool has_given_up_ = false;  // whether that was cancelled: only an answer begins it again
+  bool is_saving_ = false;     // whether the files are read because they are to be saved
+  int failures_ = 0;           // how often in a row they could not be read
 };
 
 }  // namespace talus

@@ -3,6 +3,8 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <string_view>
@@ -57,12 +59,49 @@ std::optional<LevelStamp> stamp_of_level(const std::string& path) {
 }
 
 FilesChange level_change(const std::string& path, LevelStamp& known) {
-  if (const FileChange change = file_change(path, known.file); change != FileChange::none)
-    return {change, false};
+  const auto change_of = [](const std::string& file, FileStamp& stamp) {
+    return FilesChange{file_change(file, stamp), file, &stamp};
+  };
+  if (FilesChange found = change_of(path, known.file); found.change != FileChange::none) return found;
   const std::string beside = companion_path(path);
   const bool is_there = is_plain_file(beside);
-  if (!known.companion) return {is_there ? FileChange::content : FileChange::none, true};
-  return {is_there ? file_change(beside, *known.companion) : FileChange::gone, true};
+  if (!known.companion && is_there) return {FileChange::content, beside};
+  if (known.companion && !is_there) return {FileChange::gone, beside, &*known.companion};
+  if (known.companion) {
+    if (FilesChange found = change_of(beside, *known.companion); found.change != FileChange::none)
+      return found;
+  }
+  for (LinkedStamp& linked : known.linked) {
+    if (!linked.stamp && outer_stamp(linked.path)) return {FileChange::content, linked.path};
+    if (!linked.stamp || (linked.stamp->is_gone() && !outer_stamp(linked.path))) continue;
+    if (FilesChange found = change_of(linked.path, *linked.stamp); found.change != FileChange::none)
+      return found;
+  }
+  return {};
+}
+
+void add_linked(const std::vector<std::string>& paths, std::int64_t before, LevelStamp& stamp) {
+  constexpr std::size_t kMostLinked = 1000;  // each is looked at all the time
+  for (const std::string& path : paths) {
+    const bool is_known = std::any_of(stamp.linked.begin(), stamp.linked.end(),
+                                      [&](const LinkedStamp& linked) { return linked.path == path; });
+    if (is_known || stamp.linked.size() == kMostLinked) continue;
+    auto now = stamp_of_file(path);
+    if (now && now->modified > before) now->content.reset(), now->modified = 0;
+    stamp.linked.push_back({path, now});
+  }
+}
+
+std::int64_t time_for_stamps() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+std::int64_t bytes_of(const LevelStamp& stamp) {
+  std::int64_t bytes = stamp.file.size;
+  for (const LinkedStamp& linked : stamp.linked) bytes += linked.stamp ? linked.stamp->size : 0;
+  return bytes;
 }
 
 }  // namespace talus

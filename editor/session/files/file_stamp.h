@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace talus {
 
@@ -28,20 +29,35 @@ enum class FileChange { none, content, gone };
 // bytes are the same after all, `known` is updated.
 FileChange file_change(const std::string& path, FileStamp& known);
 
-// The files of a level: its own, and the companion beside it (see formats/native/companion.h).
+// A file that the level's own names, such as a tileset or a picture.
+struct LinkedStamp {
+  std::string path;
+  std::optional<FileStamp> stamp;  // nothing: there was no such file
+};
+
+// The files of a level: its own, the companion beside it (see formats/native/companion.h), and linked ones.
 struct LevelStamp {
   FileStamp file;
   std::optional<FileStamp> companion;  // nothing: there is no companion
+  std::vector<LinkedStamp> linked = {};
 };
 
 // The stamp of the current files; nothing if the level's own cannot be read.
 std::optional<LevelStamp> stamp_of_level(const std::string& path);
+// Adds the current linked files, each once. before: from stamp_of_level(), before the level was read; files
+// that changed since then count as changed.
+void add_linked(const std::vector<std::string>& paths, std::int64_t before, LevelStamp& stamp);
+// The time of the system's clock, as FileStamp::modified.
+std::int64_t time_for_stamps();
+std::int64_t bytes_of(const LevelStamp& stamp);  // of all files together
 
 struct FilesChange {
   FileChange change = FileChange::none;
-  bool of_companion = false;  // whether only the companion has changed
+  std::string file = {};      // the path of the one that has changed
+  FileStamp* gone = nullptr;  // in `known`, of the file that is gone
 };
-// What has happened to the files since `known`. A companion that appeared is new content.
+// What has happened to the files since `known`. A companion that appeared is new content, and so is a linked
+// file that was missing.
 FilesChange level_change(const std::string& path, LevelStamp& known);
 
 }  // namespace talus

@@ -8,7 +8,6 @@
 #include "formats/ldtk/ldtk_companion.h"
 
 namespace talus {
-
 namespace {
 
 std::string text_beside(const std::string& path) { return read_file(companion_path(path)).value_or(""); }
@@ -24,9 +23,32 @@ int last_level(const std::string& path, const std::vector<LdtkLevelName>& levels
 
 }  // namespace
 
+ImportChoices choices_of(const Level& level, ImportChoices first) {
+  if (level.ldtk) {
+    return {.layer_number = level.ldtk->layer_number,
+            .level = level.ldtk->level,
+            .mapping = level.ldtk->mapping,
+            .ldtk_tiles = level.ldtk->tiles};
+  }
+  if (!level.tiled) return first;
+  const std::vector<int>& layers = level.tiled->layers;
+  first.layer_number = layers.size() == 1 ? layers[0] + 1 : 0;
+  first.frame = level.tiled->frame;
+  return first;
+}
+
 bool leaves_choice(const LevelImport& import) {
   if (import.levels.size() != 1 || !import.plan || !import.plan->level.ldtk) return true;
   return !import.plan->level.ldtk->things.empty() && !ldtk_memory_of(text_beside(import.path)).mapping;
+}
+
+FormatResult<LoadedLevel> load_with_stamp(const std::string& path, const ImportChoices& choices,
+                                          const Progress& progress, std::optional<LevelStamp>& stamp) {
+  stamp = stamp_of_level(path);
+  const std::int64_t began = time_for_stamps();
+  auto loaded = load_level(path, choices, progress);
+  if (loaded && stamp) add_linked(loaded->linked, began, *stamp);
+  return loaded;
 }
 
 LevelImport first_level_import(const std::string& path, const Progress& progress) {
@@ -39,10 +61,10 @@ LevelImport first_level_import(const std::string& path, const Progress& progress
                          [](const TiledLayerName& a, const TiledLayerName& b) { return a.cells < b.cells; });
     import.choices.layer_number = static_cast<int>(fullest - import.layers.begin()) + 1;
   }
-  import.plan = load_level(path, import.choices, progress.part(0, 0.5));
+  import.plan = load_with_stamp(path, import.choices, progress.part(0, 0.5), import.stamp);
   if (!import.plan && !import.plan.error().remedy.empty()) {
     import.choices.used_tiles = true;
-    import.plan = load_level(path, import.choices, progress.part(0.5, 1));
+    import.plan = load_with_stamp(path, import.choices, progress.part(0.5, 1), import.stamp);
   }
   return import;
 }

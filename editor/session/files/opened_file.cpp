@@ -29,13 +29,16 @@ OpenedFile read_for_opening(const std::string& path, bool has_choice, const Prog
   }
   if (has_choice && context_for_file(path).extension == "ldtk") {
     LevelImport import = first_level_import(path, progress.part(0.05, 1));
+    opened.stamp = import.stamp;
     if (!import.levels.empty() && leaves_choice(import))
       opened.content = std::move(import);
     else
       put(std::move(import.plan), opened);
     return opened;
   }
+  const std::int64_t began = time_for_stamps();
   FormatResult<LoadedLevel> loaded = load_level(path, {}, progress.part(0.05, 0.7));
+  if (loaded && opened.stamp) add_linked(loaded->linked, began, *opened.stamp);
   if (!loaded && !loaded.error().remedy.empty() && has_choice)
     opened.content = first_level_import(path, progress.part(0.7, 1));
   else

@@ -19,7 +19,8 @@ struct Question {
     replace_files,
     unsaved_branch,
     unstored,
-    allow_exports
+    allow_exports,
+    merge
   };
   std::string text;  // "Save the changes to demo.talus.json?"
   Kind kind = Kind::unsaved_changes;
