@@ -84,8 +84,25 @@ TEST_F(FileChangeTest, ACancelledRereadLeavesTheLevelModified) {
   EXPECT_EQ(session_.level(), level_with(1));
   EXPECT_TRUE(session_.modified()) << "the file has something else";
   session_.apply(action::CheckFile{});
+  session_.finish_reading();
   ASSERT_TRUE(session_.question());
   EXPECT_EQ(session_.question()->kind, Question::Kind::changed_outside);
+}
+
+// Saving waits until the newer file is read, and goes on by itself.
+TEST_F(FileChangeTest, SavingOverALargeFileMergesFirst) {
+  edit(3);
+  std::string large = R"("x":[{"a":0})";
+  for (int i = 0; i < 100'000; ++i) large += R"(,{"a":0})";
+  std::string newer = bytes_of("level.talus.json");
+  newer.insert(newer.find('{') + 1, large + "],");
+  std::ofstream(file()) << newer;
+  session_.apply(action::SaveFile{});
+  session_.finish_reading();
+  ASSERT_FALSE(session_.question()) << session_.question()->text;
+  EXPECT_FALSE(session_.modified());
+  EXPECT_EQ(first_tile(), 3);
+  EXPECT_GT(fs::file_size(file()), large.size() / 2) << "what Talus does not know is kept";
 }
 
 TEST_F(FileChangeTest, ARecoveredLevelWithoutItsFileIsModified) {
@@ -271,6 +288,25 @@ TEST_F(FileStamps, SeparatesContentFromTime) {
   fs::remove(file);
   EXPECT_EQ(file_change(file, stamp), FileChange::gone);
   EXPECT_FALSE(stamp_of_file(file));
+}
+
+TEST_F(FileStamps, OfALevelTellWithoutReadingWhatMayHaveChanged) {
+  const std::string file = path("a.talus.json"), picture = path("t.png");
+  ASSERT_TRUE(write_file_atomic(file, "one"));
+  LevelStamp stamp = *stamp_of_level(file);
+  add_linked({picture}, time_for_stamps(), stamp);
+  EXPECT_FALSE(may_have_changed(file, stamp));
+  ASSERT_TRUE(write_file_atomic(picture, "new"));
+  EXPECT_TRUE(may_have_changed(file, stamp));
+  EXPECT_EQ(level_change(file, stamp).file, picture);
+  stamp = *stamp_of_level(file);
+  add_linked({picture}, time_for_stamps(), stamp);
+  ASSERT_TRUE(write_file_atomic(file, "one"));
+  EXPECT_TRUE(may_have_changed(file, stamp)) << "another file with the same bytes";
+  EXPECT_EQ(level_change(file, stamp).change, FileChange::none);
+  EXPECT_FALSE(may_have_changed(file, stamp));
+  fs::remove(picture);
+  EXPECT_TRUE(may_have_changed(file, stamp));
 }
 
 }  // namespace talus::file_change_test

@@ -14,6 +14,7 @@ namespace {
 
 // How often files that cannot be read are tried before that is reported: another program may be writing them.
 constexpr int kReadingTries = 4;
+constexpr std::int64_t kLarge = 256 << 10;  // bytes of all files together
 
 std::string sentences(std::string text, const std::string& note) {
   return note.empty() ? text : text + (text.empty() ? "" : " ") + note + ".";
@@ -46,6 +47,13 @@ struct FileHandler::Newer {
   Level theirs;
 };
 
+struct FileHandler::Look {
+  FilesChange found = {};
+  bool is_known = false;  // whether what has changed was reported or declined
+  LevelStamp known;
+  std::optional<LevelStamp> declined;
+};
+
 // Linked files keep their stamps, but for those that saving writes.
 void FileHandler::note_file() {
   const std::vector<LinkedStamp> linked = stamp_ ? std::move(stamp_->linked) : std::vector<LinkedStamp>();
@@ -72,9 +80,35 @@ void FileHandler::note_source(const std::string& path, std::optional<LevelStamp>
 
 // If another program changed the files, the level here stays as it is, and differs from them.
 void FileHandler::note_reading_given_up() {
+  saves_when_read_ = false;
   if (!std::exchange(is_reloading_, false)) return;
   has_given_up_ = true;
   level_.forget_saved();
+}
+
+// The bytes of files that differ outside are compared, which takes long for large ones.
+void FileHandler::look_at_files() {
+  is_reloading_ = true;
+  const auto compare = [this, file = source_.path, known = *stamp_,
+                        declined = declined_](const Progress&) -> FileReader::Finish {
+    auto look = std::make_shared<Look>(Look{{}, false, known, declined});
+    look->is_known = look->declined && level_change(file, *look->declined).change == FileChange::none;
+    if (!look->is_known) look->found = level_change(file, look->known);
+    if (look->found.change == FileChange::gone) {
+      look->is_known = look->found.gone->is_gone();
+      look->found.gone->set_gone();
+    }
+    return [this, look] { take_look(*look); };
+  };
+  reading_.read(source_.path, compare, bytes_of(*stamp_) > kLarge);
+}
+
+void FileHandler::take_look(const Look& look) {
+  is_reloading_ = false;
+  stamp_ = look.known;
+  declined_ = look.is_known ? look.declined : std::nullopt;
+  if (look.is_known) return;
+  take_file_change(look.found);
 }
 
 // Each state of the files is asked about or reported once.
@@ -82,8 +116,6 @@ void FileHandler::take_file_change(const FilesChange& found) {
   if (found.change == FileChange::none) return;
   if (found.change == FileChange::content)
     return has_given_up_ ? ask_to_read(last_name(found.file), "") : reload();
-  if (found.gone->is_gone()) return;
-  found.gone->set_gone();
   const bool is_own = !open_.path.empty() && !is_linked(found.file);
   if (is_own) level_.forget_saved();
   messages_.tell_error(last_name(found.file) + " was removed or renamed by another program." +
@@ -159,7 +191,6 @@ void FileHandler::ask_to_read(const std::string& changed, const std::string& why
 
 // Whatever it gives is an edit, so that neither version is lost.
 void FileHandler::reload() {
-  constexpr std::int64_t kLarge = 256 << 10;  // bytes
   is_reloading_ = true;
   const auto read = [this, file = source_.path, choices = choices_of(open_.level, source_.choices),
                      known = *stamp_, is_saving = is_saving_](const Progress& progress) {
@@ -173,6 +204,7 @@ void FileHandler::reload() {
       is_saving_ = is_saving;
       take_reloaded(newer);
       is_saving_ = false;
+      if (std::exchange(saves_when_read_, false) && !messages_.question()) save();
     });
   };
   reading_.read(source_.path, read, bytes_of(*stamp_) > kLarge);

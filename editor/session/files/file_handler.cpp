@@ -381,9 +381,7 @@ template <>
 void FileHandler::carry_out(const action::CheckFile&) {
   if (!stamp_ || messages_.question() || wants_save_as_ || level_import_ || reading_.reader().is_busy())
     return;
-  if (declined_ && level_change(source_.path, *declined_).change == FileChange::none) return;
-  declined_.reset();
-  take_file_change(level_change(source_.path, *stamp_));
+  if (may_have_changed(source_.path, declined_ ? *declined_ : *stamp_)) look_at_files();
 }
 
 template <>
@@ -411,7 +409,7 @@ void FileHandler::replace_level(Level opened, std::string opened_path, const For
     format_ = nullptr;
   }
   source_ = Source{open_.path, {}, {}};
-  has_given_up_ = is_saving_ = false;
+  has_given_up_ = is_saving_ = saves_when_read_ = false;
   declined_.reset();
   failures_ = 0;
   exports_.forget_level();
@@ -436,8 +434,8 @@ bool FileHandler::save() {
     is_saving_ = true;
     take_file_change(change);
     is_saving_ = false;
-    if (messages_.question() || reading_.reader().is_busy() || found().change == FileChange::content)
-      return false;
+    saves_when_read_ = reading_.reader().is_busy();
+    if (messages_.question() || saves_when_read_ || found().change == FileChange::content) return false;
   }
   if (asks_about_tileset()) return false;
   return save_to(open_.path, *format_);

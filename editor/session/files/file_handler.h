@@ -96,6 +96,9 @@ class FileHandler {
   // What the level that was just opened came from.
   void note_source(const std::string& path, std::optional<LevelStamp> stamp, ImportChoices choices,
                    std::vector<std::string> dropped);
+  struct Look;           // what has become of the files
+  void look_at_files();  // beside the window's thread
+  void take_look(const Look& look);
   void take_file_change(const FilesChange& found);  // reads, merges, asks or reports
   bool is_linked(const std::string& file) const;
   bool asks_about_tileset();
@@ -147,11 +150,12 @@ class FileHandler {
 
   int recoveries_ = 0;
   std::optional<LevelStamp>
-      declined_;               // of changed files that the user does not want to hear of until saving
-  bool is_reloading_ = false;  // whether changed files are being read
-  bool has_given_up_ = false;  // whether that was cancelled: only an answer begins it again
-  bool is_saving_ = false;     // whether the files are read because they are to be saved
-  int failures_ = 0;           // how often in a row they could not be read
+      declined_;                  // of changed files that the user does not want to hear of until saving
+  bool is_reloading_ = false;     // whether changed files are being compared or read
+  bool has_given_up_ = false;     // whether that was cancelled: only an answer begins it again
+  bool is_saving_ = false;        // whether the files are read because they are to be saved
+  bool saves_when_read_ = false;  // whether saving goes on when they are read
+  int failures_ = 0;              // how often in a row they could not be read
 };
 
 }  // namespace talus

@@ -30,6 +30,10 @@ bool is_plain_file(const std::string& path) {
   return std::filesystem::is_regular_file(std::filesystem::symlink_status(path, error));
 }
 
+bool same_outside(const FileStamp& a, const FileStamp& b) {
+  return a.modified == b.modified && a.size == b.size && a.number == b.number;
+}
+
 }  // namespace
 
 std::optional<FileStamp> stamp_of_file(const std::string& path) {
@@ -42,9 +46,7 @@ std::optional<FileStamp> stamp_of_file(const std::string& path) {
 FileChange file_change(const std::string& path, FileStamp& known) {
   const auto outer = outer_stamp(path);
   if (!outer) return FileChange::gone;
-  const bool same =
-      outer->modified == known.modified && outer->size == known.size && outer->number == known.number;
-  if (same) return FileChange::none;
+  if (same_outside(*outer, known)) return FileChange::none;
   const auto now = stamp_of_file(path);
   if (!now || !now->content || now->content != known.content) return FileChange::content;
   known = *now;
@@ -78,6 +80,19 @@ FilesChange level_change(const std::string& path, LevelStamp& known) {
       return found;
   }
   return {};
+}
+
+bool may_have_changed(const std::string& path, const LevelStamp& known) {
+  const auto differs = [](const std::optional<FileStamp>& now, const std::optional<FileStamp>& before) {
+    const bool was_there = before && !before->is_gone();
+    return now && was_there ? !same_outside(*now, *before) : now.has_value() != was_there;
+  };
+  const std::string beside = companion_path(path);
+  const auto companion = is_plain_file(beside) ? outer_stamp(beside) : std::nullopt;
+  if (differs(outer_stamp(path), known.file) || differs(companion, known.companion)) return true;
+  return std::any_of(known.linked.begin(), known.linked.end(), [&](const LinkedStamp& linked) {
+    return differs(outer_stamp(linked.path), linked.stamp);
+  });
 }
 
 void add_linked(const std::vector<std::string>& paths, std::int64_t before, LevelStamp& stamp) {

@@ -59,5 +59,8 @@ struct FilesChange {
 // What has happened to the files since `known`. A companion that appeared is new content, and so is a linked
 // file that was missing.
 FilesChange level_change(const std::string& path, LevelStamp& known);
+// Whether that is worth a call: whether a file has another time, size or number, has come or has gone. Reads
+// no bytes.
+bool may_have_changed(const std::string& path, const LevelStamp& known);
 
 }  // namespace talus
