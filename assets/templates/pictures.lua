@@ -1,7 +1,8 @@
 -- Draws a level in LÖVE 11 as Talus's editor does, from its sheet: a picture of the tiles in which colour 0 is
 -- clear. pictures(level, file) gives
 --   draw_ground(x, y)  the layers of tiles from the back to the front; a cell with a ball, which is a body, shows
---                      tile 0. x, y: px, the middle of the view, from which layers with parallax have their places
+--                      tile 0. x, y: px, the middle of the view, from which layers with parallax have their places.
+--                      Animated tiles show the frame that is due since pictures() was called
 --   draw_body(body)    its kind, x, y, w and h. Kinds that look like a figure, such as players, are boxes with a
 --                      face. Others have the picture of their `tile`, without one that of the level's first ball
 --                      tile, and without any they are discs
@@ -26,17 +27,40 @@ local function is_plain(picture, tile_width, tile_height)
   return true
 end
 
--- Layers never change: the tiles of each go into one batch.
+-- The tiles of a layer go into one batch, of which only animated tiles change. Gives the batch and those tiles.
 local function batch_of(level, layer, sheet, quads, skips_empty, tile_width, tile_height)
-  local batch = love.graphics.newSpriteBatch(sheet)
+  local batch, animated = love.graphics.newSpriteBatch(sheet), {}
   for i, number in ipairs(layer.tiles) do
     local tile = layer.ground and level.balls[number] and 0 or number
     if tile ~= 0 or not skips_empty then
-      batch:add(quads[tile], (i - 1) % level.width * tile_width,
-                math.floor((i - 1) / level.width) * tile_height)
+      local x, y = (i - 1) % level.width * tile_width, math.floor((i - 1) / level.width) * tile_height
+      local id = batch:add(quads[tile], x, y)
+      local frames = level.animations and level.animations[tile]
+      if frames then animated[#animated + 1] = {id = id, x = x, y = y, frames = frames, tile = tile} end
     end
   end
-  return batch
+  return batch, animated
+end
+
+-- The tile that an animation shows. frames: tile and ms in turn. time: ms
+local function tile_at(frames, time)
+  local whole = 0
+  for i = 2, #frames, 2 do whole = whole + frames[i] end
+  local left = time % whole
+  for i = 1, #frames, 2 do
+    if left < frames[i + 1] then return frames[i] end
+    left = left - frames[i + 1]
+  end
+end
+
+local function animate(batch, animated, quads, time)
+  for _, cell in ipairs(animated) do
+    local tile = tile_at(cell.frames, time)
+    if tile ~= cell.tile then
+      batch:set(cell.id, quads[tile], cell.x, cell.y)
+      cell.tile = tile
+    end
+  end
 end
 
 -- Whether a layer's picture is that of its tiles.
@@ -88,15 +112,18 @@ return function(level, file)
     if level.balls[tile] then first_ball = tile end
   end
   local full, has_plain_0 = image(picture), is_plain(picture, tile_width, tile_height)
-  local layers, batches = level.layers or {{tiles = level.tiles, ground = true}}, {}
+  local layers, batches, animated = level.layers or {{tiles = level.tiles, ground = true}}, {}, {}
   for i, layer in ipairs(layers) do  -- in front of others, and in a changed layer, colour 0 is clear
     local is_back = i == 1 and is_unchanged(layer)
-    batches[i] = batch_of(level, layer, is_back and full or clear, quads, i > 1 or has_plain_0, tile_width,
-                          tile_height)
+    batches[i], animated[i] = batch_of(level, layer, is_back and full or clear, quads, i > 1 or has_plain_0,
+                                       tile_width, tile_height)
   end
 
+  local start = love.timer.getTime()
   local function draw_ground(x, y)
+    local time = (love.timer.getTime() - start) * 1000
     for i, layer in ipairs(layers) do
+      animate(batches[i], animated[i], quads, time)
       if not layer.hidden then draw_layer(layer, batches[i], x or 0, y or 0) end
     end
   end

@@ -212,6 +212,20 @@ void write_layer(LuaTable&& table, const Level& level, int index) {
   write_tiles(table.in_lines("tiles"), level.cells_of(index), level.map.width(), {});
 }
 
+// By tile, the tiles that it shows and for how many ms, in turn.
+void write_animations(const Level& level, LuaTable& table) {
+  if (level.animations.empty()) return;
+  LuaTable animations = table.in_lines("animations");
+  for (const auto& [tile, animation] : level.animations) {
+    std::vector<int> numbers;
+    for (const AnimationFrame& frame : animation) {
+      numbers.push_back(frame.tile);
+      numbers.push_back(frame.duration);
+    }
+    animations.numbers("[" + std::to_string(tile) + "]", numbers);
+  }
+}
+
 // The player's gravity has the same key as that of balls.
 std::string lua_key(const TuningField& field) {
   return field.group == "player" && field.key == "gravity" ? "player_gravity" : std::string(field.key);
@@ -269,6 +283,7 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
     for (int layer = 0; layer < layered->layers.count(); ++layer)
       write_layer(layers.in_lines(""), *layered, layer);
   }
+  write_animations(layered == nullptr ? level : *layered, table);
   LuaTable parts = table.in_a_row("parts");
   // A loop over the temporary would not keep it alive.
   const std::vector<std::string> used = lua_parts(level).value();

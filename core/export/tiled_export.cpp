@@ -115,6 +115,14 @@ class TiledXmlWriter {
     put(node, name, number_word(static_cast<double>(value)));
   }
 
+  void animation(pugi::xml_node node, const std::vector<TiledTile::Frame>& frames) {
+    for (const TiledTile::Frame& frame : frames) {
+      pugi::xml_node entry = node.append_child("frame");
+      put(entry, "tileid", frame.id);
+      put(entry, "duration", frame.duration);
+    }
+  }
+
   void properties(pugi::xml_node& node, const TiledProperties& properties) {
     if (properties.empty()) return;
     pugi::xml_node list = node.append_child("properties");
@@ -152,11 +160,13 @@ class TiledXmlWriter {
       pugi::xml_node tile = node.append_child("tile");
       put(tile, "id", one.id);
       properties(tile, one.properties);
-      if (one.objects.empty()) continue;
-      pugi::xml_node group = tile.append_child("objectgroup");
-      put(group, "draworder", "index");
-      int id = 0;  // counts within each tile
-      objects(group, one.objects, id);
+      if (!one.objects.empty()) {
+        pugi::xml_node group = tile.append_child("objectgroup");
+        put(group, "draworder", "index");
+        int id = 0;  // counts within each tile
+        objects(group, one.objects, id);
+      }
+      if (!one.animation.empty()) animation(tile.append_child("animation"), one.animation);
     }
   }
 

@@ -28,7 +28,11 @@ TiledTileset tileset_of(const ExportRequest& request) {
     const TiledProperties words = tiled_properties(shape);
     tile.properties.insert(tile.properties.end(), words.begin(), words.end());
     tile.objects = tiled_objects(shape, tileset.tile_size);
-    if (!tile.properties.empty()) tileset.tiles->push_back(std::move(tile));
+    if (const auto found = level.animations.find(number); found != level.animations.end()) {
+      for (const AnimationFrame& frame : found->second)
+        tile.animation.push_back({frame.tile, frame.duration});
+    }
+    if (!tile.properties.empty() || !tile.animation.empty()) tileset.tiles->push_back(std::move(tile));
   }
   return tileset;
 }

@@ -233,6 +233,18 @@ class TiledTextWriter {
       objects(tile.objects, id);
       text_.close();
     }
+    if (!tile.animation.empty()) animation(tile.animation);
+    text_.close();
+  }
+
+  void animation(const std::vector<TiledTile::Frame>& frames) {
+    text_.open("animation", true);
+    for (const TiledTile::Frame& frame : frames) {
+      text_.open("", false, true);
+      text_.put("tileid", frame.id);
+      text_.put("duration", frame.duration);
+      text_.close();
+    }
     text_.close();
   }
 

@@ -53,10 +53,10 @@ bool operator==(const Level& a, const Level& b) {
   const bool same_cart = a.cart == b.cart || (a.cart && b.cart && *a.cart == *b.cart);
   return same_cart && a.sheets == b.sheets && a.palette == b.palette && a.flag_names == b.flag_names &&
          a.flag_fields == b.flag_fields && a.roles == b.roles && a.tile_shapes == b.tile_shapes &&
-         a.flag_shapes == b.flag_shapes && a.tilesets == b.tilesets && same_layers(a, b) &&
-         a.curves == b.curves && a.objects == b.objects && a.tuning == b.tuning && a.spawns == b.spawns &&
-         a.brushes == b.brushes && a.auto_tiles == b.auto_tiles && a.exports == b.exports &&
-         a.extra == b.extra;
+         a.flag_shapes == b.flag_shapes && a.tilesets == b.tilesets && a.animations == b.animations &&
+         same_layers(a, b) && a.curves == b.curves && a.objects == b.objects && a.tuning == b.tuning &&
+         a.spawns == b.spawns && a.brushes == b.brushes && a.auto_tiles == b.auto_tiles &&
+         a.exports == b.exports && a.extra == b.extra;
 }
 
 void Level::set_tile_layout(const SheetLayout& layout) {
@@ -69,6 +69,9 @@ void Level::set_tile_layout(const SheetLayout& layout) {
   tiles.flags.resize(count);
   tile_shapes.resize(count);
   if (problem_of(tilesets, layout)) tilesets.clear();
+  std::erase_if(animations, [&](const auto& animation) {
+    return problem_of(TileAnimations{animation}, layout.count).has_value();
+  });
 }
 
 const std::vector<TileNumber>& Level::cells_of(int layer) const {

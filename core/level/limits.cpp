@@ -8,7 +8,7 @@ namespace {
 
 struct Amounts {
   std::size_t shape_numbers = 0, heights = 0, curve_cells = 0, layer_cells = 0, brush_cells = 0,
-              name_bytes = 0, unknown_bytes = 0, objects = 0, object_points = 0, object_bytes = 0;
+              name_bytes = 0, unknown_bytes = 0, objects = 0, object_points = 0, object_bytes = 0, frames = 0;
 };
 
 // The texts that every entry of a list has.
@@ -45,6 +45,7 @@ Amounts amounts_of(const Level& level) {
     for (const std::string& value : field.values) amounts.name_bytes += value.size();
   }
   for (const TileShape& shape : level.tile_shapes) amounts.shape_numbers += numbers_of(shape);
+  for (const auto& [tile, animation] : level.animations) amounts.frames += animation.size();
   for (const Spawn& spawn : level.spawns) count_texts(spawn, amounts);
   for (const LevelCurve& curve : level.curves) {
     count_texts(curve, amounts);
@@ -102,6 +103,7 @@ std::optional<std::string> problem_of_amounts(const Level& level) {
         {amounts.brush_cells, kMaxBrushCells, "cells of brushes"},
         {level.exports.size(), kMaxExports, "export presets"},
         {level.tilesets.size(), kMaxTilesets, "tilesets"},
+        {amounts.frames, kMaxAnimationFrames, "frames of animations"},
         {amounts.name_bytes, kMaxNameBytes, "bytes of names"},
         {amounts.unknown_bytes, kMaxUnknownBytes, "bytes of unknown members"}}) {
     if (row.has > row.most)
@@ -129,7 +131,7 @@ std::size_t size_of(const Level& level) {
          (amounts.shape_numbers + amounts.heights) * sizeof(double) + amounts.name_bytes +
          amounts.unknown_bytes + size_of(level.objects) +
          kEntry * (level.spawns.size() + level.curves.size() + level.brushes.size() + level.exports.size() +
-                   level.tilesets.size());
+                   level.tilesets.size() + amounts.frames);
 }
 
 }  // namespace talus

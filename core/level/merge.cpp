@@ -473,7 +473,7 @@ void LevelMerger::merge_layers() {
   note(looks, "layer's look", "layers' looks");
 }
 
-// Tiles that only one side still had become tile 0.
+// Tiles that only one side still had become tile 0, and animations with them go.
 void LevelMerger::fit_tiles() {
   Level& level = merged_.level;
   const int count = level.tile_count();
@@ -495,6 +495,9 @@ void LevelMerger::fit_tiles() {
   }
   for (Brush& brush : level.brushes) fit(brush.tiles);
   fit(level.auto_tiles.tiles);
+  gone += static_cast<int>(std::erase_if(level.animations, [&](const auto& animation) {
+    return problem_of(TileAnimations{animation}, count).has_value();
+  }));
   note(gone, "cell with a tile that is gone", "cells with tiles that are gone");
 }
 
@@ -527,6 +530,7 @@ void LevelMerger::merge_parts() {
   take_whole(&Level::flag_fields, "the fields of flags");
   take_whole(&Level::roles, "the roles of flags");
   take_whole(&Level::tuning, "the numbers of the physics");
+  take_whole(&Level::animations, "the animations of tiles");
   take_whole(&Level::brushes, "the brushes");
   take_whole(&Level::auto_tiles, "the tiles of the ground");
   take_whole(&Level::exports, "the export presets");

@@ -49,6 +49,13 @@ void renumber_tiles(Level& level, const SheetLayout& layout, const std::vector<i
   sheet.columns = layout.columns;
   level.tile_shapes = moved(level.tile_shapes, layout.count, numbers);
   level.tilesets.clear();
+  TileAnimations animations;
+  for (auto& [tile, animation] : level.animations) {
+    for (AnimationFrame& frame : animation)
+      frame.tile = static_cast<TileNumber>(std::max(0, numbers[frame.tile]));
+    if (numbers[tile] >= 0) animations[static_cast<TileNumber>(numbers[tile])] = std::move(animation);
+  }
+  level.animations = std::move(animations);
   const auto renumber = [&](auto& tiles) {
     for (TileNumber& tile : tiles) tile = static_cast<TileNumber>(std::max(0, numbers[tile]));
   };

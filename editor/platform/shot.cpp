@@ -80,7 +80,8 @@ tl::expected<void, std::string> write_shot(const Session& session, const ShotOpt
                         zoom,
                         session.level().map.tile_size()};
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  draw_tiles(list, session.level(), view, ui, {.hide_balls = true});
+  draw_tiles(list, session.level(), view, ui,
+             {.hide_balls = true, .time = static_cast<double>(session.timeline().frame()) * kMsPerFrame});
   draw_curves(list, session.level(), view, ui.scale);
   draw_bodies(list, session, session.level(), view, ui, 255);
   draw_overlays(list, session, options.overlays, view, ui.scale);

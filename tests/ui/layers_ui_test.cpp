@@ -206,6 +206,22 @@ TEST_F(UiLayers, ObjectsHaveRowsWithMarks) {
   EXPECT_FALSE(level().objects[0].is_ground);
 }
 
+TEST_F(UiLayers, AnimatedTilesPlay) {
+  Level with = level();
+  with.animations[7] = {{7, 100}, {1, 100}};
+  const std::string file = path("animated.talus.json");
+  ASSERT_TRUE(save_level(with, *find_format("native"), file));
+  session().apply(action::OpenFile{file});
+  session().apply(action::Pause{});
+  frames(3);
+  EXPECT_EQ(color_at(lower("play")), 4);
+  for (int frame = 0; frame < 6; ++frame) session().apply(action::StepFrame{});
+  EXPECT_EQ(color_at(lower("play")), 13) << "after 100 ms it shows tile 1";
+  EXPECT_EQ(color_at(lower("map")), 4) << "the map shows the tile that was painted";
+  for (int frame = 0; frame < 6; ++frame) session().apply(action::StepBack{});
+  EXPECT_EQ(color_at(lower("play")), 4);
+}
+
 TEST_F(UiLayers, AreOrderedByADrag) {
   drag(row(kFront), {row(kBack).x, find("layers/0")->max.y - 2});
   EXPECT_EQ(names(), "front back middle");

@@ -146,8 +146,8 @@ TEST(ImportTiled, DroppedThingsAreReported) {
       loaded.dropped,
       testing::UnorderedElementsAre(
           "the picture of the tileset \"t\"", "`flags` of a tile, which is not a whole number from 0 to 255",
-          "the property \"hp\" of a tile", "the property \"x\" of a tile", "\"animation\" of a tile",
-          "\"type\" of a tile", "the rotation of a body", "the property \"hp\" of a body",
+          "the property \"hp\" of a tile", "the property \"x\" of a tile", "\"type\" of a tile",
+          "the rotation of a body", "the property \"hp\" of a body",
           "the body \"far\", as a number of it must be a number from -100000000 to 100000000",
           "\"image\" of the layer \"sky\"", "the layer \"sky\", which is a picture",
           "the curve \"c\", which has its last end off the map",

@@ -127,6 +127,7 @@ TEST(Merge, TakesEveryPartOfALevel) {
   mine.tile_shapes[9].kind = TileShape::Kind::solid;
   mine.flag_shapes[3].kind = TileShape::Kind::solid;
   mine.tilesets = {{.name = "all", .count = kCartTiles, .columns = kCartColumns}};
+  mine.animations[9] = {{8, 100}};
   mine.layers.list[0].opacity = 0.5;
   mine.map.set({2, 2}, 9);
   mine.curves = {{.name = "hill", .curve = {.form = Segment{{0, 8}, {8, 4}}}, .extra = ""}};
@@ -137,12 +138,13 @@ TEST(Merge, TakesEveryPartOfALevel) {
   mine.auto_tiles.of(GroundPart{}) = 9;
   mine.exports = {{.name = "game", .exporter = "love", .path = "game", .extra = ""}};
   mine.extra = R"({"new":1})";
-  const auto& [sheets, palette, flag_names, flag_fields, roles, tile_shapes, flag_shapes, tilesets, layers,
-               map, curves, objects, tuning, spawns, brushes, auto_tiles, exports, cart, tiled, ldtk, extra] =
-      mine;
+  const auto& [sheets, palette, flag_names, flag_fields, roles, tile_shapes, flag_shapes, tilesets,
+               animations, layers, map, curves, objects, tuning, spawns, brushes, auto_tiles, exports, cart,
+               tiled, ldtk, extra] = mine;
   EXPECT_FALSE(sheets == base.sheets || palette == base.palette || flag_names == base.flag_names ||
                flag_fields == base.flag_fields || roles == base.roles || tile_shapes == base.tile_shapes ||
-               flag_shapes == base.flag_shapes || tilesets == base.tilesets || layers == base.layers);
+               flag_shapes == base.flag_shapes || tilesets == base.tilesets ||
+               animations == base.animations || layers == base.layers);
   EXPECT_FALSE(map.cells() == base.map.cells() || curves == base.curves || objects == base.objects ||
                tuning == base.tuning || spawns == base.spawns || brushes == base.brushes ||
                auto_tiles == base.auto_tiles || exports == base.exports || extra == base.extra);

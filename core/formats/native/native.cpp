@@ -14,6 +14,7 @@
 #include "../text/json_text.h"
 #include "../tilesets/tileset_pixels.h"
 #include "hard_case_file.h"
+#include "native_animations.h"
 #include "native_brushes.h"
 #include "native_cart.h"
 #include "native_color.h"
@@ -79,6 +80,8 @@ class Reader {
     take(document, "picture", [this](const Json& v) { read_picture(v); });
     take(document, "tilesets",
          [this](Json& v) { keep(take_tilesets(v, level_.sheet(SheetId::tiles).layout()), level_.tilesets); });
+    take(document, "animations",
+         [this](const Json& v) { keep(take_animations(v, level_.tile_count()), level_.animations); });
     take_object(document, "map", "map", [this](Json& v) { read_map(v); });
     take(document, "layers", [this](Json& v) { read_layers(v); });
     take(document, "curves", [this](Json& v) { keep(take_curves(v, "curves", level_.map), level_.curves); });
@@ -408,7 +411,7 @@ FormatResult<void> put_shapes(std::span<const TileShape> shapes, const std::stri
   return {};
 }
 
-// Sets a member to a list; does nothing if the list is empty.
+// Sets a member to a list or an object; does nothing if that is empty.
 FormatResult<void> put_list(FormatResult<Json> list, const std::string& key, Json& document) {
   if (!list) return tl::unexpected(list.error());
   if (!list->empty()) document[key] = *std::move(list);
@@ -453,8 +456,8 @@ std::vector<std::string_view> key_order() {
       "roles",       "solid",     "up_slope", "down_slope", "ball",    "one_way",    "ceiling",
       "flag_shapes", "tuning",    "spawns",   "curves",     "brushes", "auto_tiles", "exports",
       "tile_shapes", "tiles",     "random",   "heights",    "points",  "sprites",    "tile_size",
-      "sheet_size",  "picture",   "tilesets", "map",        "layers",  "objects",    "cart",
-      "solver"};
+      "sheet_size",  "picture",   "tilesets", "animations", "map",     "layers",     "objects",
+      "cart",        "solver"};
   for (const TuningField& field : tuning_fields()) order.push_back(field.key);
   order.insert(
       order.end(),
@@ -554,6 +557,9 @@ FormatResult<Json> native_document(const Level& level, const std::string& folder
     document["picture"] = *std::move(lines);
   }
   if (const auto good = put_list(json_of(sets, sheet), "tilesets", document); !good)
+    return tl::unexpected(good.error());
+  if (const auto good = put_list(json_of(level.animations, level.tile_count()), "animations", document);
+      !good)
     return tl::unexpected(good.error());
   if (!layers->empty()) document["layers"] = *std::move(layers);
   put_map(level, !has_layers, object_in(document, "map"));

@@ -29,6 +29,9 @@
 //                  cells, as in the map.
 //   "auto_tiles"   which tile, not 0, plays which part of painted ground, by the names of the parts in
 //                  level/auto_tiles.h ("inside", "slope_up", ...). Default: no tiles.
+//   "animations"   by tile number, from "0": what the tile shows in play, a list of [tile, ms], each frame 1
+//   to
+//                  60000 ms, and up to 65536 frames in all. Default: each tile shows itself.
 //   "exports"      up to 100 presets of exports: "name" (""); "to", the id of an exporter (""), kept if it
 //                  is unknown; "path" of the file or folder, with '/', absolute or relative to the folder
 //                  of the level's file (""); "parts", those of the Lua runtime besides those that the level

@@ -80,7 +80,7 @@ class TiledReader : private TiledNodeReader {
   std::optional<TiledProperty> property(const JsonNode& node);
 
   const FindTiledTemplate& find_template_;
-  std::size_t objects_ = 0, layers_ = 0, points_ = 0;  // read so far
+  std::size_t objects_ = 0, layers_ = 0, points_ = 0, frames_ = 0;  // read so far
   bool is_infinite_ = false;
   TiledChunks chunks_;                         // of an infinite map
   std::size_t chunk_cells_ = 0;                // of all of them
@@ -500,9 +500,14 @@ TiledTile TiledReader::tile(const JsonNode& node) {
   tile.properties = properties(node, "a tile");
   if (const Json* group = node.find("objectgroup"); group != nullptr && group->is_object())
     tile.objects = objects({*group, node.path_of("objectgroup")}, {});
-  drop_others(
-      node, "a tile",
-      {"id", "objectgroup", "properties", "image", "imagewidth", "imageheight", "x", "y", "width", "height"});
+  for_each(node, "animation", [&](const JsonNode& entry) {
+    if (++frames_ > kMaxAnimationFrames) return fail(entry, "", tiled_too_many("frame", kMaxAnimationFrames));
+    tile.animation.push_back({whole(entry, "tileid", 0, 1 << 20, 0),
+                              whole(entry, "duration", 0, 1 << 30, AnimationFrame().duration)});
+  });
+  drop_others(node, "a tile",
+              {"id", "objectgroup", "properties", "animation", "image", "imagewidth", "imageheight", "x", "y",
+               "width", "height"});
   return tile;
 }
 

@@ -65,6 +65,7 @@ class TiledLevelMaker {
   bool is_free(int flag) const;
   bool knows_property(const TiledProperty& property) const;
   void take_tile(TileNumber number);
+  void take_animations();
   std::uint8_t flags_of(const TiledTile& tile);
   TiledObject in_cell(const TiledObject& object, const TiledSource& source) const;
   TileShape own_shape_of(TileNumber number, const TiledSource& source, const TiledTile& tile,
@@ -366,6 +367,28 @@ void TiledLevelMaker::take_tile(TileNumber number) {
   tell_stale_words(*tile, shape);
 }
 
+void TiledLevelMaker::take_animations() {
+  level_.animations.clear();
+  std::map<TiledSource, TileNumber> numbers;
+  for (std::size_t n = 0; n < tiles_.sources.size(); ++n)
+    numbers.try_emplace(tiles_.sources[n], static_cast<TileNumber>(n));
+  for (std::size_t n = 0; n < tiles_.sources.size(); ++n) {
+    const TiledSource& source = tiles_.sources[n];
+    const TiledTile* const tile = tile_of(source);
+    if (tile == nullptr || tile->animation.empty()) continue;
+    TileAnimation animation;
+    for (const TiledTile::Frame& frame : tile->animation) {
+      const auto shown = numbers.find({source.tileset, frame.id, source.turn});
+      if (shown == numbers.end()) break;
+      animation.push_back({shown->second, std::clamp(frame.duration, 1, kMaxFrameDuration)});
+    }
+    if (animation.size() == tile->animation.size())
+      level_.animations[static_cast<TileNumber>(n)] = std::move(animation);
+    else
+      drops_.add("the animation of a tile with a frame that the level lacks");
+  }
+}
+
 // An object of a tile in the px of a cell that shows the tile.
 TiledObject TiledLevelMaker::in_cell(const TiledObject& object, const TiledSource& source) const {
   const TiledPlace place = place_of_tile(map_, pictures_, source);
@@ -591,6 +614,7 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
   take_pixels();
   name_flags();
   for (int tile = 0; tile < layout.count; ++tile) take_tile(static_cast<TileNumber>(tile));
+  take_animations();
   for (const TiledLayer& objects : map_.layers) take_objects(objects);
   if (level_.objects.empty()) level_.objects = base_.objects;
   if (!map_.background.empty() && map_.background != tiled_color(level_.palette[0]))

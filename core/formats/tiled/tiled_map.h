@@ -85,7 +85,12 @@ struct TiledTile {
   std::string type;  // that of objects which show it, unless they have one
   TiledProperties properties;
   std::vector<TiledObject> objects;  // its collision shapes
-  std::string image;                 // of a collection: its own picture, as that of a tileset
+  struct Frame {
+    int id = 0;          // of a tile in the same tileset
+    int duration = 100;  // ms, 1..kMaxFrameDuration
+  };
+  std::vector<Frame> animation;  // empty: it shows itself
+  std::string image;             // of a collection: its own picture, as that of a tileset
   // px: the part of that picture that it shows, from there to its end if the size is 0.
   int image_x = 0, image_y = 0;
   TileSize image_size = {0, 0};

@@ -49,6 +49,8 @@ class TileNumberer {
 
  private:
   const TiledTileset& tileset(int i) const { return map_.tilesets[static_cast<std::size_t>(i)]; }
+  // Adds the tiles that animations of these show.
+  void add_frames(std::set<TiledSource>& sources) const;
   // The tiles that the different cells show; blank sources for empty cells.
   FormatResult<SourceOfCell> sources_of_cells() const;
   TiledSource source_of(std::uint32_t cell) const;
@@ -184,6 +186,19 @@ SheetLayout TileNumberer::layout_of(const std::vector<int>& tilesets) const {
   return {columns, static_cast<int>(std::min((rows - 1) * columns + last, kMost))};
 }
 
+void TileNumberer::add_frames(std::set<TiledSource>& sources) const {
+  const std::set<TiledSource> animated = sources;
+  for (const TiledSource& source : animated) {
+    const TiledTile* const tile =
+        source.tileset < 0 ? nullptr : find_tile(tileset(source.tileset), source.id);
+    if (tile == nullptr) continue;
+    for (const TiledTile::Frame& frame : tile->animation) {
+      if (frame.id < grid_of(tileset(source.tileset)).count)
+        sources.insert({source.tileset, frame.id, source.turn});
+    }
+  }
+}
+
 // Adds the tiles that the map turns behind the others.
 FormatResult<void> TileNumberer::add_turned(const SourceOfCell& cells) {
   std::set<TiledSource> turned;
@@ -191,6 +206,7 @@ FormatResult<void> TileNumberer::add_turned(const SourceOfCell& cells) {
     if (source.turn != 0) turned.insert(source);
   }
   if (turned.empty()) return {};
+  add_frames(turned);
   drops_.add("that " + std::to_string(turned.size()) +
              " of the tiles are others that are mirrored or turned: they are tiles of their own");
   for (const TiledSource& source : turned) {
@@ -285,6 +301,7 @@ FormatResult<TiledTiles> TileNumberer::used() {
   std::set<TiledSource> shown;
   for (const auto& [cell, source] : *cells) shown.insert(source);
   shown.erase(TiledSource{});
+  add_frames(shown);
   if (shown.size() >= kMaxTiles) {
     return tl::unexpected(whole_error("shows " + std::to_string(shown.size()) +
                                       " different tiles, but a level has only 65535 besides the empty one"));
@@ -316,6 +333,7 @@ FormatResult<TiledTiles> TileNumberer::again(const TiledFrame& frame) {
   for (const auto& [cell, source] : *cells) {
     if (source.tileset >= 0) added.insert(source);
   }
+  add_frames(added);
   for (const TiledSource& source : added) {
     if (known.contains(source)) continue;
     if (const auto done = add_tile(source); !done) return tl::unexpected(done.error());

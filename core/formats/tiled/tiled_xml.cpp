@@ -25,20 +25,20 @@ constexpr std::size_t kMaxXmlParts =
 // JSON values that are made of them. Maps that Talus writes need hardly more than they have parts.
 constexpr std::size_t kMaxXmlValues = 2'600'000;
 
-constexpr std::array<std::string_view, 21> kXmlNumbers = {
-    "width",      "height",    "x",       "y",       "id",      "firstgid",  "tilewidth",
-    "tileheight", "tilecount", "columns", "spacing", "margin",  "rotation",  "gid",
-    "infinite",   "visible",   "opacity", "offsetx", "offsety", "parallaxx", "parallaxy"};
+constexpr std::array<std::string_view, 23> kXmlNumbers = {
+    "width",     "height",  "x",       "y",       "id",       "firstgid",  "tilewidth", "tileheight",
+    "tilecount", "columns", "spacing", "margin",  "rotation", "gid",       "tileid",    "duration",
+    "infinite",  "visible", "opacity", "offsetx", "offsety",  "parallaxx", "parallaxy"};
 
 // Members that elements make. Attributes cannot have these names, so lists are always lists.
-constexpr std::array<std::string_view, 15> kElementMembers = {
-    "layers",      "tilesets", "tiles",       "objects",     "properties",
-    "objectgroup", "data",     "imagewidth",  "imageheight", "chunks",
-    "encoding",    "polygon",  "compression", "polyline",    "transparentcolor"};
+constexpr std::array<std::string_view, 16> kElementMembers = {
+    "layers",  "tilesets",    "tiles",       "objects",         "properties", "objectgroup",
+    "data",    "imagewidth",  "imageheight", "chunks",          "animation",  "encoding",
+    "polygon", "compression", "polyline",    "transparentcolor"};
 // Elements that become a member of their name; only their presence counts.
-constexpr std::array<std::string_view, 12> kMarkElements = {
-    "image",      "ellipse", "point",    "text",         "capsule",        "animation",
-    "tileoffset", "grid",    "wangsets", "terraintypes", "editorsettings", "transformations"};
+constexpr std::array<std::string_view, 11> kMarkElements = {
+    "image", "ellipse",  "point",        "text",           "capsule",        "tileoffset",
+    "grid",  "wangsets", "terraintypes", "editorsettings", "transformations"};
 
 template <std::size_t count>
 bool is_one_of(const std::array<std::string_view, count>& names, std::string_view name) {
@@ -249,10 +249,18 @@ class TiledXml {
         put_once(child, "objectgroup", layer(child, 1), json);
       else if (std::string_view(child.name()) == "image")
         add_image(child, json);
+      else if (std::string_view(child.name()) == "animation")
+        put_once(child, "animation", frames(child), json);
       else
         add_common(child, json);
     }
     return json;
+  }
+
+  Json frames(const pugi::xml_node& animation) {
+    Json list = Json::array();
+    for (const pugi::xml_node frame : animation.children("frame")) list.push_back(attributes(frame));
+    return list;
   }
 
   Json layer(const pugi::xml_node& node, int groups) {

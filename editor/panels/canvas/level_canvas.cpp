@@ -345,7 +345,9 @@ void LevelCanvas::draw_ground(const Session& session, const LevelAtFrame* then, 
                    {is_play(), tint, tint ? rgb_of(flag_color(tint->lowest_flag(), 255)) : Rgb{}}, is_play(),
                    is_other ? &other : nullptr);
   } else {
-    draw_tiles(list, level, view, ui, {.hide_balls = is_play(), .parallax = is_play()});
+    TileLooks looks{.hide_balls = is_play(), .parallax = is_play()};
+    if (is_play()) looks.time = static_cast<double>(session.timeline().frame()) * kMsPerFrame;
+    draw_tiles(list, level, view, ui, looks);
   }
   if (is_other) draw_marked_cells(list, then->changed(), view);
   draw_curves(list, level, view, ui.scale);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "level/tile_color.h"
@@ -72,12 +73,22 @@ std::optional<CanvasView> view_of(const TileLayer& layer, const TileMap& map, co
   return there;
 }
 
-// What is drawn for each tile of a layer.
-ShownTiles shown_tiles(const Level& level, bool hide_balls, bool at_back, bool skip_tile_0) {
-  ShownTiles shown(static_cast<std::size_t>(level.tile_count()));
+// The tiles by their numbers, or what their animations show for them.
+std::vector<int> tiles_at(const Level& level, std::optional<double> time) {
+  std::vector<int> tiles(static_cast<std::size_t>(level.tile_count()));
+  std::iota(tiles.begin(), tiles.end(), 0);
+  if (!time) return tiles;
+  for (const auto& [tile, animation] : level.animations) tiles[tile] = tile_shown_at(animation, *time);
+  return tiles;
+}
+
+// What is drawn for each tile of a layer. tiles: see tiles_at.
+ShownTiles shown_tiles(const Level& level, const std::vector<int>& tiles, bool hide_balls, bool at_back,
+                       bool skip_tile_0) {
+  ShownTiles shown(tiles.size());
   for (int tile = 0; tile < level.tile_count(); ++tile) {
     const bool hidden = hide_balls && is_ball_tile(level, static_cast<TileNumber>(tile));
-    const int looks = hidden ? 0 : tile;  // a ball's cell shows tile 0
+    const int looks = hidden ? 0 : tiles[static_cast<std::size_t>(tile)];  // a ball's cell shows tile 0
     shown[static_cast<std::size_t>(tile)] = looks == 0 && (skip_tile_0 || !at_back) ? kNothing : looks;
   }
   return shown;
@@ -121,6 +132,7 @@ void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, co
   if (!cells.empty())
     list.AddRectFilled(view.corner_of({cells.x0, cells.y0}), view.corner_of({cells.x1, cells.y1}),
                        theme::color(level.palette[back_is_unchanged ? plain.value_or(0) : 0]));
+  const std::vector<int> tiles = tiles_at(level, looks.time);
   for (int layer = 0; layer < level.layers.count(); ++layer) {
     const TileLayer& look = level.layers.list[static_cast<std::size_t>(layer)];
     const auto there = view_of(look, level.map, view, looks.parallax);
@@ -128,7 +140,7 @@ void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, co
     const bool at_back = layer == 0, is_opaque = at_back && back_is_unchanged;
     const bool skip_tile_0 = is_opaque ? plain.has_value() : plain == 0;
     draw_cells(list, level, layer,
-               shown_tiles(level, looks.hide_balls && look.is_ground, at_back, skip_tile_0),
+               shown_tiles(level, tiles, looks.hide_balls && look.is_ground, at_back, skip_tile_0),
                is_opaque ? ui.sheet(SheetId::tiles) : ui.clear_tiles, *there, ui);
   }
 }

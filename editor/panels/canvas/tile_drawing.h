@@ -1,6 +1,7 @@
 // The layers of tiles of a map on a canvas, from the back to the front.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "camera.h"
@@ -9,10 +10,14 @@
 
 namespace talus {
 
+inline constexpr double kMsPerFrame = 1000.0 / 60;  // ms, that a frame of the simulation lasts
+
 // How the tiles of a map are drawn.
 struct TileLooks {
   bool hide_balls = false;  // leaves out ball tiles, as in play
   bool parallax = false;    // layers move with the view by their parallax, as in play
+  std::optional<double> time =
+      {};  // ms since the start of animations, as in play; none: tiles show themselves
 };
 
 // The visible layers of the map, and what lies beyond its edge. In the layer at the back, colour 0 is the

@@ -17,6 +17,7 @@
 #include <talus/level/flag_roles.h>
 #include <talus/level/ldtk_origin.h>
 #include <talus/level/object_layer.h>
+#include <talus/level/tile_animation.h>
 #include <talus/level/tile_layer.h>
 #include <talus/level/tile_map.h>
 #include <talus/level/tileset.h>
@@ -107,6 +108,7 @@ struct Level {
   std::vector<TileShape> tile_shapes = std::vector<TileShape>(kCartTiles);
   std::array<TileShape, kFlagCount> flag_shapes;  // the shape that a flag stands for; kind none: no shape
   std::vector<Tileset> tilesets;                  // parts of the first sheet, see problem_of; none: it is one
+  TileAnimations animations;                      // of tiles of the first sheet, see problem_of
   TileLayers layers;                              // what the map consists of
   TileMap map;                                    // tiles of the first sheet: the cells of the chosen layer
   std::vector<LevelCurve> curves;                 // at most kMaxCurves
@@ -125,7 +127,7 @@ struct Level {
   int tile_count() const { return static_cast<int>(tile_shapes.size()); }
   // Gives the sheet of tiles this layout. New tiles are blank, and a picture goes if the layout is another.
   // Those tiles that go must not be on the map, in brushes or in the ground's tiles. Tilesets that do not fit
-  // any more go, too.
+  // any more go, too, and animations that show tiles which go.
   void set_tile_layout(const SheetLayout& layout);
   // The tiles of a layer, row by row. layer: index in `layers`.
   const std::vector<TileNumber>& cells_of(int layer) const;
