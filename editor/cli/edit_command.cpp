@@ -1,4 +1,4 @@
-// talus [edit] [FILE]
+// talus [edit] [FILE...]
 
 #include "command.h"
 #include "platform/app.h"
@@ -7,9 +7,9 @@ namespace talus {
 
 void add_edit_command(CLI::App& program, CommandContext& context) {
   CLI::App* command = program.add_subcommand("edit", "Open the editor (the default)");
-  auto file = std::make_shared<std::string>();
-  command->add_option("FILE", *file, "Level or cart to open; without it, the demo level");
-  command->callback([&context, file] { context.status = run_editor(*file); });
+  auto files = std::make_shared<std::vector<std::string>>();
+  command->add_option("FILE", *files, "Levels, carts or folders of maps to open; without it, the demo level");
+  command->callback([&context, files] { context.status = run_editor(*files); });
 }
 
 }  // namespace talus

@@ -147,7 +147,9 @@ void App::open_first_level() {
   }
   if (!options_.file.empty()) {
     session_ = std::make_unique<Session>(Level(), "", kUnnamed, tools);
-    session_->apply(action::OpenFile{absolute_path(options_.file)});
+    std::vector<std::string> maps = {absolute_path(options_.file)};
+    for (const std::string& other : options_.others) maps.push_back(absolute_path(other));
+    session_->apply(maps.size() == 1 ? Action(action::OpenFile{maps[0]}) : Action(action::OpenMaps{maps}));
     return;
   }
   auto demo = load_level(asset_path("demo.talus.json"));
@@ -336,6 +338,7 @@ void App::handle_events() {
   // Presses while a file is read wait for it, or for the dialog that shows how far it is.
   const bool waits_for_file = session_->reading() && !shows_reading(*session_);
   events_.begin_frame(frames_to_hold_ > 0 || waits_for_file);
+  std::vector<std::string> dropped;  // together
   SDL_Event event;
   while (events_.next(event)) {
     Actions actions;
@@ -350,12 +353,14 @@ void App::handle_events() {
       ui_.view.canvas.cursor.hide();  // the user is back at the mouse
       ui_.view.window.keys_in_panel = false;
     } else if (event.type == SDL_DROPFILE && event.drop.file != nullptr) {
-      actions.push_back(action::OpenFile{event.drop.file});
+      dropped.emplace_back(event.drop.file);
       SDL_free(event.drop.file);
     }
     release(event, actions);
     session_->apply(actions);
   }
+  if (dropped.size() == 1) session_->apply(action::OpenFile{dropped[0]});
+  if (dropped.size() > 1) session_->apply(action::OpenMaps{dropped});
 }
 
 void App::handle_key(const SDL_KeyboardEvent& key, Actions& actions) {
@@ -517,13 +522,16 @@ tl::expected<void, std::string> App::screenshot(const std::string& path) const {
   return write_png(*picture, path);
 }
 
-int run_editor(const std::string& file) {
+int run_editor(const std::vector<std::string>& files) {
+  const std::string file = files.empty() ? "" : files.front();
   const auto tell = [](const std::string& error) {
     std::cerr << printable_line("talus: error: " + error) << '\n';
     return 1;
   };
   try {
-    auto app = App::start({file, 0, 0, false, true, nullptr});
+    AppOptions options{.file = file};
+    if (!files.empty()) options.others.assign(files.begin() + 1, files.end());
+    auto app = App::start(std::move(options));
     if (!app) return tell(app.error());
     (*app)->run();
   } catch (...) {

@@ -26,11 +26,12 @@
 namespace talus {
 
 struct AppOptions {
-  std::string file;               // file to open; empty: the demo level, playing
-  int width = 0, height = 0;      // px, of the window; 0: as in the settings
-  bool offscreen = false;         // without a display
-  bool remember = true;           // reads and writes settings, and saves automatically
-  std::function<double()> clock;  // s, never running backwards; empty: the machine's clock
+  std::string file;                      // file to open; empty: the demo level, playing
+  int width = 0, height = 0;             // px, of the window; 0: as in the settings
+  bool offscreen = false;                // without a display
+  bool remember = true;                  // reads and writes settings, and saves automatically
+  std::function<double()> clock;         // s, never running backwards; empty: the machine's clock
+  std::vector<std::string> others = {};  // maps that are listed with `file`
 };
 
 class App {
@@ -113,7 +114,8 @@ class App {
   int drawn_frames_ = 0;
 };
 
-// Runs the editor on a file; empty: the demo level. Returns the exit status.
-int run_editor(const std::string& file);
+// Runs the editor on these files, of which the first in the order of names is opened; none: the demo level.
+// Returns the exit status.
+int run_editor(const std::vector<std::string>& files);
 
 }  // namespace talus

@@ -145,6 +145,7 @@ int Session::recoveries() const { return impl_->files.recoveries(); }
 std::optional<double> Session::compile_progress() const { return impl_->run.compile_progress(); }
 const std::optional<PngImport>& Session::png_import() const { return impl_->files.pictures().png_import(); }
 const std::optional<TileImport>& Session::tile_import() const { return impl_->files.tile_import(); }
+const MapList& Session::maps() const { return impl_->files.maps(); }
 const std::optional<LevelImport>& Session::level_import() const { return impl_->files.level_import(); }
 std::vector<const Branch*> Session::unsaved_branches() const {
   std::vector<const Branch*> branches;

@@ -22,6 +22,7 @@
 #include "session/files/exporting.h"
 #include "session/files/file_reader.h"
 #include "session/files/level_import.h"
+#include "session/files/map_list.h"
 #include "session/files/png_import.h"
 #include "session/files/tile_import.h"
 #include "session/messages/message.h"
@@ -137,6 +138,7 @@ class Session {
   const std::optional<LevelImport>& level_import() const;
   // A picture of tiles that waits for ApplyTiles or CancelTiles.
   const std::optional<TileImport>& tile_import() const;
+  const MapList& maps() const;        // those to go through by OpenNextMap
   bool wants_save_as() const;         // waits for SaveFileAs or CancelSaveAs
   bool wants_save_recording() const;  // waits for SaveRecording or CancelSaveAs
   bool wants_quit() const;            // the program should end

@@ -300,11 +300,15 @@ void UiTest::type(const std::string& text) {
   frames(2);
 }
 
-void UiTest::drop(const std::string& file) {
-  SDL_Event event{};
-  event.type = SDL_DROPFILE;
-  event.drop.file = SDL_strdup(file.c_str());
-  push(event);
+void UiTest::drop(const std::string& file) { drop_all({file}); }
+
+void UiTest::drop_all(const std::vector<std::string>& files) {
+  for (const std::string& file : files) {
+    SDL_Event event{};
+    event.type = SDL_DROPFILE;
+    event.drop.file = SDL_strdup(file.c_str());
+    push(event);
+  }
   frames(2);
 }
 

@@ -87,6 +87,7 @@ class UiTest : public ::testing::Test {
   // Presses the button at the first place, moves over the others, and releases it at the last.
   void push_drag(const std::vector<ImVec2>& places, int button = kLeft);
   void drop(const std::string& file);
+  void drop_all(const std::vector<std::string>& files);  // in one gesture
 
  private:
   void push(SDL_Event event);

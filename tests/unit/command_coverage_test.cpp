@@ -28,6 +28,7 @@ const std::map<std::string, std::string> kCommandOfAction = {
     {"NewLevel", "file/new"},
     {"OpenTiles", "file/new_from_tiles"},
     {"OpenFile", "file/open"},
+    {"OpenNextMap", "file/next_map"},
     {"SaveRecording", "file/save_recording"},
     {"SaveFile", "file/save"},
     {"SaveFileAs", "file/save_as"},
@@ -102,6 +103,7 @@ const std::map<std::string, std::string> kCommandOfAction = {
 
 // Actions without a command, and why they have none.
 const std::map<std::string, std::string> kWithoutCommand = {
+    {"OpenMaps", "what is dropped together; the commands for the next map list the folder of the open file"},
     {"SetExportPath", "a field of the export window, which a command opens"},
     {"SetPngImport", "a choice in a dialog, which has keys of its own"},
     {"ApplyPngImport", "an answer of that dialog"},

@@ -95,7 +95,8 @@ void MenuPanel::draw_end_of_section(const std::string& menu, int section, const 
     MenuPlace after;
     void (MenuPanel::*draw)(const Session&, Actions&, Ui&);
   };
-  constexpr List kLists[] = {{menus::kFileOpen, &MenuPanel::draw_recent_files},
+  constexpr List kLists[] = {{menus::kFileOpen, &MenuPanel::draw_maps},
+                             {menus::kFileOpen, &MenuPanel::draw_recent_files},
                              {menus::kFileOpen, &MenuPanel::draw_hard_cases},
                              {menus::kViewLooks, &MenuPanel::draw_scale_choice},
                              {menus::kDebugRecording, &MenuPanel::draw_edit_rule},
@@ -133,6 +134,22 @@ void MenuPanel::draw_all_commands(const Session& session, Actions& actions, Ui& 
     for (const Command& command : commands())
       if (group_of(command) == group) draw_command(command, session, actions, ui);
     ImGui::EndMenu();
+  }
+  ImGui::EndMenu();
+}
+
+void MenuPanel::draw_maps(const Session& session, Actions& actions, Ui& ui) {
+  constexpr std::size_t kMostShown = 500;
+  const MapList& maps = session.maps();
+  const auto& files = maps.files();
+  const bool open = ImGui::BeginMenu("Maps", !files.empty());
+  ui.item("menu/maps", "The maps that were opened together, or those of a folder.");
+  if (!open) return;
+  for (std::size_t i = 0; i < std::min(files.size(), kMostShown); ++i) {
+    const std::string name = std::filesystem::path(files[i]).filename().string();
+    if (menu_item(name, std::to_string(i), {}, maps.current() == i))
+      actions.push_back(action::OpenFile{files[i]});
+    ui.item("menu/maps" + std::to_string(i), files[i]);
   }
   ImGui::EndMenu();
 }

@@ -21,6 +21,7 @@ class MenuPanel : public Panel {
                            Ui& ui);
   void draw_title(const Session& session, Ui& ui);
   void draw_all_commands(const Session& session, Actions& actions, Ui& ui);
+  void draw_maps(const Session& session, Actions& actions, Ui& ui);
   void draw_recent_files(const Session& session, Actions& actions, Ui& ui);
   void draw_hard_cases(const Session& session, Actions& actions, Ui& ui);
   void draw_edit_rule(const Session& session, Actions& actions, Ui& ui);

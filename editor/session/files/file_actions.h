@@ -33,8 +33,16 @@ struct CancelTiles {};
 // large for the sheet or the sheet is in true colour. If the file leaves a choice:
 // see Session::level_import(). Large files are read beside the editor: see Session::reading().
 struct OpenFile {
-  std::string path;
+  std::string path;      // of a folder: as OpenMaps
   bool as_copy = false;  // without a path, so that saving asks for one: for levels that come with the program
+};
+// Lists these files and the maps in these folders, and opens the first: see Session::maps().
+struct OpenMaps {
+  std::vector<std::string> paths;
+};
+// Opens the map that follows in the list; without one, in the folder of the file that was opened last.
+struct OpenNextMap {
+  int step = 1;  // -1: the one before
 };
 struct CancelReading {};  // of what Session::reading() shows; the level stays as it is
 struct SetLevelImport {
@@ -68,10 +76,11 @@ struct Quit {};
 }  // namespace action
 
 // The actions that FileHandler carries out.
-using FileAction = std::variant<action::NewLevel, action::OpenTiles, action::ApplyTiles, action::CancelTiles,
-                                action::OpenFile, action::CancelReading, action::SetLevelImport,
-                                action::ApplyLevelImport, action::CancelLevelImport, action::AskLdtkMapping,
-                                action::SaveFile, action::SaveFileAs, action::CancelSaveAs,
-                                action::SaveRecording, action::RecoverLevel, action::CheckFile, action::Quit>;
+using FileAction =
+    std::variant<action::NewLevel, action::OpenTiles, action::ApplyTiles, action::CancelTiles,
+                 action::OpenFile, action::OpenMaps, action::OpenNextMap, action::CancelReading,
+                 action::SetLevelImport, action::ApplyLevelImport, action::CancelLevelImport,
+                 action::AskLdtkMapping, action::SaveFile, action::SaveFileAs, action::CancelSaveAs,
+                 action::SaveRecording, action::RecoverLevel, action::CheckFile, action::Quit>;
 
 }  // namespace talus

@@ -1,6 +1,7 @@
 // Opens and saves files, with the questions about that.
 #include "file_handler.h"
 
+#include <filesystem>
 #include <memory>
 #include <utility>
 
@@ -107,7 +108,25 @@ void FileHandler::carry_out(const action::CancelTiles&) {
 }
 
 template <>
+void FileHandler::carry_out(const action::OpenMaps& a) {
+  MapList found;
+  found.list(a.paths, true);
+  if (found.files().empty()) return messages_.tell_error("There is no map in " + joined(a.paths, "") + ".");
+  maps_ = std::move(found);
+  ask_before_discarding(action::OpenFile{maps_.files().front()});
+}
+
+template <>
+void FileHandler::carry_out(const action::OpenNextMap& a) {
+  const std::string next = maps_.beside(a.step);
+  if (next.empty()) return messages_.tell("There is no other map to open.");
+  ask_before_discarding(action::OpenFile{next});
+}
+
+template <>
 void FileHandler::carry_out(const action::OpenFile& a) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(a.path, ignored)) return carry_out(action::OpenMaps{{a.path}});
   if (is_png(read_start_of_file(a.path, kPngStart).value_or("")))
     return pictures_.open(a.path, {.cart = [this, a] { ask_before_discarding(a); },
                                    .tiles = [this, a] { carry_out(action::OpenTiles{a.path}); }});
@@ -245,6 +264,7 @@ void FileHandler::discard_and_do(const DiscardingAction& discarding) {
 }
 
 void FileHandler::read_and_open(const action::OpenFile& file) {
+  if (!file.as_copy) maps_.note_opened(file.path);
   reading_.read(file.path, [this, file](const Progress& progress) -> FileReader::Finish {
     auto opened = std::make_shared<OpenedFile>(read_for_opening(file.path, !file.as_copy, progress));
     return [this, file, opened] { take_opened(file, std::move(*opened)); };
@@ -261,6 +281,7 @@ void FileHandler::take_opened(const action::OpenFile& file, OpenedFile opened) {
   if (const auto* recording = std::get_if<Recording>(&opened.content))
     return open_recording(file.path, *recording, opened.scenes);
   LoadedLevel& loaded = std::get<LoadedLevel>(opened.content);
+  const std::string told = messages_.message() ? messages_.message()->text : "";
   if (file.as_copy) {
     loaded.level.tiled.reset();
     loaded.level.ldtk.reset();
@@ -276,6 +297,14 @@ void FileHandler::take_opened(const action::OpenFile& file, OpenedFile opened) {
     if (loaded.path == file.path) note_source(file.path, opened.stamp, {}, {});
     if (!loaded.note.empty()) messages_.tell(with_note("", loaded.note));
   }
+  if (!file.as_copy && (!messages_.message() || messages_.message()->text == told)) tell_place_in_list();
+}
+
+void FileHandler::tell_place_in_list() {
+  const auto at = maps_.current();
+  if (!at || maps_.files().size() < 2) return;
+  messages_.tell("Map " + std::to_string(*at + 1) + " of " + std::to_string(maps_.files().size()) + ": " +
+                 last_name(maps_.files()[*at]) + ".");
 }
 
 void FileHandler::open_imported(const std::string& file, LoadedLevel loaded) {

@@ -14,6 +14,7 @@
 #include "file_stamp.h"
 #include "formats/native/companion.h"
 #include "level_import.h"
+#include "map_list.h"
 #include "opened_file.h"
 #include "picture_handler.h"
 #include "session/debugger/debug_handler.h"
@@ -51,6 +52,8 @@ class FileHandler {
   const std::optional<LevelImport>& level_import() const { return level_import_; }
   // Waits for ApplyTiles or CancelTiles.
   const std::optional<TileImport>& tile_import() const { return tile_import_; }
+  // The maps to go through.
+  const MapList& maps() const { return maps_; }
   bool wants_save_as() const { return wants_save_as_; }
   bool wants_save_recording() const { return wants_save_recording_; }
   bool wants_quit() const { return wants_quit_; }
@@ -80,6 +83,7 @@ class FileHandler {
   void note_reading_given_up();
   void read_and_open(const action::OpenFile& file);
   void take_opened(const action::OpenFile& file, OpenedFile opened);
+  void tell_place_in_list();
   void apply_mapping(const Level& read);  // the level as the project gives it with another mapping
   void open_imported(const std::string& file, LoadedLevel loaded);
   void open_recording(const std::string& file, const Recording& recording, const EndScenes& scenes);
@@ -142,6 +146,7 @@ class FileHandler {
 
   std::optional<LevelImport> level_import_;
   std::optional<TileImport> tile_import_;
+  MapList maps_;
   std::optional<DiscardingAction>
       pending_;  // waits for the question's answer, or for the saving that it led to
   bool wants_save_as_ = false;
