@@ -9,15 +9,19 @@ namespace talus::merge_test {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
+Spawn body(const std::string& name, Vec2 position) {
+  return {.name = name, .position = position, .velocity = {}, .extra = ""};
+}
+
 Level small_level() {
   Level level;
   level.map = TileMap(4, 4);
   level.layers.list[0].name = "a";
-  level.spawns = {{.name = "hero", .position = {1, 1}}, {.name = "", .position = {9, 9}}};
+  level.spawns = {body("hero", {1, 1}), body("", {9, 9})};
   return level;
 }
 
-Spawn body_at(double x) { return {.name = "new", .position = {x, 0}}; }
+Spawn body_at(double x) { return body("new", {x, 0}); }
 
 TEST(Merge, TakesCellsFlagsShapesAndBodiesFromEitherSide) {
   const Level base = small_level();
@@ -122,7 +126,7 @@ TEST(Merge, TakesEveryPartOfALevel) {
   mine.sheet(SheetId::tiles).flags[9] = 4;
   mine.palette[2] = {9, 9, 9};
   mine.flag_names[3] = "lava";
-  mine.flag_fields = {{.name = "kind", .first = 4}};
+  mine.flag_fields = {{.name = "kind", .first = 4, .bits = 2, .values = {}, .extra = ""}};
   mine.roles.one_way = 7;
   mine.tile_shapes[9].kind = TileShape::Kind::solid;
   mine.flag_shapes[3].kind = TileShape::Kind::solid;

@@ -97,12 +97,13 @@ TEST(PolygonTools, OutlinesAreUsableAndHaveTheSameGround) {
     shape.side = random() % 2 == 0 ? Side::floor : Side::ceiling;
     shape.tiles = static_cast<int>(random() % 3 + 1);
     const std::size_t count = shape.kind == Kind::slope ? 2 : random() % 6 + 3;
-    for (std::size_t i = 0; i < count; ++i) shape.heights.push_back(random() % 4 * tile.height / 2.0);
+    for (std::size_t i = 0; i < count; ++i)
+      shape.heights.push_back(static_cast<int>(random() % 4) * tile.height / 2.0);
     const TileShape outline = as_polygon(shape, tile);
     ASSERT_EQ(problem_of(outline, tile), std::nullopt) << round;
     for (int probe = 0; probe < 50; ++probe) {
-      const Vec2 place{random() % 1000 / 1000.0 * shape.tiles * tile.width,
-                       (random() % 3000 / 1000.0 - 1) * tile.height};
+      const Vec2 place{static_cast<int>(random() % 1000) / 1000.0 * shape.tiles * tile.width,
+                       (static_cast<int>(random() % 3000) / 1000.0 - 1) * tile.height};
       const bool is_flat = std::ranges::all_of(shape.heights, [](double height) { return height == 0; });
       const Vec2 up{place.x, place.y - 0.01}, down{place.x, place.y + 0.01};
       if (is_flat || is_in_ground(shape, tile, up) != is_in_ground(shape, tile, down))
