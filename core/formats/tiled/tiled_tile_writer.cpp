@@ -78,11 +78,12 @@ void TileWriter::edit_flags(std::uint8_t before) {
   const bool has_number = find_property<std::int64_t>(tile_.properties, "flags") != nullptr;
   if (has_number) set("flags", std::int64_t{flags_});
   for (int flag = 0; flag < kFlagCount; ++flag) {
-    const bool now = (flags_ >> flag & 1) != 0;
-    if (now == ((before >> flag & 1) != 0)) continue;
+    const int bit = 1 << flag;
+    if (((flags_ ^ before) & bit) == 0) continue;
     const std::string& name = names_[static_cast<std::size_t>(flag)];
-    if (now && (!has_number || property(name) != nullptr)) set(name, true);
-    if (!now && property(name) != nullptr) set(name, std::nullopt);
+    const bool is_there = property(name) != nullptr, is_on = (flags_ & bit) != 0;
+    if (is_on && (!has_number || is_there)) set(name, true);
+    if (!is_on && is_there) set(name, std::nullopt);
   }
 }
 
