@@ -16,7 +16,7 @@ namespace {
 constexpr int kReadingTries = 4;
 constexpr std::int64_t kLarge = 256 << 10;  // bytes of all files together
 
-std::string sentences(std::string text, const std::string& note) {
+std::string sentences(const std::string& text, const std::string& note) {
   return note.empty() ? text : text + (text.empty() ? "" : " ") + note + ".";
 }
 
@@ -217,7 +217,7 @@ bool FileHandler::is_undecided_in_ldtk(const LoadedLevel& newer) const {
 }
 
 // A file that another program is still writing is tried again, without a word.
-void FileHandler::take_reloaded(std::shared_ptr<Newer> newer) {
+void FileHandler::take_reloaded(const std::shared_ptr<Newer>& newer) {
   is_reloading_ = false;
   const FormatResult<LoadedLevel>& loaded = newer->loaded;
   if (!newer->is_quiet && ++failures_ < kReadingTries) return;

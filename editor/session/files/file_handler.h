@@ -112,7 +112,7 @@ class FileHandler {
   void ask_to_read(const std::string& changed, const std::string& why);
   void reload();
   struct Newer;  // the level as its files have it now
-  void take_reloaded(std::shared_ptr<Newer> newer);
+  void take_reloaded(const std::shared_ptr<Newer>& newer);
   void take_unread(const Newer& newer, const std::string& why);
   void ask_about_merge(const std::shared_ptr<Newer>& newer, const std::vector<std::string>& conflicts);
   void take_newer(const Newer& newer, Level level);
