@@ -10,6 +10,7 @@ find_package(zstd REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(tl-expected REQUIRED)
 find_package(pugixml REQUIRED)
+find_package(libjpeg-turbo REQUIRED)
 
 # stb is headers only and ships no CMake package; its folder holds stb_image.h and stb_image_write.h.
 find_path(STB_INCLUDE_DIR stb_image.h PATH_SUFFIXES stb REQUIRED)

@@ -1,6 +1,6 @@
 -- Draws a level in LÖVE 11 as Talus's editor does, from its sheet: a picture of the tiles in which colour 0 is
 -- clear. pictures(level, file) gives
---   draw_ground(x, y)  the layers of tiles from the back to the front; a cell with a ball, which is a body, shows
+--   draw_ground(x, y)  the layers from the back to the front; a cell with a ball, which is a body, shows
 --                      tile 0. x, y: px, the middle of the view, from which layers with parallax have their places.
 --                      Animated tiles show the frame that is due since pictures() was called
 --   draw_body(body)    its kind, x, y, w and h. Kinds that look like a figure, such as players, are boxes with a
@@ -27,19 +27,66 @@ local function is_plain(picture, tile_width, tile_height)
   return true
 end
 
--- The tiles of a layer go into one batch, of which only animated tiles change. Gives the batch and those tiles.
-local function batch_of(level, layer, sheet, quads, skips_empty, tile_width, tile_height)
-  local batch, animated = love.graphics.newSpriteBatch(sheet), {}
-  for i, number in ipairs(layer.tiles) do
-    local tile = layer.ground and level.balls[number] and 0 or number
-    if tile ~= 0 or not skips_empty then
-      local x, y = (i - 1) % level.width * tile_width, math.floor((i - 1) / level.width) * tile_height
-      local id = batch:add(quads[tile], x, y)
-      local frames = level.animations and level.animations[tile]
-      if frames then animated[#animated + 1] = {id = id, x = x, y = y, frames = frames, tile = tile} end
-    end
+-- How a batch draws a tile in the cell at x, y, so that it is turned: x, y, angle, factors of its width and height,
+-- and its middle. turn: 1 if its x and y change places, then + 2 if top and bottom do, + 4 if left and right do. A
+-- turned tile keeps the bottom left corner of the cell.
+local function turned(turn, x, y, tile_width, tile_height)
+  local width, height, angle = tile_width, tile_height, 0
+  local factor_x, factor_y = turn >= 4 and -1 or 1, turn % 4 >= 2 and -1 or 1
+  if turn % 2 == 1 then
+    width, height, angle = tile_height, tile_width, math.pi / 2
+    factor_x, factor_y = factor_y, -factor_x
   end
-  return batch, animated
+  return x + width / 2, y + tile_height - height / 2, angle, factor_x, factor_y, tile_width / 2, tile_height / 2
+end
+
+-- A part of the file of pictures as a quad, and a transform that brings its px onto the map.
+local function part_of(numbers, pictures)
+  local x, y, w, h, to_x, to_y, right_x, right_y, down_x, down_y = unpack(numbers)
+  local transform = love.math.newTransform()
+  transform:setMatrix(right_x, down_x, 0, to_x, right_y, down_y, 0, to_y, 0, 0, 1, 0, 0, 0, 0, 1)
+  return {quad = love.graphics.newQuad(x, y, w, h, pictures:getDimensions()), transform = transform, w = w, h = h}
+end
+
+-- Numbers from one to another, upwards or downwards.
+local function range(from, to, is_down)
+  if is_down then return to, from, -1 end
+  return from, to, 1
+end
+
+-- The tiles of a layer go into batches, a new one where the picture changes. Of them only animated tiles change.
+-- Gives the batches and those tiles. large: by tile and turn, parts of pictures
+local function batches_of(level, layer, sheet, quads, skips_empty, tile_width, tile_height, large, pictures)
+  local batches, animated, order = {}, {}, level.render_order or "right-down"
+  local function batch_with(texture)
+    local last = batches[#batches]
+    if last and last:getTexture() == texture then return last end
+    batches[#batches + 1] = love.graphics.newSpriteBatch(texture)
+    return batches[#batches]
+  end
+  local function add(column, row)
+    local number = layer.tiles[row * level.width + column + 1]
+    local tile = layer.ground and level.balls[number] and 0 or number
+    if tile == 0 and skips_empty then return end
+    local x, y = column * tile_width, row * tile_height
+    local turn = layer.turns and layer.turns[row * level.width + column + 1] or 0
+    if large[tile] then
+      local part = large[tile][turn] or large[tile][0]
+      batch_with(pictures):add(part.quad, love.math.newTransform(x, y):apply(part.transform))
+      return
+    end
+    local batch, place = batch_with(sheet), {x, y}
+    if turn ~= 0 then place = {turned(turn, x, y, tile_width, tile_height)} end
+    local id = batch:add(quads[tile], unpack(place))
+    local frames = level.animations and level.animations[tile]
+    if frames then animated[#animated + 1] = {batch = batch, id = id, place = place, frames = frames, tile = tile} end
+  end
+  local first_row, last_row, row_step = range(0, level.height - 1, order:find("up"))
+  local first_column, last_column, column_step = range(0, level.width - 1, order:find("left"))
+  for row = first_row, last_row, row_step do
+    for column = first_column, last_column, column_step do add(column, row) end
+  end
+  return batches, animated
 end
 
 -- The tile that an animation shows. frames: tile and ms in turn. time: ms
@@ -53,11 +100,11 @@ local function tile_at(frames, time)
   end
 end
 
-local function animate(batch, animated, quads, time)
+local function animate(animated, quads, time)
   for _, cell in ipairs(animated) do
     local tile = tile_at(cell.frames, time)
     if tile ~= cell.tile then
-      batch:set(cell.id, quads[tile], cell.x, cell.y)
+      cell.batch:set(cell.id, quads[tile], unpack(cell.place))
       cell.tile = tile
     end
   end
@@ -68,8 +115,33 @@ local function is_unchanged(layer)
   return not (layer.opacity or layer.x or layer.y or layer.parallax_x or layer.parallax_y or layer.tint)
 end
 
--- x, y: px, the middle of the view.
-local function draw_layer(layer, batch, x, y)
+-- The parts of a layer of objects, in one batch.
+local function batch_of_parts(layer, pictures)
+  local batch = love.graphics.newSpriteBatch(pictures)
+  for _, numbers in ipairs(layer.parts) do
+    local part = part_of(numbers, pictures)
+    batch:add(part.quad, part.transform)
+  end
+  return batch
+end
+
+-- The picture of a layer, as often as it is seen.
+local function draw_image(layer, part, pictures, to_x, to_y)
+  local left, top = love.graphics.inverseTransformPoint(0, 0)
+  local right, bottom = love.graphics.inverseTransformPoint(love.graphics.getDimensions())
+  local function span(from, to, origin, side, repeats)
+    if not repeats then return origin, origin end
+    return origin + math.floor((from - origin) / side) * side, to
+  end
+  local first_x, last_x = span(left, right, to_x, part.w, layer.repeats_x)
+  local first_y, last_y = span(top, bottom, to_y, part.h, layer.repeats_y)
+  for y = first_y, last_y, part.h do
+    for x = first_x, last_x, part.w do love.graphics.draw(pictures, part.quad, x, y) end
+  end
+end
+
+-- draw: draws the layer at a place, px. x, y: px, the middle of the view.
+local function draw_layer(layer, draw, x, y)
   local tint = layer.tint or {255, 255, 255}
   local to_x = (layer.x or 0) + x * (1 - (layer.parallax_x or 1))
   local to_y = (layer.y or 0) + y * (1 - (layer.parallax_y or 1))
@@ -78,7 +150,7 @@ local function draw_layer(layer, batch, x, y)
     to_x, to_y = love.graphics.inverseTransformPoint(math.floor(screen_x + 0.5), math.floor(screen_y + 0.5))
   end
   love.graphics.setColor(tint[1] / 255, tint[2] / 255, tint[3] / 255, layer.opacity or 1)
-  love.graphics.draw(batch, to_x, to_y)
+  draw(to_x, to_y)
 end
 
 local function rectangle(color, x, y, w, h)
@@ -112,19 +184,39 @@ return function(level, file)
     if level.balls[tile] then first_ball = tile end
   end
   local full, has_plain_0 = image(picture), is_plain(picture, tile_width, tile_height)
-  local layers, batches, animated = level.layers or {{tiles = level.tiles, ground = true}}, {}, {}
+  local layers, drawings, animated = level.layers or {{tiles = level.tiles, ground = true}}, {}, {}
+  local pictures = level.pictures and image(level.pictures)
+  local large = {}
+  for tile, numbers in pairs(level.large_tiles or {}) do large[tile] = {[0] = part_of(numbers, pictures)} end
+  for tile, turns in pairs(level.turned_large_tiles or {}) do
+    for turn, numbers in pairs(turns) do large[tile][turn] = part_of(numbers, pictures) end
+  end
+  if large[0] then has_plain_0 = false end
+  local layers_of_tiles = 0
   for i, layer in ipairs(layers) do  -- in front of others, and in a changed layer, colour 0 is clear
-    local is_back = i == 1 and is_unchanged(layer)
-    batches[i], animated[i] = batch_of(level, layer, is_back and full or clear, quads, i > 1 or has_plain_0,
-                                       tile_width, tile_height)
+    local batches
+    if layer.tiles then
+      local is_back = i == 1 and is_unchanged(layer)
+      batches, animated[i] =
+        batches_of(level, layer, is_back and full or clear, quads, layers_of_tiles > 0 or has_plain_0, tile_width,
+                   tile_height, large, pictures)
+      layers_of_tiles = layers_of_tiles + 1
+    else
+      batches, animated[i] = {layer.parts and batch_of_parts(layer, pictures)}, {}
+    end
+    local part = layer.image and part_of(layer.image, pictures)
+    drawings[i] = function(to_x, to_y)
+      if part then draw_image(layer, part, pictures, to_x, to_y) end
+      for _, batch in ipairs(batches) do love.graphics.draw(batch, to_x, to_y) end
+    end
   end
 
   local start = love.timer.getTime()
   local function draw_ground(x, y)
     local time = (love.timer.getTime() - start) * 1000
     for i, layer in ipairs(layers) do
-      animate(batches[i], animated[i], quads, time)
-      if not layer.hidden then draw_layer(layer, batches[i], x or 0, y or 0) end
+      animate(animated[i], quads, time)
+      if not layer.hidden then draw_layer(layer, drawings[i], x or 0, y or 0) end
     end
   end
   local function draw_body(body)

@@ -113,7 +113,7 @@ talus_game* talus_open(const char* path, char* error, size_t error_size) {
     tell("error: the path is null", error, error_size);
     return nullptr;
   }
-  return opened(path, error, error_size, [path] { return load_level(path); });
+  return opened(path, error, error_size, [path] { return load_level(path, {.outside = {"/"}}); });
 }
 
 talus_game* talus_read(const void* bytes, size_t size, const char* name, char* error, size_t error_size) {

@@ -31,15 +31,45 @@ Span where_less(double a0, double a1, double b0, double b1, double x0, double x1
 }  // namespace
 
 OutlineCompiler::OutlineCompiler(int width, const TileOutlines& tiles, std::span<const Piece<double>> curves,
-                                 const CurveEnds& curve_ends, TileAt tile_at)
-    : width_(width), tiles_(tiles), curves_(curves), curve_ends_(curve_ends), tile_at_(std::move(tile_at)) {}
+                                 const CurveEnds& curve_ends, TilesAt tiles_at)
+    : width_(width),
+      tiles_(tiles),
+      curves_(curves),
+      curve_ends_(curve_ends),
+      tiles_at_(std::move(tiles_at)) {}
 
 void OutlineCompiler::enter(std::array<Cell, 2> area) {
   sources_ = tiles_.sources_of(area);
   sources_width_ = sources_[1].x - sources_[0].x + 1;
-  tiles_here_.clear();
+  const auto width = static_cast<std::size_t>(sources_width_);
+  tiles_here_.resize(width * static_cast<std::size_t>(sources_[1].y - sources_[0].y + 1));
+  for (int y = sources_[0].y; y <= sources_[1].y; ++y) {
+    const std::span<const TileOutline*> all = tiles_here_;
+    tiles_at_({sources_[0].x, y}, all.subspan(static_cast<std::size_t>(y - sources_[0].y) * width, width));
+  }
+  note_lines(area);
+}
+
+// Sorts the parts of all sloped tiles into their columns.
+void OutlineCompiler::note_lines(std::array<Cell, 2> area) {
+  lines_.clear();
+  first_column_ = area[0].x - 1;
+  parts_of_columns_.resize(static_cast<std::size_t>(area[1].x + 1 - first_column_ + 1));
+  for (std::vector<Part>& parts : parts_of_columns_) parts.clear();
+  const TileOutline* const* next = tiles_here_.data();
   for (Cell c = sources_[0]; c.y <= sources_[1].y; ++c.y) {
-    for (c.x = sources_[0].x; c.x <= sources_[1].x; ++c.x) tiles_here_.push_back(&tile_at_(c));
+    for (c.x = sources_[0].x; c.x <= sources_[1].x; ++c.x) {
+      const TileOutline& shape = **next++;
+      if (!shape.line) continue;
+      lines_.emplace_back(c, &shape);
+      const int first = std::max(c.x + shape.first_column, first_column_);
+      const int last = std::min(c.x + shape.first_column + shape.width() - 1, area[1].x + 1);
+      for (int column = first; column <= last; ++column) {
+        std::vector<Part>& parts = parts_of_columns_[static_cast<std::size_t>(column - first_column_)];
+        for (const TileColumn& part : shape.in_column(column - c.x))
+          parts.push_back({&part, c, c.y + shape.touched[0].y, c.y + shape.touched[1].y});
+      }
+    }
   }
 }
 
@@ -71,8 +101,10 @@ OutlineCompiler::Body::Body(const TileOutlines& tiles, const TileColumn& of, Cel
       right(corner.x + column->right),
       highest(corner.y + column->highest),
       lowest(corner.y + column->lowest),
-      at_left{height_at(true, left, true), height_at(false, left, true)},
-      at_right{height_at(true, right, false), height_at(false, right, false)} {}
+      at_left(full ? Interval{highest, lowest}
+                   : Interval{height_at(true, left, true), height_at(false, left, true)}),
+      at_right(full ? Interval{highest, lowest}
+                    : Interval{height_at(true, right, false), height_at(false, right, false)}) {}
 
 double OutlineCompiler::Body::height_at(bool top, double x, bool to_the_right) const {
   const double in_tile = x - corner.x;  // exact for ends of lines, which are welded
@@ -86,7 +118,7 @@ double OutlineCompiler::Body::height_at(bool top, double x, bool to_the_right) c
 }
 
 OutlineCompiler::Interval OutlineCompiler::Body::range_at(double x, bool to_the_right) const {
-  if (to_the_right ? x == left : x == right) return to_the_right ? at_left : at_right;
+  if (is_full || (to_the_right ? x == left : x == right)) return to_the_right ? at_left : at_right;
   return {height_at(true, x, to_the_right), height_at(false, x, to_the_right)};
 }
 
@@ -118,15 +150,13 @@ const OutlineCompiler::Strip& OutlineCompiler::strip_at(int column, int row) {
     if (full.full) strip.bodies.emplace_back(tiles_, full.columns.front(), Cell{column, y}, true, width_);
   }
   const std::array<Cell, 2> sources = tiles_.sources_of({Cell{column, row}, Cell{column, row}});
-  for (Cell c{0, sources[0].y}; c.y <= sources[1].y; ++c.y) {
-    for (c.x = sources[0].x + 1; c.x < sources[1].x; ++c.x) {
-      const TileOutline& shape = tile(c);
-      if (!shape.line || row < c.y + shape.touched[0].y || row > c.y + shape.touched[1].y) continue;
-      for (const TileColumn& part : shape.in_column(column - c.x)) {
-        strip.bodies.emplace_back(tiles_, part, c, false, width_);
-        strip.has_polygons = strip.has_polygons || part.polygon >= 0;
-      }
-    }
+  const std::vector<Part>& parts = parts_of_columns_[static_cast<std::size_t>(column - first_column_)];
+  auto part = std::lower_bound(parts.begin(), parts.end(), sources[0].y,
+                               [](const Part& p, int y) { return p.cell.y < y; });
+  for (; part != parts.end() && part->cell.y <= sources[1].y; ++part) {
+    if (row < part->first_row || row > part->last_row) continue;
+    strip.bodies.emplace_back(tiles_, *part->column, part->cell, false, width_);
+    strip.has_polygons = strip.has_polygons || part->column->polygon >= 0;
   }
   const double left = tiles_.x_of(column), right = tiles_.x_of(column + 1);
   cut(strip, left, right);
@@ -414,10 +444,11 @@ OutlineCompiler::Next OutlineCompiler::next_of(const Piece<double>& piece, bool 
   for (const Body& body : strip_beside(x, !first).bodies) {
     if (y < body.highest || y > body.lowest || !body.has(up) || !body.is_beside(x, !first)) continue;
     for (const OutlineLine& in_tile : body.lines(up)) {
-      const OutlineLine line = in_tile.moved(body.corner);
-      const bool reaches_on = first ? line.x0 < x && x <= line.x1 : line.x0 <= x && x < line.x1;
-      if (!reaches_on || line.at(x) != y) continue;
-      if (body.one_way() || body.is_thick(x, !first)) note((first ? line.y0 : line.y1) - y);
+      const double x0 = in_tile.x0 + body.corner.x, x1 = in_tile.x1 + body.corner.x;
+      const bool reaches_on = first ? x0 < x && x <= x1 : x0 <= x && x < x1;
+      if (!reaches_on || in_tile.moved_at(body.corner, x) != y) continue;
+      if (body.one_way() || body.is_thick(x, !first))
+        note((first ? in_tile.y0 : in_tile.y1) + body.corner.y - y);
     }
   }
   if (curves_.empty()) return next;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <talus/collision/piece.h>
@@ -43,24 +44,21 @@ CurveOutline cut_curves(std::span<const Curve> curves);
 // change meanwhile.
 class OutlineCompiler {
  public:
-  // of any cell; outside of the map, the outline of no shape
-  using TileAt = std::function<const TileOutline&(Cell)>;
+  // Puts the outlines of the tiles in a row of cells into `tiles`, from a cell on; those outside of the map
+  // have no shape.
+  using TilesAt = std::function<void(Cell from, std::span<const TileOutline*> tiles)>;
 
   // width: of the map in cells, for Piece::origin. curve_ends: the ends of `curves`. The tiles, the curves
   // and their ends must outlive the compiler.
   OutlineCompiler(int width, const TileOutlines& tiles, std::span<const Piece<double>> curves,
-                  const CurveEnds& curve_ends, TileAt tile_at);
+                  const CurveEnds& curve_ends, TilesAt tiles_at);
 
   // The cells that are compiled next are in this area, from the first to the last. Both must be on the map.
   void enter(std::array<Cell, 2> area);
   // Calls use(cell, tile) for each sloped tile that may be on the outline of the area's cells.
   template <class Use>
   void for_lines(Use use) const {
-    for (Cell c = sources_[0]; c.y <= sources_[1].y; ++c.y) {
-      for (c.x = sources_[0].x; c.x <= sources_[1].x; ++c.x) {
-        if (tile(c).line) use(c, tile(c));
-      }
-    }
+    for (const auto& [cell, tile] : lines_) use(cell, *tile);
   }
   // Appends the pieces in the cell: those of its own shapes, and those of the curves with these indices.
   void compile(Cell cell, std::span<const std::uint32_t> curve_numbers, std::vector<Piece<double>>& out);
@@ -112,6 +110,12 @@ class OutlineCompiler {
     bool has_polygons = false;
     std::vector<double> cuts;  // x between its sides where a body begins or ends; of polygons alone
   };
+  // A part of a sloped tile, in the column of cells that it is in.
+  struct Part {
+    const TileColumn* column;
+    Cell cell;                // of the tile
+    int first_row, last_row;  // whose outline it may change
+  };
   // What continues at the end of a piece.
   struct Next {
     bool any = false;      // whether another line that faces the same way continues
@@ -122,6 +126,7 @@ class OutlineCompiler {
     return *tiles_here_[static_cast<std::size_t>(cell.y - sources_[0].y) * sources_width_ +
                         (cell.x - sources_[0].x)];
   }
+  void note_lines(std::array<Cell, 2> area);
   const Strip& strip_at(int column, int row);
   const Strip& strip_beside(double x, bool to_the_right) const;
   static void cut(Strip& strip, double left, double right);
@@ -147,11 +152,14 @@ class OutlineCompiler {
   const TileOutlines& tiles_;
   std::span<const Piece<double>> curves_;
   const CurveEnds& curve_ends_;
-  TileAt tile_at_;
+  TilesAt tiles_at_;
 
   std::array<Cell, 2> sources_{};  // the area that the sources are in
   int sources_width_ = 0;
-  std::vector<const TileOutline*> tiles_here_;  // tiles of the sources, row by row
+  std::vector<const TileOutline*> tiles_here_;              // tiles of the sources, row by row
+  std::vector<std::pair<Cell, const TileOutline*>> lines_;  // the sloped ones among them
+  std::vector<std::vector<Part>> parts_of_columns_;         // by column from first_column_ on, row by row
+  int first_column_ = 0;                                    // the one left of the area
   std::array<Strip, 3> strips_;  // the three columns last looked at, each in its place modulo 3
   const Strip *before_ = nullptr, *here_ = nullptr, *after_ = nullptr;  // strips around the current cell
 

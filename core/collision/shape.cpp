@@ -238,6 +238,9 @@ double weld(double coordinate) { return std::round(coordinate * kWeldParts) / kW
 std::optional<std::string> problem_of(const TileShape& shape, TileSize tile) {
   using Kind = TileShape::Kind;
   if (shape.tiles < 1 || shape.tiles > kMaxShapeTiles) return "must be 1 to 8 tiles wide";
+  if (shape.side == TileShape::Side::left || shape.side == TileShape::Side::right)
+    return std::string("stops bodies on its ") + (shape.side == TileShape::Side::left ? "left" : "right") +
+           " side alone, which no solver can";
   if (shape.kind != Kind::polygon && !shape.points.empty()) return "has points, which only a polygon has";
   if (shape.kind != Kind::group && !shape.parts.empty()) return "has parts, which only a group has";
   if (shape.kind == Kind::slope || shape.kind == Kind::profile) return problem_of_heights(shape, tile);

@@ -55,6 +55,29 @@ std::uint64_t columns_mask(int first, int last) {
 
 int index_in_chunk(Cell cell) { return (cell.y % kSide) * kSide + cell.x % kSide; }
 
+// Fills a band of a chunk whose cells know where their pieces begin: of the area, from `made`, the others
+// from the old band, which may be null. All are copied once, into no more memory than they need.
+template <class Band, class Pieces>
+void join_pieces(const Band* old, const Pieces& made, std::array<Cell, 2> area, int rows, Band& band) {
+  band.pieces.reserve(band.first.back());
+  const auto keep = [&](int from, int to) {
+    if (old == nullptr) return;
+    const auto begin = old->pieces.begin();
+    band.pieces.insert(band.pieces.end(), begin + old->first[from], begin + old->first[to]);
+  };
+  auto next = made.begin();
+  int kept_to = 0;  // the cell up to which the band is full
+  for (int y = area[0].y; y <= area[1].y; ++y) {
+    const int from = y * kSide + area[0].x, to = y * kSide + area[1].x + 1;
+    keep(kept_to, from);
+    const auto end = next + (band.first[to] - band.first[from]);
+    band.pieces.insert(band.pieces.end(), next, end);
+    next = end;
+    kept_to = to;
+  }
+  keep(kept_to, rows * kSide);
+}
+
 TerrainSource empty_source() {
   static constexpr std::array<TileNumber, 1> kNothing{};
   TerrainSource source;
@@ -115,11 +138,11 @@ BasicTerrain<Real>::BasicTerrain(const TerrainSource& source)
       for (Cell c{x, y}; c.y < std::min(y + kSide, height_); ++c.y) {
         for (c.x = x; c.x < std::min(x + kSide, width_); ++c.x) {
           const TileNumber tile = source.cells[static_cast<std::size_t>(c.y) * width_ + c.x];
-          const bool full = parts_->outlines[tile].full;
-          if (tile == 0 && !full) continue;
+          const TileOutline& outline = parts_->outlines[tile];
+          if (tile == 0 && !outline.full && !outline.line) continue;
           if (chunk == nullptr) chunk = std::make_shared<Chunk>();
           chunk->tiles[index_in_chunk(c)] = tile;
-          if (full) chunk->rows[c.y % kSide].solid |= std::uint64_t{1} << c.x % kSide;
+          if (outline.full) chunk->rows[c.y % kSide].solid |= std::uint64_t{1} << c.x % kSide;
         }
       }
       chunks_[chunk_index({x, y})] = std::move(chunk);
@@ -175,9 +198,21 @@ void BasicTerrain<Real>::set_cell(Cell cell, TileNumber tile) {
 template <class Real>
 OutlineCompiler BasicTerrain<Real>::compiler() const {
   static const TileOutline kNothing;
-  return OutlineCompiler(
-      width_, parts_->outlines, parts_->curve_pieces, parts_->curve_ends,
-      [this](Cell c) -> const TileOutline& { return contains(c) ? parts_->outlines[tile_at(c)] : kNothing; });
+  return OutlineCompiler(width_, parts_->outlines, parts_->curve_pieces, parts_->curve_ends,
+                         [this](Cell from, std::span<const TileOutline*> tiles) {
+                           std::fill(tiles.begin(), tiles.end(), &kNothing);
+                           if (from.y < 0 || from.y >= height_) return;
+                           const int end = std::min(from.x + static_cast<int>(tiles.size()), width_);
+                           for (Cell c{std::max(from.x, 0), from.y}; c.x < end;) {
+                             const Chunk* chunk = chunks_[chunk_index(c)].get();
+                             const int chunk_end = std::min(c.x / kSide * kSide + kSide, end);
+                             for (; c.x < chunk_end; ++c.x) {
+                               const TileNumber tile =
+                                   chunk == nullptr ? TileNumber{0} : chunk->tiles[index_in_chunk(c)];
+                               tiles[static_cast<std::size_t>(c.x - from.x)] = &parts_->outlines[tile];
+                             }
+                           }
+                         });
 }
 
 // Compiles the cells from the first to the last. These may lie outside of the terrain.
@@ -282,36 +317,47 @@ template <class Real>
 void BasicTerrain<Real>::compile_band(Chunk& chunk, Cell corner, int band, std::array<Cell, 2> area,
                                       OutlineCompiler& compiler) {
   const std::shared_ptr<const Band> old = chunk.bands[band];
+  const int top = corner.y + band * kBandRows;
+  const std::array<Cell, 2> inside = {Cell{area[0].x, std::max(area[0].y, top)},
+                                      Cell{area[1].x, std::min(area[1].y, top + kBandRows - 1)}};
   auto fresh = std::make_shared<Band>();
-  std::vector<Piece<Real>> pieces;
+  if (old != nullptr) fresh->first = old->first;
+  std::vector<Piece<Real>> made;  // of the area, row by row
   std::vector<Piece<double>> exact;
   std::vector<std::uint32_t> curves;
-  const int begin = band * kBandRows;
-  for (int i = 0; i < kBandRows * kSide; ++i) {
-    const Cell in_chunk{i % kSide, begin + i / kSide};
-    const Cell cell{corner.x + in_chunk.x, corner.y + in_chunk.y};
-    const std::uint64_t bit = std::uint64_t{1} << in_chunk.x;
-    TerrainRow& row = chunk.rows[in_chunk.y];
-    if (in_chunk.x == 0) row.faced = {};
-    const bool inside =
-        cell.x >= area[0].x && cell.x <= area[1].x && cell.y >= area[0].y && cell.y <= area[1].y;
-    if (!inside) {
-      const std::span<const Piece<Real>> kept = chunk.pieces_in(in_chunk.x, in_chunk.y);
-      pieces.insert(pieces.end(), kept.begin(), kept.end());
-    } else if ((row.detailed & bit) != 0) {
-      exact.clear();
-      curves.clear();
-      for (const CurveInCell& c : curves_between(cell, cell)) curves.push_back(c.piece);
-      compiler.compile(cell, curves, exact);
-      for (const Piece<double>& piece : exact) pieces.push_back(narrow<Real>(piece));
+  const bool has_curves = !parts_->cells_of_curves.empty();
+  const std::uint64_t columns = columns_mask(inside[0].x - corner.x, inside[1].x - corner.x);
+  std::int64_t more = 0;  // pieces than before, up to the current cell
+  for (Cell c{0, top}; c.y < top + kBandRows; ++c.y) {
+    TerrainRow& row = chunk.rows[c.y - corner.y];
+    const bool is_row_inside = c.y >= inside[0].y && c.y <= inside[1].y;
+    if (is_row_inside) {
+      for (std::uint64_t& faced : row.faced) faced &= ~columns;
     }
-    for (std::size_t n = fresh->first[i]; n < pieces.size(); ++n) {
-      row.faced[static_cast<int>(pieces[n].facing)] |= bit;
+    for (c.x = corner.x; c.x < corner.x + kSide; ++c.x) {
+      const std::uint64_t bit = std::uint64_t{1} << (c.x - corner.x);
+      const auto i = static_cast<std::size_t>((c.y - top) * kSide + c.x - corner.x);
+      if (is_row_inside && (columns & bit) != 0) {
+        exact.clear();
+        curves.clear();
+        if (has_curves) {
+          for (const CurveInCell& curve : curves_between(c, c)) curves.push_back(curve.piece);
+        }
+        if ((row.detailed & bit) != 0) compiler.compile(c, curves, exact);
+        for (const Piece<double>& piece : exact) {
+          made.push_back(narrow<Real>(piece));
+          row.faced[static_cast<int>(piece.facing)] |= bit;
+        }
+        const std::size_t before = old == nullptr ? 0 : old->first[i + 1] - old->first[i];
+        more += static_cast<std::int64_t>(exact.size()) - static_cast<std::int64_t>(before);
+      }
+      fresh->first[i + 1] = static_cast<std::uint32_t>(fresh->first[i + 1] + more);
     }
-    fresh->first[i + 1] = static_cast<std::uint32_t>(pieces.size());
   }
-  fresh->pieces.assign(pieces.begin(), pieces.end());  // allocates no more memory than they need
-  pieces_ += pieces.size() - (old == nullptr ? 0 : old->pieces.size());
+  const std::array<Cell, 2> in_band = {Cell{inside[0].x - corner.x, inside[0].y - top},
+                                       Cell{inside[1].x - corner.x, inside[1].y - top}};
+  join_pieces(old.get(), made, in_band, kBandRows, *fresh);
+  pieces_ += fresh->pieces.size() - (old == nullptr ? 0 : old->pieces.size());
   chunk.bands[band] = std::move(fresh);
 }
 

@@ -1,5 +1,4 @@
 // A folder for games with bump.lua: slopes as a response, the level, and an example for LÖVE.
-#include "../formats/pictures/png_sheet.h"
 #include "export_targets.h"
 #include "lua_level.h"
 #include "plain_data.h"
@@ -8,8 +7,7 @@ namespace talus {
 
 FormatResult<Exported> export_bump(const ExportRequest& request) {
   Exported out;
-  out.files = {{"level.lua", lua_level(request.level, LuaForm::readable, request.progress, request.layered)},
-               {"sheet.png", write_clear_tiles(request.drawn())}};
+  add_drawn_level(request, out);
   struct Copied {
     const char *name, *asset;
     bool is_starter = false;

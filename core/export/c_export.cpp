@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <set>
 #include <string_view>
 
 #include <talus/level/ground.h>
@@ -16,10 +17,10 @@ namespace {
 
 constexpr int kMostPx = 1 << 23;  // in 24.8
 
-// The prefix of names: the file's name, with one _ in place of other characters than C allows in names.
-std::string c_name(const std::string& stem) {
+// A part of a name, in small letters, with one _ in place of other characters than C allows in names.
+std::string c_word(const std::string& text) {
   std::string name;
-  for (const char c : stem) {
+  for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
     if (byte < 128 && std::isalnum(byte) != 0)
       name += static_cast<char>(std::tolower(byte));
@@ -27,6 +28,12 @@ std::string c_name(const std::string& stem) {
       name += '_';
   }
   while (name.ends_with('_')) name.pop_back();
+  return name;
+}
+
+// The prefix of names, by the file's name.
+std::string c_name(const std::string& stem) {
+  const std::string name = c_word(stem);
   if (name.empty()) return "level";
   return name.front() >= 'a' && name.front() <= 'z' ? name : "level_" + name;
 }
@@ -165,6 +172,7 @@ class CHeader {
   }
 
   void put_head();
+  void put_flags();
   void put_map();
   void put_shapes();
   void put_floors();
@@ -197,10 +205,7 @@ void CHeader::put_head() {
   define("TILE_HEIGHT", tile_.height);
   if (tile_.width == tile_.height) define("TILE_SIZE", tile_.width);
   define("BODIES", static_cast<std::int64_t>(bodies_.size()));
-  for (const FlagRoleInfo& info : flag_role_infos()) {
-    const int flag = level_.roles.*info.flag;
-    if (flag != FlagRoles::kUnused) define("FLAG_" + upper(std::string(info.key)), flag);
-  }
+  put_flags();
   int widest = 1;
   double highest = tile_.height;
   for (const PlainShape& shape : shapes_) {
@@ -213,17 +218,32 @@ void CHeader::put_head() {
   line("");
 }
 
+// Flags with a role, and then those with a name. A name that another flag has is left out.
+void CHeader::put_flags() {
+  std::set<std::string> taken = {""};
+  const auto put = [&](const std::string& name, int flag) {
+    if (taken.insert(name).second) define("FLAG_" + upper(name), flag);
+  };
+  for (const FlagRoleInfo& info : flag_role_infos())
+    if (const int flag = level_.roles.*info.flag; flag != FlagRoles::kUnused)
+      put(std::string(info.key), flag);
+  for (int flag = 0; flag < kMaxFlags; ++flag)
+    put(c_word(level_.flag_names[static_cast<std::size_t>(flag)]), flag);
+}
+
 void CHeader::put_map() {
   line("/* Tile numbers, and flags by tile and by sprite: bit n is flag n, of ^_FLAG_SOLID and the like. */");
+  const bool has_more_flags = (used_flags(level_) & ~kCartFlagSet) != 0;
+  const std::string flag_type = has_more_flags ? "uint32_t " : "uint8_t ";
   line("static const " + number_type(static_cast<std::size_t>(level_.tile_count())) +
        " @_map[^_HEIGHT][^_WIDTH] = {");
-  const std::vector<TileNumber>& cells = level_.map.cells();
+  const std::vector<TileNumber>& cells = level_.map.cells().tiles();
   for (auto row = cells.begin(); row != cells.end(); row += level_.map.width())
     text_ += c_list(std::vector<TileNumber>(row, row + level_.map.width())) + ",\n";
   line("};");
-  text_ += "static const uint8_t " + name_ + "_flags[" + std::to_string(level_.tile_count()) +
+  text_ += "static const " + flag_type + name_ + "_flags[" + std::to_string(level_.tile_count()) +
            "] = " + c_list(level_.sheet(SheetId::tiles).flags) + ";\n";
-  text_ += "static const uint8_t " + name_ + "_sprite_flags[" +
+  text_ += "static const " + flag_type + name_ + "_sprite_flags[" +
            std::to_string(level_.sheet(SheetId::sprites).count()) +
            "] = " + c_list(level_.sheet(SheetId::sprites).flags) + ";\n\n";
 }

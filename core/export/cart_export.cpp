@@ -14,8 +14,9 @@ namespace {
 // The same cells at the top left of a cart's map, which must have room for them.
 TileMap on_cart_map(const TileMap& map) {
   TileMap whole(kTicMapWidth, kTicMapHeight);
-  auto to = whole.cells().begin();
-  for (auto row = map.cells().begin(); row != map.cells().end(); row += map.width(), to += kTicMapWidth)
+  const std::vector<TileNumber>& cells = map.cells().tiles();
+  auto to = whole.cells().tiles().begin();
+  for (auto row = cells.begin(); row != cells.end(); row += map.width(), to += kTicMapWidth)
     std::copy_n(row, map.width(), to);
   return whole;
 }

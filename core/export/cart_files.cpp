@@ -36,6 +36,17 @@ std::string_view extension_of_script(std::string_view code) {
   return {};
 }
 
+// What games that run in TIC-80 lack; the companion has it. Empty if a cart has all flags of the tiles.
+std::vector<std::string> dropped_flags(const Level& level) {
+  std::size_t tiles = 0;
+  for (const Sheet& sheet : level.sheets)
+    tiles += static_cast<std::size_t>(std::count_if(
+        sheet.flags.begin(), sheet.flags.end(), [](FlagSet flags) { return (flags & ~kCartFlagSet) != 0; }));
+  if (tiles == 0) return {};
+  return {"the flags above 7 of " + std::to_string(tiles) + (tiles == 1 ? " tile" : " tiles") +
+          ": a cart has flags 0 to 7, and its companion the others"};
+}
+
 FormatResult<Exported> cart_files(const ExportRequest& request, const Level& cart, const Format& format) {
   const FormatContext context = context_for_file(request.name);
   FormatResult<WrittenLevel> written = format.write(cart, context);
@@ -48,6 +59,7 @@ FormatResult<Exported> cart_files(const ExportRequest& request, const Level& car
   // An old companion would add to the cart what the level no longer has.
   if (!is_needed) companion = write_companion(request.level, *held, format, request.name, true);
   Exported exported{{{"", std::move(written->bytes)}}, std::move(written->dropped)};
+  for (std::string& flags : dropped_flags(request.level)) exported.dropped.push_back(std::move(flags));
   if (request.name == "-" && is_needed)
     exported.dropped.emplace_back("what a cart cannot hold, which goes beside a file");
   exported.files.push_back({.name = request.name + std::string(kCompanionEnding),

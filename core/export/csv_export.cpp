@@ -1,5 +1,7 @@
 // A folder of tables: plain data for spreadsheets and scripts. docs/export-data.md says what the numbers
 // mean.
+#include <algorithm>
+
 #include <talus/level/ground.h>
 #include "../formats/text/append_number.h"
 #include "export_targets.h"
@@ -58,7 +60,7 @@ class CsvTable {
 std::string map_table(const TileMap& map, const Progress& progress) {
   CsvTable table;
   for (Cell c; c.y < map.height() && progress.at(c.y, map.height()); ++c.y) {
-    for (c.x = 0; c.x < map.width(); ++c.x) table.number(map.at(c));
+    for (c.x = 0; c.x < map.width(); ++c.x) table.number(map.tile_at(c));
     table.end_row();
   }
   return table.take();
@@ -73,7 +75,7 @@ std::string tile_table(const Level& level) {
   const std::vector<PlainShape> shapes = plain_shapes(ground_of(level));
   auto shape = shapes.begin();
   for (int tile = 0; tile < level.tile_count(); ++tile) {
-    const int flags = level.tile_flags(static_cast<TileNumber>(tile));
+    const FlagSet flags = level.tile_flags(static_cast<TileNumber>(tile));
     if (shape == shapes.end() || shape->tile != tile) {
       table.number(tile).number(flags).word("none");
       for (int empty = 0; empty < width + 4; ++empty) table.word("");
@@ -149,6 +151,18 @@ std::string role_table(const FlagRoles& roles) {
   return table.take();
 }
 
+bool has_flag_names(const Level& level) {
+  return std::any_of(level.flag_names.begin(), level.flag_names.end(),
+                     [](const std::string& name) { return !name.empty(); });
+}
+
+std::string flag_name_table(const Level& level) {
+  CsvTable table("flag,name");
+  for (std::size_t flag = 0; flag < level.flag_names.size(); ++flag)
+    if (!level.flag_names[flag].empty()) table.number(flag).word(level.flag_names[flag]).end_row();
+  return table.take();
+}
+
 std::string tuning_table(const Tuning& tuning) {
   CsvTable table("name,value,unit");
   table.word("solver").word(solver_name(tuning.solver)).word("").end_row();
@@ -191,6 +205,7 @@ FormatResult<Exported> export_csv(const ExportRequest& request) {
   add("lines.csv", line_table(plain_lines(level, progress.part(0.8, 1))));
   add("bodies.csv", body_table(level));
   add("roles.csv", role_table(level.roles));
+  if (has_flag_names(level)) add("flag_names.csv", flag_name_table(level));
   add("tuning.csv", tuning_table(level.tuning));
   add("sizes.csv", size_table(level.map));
   return exported;

@@ -9,9 +9,12 @@
 #include "../formats/import/import_drops.h"
 #include "../level/ground_cells.h"
 #include "../level/ground_level.h"
+#include "../level/layer_tree.h"
 #include "../level/object_ground.h"
+#include "../level/placed_picture.h"
 #include "export_targets.h"
 #include "flat_level.h"
+#include "lua_pictures.h"
 
 namespace talus {
 namespace {
@@ -33,34 +36,48 @@ constexpr Extensions<1> kHeader = {"h"};
 template <std::size_t N>
 using Names = std::array<std::string_view, N>;
 
+constexpr std::string_view kPictureWord = "-picture-";
 constexpr Names<1> kSheetBeside = {"*-tiles.png"};
+constexpr Names<2> kMapBeside = {"*-tiles.png", "*-picture-#.png"};
 constexpr Names<1> kCompanion = {"**.talus.json"};
-constexpr Names<8> kLoveFiles = {"talus.lua", "level.lua",  "sheet.png",        "main.lua",
-                                 "conf.lua",  "camera.lua", "curve_points.lua", "pictures.lua"};
+constexpr Names<9> kLoveFiles = {"talus.lua",  "level.lua",        "sheet.png",    "main.lua",    "conf.lua",
+                                 "camera.lua", "curve_points.lua", "pictures.lua", "pictures.png"};
 constexpr Names<2> kRuntimeFiles = {"talus.lua", "level.lua"};
-constexpr Names<7> kBumpFiles = {"level.lua", "sheet.png",  "bump_slopes.lua", "main.lua",
-                                 "conf.lua",  "camera.lua", "pictures.lua"};
+constexpr Names<8> kBumpFiles = {"level.lua", "sheet.png",  "bump_slopes.lua", "main.lua",
+                                 "conf.lua",  "camera.lua", "pictures.lua",    "pictures.png"};
 constexpr Names<3> kCppFiles = {"level.talus.json", "main.cpp", "CMakeLists.txt"};
-constexpr Names<9> kCsvFiles = {"map.csv",    "flags.csv", "sprite_flags.csv", "polygons.csv", "lines.csv",
-                                "bodies.csv", "roles.csv", "tuning.csv",       "sizes.csv"};
+constexpr Names<10> kCsvFiles = {"map.csv",      "flags.csv", "sprite_flags.csv", "flag_names.csv",
+                                 "polygons.csv", "lines.csv", "bodies.csv",       "roles.csv",
+                                 "tuning.csv",   "sizes.csv"};
 
-// Native levels alone hold objects; the ground of theirs is in all others but maps of Tiled.
+// Levels and maps of Tiled hold objects; the ground of theirs is in all others.
 void tell_objects(const Exporter& exporter, const Level& level, std::vector<std::string>& dropped) {
+  if (!level.large_tiles.empty() && !exporter.draws_pictures)
+    dropped.emplace_back("the parts of tiles that are outside of their cells");
   for (const ObjectLayer& layer : level.objects) {
-    const std::string name = "the layer of objects " + quoted_name(layer.name);
-    if (!layer.is_ground)
-      dropped.push_back(name);
-    else if (exporter.takes_layers)
-      dropped.push_back(name + " and its ground, which Talus alone finds in the file");
+    if (exporter.draws_pictures && drawn_pictures(layer).size() == layer.objects.size()) continue;
+    const std::string kind = layer.image ? "the layer of a picture " : "the layer of objects ";
+    if (!layer.is_ground) dropped.push_back(kind + quoted_name(layer.name));
   }
+}
+
+// The ground of all layers of tiles as one layer.
+FormatResult<Level> ground_for_export(const Level& level, const GroundCells& cells) {
+  if (cells.overflow > 0) return tl::unexpected(FormatError{"", *ground_problem(level, cells)});
+  return ground_level(level);
 }
 
 // With all layers of tiles made one.
 FormatResult<Exported> write_flat(const Exporter& exporter, const ExportRequest& request) {
-  const auto flat = flat_level(request.level);
+  const auto flat = flat_level(request.level, exporter.takes_mirrors);
   if (!flat) return tl::unexpected(flat.error());
-  auto exported =
-      exporter.write({flat->level, request.name, request.read_asset, request.parts, request.progress});
+  const bool is_turned = flat->level.map.cells().has_turned();
+  auto level = is_turned                 ? ground_for_export(flat->level, ground_cells(flat->level))
+               : exporter.has_cart_tiles ? with_cart_tiles(flat->level)
+                                         : flat->level;
+  if (!level) return tl::unexpected(level.error());
+  auto exported = exporter.write({*level, request.name, request.read_asset, request.parts, request.progress,
+                                  is_turned ? &flat->level : nullptr});
   if (exported) exported->dropped.insert(exported->dropped.end(), flat->dropped.begin(), flat->dropped.end());
   return exported;
 }
@@ -70,7 +87,7 @@ std::size_t bodies_in_stacks(const Level& level, const GroundCells& ground) {
   std::vector<std::size_t> bodies;  // by stack
   for (const TileStack& stack : ground.stacks)
     bodies.push_back(static_cast<std::size_t>(std::count_if(
-        stack.begin(), stack.end(), [&](TileNumber tile) { return is_ball_tile(level, tile); })));
+        stack.begin(), stack.end(), [&](MapCell cell) { return is_ball_tile(level, cell.tile); })));
   std::size_t count = 0;
   for (const TileNumber number : ground.cells)
     if (number >= level.tile_count()) count += bodies[static_cast<std::size_t>(number - level.tile_count())];
@@ -80,15 +97,22 @@ std::size_t bodies_in_stacks(const Level& level, const GroundCells& ground) {
 // With the ground of all layers of tiles as one layer, and the layers to be drawn.
 FormatResult<Exported> write_layered(const Exporter& exporter, const ExportRequest& request) {
   const GroundCells cells = ground_cells(request.level);
-  if (cells.overflow > 0) return tl::unexpected(FormatError{"", *ground_problem(request.level, cells)});
-  const Level ground = ground_level(request.level);
+  const auto ground = ground_for_export(request.level, cells);
+  if (!ground) return tl::unexpected(ground.error());
   auto exported = exporter.write(
-      {ground, request.name, request.read_asset, request.parts, request.progress, &request.level});
+      {*ground, request.name, request.read_asset, request.parts, request.progress, &request.level});
   const std::size_t lost = bodies_in_stacks(request.level, cells);
   if (exported && lost > 0)
     exported->dropped.push_back(std::to_string(lost) + (lost == 1 ? " body" : " bodies") +
                                 " in cells that have ground in another layer");
   return exported;
+}
+
+FormatResult<Exported> write_one(const Exporter& exporter, const ExportRequest& request) {
+  const bool is_plain = request.level.layers.is_plain() && !request.level.map.cells().has_turned();
+  if (exporter.takes_layers || (is_plain && !(exporter.draws_pictures && has_pictures(request.level))))
+    return exporter.write(request);
+  return exporter.draws_layers ? write_layered(exporter, request) : write_flat(exporter, request);
 }
 
 }  // namespace
@@ -105,22 +129,39 @@ std::string ExportRequest::stem() const {
   return first.empty() || first == "-" ? "level" : first;
 }
 
-std::string ExportRequest::sheet_name() const {
+namespace {
+
+// name: of the output.
+std::string stem_beside(const std::string& name) {
   const std::string stem = name == "-" ? "" : fs::path(name).stem().string();
-  return (stem.empty() ? "level" : stem) + "-tiles.png";
+  return stem.empty() ? "level" : stem;
+}
+
+}  // namespace
+
+std::string ExportRequest::sheet_name() const { return stem_beside(name) + "-tiles.png"; }
+
+std::string ExportRequest::picture_name(int number) const {
+  return stem_beside(name) + std::string(kPictureWord) + std::to_string(number) + ".png";
 }
 
 FormatResult<Exported> Exporter::make(const ExportRequest& request) const {
-  if (!takes_layers && has_object_ground(request.level)) {
-    const Level tiles = with_object_tiles(request.level, true);
-    auto exported = make({tiles, request.name, request.read_asset, request.parts, request.progress});
-    if (exported) tell_objects(*this, request.level, exported->dropped);
+  if (!takes_groups && !request.level.layers.groups.empty()) {
+    const Level flat = without_groups(request.level);
+    auto exported = make({flat, request.name, request.read_asset, request.parts, request.progress});
+    if (exported && draws_layers)
+      exported->dropped.emplace_back("the groups of layers: each layer looks as it does in its groups");
     return exported;
   }
-  const bool is_whole = takes_layers || request.level.layers.is_plain();
-  FormatResult<Exported> exported = is_whole       ? write(request)
-                                    : draws_layers ? write_layered(*this, request)
-                                                   : write_flat(*this, request);
+  FormatResult<Exported> exported;
+  if (!takes_layers && has_object_ground(request.level)) {
+    Level tiles = with_object_tiles(request.level, true);
+    tiles.objects = request.level.objects;  // what is drawn of them
+    for (ObjectLayer& layer : tiles.objects) layer.is_ground = false;
+    exported = write_one(*this, {tiles, request.name, request.read_asset, request.parts, request.progress});
+  } else {
+    exported = write_one(*this, request);
+  }
   if (exported && !takes_objects) tell_objects(*this, request.level, exported->dropped);
   if (request.progress.stopped()) return was_cancelled();
   return exported;
@@ -132,6 +173,14 @@ std::string name_beside(std::string_view pattern, const std::string& output) {
   return std::string(pattern);
 }
 
+std::string without_picture_number(const std::string& name) {
+  const auto word = name.rfind(kPictureWord), end = name.rfind(".png");
+  if (word == name.npos || end == name.npos || end + 4 != name.size()) return name;
+  const auto from = word + kPictureWord.size();
+  if (from >= end || name.find_first_not_of("0123456789", from) != end) return name;
+  return name.substr(0, from) + "#" + name.substr(end);
+}
+
 std::span<const Exporter> exporters() {
   static const std::vector<Exporter> list = {
       {.id = "native",
@@ -140,6 +189,7 @@ std::span<const Exporter> exporters() {
        .write = export_native,
        .purpose = "A copy of the level for Talus itself.",
        .takes_layers = true,
+       .takes_groups = true,
        .takes_objects = true,
        .keeps_unknown = true},
       {.id = "tic",
@@ -147,6 +197,7 @@ std::span<const Exporter> exporters() {
        .extensions = find_format("tic")->extensions,
        .write = export_tic,
        .purpose = "Tiles, flags, map and palette in a cart; its code, sounds and all else stay as they were.",
+       .has_cart_tiles = true,
        .beside = kCompanion,
        .keeps_code = true},
       {.id = "tic-text",
@@ -154,6 +205,7 @@ std::span<const Exporter> exporters() {
        .extensions = find_format("tic-text")->extensions,
        .write = export_tic_text,
        .purpose = "The same as text, for version control and other editors.",
+       .has_cart_tiles = true,
        .usual_suffix = "-tic",
        .beside = kCompanion,
        .keeps_code = true},
@@ -162,6 +214,7 @@ std::span<const Exporter> exporters() {
        .extensions = find_format("tic")->extensions,
        .write = export_tic_playable,
        .purpose = "A game that runs at once: balls, players and the mouse behave as in Talus.",
+       .has_cart_tiles = true,
        .takes_parts = true,
        .usual_suffix = "-playable",
        .beside = kCompanion},
@@ -170,6 +223,7 @@ std::span<const Exporter> exporters() {
        .extensions = find_format("tic-text")->extensions,
        .write = export_tic_text_playable,
        .purpose = "The same game as text, with Lua code that you can build on.",
+       .has_cart_tiles = true,
        .takes_parts = true,
        .usual_suffix = "-playable",
        .beside = kCompanion},
@@ -178,6 +232,7 @@ std::span<const Exporter> exporters() {
        .write = export_love,
        .purpose = "A folder that LÖVE runs as it is: a start for your own game.",
        .draws_layers = true,
+       .draws_pictures = true,
        .takes_parts = true,
        .beside = kLoveFiles},
       {.id = "lua-runtime",
@@ -192,6 +247,7 @@ std::span<const Exporter> exporters() {
        .write = export_bump,
        .purpose = "Slopes as a response for bump.lua, the level, and an example that uses them.",
        .draws_layers = true,
+       .draws_pictures = true,
        .beside = kBumpFiles},
       {.id = "cpp",
        .label = "game in C++",
@@ -207,7 +263,9 @@ std::span<const Exporter> exporters() {
        .purpose =
            "Map and tileset for Tiled, with a collision polygon for each shape and flags as properties.",
        .takes_layers = true,
-       .beside = kSheetBeside,
+       .takes_groups = true,
+       .takes_objects = true,
+       .beside = kMapBeside,
        .shares_sheet = true},
       {.id = "tmx",
        .label = "Tiled map, XML",
@@ -215,7 +273,9 @@ std::span<const Exporter> exporters() {
        .write = export_tmx,
        .purpose = "The same map and tileset as XML.",
        .takes_layers = true,
-       .beside = kSheetBeside,
+       .takes_groups = true,
+       .takes_objects = true,
+       .beside = kMapBeside,
        .shares_sheet = true},
       {.id = "sti",
        .label = "Lua map for Simple Tiled Implementation",
@@ -223,14 +283,16 @@ std::span<const Exporter> exporters() {
        .write = export_sti,
        .purpose = "A map for the STI library of LÖVE and its bump plugin.",
        .draws_layers = true,
+       .takes_objects = true,
        .usual_suffix = "-sti",
-       .beside = kSheetBeside,
+       .beside = kMapBeside,
        .shares_sheet = true},
       {.id = "ldtk",
        .label = "LDtk project",
        .extensions = kLdtk,
        .write = export_ldtk,
        .purpose = "A project for LDtk: shapes as an IntGrid, tiles as a layer, flags with the tileset.",
+       .takes_mirrors = true,
        .beside = kSheetBeside,
        .shares_sheet = true},
       {.id = "lua",
@@ -259,7 +321,9 @@ std::span<const Exporter> exporters() {
        .label = "PNG picture of the map",
        .extensions = kPng,
        .write = export_png,
-       .purpose = "The map, one pixel a px."},
+       .purpose = "The map with all of its layers, one pixel a px.",
+       .takes_layers = true,
+       .takes_objects = true},
       {.id = "svg",
        .label = "SVG drawing of the map and its outline",
        .extensions = kSvg,

@@ -63,6 +63,8 @@ struct ExportRequest {
 
   std::string stem() const;  // the name up to its first dot: "cave"; "level" for "-" and for an empty name
   std::string sheet_name() const;  // name of a picture of the tiles beside the file: "cave-tiles.png"
+  // Name of another picture beside the file: "cave-picture-1.png". number: from 1.
+  std::string picture_name(int number) const;
 };
 
 struct Exporter {
@@ -74,17 +76,24 @@ struct Exporter {
   FormatResult<Exported> (*write)(const ExportRequest& request);
   std::string_view purpose = {};  // one sentence: what it is for and what is in it; may be empty
   bool takes_layers =
-      false;  // whether it takes all layers of tiles; else they are made one, see flat_level.h
-  // Whether it draws all layers of tiles, but collides with their ground as one: a level with several layers
-  // comes as ground_level() of it, with the level itself as ExportRequest::layered.
+      false;  // whether it takes all layers of tiles and turns; else they are made one, see flat_level.h
+  // Whether it draws all layers of tiles, but collides with their ground as one: a level with several layers,
+  // or with turned tiles, comes as ground_level() of it, with the level itself as ExportRequest::layered.
   bool draws_layers = false;
+  // Whether it takes cells that mirror their tile; those with a quarter turn have tiles of their own. A level
+  // with mirrored tiles comes as with draws_layers, with one layer.
+  bool takes_mirrors = false;
+  bool draws_pictures = false;  // whether it draws large tiles, and the pictures of objects and layers
+  bool takes_groups = false;    // whether it has groups of layers; else their layers get their looks
   bool takes_objects =
-      false;                 // whether it takes layers of objects, or nothing of the map; else it tells them
+      false;  // whether it takes layers of objects, or nothing of the map; else it tells them
+  // Whether it has no more tiles than a cart, so that those of flat_level() take the places of blank ones.
+  bool has_cart_tiles = false;
   bool takes_parts = false;  // whether it writes the Lua runtime, which has parts
   // The suffix of its usual file name, "-sti", so that no two exporters have the same.
   std::string_view usual_suffix = {};
   // Names of all files that it may write besides the named one, or in the folder. * stands for the given name
-  // without its extension, ** for the whole name.
+  // without its extension, ** for the whole name, # for any number.
   std::span<const std::string_view> beside = {};
   bool shares_sheet = false;  // whether its PNG shows only the tiles: those of other exporters are the same
   bool keeps_code = false;    // whether it keeps the code of the level's cart, which TIC-80 runs
@@ -97,8 +106,11 @@ struct Exporter {
   FormatResult<Exported> make(const ExportRequest& request) const;
 };
 
-// The name of a file of Exporter::beside, for an output of this name, without its folders.
+// The name of a file of Exporter::beside, for an output of this name, without its folders; # stays.
 std::string name_beside(std::string_view pattern, const std::string& output);
+// The name of a file without its number, as name_beside() gives it: "cave-picture-#.png" for
+// "cave-picture-12.png". Other names stay.
+std::string without_picture_number(const std::string& name);
 
 std::span<const Exporter> exporters();
 const Exporter* find_exporter(std::string_view id);  // null if there is no such exporter

@@ -5,17 +5,20 @@
 #include <map>
 #include <utility>
 
+#include <talus/level/tile_turns.h>
 #include "../formats/import/import_drops.h"
 #include "../level/ground_cells.h"
 #include "../level/tile_color.h"
+#include "../level/tile_renumber.h"
 
 namespace talus {
 namespace {
 
-// A tile of a layer in a cell.
+// What a layer has in a cell.
 struct LayerTile {
   int layer = 0;
   TileNumber tile = 0;
+  TileTurn turn = TileTurn::none;
   friend auto operator<=>(const LayerTile&, const LayerTile&) = default;
 };
 using LayerTiles = std::vector<LayerTile>;  // of one cell, from the back to the front
@@ -28,7 +31,8 @@ bool is_unchanged(const TileLayer& layer) {
 
 class Flattener {
  public:
-  explicit Flattener(const Level& level) : level_(level), flat_(level) {
+  Flattener(const Level& level, bool keeps_mirrors)
+      : level_(level), keeps_mirrors_(keeps_mirrors), flat_(level) {
     const auto count = static_cast<std::size_t>(level.tile_count());
     for (std::size_t tile = 0; tile < count; ++tile) {
       const auto number = static_cast<TileNumber>(tile);
@@ -40,7 +44,7 @@ class Flattener {
 
   FormatResult<FlatLevel> run() {
     flat_.layers = {};
-    std::vector<TileNumber> cells(level_.map.cells().size());
+    MapCells cells(level_.map.cells().size());
     LayerTiles tiles;
     for (std::size_t cell = 0; cell < cells.size(); ++cell) {
       tiles.clear();
@@ -50,11 +54,13 @@ class Flattener {
         return tl::unexpected(FormatError{"", "has more than " + std::to_string(kMaxTiles) +
                                                   " different tiles and stacks of tiles in its layers, but "
                                                   "this format has one layer"});
-      cells[cell] = static_cast<TileNumber>(number);
+      const bool is_one = tiles.size() == 1 && is_kept(tiles.front());
+      cells.set(cell, {static_cast<TileNumber>(number), is_one ? tiles.front().turn : TileTurn::none});
     }
     flat_.map.cells() = std::move(cells);
     if (auto made = add_tiles(); !made) return tl::unexpected(made.error());
     for (const TileLayer& layer : level_.layers.list) tell_drops(layer);
+    tell_turns();
     return FlatLevel{std::move(flat_), std::move(dropped_)};
   }
 
@@ -71,16 +77,19 @@ class Flattener {
   }
 
   void take(int index, std::size_t cell, LayerTiles& tiles) const {
-    const TileNumber tile = level_.cells_of(index)[cell];
+    const auto [tile, turn] = level_.cells_of(index)[cell];
     const bool shows = is_drawn(layer(index)) && !is_blank_[tile];
     const bool is_ground = layer(index).is_ground && (counts_[tile] || level_.tile_flags(tile) != 0);
-    if (shows || is_ground) tiles.push_back({index, tile});
+    if (shows || is_ground) tiles.push_back({index, tile, turn});
   }
 
   // Whether the tile stands for itself in any level with one layer.
   bool is_kept(const LayerTile& tile) const {
     const TileLayer& its = layer(tile.layer);
-    return (is_unchanged(its) || is_blank_[tile.tile]) && (its.is_ground || !counts_[tile.tile]);
+    const bool is_upright =
+        tile.turn == TileTurn::none || (keeps_mirrors_ && !has_flip(tile.turn, TileTurn::diagonal));
+    return is_upright && (is_unchanged(its) || is_blank_[tile.tile]) &&
+           (its.is_ground || !counts_[tile.tile]);
   }
 
   std::size_t number_of(const LayerTiles& tiles) {
@@ -115,9 +124,12 @@ class Flattener {
     TileImage image{};
     for (const LayerTile& tile : tiles) {
       if (!is_drawn(layer(tile.layer))) continue;
-      const TileImage& over = level_.sheet(SheetId::tiles).images[tile.tile];
-      for (std::size_t p = 0; p < image.size(); ++p)
-        if (over[p] != 0) image[p] = over[p];
+      const TileImage& its = level_.sheet(SheetId::tiles).images[tile.tile];
+      for (int p = 0; p < kCartTileSize * kCartTileSize; ++p) {
+        const Cell from = pixel_before_turn({p % kCartTileSize, p / kCartTileSize}, tile.turn, TileSize());
+        const std::uint8_t color = its[static_cast<std::size_t>(from.y * kCartTileSize + from.x)];
+        if (color != 0) image[static_cast<std::size_t>(p)] = color;
+      }
     }
     return image;
   }
@@ -125,18 +137,20 @@ class Flattener {
   // Flags of all, as far as they do not make ground of what is only drawn, and the shapes together.
   void set_physics(std::size_t number, const LayerTiles& tiles) {
     TileStack ground;
-    std::uint8_t flags = 0;
+    FlagSet flags = 0;
     for (const LayerTile& tile : tiles) {
       const bool is_ground = layer(tile.layer).is_ground;
-      if (is_ground || !counts_[tile.tile])
-        flags = static_cast<std::uint8_t>(flags | level_.tile_flags(tile.tile));
-      if (is_ground && counts_[tile.tile]) ground.push_back(tile.tile);
+      if (is_ground || !counts_[tile.tile]) flags |= level_.tile_flags(tile.tile);
+      if (is_ground && counts_[tile.tile]) ground.push_back({tile.tile, tile.turn});
     }
     flat_.sheet(SheetId::tiles).flags[number] = flags;
     const TileStack stacks[] = {ground};
     const auto stack = static_cast<TileNumber>(level_.tile_count());
-    TileShape shape = ground.size() == 1 ? shape_of_tile(level_, ground.front()) : TileShape();
-    if (ground.size() > 1) shape = shape_of_number(level_, stacks, stack);
+    TileShape shape = ground.empty() ? TileShape() : shape_of_number(level_, stacks, stack);
+    if (problem_of(shape, level_.map.tile_size())) {  // its flags would make other ground
+      shape = {};
+      flat_.sheet(SheetId::tiles).flags[number] = flags = 0;
+    }
     if (shape != shape_of_flags(flat_, flags)) flat_.tile_shapes[number] = std::move(shape);
   }
 
@@ -155,7 +169,7 @@ class Flattener {
     SheetPicture picture{static_cast<int>(width), static_cast<int>(height), {}};
     picture.rgba.resize(static_cast<std::size_t>(4 * width * height));
     for (int tile = 0; tile < layout.count; ++tile) {
-      LayerTiles tiles{{-1, static_cast<TileNumber>(tile)}};
+      LayerTiles tiles{{-1, static_cast<TileNumber>(tile), TileTurn::none}};
       if (tile >= level_.tile_count()) tiles = added_[static_cast<std::size_t>(tile - level_.tile_count())];
       draw(tiles, layout.place_of(tile), picture);
     }
@@ -169,13 +183,16 @@ class Flattener {
     for (const LayerTile& tile : tiles) {
       const TileLayer looks = tile.layer < 0 ? TileLayer() : layer(tile.layer);
       if (!is_drawn(looks)) continue;
-      for (int y = 0; y < size.height; ++y) {
-        for (int x = 0; x < size.width; ++x) {
+      const TileSize turned_size = turned(size, tile.turn);
+      const int top = top_of_turned(size, tile.turn);  // what is outside of the cell is cut off
+      for (int y = std::max(0, top); y < size.height; ++y) {
+        for (int x = 0; x < std::min(size.width, turned_size.width); ++x) {
           const auto at =
               (static_cast<std::size_t>(place.y * size.height + y) * static_cast<std::size_t>(picture.width) +
                static_cast<std::size_t>(place.x * size.width + x)) *
               4;
-          put_over(pixel_of(tile.tile, x, y), looks, &picture.rgba[at]);
+          const Cell from = pixel_before_turn({x, y - top}, tile.turn, size);
+          put_over(pixel_of(tile.tile, from.x, from.y), looks, &picture.rgba[at]);
         }
       }
     }
@@ -209,6 +226,17 @@ class Flattener {
     under[3] = static_cast<std::uint8_t>(std::lround(both * kMost));
   }
 
+  void tell_turns() {
+    const auto turned = std::count_if(added_.begin(), added_.end(), [](const LayerTiles& tiles) {
+      return std::any_of(tiles.begin(), tiles.end(),
+                         [](const LayerTile& tile) { return tile.turn != TileTurn::none; });
+    });
+    if (turned > 0)
+      dropped_.push_back(
+          "that cells turn their tiles: " + std::to_string(turned) +
+          (turned == 1 ? " turned tile is a tile of its own" : " turned tiles are tiles of their own"));
+  }
+
   void tell_drops(const TileLayer& its) {
     const std::string of = " of the layer " + quoted_name(its.name);
     if (!is_drawn(its)) return;
@@ -217,6 +245,7 @@ class Flattener {
   }
 
   const Level& level_;
+  bool keeps_mirrors_;
   Level flat_;
   std::vector<bool> is_blank_, counts_;  // by tile
   std::map<LayerTiles, std::size_t> numbers_;
@@ -226,6 +255,41 @@ class Flattener {
 
 }  // namespace
 
-FormatResult<FlatLevel> flat_level(const Level& level) { return Flattener(level).run(); }
+FormatResult<FlatLevel> flat_level(const Level& level, bool keeps_mirrors) {
+  return Flattener(level, keeps_mirrors).run();
+}
+
+Level with_cart_tiles(Level level) {
+  const Sheet& sheet = level.sheet(SheetId::tiles);
+  if (level.tile_count() <= kCartTiles || sheet.columns != kCartColumns) return level;
+  std::vector<bool> is_used(static_cast<std::size_t>(level.tile_count()));
+  is_used[0] = true;
+  for (const TileNumber tile : level.map.cells().tiles()) is_used[tile] = true;
+  for (const TileNumber tile : level.auto_tiles.tiles) is_used[tile] = true;
+  for (const Brush& brush : level.brushes)
+    for (const MapCell cell : brush.tiles) is_used[cell.tile] = true;
+  for (const auto& [tile, animation] : level.animations) {
+    is_used[tile] = true;
+    for (const AnimationFrame& frame : animation) is_used[frame.tile] = true;
+  }
+  std::vector<int> numbers(is_used.size());
+  int free = 0;
+  for (int tile = 0; tile < level.tile_count(); ++tile) {
+    const auto at = static_cast<std::size_t>(tile);
+    numbers[at] = tile;
+    if (tile < kCartTiles) continue;
+    const auto is_free = [&](int number) {
+      const auto i = static_cast<std::size_t>(number);
+      return !is_used[i] && sheet.images[i] == TileImage{} && sheet.flags[i] == 0 &&
+             level.tile_shapes[i].kind == TileShape::Kind::none;
+    };
+    while (free < kCartTiles && !is_free(free)) ++free;
+    if (free == kCartTiles) return level;
+    numbers[static_cast<std::size_t>(free)] = -1;
+    numbers[at] = free++;
+  }
+  renumber_tiles(level, {}, numbers);
+  return level;
+}
 
 }  // namespace talus

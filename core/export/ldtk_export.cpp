@@ -49,16 +49,19 @@ std::string color_text(Rgb color) {
   return text;
 }
 
-// One text for each tile with flags or a shape.
+// One text for each tile with flags or a shape. The ground may have more tiles, which are turned ones.
 OrderedJson custom_data(const Level& level, const TerrainSource& ground) {
-  std::vector<OrderedJson> tiles(ground.shapes.size());
+  std::vector<OrderedJson> tiles(static_cast<std::size_t>(level.tile_count()));
   for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
     const auto number = static_cast<TileNumber>(tile);
-    const std::uint8_t flags = level.tile_flags(number);
+    const FlagSet flags = level.tile_flags(number);
     if (flags != 0) tiles[tile]["flags"] = flags;
     if (is_ball_tile(level, number)) tiles[tile]["ball"] = true;
   }
-  for (const PlainShape& shape : plain_shapes(ground)) tiles[shape.tile].update(plain_shape_json(shape));
+  for (const PlainShape& shape : plain_shapes(ground)) {
+    const auto tile = static_cast<std::size_t>(shape.tile);
+    if (tile < tiles.size()) tiles[tile].update(plain_shape_json(shape));
+  }
   OrderedJson all = OrderedJson::array();
   for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
     if (!tiles[tile].is_null()) all.push_back({{"tileId", tile}, {"data", tiles[tile].dump()}});
@@ -197,6 +200,11 @@ void put_int_grid(const Level& level, const LdtkShapes::Grid& grid, std::string&
 
 constexpr std::size_t kMostOfTile = 96;  // bytes of a tile's object
 
+// LDtk's number of flip bits: 1 mirrors left and right, 2 up and down.
+int flip_bits(TileTurn turn) {
+  return (has_flip(turn, TileTurn::left_right) ? 1 : 0) + (has_flip(turn, TileTurn::up_down) ? 2 : 0);
+}
+
 void put_grid_tiles(const Level& level, const Progress& progress, std::string& text) {
   const SheetLayout sheet = level.sheet(SheetId::tiles).layout();
   std::vector<bool> blank(static_cast<std::size_t>(sheet.count));
@@ -209,7 +217,7 @@ void put_grid_tiles(const Level& level, const Progress& progress, std::string& t
     append_number(text += ',', place.y * side);
     text += ']';
   };
-  const std::span<const TileNumber> cells = level.map.cells();
+  const std::span<const TileNumber> cells = level.map.cells().tiles();
   const auto shown = std::count_if(cells.begin(), cells.end(), [&](TileNumber tile) { return !blank[tile]; });
   // Growing by doubling would take three times the memory of a text that can be a GB.
   text.reserve(text.size() + static_cast<std::size_t>(shown) * kMostOfTile);
@@ -217,16 +225,18 @@ void put_grid_tiles(const Level& level, const Progress& progress, std::string& t
   bool first = true;
   for (Cell c; c.y < level.map.height() && progress.at(c.y, level.map.height()); ++c.y) {
     for (c.x = 0; c.x < level.map.width(); ++c.x) {
-      const int tile = level.map.at(c);
-      if (blank[static_cast<std::size_t>(tile)]) continue;
+      const auto place = static_cast<std::size_t>(c.y * level.map.width() + c.x);
+      const auto [tile, turn] = level.map.cells()[place];
+      if (blank[tile]) continue;
       text += first ? "\n" : ",\n";
       first = false;
       text += R"({"px":)";
       put_place(c);
       text += R"(,"src":)";
       put_place(sheet.place_of(tile));
-      append_number(text += R"(,"f":0,"t":)", tile);
-      append_number(text += R"(,"d":[)", c.y * level.map.width() + c.x);
+      append_number(text += R"(,"f":)", flip_bits(turn));
+      append_number(text += R"(,"t":)", tile);
+      append_number(text += R"(,"d":[)", place);
       text += R"(],"a":1})";
     }
   }
@@ -235,15 +245,17 @@ void put_grid_tiles(const Level& level, const Progress& progress, std::string& t
 
 class LdtkProject {
  public:
-  LdtkProject(const LdtkSkeleton& skeleton, const Level& level, std::string stem, std::string sheet,
-              Progress progress)
+  // level: that is drawn. ground: of the level that has its ground.
+  LdtkProject(const LdtkSkeleton& skeleton, const Level& level, TerrainSource ground, std::string stem,
+              std::string sheet, Progress progress)
       : skeleton_(skeleton),
         level_(level),
+        ground_(std::move(ground)),
         progress_(std::move(progress)),
         stem_(std::move(stem)),
         sheet_(std::move(sheet)),
-        shapes_(ground_of(level)),
-        grid_(shapes_.grid_of(ground_of(level), progress_.part(0, 0.1))) {}
+        shapes_(ground_),
+        grid_(shapes_.grid_of(ground_, progress_.part(0, 0.1))) {}
 
   std::size_t overlaps() const { return grid_.overlaps; }
 
@@ -277,7 +289,7 @@ class LdtkProject {
                                                  {"pxWid", sheet.columns * side_},
                                                  {"pxHei", sheet.rows() * side_},
                                                  {"tileGridSize", side_},
-                                                 {"customData", custom_data(level_, ground_of(level_))}})});
+                                                 {"customData", custom_data(level_, ground_)}})});
     OrderedJson level = skeleton_.filled("level", {{"identifier", ldtk_identifier(stem_)},
                                                    {"iid", iid(3)},
                                                    {"uid", kLevelUid},
@@ -355,6 +367,7 @@ class LdtkProject {
 
   const LdtkSkeleton& skeleton_;
   const Level& level_;
+  TerrainSource ground_;
   int side_ = level_.map.tile_size().width;  // px, of a cell
   Progress progress_;
   std::string stem_, sheet_;
@@ -373,13 +386,15 @@ FormatResult<Exported> export_ldtk(const ExportRequest& request) {
   }
   const FormatResult<LdtkSkeleton> skeleton = read_ldtk_skeleton(request.read_asset);
   if (!skeleton) return tl::unexpected(skeleton.error());
-  const LdtkProject project(*skeleton, request.level, request.stem(), request.sheet_name(), request.progress);
+  const Level& drawn = request.drawn();
+  const LdtkProject project(*skeleton, drawn, ground_of(request.level), request.stem(), request.sheet_name(),
+                            request.progress);
   std::vector<std::string> dropped = dropped_curves(request.level);
   if (const std::size_t cells = project.overlaps(); cells > 0)
     dropped.push_back("a second shape in " + std::to_string(cells) + (cells == 1 ? " cell" : " cells") +
                       " that two shapes reach into");
   Exported exported = exported_file(project.text(), std::move(dropped));
-  exported.files.push_back({request.sheet_name(), write_map_tiles(request.level)});
+  exported.files.push_back({request.sheet_name(), write_map_tiles(drawn)});
   return exported;
 }
 

@@ -1,7 +1,9 @@
 // Folders of Lua: for any game, and a game for LÖVE.
+#include "../formats/pictures/png_picture.h"
 #include "../formats/pictures/png_sheet.h"
 #include "export_targets.h"
 #include "lua_level.h"
+#include "lua_pictures.h"
 #include "lua_runtime.h"
 
 namespace talus {
@@ -16,13 +18,24 @@ FormatResult<Exported> export_lua_runtime(const ExportRequest& request) {
                   code};
 }
 
+void add_drawn_level(const ExportRequest& request, Exported& out) {
+  const auto pictures = lua_pictures(request.drawn());
+  out.files.push_back({"level.lua", lua_level(request.level, LuaForm::readable, request.progress,
+                                              request.layered, pictures ? &*pictures : nullptr)});
+  out.files.push_back({"sheet.png", write_clear_tiles(request.drawn())});
+  if (pictures) {
+    const SheetPicture& all = pictures->picture;
+    out.files.push_back({"pictures.png", encode_png(all.width, all.height, 4, all.rgba.data())});
+  } else if (has_pictures(request.drawn())) {
+    out.dropped.emplace_back("the pictures of large tiles, objects and layers, which are too many");
+  }
+}
+
 FormatResult<Exported> export_love(const ExportRequest& request) {
   FormatResult<std::string> runtime = lua_runtime(request, LuaForm::readable, true);
   if (!runtime) return tl::unexpected(runtime.error());
-  Exported out{{{"talus.lua", std::move(*runtime)},
-                {"level.lua", lua_level(request.level, LuaForm::readable, request.progress, request.layered)},
-                {"sheet.png", write_clear_tiles(request.drawn())}},
-               dropped_solver(request.level)};
+  Exported out{{{"talus.lua", std::move(*runtime)}}, dropped_solver(request.level)};
+  add_drawn_level(request, out);
   for (const std::string name :
        {"love/main.lua", "love/conf.lua", "camera.lua", "curve_points.lua", "pictures.lua"}) {
     FormatResult<std::string> text = request.read_asset("templates/" + name);

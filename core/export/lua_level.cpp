@@ -1,13 +1,17 @@
 #include "lua_level.h"
 
 #include <algorithm>
+#include <set>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include <talus/level/ground.h>
 #include "../formats/text/append_number.h"
+#include "../formats/tiled/tiled_properties.h"
 #include "../level/bump_boxes.h"
+#include "../level/placed_picture.h"
 #include "lua_parts.h"
 #include "lua_text.h"
 #include "plain_data.h"
@@ -194,10 +198,18 @@ void write_tiles(LuaTable&& rows, std::span<const TileNumber> cells, int columns
     rows.row(cells.subspan(from, width));
 }
 
-void write_layer(LuaTable&& table, const Level& level, int index) {
-  const TileLayer& layer = level.layers.list[static_cast<std::size_t>(index)];
+// By cell, the sum of the bits of its turn, see TileTurn.
+void write_turns(LuaTable&& rows, const MapCells& cells, int columns) {
+  std::vector<TileNumber> numbers;
+  numbers.reserve(cells.size());
+  for (const TileTurn turn : cells.turns()) numbers.push_back(static_cast<TileNumber>(turn));
+  write_tiles(std::move(rows), numbers, columns, {});
+}
+
+template <class Layer>
+void write_looks(LuaTable& table, const Layer& layer, bool is_ground) {
   if (!layer.name.empty()) table.member("name") += lua_string(layer.name);
-  if (layer.is_ground) table.truth("ground");
+  if (is_ground) table.truth("ground");
   if (!layer.visible) table.truth("hidden");
   const auto number = [&](std::string_view key, double value, double usual) {
     if (value != usual) table.number(key, value);
@@ -209,7 +221,80 @@ void write_layer(LuaTable&& table, const Level& level, int index) {
   number("parallax_y", layer.parallax.y, 1);
   if (layer.tint != Rgb{255, 255, 255})
     table.numbers("tint", std::vector<int>{layer.tint.r, layer.tint.g, layer.tint.b});
-  write_tiles(table.in_lines("tiles"), level.cells_of(index), level.map.width(), {});
+}
+
+void write_layer(LuaTable&& table, const Level& level, int index) {
+  const TileLayer& layer = level.layers.list[static_cast<std::size_t>(index)];
+  write_looks(table, layer, layer.is_ground);
+  const MapCells& cells = level.cells_of(index);
+  write_tiles(table.in_lines("tiles"), cells.tiles(), level.map.width(), {});
+  if (cells.has_turned()) write_turns(table.in_lines("turns"), cells, level.map.width());
+}
+
+std::vector<double> numbers_of(const PlacedPicture& shown, const LuaPictures& pictures) {
+  const PicturePart& part = shown.part;
+  const Cell corner = pictures.corners.at(part.picture.get());
+  const double w = part.width, h = part.height;
+  return {1.0 * (corner.x + part.x),
+          1.0 * (corner.y + part.y),
+          w,
+          h,
+          shown.corner.x,
+          shown.corner.y,
+          shown.right.x / w,
+          shown.right.y / w,
+          shown.down.x / h,
+          shown.down.y / h};
+}
+
+// A layer of objects or of a picture.
+void write_other(LuaTable&& table, const ObjectLayer& layer, const LuaPictures& pictures) {
+  write_looks(table, layer, false);
+  if (layer.image && layer.image->part.picture != nullptr) {
+    const PicturePart& part = layer.image->part;
+    table.numbers("image", numbers_of(placed(part, {}, {1.0 * part.width, 1.0 * part.height}), pictures));
+    if (layer.image->repeats_x) table.truth("repeats_x");
+    if (layer.image->repeats_y) table.truth("repeats_y");
+    return;
+  }
+  LuaTable parts = table.in_lines("parts");
+  for (const std::size_t i : drawn_pictures(layer))
+    parts.numbers("", numbers_of(placed(layer.objects[i]), pictures));
+}
+
+void write_layers(const Level& level, const LuaPictures* pictures, LuaTable& table) {
+  LuaTable layers = table.in_lines("layers");
+  for (const auto& [has_tiles, index] : layers_in_order(level)) {
+    if (has_tiles)
+      write_layer(layers.in_lines(""), level, index);
+    else if (pictures != nullptr)
+      write_other(layers.in_lines(""), level.objects[static_cast<std::size_t>(index)], *pictures);
+  }
+}
+
+void write_turned(const Level& level, const LuaPictures& pictures, LuaTable& table) {
+  const auto turned = turned_large_tiles(level);
+  if (turned.empty()) return;
+  LuaTable all = table.in_lines("turned_large_tiles");
+  for (auto next = turned.begin(); next != turned.end();) {
+    const TileNumber tile = next->first;
+    LuaTable turns = all.in_lines("[" + std::to_string(tile) + "]");
+    for (; next != turned.end() && next->first == tile; ++next) {
+      const PlacedPicture shown =
+          placed(level.large_tiles.at(tile), {0, 0}, level.map.tile_size(), next->second);
+      turns.numbers("[" + std::to_string(static_cast<int>(next->second)) + "]", numbers_of(shown, pictures));
+    }
+  }
+}
+
+void write_pictures(const Level& level, const LuaPictures& pictures, LuaTable& table) {
+  table.word("pictures", "pictures.png");
+  if (level.layers.order != RenderOrder()) table.word("render_order", word_of(level.layers.order));
+  write_turned(level, pictures, table);
+  LuaTable large = table.in_lines("large_tiles");
+  for (const auto& [number, tile] : level.large_tiles)
+    large.numbers("[" + std::to_string(number) + "]",
+                  numbers_of(placed(tile, {0, 0}, level.map.tile_size()), pictures));
 }
 
 // By tile, the tiles that it shows and for how many ms, in turn.
@@ -226,13 +311,53 @@ void write_animations(const Level& level, LuaTable& table) {
   }
 }
 
+// By tile, what its user wrote.
+void write_notes(const Level& level, LuaTable& table) {
+  if (level.tile_notes.empty()) return;
+  LuaTable notes = table.in_lines("tile_notes");
+  for (const auto& [tile, note] : level.tile_notes) {
+    LuaTable entry = notes.in_a_row("[" + std::to_string(tile) + "]");
+    if (!note.type.empty()) entry.member("class") += lua_string(note.type);
+    if (note.probability != 1) entry.number("probability", note.probability);
+    if (note.properties.empty()) continue;
+    LuaTable properties = entry.in_a_row("properties");
+    for (const TiledProperty& property : properties_of_json(note.properties)) {
+      std::string& text = properties.member("[" + lua_string(property.name) + "]");
+      if (const auto* truth = std::get_if<bool>(&property.value))
+        text += *truth ? "true" : "false";
+      else if (const auto* whole = std::get_if<std::int64_t>(&property.value))
+        text += std::to_string(*whole);
+      else if (const auto* number = std::get_if<double>(&property.value))
+        append_number(text, *number);
+      else
+        text += lua_string(std::get<std::string>(property.value));
+    }
+  }
+}
+
 // The player's gravity has the same key as that of balls.
 std::string lua_key(const TuningField& field) {
   return field.group == "player" && field.key == "gravity" ? "player_gravity" : std::string(field.key);
 }
 
+// The tiles of each flag with a name. Nothing if no flag has one.
+void write_flags(const Level& level, LuaTable& table) {
+  const auto& names = level.flag_names;
+  if (std::all_of(names.begin(), names.end(), [](const std::string& name) { return name.empty(); })) return;
+  LuaTable flags = table.in_lines("flags");
+  std::set<std::string> written = {""};
+  for (int flag = 0; flag < kMaxFlags; ++flag) {
+    const std::string& name = names[static_cast<std::size_t>(flag)];
+    if (!written.insert(name).second) continue;
+    LuaTable tiles = flags.in_a_row("[" + lua_string(name) + "]");
+    for (int tile = 0; tile < level.tile_count(); ++tile)
+      if (has_flag(level.tile_flags(static_cast<TileNumber>(tile)), flag))
+        tiles.truth("[" + std::to_string(tile) + "]");
+  }
+}
+
 void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Progress& progress,
-                 const Level* layered) {
+                 const Level* layered, const LuaPictures* pictures) {
   const TerrainSource ground = ground_of(level);
   const auto number_key = [](auto tile) { return "[" + std::to_string(tile) + "]"; };
   table.number("width", ground.width);
@@ -241,7 +366,8 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
     table.number("tile_width", ground.tile.width);
     table.number("tile_height", ground.tile.height);
   }
-  if (level.sheet(SheetId::tiles).picture != nullptr) table.truth("true_colour");
+  const Level& drawn = layered == nullptr ? level : *layered;
+  if (drawn.sheet(SheetId::tiles).picture != nullptr) table.truth("true_colour");
   if (with_tiles) write_tiles(table.in_lines("tiles"), ground.cells, ground.width, progress);
   {
     LuaTable shapes = table.in_lines("shapes");
@@ -278,12 +404,13 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
     for (const TuningField& field : tuning_fields()) tuning.number(lua_key(field), field.of(level.tuning));
   }
   if (!with_tiles) return;
+  write_flags(level, table);
   if (layered != nullptr) {
-    LuaTable layers = table.in_lines("layers");
-    for (int layer = 0; layer < layered->layers.count(); ++layer)
-      write_layer(layers.in_lines(""), *layered, layer);
+    write_layers(*layered, pictures, table);
+    if (pictures != nullptr) write_pictures(*layered, *pictures, table);
   }
-  write_animations(layered == nullptr ? level : *layered, table);
+  write_animations(drawn, table);
+  write_notes(drawn, table);
   LuaTable parts = table.in_a_row("parts");
   // A loop over the temporary would not keep it alive.
   const std::vector<std::string> used = lua_parts(level).value();
@@ -292,13 +419,14 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
 
 }  // namespace
 
-std::string lua_level(const Level& level, LuaForm form, const Progress& progress, const Level* layered) {
+std::string lua_level(const Level& level, LuaForm form, const Progress& progress, const Level* layered,
+                      const LuaPictures* pictures) {
   std::string text;
   if (form == LuaForm::readable)
     text = "-- A level made with Talus, for talus.lua or bump_slopes.lua. Lengths in px.\n";
   text += "return ";
   write_level(LuaTable(text, form == LuaForm::readable ? LuaTable::Layout::lines : LuaTable::Layout::small),
-              level, form == LuaForm::readable, progress, layered);
+              level, form == LuaForm::readable, progress, layered, pictures);
   return text + '\n';
 }
 

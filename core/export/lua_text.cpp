@@ -1,5 +1,9 @@
 #include "lua_text.h"
 
+#include <algorithm>
+#include <array>
+#include <string>
+
 namespace talus {
 
 std::string lua_string(std::string_view text) {
@@ -15,6 +19,16 @@ std::string lua_string(std::string_view text) {
     }
   }
   return quoted + '"';
+}
+
+bool is_lua_name(std::string_view text) {
+  constexpr std::array<std::string_view, 22> kWords = {
+      "and", "break", "do",  "else", "elseif", "end",    "false",  "for",  "function", "goto",  "if",
+      "in",  "local", "nil", "not",  "or",     "repeat", "return", "then", "true",     "until", "while"};
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  const auto is_part = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9'); };
+  return !text.empty() && is_letter(text.front()) && std::all_of(text.begin(), text.end(), is_part) &&
+         std::find(kWords.begin(), kWords.end(), text) == kWords.end();
 }
 
 }  // namespace talus

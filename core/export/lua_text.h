@@ -10,6 +10,9 @@ namespace talus {
 // bytes.
 std::string lua_string(std::string_view text);
 
+// Whether a text can be a key without quotes: a name, and no word of Lua's own.
+bool is_lua_name(std::string_view text);
+
 // A list of more tables is written as `join{function() return {...} end, ...}`, with this many in each
 // function. LuaJIT allows 65536 constants in a function, and each table of numbers is one.
 inline constexpr std::size_t kMostLuaEntries = 4096;

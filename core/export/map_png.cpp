@@ -1,8 +1,8 @@
 #include "map_png.h"
 
 #include "../formats/pictures/png_picture.h"
-#include "../level/tile_color.h"
 #include "export_targets.h"
+#include "map_paint.h"
 
 namespace talus {
 namespace {
@@ -21,18 +21,9 @@ FormatResult<std::string> map_png(const Level& level, const Progress& progress) 
                                               " px, but a picture may have at most 16384 px on each side and "
                                               "33554432 px in all, such as 8192x4096"});
   }
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(static_cast<std::size_t>(width * height) * 3);
-  for (int y = 0; y < height; ++y) {
-    if (!progress.at(kPaintShare * y / static_cast<double>(height))) return std::string();
-    for (Cell c{0, y / tile.height}; c.x < level.map.width(); ++c.x) {
-      const TileNumber shown = level.map.at(c);
-      for (int x = 0; x < tile.width; ++x) {
-        const Rgb color = color_on_map(level, shown, x, y % tile.height);
-        bytes.insert(bytes.end(), {color.r, color.g, color.b});
-      }
-    }
-  }
+  const auto goes_on = [&](double done) { return progress.at(kPaintShare * done); };
+  const std::vector<std::uint8_t> bytes = map_pixels(level, goes_on);
+  if (progress.stopped()) return std::string();
   std::string png = encode_png(static_cast<int>(width), static_cast<int>(height), 3, bytes.data());
   if (png.empty()) return tl::unexpected(FormatError{"", "there is not enough memory for the map's picture"});
   return png;

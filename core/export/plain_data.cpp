@@ -220,7 +220,7 @@ PlainBodies::PlainBodies(const Level& level) : level_(level) {
     is_ball[tile] = is_ball_tile(level, static_cast<TileNumber>(tile));
   for (Cell c; c.y < level.map.height(); ++c.y) {
     for (c.x = 0; c.x < level.map.width(); ++c.x)
-      if (is_ball[level.map.at(c)]) tiles_.push_back(c);
+      if (is_ball[level.map.tile_at(c)]) tiles_.push_back(c);
   }
   std::stable_sort(tiles_.begin(), tiles_.end(), [](Cell a, Cell b) { return a.x < b.x; });
 }
@@ -231,7 +231,7 @@ PlainBody PlainBodies::at(std::size_t index) const {
   if (index >= tiles_.size()) {
     body.start = level_.spawns[index - tiles_.size()];
   } else {
-    body.tile = level_.map.at(tiles_[index]);
+    body.tile = level_.map.tile_at(tiles_[index]);
     const Rect box = level_.map.box_of(tiles_[index]);
     body.start.position = box.position();
     body.start.size = {box.w, box.h};

@@ -30,6 +30,14 @@ OrderedJson roles_of(const Level& level) {
   return roles;
 }
 
+// By number; flags without a name are left out.
+OrderedJson flag_names_of(const Level& level) {
+  OrderedJson names = OrderedJson::object();
+  for (std::size_t flag = 0; flag < level.flag_names.size(); ++flag)
+    if (!level.flag_names[flag].empty()) names[std::to_string(flag)] = level.flag_names[flag];
+  return names;
+}
+
 // As in the level's file.
 OrderedJson tuning_of(const Tuning& tuning) {
   OrderedJson members = {{"solver", solver_name(tuning.solver)}};
@@ -46,6 +54,19 @@ OrderedJson shapes_of(const TerrainSource& ground) {
     shapes[std::to_string(shape.tile)] = plain_shape_json(shape);
   }
   return shapes;
+}
+
+OrderedJson notes_of(const TileNotes& notes) {
+  OrderedJson list = OrderedJson::object();
+  for (const auto& [tile, note] : notes) {
+    OrderedJson& entry = list[std::to_string(tile)] = OrderedJson::object();
+    if (!note.type.empty()) entry["class"] = note.type;
+    if (note.probability != 1) entry["probability"] = number(note.probability);
+    if (note.properties.empty()) continue;
+    entry["properties"] = OrderedJson::parse(note.properties, nullptr, false);
+    if (entry["properties"].is_discarded()) entry.erase("properties");
+  }
+  return list;
 }
 
 bool is_nested(const OrderedJson& list) {
@@ -93,6 +114,7 @@ class PlainPrinter {
   void print(const OrderedJson& value, int depth) {
     if (value.is_number_float()) return append_number(text_, value.get<double>());
     if (value.is_string()) return print_string(value.get_ref<const std::string&>());
+    if (value.is_null() && is_lua_) return void(text_ += "nil");
     if (value.is_primitive()) return void(text_ += value.dump());
     text_ += value.is_array() && !is_lua_ ? '[' : '{';
     const bool in_lines = depth == 1 && is_nested(value);
@@ -154,13 +176,17 @@ class PlainPrinter {
     text_ += is_lua_ ? lua_string(text)
                      : OrderedJson(text).dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
   }
-  // Keys are names, except for the numbers of tiles.
+  // Keys are names, the numbers of tiles and flags, and what users called their properties.
   void print_key(const std::string& key) {
-    const bool is_number = key.front() >= '0' && key.front() <= '9';
-    if (!is_lua_)
-      text_.append("\"").append(key).append("\":");
-    else
-      text_.append(is_number ? "[" : "").append(key).append(is_number ? "]=" : "=");
+    const bool is_number = !key.empty() && key.find_first_not_of("0123456789") == key.npos;
+    if (!is_lua_) {
+      print_string(key);
+      text_ += ':';
+    } else if (is_lua_name(key)) {
+      text_.append(key).append("=");
+    } else {
+      text_.append("[").append(is_number ? key : lua_string(key)).append("]=");
+    }
   }
 
   void print_points(const std::vector<Vec2>& points) {
@@ -238,8 +264,10 @@ FormatResult<std::string> plain_text(const Level& level, Dialect dialect, const 
                    [&](std::size_t y) { printer.print(cells.subspan(y * width, width)); });
   printer.put("flags", {{"tiles", level.sheet(SheetId::tiles).flags},
                         {"sprites", level.sheet(SheetId::sprites).flags}});
+  if (const OrderedJson names = flag_names_of(level); !names.empty()) printer.put("flag_names", names);
   printer.put("roles", roles_of(level));
   printer.put("shapes", shapes_of(ground));
+  if (!level.tile_notes.empty()) printer.put("tile_notes", notes_of(level.tile_notes));
   ground.progress = progress.part(0.1, 0.6).function();
   const FormatResult<std::vector<GroundPolygon>> polygons = ground_polygons(ground);
   if (!polygons) return tl::unexpected(polygons.error());

@@ -43,11 +43,20 @@ std::vector<ClaimedFile> claimed_files(const ExportPreset& preset, const std::st
   return files;
 }
 
+// Whether two paths may be those of one file. Either may stand for all with a number, see name_beside().
+bool is_one_file(const fs::path& a, const fs::path& b) {
+  const auto stands_for = [](const fs::path& many, const fs::path& one) {
+    return many.parent_path() == one.parent_path() &&
+           many.filename().string() == without_picture_number(one.filename().string());
+  };
+  return a == b || stands_for(a, b) || stands_for(b, a);
+}
+
 // A file that both write; empty if there is none.
 fs::path common_file(const std::vector<ClaimedFile>& a, const std::vector<ClaimedFile>& b) {
   for (const ClaimedFile& file : a) {
     const auto same = [&](const ClaimedFile& other) {
-      return other.path == file.path && !(other.is_sheet && file.is_sheet);
+      return is_one_file(other.path, file.path) && !(other.is_sheet && file.is_sheet);
     };
     if (std::any_of(b.begin(), b.end(), same)) return file.path;
   }

@@ -10,6 +10,8 @@
 #include "../formats/text/xml_text.h"
 #include "../formats/tiled/tiled_cells.h"
 #include "../formats/tiled/tiled_xml.h"
+#include "../level/layer_tree.h"
+#include "../level/placed_picture.h"
 #include "export_targets.h"
 #include "tiled_model.h"
 
@@ -30,8 +32,11 @@ std::string escaped_for_xml(std::string json) {
 
 // The level as a native one without the parts that the map has, in one line. JSON has its line breaks between
 // members.
-FormatResult<std::string> rest_of(const Level& level) {
+// objects: those of the level, as the map has them.
+FormatResult<std::string> rest_of(const Level& level, std::vector<ObjectLayer> objects) {
   Level rest = level;
+  rest.objects = std::move(objects);
+  rest = without_groups(std::move(rest));
   const SheetLayout layout = rest.sheet(SheetId::tiles).layout();
   rest.sheet(SheetId::tiles) = {};
   rest.set_tile_layout(layout);
@@ -48,16 +53,17 @@ FormatResult<std::string> rest_of(const Level& level) {
   return escaped_for_xml(std::move(line));
 }
 
-FormatResult<TiledMap> whole_map_of(const ExportRequest& request) {
-  TiledMap map = tiled_map_of(request);
-  auto rest = rest_of(request.level);
+FormatResult<TiledExport> whole_map_of(const ExportRequest& request) {
+  TiledExport made = tiled_export_of(request);
+  auto rest = rest_of(request.level, std::move(made.objects));
   if (!rest) return tl::unexpected(rest.error());
-  map.properties.push_back({std::string(kTiledLevelProperty), *std::move(rest)});
-  return map;
+  made.map.properties.push_back({std::string(kTiledLevelProperty), *std::move(rest)});
+  return made;
 }
 
-Exported files_of(const ExportRequest& request, std::string text, std::vector<std::string> dropped = {}) {
-  return tiled_files(request, std::move(text), write_map_tiles(request.level), std::move(dropped));
+Exported files_of(const ExportRequest& request, TiledExport made, std::string text) {
+  return tiled_files(request, std::move(text), std::move(made.pictures), write_map_tiles(request.level),
+                     std::move(made.dropped));
 }
 
 std::string number_word(double number) {
@@ -76,7 +82,7 @@ class TiledXmlWriter {
     pugi::xml_node root = document.append_child("map");
     put(root, "version", "1.10");
     put(root, "orientation", "orthogonal");
-    put(root, "renderorder", "right-down");
+    put(root, "renderorder", std::string(word_of(map.order)));
     put(root, "width", map.width);
     put(root, "height", map.height);
     put(root, "tilewidth", map.tile_size.width);
@@ -87,7 +93,10 @@ class TiledXmlWriter {
     pugi::xml_attribute next_object = root.append_attribute("nextobjectid");
     properties(root, map.properties);
     for (const TiledTileset& set : map.tilesets) tileset(root, set);
-    for (const TiledLayer& one : map.layers) layer(root, one, map);
+    for (const TiledLayer& one : map.layers) {
+      pugi::xml_node parent = in_groups(root, map.groups, one.looks.group);
+      layer(parent, one, map);
+    }
     next_layer = next_layer_;
     next_object = next_object_;
     std::ostringstream out;
@@ -144,6 +153,13 @@ class TiledXmlWriter {
     }
   }
 
+  void image(pugi::xml_node& node, const std::string& source, TileSize size) {
+    pugi::xml_node image = node.append_child("image");
+    put(image, "source", source);
+    put(image, "width", size.width);
+    put(image, "height", size.height);
+  }
+
   void tileset(pugi::xml_node& root, const TiledTileset& set) {
     pugi::xml_node node = root.append_child("tileset");
     put(node, "firstgid", set.first_gid);
@@ -152,14 +168,14 @@ class TiledXmlWriter {
     put(node, "tileheight", set.tile_size.height);
     put(node, "tilecount", set.tile_count);
     put(node, "columns", set.columns);
-    pugi::xml_node image = node.append_child("image");
-    put(image, "source", set.image);
-    put(image, "width", set.image_width);
-    put(image, "height", set.image_height);
+    if (!set.is_collection) image(node, set.image, {set.image_width, set.image_height});
     for (const TiledTile& one : *set.tiles) {
       pugi::xml_node tile = node.append_child("tile");
       put(tile, "id", one.id);
+      if (!one.type.empty()) put(tile, "type", one.type);
+      if (one.probability != 1) put(tile, "probability", one.probability);
       properties(tile, one.properties);
+      if (set.is_collection) image(tile, one.image, one.image_size);
       if (!one.objects.empty()) {
         pugi::xml_node group = tile.append_child("objectgroup");
         put(group, "draworder", "index");
@@ -170,18 +186,32 @@ class TiledXmlWriter {
     }
   }
 
+  // The element of a group, in those around it. They are the last ones if their layers came last.
+  pugi::xml_node in_groups(pugi::xml_node parent, const LayerGroups& groups, int group) {
+    const std::vector<int> around = groups_around(groups, group);
+    std::size_t same = 0;
+    while (same < open_.size() && same < around.size() && open_[same].first == around[same]) ++same;
+    open_.resize(same);
+    if (same > 0) parent = open_.back().second;
+    for (std::size_t i = same; i < around.size(); ++i) {
+      const LayerGroup& its = groups[static_cast<std::size_t>(around[i])];
+      parent = parent.append_child("group");
+      put(parent, "id", next_layer_++);
+      put(parent, "name", its.name);
+      if (!its.visible) put(parent, "visible", 0);
+      looks(parent, its);
+      open_.emplace_back(around[i], parent);
+    }
+    return parent;
+  }
+
   void layer(pugi::xml_node& root, const TiledLayer& layer, const TiledMap& map) {
-    pugi::xml_node node = root.append_child(layer.has_tiles ? "layer" : "objectgroup");
+    const char* const kind = layer.has_tiles ? "layer" : layer.image ? "imagelayer" : "objectgroup";
+    pugi::xml_node node = root.append_child(kind);
     put(node, "id", next_layer_++);
     put(node, "name", layer.name);
     if (layer.is_hidden || !layer.looks.visible) put(node, "visible", 0);
-    if (!layer.has_tiles) {
-      int id = next_object_ - 1;
-      put(node, "draworder", "index");
-      objects(node, layer.objects, id);
-      next_object_ = id + 1;
-      return;
-    }
+    if (!layer.has_tiles) return other_layer(node, layer);
     put(node, "width", map.width);
     put(node, "height", map.height);
     looks(node, layer.looks);
@@ -203,8 +233,27 @@ class TiledXmlWriter {
     data.append_child(pugi::node_pcdata).set_value(csv.c_str());
   }
 
+  // Of objects, or a picture.
+  void other_layer(pugi::xml_node& node, const TiledLayer& layer) {
+    looks(node, layer.looks);
+    if (layer.image) {
+      if (layer.image->repeats_x) put(node, "repeatx", 1);
+      if (layer.image->repeats_y) put(node, "repeaty", 1);
+      if (layer.image->path.empty()) return;
+      pugi::xml_node picture = node.append_child("image");
+      put(picture, "source", layer.image->path);
+      return;
+    }
+    int id = next_object_ - 1;
+    put(node, "draworder", layer.by_y ? "topdown" : "index");
+    properties(node, layer.properties);
+    objects(node, layer.objects, id);
+    next_object_ = id + 1;
+  }
+
   // Those that are not the usual ones.
-  void looks(pugi::xml_node& node, const TileLayer& looks) {
+  template <class Layer>
+  void looks(pugi::xml_node& node, const Layer& looks) {
     if (looks.locked) put(node, "locked", 1);
     if (looks.opacity != 1) put(node, "opacity", looks.opacity);
     if (looks.offset.x != 0) put(node, "offsetx", looks.offset.x);
@@ -220,14 +269,18 @@ class TiledXmlWriter {
       put(node, "id", ++id);
       if (!object.name.empty()) put(node, "name", object.name);
       if (!object.type.empty()) put(node, "type", object.type);
+      if (object.gid != 0) put(node, "gid", object.gid);
       put(node, "x", object.position.x);
       put(node, "y", object.position.y);
       if (object.size != Vec2{0, 0}) {
         put(node, "width", object.size.x);
         put(node, "height", object.size.y);
       }
+      if (object.rotation != 0) put(node, "rotation", object.rotation);
+      if (!object.visible) put(node, "visible", 0);
       properties(node, object.properties);
-      if (object.form == TiledObject::Form::box) continue;
+      if (object.form == TiledObject::Form::ellipse) node.append_child("ellipse");
+      if (object.points.empty()) continue;
       std::string points;
       for (const Vec2 p : object.points) {
         if (!points.empty()) points += ' ';
@@ -240,28 +293,30 @@ class TiledXmlWriter {
   }
 
   int next_layer_ = 1, next_object_ = 1;
-  int changed_texts_ = 0;  // by xml_text()
+  std::vector<std::pair<int, pugi::xml_node>> open_;  // the groups of the last layer, with their elements
+  int changed_texts_ = 0;                             // by xml_text()
 };
 
 }  // namespace
 
 FormatResult<Exported> export_tmj(const ExportRequest& request) {
-  const auto map = whole_map_of(request);
-  if (!map) return tl::unexpected(map.error());
+  auto made = whole_map_of(request);
+  if (!made) return tl::unexpected(made.error());
   if (!request.progress.at(kModelShare)) return Exported();
-  std::string text = tiled_json_text(*map);
+  std::string text = tiled_json_text(made->map);
   if (auto problem = problem_of_size(text)) return tl::unexpected(FormatError{"", *std::move(problem)});
-  return files_of(request, std::move(text));
+  return files_of(request, *std::move(made), std::move(text));
 }
 
 FormatResult<Exported> export_tmx(const ExportRequest& request) {
-  const auto map = whole_map_of(request);
-  if (!map) return tl::unexpected(map.error());
+  auto made = whole_map_of(request);
+  if (!made) return tl::unexpected(made.error());
   if (!request.progress.at(kModelShare)) return Exported();
   TiledXmlWriter writer;
-  std::string text = writer.write(*map);
+  std::string text = writer.write(made->map);
   if (auto problem = problem_of_tiled_xml(text)) return tl::unexpected(FormatError{"", *std::move(problem)});
-  return files_of(request, std::move(text), writer.dropped());
+  for (std::string& phrase : writer.dropped()) made->dropped.push_back(std::move(phrase));
+  return files_of(request, *std::move(made), std::move(text));
 }
 
 }  // namespace talus

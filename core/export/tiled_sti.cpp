@@ -4,6 +4,7 @@
 
 #include <talus/level/ground.h>
 #include "../formats/pictures/png_sheet.h"
+#include "../formats/tiled/tiled_properties.h"
 #include "../level/bump_boxes.h"
 #include "export_targets.h"
 #include "plain_data.h"
@@ -17,23 +18,20 @@ constexpr std::size_t kMostBoxes = 1'000'000;
 
 bool is_full_tile(const TileShape& shape) { return shape.kind == TileShape::Kind::solid && !shape.one_way; }
 
-// Instead of the bool of a flag with that name.
-template <class Value>
-void put(TiledProperties& properties, std::string_view name, Value value) {
-  std::erase_if(properties, [&](const TiledProperty& property) { return property.name == name; });
-  properties.push_back({std::string(name), value});
-}
-
-// By tile, whether it is full wherever the map shows it: in a layer that is only drawn it must not be, and
-// the plugin does not tell layers apart.
+// By tile, whether it is full wherever the map shows it. In a layer that is only drawn it must not be, and
+// the plugin does not tell layers apart; nor does it turn a tile whose sides are not equal.
 std::vector<bool> collidable_tiles(const Level& drawn, const TerrainSource& ground) {
   std::vector<bool> collides;
   collides.reserve(static_cast<std::size_t>(drawn.tile_count()));
   for (int tile = 0; tile < drawn.tile_count(); ++tile)
     collides.push_back(is_full_tile(ground.shapes[static_cast<std::size_t>(tile)]));
   for (int layer = 0; layer < drawn.layers.count(); ++layer) {
-    if (drawn.layers.list[static_cast<std::size_t>(layer)].is_ground) continue;
-    for (const TileNumber tile : drawn.cells_of(layer)) collides[tile] = false;
+    const MapCells& cells = drawn.cells_of(layer);
+    const bool is_ground = drawn.layers.list[static_cast<std::size_t>(layer)].is_ground;
+    const bool is_square = ground.tile.width == ground.tile.height;
+    if (is_ground && (is_square || !cells.has_turned())) continue;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (!is_ground || has_flip(cells.turn_of(i), TileTurn::diagonal)) collides[cells.tiles()[i]] = false;
   }
   return collides;
 }
@@ -42,7 +40,7 @@ std::vector<bool> collidable_tiles(const Level& drawn, const TerrainSource& grou
 std::vector<bool> collidable_cells(const Level& drawn, const std::vector<bool>& tiles) {
   std::vector<bool> cells(drawn.map.cells().size());
   for (int layer = 0; layer < drawn.layers.count(); ++layer) {
-    const auto& of_layer = drawn.cells_of(layer);
+    const std::vector<TileNumber>& of_layer = drawn.cells_of(layer).tiles();
     for (std::size_t cell = 0; cell < cells.size(); ++cell)
       if (tiles[of_layer[cell]]) cells[cell] = true;
   }
@@ -52,8 +50,10 @@ std::vector<bool> collidable_cells(const Level& drawn, const std::vector<bool>& 
 // Tiles say their flags and whether they collide. STI has no use for what Tiled knows about shapes.
 void describe_tiles(const Level& level, const std::vector<bool>& collides, TiledTileset& tileset) {
   for (TiledTile& tile : *tileset.tiles) {
-    tile.properties = tiled_flag_properties(level, level.tile_flags(static_cast<TileNumber>(tile.id)));
-    if (collides[static_cast<std::size_t>(tile.id)]) put(tile.properties, "collidable", true);
+    const auto number = static_cast<TileNumber>(tile.id);
+    tile.properties = tiled_flag_properties(level, level.tile_flags(number));
+    add_note(note_of(level.tile_notes, number), tile);
+    if (collides[static_cast<std::size_t>(tile.id)]) put_property(tile.properties, {"collidable", true});
   }
 }
 
@@ -62,12 +62,12 @@ TiledObject slope_object(const BumpBox& box, Cell cell, TileSize tile) {
   object.type = box.line ? "slope" : "";
   object.position = {box.box.x + 1.0 * cell.x * tile.width, box.box.y + 1.0 * cell.y * tile.height};
   object.size = {box.box.w, box.box.h};
-  put(object.properties, "collidable", true);
+  put_property(object.properties, {"collidable", true});
   if (!box.line) return object;
-  if (box.line->one_way) put(object.properties, "one_way", true);
-  put(object.properties, "slope", std::string(box.line->is_ceiling ? "ceiling" : "floor"));
-  put(object.properties, "h0", box.line->h0);
-  put(object.properties, "h1", box.line->h1);
+  if (box.line->one_way) put_property(object.properties, {"one_way", true});
+  put_property(object.properties, {"slope", std::string(box.line->is_ceiling ? "ceiling" : "floor")});
+  put_property(object.properties, {"h0", box.line->h0});
+  put_property(object.properties, {"h1", box.line->h1});
   return object;
 }
 
@@ -92,15 +92,26 @@ TiledLayer slope_layer(const TerrainSource& ground, const std::vector<bool>& col
   return layer;
 }
 
+// The ground of objects is in the tiles and slopes: the plugin must not add boxes of them besides.
+void leave_ground_to_slopes(TiledMap& map) {
+  for (TiledLayer& layer : map.layers) {
+    for (TiledObject& object : layer.objects)
+      std::erase_if(object.properties,
+                    [](const TiledProperty& property) { return property.name == "collidable"; });
+  }
+}
+
 }  // namespace
 
 FormatResult<Exported> export_sti(const ExportRequest& request) {
   const TerrainSource ground = ground_of(request.level);
   const Level& drawn = request.drawn();
-  TiledMap map = tiled_map_of({drawn, request.name, request.read_asset});
+  TiledExport made = tiled_export_of({drawn, request.name, request.read_asset});
+  TiledMap& map = made.map;
   const std::vector<bool> collides = collidable_tiles(drawn, ground);
   describe_tiles(drawn, collides, map.tilesets.front());
-  std::vector<std::string> dropped;
+  leave_ground_to_slopes(map);
+  std::vector<std::string> dropped = std::move(made.dropped);
   if (const std::size_t curves = map.layers.back().objects.size(); curves > 0)
     dropped.push_back("collision, which bump.lua cannot have, with " + std::to_string(curves) + " curve" +
                       (curves == 1 ? "" : "s"));
@@ -111,7 +122,8 @@ FormatResult<Exported> export_sti(const ExportRequest& request) {
   if (map.layers.back().objects.size() > kMostBoxes)
     return tl::unexpected(FormatError{
         "", "the slopes need more than 1000000 boxes, too many for an STI map: make the map smaller"});
-  return tiled_files(request, tiled_lua_text(map), write_map_tiles(drawn), std::move(dropped));
+  return tiled_files(request, tiled_lua_text(map), std::move(made.pictures), write_map_tiles(drawn),
+                     std::move(dropped));
 }
 
 }  // namespace talus

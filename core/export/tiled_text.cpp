@@ -4,6 +4,8 @@
 
 #include "../formats/text/append_number.h"
 #include "../formats/tiled/tiled_cells.h"
+#include "../level/layer_tree.h"
+#include "../level/placed_picture.h"
 #include "lua_text.h"
 #include "tiled_model.h"
 
@@ -148,19 +150,23 @@ class TiledTextWriter {
       text_.put("type", "map");
     text_.put("version", "1.10");
     text_.put("orientation", "orthogonal");
-    text_.put("renderorder", "right-down");
+    text_.put("renderorder", word_of(map.order));
     text_.put("width", map.width);
     text_.put("height", map.height);
     text_.put("tilewidth", map.tile_size.width);
     text_.put("tileheight", map.tile_size.height);
     if (!text_.is_lua()) text_.put("infinite", false);
-    if (!map.background.empty()) background(map.background);
+    if (!map.background.empty()) color("backgroundcolor", map.background);
     properties(map.properties);
     text_.open("tilesets", true);
     for (const TiledTileset& set : map.tilesets) tileset(set);
     text_.close();
     text_.open("layers", true);
-    for (const TiledLayer& one : map.layers) layer(one, map);
+    for (const TiledLayer& one : map.layers) {
+      enter_groups(map.groups, one.looks.group);
+      layer(one, map);
+    }
+    enter_groups(map.groups, -1);
     text_.close();
     text_.put("nextlayerid", next_layer_);
     text_.put("nextobjectid", next_object_);
@@ -187,11 +193,11 @@ class TiledTextWriter {
     }
   }
 
-  // color: as in tiled_color. Tiled's Lua has three numbers.
-  void background(const std::string& color) {
-    if (!text_.is_lua()) return text_.put("backgroundcolor", color);
-    text_.open("backgroundcolor", true, true);
-    for (const std::size_t digits : {1, 3, 5}) text_.put("", std::stoi(color.substr(digits, 2), nullptr, 16));
+  // hex: as in tiled_color. Tiled's Lua has three numbers.
+  void color(std::string_view key, const std::string& hex) {
+    if (!text_.is_lua()) return text_.put(key, hex);
+    text_.open(key, true, true);
+    for (const std::size_t digits : {1, 3, 5}) text_.put("", std::stoi(hex.substr(digits, 2), nullptr, 16));
     text_.close();
   }
 
@@ -205,9 +211,11 @@ class TiledTextWriter {
     text_.put("margin", set.margin);
     text_.put("columns", set.columns);
     text_.put("tilecount", set.tile_count);
-    text_.put("image", set.image);
-    text_.put("imagewidth", set.image_width);
-    text_.put("imageheight", set.image_height);
+    if (!set.is_collection) {
+      text_.put("image", set.image);
+      text_.put("imagewidth", set.image_width);
+      text_.put("imageheight", set.image_height);
+    }
     if (text_.is_lua()) {
       point("tileoffset", {});
       properties({});
@@ -221,13 +229,20 @@ class TiledTextWriter {
   void tile(const TiledTile& tile) {
     text_.open("", false);
     text_.put("id", tile.id);
+    if (!tile.type.empty()) text_.put("type", tile.type);
+    if (tile.probability != 1) text_.put("probability", tile.probability);
+    if (!tile.image.empty()) {
+      text_.put("image", tile.image);
+      text_.put(text_.is_lua() ? "width" : "imagewidth", tile.image_size.width);
+      text_.put(text_.is_lua() ? "height" : "imageheight", tile.image_size.height);
+    }
     properties(tile.properties);
     if (!tile.objects.empty()) {
       text_.open(text_.is_lua() ? "objectGroup" : "objectgroup", false);
       text_.put("type", "objectgroup");
       text_.put("name", "");
       text_.put("draworder", "index");
-      placement({});
+      placement(TileLayer());
       properties({});
       int id = 0;  // counts within each tile
       objects(tile.objects, id);
@@ -249,7 +264,8 @@ class TiledTextWriter {
   }
 
   // The place of a layer, and whether it is shown. Tiled reads what is missing in JSON as 0 and false.
-  void placement(const TileLayer& looks) {
+  template <class Layer>
+  void placement(const Layer& looks) {
     text_.put("x", 0);
     text_.put("y", 0);
     text_.put("opacity", looks.opacity);
@@ -263,25 +279,50 @@ class TiledTextWriter {
       text_.put("parallaxx", looks.parallax.x);
       text_.put("parallaxy", looks.parallax.y);
     }
-    if (looks.tint != Rgb{255, 255, 255}) text_.put("tintcolor", tiled_color(looks.tint));
+    if (looks.tint != Rgb{255, 255, 255}) color("tintcolor", tiled_color(looks.tint));
+  }
+
+  // Closes the groups that the next layer is not in, and opens those that it is in.
+  void enter_groups(const LayerGroups& groups, int group) {
+    const std::vector<int> around = groups_around(groups, group);
+    std::size_t same = 0;
+    while (same < open_.size() && same < around.size() && open_[same] == around[same]) ++same;
+    for (; open_.size() > same; open_.pop_back()) {
+      text_.close();
+      text_.close();
+    }
+    for (std::size_t i = same; i < around.size(); ++i) {
+      const LayerGroup& its = groups[static_cast<std::size_t>(around[i])];
+      text_.open("", false);
+      text_.put("type", "group");
+      text_.put("id", next_layer_++);
+      text_.put("name", its.name);
+      placement(its);
+      text_.open("layers", true);
+      open_.push_back(around[i]);
+    }
   }
 
   void layer(const TiledLayer& layer, const TiledMap& map) {
     text_.open("", false);
-    text_.put("type", layer.has_tiles ? "tilelayer" : "objectgroup");
+    text_.put("type", layer.has_tiles ? "tilelayer" : layer.image ? "imagelayer" : "objectgroup");
     text_.put("id", next_layer_++);
     text_.put("name", layer.name);
     TileLayer looks = layer.looks;
     looks.visible = looks.visible && !layer.is_hidden;
     placement(looks);
-    properties(tiled_properties(looks));
-    if (layer.has_tiles) {
+    properties(layer.has_tiles ? tiled_properties(looks) : layer.properties);
+    if (layer.image) {
+      text_.put("image", layer.image->path);
+      if (layer.image->repeats_x) text_.put("repeatx", true);
+      if (layer.image->repeats_y) text_.put("repeaty", true);
+    } else if (layer.has_tiles) {
       text_.put("width", map.width);
       text_.put("height", map.height);
       if (text_.is_lua()) text_.put("encoding", "lua");
       cells(layer.cells, map.width);
     } else {
-      text_.put("draworder", "index");
+      text_.put("draworder", layer.by_y ? "topdown" : "index");
       int id = next_object_ - 1;
       objects(layer.objects, id);
       next_object_ = id + 1;
@@ -313,21 +354,25 @@ class TiledTextWriter {
   }
 
   void object(const TiledObject& object, int id) {
-    const bool is_box = object.form == TiledObject::Form::box;
+    const bool is_ellipse = object.form == TiledObject::Form::ellipse;
     const char* const form = object.form == TiledObject::Form::polygon ? "polygon" : "polyline";
     text_.open("", false, text_.is_lua());  // Lua has one line for each
     text_.put("id", id);
     text_.put("name", object.name);
     text_.put("type", object.type);
-    if (text_.is_lua()) text_.put("shape", is_box ? "rectangle" : form);
+    if (text_.is_lua())
+      text_.put("shape", is_ellipse ? "ellipse" : object.points.empty() ? "rectangle" : form);
+    else if (is_ellipse)
+      text_.put("ellipse", true);
+    if (object.gid != 0) text_.put("gid", object.gid);
     text_.put("x", object.position.x);
     text_.put("y", object.position.y);
     text_.put("width", object.size.x);
     text_.put("height", object.size.y);
     text_.put("rotation", object.rotation);
-    text_.put("visible", true);
+    text_.put("visible", object.visible);
     properties(object.properties);
-    if (!is_box) {
+    if (!object.points.empty()) {
       text_.open(form, true, true);
       for (const Vec2 p : object.points) point("", p);
       text_.close();
@@ -344,6 +389,7 @@ class TiledTextWriter {
 
   TableText text_;
   int next_layer_ = 1, next_object_ = 1;
+  std::vector<int> open_;  // the groups of the last layer
 };
 
 }  // namespace

@@ -77,8 +77,8 @@ std::span<const Format> formats() {
   static constexpr std::array<std::string_view, 2> kTiledJsonExtensions = {"tmj", "tsj"};
   static constexpr std::array<std::string_view, 2> kTiledXmlExtensions = {"tmx", "tsx"};
   static constexpr std::array<std::string_view, 4> kCartMembers = {"palette", "tiles", "sprites", "map"};
-  static constexpr std::array<std::string_view, 5> kTiledMembers = {"tiles", "tile_shapes", "map", "spawns",
-                                                                    "curves"};
+  static constexpr std::array<std::string_view, 6> kTiledMembers = {"tiles",  "tile_shapes", "map",
+                                                                    "spawns", "curves",      "objects"};
   static const std::array<Format, 7> list = {{
       {"ldtk", "LDtk project", kLdtkExtensions, accepts_ldtk, read_ldtk, nullptr, {}, false, true},
       {"tmj", "Tiled map, JSON", kTiledJsonExtensions, accepts_tiled_json, read_tiled, write_tiled,
@@ -123,6 +123,7 @@ FormatResult<LoadedLevel> read_level(std::string_view bytes, const FormatContext
   FormatContext noting = context;
   noting.dropped = &loaded.dropped;
   noting.linked = &loaded.linked;
+  noting.refused = &loaded.refused;
   auto level = read_guarded([&] { return format->read(bytes, noting); });
   if (!level) return tl::unexpected(level.error());
   loaded.level = *std::move(level);

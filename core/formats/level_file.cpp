@@ -2,6 +2,8 @@
 // the companion's hashes show that the two do not fit, and nothing is lost.
 #include <cassert>
 #include <filesystem>
+#include <iterator>
+#include <utility>
 
 #include <talus/formats/format.h>
 #include "files/atomic_file.h"
@@ -11,6 +13,7 @@
 #include "ldtk/ldtk_companion.h"
 #include "native/companion.h"
 #include "text/content_hash.h"
+#include "tilesets/painted_pictures.h"
 
 namespace talus {
 namespace {
@@ -144,8 +147,8 @@ class PairWriter {
   bool is_own_ = false, is_put_ = false, is_done_ = false;
 };
 
-// The other files of a level that change, such as tilesets: first all are written, then all are put in their
-// places. If it ends early, those that were put get their old content again.
+// The other files of a level that change, such as tilesets and pictures: first all are written, then all are
+// put in their places. If it ends early, those that were put get their old content again.
 class OtherFiles {
  public:
   OtherFiles() = default;
@@ -197,7 +200,7 @@ class OtherFiles {
     bool is_put = false;
   };
   static FormatError named(const WrittenFile& file, FormatError error) {
-    error.message = last_name(file.path) + ", a tileset of it: " + error.message;
+    error.message = last_name(file.path) + ", which is saved with it: " + error.message;
     return error;
   }
 
@@ -258,18 +261,22 @@ FormatResult<SavedLevel> save_pair(const Level& level, const Format& format, con
 }
 
 // Writes only the companion.
-FormatResult<SavedLevel> save_beside(const Level& level, const std::string& path,
-                                     const CompanionFile& known) {
+FormatResult<SavedLevel> save_beside(const Level& level, const std::string& path, const CompanionFile& known,
+                                     const std::vector<WrittenFile>& pictures) {
   if (!level.ldtk) return tl::unexpected(FormatError{"", "is LDtk's: save the level under another name"});
   const std::string beside = companion_path(path);
   const Place before = look_at(beside);
   if (!before.bytes) return companion_error(beside, before.bytes.error());
-  const auto written = write_ldtk_companion(level, *before.bytes, last_name(path));
+  // What is painted into its pictures is no addition.
+  const Level additions = without_painted_tiles(level, *level.ldtk->opened);
+  const auto written = write_ldtk_companion(additions, *before.bytes, last_name(path));
   if (!written) {
     FormatError error = written.error();
     error.message = last_name(beside) + " " + error.message;
     return tl::unexpected(std::move(error));
   }
+  OtherFiles others;
+  if (const auto all = others.stage(pictures, known); !all) return tl::unexpected(all.error());
   PairWriter pair(beside, before);
   // What was not read of it is kept aside.
   const bool is_own = known.path == beside
@@ -277,12 +284,28 @@ FormatResult<SavedLevel> save_beside(const Level& level, const std::string& path
                           : ldtk_tiles_of_companion(*before.bytes, level.ldtk->level).empty();
   if (const auto put = pair.put_companion(*written, is_own); !put)
     return companion_error(beside, put.error());
+  std::string note = pair.doubt();
+  if (const auto put = others.put(note); !put) return tl::unexpected(put.error());
+  others.finish();
   pair.finish(false);
-  SavedLevel saved{.companion = {beside, content_hash(*written)}, .note = pair.doubt()};
+  SavedLevel saved{.others = others.written(), .companion = {beside, content_hash(*written)}, .note = note};
+  saved.companion.others = others.contents();
   if (!pair.kept().empty())
     saved.note += (saved.note.empty() ? "" : ". ") + std::string("What was there before is kept as ") +
                   last_name(pair.kept());
   return saved;
+}
+
+// The pictures that were painted, if saving keeps the level's ties to them.
+FormatResult<std::vector<WrittenFile>> pictures_to_write(const Level& level, const Format& format,
+                                                         const Level* before) {
+  const bool is_tied = format.keeps_beside || format.writes_back || (!level.tiled && !level.ldtk);
+  const Level* const known = before != nullptr ? before
+                             : level.tiled     ? level.tiled->opened.get()
+                             : level.ldtk      ? level.ldtk->opened.get()
+                                               : nullptr;
+  if (!is_tied || known == nullptr) return std::vector<WrittenFile>();
+  return painted_pictures(level, *known);
 }
 
 // "cave.ldtk" gives "cave"; empty for others.
@@ -322,7 +345,7 @@ std::string level_path(const std::string& path) {
 FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoices& choices,
                                      const Progress& progress) {
   constexpr double kReading = 0.1;  // share of the time
-  const auto bytes = read_file(path, kMaxFileBytes, progress.part(0, kReading));
+  const auto bytes = read_file(path, std::nullopt, progress.part(0, kReading));
   if (!bytes) return tl::unexpected(bytes.error());
   if (const std::string owner = owner_of_companion(path); !owner.empty() && is_companion(*bytes))
     return load_owner(owner, *bytes, choices);
@@ -344,17 +367,28 @@ FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoice
 }
 
 FormatResult<SavedLevel> save_level(const Level& level, const Format& format, const std::string& path,
-                                    const CompanionFile& known) {
+                                    const CompanionFile& known, const Level* before) {
   assert(format.can_save() && "the format is read alone");
-  if (format.keeps_beside) return save_beside(level, path, known);
+  auto pictures = pictures_to_write(level, format, before);
+  if (!pictures) return tl::unexpected(pictures.error());
+  if (format.keeps_beside) return save_beside(level, path, known, *pictures);
   auto written = format.write(level, context_for_file(path));
   if (!written) return tl::unexpected(written.error());
+  std::move(pictures->begin(), pictures->end(), std::back_inserter(written->others));
   if (!format.holds.empty()) return save_pair(level, format, path, *written, known);
   if (std::string problem = companion_place_problem(path); !problem.empty())
     return tl::unexpected(FormatError{"", std::move(problem)});
   SavedLevel saved{.dropped = std::move(written->dropped)};
-  if (const auto put = write_noting(path, written->bytes, saved.note); !put)
-    return tl::unexpected(put.error());
+  auto staged = StagedFile::write(path, written->bytes);
+  if (!staged) return tl::unexpected(staged.error());
+  OtherFiles others;
+  if (const auto all = others.stage(written->others, known); !all) return tl::unexpected(all.error());
+  if (const auto put = others.put(saved.note); !put) return tl::unexpected(put.error());
+  if (const auto put = staged->put(); !put) return tl::unexpected(put.error());
+  others.finish();
+  add_doubt(path, *staged, saved.note);
+  saved.others = others.written();
+  saved.companion.others = others.contents();
   return saved;
 }
 

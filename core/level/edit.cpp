@@ -12,11 +12,6 @@ namespace {
 
 // The place in a level that a change is about. L is Level or const Level.
 template <class L>
-auto& place(L& level, const CellChange& c) {
-  assert(level.map.contains(c.cell));
-  return level.map.cells()[static_cast<std::size_t>(c.cell.y) * level.map.width() + c.cell.x];
-}
-template <class L>
 auto& place(L& level, const PixelChange& c) {
   return level.sheet(c.sheet).images[c.tile][c.pixel];
 }
@@ -43,6 +38,14 @@ auto& place(L& level, const RolesChange&) {
 template <class L>
 auto& place(L& level, const TileShapeChange& c) {
   return level.tile_shapes[c.tile];
+}
+template <class L>
+auto& place(L& level, const TileNotesChange&) {
+  return level.tile_notes;
+}
+template <class L>
+auto& place(L& level, const TileAnimationsChange&) {
+  return level.animations;
 }
 template <class L>
 auto& place(L& level, const FlagShapeChange& c) {
@@ -93,6 +96,25 @@ auto& place(L& level, const MapChange&) {
   return level.map;
 }
 
+// What a level holds at the place of a change.
+template <class C>
+const auto& value_at(const Level& level, const C& c) {
+  return place(level, c);
+}
+MapCell value_at(const Level& level, const CellChange& c) { return level.map.at(c.cell); }
+TileLook value_at(const Level& level, const TileLookChange& c) {
+  return look_of(level.sheet(c.sheet), level.map.tile_size(), c.tile);
+}
+
+template <class C, class Value>
+void put_value(Level& level, const C& c, const Value& value) {
+  place(level, c) = value;
+}
+void put_value(Level& level, const CellChange& c, MapCell cell) { level.map.set(c.cell, cell); }
+void put_value(Level& level, const TileLookChange& c, const TileLook& look) {
+  put_look(look, level.map.tile_size(), c.tile, level.sheet(c.sheet));
+}
+
 // A number that differs for two places of the same kind; fits 56 bits.
 std::uint64_t number(const CellChange& c) {
   return static_cast<std::uint64_t>(c.cell.y) * kMaxTerrainSide + c.cell.x;
@@ -100,6 +122,9 @@ std::uint64_t number(const CellChange& c) {
 std::uint64_t number(const PixelChange& c) {
   const int image = static_cast<int>(c.sheet) * kMaxTiles + c.tile;
   return static_cast<std::uint64_t>(image) * kCartTileSize * kCartTileSize + c.pixel;
+}
+std::uint64_t number(const TileLookChange& c) {
+  return static_cast<std::uint64_t>(static_cast<int>(c.sheet) * kMaxTiles + c.tile);
 }
 std::uint64_t number(const FlagsChange& c) {
   return static_cast<std::uint64_t>(static_cast<int>(c.sheet) * kMaxTiles + c.tile);
@@ -127,13 +152,20 @@ constexpr std::uint64_t kMapKey = std::uint64_t{kMapIndex} << 56;
 template <class C>
 bool fits(const Level& level, const C& c) {
   if constexpr (std::is_same_v<C, CellChange>) {
-    return level.map.contains(c.cell) && c.after < level.tile_count();
+    return level.map.contains(c.cell) && c.after.tile < level.tile_count();
   } else if constexpr (std::is_same_v<C, PixelChange>) {  // a picture in true colour hides the pixels
     return c.tile < level.sheet(c.sheet).count() && level.sheet(c.sheet).picture == nullptr;
+  } else if constexpr (std::is_same_v<C, TileLookChange>) {
+    const TileSize size = level.map.tile_size();
+    const auto bytes = static_cast<std::size_t>(4 * size.width * size.height);
+    return c.tile < level.sheet(c.sheet).count() && level.sheet(c.sheet).picture != nullptr &&
+           c.after.rgba.size() == bytes;
   } else if constexpr (std::is_same_v<C, FlagsChange>) {
     return c.tile < level.sheet(c.sheet).count();
   } else if constexpr (std::is_same_v<C, TileShapeChange>) {
     return c.tile < level.tile_count();
+  } else if constexpr (std::is_same_v<C, TileNotesChange> || std::is_same_v<C, TileAnimationsChange>) {
+    return !problem_of(c.after, level.tile_count());
   } else if constexpr (std::is_same_v<C, TilesetsChange>) {
     return !problem_of(c.after, level.sheet(SheetId::tiles).layout());
   } else if constexpr (std::is_same_v<C, LayersChange>) {
@@ -153,7 +185,8 @@ constexpr bool kIsCounted = std::is_same_v<C, FlagNameChange> || std::is_same_v<
                             std::is_same_v<C, CurvesChange> || std::is_same_v<C, ObjectsChange> ||
                             std::is_same_v<C, SpawnsChange> || std::is_same_v<C, BrushesChange> ||
                             std::is_same_v<C, ExportsChange> || std::is_same_v<C, TilesetsChange> ||
-                            std::is_same_v<C, TileShapeChange> || std::is_same_v<C, LayersChange>;
+                            std::is_same_v<C, TileShapeChange> || std::is_same_v<C, LayersChange> ||
+                            std::is_same_v<C, TileNotesChange> || std::is_same_v<C, TileAnimationsChange>;
 
 // The parts of a level that problem_of_amounts counts.
 Level counted_part(const Level& level) {
@@ -168,8 +201,14 @@ Level counted_part(const Level& level) {
   part.brushes = level.brushes;
   part.exports = level.exports;
   part.tilesets = level.tilesets;
+  part.tile_notes = level.tile_notes;
+  part.animations = level.animations;
   part.extra = level.extra;
   return part;
+}
+
+std::size_t memory_of(const MapCells& cells) {
+  return cells.size() * sizeof(TileNumber) + cells.turns().size() * sizeof(TileTurn);
 }
 
 // The memory of the cells that one of the lists does not share with the other.
@@ -178,7 +217,7 @@ std::size_t memory_of_cells(const TileLayers& layers, const TileLayers& other) {
   for (const TileLayer& layer : layers.list) {
     const auto is_same = [&](const TileLayer& its) { return its.cells == layer.cells; };
     if (layer.cells != nullptr && std::none_of(other.list.begin(), other.list.end(), is_same))
-      bytes += layer.cells->size() * sizeof(TileNumber);
+      bytes += memory_of(*layer.cells);
   }
   return bytes;
 }
@@ -187,9 +226,11 @@ std::size_t memory_of_cells(const TileLayers& layers, const TileLayers& other) {
 template <class C>
 std::size_t memory_behind(const C& change) {
   if constexpr (std::is_same_v<C, MapChange>) {
-    return (change.before.cells().size() + change.after.cells().size()) * sizeof(TileNumber);
+    return memory_of(change.before.cells()) + memory_of(change.after.cells());
   } else if constexpr (std::is_same_v<C, LevelChange>) {
     return 2 * sizeof(Level) + size_of(change.before) + size_of(change.after);
+  } else if constexpr (std::is_same_v<C, TileLookChange>) {
+    return change.before.rgba.size() + change.after.rgba.size();
   } else if constexpr (std::is_same_v<C, TileShapeChange>) {
     return (change.before.heights.size() + change.after.heights.size()) * sizeof(double);
   } else if constexpr (std::is_same_v<C, LayersChange>) {
@@ -253,9 +294,8 @@ void apply_edit(Level& level, const Edit& edit) {
   for (const Change& change : edit.changes) {
     std::visit(
         [&](const auto& c) {
-          auto& value = place(level, c);
-          assert(value == c.before);
-          value = c.after;
+          assert(value_at(level, c) == c.before);
+          put_value(level, c, c.after);
         },
         change);
   }
@@ -266,9 +306,8 @@ void revert_edit(Level& level, const Edit& edit) {
   std::for_each(edit.changes.rbegin(), edit.changes.rend(), [&](const Change& change) {
     std::visit(
         [&](const auto& c) {
-          auto& value = place(level, c);
-          assert(value == c.after);
-          value = c.before;
+          assert(value_at(level, c) == c.after);
+          put_value(level, c, c.before);
         },
         change);
   });
@@ -280,7 +319,7 @@ void rebase_edit(const Level& level, Edit& edit) {
     if (!std::visit([&](const auto& c) { return fits(level, c); }, change)) return true;
     return std::visit(
         [&](auto& c) {
-          const auto& value = place(level, c);
+          const auto& value = value_at(level, c);
           if (c.before != value) c.before = value;
           return c.before == c.after;
         },

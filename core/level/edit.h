@@ -12,6 +12,7 @@
 
 #include <talus/level/level.h>
 #include "cell_rect.h"
+#include "tile_look.h"
 
 namespace talus {
 
@@ -19,7 +20,7 @@ namespace talus {
 // the change is applied (asserted).
 struct CellChange {
   Cell cell;
-  TileNumber before, after;
+  MapCell before, after;
 };
 struct PixelChange {
   SheetId sheet;
@@ -27,17 +28,22 @@ struct PixelChange {
   int pixel;  // 0..63, row by row
   std::uint8_t before, after;
 };
+struct TileLookChange {  // of a sheet in true colour
+  SheetId sheet;
+  int tile;  // of the sheet
+  TileLook before, after;
+};
 struct FlagsChange {
   SheetId sheet;
   int tile;
-  std::uint8_t before, after;
+  FlagSet before, after;
 };
 struct ColorChange {
   int color;  // 0..15
   Rgb before, after;
 };
 struct FlagNameChange {
-  int flag;  // 0..7
+  int flag;  // 0..31
   std::string before, after;
 };
 struct FlagFieldsChange {
@@ -50,8 +56,14 @@ struct TileShapeChange {
   int tile;  // of the level
   TileShape before, after;
 };
+struct TileNotesChange {
+  TileNotes before, after;
+};
+struct TileAnimationsChange {
+  TileAnimations before, after;
+};
 struct FlagShapeChange {
-  int flag;  // 0..7
+  int flag;  // 0..31
   TileShape before, after;
 };
 struct CurvesChange {
@@ -98,10 +110,11 @@ struct MapChange {  // the whole map: its size has changed, or too many cells to
   TileMap before, after;
 };
 
-using Change = std::variant<CellChange, PixelChange, FlagsChange, ColorChange, FlagNameChange,
-                            FlagFieldsChange, RolesChange, TileShapeChange, FlagShapeChange, CurvesChange,
-                            ObjectsChange, TuningChange, SpawnsChange, BrushesChange, AutoTilesChange,
-                            ExportsChange, TilesetsChange, LayersChange, LevelChange, MapChange>;
+using Change =
+    std::variant<CellChange, PixelChange, TileLookChange, FlagsChange, ColorChange, FlagNameChange,
+                 FlagFieldsChange, RolesChange, TileShapeChange, FlagShapeChange, CurvesChange, ObjectsChange,
+                 TuningChange, SpawnsChange, BrushesChange, AutoTilesChange, ExportsChange, TileNotesChange,
+                 TileAnimationsChange, TilesetsChange, LayersChange, LevelChange, MapChange>;
 
 // The change of the selection of cells on the map, so that undo restores that, too.
 struct SelectionChange {

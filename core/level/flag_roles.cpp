@@ -14,7 +14,7 @@ const std::array<FlagRoleInfo, 6>& flag_role_infos() {
   return kInfos;
 }
 
-TileRole role_of(std::uint8_t flags, const FlagRoles& roles) {
+TileRole role_of(FlagSet flags, const FlagRoles& roles) {
   for (const FlagRoleInfo& info : flag_role_infos()) {
     if (has_flag(flags, roles.*info.flag)) return info.role;
   }

@@ -26,8 +26,8 @@ std::size_t sum_over_ground(const GroundCells& ground, const Level& level, const
   return sum;
 }
 
-std::size_t ground_boxes(const Level& level, TileNumber tile) {
-  const TileShape shape = shape_of_tile(level, tile);
+std::size_t ground_boxes(const Level& level, MapCell cell) {
+  const TileShape shape = shape_of_cell(level, cell);
   if (shape.kind == TileShape::Kind::none) return 0;
   const TileSize size = level.map.tile_size();
   if (level.tuning.solver != SolverKind::bump || problem_of(shape, size)) return 1;
@@ -38,8 +38,8 @@ std::size_t ground_boxes(const Level& level, TileNumber tile) {
 std::size_t ground_boxes(const GroundCells& ground, const Level& level) {
   return sum_over_ground(ground, level, [&](TileNumber number) {
     std::size_t boxes = 0;
-    for (const TileNumber tile : tiles_of(number, ground.stacks, level.tile_count()))
-      boxes += ground_boxes(level, tile);
+    for (const MapCell cell : tiles_of(number, ground.stacks, level.tile_count()))
+      boxes += ground_boxes(level, cell);
     return boxes;
   });
 }
@@ -66,7 +66,7 @@ std::vector<TileShape> usable_shapes(const Level& level) {
 }
 
 TerrainSource ground_of(const Level& level) {
-  assert(level.layers.count() == 1);
+  assert(level.layers.count() == 1 && !level.map.cells().has_turned());
   return ground_of(level, ground_cells(level));
 }
 
@@ -131,7 +131,9 @@ std::optional<std::string> ground_problem(const Level& level) {
 std::optional<std::string> ground_problem(const Level& level, const GroundCells& ground) {
   if (ground.overflow > 0)
     return "has more than " + std::to_string(ground.overflow - 1) +
-           " different stacks of tiles in its layers of ground: use fewer layers of ground, or fewer tiles";
+           " different stacks of tiles, and turned tiles, in its layers of ground: use fewer layers of "
+           "ground, "
+           "or fewer tiles";
   const bool is_exact = level.tuning.solver == SolverKind::exact;
   const std::size_t has = is_exact ? ground_lines(level, ground) : ground_boxes(ground, level);
   const std::size_t most = is_exact ? kMaxGroundLines : kMaxGroundBoxes;

@@ -17,26 +17,47 @@ std::vector<int> layers_of_ground(const Level& level) {
   return layers;
 }
 
-// Of tiles with the same shape the one in front stays.
+// Of cells with the same shape the one in front stays.
 TileStack reduced(const Level& level, const TileStack& tiles) {
   TileStack stack;
   for (auto tile = tiles.begin(); tile != tiles.end(); ++tile) {
-    const bool is_hidden = std::any_of(tile + 1, tiles.end(), [&](TileNumber in_front) {
-      return *tile == in_front ||
-             (!is_ball_tile(level, *tile) && shape_of_tile(level, *tile) == shape_of_tile(level, in_front));
+    const bool is_hidden = std::any_of(tile + 1, tiles.end(), [&](MapCell in_front) {
+      return *tile == in_front || (!is_ball_tile(level, tile->tile) &&
+                                   shape_of_cell(level, *tile) == shape_of_cell(level, in_front));
     });
     if (!is_hidden) stack.push_back(*tile);
   }
   return stack;
 }
 
+// Leaves out turns that change nothing of the ground. Each turned tile is looked at once.
+class TurnFilter {
+ public:
+  explicit TurnFilter(const Level& level) : level_(level) {}
+  MapCell operator()(MapCell cell) {
+    if (cell.turn == TileTurn::none) return cell;
+    const auto [known, is_new] = known_.try_emplace(cell, cell);
+    if (is_new &&
+        (is_ball_tile(level_, cell.tile) || shape_of_cell(level_, cell) == shape_of_tile(level_, cell.tile)))
+      known->second.turn = TileTurn::none;
+    return known->second;
+  }
+
+ private:
+  const Level& level_;
+  std::map<MapCell, MapCell> known_;
+};
+
+// Whether it needs no number of its own.
+bool is_plain(const TileStack& stack) { return stack.size() == 1 && stack.front().turn == TileTurn::none; }
+
 // Numbers the stacks of a level in the order in which they are met.
 class StackCounter {
  public:
   explicit StackCounter(const Level& level) : level_(level) {}
 
-  // The number of the tiles in a cell, at least two of which count; more than TileNumber holds if there are
-  // too many stacks.
+  // The number of the tiles in a cell, all of which count; more than TileNumber holds if there are too many
+  // stacks.
   std::size_t number_of(const TileStack& tiles) {
     const auto [known, is_new] = numbers_.try_emplace(tiles, 0);
     if (is_new) known->second = number_of_reduced(reduced(level_, tiles));
@@ -46,7 +67,7 @@ class StackCounter {
 
  private:
   std::size_t number_of_reduced(TileStack stack) {
-    if (stack.size() == 1) return stack.front();
+    if (is_plain(stack)) return stack.front().tile;
     const auto [known, is_new] = stack_numbers_.try_emplace(stack, first() + stacks_.size());
     if (is_new) stacks_.push_back(std::move(stack));
     return known->second;
@@ -91,28 +112,29 @@ GroundCells nothing(const Level& level) {
 GroundCells ground_cells(const Level& level) {
   const std::vector<int> layers = layers_of_ground(level);
   if (layers.empty()) return nothing(level);
-  if (layers.size() == 1)
-    return {.cells = level.cells_of(layers.front()), .stacks = {}, .overflow = 0, .own = {}};
+  if (layers.size() == 1 && !level.cells_of(layers.front()).has_turned())
+    return {.cells = level.cells_of(layers.front()).tiles(), .stacks = {}, .overflow = 0, .own = {}};
 
   const auto tile_count = static_cast<std::size_t>(level.tile_count());
   std::vector<bool> is_counted(tile_count);
   for (std::size_t tile = 0; tile < tile_count; ++tile)
     is_counted[tile] = counts(level, static_cast<TileNumber>(tile));
-  std::vector<const TileNumber*> cells;
+  std::vector<const MapCells*> cells;
   cells.reserve(layers.size());
-  for (const int layer : layers) cells.push_back(level.cells_of(layer).data());
+  for (const int layer : layers) cells.push_back(&level.cells_of(layer));
 
   GroundCells ground;
   ground.own.resize(level.map.cells().size());
   StackCounter counter(level);
+  TurnFilter filtered(level);
   TileStack stack;
   for (std::size_t cell = 0; cell < ground.own.size(); ++cell) {
     stack.clear();
-    for (const TileNumber* layer : cells)
-      if (is_counted[layer[cell]]) stack.push_back(layer[cell]);
+    for (const MapCells* layer : cells)
+      if (is_counted[layer->tiles()[cell]]) stack.push_back(filtered((*layer)[cell]));
     // Without a tile that counts, the one in front stands for nothing.
-    std::size_t number = stack.empty() ? cells.back()[cell] : stack.front();
-    if (stack.size() > 1) number = counter.number_of(stack);
+    std::size_t number = stack.empty() ? cells.back()->tiles()[cell] : stack.front().tile;
+    if (!stack.empty() && !is_plain(stack)) number = counter.number_of(stack);
     if (number >= kMaxTiles)
       return {.cells = {}, .stacks = {}, .overflow = number + 1 - tile_count, .own = {}};
     ground.own[cell] = static_cast<TileNumber>(number);
@@ -127,31 +149,33 @@ std::optional<TileNumber> ground_number(const Level& level, std::span<const Tile
   const std::vector<int> layers = layers_of_ground(level);
   const auto at = static_cast<std::size_t>(cell.y) * level.map.width() + cell.x;
   if (layers.empty()) return static_cast<TileNumber>(level.tile_count());
-  if (layers.size() == 1) return level.cells_of(layers.front())[at];
+  TurnFilter filtered(level);
   TileStack stack;
   for (const int layer : layers) {
-    const TileNumber tile = level.cells_of(layer)[at];
-    if (counts(level, tile)) stack.push_back(tile);
+    const MapCell its = level.cells_of(layer)[at];
+    if (layers.size() == 1 && its.turn == TileTurn::none) return its.tile;
+    if (counts(level, its.tile)) stack.push_back(filtered(its));
   }
-  if (stack.empty()) return level.cells_of(layers.back())[at];
+  if (stack.empty()) return level.cells_of(layers.back()).tiles()[at];
   stack = reduced(level, stack);
-  if (stack.size() == 1) return stack.front();
+  if (is_plain(stack)) return stack.front().tile;
   const auto found = std::lower_bound(stacks.begin(), stacks.end(), stack);
   if (found == stacks.end() || *found != stack) return std::nullopt;
   return static_cast<TileNumber>(level.tile_count() + (found - stacks.begin()));
 }
 
-std::span<const TileNumber> tiles_of(const TileNumber& number, std::span<const TileStack> stacks,
-                                     int tile_count) {
-  if (number < tile_count) return {&number, 1};
+TileStack tiles_of(TileNumber number, std::span<const TileStack> stacks, int tile_count) {
+  if (number < tile_count) return {number};
   return stacks[static_cast<std::size_t>(number - tile_count)];
 }
 
 TileShape shape_of_number(const Level& level, std::span<const TileStack> stacks, TileNumber number) {
   if (number < level.tile_count()) return shape_of_tile(level, number);
+  const TileStack& stack = stacks[static_cast<std::size_t>(number - level.tile_count())];
+  if (stack.size() == 1) return shape_of_cell(level, stack.front());
   TileShape group{.kind = TileShape::Kind::group};
-  for (const TileNumber tile : tiles_of(number, stacks, level.tile_count())) {
-    TileShape shape = shape_of_tile(level, tile);
+  for (const MapCell cell : stack) {
+    TileShape shape = shape_of_cell(level, cell);
     if (shape.kind == TileShape::Kind::none || problem_of(shape, level.map.tile_size())) continue;
     if (shape.kind == TileShape::Kind::group)
       std::move(shape.parts.begin(), shape.parts.end(), std::back_inserter(group.parts));

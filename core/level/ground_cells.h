@@ -11,17 +11,17 @@
 
 namespace talus {
 
-// The tiles of several layers in one cell, from the back to the front. Tiles that are neither ground nor
-// bodies are left out.
-using TileStack = std::vector<TileNumber>;
+// The tiles of several layers in one cell, from the back to the front, or one that is turned. Tiles that are
+// neither ground nor bodies are left out. A turn that changes nothing of the ground is TileTurn::none.
+using TileStack = std::vector<MapCell>;
 
-// The cells of a level's ground. With one layer of ground they are that layer's. With several, a cell with
-// one tile has that tile, and a cell with more has a stack of them. A stack has the number tile_count() + its
-// index. Refers to the level, which must stay alive.
+// The cells of a level's ground. With one layer of ground, of which nothing is turned, they are that layer's.
+// Else a cell with one tile that is not turned has that tile, and any other has a stack. A stack has the
+// number tile_count() + its index. Refers to the level, which must stay alive.
 struct GroundCells {
   std::span<const TileNumber>
       cells;                      // row by row: numbers of tiles and of stacks; empty if `overflow` is not 0
-  std::vector<TileStack> stacks;  // sorted, each there once; empty if there is one layer of ground
+  std::vector<TileStack> stacks;  // sorted, each there once; empty if `cells` are a layer
   std::size_t overflow = 0;       // how many stacks there would be, if they are too many for TileNumber
   std::vector<TileNumber> own;    // what `cells` refers to, if that is not a layer
 };
@@ -32,10 +32,10 @@ GroundCells ground_cells(const Level& level);
 std::optional<TileNumber> ground_number(const Level& level, std::span<const TileStack> stacks, Cell cell);
 
 // The tiles that a number of GroundCells stands for, each once: itself, or those of the stack.
-std::span<const TileNumber> tiles_of(const TileNumber& number, std::span<const TileStack> stacks,
-                                     int tile_count);
+TileStack tiles_of(TileNumber number, std::span<const TileStack> stacks, int tile_count);
 
-// The shape of a number of GroundCells, invalid or not; a stack is a group of the shapes of its tiles.
+// The shape of a number of GroundCells, invalid or not; a stack of several tiles is a group of
+// their shapes.
 TileShape shape_of_number(const Level& level, std::span<const TileStack> stacks, TileNumber number);
 
 // The level without ground and bodies of tiles; curves and spawns stay.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <talus/level/tile_turns.h>
 #include "curve_span.h"
 
 namespace talus {
@@ -19,7 +20,7 @@ TileShape article_slope(const SharedTuning& tuning, TileSize tile, bool rises) {
   return shape;
 }
 
-TileShape shape_before_modifiers(const Level& level, std::uint8_t flags) {
+TileShape shape_before_modifiers(const Level& level, FlagSet flags) {
   switch (role_of(flags, level.roles)) {
     case TileRole::solid:
       return {.kind = TileShape::Kind::solid};
@@ -32,7 +33,7 @@ TileShape shape_before_modifiers(const Level& level, std::uint8_t flags) {
     case TileRole::none:
       break;
   }
-  for (int flag = 0; flag < kFlagCount; ++flag) {
+  for (int flag = 0; flag < kMaxFlags; ++flag) {
     const TileShape& shape = level.flag_shapes[flag];
     if (has_flag(flags, flag) && shape.kind != TileShape::Kind::none) return shape;
   }
@@ -54,9 +55,10 @@ bool operator==(const Level& a, const Level& b) {
   return same_cart && a.sheets == b.sheets && a.palette == b.palette && a.flag_names == b.flag_names &&
          a.flag_fields == b.flag_fields && a.roles == b.roles && a.tile_shapes == b.tile_shapes &&
          a.flag_shapes == b.flag_shapes && a.tilesets == b.tilesets && a.animations == b.animations &&
-         same_layers(a, b) && a.curves == b.curves && a.objects == b.objects && a.tuning == b.tuning &&
-         a.spawns == b.spawns && a.brushes == b.brushes && a.auto_tiles == b.auto_tiles &&
-         a.exports == b.exports && a.extra == b.extra;
+         a.tile_notes == b.tile_notes && a.large_tiles == b.large_tiles && same_layers(a, b) &&
+         a.curves == b.curves && a.objects == b.objects && a.tuning == b.tuning && a.spawns == b.spawns &&
+         a.brushes == b.brushes && a.auto_tiles == b.auto_tiles && a.exports == b.exports &&
+         a.extra == b.extra;
 }
 
 void Level::set_tile_layout(const SheetLayout& layout) {
@@ -69,12 +71,14 @@ void Level::set_tile_layout(const SheetLayout& layout) {
   tiles.flags.resize(count);
   tile_shapes.resize(count);
   if (problem_of(tilesets, layout)) tilesets.clear();
+  std::erase_if(large_tiles, [&](const auto& tile) { return tile.first >= layout.count; });
   std::erase_if(animations, [&](const auto& animation) {
     return problem_of(TileAnimations{animation}, layout.count).has_value();
   });
+  std::erase_if(tile_notes, [&](const auto& note) { return note.first >= layout.count; });
 }
 
-const std::vector<TileNumber>& Level::cells_of(int layer) const {
+const MapCells& Level::cells_of(int layer) const {
   const auto& cells = layers.list[static_cast<std::size_t>(layer)].cells;
   return cells != nullptr ? *cells : map.cells();
 }
@@ -82,10 +86,10 @@ const std::vector<TileNumber>& Level::cells_of(int layer) const {
 void Level::choose_layer(int layer) {
   if (layer == layers.chosen) return;
   TileLayer& next = layers.list[static_cast<std::size_t>(layer)];
-  std::vector<TileNumber> cells = *next.cells;
+  MapCells cells = *next.cells;
   std::swap(cells, map.cells());
   layers.list[static_cast<std::size_t>(layers.chosen)].cells =
-      std::make_shared<const std::vector<TileNumber>>(std::move(cells));
+      std::make_shared<const MapCells>(std::move(cells));
   next.cells = nullptr;
   layers.chosen = layer;
 }
@@ -95,7 +99,13 @@ TileShape shape_of_tile(const Level& level, TileNumber tile) {
   return own.kind != TileShape::Kind::none ? own : shape_of_flags(level, level.tile_flags(tile));
 }
 
-TileShape shape_of_flags(const Level& level, std::uint8_t flags) {
+TileShape shape_of_cell(const Level& level, MapCell cell) {
+  TileShape shape = shape_of_tile(level, cell.tile);
+  if (cell.turn == TileTurn::none || problem_of(shape, level.map.tile_size())) return shape;
+  return turned(shape, cell.turn, level.map.tile_size());
+}
+
+TileShape shape_of_flags(const Level& level, FlagSet flags) {
   TileShape shape = shape_before_modifiers(level, flags);
   if (shape.kind == TileShape::Kind::none) return shape;
   using Side = TileShape::Side;
@@ -107,6 +117,23 @@ TileShape shape_of_flags(const Level& level, std::uint8_t flags) {
   modify(shape);
   std::for_each(shape.parts.begin(), shape.parts.end(), modify);
   return shape;
+}
+
+FlagSet used_flags(const Level& level) {
+  FlagSet used = 0;
+  for (const Sheet& sheet : level.sheets)
+    for (const FlagSet flags : sheet.flags) used |= flags;
+  for (const FlagField& field : level.flag_fields)
+    if (!problem_of(field)) used |= field.mask();
+  for (int flag = 0; flag < kMaxFlags; ++flag) {
+    const auto& infos = flag_role_infos();
+    const bool has_role = std::any_of(
+        infos.begin(), infos.end(), [&](const FlagRoleInfo& role) { return level.roles.*role.flag == flag; });
+    const auto at = static_cast<std::size_t>(flag);
+    if (has_role || !level.flag_names[at].empty() || level.flag_shapes[at].kind != TileShape::Kind::none)
+      used |= flag_bit(flag);
+  }
+  return used;
 }
 
 std::optional<BodyKind> body_kind_of_tile(const Level& level, TileNumber tile) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
 #include <utility>
 
 #include <talus/level/limits.h>
@@ -21,15 +22,32 @@ LevelVersion::Tiles tiles_of(const Level& level) {
   return {level.sheet(SheetId::tiles).flags, level.roles, level.tile_shapes, level.flag_shapes};
 }
 
-using Cells = std::vector<TileNumber>;
+std::size_t first_in_row(int width, int y) {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+}
 
-LevelVersion::Row row_of(const Cells& cells, int width, int y) {
-  const auto begin = cells.begin() + static_cast<std::ptrdiff_t>(y) * width;
-  return {begin, begin + width};
+std::span<const TileNumber> tiles_in(const MapCells& cells, std::size_t first, int width) {
+  return std::span(cells.tiles()).subspan(first, static_cast<std::size_t>(width));
+}
+
+// The turns of cells; none if no cell of the layer is turned.
+std::span<const TileTurn> turns_in(const MapCells& cells, std::size_t first, int width) {
+  if (!cells.has_turned()) return {};
+  return std::span(cells.turns()).subspan(first, static_cast<std::size_t>(width));
+}
+
+// A row that shares nothing.
+LevelVersion::Row copied_row(const MapCells& cells, int width, int y) {
+  const std::size_t first = first_in_row(width, y);
+  const auto tiles = tiles_in(cells, first, width);
+  const auto turns = turns_in(cells, first, width);
+  std::vector<TileNumber> copy(tiles.begin(), tiles.end());
+  if (turns.empty()) return {std::make_shared<const MapCells>(std::move(copy))};
+  return {std::make_shared<const MapCells>(std::move(copy), std::vector(turns.begin(), turns.end()))};
 }
 
 std::size_t memory_of(const LevelVersion::Tiles& tiles) {
-  return sizeof(LevelVersion::Tiles) + tiles.flags.size() * (1 + sizeof(TileShape));
+  return sizeof(LevelVersion::Tiles) + tiles.flags.size() * (sizeof(FlagSet) + sizeof(TileShape));
 }
 
 std::size_t memory_of(const std::vector<Spawn>& spawns) {
@@ -48,32 +66,75 @@ std::size_t memory_of(const std::vector<LevelCurve>& curves) {
   return bytes;
 }
 
-bool is_row(const Cells& cells, int width, int y, const LevelVersion::Row& row) {
-  const auto begin = cells.begin() + static_cast<std::ptrdiff_t>(y) * width;
-  return std::equal(begin, begin + width, row.begin(), row.end());
+bool is_row(const MapCells& cells, int width, int y, const LevelVersion::Row& row) {
+  const std::size_t first = first_in_row(width, y);
+  if (row.cells.get() == &cells && row.first == first) return true;
+  if (!std::ranges::equal(tiles_in(cells, first, width), tiles_in(*row.cells, row.first, width)))
+    return false;
+  const auto ours = turns_in(cells, first, width), theirs = turns_in(*row.cells, row.first, width);
+  const auto is_none = [](TileTurn turn) { return turn == TileTurn::none; };
+  if (ours.empty()) return std::ranges::all_of(theirs, is_none);
+  if (theirs.empty()) return std::ranges::all_of(ours, is_none);
+  return std::ranges::equal(ours, theirs);
 }
 
-// before: the rows to share equal ones with; may be fewer, or of another length.
-LevelVersion::Layer layer_of(const Level& level, int index,
-                             std::span<const std::shared_ptr<const LevelVersion::Row>> before) {
+// The cells of a layer as a version may keep them: those of the level, or a copy of those that its map holds.
+std::shared_ptr<const MapCells> kept_cells(const Level& level, int index) {
+  const auto& cells = level.layers.list[static_cast<std::size_t>(index)].cells;
+  if (index != level.layers.chosen && cells != nullptr) return cells;
+  return std::make_shared<const MapCells>(level.cells_of(index));
+}
+
+// Cells that several rows share count once. before: null if there is none.
+std::size_t memory_of(const LevelVersion::Layer& layer, const LevelVersion::Layer* before) {
+  constexpr std::size_t kCells = 96;  // bytes of cells besides their tiles and turns
+  std::size_t bytes = sizeof(layer) + layer.rows.size() * sizeof(layer.rows[0]);
+  const MapCells* last = nullptr;
+  for (std::size_t y = 0; y < layer.rows.size(); ++y) {
+    const MapCells* cells = layer.rows[y].cells.get();
+    const bool is_old = before != nullptr && y < before->rows.size() && layer.rows[y] == before->rows[y];
+    if (is_old || cells == last) continue;
+    bytes += kCells + cells->tiles().size() * sizeof(TileNumber) + cells->turns().size() * sizeof(TileTurn);
+    last = cells;
+  }
+  return bytes;
+}
+
+// before: the rows to share equal ones with; may be fewer. width: cells, of each of them.
+LevelVersion::Layer layer_of(const Level& level, int index, std::span<const LevelVersion::Row> before,
+                             int width) {
   LevelVersion::Layer layer{level.layers.list[static_cast<std::size_t>(index)], {}};
   layer.looks.cells = nullptr;
-  const Cells& cells = level.cells_of(index);
-  const int width = level.map.width();
+  if (width != level.map.width()) before = {};
+  const MapCells& cells = level.cells_of(index);
+  std::shared_ptr<const MapCells> kept;  // made when the first row needs it
   layer.rows.reserve(static_cast<std::size_t>(level.map.height()));
   for (int y = 0; y < level.map.height(); ++y) {
     const auto at = static_cast<std::size_t>(y);
-    const bool same = at < before.size() && is_row(cells, width, y, *before[at]);
-    layer.rows.push_back(same ? before[at]
-                              : std::make_shared<const LevelVersion::Row>(row_of(cells, width, y)));
+    if (at < before.size() && is_row(cells, level.map.width(), y, before[at])) {
+      layer.rows.push_back(before[at]);
+      continue;
+    }
+    if (kept == nullptr) kept = kept_cells(level, index);
+    layer.rows.push_back({kept, first_in_row(level.map.width(), y)});
   }
   return layer;
 }
 
-Cells cells_of(const LevelVersion::Layer& layer) {
-  Cells cells;
-  cells.reserve(layer.rows.size() * layer.rows.front()->size());
-  for (const auto& row : layer.rows) cells.insert(cells.end(), row->begin(), row->end());
+MapCells cells_of(const LevelVersion::Layer& layer, int width) {
+  std::vector<TileNumber> tiles;
+  tiles.reserve(layer.rows.size() * static_cast<std::size_t>(width));
+  for (const LevelVersion::Row& row : layer.rows) {
+    const auto found = tiles_in(*row.cells, row.first, width);
+    tiles.insert(tiles.end(), found.begin(), found.end());
+  }
+  MapCells cells(std::move(tiles));
+  std::size_t first = 0;
+  for (const LevelVersion::Row& row : layer.rows) {
+    for (int x = 0; row.cells->has_turned() && x < width; ++x)
+      cells.set(first + static_cast<std::size_t>(x), row.at(x));
+    first += static_cast<std::size_t>(width);
+  }
   return cells;
 }
 
@@ -88,12 +149,15 @@ LevelVersion version_of(const Level& level, const LevelVersion* before) {
                        shared_part(level.spawns, old.spawns),
                        level.tuning,
                        level.map.tile_size(),
+                       level.map.width(),
                        {},
-                       level.layers.chosen};
+                       level.layers.chosen,
+                       level.layers.groups};
   for (int layer = 0; layer < level.layers.count(); ++layer) {
     const auto at = static_cast<std::size_t>(layer);
-    version.layers.push_back(at < old.layers.size() ? layer_of(level, layer, old.layers[at].rows)
-                                                    : layer_of(level, layer, {}));
+    const bool is_old = at < old.layers.size();
+    version.layers.push_back(is_old ? layer_of(level, layer, old.layers[at].rows, old.width)
+                                    : layer_of(level, layer, {}, 0));
   }
   return version;
 }
@@ -104,35 +168,25 @@ LevelVersion version_of(const Level& level, const LevelVersion& before, std::spa
   version.tuning = level.tuning;
   version.chosen_layer = level.layers.chosen;
   for (int layer = 0; layer < level.layers.count(); ++layer) {
-    const Cells& cells = level.cells_of(layer);
+    const MapCells& cells = level.cells_of(layer);
     for (const Cell cell : changed) {
       auto& row = version.layers[static_cast<std::size_t>(layer)].rows[static_cast<std::size_t>(cell.y)];
-      if (!is_row(cells, level.map.width(), cell.y, *row))
-        row = std::make_shared<const LevelVersion::Row>(row_of(cells, level.map.width(), cell.y));
+      if (!is_row(cells, version.width, cell.y, row)) row = copied_row(cells, version.width, cell.y);
     }
   }
   return version;
 }
 
 std::size_t memory_of(const LevelVersion& version, const LevelVersion* before) {
-  constexpr std::size_t kRow = 48;  // bytes of a row besides its tiles
   static const LevelVersion kNone;
   const LevelVersion& old = before != nullptr ? *before : kNone;
-  std::size_t bytes = sizeof(LevelVersion);
+  std::size_t bytes = sizeof(LevelVersion) + version.groups.size() * sizeof(LayerGroup);
   if (version.tiles != old.tiles) bytes += memory_of(*version.tiles);
   if (version.curves != old.curves) bytes += memory_of(*version.curves);
   if (version.objects != old.objects) bytes += size_of(*version.objects);
   if (version.spawns != old.spawns) bytes += memory_of(*version.spawns);
-  for (std::size_t layer = 0; layer < version.layers.size(); ++layer) {
-    const auto& rows = version.layers[layer].rows;
-    static const std::vector<std::shared_ptr<const LevelVersion::Row>> kNoRows;
-    const auto& old_rows = layer < old.layers.size() ? old.layers[layer].rows : kNoRows;
-    bytes += sizeof(LevelVersion::Layer) + rows.size() * sizeof(rows[0]);
-    for (std::size_t y = 0; y < rows.size(); ++y) {
-      if (y >= old_rows.size() || rows[y] != old_rows[y])
-        bytes += kRow + rows[y]->size() * sizeof(TileNumber);
-    }
-  }
+  for (std::size_t layer = 0; layer < version.layers.size(); ++layer)
+    bytes += memory_of(version.layers[layer], layer < old.layers.size() ? &old.layers[layer] : nullptr);
   return bytes;
 }
 
@@ -147,16 +201,14 @@ void put_version(const LevelVersion& version, Level& level) {
   level.objects = *version.objects;
   level.spawns = *version.spawns;
   level.tuning = version.tuning;
-  const auto& rows = version.layers.front().rows;
-  level.map =
-      TileMap(static_cast<int>(rows.front()->size()), static_cast<int>(rows.size()), version.tile_size);
-  level.layers = {{}, version.chosen_layer};
+  level.map = TileMap(version.width, static_cast<int>(version.layers.front().rows.size()), version.tile_size);
+  level.layers = {{}, version.chosen_layer, level.layers.order, version.groups};
   for (const LevelVersion::Layer& layer : version.layers) {
     level.layers.list.push_back(layer.looks);
     if (level.layers.count() - 1 == version.chosen_layer)
-      level.map.cells() = cells_of(layer);
+      level.map.cells() = cells_of(layer, version.width);
     else
-      level.layers.list.back().cells = std::make_shared<const Cells>(cells_of(layer));
+      level.layers.list.back().cells = std::make_shared<const MapCells>(cells_of(layer, version.width));
   }
 }
 
@@ -170,12 +222,12 @@ std::optional<std::vector<Cell>> changed_cells(const LevelVersion& a, const Leve
                                                std::size_t most) {
   const auto same = [](const auto& x, const auto& y) { return x == y || *x == *y; };
   const auto same_layer = [](const LevelVersion::Layer& x, const LevelVersion::Layer& y) {
-    return x.looks.is_ground == y.looks.is_ground && x.rows.size() == y.rows.size() &&
-           x.rows.front()->size() == y.rows.front()->size();
+    return x.looks.is_ground == y.looks.is_ground && x.rows.size() == y.rows.size();
   };
   const bool only_cells =
       a.tuning == b.tuning && same(a.tiles, b.tiles) && same(a.curves, b.curves) &&
       same(a.objects, b.objects) && same(a.spawns, b.spawns) && a.tile_size == b.tile_size &&
+      a.width == b.width && a.groups == b.groups &&
       std::equal(a.layers.begin(), a.layers.end(), b.layers.begin(), b.layers.end(), same_layer);
   if (!only_cells) return std::nullopt;
   std::set<std::pair<int, int>> cells;  // row, column
@@ -183,9 +235,9 @@ std::optional<std::vector<Cell>> changed_cells(const LevelVersion& a, const Leve
     const auto &ours = a.layers[layer].rows, &theirs = b.layers[layer].rows;
     for (std::size_t y = 0; y < ours.size(); ++y) {
       if (ours[y] == theirs[y]) continue;
-      for (std::size_t x = 0; x < ours[y]->size(); ++x) {
-        if ((*ours[y])[x] == (*theirs[y])[x]) continue;
-        cells.emplace(static_cast<int>(y), static_cast<int>(x));
+      for (int x = 0; x < a.width; ++x) {
+        if (ours[y].at(x) == theirs[y].at(x)) continue;
+        cells.emplace(static_cast<int>(y), x);
         if (cells.size() > most) return std::nullopt;
       }
     }

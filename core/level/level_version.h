@@ -14,16 +14,22 @@ namespace talus {
 
 struct LevelVersion {
   struct Tiles {
-    std::vector<std::uint8_t> flags;
+    std::vector<FlagSet> flags;
     FlagRoles roles;
     std::vector<TileShape> tile_shapes;  // as many as flags
-    std::array<TileShape, kFlagCount> flag_shapes;
+    std::array<TileShape, kMaxFlags> flag_shapes;
     friend bool operator==(const Tiles&, const Tiles&) = default;
   };
-  using Row = std::vector<TileNumber>;  // tiles of a row of a layer, left to right
+  // A row of a layer: `width` of these cells, from the one with the index `first`.
+  struct Row {
+    std::shared_ptr<const MapCells> cells;  // never null
+    std::size_t first = 0;
+    MapCell at(int x) const { return (*cells)[first + static_cast<std::size_t>(x)]; }
+    friend bool operator==(const Row&, const Row&) = default;  // they share their cells
+  };
   struct Layer {
-    TileLayer looks;                               // without cells
-    std::vector<std::shared_ptr<const Row>> rows;  // from the top; all of one length
+    TileLayer looks;        // without cells
+    std::vector<Row> rows;  // from the top
   };
 
   // No pointer is null.
@@ -33,8 +39,10 @@ struct LevelVersion {
   std::shared_ptr<const std::vector<Spawn>> spawns;
   Tuning tuning;
   TileSize tile_size;         // of the map
+  int width = 0;              // cells, of the map
   std::vector<Layer> layers;  // all of one size
   int chosen_layer = 0;
+  LayerGroups groups;  // of the layers, also of those of objects
 };
 
 // Returns the version of a level. before: the version to share equal parts with; null: there is none.

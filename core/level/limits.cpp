@@ -2,13 +2,28 @@
 #include <talus/level/limits.h>
 
 #include <algorithm>
+#include <set>
 
 namespace talus {
 namespace {
 
+// Pixels of all pictures of large tiles, of objects and of layers, each once.
+std::size_t part_pixels_of(const Level& level) {
+  std::set<std::shared_ptr<const SheetPicture>> pictures;
+  for (const auto& [tile, large] : level.large_tiles) pictures.insert(large.part.picture);
+  for (const ObjectLayer& layer : level.objects) {
+    if (layer.image) pictures.insert(layer.image->part.picture);
+    for (const MapObject& object : layer.objects) pictures.insert(object.picture.picture);
+  }
+  std::size_t pixels = 0;
+  for (const auto& picture : pictures) pixels += picture == nullptr ? 0 : picture->rgba.size() / 4;
+  return pixels;
+}
+
 struct Amounts {
-  std::size_t shape_numbers = 0, heights = 0, curve_cells = 0, layer_cells = 0, brush_cells = 0,
-              name_bytes = 0, unknown_bytes = 0, objects = 0, object_points = 0, object_bytes = 0, frames = 0;
+  std::size_t shape_numbers = 0, heights = 0, curve_cells = 0, layer_cells = 0, turned_cells = 0,
+              brush_cells = 0, name_bytes = 0, unknown_bytes = 0, objects = 0, object_points = 0,
+              object_bytes = 0, frames = 0, note_bytes = 0;
 };
 
 // The texts that every entry of a list has.
@@ -21,6 +36,7 @@ void count_texts(const Entry& entry, Amounts& amounts) {
 void count_objects(const std::vector<ObjectLayer>& layers, Amounts& amounts) {
   for (const ObjectLayer& layer : layers) {
     count_texts(layer, amounts);
+    if (layer.image) amounts.name_bytes += layer.image->path.size();
     amounts.objects += layer.objects.size();
     for (const MapObject& object : layer.objects) {
       amounts.object_points += object.points.size();
@@ -46,6 +62,8 @@ Amounts amounts_of(const Level& level) {
   }
   for (const TileShape& shape : level.tile_shapes) amounts.shape_numbers += numbers_of(shape);
   for (const auto& [tile, animation] : level.animations) amounts.frames += animation.size();
+  for (const auto& [tile, note] : level.tile_notes)
+    amounts.note_bytes += note.type.size() + note.properties.size();
   for (const Spawn& spawn : level.spawns) count_texts(spawn, amounts);
   for (const LevelCurve& curve : level.curves) {
     count_texts(curve, amounts);
@@ -53,8 +71,10 @@ Amounts amounts_of(const Level& level) {
     if (!problem_of(curve.curve))
       amounts.curve_cells += static_cast<std::size_t>(cells_passed(curve.curve, level.map.tile_size()));
   }
+  amounts.turned_cells = level.map.cells().turns().size();
   for (const TileLayer& layer : level.layers.list) {
     count_texts(layer, amounts);
+    if (layer.cells != nullptr) amounts.turned_cells += layer.cells->turns().size();
     // The chosen layer has its cells elsewhere, and as many as any other.
     if (layer.cells != nullptr) amounts.layer_cells = layer.cells->size() * level.layers.list.size();
   }
@@ -99,11 +119,13 @@ std::optional<std::string> problem_of_amounts(const Level& level) {
         {amounts.objects, kMaxMapObjects, "objects"},
         {amounts.object_points, kMaxObjectPoints, "points of objects"},
         {amounts.object_bytes, kMaxObjectBytes, "bytes of names and properties of objects"},
+        {part_pixels_of(level), kMaxPartPixels, "px of pictures of tiles, objects and layers"},
         {level.brushes.size(), kMaxBrushes, "brushes"},
         {amounts.brush_cells, kMaxBrushCells, "cells of brushes"},
         {level.exports.size(), kMaxExports, "export presets"},
         {level.tilesets.size(), kMaxTilesets, "tilesets"},
         {amounts.frames, kMaxAnimationFrames, "frames of animations"},
+        {amounts.note_bytes, kMaxNoteBytes, "bytes of classes and properties of tiles"},
         {amounts.name_bytes, kMaxNameBytes, "bytes of names"},
         {amounts.unknown_bytes, kMaxUnknownBytes, "bytes of unknown members"}}) {
     if (row.has > row.most)
@@ -126,7 +148,7 @@ std::size_t size_of(const Level& level) {
   return (level.cart ? level.cart->bytes.size() : 0) + (level.tiled ? level.tiled->bytes.size() : 0) +
          (level.ldtk ? kEntry * level.ldtk->tiles.size() : 0) +
          std::max(level.map.cells().size(), amounts.layer_cells) * sizeof(TileNumber) +
-         amounts.brush_cells * sizeof(TileNumber) +
+         amounts.turned_cells * sizeof(TileTurn) + amounts.brush_cells * sizeof(MapCell) +
          level.sheet(SheetId::tiles).images.size() * sizeof(TileImage) + picture_bytes(level) +
          (amounts.shape_numbers + amounts.heights) * sizeof(double) + amounts.name_bytes +
          amounts.unknown_bytes + size_of(level.objects) +

@@ -10,13 +10,15 @@
 namespace talus {
 namespace {
 
-std::vector<TileNumber> window_of(const std::vector<TileNumber>& cells, int width, const CellRect& window) {
-  std::vector<TileNumber> tiles;
+MapCells window_of(const MapCells& cells, int width, const CellRect& window) {
+  MapCells part(static_cast<std::size_t>(window.w) * static_cast<std::size_t>(window.h));
+  std::size_t to = 0;
   for (int y = window.y; y < window.y + window.h; ++y) {
-    const auto row = cells.begin() + static_cast<std::ptrdiff_t>(y) * width + window.x;
-    tiles.insert(tiles.end(), row, row + window.w);
+    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+    for (int x = window.x; x < window.x + window.w; ++x, ++to)
+      part.set(to, cells[row + static_cast<std::size_t>(x)]);
   }
-  return tiles;
+  return part;
 }
 
 // What the ground of a level's cells depends on, with these cells alone.
@@ -36,8 +38,7 @@ Level window_of(const Level& level, const CellRect& window) {
   part.map.cells() = window_of(level.map.cells(), level.map.width(), window);
   for (TileLayer& layer : part.layers.list) {
     if (layer.cells != nullptr)
-      layer.cells =
-          std::make_shared<const std::vector<TileNumber>>(window_of(*layer.cells, level.map.width(), window));
+      layer.cells = std::make_shared<const MapCells>(window_of(*layer.cells, level.map.width(), window));
   }
   return part;
 }

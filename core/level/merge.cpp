@@ -9,6 +9,8 @@
 #include <utility>
 
 #include <talus/level/limits.h>
+#include "merge_groups.h"
+#include "tile_look.h"
 
 namespace talus {
 namespace {
@@ -59,6 +61,13 @@ class LevelMerger {
  public:
   LevelMerger(const Level& base, const Level& mine, const Level& theirs, MergeSide side)
       : base_(base), mine_(mine), theirs_(theirs), side_(side), merged_{theirs} {}
+  // groups: of the layers, which the levels do not have themselves. chosen: the one of the side, with them.
+  LevelMerger(const Level& base, const Level& mine, const Level& theirs, MergeSide side,
+              const std::vector<GroupVersions>& groups, const Level& chosen)
+      : LevelMerger(base, mine, theirs, side) {
+    groups_ = &groups;
+    chosen_ = &chosen;
+  }
 
   MergedLevel merge();
 
@@ -66,14 +75,9 @@ class LevelMerger {
   std::string reason_for_whole() const;
   void merge_parts();
 
-  using Cells = std::remove_cvref_t<decltype(std::declval<Level>().map.cells())>;
-
   template <class T>
   const T& pick(const T& base, const T& mine, const T& theirs, int& conflicts) const {
-    if (mine == theirs || theirs == base) return mine;
-    if (mine == base) return theirs;
-    ++conflicts;
-    return side_ == MergeSide::mine ? mine : theirs;
+    return pick_side(base, mine, theirs, side_, conflicts);
   }
   // The same for one part of the level that is taken as a whole. what: a phrase for the user.
   template <class T>
@@ -102,23 +106,17 @@ class LevelMerger {
   void merge_objects();
   void merge_tilesets();
   void merge_tiles();
-  struct TileLook {
-    TileImage image;
-    std::vector<std::uint8_t> rgba;  // of a picture in true colour; empty: there is none
-    friend bool operator==(const TileLook&, const TileLook&) = default;
-  };
-  static TileLook look_of(const Level& level, SheetId id, int tile);
-  void put_look(const TileLook& look, int tile, Sheet& sheet, SheetPicture* picture) const;
   bool merges_looks(SheetId id) const;
   void merge_looks(SheetId id, Sheet& sheet);
   void take_looks(SheetId id, Sheet& sheet);
   void merge_sheet(SheetId id, std::size_t count);
   int merged_count(int base, int mine, int theirs, int& conflicts) const;
   void merge_layers();
+  void merge_groups();
   const Level& layer_order();
   bool has_lost_layer(const Level& order, const Level& other) const;
   TileLayer merged_look(const Level& order, int layer, int& conflicts) const;
-  Cells merged_cells(const Level& order, int layer, const TileMap& map, int& conflicts) const;
+  MapCells merged_cells(const Level& order, int layer, const TileMap& map, int& conflicts) const;
   int lost_cells(const Level& changed, int layer, int base_layer, const TileMap& map) const;
   void fit_tiles();
   void fit_curves();
@@ -128,6 +126,8 @@ class LevelMerger {
   const Level& theirs_;
   const MergeSide side_;
   MergedLevel merged_;
+  const std::vector<GroupVersions>* groups_ = nullptr;  // null: there are none
+  const Level* chosen_ = nullptr;                       // null: mine_ or theirs_
 };
 
 void LevelMerger::note(int conflicts, const char* noun, const char* nouns) {
@@ -199,6 +199,15 @@ void LevelMerger::merge_objects() {
     take(&ObjectLayer::name);
     take(&ObjectLayer::is_ground);
     take(&ObjectLayer::visible);
+    take(&ObjectLayer::locked);
+    take(&ObjectLayer::opacity);
+    take(&ObjectLayer::offset);
+    take(&ObjectLayer::parallax);
+    take(&ObjectLayer::tint);
+    take(&ObjectLayer::group);
+    take(&ObjectLayer::place);
+    take(&ObjectLayer::by_y);
+    take(&ObjectLayer::image);
     take(&ObjectLayer::extra);
     merged.objects = merged_list(base.objects, mine.objects, theirs.objects, objects,
                                  [this](const MapObject& was, const MapObject& here, const MapObject& there,
@@ -231,32 +240,6 @@ void LevelMerger::merge_array(Array Level::*part, const char* noun, const char* 
   note(conflicts, noun, nouns);
 }
 
-LevelMerger::TileLook LevelMerger::look_of(const Level& level, SheetId id, int tile) {
-  const Sheet& sheet = level.sheet(id);
-  TileLook look{sheet.images[static_cast<std::size_t>(tile)], {}};
-  if (sheet.picture == nullptr) return look;
-  const TileSize size = level.map.tile_size();
-  const Cell place = sheet.layout().place_of(tile);
-  for (int y = place.y * size.height; y < (place.y + 1) * size.height; ++y) {
-    const std::uint8_t* const row = sheet.picture->at(place.x * size.width, y);
-    look.rgba.insert(look.rgba.end(), row, row + 4 * size.width);
-  }
-  return look;
-}
-
-void LevelMerger::put_look(const TileLook& look, int tile, Sheet& sheet, SheetPicture* picture) const {
-  sheet.images[static_cast<std::size_t>(tile)] = look.image;
-  if (picture == nullptr) return;
-  const TileSize size = theirs_.map.tile_size();
-  const Cell place = sheet.layout().place_of(tile);
-  const auto width = static_cast<std::ptrdiff_t>(4) * size.width;
-  for (int y = 0; y < size.height; ++y) {
-    const std::size_t row = static_cast<std::size_t>(place.y * size.height + y) * picture->width;
-    std::copy_n(look.rgba.begin() + y * width, width,
-                &picture->rgba[4 * (row + static_cast<std::size_t>(place.x) * size.width)]);
-  }
-}
-
 // Whether all three show their tiles in true colour, or none, so that tiles of both sides go together.
 bool LevelMerger::merges_looks(SheetId id) const {
   const bool has_picture = theirs_.sheet(id).picture != nullptr;
@@ -280,23 +263,24 @@ void LevelMerger::take_looks(SheetId id, Sheet& sheet) {
 
 void LevelMerger::merge_looks(SheetId id, Sheet& sheet) {
   std::shared_ptr<SheetPicture> picture;
+  const TileSize size = theirs_.map.tile_size();
   if (theirs_.sheet(id).picture != nullptr) {
-    const TileSize size = theirs_.map.tile_size();
     picture = std::make_shared<SheetPicture>();
     picture->width = sheet.columns * size.width;
     picture->height = sheet.layout().rows() * size.height;
     picture->rgba.resize(4 * static_cast<std::size_t>(picture->width) *
                          static_cast<std::size_t>(picture->height));
   }
+  sheet.picture = std::move(picture);
   const auto look = [&](const Level& level, int tile) {
-    return tile < level.sheet(id).count() ? std::optional(look_of(level, id, tile)) : std::nullopt;
+    const Sheet& side = level.sheet(id);
+    return tile < side.count() ? std::optional(look_of(side, size, tile)) : std::nullopt;
   };
   int conflicts = 0;
   for (int tile = 0; tile < sheet.count(); ++tile) {
     const auto merged = pick_held(look(base_, tile), look(mine_, tile), look(theirs_, tile), conflicts);
-    put_look(*merged, tile, sheet, picture.get());
+    put_look(*merged, size, tile, sheet);
   }
-  sheet.picture = std::move(picture);
   note(conflicts, "picture of a tile", "pictures of tiles");
 }
 
@@ -390,6 +374,7 @@ TileLayer LevelMerger::merged_look(const Level& order, int layer, int& conflicts
   take(&TileLayer::offset);
   take(&TileLayer::parallax);
   take(&TileLayer::tint);
+  take(&TileLayer::group);
   take(&TileLayer::extra);
   if (fields > 0) ++conflicts;
   return look;
@@ -403,21 +388,19 @@ int LevelMerger::lost_cells(const Level& changed, int layer, int base_layer, con
   const int width = changed.map.width();
   for (int y = 0; y < changed.map.height(); ++y) {
     for (int x = y < map.height() ? map.width() : 0; x < width; ++x) {
-      const auto cell = cells[static_cast<std::size_t>(y) * width + x];
+      const MapCell cell = cells[static_cast<std::size_t>(y) * width + x];
       const bool was = base_layer >= 0 && base_.map.contains({x, y});
-      const auto before =
-          was ? base_.cells_of(base_layer)[static_cast<std::size_t>(y) * base_.map.width() + x]
-              : std::remove_cvref_t<decltype(cell)>{};
-      if (!(cell == before)) ++lost;
+      const MapCell before =
+          was ? base_.cells_of(base_layer)[static_cast<std::size_t>(y) * base_.map.width() + x] : MapCell();
+      if (cell != before) ++lost;
     }
   }
   return lost;
 }
 
-LevelMerger::Cells LevelMerger::merged_cells(const Level& order, int layer, const TileMap& map,
-                                             int& conflicts) const {
+MapCells LevelMerger::merged_cells(const Level& order, int layer, const TileMap& map, int& conflicts) const {
   const std::array<const Level*, 3> levels = {&base_, &mine_, &theirs_};
-  std::array<const Cells*, 3> cells = {};
+  std::array<const MapCells*, 3> cells = {};
   std::array<int, 3> places = {};
   bool same_size = true;
   for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -430,20 +413,17 @@ LevelMerger::Cells LevelMerger::merged_cells(const Level& order, int layer, cons
     if (cells[0] && *cells[1] == *cells[0]) return *cells[2];
   }
   if (same_size && (!cells[1] || !cells[2])) return cells[1] ? *cells[1] : *cells[2];
-  Cells merged = TileMap(map.width(), map.height(), map.tile_size()).cells();
-  using Value = std::remove_cvref_t<decltype(merged[0])>;
-  const auto at = [&](std::size_t side, int x, int y) -> const Value* {
+  MapCells merged(map.cells().size());
+  const auto at = [&](std::size_t side, int x, int y) -> std::optional<MapCell> {
     const TileMap& own = levels[side]->map;
-    if (cells[side] == nullptr || !own.contains({x, y})) return nullptr;
-    return &(*cells[side])[static_cast<std::size_t>(y) * own.width() + x];
+    if (cells[side] == nullptr || !own.contains({x, y})) return std::nullopt;
+    return (*cells[side])[static_cast<std::size_t>(y) * own.width() + x];
   };
-  const Value empty{};
   for (int y = 0; y < map.height(); ++y) {
     for (int x = 0; x < map.width(); ++x) {
-      const Value *base = at(0, x, y), *mine = at(1, x, y), *theirs = at(2, x, y);
-      const Value& was = base != nullptr ? *base : empty;
-      merged[static_cast<std::size_t>(y) * map.width() + x] =
-          pick(was, mine != nullptr ? *mine : was, theirs != nullptr ? *theirs : was, conflicts);
+      const MapCell was = at(0, x, y).value_or(MapCell());
+      const MapCell mine = at(1, x, y).value_or(was), theirs = at(2, x, y).value_or(was);
+      merged.set(static_cast<std::size_t>(y) * map.width() + x, pick(was, mine, theirs, conflicts));
     }
   }
   conflicts += lost_cells(mine_, places[1], places[0], map) + lost_cells(theirs_, places[2], places[0], map);
@@ -460,11 +440,11 @@ void LevelMerger::merge_layers() {
   TileLayers layers{{}, std::max(0, matching_layer(mine_, mine_.layers.chosen, order))};
   for (int i = 0; i < order.layers.count(); ++i) {
     layers.list.push_back(merged_look(order, i, looks));
-    Cells own = merged_cells(order, i, map, cells);
+    MapCells own = merged_cells(order, i, map, cells);
     if (i == layers.chosen)
       map.cells() = std::move(own);
     else
-      layers.list.back().cells = std::make_shared<const Cells>(std::move(own));
+      layers.list.back().cells = std::make_shared<const MapCells>(std::move(own));
   }
   merged_.level.layers = std::move(layers);
   merged_.level.map = std::move(map);
@@ -473,31 +453,48 @@ void LevelMerger::merge_layers() {
   note(looks, "layer's look", "layers' looks");
 }
 
+void LevelMerger::merge_groups() {
+  if (groups_ == nullptr) return;
+  int conflicts = 0;
+  merged_.level.layers.groups = merged_groups(*groups_, side_, conflicts);
+  tidy_groups(merged_.level.layers, merged_.level.objects);
+  note(conflicts, "field of a group of layers", "fields of groups of layers");
+}
+
 // Tiles that only one side still had become tile 0, and animations with them go.
 void LevelMerger::fit_tiles() {
   Level& level = merged_.level;
   const int count = level.tile_count();
+  std::erase_if(level.large_tiles, [&](const auto& tile) { return tile.first >= count; });
   if (count >= mine_.tile_count() && count >= theirs_.tile_count()) return;
   int gone = 0;
+  const auto fit_cells = [&](MapCells& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (cells.tiles()[i] < count) continue;
+      cells.set(i, {});
+      ++gone;
+    }
+  };
   const auto fit = [&](auto& tiles) {
     for (auto& tile : tiles) {
-      if (tile < count) continue;
+      if (MapCell(tile).tile < count) continue;
       tile = {};
       ++gone;
     }
   };
-  fit(level.map.cells());
+  fit_cells(level.map.cells());
   for (TileLayer& layer : level.layers.list) {
     if (layer.cells == nullptr) continue;
-    Cells cells = *layer.cells;
-    fit(cells);
-    layer.cells = std::make_shared<const Cells>(std::move(cells));
+    MapCells cells = *layer.cells;
+    fit_cells(cells);
+    layer.cells = std::make_shared<const MapCells>(std::move(cells));
   }
   for (Brush& brush : level.brushes) fit(brush.tiles);
   fit(level.auto_tiles.tiles);
   gone += static_cast<int>(std::erase_if(level.animations, [&](const auto& animation) {
     return problem_of(TileAnimations{animation}, count).has_value();
   }));
+  std::erase_if(level.tile_notes, [&](const auto& note) { return note.first >= count; });
   note(gone, "cell with a tile that is gone", "cells with tiles that are gone");
 }
 
@@ -524,6 +521,7 @@ void LevelMerger::merge_parts() {
   merge_list(&Level::spawns, "body", "bodies");
   merge_list(&Level::curves, "curve", "curves");
   merge_objects();
+  merge_groups();
   merge_array(&Level::palette, "colour", "colours");
   merge_array(&Level::flag_names, "name of a flag", "names of flags");
   merge_array(&Level::flag_shapes, "flag's shape", "flags' shapes");
@@ -531,6 +529,8 @@ void LevelMerger::merge_parts() {
   take_whole(&Level::roles, "the roles of flags");
   take_whole(&Level::tuning, "the numbers of the physics");
   take_whole(&Level::animations, "the animations of tiles");
+  take_whole(&Level::tile_notes, "the notes of tiles");
+  take_whole(&Level::large_tiles, "the pictures of large tiles");
   take_whole(&Level::brushes, "the brushes");
   take_whole(&Level::auto_tiles, "the tiles of the ground");
   take_whole(&Level::exports, "the export presets");
@@ -547,10 +547,10 @@ MergedLevel LevelMerger::merge() {
     merged_.level.tiled = theirs_.tiled;
     merged_.level.ldtk = theirs_.ldtk;
   };
-  const Level& chosen = side_ == MergeSide::mine ? mine_ : theirs_;
-  if (mine_ == base_) {
+  const Level& chosen = chosen_ != nullptr ? *chosen_ : side_ == MergeSide::mine ? mine_ : theirs_;
+  if (groups_ == nullptr && mine_ == base_) {
     take(theirs_, {});
-  } else if (theirs_ == base_) {
+  } else if (groups_ == nullptr && theirs_ == base_) {
     take(mine_, {});
   } else if (const std::string reason = reason_for_whole(); !reason.empty()) {
     take(chosen, {reason});
@@ -579,7 +579,13 @@ int matching_layer(const Level& level, int layer, const Level& other) {
 }
 
 MergedLevel merge_levels(const Level& base, const Level& mine, const Level& theirs, MergeSide side) {
-  return LevelMerger(base, mine, theirs, side).merge();
+  const bool has_groups =
+      !base.layers.groups.empty() || !mine.layers.groups.empty() || !theirs.layers.groups.empty();
+  if (!has_groups || mine == base || theirs == base) return LevelMerger(base, mine, theirs, side).merge();
+  Level of_base = base, of_mine = mine, of_theirs = theirs;
+  const auto groups = take_shared_groups({&of_base, &of_mine, &of_theirs});
+  const Level& chosen = side == MergeSide::mine ? mine : theirs;
+  return LevelMerger(of_base, of_mine, of_theirs, side, groups, chosen).merge();
 }
 
 }  // namespace talus

@@ -21,14 +21,14 @@ double height_at(Vec2 from, Vec2 to, double x) {
 }
 
 // Twice the area of the triangle.
-double turn_of(Vec2 a, Vec2 b, Vec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+double double_area(Vec2 a, Vec2 b, Vec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
 // Takes out points that lie between their neighbours, or at the place of one, or where the outline turns
 // back.
 void simplify(std::vector<Vec2>& points) {
   for (std::size_t i = 0; points.size() > 2 && i < points.size();) {
     const std::size_t count = points.size();
-    if (turn_of(points[(i + count - 1) % count], points[i], points[(i + 1) % count]) != 0) {
+    if (double_area(points[(i + count - 1) % count], points[i], points[(i + 1) % count]) != 0) {
       ++i;
       continue;
     }

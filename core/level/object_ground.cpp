@@ -52,7 +52,11 @@ class ObjectGround {
   explicit ObjectGround(const Level& level) : level_(level), cells_(level.map) {
     for (const ObjectLayer& layer : level.objects) {
       if (!layer.is_ground) continue;
-      for (const MapObject& object : layer.objects) add(object);
+      const Vec2 offset = shown_looks(level.layers.groups, layer).offset;
+      for (MapObject object : layer.objects) {
+        object.position = object.position + offset;
+        add(object);
+      }
     }
     for (const auto& [cell, polygons] : cells_.parts()) add_shape(cell, polygons);
     if (problem_.empty() && level.curves.size() + curves_.size() > kMaxCurves)
@@ -183,8 +187,7 @@ Level with_object_tiles(const Level& level, bool keep_picture) {
   TileLayer layer;
   layer.visible = false;
   TileMap map = ground.map();
-  using Cells = std::remove_cvref_t<decltype(map.cells())>;
-  layer.cells = std::make_shared<const Cells>(std::move(map.cells()));
+  layer.cells = std::make_shared<const MapCells>(std::move(map.cells()));
   all.layers.list.push_back(std::move(layer));
   return all;
 }

@@ -27,33 +27,35 @@ class Resizer {
     for (const LevelCurve& curve : level_.curves) shift(curve);
     result_.objects = level_.objects;
     const Vec2 by = level_.map.corner_of(frame_.shift);
-    for (ObjectLayer& layer : result_.objects)
+    for (ObjectLayer& layer : result_.objects) {
+      if (layer.image) layer.offset = layer.offset + by;
       for (MapObject& object : layer.objects) object.position = object.position + by;
+    }
     return std::move(result_);
   }
 
  private:
   void shift_layers() {
     for (int layer = 0; layer < level_.layers.count(); ++layer) {
-      std::vector<TileNumber> cells = shifted(level_.cells_of(layer));
+      MapCells cells = shifted(level_.cells_of(layer));
       if (layer == level_.layers.chosen)
         result_.map.cells() = std::move(cells);
       else
         result_.layers.list[static_cast<std::size_t>(layer)].cells =
-            std::make_shared<const std::vector<TileNumber>>(std::move(cells));
+            std::make_shared<const MapCells>(std::move(cells));
     }
   }
 
-  std::vector<TileNumber> shifted(const std::vector<TileNumber>& cells) {
+  MapCells shifted(const MapCells& cells) {
     TileMap there(frame_.width, frame_.height, level_.map.tile_size());
-    auto tile = cells.begin();
+    std::size_t i = 0;
     for (Cell from{0, 0}; from.y < level_.map.height(); ++from.y) {
-      for (from.x = 0; from.x < level_.map.width(); ++from.x, ++tile) {
-        if (*tile == 0) continue;
+      for (from.x = 0; from.x < level_.map.width(); ++from.x, ++i) {
+        if (cells.tiles()[i] == 0) continue;
         Cell to{from.x + frame_.shift.x, from.y + frame_.shift.y};
         if (frame_.wrap) to = {to.x % period_.x, to.y % period_.y};
         if (there.contains(to))
-          there.set(to, *tile);
+          there.set(to, cells[i]);
         else
           ++result_.lost_tiles;
       }

@@ -85,7 +85,7 @@ class Drawer {
         options_(options),
         layer_(level.map),
         used_(static_cast<std::size_t>(level.tile_count())) {
-    for (const TileNumber tile : level.map.cells()) used_[tile] = true;
+    for (const TileNumber tile : level.map.cells().tiles()) used_[tile] = true;
   }
 
   Result run() {

@@ -22,6 +22,11 @@ std::optional<std::string> problem_of(const AnimationFrame& frame, int tile_coun
 
 }  // namespace
 
+const TileAnimation* find_animation(const TileAnimations& animations, TileNumber tile) {
+  const auto found = animations.find(tile);
+  return found == animations.end() ? nullptr : &found->second;
+}
+
 TileNumber tile_shown_at(const TileAnimation& animation, double time) {
   assert(!animation.empty());
   const std::int64_t whole =

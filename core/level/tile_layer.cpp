@@ -6,7 +6,7 @@ bool operator==(const TileLayer& a, const TileLayer& b) {
   const bool same_cells = a.cells == b.cells || (a.cells && b.cells && *a.cells == *b.cells);
   return same_cells && a.name == b.name && a.is_ground == b.is_ground && a.visible == b.visible &&
          a.locked == b.locked && a.opacity == b.opacity && a.offset == b.offset && a.parallax == b.parallax &&
-         a.tint == b.tint && a.extra == b.extra;
+         a.tint == b.tint && a.group == b.group && a.extra == b.extra;
 }
 
 bool TileLayers::is_plain() const {

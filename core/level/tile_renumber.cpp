@@ -1,5 +1,6 @@
 #include "tile_renumber.h"
 
+#include <algorithm>
 #include <cassert>
 #include <memory>
 #include <utility>
@@ -56,17 +57,27 @@ void renumber_tiles(Level& level, const SheetLayout& layout, const std::vector<i
     if (numbers[tile] >= 0) animations[static_cast<TileNumber>(numbers[tile])] = std::move(animation);
   }
   level.animations = std::move(animations);
-  const auto renumber = [&](auto& tiles) {
-    for (TileNumber& tile : tiles) tile = static_cast<TileNumber>(std::max(0, numbers[tile]));
+  LargeTiles large_tiles;
+  for (auto& [tile, large] : level.large_tiles)
+    if (numbers[tile] >= 0) large_tiles[static_cast<TileNumber>(numbers[tile])] = std::move(large);
+  level.large_tiles = std::move(large_tiles);
+  TileNotes notes;
+  for (auto& [tile, note] : level.tile_notes)
+    if (numbers[tile] >= 0) notes[static_cast<TileNumber>(numbers[tile])] = std::move(note);
+  level.tile_notes = std::move(notes);
+  const auto renumber_one = [&](TileNumber& tile) {
+    tile = static_cast<TileNumber>(std::max(0, numbers[tile]));
   };
-  renumber(level.map.cells());
+  const auto renumber = [&](auto& tiles) { std::for_each(tiles.begin(), tiles.end(), renumber_one); };
+  renumber(level.map.cells().tiles());
   for (TileLayer& layer : level.layers.list) {
     if (layer.cells == nullptr) continue;
-    std::vector<TileNumber> cells = *layer.cells;
-    renumber(cells);
-    layer.cells = std::make_shared<const std::vector<TileNumber>>(std::move(cells));
+    MapCells cells = *layer.cells;
+    renumber(cells.tiles());
+    layer.cells = std::make_shared<const MapCells>(std::move(cells));
   }
-  for (Brush& brush : level.brushes) renumber(brush.tiles);
+  for (Brush& brush : level.brushes)
+    for (MapCell& cell : brush.tiles) renumber_one(cell.tile);
   renumber(level.auto_tiles.tiles);
 }
 

@@ -85,27 +85,30 @@ bool is_physical(const Level& level, TileNumber tile) {
 }
 
 // A slope belongs to the cell at its left end, whichever way it is turned.
-std::vector<TileNumber> mirrored_cells(const Level& level, const std::vector<TileNumber>& cells) {
+// A turned tile has the mirror image of its turn, as the shape of the tile itself is mirrored.
+MapCells mirrored_cells(const Level& level, const MapCells& cells) {
   TileMap image(level.map.width(), level.map.height());
-  auto tile = cells.begin();
+  std::size_t i = 0;
   for (Cell cell{0, 0}; cell.y < image.height(); ++cell.y) {
-    for (cell.x = 0; cell.x < image.width(); ++cell.x, ++tile) {
-      if (!is_physical(level, *tile)) continue;
-      const int tiles = std::max(1, shape_of_tile(level, *tile).tiles);
+    for (cell.x = 0; cell.x < image.width(); ++cell.x, ++i) {
+      const MapCell from = cells[i];
+      if (!is_physical(level, from.tile)) continue;
+      const int tiles = has_heights(shape_of_cell(level, from)) ? shape_of_tile(level, from.tile).tiles : 1;
       const Cell to{image.width() - cell.x - tiles, cell.y};
-      if (image.contains(to)) image.set(to, *tile);
+      const bool is_diagonal = has_flip(from.turn, TileTurn::diagonal);
+      const TileTurn turn = is_diagonal ? after_turn(from.turn, turn_of(false, true, true)) : from.turn;
+      if (image.contains(to)) image.set(to, {from.tile, turn});
     }
   }
   return std::move(image.cells());
 }
 
-std::vector<TileNumber> moved_cells(const TileMap& map, const std::vector<TileNumber>& cells, int columns,
-                                    int rows) {
+MapCells moved_cells(const TileMap& map, const MapCells& cells, int columns, int rows) {
   TileMap image(map.width() + columns, map.height() + rows);
-  auto tile = cells.begin();
+  std::size_t i = 0;
   for (Cell cell{0, 0}; cell.y < map.height(); ++cell.y)
-    for (cell.x = 0; cell.x < map.width(); ++cell.x, ++tile)
-      image.set({cell.x + columns, cell.y + rows}, *tile);
+    for (cell.x = 0; cell.x < map.width(); ++cell.x, ++i)
+      image.set({cell.x + columns, cell.y + rows}, cells[i]);
   return std::move(image.cells());
 }
 
@@ -114,9 +117,9 @@ template <class Change>
 void change_layers(Level& level, int width, int height, const Change& change) {
   for (int layer = 0; layer < level.layers.count(); ++layer) {
     auto& cells = level.layers.list[static_cast<std::size_t>(layer)].cells;
-    if (cells != nullptr) cells = std::make_shared<const std::vector<TileNumber>>(change(*cells));
+    if (cells != nullptr) cells = std::make_shared<const MapCells>(change(*cells));
   }
-  std::vector<TileNumber> chosen = change(level.map.cells());
+  MapCells chosen = change(level.map.cells());
   level.map = TileMap(width, height, level.map.tile_size());
   level.map.cells() = std::move(chosen);
 }
@@ -132,11 +135,13 @@ void change_objects(Level& level, const Change& change) {
   for (ObjectLayer& layer : level.objects) std::for_each(layer.objects.begin(), layer.objects.end(), change);
 }
 
-// Its position is at its top left, which becomes its top right.
+// Where its position is on its left, it is on its right then.
 void mirror_object(MapObject& object, double width) {
   constexpr double kHalfTurn = 180;
   const double angle = object.rotation * std::numbers::pi / kHalfTurn;
-  object.position = object.position + Vec2{std::cos(angle), std::sin(angle)} * object.size.x;
+  const double across = object.size.x * (1 - 2 * object.anchor.x);
+  object.position = object.position + Vec2{std::cos(angle), std::sin(angle)} * across;
+  if (object.form == MapObject::Form::tile) object.picture.mirrors_x = !object.picture.mirrors_x;
   object.position.x = width - object.position.x;
   object.rotation = -object.rotation;
   for (Vec2& point : object.points) point.x = -point.x;
@@ -162,6 +167,8 @@ Level mirrored(const Level& level) {
   change_curves(image, Mirror{width});
   for (LevelCurve& curve : image.curves) turn_faces(curve.curve);
   change_objects(image, [width](MapObject& object) { mirror_object(object, width); });
+  for (ObjectLayer& layer : image.objects) layer.offset.x = -layer.offset.x;
+  for (LayerGroup& group : image.layers.groups) group.offset.x = -group.offset.x;
   for (Spawn& spawn : image.spawns) {
     spawn.position.x = width - spawn.position.x - spawn.size.x;
     spawn.velocity.x = -spawn.velocity.x;
@@ -197,6 +204,8 @@ Level scaled(const Level& level, int factor) {
   std::for_each(image.flag_shapes.begin(), image.flag_shapes.end(), scale);
   change_curves(image, Scale{1.0 * factor});
   change_objects(image, [factor](MapObject& object) { scale_object(object, factor); });
+  for (ObjectLayer& layer : image.objects) layer.offset = layer.offset * factor;
+  for (LayerGroup& group : image.layers.groups) group.offset = group.offset * factor;
   for (Spawn& spawn : image.spawns) {
     spawn.position = spawn.position * factor;
     spawn.velocity = spawn.velocity * factor;

@@ -70,17 +70,19 @@ TileBoxes boxes_of(const TileShape& shape, TileSize size, SolverKind solver) {
   return boxes;
 }
 
-TileBoxes boxes_of(const Level& level, TileNumber tile) {
+TileBoxes boxes_of(const Level& level, MapCell cell) {
   const SolverKind solver = level.tuning.solver;
   const TileSize size = level.map.tile_size();
-  const TileShape shape = shape_of_tile(level, tile);
+  const TileNumber tile = cell.tile;
+  const TileShape shape = shape_of_cell(level, cell);
   const TileRole role = level.tile_shapes[tile].kind != TileShape::Kind::none
                             ? TileRole::none
                             : role_of(level.tile_flags(tile), level.roles);
   const bool is_plain = !shape.one_way && shape.side == TileShape::Side::floor;
   const std::optional<BodyKind> body = body_kind_of(role);
-  const bool is_turned = solver == SolverKind::bump && !is_plain && !body;
-  if (role == TileRole::none || (is_turned && !problem_of(shape, size))) return boxes_of(shape, size, solver);
+  const bool is_turned = (solver == SolverKind::bump && !is_plain) || cell.turn != TileTurn::none;
+  if (role == TileRole::none || (is_turned && !body && !problem_of(shape, size)))
+    return boxes_of(shape, size, solver);
   TileBoxes boxes;
   const SharedTuning& tuning = level.tuning.shared;
   const bool is_slope = role == TileRole::up_slope || role == TileRole::down_slope;
@@ -95,8 +97,8 @@ TileBoxes boxes_of(const Level& level, TileNumber tile) {
 // Of all tiles that a number stands for.
 TileBoxes boxes_of(const Level& level, std::span<const TileStack> stacks, TileNumber number) {
   TileBoxes all;
-  for (const TileNumber tile : tiles_of(number, stacks, level.tile_count())) {
-    TileBoxes boxes = boxes_of(level, tile);
+  for (const MapCell cell : tiles_of(number, stacks, level.tile_count())) {
+    TileBoxes boxes = boxes_of(level, cell);
     std::move(boxes.parts.begin(), boxes.parts.end(), std::back_inserter(all.parts));
   }
   return all;

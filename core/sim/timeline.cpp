@@ -109,8 +109,7 @@ bool Timeline::set_level(const Level& level, const std::vector<Cell>* cells, Sce
                                                                        : version_of(level, version_.get()));
   // A level that was compiled elsewhere is large, and shares nothing that would make the comparison quick.
   const auto size = [](const LevelVersion& v) {
-    const auto& rows = v.layers.front().rows;
-    return std::tuple(v.layers.size(), rows.size(), rows.front()->size());
+    return std::tuple(v.layers.size(), v.layers.front().rows.size(), v.width);
   };
   if (!is_known && *scene == *scene_ && version->spawns == version_->spawns &&
       size(*version) == size(*version_))

@@ -10,7 +10,7 @@ BenchKernel::BenchKernel(const Level& level, const State& start)
       cells_in_px_y_(1 / tile_h_),
       tuning_(level.tuning.shared) {
   roles_.reserve(level.map.cells().size());
-  for (const TileNumber tile : level.map.cells()) {
+  for (const TileNumber tile : level.map.cells().tiles()) {
     roles_.push_back(role_of(level.tile_flags(tile), level.roles));
   }
   for (const Body& body : start.bodies) {

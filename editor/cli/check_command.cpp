@@ -9,9 +9,10 @@
 namespace talus {
 namespace {
 
-std::string place_of(const Problem& problem) {
+// tile_count: of the level; problems of the ground have other tiles, too.
+std::string place_of(const Problem& problem, int tile_count) {
   if (problem.cell) return "cell " + std::to_string(problem.cell->x) + "," + std::to_string(problem.cell->y);
-  if (problem.tile >= 0) return "tile " + std::to_string(problem.tile);
+  if (problem.tile >= 0 && problem.tile < tile_count) return "tile " + std::to_string(problem.tile);
   return "";
 }
 
@@ -20,7 +21,7 @@ void check(CommandContext& context, const std::string& file) {
   if (!level) return;
   for (const Problem& problem : lint(*level)) {
     const bool is_error = problem.severity == Severity::error;
-    const std::string place = place_of(problem);
+    const std::string place = place_of(problem, level->tile_count());
     say(context.out, file + (place.empty() ? "" : ":") + place + (is_error ? ": error: " : ": warning: ") +
                          problem.message + " [" + std::string(problem.rule->code) + "]");
     if (is_error) context.status = kExitBad;
@@ -34,6 +35,7 @@ void add_check_command(CLI::App& program, CommandContext& context) {
       program.add_subcommand("check", "List what is likely wrong in a level; exits 1 on errors");
   auto file = std::make_shared<std::string>();
   command->add_option("FILE", *file, "Level or cart")->required();
+  add_outside_option(*command, context);
   command->callback([&context, file] { check(context, *file); });
 }
 

@@ -11,7 +11,9 @@
 #include "formats/last_catch.h"
 #include "formats/text/append_number.h"
 #include "formats/text/utf8_text.h"
+#include "platform/user_folder.h"
 #include "progress_line.h"
+#include "session/files/read_permissions.h"
 
 namespace talus {
 namespace {
@@ -91,12 +93,22 @@ void fail(CommandContext& context, const std::string& file, const std::string& p
   context.status = kExitBad;
 }
 
+void add_outside_option(CLI::App& command, CommandContext& context) {
+  command.add_flag("--allow-outside", context.reads_outside,
+                   "Read the tilesets and pictures that a map names also outside of the folder of FILE; by "
+                   "default numbered boxes stand for them");
+}
+
 std::optional<LoadedLevel> load_file_or_fail(CommandContext& context, const std::string& file,
                                              const ImportChoices& choices) {
   context.doing = "reading " + file;
+  ImportChoices allowed = choices;
+  allowed.outside = context.reads_outside
+                        ? std::vector<std::string>{"/"}
+                        : ReadPermissions(state_folder() + "/" + kReadPermissionsFile).folders_of(file);
   FormatResult<LoadedLevel> loaded = [&] {
     ProgressLine line(context.err, "reading " + file, is_terminal(context.err));
-    return load_level(file, choices, Progress([&](double share) { return line.at(share); }));
+    return load_level(file, allowed, Progress([&](double share) { return line.at(share); }));
   }();
   if (!loaded) {
     say(context.err, to_string(loaded.error(), file));
@@ -105,6 +117,10 @@ std::optional<LoadedLevel> load_file_or_fail(CommandContext& context, const std:
   }
   for (const std::string& what : loaded->dropped)
     say(context.err, file + ": warning: not in the level: " + what);
+  if (const std::size_t count = loaded->refused.size(); count > 0) {
+    say(context.err, file + ": warning: names " + std::to_string(count) + (count == 1 ? " file" : " files") +
+                         " outside of its folder: --allow-outside reads " + (count == 1 ? "it" : "them"));
+  }
   if (!loaded->note.empty()) say(context.err, file + ": warning: " + loaded->note);
   context.doing = "working on " + file;
   context.inputs.insert(context.inputs.end(), {file, loaded->path, loaded->companion.path});

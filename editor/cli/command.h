@@ -21,6 +21,8 @@ struct CommandContext {
   // The files that it has read a level from: the named ones, and those that these name. Commands never
   // overwrite them.
   std::vector<std::string> inputs = {};
+  // Whether files that a map names are read wherever they lie: see add_outside_option().
+  bool reads_outside = false;
 };
 
 // To add a sub-command: write its file, declare it here, and list it in cli.cpp.
@@ -43,8 +45,12 @@ void say(std::ostream& stream, const std::string& line);
 void fail(CommandContext& context, const std::string& file, const std::string& place,
           const std::string& message);
 
-// Returns the content of a file, or nothing after a reported failure. Warns about what the level does not
-// have, and about a companion that does not fit.
+// --allow-outside, for a command that reads a level: reads_outside.
+void add_outside_option(CLI::App& command, CommandContext& context);
+
+// Returns the content of a file, or nothing after a reported failure. Files outside of its folder are read if
+// the option or the user, in the window, has allowed that; else they are reported. Warns about what the level
+// does not have, and about a companion that does not fit.
 std::optional<LoadedLevel> load_file_or_fail(CommandContext& context, const std::string& file,
                                              const ImportChoices& choices = {});
 // Returns only the level in it.

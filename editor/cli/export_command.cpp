@@ -206,14 +206,15 @@ void add_export_command(CLI::App& program, CommandContext& context) {
                     "unchanged exports");
   command->add_flag(
       "--allow-outside", options->rules.allow_outside,
-      "Let presets write outside of the folder of FILE, and exports through links that lead out "
-      "of their folder");
+      "Read the tilesets and pictures that a map names also outside of the folder of FILE; let presets write "
+      "there, and exports through links that lead out of their folder");
   command->add_flag(
       "--allow-code", options->allow_code,
       "Let presets write the level's own code, as carts hold it, though nobody has allowed that in "
       "the editor; with --watch those that the level has at first");
   command->callback([&context, options] {
     check_options(*options);
+    context.reads_outside = options->rules.allow_outside;
     options->input = level_path(options->input);
     if (options->watch)
       watch_and_export(context, *options);

@@ -3,6 +3,8 @@
 #include <ostream>
 
 #include "export_writer.h"
+#include "formats/files/atomic_file.h"
+#include "formats/ldtk/ldtk_companion.h"
 #include "png_convert.h"
 
 namespace talus {
@@ -14,6 +16,16 @@ void import_level(CommandContext& context, const std::string& input, const Impor
   const std::optional<Level> level = load_or_fail(context, input, choices);
   if (!level) return;
   carry_out(context, {.level = *level, .input = input, .exporter = "native", .output = output});
+}
+
+// Returns false after a reported failure.
+bool take_mapping(CommandContext& context, const std::string& file, ImportChoices& choices) {
+  const auto text = read_file(file);
+  if (!text) return fail(context, file, text.error().place, text.error().message), false;
+  choices.mapping = ldtk_mapping_in(*text);
+  if (!choices.mapping)
+    fail(context, file, "", "is neither a list of what LDtk's things stand for nor has one as \"mapping\"");
+  return choices.mapping.has_value();
 }
 
 }  // namespace
@@ -57,7 +69,16 @@ void add_import_command(CLI::App& program, CommandContext& context) {
                  "Take only the tiles that a Tiled map shows, with new numbers, also from several tilesets; "
                  "mirrored ones become tiles of their own")
       ->excludes(level);
-  command->callback([&context, input, into, choices, level] {
+  auto mapping = std::make_shared<std::string>();
+  command
+      ->add_option(
+          "--ldtk-map", *mapping,
+          "What values, tags and entities of an LDtk project stand for: the companion of a project, or a "
+          "JSON list as under \"mapping\" in one")
+      ->excludes(level);
+  add_outside_option(*command, context);
+  command->callback([&context, input, into, choices, level, mapping] {
+    if (!mapping->empty() && !take_mapping(context, *mapping, *choices)) return;
     if (level->empty()) return import_level(context, *input, *choices, into->output);
     into->picture = *input;
     import_png(context, *into);

@@ -154,6 +154,7 @@ void add_shot_command(CLI::App& program, CommandContext& context) {
   command->add_option("--frame", options->frame, "Step to this frame first")
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000}));
   add_physics_options(*command, options->physics);
+  add_outside_option(*command, context);
   command->add_option("--overlay", options->overlays, "Overlays to draw")
       ->delimiter(',')
       ->check(CLI::IsMember(overlay_keys()));

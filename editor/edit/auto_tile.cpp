@@ -76,7 +76,7 @@ class GroundPatch {
     for (const TileNumber tile : set_.tiles) is_ground[tile] = tile != 0;
     for (int y = area_.y; y < area_.y + area_.h; ++y) {
       for (int x = area_.x; x < area_.x + area_.w; ++x)
-        at({x, y}).ground = !map_.contains({x, y}) || is_ground[map_.at({x, y})];
+        at({x, y}).ground = !map_.contains({x, y}) || is_ground[map_.tile_at({x, y})];
     }
   }
 

@@ -38,17 +38,31 @@ std::string cut_name(std::string name) {
 
 }  // namespace
 
-TileNumber random_tile(const Stamp& stamp, Cell cell, std::uint32_t seed) {
+MapCell random_tile(const Stamp& stamp, Cell cell, std::uint32_t seed, const TileNotes& notes) {
   std::uint32_t bits = mixed(seed);
   bits = mixed(bits ^ static_cast<std::uint32_t>(cell.x));
   bits = mixed(bits ^ static_cast<std::uint32_t>(cell.y));
+  const auto weight_of = [&](MapCell painted) { return note_of(notes, painted.tile).probability; };
+  const bool is_even = notes.empty() || std::all_of(stamp.tiles.begin(), stamp.tiles.end(),
+                                                    [&](MapCell painted) { return weight_of(painted) == 1; });
+  double all = 0;
+  for (const MapCell painted : stamp.tiles) all += is_even ? 0 : weight_of(painted);
+  if (all > 0) {
+    constexpr double kBits = 4294967296.0;  // 2^32
+    double left = bits / kBits * all;
+    for (const MapCell painted : stamp.tiles) {
+      left -= weight_of(painted);
+      if (left < 0) return painted;
+    }
+  }
   return stamp.tiles[static_cast<std::size_t>(std::uint64_t{bits} * stamp.tiles.size() >> 32)];
 }
 
 Edit paint_random_stroke(const Level& level, Cell from, Cell to, const Stamp& stamp, std::uint32_t seed,
                          Within within) {
   CellPainter painter(level.map, within);
-  for_each_on_line(from, to, [&](Cell cell) { painter.paint(cell, random_tile(stamp, cell, seed)); });
+  for_each_on_line(from, to,
+                   [&](Cell cell) { painter.paint(cell, random_tile(stamp, cell, seed, level.tile_notes)); });
   return painter.finish("Paint random tiles");
 }
 
@@ -60,7 +74,8 @@ Edit fill_rect_at_random(const Level& level, CellRect cells, const Stamp& stamp,
   const auto part = on_map && within ? shared(*on_map, *within) : on_map;
   if (!part) return painter.finish("Fill rectangle at random");
   for (int y = part->y; y < part->y + part->h; ++y) {
-    for (int x = part->x; x < part->x + part->w; ++x) painter.paint({x, y}, random_tile(stamp, {x, y}, seed));
+    for (int x = part->x; x < part->x + part->w; ++x)
+      painter.paint({x, y}, random_tile(stamp, {x, y}, seed, level.tile_notes));
   }
   return painter.finish("Fill rectangle at random");
 }

@@ -6,9 +6,10 @@
 
 namespace talus {
 
-// The tile of a stamp that a cell gets at random. It is always the same with this seed, so painting a cell
-// twice, or undo and redo, changes nothing.
-TileNumber random_tile(const Stamp& stamp, Cell cell, std::uint32_t seed);
+// What a cell gets of a stamp at random. It is always the same with this seed, so painting a cell
+// twice, or undo and redo, changes nothing. notes: of the level; a tile comes as often as its probability
+// says, and each as often as any other if all are 0.
+MapCell random_tile(const Stamp& stamp, Cell cell, std::uint32_t seed, const TileNotes& notes = {});
 
 // Paints the cells of the straight line between two, both included, each with a random tile. `within`:
 // nothing beyond it is painted.

@@ -11,13 +11,13 @@ CellPainter::CellPainter(const TileMap& map, Within within)
       within_(within),
       max_listed_(std::max<std::size_t>(256, 2 * map.cells().size() / sizeof(Change))) {}
 
-void CellPainter::paint(Cell cell, TileNumber tile) {
-  if (!map_.contains(cell) || map_.at(cell) == tile || (within_ && !within_->contains(cell))) return;
+void CellPainter::paint(Cell cell, MapCell content) {
+  if (!map_.contains(cell) || map_.at(cell) == content || (within_ && !within_->contains(cell))) return;
   if (whole_) {
-    whole_->set(cell, tile);
+    whole_->set(cell, content);
     return;
   }
-  changes_.push_back({cell, map_.at(cell), tile});
+  changes_.push_back({cell, map_.at(cell), content});
   if (changes_.size() <= max_listed_) return;
   whole_ = map_;
   for (const CellChange& change : changes_) whole_->set(change.cell, change.after);

@@ -18,7 +18,7 @@ class CellPainter {
   // Cells outside the map, or outside `within`, are left out.
   explicit CellPainter(const TileMap& map, Within within = {});
   // A cell may be painted once.
-  void paint(Cell cell, TileNumber tile);
+  void paint(Cell cell, MapCell content);
   Edit finish(std::string label);  // the last call; only once
 
  private:

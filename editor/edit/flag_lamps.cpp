@@ -15,8 +15,8 @@ Edit change_flags(const Level& level, const SpriteArea& area, std::string label,
   for (int y = 0; y < area.tiles.h; ++y) {
     for (int x = 0; x < area.tiles.w; ++x) {
       const int tile = area.tile_at(level, x, y);
-      const std::uint8_t before = level.sheet(area.sheet).flags[tile];
-      const auto after = static_cast<std::uint8_t>(flags_after(before));
+      const FlagSet before = level.sheet(area.sheet).flags[tile];
+      const FlagSet after = flags_after(before);
       if (before != after) edit.changes.emplace_back(FlagsChange{area.sheet, tile, before, after});
     }
   }
@@ -25,28 +25,39 @@ Edit change_flags(const Level& level, const SpriteArea& area, std::string label,
 
 }  // namespace
 
-FlagLamp flag_lamp(const Level& level, const SpriteArea& area, int flag) {
-  assert(area.lies_in_sheet(level) && flag >= 0 && flag < kFlagCount);
-  int set = 0;
+FlagLamp AreaFlags::lamp(int flag) const {
+  assert(flag >= 0 && flag < kMaxFlags);
+  if (has_flag(all, flag)) return FlagLamp::all;
+  return has_flag(any, flag) ? FlagLamp::some : FlagLamp::none;
+}
+
+AreaFlags flags_in(const Level& level, const SpriteArea& area) {
+  assert(area.lies_in_sheet(level));
+  AreaFlags found{0, ~FlagSet{0}};
   for (int y = 0; y < area.tiles.h; ++y) {
-    for (int x = 0; x < area.tiles.w; ++x)
-      set += level.sheet(area.sheet).flags[area.tile_at(level, x, y)] >> flag & 1;
+    for (int x = 0; x < area.tiles.w; ++x) {
+      const FlagSet flags = level.sheet(area.sheet).flags[area.tile_at(level, x, y)];
+      found.any |= flags;
+      found.all &= flags;
+    }
   }
-  if (set == 0) return FlagLamp::none;
-  return set == area.tiles.w * area.tiles.h ? FlagLamp::all : FlagLamp::some;
+  return found;
+}
+
+FlagLamp flag_lamp(const Level& level, const SpriteArea& area, int flag) {
+  return flags_in(level, area).lamp(flag);
 }
 
 Edit set_flag(const Level& level, const SpriteArea& area, int flag, bool on) {
-  assert(flag >= 0 && flag < kFlagCount);
-  const int bit = 1 << flag;
+  assert(flag >= 0 && flag < kMaxFlags);
+  const FlagSet bit = flag_bit(flag);
   return change_flags(level, area, (on ? "Set flag " : "Clear flag ") + std::to_string(flag),
-                      [&](std::uint8_t flags) { return on ? flags | bit : flags & ~bit; });
+                      [&](FlagSet flags) { return on ? flags | bit : flags & ~bit; });
 }
 
-Edit set_flags(const Level& level, const SpriteArea& area, const std::vector<std::uint8_t>& flags) {
+Edit set_flags(const Level& level, const SpriteArea& area, const std::vector<FlagSet>& flags) {
   assert(flags.size() == static_cast<std::size_t>(area.tiles.w) * area.tiles.h);
-  return change_flags(level, area, "Set flags",
-                      [next = flags.begin()](std::uint8_t) mutable { return *next++; });
+  return change_flags(level, area, "Set flags", [next = flags.begin()](FlagSet) mutable { return *next++; });
 }
 
 Edit toggle_flag(const Level& level, const SpriteArea& area, int flag) {

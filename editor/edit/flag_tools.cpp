@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cassert>
 
+#include "flag_lamps.h"
 #include "level/single_change.h"
 
 namespace talus {
 namespace {
+
+constexpr FlagSet kAllFlags = ~FlagSet{0};
 
 std::set<int> tiles_of(const Level& level, const SpriteArea& area) {
   std::set<int> tiles;
@@ -35,10 +38,10 @@ Edit put_fields(const Level& level, std::vector<FlagField> fields, std::string l
 Edit paint_flags(const Level& level, SheetId sheet, const std::set<int>& tiles, FlagPattern pattern,
                  bool on) {
   Edit edit{paint_label(pattern, on), {}};
-  const FlagPattern painted{pattern.mask, on ? pattern.bits : std::uint8_t{0}};
+  const FlagPattern painted{pattern.mask, on ? pattern.bits : FlagSet{0}};
   for (const int tile : tiles) {
-    const std::uint8_t before = level.sheet(sheet).flags[static_cast<std::size_t>(tile)];
-    const std::uint8_t after = painted.put_in(before);
+    const FlagSet before = level.sheet(sheet).flags[static_cast<std::size_t>(tile)];
+    const FlagSet after = painted.put_in(before);
     if (before != after) edit.changes.emplace_back(FlagsChange{sheet, tile, before, after});
   }
   return edit;
@@ -48,25 +51,17 @@ Edit paint_flags(const Level& level, const SpriteArea& area, FlagPattern pattern
   return paint_flags(level, area.sheet, tiles_of(level, area), pattern, on);
 }
 
-bool stroke_sets(FlagPattern pattern, std::uint8_t flags) {
-  return pattern.bits == 0 || !pattern.matches(flags);
-}
+bool stroke_sets(FlagPattern pattern, FlagSet flags) { return pattern.bits == 0 || !pattern.matches(flags); }
 
-Edit set_all_flags(const Level& level, const SpriteArea& area, std::uint8_t flags) {
-  Edit edit = paint_flags(level, area, {0xff, flags}, true);
+Edit set_all_flags(const Level& level, const SpriteArea& area, FlagSet flags) {
+  Edit edit = paint_flags(level, area, {kAllFlags, flags}, true);
   edit.label = "Set all flags";
   return edit;
 }
 
-std::optional<std::uint8_t> common_flags(const Level& level, const SpriteArea& area, std::uint8_t mask) {
-  const auto flags_of = [&](int tile) {
-    return static_cast<std::uint8_t>(level.sheet(area.sheet).flags[static_cast<std::size_t>(tile)] & mask);
-  };
-  const std::uint8_t first = flags_of(area.tile_at(level, 0, 0));
-  const std::set<int> tiles = tiles_of(level, area);
-  const bool same =
-      std::all_of(tiles.begin(), tiles.end(), [&](int tile) { return flags_of(tile) == first; });
-  return same ? std::optional(first) : std::nullopt;
+std::optional<FlagSet> common_flags(const Level& level, const SpriteArea& area, FlagSet mask) {
+  const AreaFlags flags = flags_in(level, area);
+  return (flags.any & mask) == (flags.all & mask) ? std::optional(flags.all & mask) : std::nullopt;
 }
 
 Edit set_flag_field(const Level& level, std::size_t index, FlagField field) {

@@ -14,12 +14,12 @@ Edit paint_flags(const Level& level, const SpriteArea& area, FlagPattern pattern
 Edit paint_flags(const Level& level, SheetId sheet, const std::set<int>& tiles, FlagPattern pattern, bool on);
 // Whether a stroke that begins on a tile with these flags sets the pattern. If setting would change nothing,
 // it clears the pattern.
-bool stroke_sets(FlagPattern pattern, std::uint8_t flags);
-// All eight flags of the area's tiles.
-Edit set_all_flags(const Level& level, const SpriteArea& area, std::uint8_t flags);
+bool stroke_sets(FlagPattern pattern, FlagSet flags);
+// All flags of the area's tiles.
+Edit set_all_flags(const Level& level, const SpriteArea& area, FlagSet flags);
 
 // The flags under the mask that the tiles of an area have; nothing if they differ.
-std::optional<std::uint8_t> common_flags(const Level& level, const SpriteArea& area, std::uint8_t mask);
+std::optional<FlagSet> common_flags(const Level& level, const SpriteArea& area, FlagSet mask);
 
 // Replaces the field with this index; an index one past the last adds the field, sorted by its first flag.
 // The field must be possible (see problem_of) and share no flag with another one (asserted).

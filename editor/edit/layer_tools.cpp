@@ -7,39 +7,28 @@
 #include <utility>
 #include <vector>
 
+#include "layers_edit.h"
 #include "level/single_change.h"
 
 namespace talus {
 namespace {
 
-using Cells = std::vector<TileNumber>;
-
 bool has_layer(const Level& level, int layer) { return layer >= 0 && layer < level.layers.count(); }
 
 TileLayer& layer_at(TileLayers& layers, int index) { return layers.list[static_cast<std::size_t>(index)]; }
 
-std::shared_ptr<const Cells> shared_cells(Cells cells) {
-  return std::make_shared<const Cells>(std::move(cells));
+std::shared_ptr<const MapCells> shared_cells(MapCells cells) {
+  return std::make_shared<const MapCells>(std::move(cells));
 }
 
-// The edit to these layers. In them, the layer that was chosen has no cells, if it is still there.
-Edit edit_to(const Level& level, std::string label, TileLayers after) {
-  Edit edit{std::move(label), {}};
-  edit.layer = level.layers.chosen;
-  TileLayer& chosen = layer_at(after, after.chosen);
-  const std::shared_ptr<const Cells> cells = std::exchange(chosen.cells, nullptr);
-  if (cells != nullptr) {  // another one than before: its cells come into the map
-    const auto left = std::find_if(after.list.begin(), after.list.end(), [&](const TileLayer& other) {
-      return &other != &chosen && other.cells == nullptr;
-    });
-    if (left != after.list.end()) left->cells = shared_cells(level.map.cells());
-  }
-  if (after != level.layers) edit.changes.emplace_back(LayersChange{level.layers, std::move(after)});
-  if (cells == nullptr || *cells == level.map.cells()) return edit;
-  TileMap map = level.map;
-  map.cells() = *cells;
-  edit.changes.emplace_back(MapChange{level.map, std::move(map)});
-  return edit;
+using Others = std::vector<ObjectLayer>;
+
+// Those layers in front of the layer of tiles with this index have one more behind them, or one less.
+Others with_places(const Level& level, int layer, int by) {
+  Others others = level.objects;
+  for (ObjectLayer& other : others)
+    if (other.place > layer && other.place != kInFront) other.place += by;
+  return others;
 }
 
 std::string free_layer_name(const Level& level) {
@@ -53,14 +42,6 @@ std::string free_layer_name(const Level& level) {
 
 void insert_layer(TileLayers& layers, int at, TileLayer layer) {
   layers.list.insert(layers.list.begin() + at, std::move(layer));
-}
-
-double within(double value, double most, double before) {
-  return std::isnan(value) ? before : std::clamp(value, -most, most);
-}
-
-Vec2 within(Vec2 value, double most, Vec2 before) {
-  return {within(value.x, most, before.x), within(value.y, most, before.y)};
 }
 
 // What is done when `before` becomes `after`, by the first difference.
@@ -96,9 +77,10 @@ Edit add_layer(const Level& level) {
   TileLayers after = level.layers;
   TileLayer added;
   added.name = free_layer_name(level);
-  added.cells = shared_cells(Cells(level.map.cells().size()));
+  added.group = layer_at(after, after.chosen).group;
+  added.cells = shared_cells(MapCells(level.map.cells().size()));
   insert_layer(after, ++after.chosen, std::move(added));
-  return edit_to(level, "Add layer", std::move(after));
+  return layers_edit(level, "Add layer", std::move(after), with_places(level, level.layers.chosen, 1));
 }
 
 Edit duplicate_layer(const Level& level, int layer) {
@@ -110,7 +92,7 @@ Edit duplicate_layer(const Level& level, int layer) {
   if (copy.cells == nullptr) layer_at(after, layer).cells = shared_cells(level.map.cells());
   insert_layer(after, layer + 1, std::move(copy));
   after.chosen = layer + 1;
-  return edit_to(level, label, std::move(after));
+  return layers_edit(level, label, std::move(after), with_places(level, layer, 1));
 }
 
 Edit remove_layer(const Level& level, int layer) {
@@ -119,33 +101,41 @@ Edit remove_layer(const Level& level, int layer) {
   TileLayers after = level.layers;
   after.list.erase(after.list.begin() + layer);
   if (after.chosen > layer || (after.chosen == layer && layer > 0)) --after.chosen;
-  return edit_to(level, label, std::move(after));
+  return layers_edit(level, label, std::move(after), with_places(level, layer, -1));
 }
 
 Edit merge_layer_down(const Level& level, int layer) {
   const std::string label = "Merge layer down";
   if (!has_layer(level, layer) || layer == 0) return {label, {}};
-  Cells merged = level.cells_of(layer - 1);
-  const Cells& upper = level.cells_of(layer);
+  MapCells merged = level.cells_of(layer - 1);
+  const MapCells& upper = level.cells_of(layer);
   for (std::size_t i = 0; i < merged.size(); ++i)
-    if (upper[i] != 0) merged[i] = upper[i];
+    if (upper.tiles()[i] != 0) merged.set(i, upper[i]);
   TileLayers after = level.layers;
   layer_at(after, layer - 1).cells = shared_cells(std::move(merged));
   after.list.erase(after.list.begin() + layer);
   after.chosen = layer - 1;
-  return edit_to(level, label, std::move(after));
+  return layers_edit(level, label, std::move(after), with_places(level, layer, -1));
 }
 
 Edit move_layer(const Level& level, int layer, int to) {
+  if (!has_layer(level, layer) || !has_layer(level, to)) return {"Move layer", {}};
+  const std::vector<LayerInOrder> order = layers_in_order(level);
+  const auto place_of = [&](int index) {
+    return static_cast<int>(std::find(order.begin(), order.end(), LayerInOrder{true, index}) - order.begin());
+  };
+  return move_in_order(level, place_of(layer), place_of(to));
+}
+
+Edit move_in_order(const Level& level, int from, int to) {
   Edit none{"Move layer", {}};
-  if (!has_layer(level, layer) || !has_layer(level, to)) return none;
-  TileLayers after = level.layers;
-  TileLayer moved = std::move(layer_at(after, layer));
-  after.list.erase(after.list.begin() + layer);
-  insert_layer(after, to, std::move(moved));
-  const int behind = after.chosen - (layer < after.chosen ? 1 : 0);  // without the moved layer
-  after.chosen = after.chosen == layer ? to : behind + (to <= behind ? 1 : 0);
-  return edit_to(level, none.label, std::move(after));
+  std::vector<LayerEntry> entries = layer_entries(level);
+  const auto is_place = [&](int place) { return place >= 0 && place < static_cast<int>(entries.size()); };
+  if (!is_place(from) || !is_place(to) || from == to) return none;
+  const LayerEntry moved = entries[static_cast<std::size_t>(from)];
+  entries.erase(entries.begin() + from);
+  entries.insert(entries.begin() + to, moved);
+  return layers_edit(level, none.label, entries, level.layers.groups);
 }
 
 Edit set_layer_looks(const Level& level, int layer, TileLayer looks) {
@@ -153,6 +143,7 @@ Edit set_layer_looks(const Level& level, int layer, TileLayer looks) {
   TileLayers after = level.layers;
   TileLayer& its = layer_at(after, layer);
   looks.cells = its.cells;
+  looks.group = its.group;
   looks.opacity = std::isnan(looks.opacity) ? its.opacity : std::clamp(looks.opacity, 0.0, 1.0);
   looks.offset = within(looks.offset, kMaxLayerOffset, its.offset);
   looks.parallax = within(looks.parallax, kMaxParallax, its.parallax);
@@ -171,10 +162,12 @@ std::string layer_name(const Level& level, int layer) {
 std::optional<std::string> problem_of_painting(const Level& level, const Edit& edit) {
   const int chosen = level.layers.chosen;
   const TileLayer& layer = level.layers.list[static_cast<std::size_t>(chosen)];
-  if ((layer.visible && !layer.locked) || !paints_tiles(level, edit)) return std::nullopt;
+  const LayerLooks looks = shown_looks(level.layers.groups, layer);
+  if ((looks.visible && !looks.locked) || !paints_tiles(level, edit)) return std::nullopt;
   const std::string name = "The layer \"" + layer_name(level, chosen) + "\" is ";
-  return layer.locked ? name + "locked: unlock it under Layers to paint on it."
-                      : name + "hidden: show it under Layers to paint on it.";
+  const bool is_own = looks.locked ? layer.locked : !layer.visible;
+  return name + (looks.locked ? "locked: unlock " : "hidden: show ") + (is_own ? "it" : "its group") +
+         " under Layers to paint on it.";
 }
 
 }  // namespace talus

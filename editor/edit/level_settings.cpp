@@ -15,7 +15,7 @@ Edit set_color(const Level& level, int color, Rgb rgb) {
 }
 
 Edit rename_flag(const Level& level, int flag, std::string name) {
-  assert(flag >= 0 && flag < kFlagCount);
+  assert(flag >= 0 && flag < kMaxFlags);
   return single_change("Rename flag " + std::to_string(flag),
                        FlagNameChange{flag, level.flag_names[flag], std::move(name)});
 }

@@ -10,7 +10,7 @@
 namespace talus {
 
 Edit set_color(const Level& level, int color, Rgb rgb);            // color: 0..15 (asserted)
-Edit rename_flag(const Level& level, int flag, std::string name);  // flag: 0..7 (asserted)
+Edit rename_flag(const Level& level, int flag, std::string name);  // flag: 0..31 (asserted)
 Edit set_roles(const Level& level, const FlagRoles& roles);
 Edit set_tuning(const Level& level, const Tuning& tuning);
 Edit set_spawns(const Level& level, std::vector<Spawn> spawns, std::string label);

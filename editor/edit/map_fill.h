@@ -6,8 +6,8 @@
 
 namespace talus {
 
-// Fills the 4-connected area of equal tiles around a cell with the stamp, repeated from there. `within` also
-// bounds the area. Empty if the cell is outside of the map.
+// Fills the 4-connected area of equal tiles, turned alike, around a cell with the stamp, repeated from there.
+// `within` also bounds the area. Empty if the cell is outside of the map.
 Edit flood_fill(const Level& level, Cell at, const Stamp& stamp, Within within = {});
 
 }  // namespace talus

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <map>
 #include <utility>
 
@@ -64,7 +65,11 @@ TileImage mirrored(const TileImage& image, MirrorAxis axis) {
 class Mirrorer {
  public:
   Mirrorer(const Level& level, CellRect cells, MirrorAxis axis)
-      : level_(level), cells_(cells), axis_(axis), result_(stamp_of_map(level, cells)) {
+      : level_(level),
+        cells_(cells),
+        axis_(axis),
+        can_turn_(level.cart == nullptr),
+        result_(stamp_of_map(level, cells)) {
     for (int tile = 0; tile < level.tile_count(); ++tile)
       physics_.push_back(physics_of(level, static_cast<TileNumber>(tile)));
   }
@@ -85,8 +90,14 @@ class Mirrorer {
   }
 
  private:
-  TileNumber tile_at(int x, int y) const { return level_.map.at({cells_.x + x, cells_.y + y}); }
-  const Physics& physics_at(int x, int y) const { return physics_[tile_at(x, y)]; }
+  MapCell cell_at(int x, int y) const { return level_.map.at({cells_.x + x, cells_.y + y}); }
+  TileNumber tile_at(int x, int y) const { return cell_at(x, y).tile; }
+  bool is_turned(int x, int y) const { return cell_at(x, y).turn != TileTurn::none; }
+  // A turned tile is mirrored by itself, whatever it is.
+  const Physics& physics_at(int x, int y) const {
+    static const Physics kNone;
+    return is_turned(x, y) ? kNone : physics_[tile_at(x, y)];
+  }
   const TileImage& image(TileNumber tile) const { return level_.sheet(SheetId::tiles).images[tile]; }
 
   // Number of cells that the slope at x, y spans; 1 if it would leave the selection or meet the cell of
@@ -95,7 +106,7 @@ class Mirrorer {
     const TileShape& shape = physics_at(x, y).shape;
     if (axis_ == MirrorAxis::vertical || shape.kind == Kind::none || x + shape.tiles > cells_.w) return 1;
     for (int i = 1; i < shape.tiles; ++i)
-      if (physics_at(x + i, y) != Physics()) return 1;
+      if (physics_at(x + i, y) != Physics() || is_turned(x + i, y)) return 1;
     return shape.tiles;
   }
   bool taken_by_slope(int x, int y) const {
@@ -103,9 +114,9 @@ class Mirrorer {
       if (from + span_at(from, y) > x) return true;
     return false;
   }
-  void put(int x, int y, TileNumber tile) {
+  void put(int x, int y, MapCell cell) {
     result_.tiles[static_cast<std::size_t>(y) * static_cast<std::size_t>(cells_.w) +
-                  static_cast<std::size_t>(x)] = tile;
+                  static_cast<std::size_t>(x)] = cell;
   }
 
   // Mirrors the cell at x, y, and the cells that a slope there spans. The slope belongs to its leftmost cell
@@ -115,22 +126,36 @@ class Mirrorer {
     const bool is_cut = axis_ == MirrorAxis::horizontal && span < physics_at(x, y).shape.tiles;
     const int to_x = axis_ == MirrorAxis::horizontal ? cells_.w - x - span : x;
     const int to_y = axis_ == MirrorAxis::vertical ? cells_.h - 1 - y : y;
-    std::array<TileNumber, kMaxShapeTiles> tiles{};
+    if (is_turned(x, y)) return put(to_x, to_y, turned_over(cell_at(x, y)));
+    std::array<MapCell, kMaxShapeTiles> tiles{};
     int art = 0;
     for (int i = 0; i < span; ++i) {
       const TileNumber looks = tile_at(x + span - 1 - i, y);
       const auto found = partner_of(i == 0 ? tile_at(x, y) : kNoGround, looks);
       if (!found || is_cut) return keep(x, y, to_x, to_y, span);
-      tiles[static_cast<std::size_t>(i)] = *found;
-      art += image(*found) != mirrored(image(looks), axis_) ? 1 : 0;
+      const bool is_drawn_so = image(*found) == mirrored(image(looks), axis_);
+      const bool turns = can_turn_ && *found == looks && !is_drawn_so;
+      tiles[static_cast<std::size_t>(i)] = turns ? turned_over(looks) : MapCell(*found);
+      art += turns || is_drawn_so ? 0 : 1;
     }
     for (int i = 0; i < span; ++i) put(to_x + i, to_y, tiles[static_cast<std::size_t>(i)]);
     mirrored_.unmirrored_art += art;
   }
 
+  MapCell turned_over(MapCell cell) const {
+    if (cell.tile == 0) return cell;
+    const bool is_horizontal = axis_ == MirrorAxis::horizontal;
+    return {cell.tile, after_turn(cell.turn, is_horizontal ? TileTurn::left_right : TileTurn::up_down)};
+  }
+
+  // Without a mirror image on the sheet.
   void keep(int x, int y, int to_x, int to_y, int span) {
-    for (int i = 0; i < span; ++i) put(to_x + i, to_y, tile_at(x + i, y));
-    ++mirrored_.without_partner;
+    for (int i = 0; i < span; ++i) {
+      const int from = can_turn_ ? span - 1 - i : i;
+      const MapCell cell = cell_at(x + from, y);
+      put(to_x + i, to_y, can_turn_ ? turned_over(cell) : cell);
+    }
+    if (!can_turn_) ++mirrored_.without_partner;
   }
 
   // The tile that is the mirror image of `ground` to the simulation (or of kNoGround) and looks most like
@@ -149,7 +174,7 @@ class Mirrorer {
   std::optional<TileNumber> find_partner(const Physics& wanted, TileNumber looks) const {
     const TileImage target = mirrored(image(looks), axis_);
     const bool stays = physics_[looks] == wanted;
-    const std::uint8_t flags = level_.tile_flags(looks);
+    const FlagSet flags = level_.tile_flags(looks);
     std::optional<TileNumber> best = stays ? std::optional(looks) : std::nullopt;
     int best_score = stays ? score(looks, target, flags) : -1;
     for (int i = 0; i < level_.tile_count(); ++i) {
@@ -166,18 +191,17 @@ class Mirrorer {
   }
 
   // Equal pixels count first, then equal flags.
-  int score(TileNumber tile, const TileImage& target, std::uint8_t flags) const {
+  int score(TileNumber tile, const TileImage& target, FlagSet flags) const {
     int alike = 0;
     for (std::size_t i = 0; i < target.size(); ++i) alike += image(tile)[i] == target[i] ? 1 : 0;
-    int flags_alike = kFlagCount;
-    for (int different = level_.tile_flags(tile) ^ flags; different != 0; different &= different - 1)
-      --flags_alike;
-    return alike * (kFlagCount + 1) + flags_alike;
+    const int flags_alike = kMaxFlags - std::popcount(level_.tile_flags(tile) ^ flags);
+    return alike * (kMaxFlags + 1) + flags_alike;
   }
 
   const Level& level_;
   CellRect cells_;
   MirrorAxis axis_;
+  bool can_turn_;
   Stamp result_;
   std::vector<Physics> physics_;  // by tile
   std::map<std::pair<int, TileNumber>, std::optional<TileNumber>> partners_;

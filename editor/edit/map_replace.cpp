@@ -10,7 +10,11 @@ Edit replace_tile(const Level& level, TileNumber tile, Cell origin, const Stamp&
   if (const auto part = shared(within.value_or(all), all)) {
     for (int y = part->y; y < part->y + part->h; ++y) {
       for (int x = part->x; x < part->x + part->w; ++x) {
-        if (map.at({x, y}) == tile) painter.paint({x, y}, repeated_tile(stamp, origin, {x, y}));
+        const MapCell before = map.at({x, y});
+        if (before.tile != tile) continue;
+        MapCell after = repeated_tile(stamp, origin, {x, y});
+        if (after.tile != 0) after.turn = after_turn(after.turn, before.turn);
+        painter.paint({x, y}, after);
       }
     }
   }

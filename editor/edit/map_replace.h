@@ -6,7 +6,8 @@
 
 namespace talus {
 
-// Fills every cell of `within` that has the tile with the stamp, repeated from `origin`.
+// Fills every cell of `within` that has the tile with the stamp, repeated from `origin`. Where the tile is
+// turned, what replaces it is turned as well.
 Edit replace_tile(const Level& level, TileNumber tile, Cell origin, const Stamp& stamp, Within within = {});
 
 }  // namespace talus

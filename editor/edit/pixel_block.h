@@ -6,12 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "pixel_color.h"
+
 namespace talus {
 
 struct PixelBlock {
-  int w = 0, h = 0;                  // px
-  std::vector<std::uint8_t> colors;  // w * h of 0..15, row by row
-  std::uint8_t at(int x, int y) const { return colors[static_cast<std::size_t>(y) * w + x]; }
+  int w = 0, h = 0;                // px
+  std::vector<PixelColor> colors;  // w * h, row by row
+  bool in_rgba = false;            // whether they are those of a sheet in true colour
+  PixelColor at(int x, int y) const { return colors[static_cast<std::size_t>(y) * w + x]; }
   friend bool operator==(const PixelBlock&, const PixelBlock&) = default;
 };
 

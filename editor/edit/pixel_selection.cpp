@@ -45,7 +45,7 @@ void PixelSelection::check(const Level& level, const SpriteArea& area) {
   if (below_.w > 0 && !floats(level, area)) drop();
 }
 
-Edit PixelSelection::move(const Level& level, const SpriteArea& area, Cell by, std::uint8_t hole) {
+Edit PixelSelection::move(const Level& level, const SpriteArea& area, Cell by, PixelColor hole) {
   lift(level, area, hole);
   rect_->x += by.x;
   rect_->y += by.y;
@@ -53,7 +53,7 @@ Edit PixelSelection::move(const Level& level, const SpriteArea& area, Cell by, s
   return put(level, area, "Move pixels");
 }
 
-Edit PixelSelection::turn(const Level& level, const SpriteArea& area, PixelTurn how, std::uint8_t hole) {
+Edit PixelSelection::turn(const Level& level, const SpriteArea& area, PixelTurn how, PixelColor hole) {
   lift(level, area, hole);
   pixels_ = turned(pixels_, how);
   // About its middle, if that is on the grid.
@@ -71,14 +71,14 @@ Edit PixelSelection::paste(const Level& level, const SpriteArea& area, PixelBloc
   return put(level, area, "Paste pixels");
 }
 
-void PixelSelection::lift(const Level& level, const SpriteArea& area, std::uint8_t hole) {
+void PixelSelection::lift(const Level& level, const SpriteArea& area, PixelColor hole) {
   assert(rect_);
   if (floats(level, area)) return;
   select(area, *rect_);
   pixels_ = copy_pixels(level, area, *rect_);
   below_ = copy_pixels(level, area, {0, 0, area.width(), area.height()});
-  lay_over(below_, {pixels_.w, pixels_.h, std::vector<std::uint8_t>(pixels_.colors.size(), hole)},
-           {rect_->x, rect_->y});
+  const std::vector<PixelColor> holes(pixels_.colors.size(), hole);
+  lay_over(below_, {pixels_.w, pixels_.h, holes, pixels_.in_rgba}, {rect_->x, rect_->y});
 }
 
 PixelBlock PixelSelection::shown() const {

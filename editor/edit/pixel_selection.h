@@ -26,12 +26,12 @@ class PixelSelection {
 
   // Each makes the edit that shows the pixels in their new place or form. rect() must hold, except for
   // pasting. `hole`: the colour that is left where they are lifted from the canvas.
-  Edit move(const Level& level, const SpriteArea& area, Cell by, std::uint8_t hole);
-  Edit turn(const Level& level, const SpriteArea& area, PixelTurn how, std::uint8_t hole);
+  Edit move(const Level& level, const SpriteArea& area, Cell by, PixelColor hole);
+  Edit turn(const Level& level, const SpriteArea& area, PixelTurn how, PixelColor hole);
   Edit paste(const Level& level, const SpriteArea& area, PixelBlock block, Cell at);
 
  private:
-  void lift(const Level& level, const SpriteArea& area, std::uint8_t hole);
+  void lift(const Level& level, const SpriteArea& area, PixelColor hole);
   Edit put(const Level& level, const SpriteArea& area, std::string label) const;
   PixelBlock shown() const;  // the canvas with the floating pixels on it
   void keep_inside(const SpriteArea& area);

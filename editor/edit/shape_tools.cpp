@@ -17,7 +17,7 @@ Edit set_tile_shape(const Level& level, int tile, TileShape shape) {
 }
 
 Edit set_flag_shape(const Level& level, int flag, TileShape shape) {
-  assert(flag >= 0 && flag < kFlagCount);
+  assert(flag >= 0 && flag < kMaxFlags);
   return single_change("Change the shape of flag " + std::to_string(flag),
                        FlagShapeChange{flag, level.flag_shapes[flag], std::move(shape)});
 }
@@ -32,8 +32,9 @@ Edit put_slope_tiles(const Level& level, const SlopeTiles& tiles, Within within)
   for (const SlopeTiles::Placed& placed : tiles.placed) {
     if (within && !within->contains(placed.cell)) continue;
     is_shown[placed.tile] = true;
-    const TileNumber before = level.map.at(placed.cell);
-    if (before != placed.tile) edit.changes.emplace_back(CellChange{placed.cell, before, placed.tile});
+    const MapCell before = level.map.at(placed.cell);
+    if (before != MapCell(placed.tile))
+      edit.changes.emplace_back(CellChange{placed.cell, before, placed.tile});
   }
   for (const SlopeTiles::Drawn& drawn : tiles.drawn) {
     if (!is_shown[drawn.tile]) continue;
@@ -55,12 +56,15 @@ tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, co
   SlopeTilesOptions options;
   options.line_color = line_color;
   bool has_slope = false;
-  for (const TileNumber tile : stamp.tiles) {
+  std::vector<TileNumber> tiles_as_drawn;  // the turned ones are left out
+  for (const auto [tile, turn] : stamp.tiles) {
+    if (turn != TileTurn::none) continue;
+    tiles_as_drawn.push_back(tile);
     const TileShape shape = shape_of_tile(level, tile);
     if (shape.kind == TileShape::Kind::solid && !shape.one_way && !options.below) options.below = tile;
     has_slope = has_slope || (has_heights(shape) && shape.side == TileShape::Side::floor);
   }
-  if (has_slope) options.set = stamp.tiles;
+  if (has_slope) options.set = std::move(tiles_as_drawn);
   return slope_tiles(level, a, b, options).map([&](const SlopeTiles& tiles) {
     return put_slope_tiles(level, tiles, within);
   });

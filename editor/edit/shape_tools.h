@@ -13,7 +13,7 @@ inline constexpr const char* kNoLength = "drag from one end to the other";
 // The shape should be usable (see problem_of). Other shapes are kept, but the lint reports them and they are
 // not saved.
 Edit set_tile_shape(const Level& level, int tile, TileShape shape);  // tile: 0..255 (asserted)
-Edit set_flag_shape(const Level& level, int flag, TileShape shape);  // flag: 0..7 (asserted)
+Edit set_flag_shape(const Level& level, int flag, TileShape shape);  // flag: 0..31 (asserted)
 Edit set_curves(const Level& level, std::vector<LevelCurve> curves, std::string label);
 
 // Puts the tiles along a slope on the map. They must have been made for this level. Cells outside of `within`

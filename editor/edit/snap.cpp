@@ -32,7 +32,7 @@ class NearestEnd {
     const Vec2 far{map.x_of(kMaxShapeTiles) + least_, map.y_of(kMaxShapeTiles) + least_};
     for (Cell at{0, map.row_at(point_.y - far.y)}; at.y <= map.row_at(point_.y + far.y); ++at.y) {
       for (at.x = map.column_at(point_.x - far.x); at.x <= map.column_at(point_.x + far.x); ++at.x) {
-        if (map.contains(at)) try_shape(at, shape_of_tile(level_, map.at(at)));
+        if (map.contains(at)) try_shape(at, shape_of_cell(level_, map.at(at)));
       }
     }
   }

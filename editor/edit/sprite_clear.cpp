@@ -5,17 +5,18 @@
 
 namespace talus {
 
-Edit clear_area(const Level& level, const SpriteArea& area, std::uint8_t color) {
+Edit clear_area(const Level& level, const SpriteArea& area, PixelColor color) {
   Edit edit = clear_pixels(level, area, area.canvas(), color);
-  const std::vector<std::uint8_t> none(static_cast<std::size_t>(area.tiles.w) * area.tiles.h, 0);
+  const std::vector<FlagSet> none(static_cast<std::size_t>(area.tiles.w) * area.tiles.h, 0);
   const Edit flags = set_flags(level, area, none);
   edit.changes.insert(edit.changes.end(), flags.changes.begin(), flags.changes.end());
   return edit;
 }
 
-Edit clear_pixels(const Level& level, const SpriteArea& area, CellRect rect, std::uint8_t color) {
+Edit clear_pixels(const Level& level, const SpriteArea& area, CellRect rect, PixelColor color) {
   const PixelBlock block{rect.w, rect.h,
-                         std::vector<std::uint8_t>(static_cast<std::size_t>(rect.w) * rect.h, color)};
+                         std::vector<PixelColor>(static_cast<std::size_t>(rect.w) * rect.h, color),
+                         is_in_rgba(level, area.sheet)};
   return put_pixels(level, area, block, {rect.x, rect.y}, "Clear");
 }
 

@@ -7,16 +7,22 @@
 #include <cassert>
 #include <cctype>
 #include <charconv>
+#include <span>
 
 namespace talus {
 namespace {
 
-constexpr int kMostSide = 2048;                                    // tiles or px, of what is copied
-constexpr int kDigitsOfATile = kCartTileSize * kCartTileSize + 2;  // for its pixels and its flags
-constexpr std::size_t kDigitsOfAColor = 6;
-constexpr std::string_view kTilesWord = "tiles", kPixelsWord = "pixels", kSpace = " \t\r\n";
+constexpr int kMostSide = 2048;                                 // tiles or px, of what is copied
+constexpr int kDigitsOfPixels = kCartTileSize * kCartTileSize;  // of a tile
+constexpr int kBitsOfADigit = 4;
+constexpr std::size_t kDigitsOfAColor = 6, kDigitsOfRgba = 8;
+constexpr std::string_view kTilesWord = "tiles", kFlagsWord = "flags", kPixelsWord = "pixels",
+                           kRgbaWord = "rgba", kSpace = " \t\r\n";
 
-char to_digit(int value) { return "0123456789abcdef"[value & 15]; }
+// Of the flags of a tile. all: also those that no cart has.
+constexpr int digits_of_flags(bool all) { return (all ? kMaxFlags : kCartFlags) / kBitsOfADigit; }
+
+char to_digit(unsigned value) { return "0123456789abcdef"[value & 15]; }
 
 std::optional<int> from_digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
@@ -75,37 +81,105 @@ std::optional<Size> take_size(std::string_view& text, std::string_view word) {
 struct CopiedTiles {
   Size size;  // in tiles
   PixelBlock pixels;
-  std::vector<std::uint8_t> flags;
+  std::vector<FlagSet> flags;
 };
 
+// The flags of tiles, the low digit of each first.
+std::vector<FlagSet> flags_of_digits(std::span<const std::uint8_t> digits, int of_a_tile) {
+  std::vector<FlagSet> flags;
+  for (auto low = digits.begin(); low != digits.end(); low += of_a_tile) {
+    FlagSet of_one = 0;
+    for (int digit = of_a_tile; digit-- > 0;) of_one = of_one << kBitsOfADigit | low[digit];
+    flags.push_back(of_one);
+  }
+  return flags;
+}
+
+std::vector<PixelColor> rgba_of_digits(std::span<const std::uint8_t> digits) {
+  std::vector<PixelColor> colors;
+  colors.reserve(digits.size() / kDigitsOfRgba);
+  for (auto digit = digits.begin(); digit != digits.end(); digit += kDigitsOfRgba) {
+    const auto byte = [&](int i) { return static_cast<std::uint8_t>(digit[2 * i] << 4 | digit[2 * i + 1]); };
+    colors.push_back(pixel_color({byte(0), byte(1), byte(2), byte(3)}));
+  }
+  return colors;
+}
+
+void add_rgba(PixelColor color, std::string& text) {
+  const Rgba c = rgba_of(color);
+  for (const int channel : {c.r, c.g, c.b, c.a}) {
+    text += to_digit(static_cast<unsigned>(channel) >> 4);
+    text += to_digit(static_cast<unsigned>(channel));
+  }
+}
+
+// Of "tiles 3x2 rgba 48x32".
+std::optional<CopiedTiles> rgba_tiles_from_text(std::string_view text) {
+  text = trimmed(text);
+  const auto tiles = take_size(text, kTilesWord);
+  if (!tiles) return std::nullopt;
+  text = trimmed(text);
+  const auto size = take_size(text, kRgbaWord);
+  if (!size) return std::nullopt;
+  const auto digits = digits_of(without_space(text));
+  const std::size_t of_pixels =
+      static_cast<std::size_t>(size->w) * static_cast<std::size_t>(size->h) * kDigitsOfRgba;
+  const int of_flags = digits_of_flags(true);
+  const std::size_t of_all_flags = static_cast<std::size_t>(tiles->w * tiles->h * of_flags);
+  if (!digits || digits->size() != of_pixels + of_all_flags) return std::nullopt;
+  const std::span<const std::uint8_t> all(*digits);
+  return CopiedTiles{*tiles,
+                     {size->w, size->h, rgba_of_digits(all.first(of_pixels)), true},
+                     flags_of_digits(all.subspan(of_pixels), of_flags)};
+}
+
 std::optional<CopiedTiles> tiles_from_text(std::string_view text) {
+  if (auto in_rgba = rgba_tiles_from_text(text)) return in_rgba;
   text = trimmed(text);
   auto size = take_size(text, kTilesWord);
+  const bool has_all = size && trimmed(text).starts_with(kFlagsWord);
+  if (has_all) text = trimmed(text).substr(kFlagsWord.size());
   const auto digits = digits_of(without_space(text));
-  if (!digits || digits->empty() || digits->size() % kDigitsOfATile != 0) return std::nullopt;
-  const int count = static_cast<int>(digits->size()) / kDigitsOfATile;
+  const int of_flags = digits_of_flags(has_all), of_tile = kDigitsOfPixels + of_flags;
+  if (!digits || digits->empty() || digits->size() % static_cast<std::size_t>(of_tile) != 0)
+    return std::nullopt;
+  const int count = static_cast<int>(digits->size()) / of_tile;
   for (int side = 1; !size && side <= kMostSide; ++side)
     if (side * side == count) size = Size{side, side};
   if (!size || size->w * size->h != count) return std::nullopt;
-  const auto flags = digits->begin() + count * kCartTileSize * kCartTileSize;
-  CopiedTiles tiles{*size, {size->w * kCartTileSize, size->h * kCartTileSize, {digits->begin(), flags}}, {}};
-  for (auto low = flags; low != digits->end(); low += 2)
-    tiles.flags.push_back(static_cast<std::uint8_t>(low[0] | low[1] << 4));
-  return tiles;
+  const auto flags = digits->begin() + static_cast<std::ptrdiff_t>(count) * kDigitsOfPixels;
+  return CopiedTiles{*size,
+                     {size->w * kCartTileSize, size->h * kCartTileSize, {digits->begin(), flags}},
+                     flags_of_digits({flags, digits->end()}, of_flags)};
 }
 
 }  // namespace
 
 std::string tiles_to_text(const Level& level, const SpriteArea& area) {
   const CellRect& t = area.tiles;
-  std::string text = t.w == t.h ? "" : std::string(kTilesWord) + " " + to_string(Size{t.w, t.h}) + "\n";
-  for (std::uint8_t color : copy_pixels(level, area, {0, 0, area.width(), area.height()}).colors)
-    text += to_digit(color);
+  const bool in_rgba = is_in_rgba(level, area.sheet);
+  const bool has_more = in_rgba || (flags_in(level, area).any & ~kCartFlagSet) != 0;
+  const PixelBlock pixels = copy_pixels(level, area, area.canvas());
+  std::string text;
+  if (t.w != t.h || has_more) {
+    text = std::string(kTilesWord) + " " + to_string(Size{t.w, t.h}) + " ";
+    if (in_rgba)
+      text += std::string(kRgbaWord) + " " + to_string(Size{pixels.w, pixels.h});
+    else if (has_more)
+      text += kFlagsWord;
+    text = std::string(trimmed(text)) + "\n";
+  }
+  for (const PixelColor color : pixels.colors) {
+    if (in_rgba)
+      add_rgba(color, text);
+    else
+      text += to_digit(color);
+  }
   for (int y = 0; y < t.h; ++y) {
     for (int x = 0; x < t.w; ++x) {
-      const int flags = level.sheet(area.sheet).flags[area.tile_at(level, x, y)];
-      text += to_digit(flags);
-      text += to_digit(flags >> 4);
+      const FlagSet flags = level.sheet(area.sheet).flags[area.tile_at(level, x, y)];
+      for (int digit = 0; digit < digits_of_flags(has_more); ++digit)
+        text += to_digit(flags >> kBitsOfADigit * digit);
     }
   }
   return text;
@@ -114,7 +188,7 @@ std::string tiles_to_text(const Level& level, const SpriteArea& area) {
 tl::expected<Edit, std::string> paste_tiles(const Level& level, const SpriteArea& area,
                                             std::string_view text) {
   const auto tiles = tiles_from_text(text);
-  if (!tiles)
+  if (!tiles || tiles->pixels.in_rgba != is_in_rgba(level, area.sheet))
     return tl::unexpected<std::string>("The clipboard holds no sprites: copy some here or in TIC-80 first.");
   const Size here{area.tiles.w, area.tiles.h};
   if (tiles->size != here) {
@@ -128,24 +202,46 @@ tl::expected<Edit, std::string> paste_tiles(const Level& level, const SpriteArea
 }
 
 std::string pixels_to_text(const PixelBlock& block) {
-  std::string text = std::string(kPixelsWord) + " " + to_string(Size{block.w, block.h}) + "\n";
-  for (std::uint8_t color : block.colors) text += to_digit(color);
+  std::string text(block.in_rgba ? kRgbaWord : kPixelsWord);
+  text += " " + to_string(Size{block.w, block.h}) + "\n";
+  for (const PixelColor color : block.colors) {
+    if (!block.in_rgba) {
+      text += to_digit(color);
+      continue;
+    }
+    add_rgba(color, text);
+  }
   return text;
+}
+
+bool has_tiles_for(const Level& level, const SpriteArea& area, std::string_view text) {
+  const auto tiles = rgba_tiles_from_text(text);
+  const CellRect canvas = area.canvas();
+  return tiles && is_in_rgba(level, area.sheet) && tiles->size == Size{area.tiles.w, area.tiles.h} &&
+         tiles->pixels.w == canvas.w && tiles->pixels.h == canvas.h;
 }
 
 std::optional<PixelBlock> pixels_from_text(std::string_view text) {
   text = trimmed(text);
-  const auto size = take_size(text, kPixelsWord);
+  const bool in_rgba = text.starts_with(kRgbaWord);
+  const auto size = take_size(text, in_rgba ? kRgbaWord : kPixelsWord);
   if (!size) return std::nullopt;
-  auto digits = digits_of(without_space(text));
-  if (!digits || digits->size() != static_cast<std::size_t>(size->w) * size->h) return std::nullopt;
-  return PixelBlock{size->w, size->h, std::move(*digits)};
+  const auto digits = digits_of(without_space(text));
+  const std::size_t count = static_cast<std::size_t>(size->w) * static_cast<std::size_t>(size->h);
+  if (!digits || digits->size() != count * (in_rgba ? kDigitsOfRgba : 1)) return std::nullopt;
+  if (!in_rgba) return PixelBlock{size->w, size->h, {digits->begin(), digits->end()}};
+  return PixelBlock{size->w, size->h, rgba_of_digits(*digits), true};
+}
+
+std::optional<PixelBlock> tile_pixels_from_text(std::string_view text) {
+  auto tiles = tiles_from_text(text);
+  return tiles ? std::optional(std::move(tiles->pixels)) : std::nullopt;
 }
 
 std::string palette_to_text(const Palette& palette) {
   std::string text;
   for (const Rgb& color : palette) {
-    for (int channel : {color.r, color.g, color.b}) {
+    for (const unsigned channel : {color.r, color.g, color.b}) {
       text += to_digit(channel >> 4);
       text += to_digit(channel);
     }

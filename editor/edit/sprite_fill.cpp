@@ -7,7 +7,7 @@
 
 namespace talus {
 
-Edit fill_pixels(const Level& level, const SpriteArea& area, Cell at, std::uint8_t color) {
+Edit fill_pixels(const Level& level, const SpriteArea& area, Cell at, PixelColor color) {
   if (!area.contains(at)) return {"Fill pixels", {}};
   PixelBlock canvas = copy_pixels(level, area, area.canvas());
   const auto same = [&, old = canvas.at(at.x, at.y)](Cell c) { return canvas.at(c.x, c.y) == old; };
@@ -19,7 +19,7 @@ Edit fill_pixels(const Level& level, const SpriteArea& area, Cell at, std::uint8
   return put_pixels(level, area, canvas, {0, 0}, "Fill pixels");
 }
 
-Edit replace_color(const Level& level, const SpriteArea& area, std::uint8_t from, std::uint8_t to) {
+Edit replace_color(const Level& level, const SpriteArea& area, PixelColor from, PixelColor to) {
   PixelBlock canvas = copy_pixels(level, area, area.canvas());
   std::replace(canvas.colors.begin(), canvas.colors.end(), from, to);
   return put_pixels(level, area, canvas, {0, 0}, "Replace colour");

@@ -6,8 +6,8 @@
 namespace talus {
 
 // Fills the 4-connected area of one colour around a pixel; nothing outside of the canvas.
-Edit fill_pixels(const Level& level, const SpriteArea& area, Cell at, std::uint8_t color);
+Edit fill_pixels(const Level& level, const SpriteArea& area, Cell at, PixelColor color);
 // Replaces all pixels of a colour, wherever they are.
-Edit replace_color(const Level& level, const SpriteArea& area, std::uint8_t from, std::uint8_t to);
+Edit replace_color(const Level& level, const SpriteArea& area, PixelColor from, PixelColor to);
 
 }  // namespace talus

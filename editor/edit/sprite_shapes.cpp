@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 
 #include <talus/collision/function_ref.h>
 #include "raster.h"
@@ -15,31 +16,40 @@ namespace {
 // The pixels of a canvas that a shape covers. Its brush may go over a pixel several times.
 class Mask {
  public:
-  explicit Mask(const SpriteArea& area)
-      : w_(area.width()), h_(area.height()), covered_(static_cast<std::size_t>(w_) * h_) {}
+  // box: px of the canvas; the brush goes along pixels in it.
+  Mask(const SpriteArea& area, CellRect box)
+      : part_(shared(area.canvas(),
+                     {box.x - kMaxBrush, box.y - kMaxBrush, box.w + 2 * kMaxBrush, box.h + 2 * kMaxBrush})) {
+    if (part_) covered_.resize(static_cast<std::size_t>(part_->w) * part_->h);
+  }
 
   void cover(CellRect rect) {
-    for (int y = std::max(0, rect.y); y < std::min(h_, rect.y + rect.h); ++y)
-      for (int x = std::max(0, rect.x); x < std::min(w_, rect.x + rect.w); ++x) covered_[index(x, y)] = true;
+    const auto inside = part_ ? shared(rect, *part_) : std::nullopt;
+    if (!inside) return;
+    for (int y = inside->y; y < inside->y + inside->h; ++y)
+      for (int x = inside->x; x < inside->x + inside->w; ++x) covered_[index(x, y)] = true;
   }
-  Edit paint(const Level& level, const SpriteArea& area, std::uint8_t color, std::string label) const {
-    PixelBlock canvas = copy_pixels(level, area, {0, 0, w_, h_});
+  Edit paint(const Level& level, const SpriteArea& area, PixelColor color, std::string label) const {
+    if (!part_) return {std::move(label), {}};
+    PixelBlock block = copy_pixels(level, area, *part_);
     for (std::size_t i = 0; i < covered_.size(); ++i)
-      if (covered_[i]) canvas.colors[i] = color;
-    return put_pixels(level, area, canvas, {0, 0}, std::move(label));
+      if (covered_[i]) block.colors[i] = color;
+    return put_pixels(level, area, block, {part_->x, part_->y}, std::move(label));
   }
 
  private:
-  std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * w_ + x; }
-  int w_, h_;
-  std::vector<bool> covered_;
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y - part_->y) * part_->w + (x - part_->x);
+  }
+  std::optional<CellRect> part_;  // px of the canvas that the shape can cover; nothing: it is outside
+  std::vector<bool> covered_;     // by pixel of that
 };
 
 // A shape whose `inside` knows every pixel of `box`. Pixels with a side neighbour outside of the shape make
 // the outline.
 Edit draw_shape(const Level& level, const SpriteArea& area, CellRect box, PixelPen pen, bool filled,
                 FunctionRef<bool(int, int)> inside, std::string label) {
-  Mask mask(area);
+  Mask mask(area, box);
   const auto is_edge = [&](int x, int y) {
     return !inside(x - 1, y) || !inside(x + 1, y) || !inside(x, y - 1) || !inside(x, y + 1);
   };
@@ -63,7 +73,7 @@ CellRect brush_at(Cell pixel, int brush) {
 }
 
 Edit draw_line(const Level& level, const SpriteArea& area, Cell from, Cell to, PixelPen pen) {
-  Mask mask(area);
+  Mask mask(area, spanned(from, to));
   for_each_on_line(from, to, [&](Cell pixel) { mask.cover(brush_at(pixel, pen.brush)); });
   return mask.paint(level, area, pen.color, "Draw pixels");
 }

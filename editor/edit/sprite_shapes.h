@@ -8,8 +8,8 @@ namespace talus {
 inline constexpr int kMaxBrush = 4;  // px
 
 struct PixelPen {
-  std::uint8_t color = 0;  // 0..15
-  int brush = 1;           // px, side of its square, 1..kMaxBrush (asserted)
+  PixelColor color = 0;
+  int brush = 1;  // px, side of its square, 1..kMaxBrush (asserted)
 };
 // The pixels that the brush covers when the mouse is on a pixel: centred on it, or shifted to the right and
 // down if the brush has no middle pixel.

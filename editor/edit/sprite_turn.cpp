@@ -6,7 +6,7 @@
 namespace talus {
 
 Edit turn_pixels(const Level& level, const SpriteArea& area, PixelTurn turn) {
-  assert(turn != PixelTurn::rotate || area.tiles.w == area.tiles.h);
+  assert(turn != PixelTurn::rotate || area.width() == area.height());
   const PixelBlock canvas = copy_pixels(level, area, area.canvas());
   return put_pixels(level, area, turned(canvas, turn), {0, 0}, label_of(turn));
 }

@@ -21,7 +21,7 @@ int floor_divide(int a, int b) { return a / b - (a % b < 0 ? 1 : 0); }  // b > 0
 
 Stamp stamp_of_sheet(const SheetLayout& sheet, CellRect tiles) {
   return stamp_of(tiles, {0, 0, sheet.columns, sheet.rows()}, [&](int x, int y) {
-    return sheet.contains({x, y}) ? static_cast<TileNumber>(sheet.tile_at({x, y})) : TileNumber{0};
+    return MapCell(sheet.contains({x, y}) ? static_cast<TileNumber>(sheet.tile_at({x, y})) : TileNumber{0});
   });
 }
 
@@ -36,9 +36,22 @@ Cell corner_of_repeated(const Stamp& stamp, Cell origin, Cell cell) {
           origin.y + floor_divide(cell.y - origin.y, stamp.h) * stamp.h};
 }
 
-TileNumber repeated_tile(const Stamp& stamp, Cell origin, Cell cell) {
+MapCell repeated_tile(const Stamp& stamp, Cell origin, Cell cell) {
   const Cell corner = corner_of_repeated(stamp, origin, cell);
   return stamp.at(cell.x - corner.x, cell.y - corner.y);
+}
+
+Stamp turned(const Stamp& stamp, TileTurn turn) {
+  const TileSize before{stamp.w, stamp.h}, after = turned(before, turn);
+  Stamp result{after.width, after.height, {}};
+  for (int y = 0; y < result.h; ++y) {
+    for (int x = 0; x < result.w; ++x) {
+      const Cell from = pixel_before_turn({x, y}, turn, before);
+      const MapCell cell = stamp.at(from.x, from.y);
+      result.tiles.push_back(cell.tile == 0 ? cell : MapCell(cell.tile, after_turn(cell.turn, turn)));
+    }
+  }
+  return result;
 }
 
 }  // namespace talus

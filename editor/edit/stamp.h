@@ -5,14 +5,15 @@
 #include <vector>
 
 #include <talus/level/level.h>
+#include <talus/level/tile_turns.h>
 #include "level/cell_rect.h"
 
 namespace talus {
 
 struct Stamp {
   int w = 1, h = 1;
-  std::vector<TileNumber> tiles = {0};  // w*h, row by row
-  TileNumber at(int x, int y) const { return tiles[static_cast<std::size_t>(y) * w + x]; }
+  std::vector<MapCell> tiles = {MapCell()};  // w*h, row by row
+  MapCell at(int x, int y) const { return tiles[static_cast<std::size_t>(y) * w + x]; }
   friend bool operator==(const Stamp&, const Stamp&) = default;
 };
 
@@ -22,8 +23,11 @@ Stamp stamp_of_sheet(const SheetLayout& sheet, CellRect tiles);
 Stamp stamp_of_map(const Level& level, CellRect cells);  // for the picker; cut off at the map's edge
 
 // Stamps are repeated from `origin` in all directions. Returns the top-left cell of the stamp that a cell
-// belongs to, and the tile that the cell gets from it.
+// belongs to, and what the cell gets from it.
 Cell corner_of_repeated(const Stamp& stamp, Cell origin, Cell cell);
-TileNumber repeated_tile(const Stamp& stamp, Cell origin, Cell cell);
+MapCell repeated_tile(const Stamp& stamp, Cell origin, Cell cell);
+
+// The stamp turned as a whole: its cells change places, and are turned. Tile 0 is not turned.
+Stamp turned(const Stamp& stamp, TileTurn turn);
 
 }  // namespace talus

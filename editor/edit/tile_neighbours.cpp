@@ -42,14 +42,15 @@ std::optional<Cell> place_of_tiles(const Level& level, CellRect tiles, Cell cell
   const TileMap& map = level.map;
   if (!map.contains(cell)) return std::nullopt;
   const SheetLayout sheet = level.sheet(SheetId::tiles).layout();
-  const Cell on_sheet = sheet.place_of(map.at(cell));
+  const Cell on_sheet = sheet.place_of(map.tile_at(cell));
   const Cell inside{on_sheet.x - tiles.x, on_sheet.y - tiles.y};
   if (inside.x < 0 || inside.y < 0 || inside.x >= tiles.w || inside.y >= tiles.h) return std::nullopt;
   const Cell place{cell.x - inside.x, cell.y - inside.y};
   for (int y = 0; y < tiles.h; ++y) {
     for (int x = 0; x < tiles.w; ++x) {
       const Cell at{place.x + x, place.y + y};
-      if (!map.contains(at) || map.at(at) != sheet.tile_at({tiles.x + x, tiles.y + y})) return std::nullopt;
+      if (!map.contains(at) || map.tile_at(at) != sheet.tile_at({tiles.x + x, tiles.y + y}))
+        return std::nullopt;
     }
   }
   return place;
@@ -62,7 +63,7 @@ TileNeighbours neighbours_at(const TileMap& map, CellRect tiles, Cell place) {
       const Cell at{place.x + x, place.y + y};
       const bool inside = x >= 0 && y >= 0 && x < tiles.w && y < tiles.h;
       if (!inside && map.contains(at))
-        n.ring[static_cast<std::size_t>(y + 1) * (tiles.w + 2) + x + 1] = map.at(at);
+        n.ring[static_cast<std::size_t>(y + 1) * (tiles.w + 2) + x + 1] = map.tile_at(at);
     }
   }
   return n;
@@ -77,9 +78,9 @@ TileNeighbours commonest_neighbours(const Level& level, CellRect tiles) {
   std::vector<std::map<TileNumber, int>> counts(n.ring.size());  // by tile beside the cell
   for (int y = 0; y < map.height(); ++y) {
     for (int x = 0; x < map.width(); ++x) {
-      for (const RingCell* c : cells_of_tile[map.at({x, y})]) {
+      for (const RingCell* c : cells_of_tile[map.tile_at({x, y})]) {
         const Cell at{x + c->step.x, y + c->step.y};
-        if (map.contains(at)) ++counts[c->index][map.at(at)];
+        if (map.contains(at)) ++counts[c->index][map.tile_at(at)];
       }
     }
   }

@@ -11,7 +11,7 @@ std::size_t count_tile(const TileMap& map, TileNumber tile, Within within) {
   if (!part) return 0;
   std::size_t count = 0;
   for (int y = part->y; y < part->y + part->h; ++y) {
-    for (int x = part->x; x < part->x + part->w; ++x) count += map.at({x, y}) == tile ? 1 : 0;
+    for (int x = part->x; x < part->x + part->w; ++x) count += map.tile_at({x, y}) == tile ? 1 : 0;
   }
   return count;
 }
@@ -24,7 +24,7 @@ std::optional<Cell> find_tile(const TileMap& map, TileNumber tile, std::optional
   if (from && map.contains(*from)) at = static_cast<std::int64_t>(from->y) * map.width() + from->x;
   for (std::int64_t i = 0; i < size; ++i) {
     at = (at + step + size) % size;
-    if (map.cells()[static_cast<std::size_t>(at)] != tile) continue;
+    if (map.cells().tiles()[static_cast<std::size_t>(at)] != tile) continue;
     const Cell cell{static_cast<int>(at % map.width()), static_cast<int>(at / map.width())};
     if (!within || within->contains(cell)) return cell;
   }

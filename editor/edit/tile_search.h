@@ -7,6 +7,7 @@
 
 namespace talus {
 
+// However the tile is turned.
 std::size_t count_tile(const TileMap& map, TileNumber tile, Within within = {});
 
 enum class FindDirection { next, previous };

@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -186,19 +187,14 @@ std::string size_text(const CellRect& tiles) {
   return std::to_string(tiles.w) + "x" + std::to_string(tiles.h);
 }
 
-void copy_pixels(const Level& level, const CellRect& from, const CellRect& to, ShapeTurn turn, Edit& edit) {
-  const SpriteArea source{SheetId::tiles, from}, target{SheetId::tiles, to};
-  for (int y = 0; y < source.height(); ++y) {
-    for (int x = 0; x < source.width(); ++x) {
-      const std::uint8_t after = pixel_at(level, source, flips_columns(turn) ? source.width() - 1 - x : x,
-                                          flips_rows(turn) ? source.height() - 1 - y : y);
-      const std::uint8_t before = pixel_at(level, target, x, y);
-      if (before == after) continue;
-      const int tile = target.tile_at(level, x / kCartTileSize, y / kCartTileSize);
-      const int pixel = y % kCartTileSize * kCartTileSize + x % kCartTileSize;
-      edit.changes.emplace_back(PixelChange{SheetId::tiles, tile, pixel, before, after});
-    }
-  }
+void copy_turned(const Level& level, const CellRect& from, const CellRect& to, ShapeTurn turn, Edit& edit) {
+  const TileSize size = painted_size(level, SheetId::tiles);
+  const SpriteArea source{SheetId::tiles, from, size}, target{SheetId::tiles, to, size};
+  PixelBlock pixels = copy_pixels(level, source, source.canvas());
+  if (flips_columns(turn)) pixels = turned(pixels, PixelTurn::flip_horizontal);
+  if (flips_rows(turn)) pixels = turned(pixels, PixelTurn::flip_vertical);
+  Edit painted = put_pixels(level, target, pixels, {0, 0}, edit.label);
+  std::move(painted.changes.begin(), painted.changes.end(), std::back_inserter(edit.changes));
 }
 
 }  // namespace
@@ -342,7 +338,7 @@ tl::expected<Edit, std::string> copy_turned(const Level& level, int tile, int ta
   constexpr std::array<const char*, 4> kLabels = {"Copy a tile", "Mirror a tile", "Turn a tile upside down",
                                                   "Turn a tile by 180 degrees"};
   Edit edit{kLabels[static_cast<std::size_t>(turn)], {}};
-  copy_pixels(level, from, to, turn, edit);
+  copy_turned(level, from, to, turn, edit);
   add_shape_change(level, target, image, edit);
   return edit;
 }

@@ -230,7 +230,7 @@ LayerPaint layer_paint(const Level& level, const LayerLook& look) {
 
 std::vector<std::uint8_t> map_picture(const TileMap& map, const TileColors& colors, Cell from, int block,
                                       int width, int height) {
-  const LayerTiles tiles{map.cells(), map.width(), map.height()};
+  const LayerTiles tiles{map.cells().tiles(), map.width(), map.height()};
   const PackedColors all = packed(colors);
   return picture_of_rows(tiles, from, block, width, height, [&](Cell at, int blocks, std::uint8_t* out) {
     draw_row(tiles, all, at, block, blocks, out);
@@ -239,7 +239,7 @@ std::vector<std::uint8_t> map_picture(const TileMap& map, const TileColors& colo
 
 std::vector<std::uint8_t> layer_picture(const Level& level, int layer, const LayerPaint& paint, Cell from,
                                         int block, int width, int height) {
-  const LayerTiles tiles{level.cells_of(layer), level.map.width(), level.map.height()};
+  const LayerTiles tiles{level.cells_of(layer).tiles(), level.map.width(), level.map.height()};
   if (paint.opacity.empty()) {
     const PackedColors all = packed(paint.colors);
     return picture_of_rows(tiles, from, block, width, height, [&](Cell at, int blocks, std::uint8_t* out) {

@@ -10,6 +10,7 @@ inline constexpr std::string_view kColor = "color";
 inline constexpr std::string_view kInspector = "inspector";
 inline constexpr std::string_view kWhy = "why";
 inline constexpr std::string_view kShape = "shape";
+inline constexpr std::string_view kTile = "tile";
 inline constexpr std::string_view kTuning = "tuning";
 inline constexpr std::string_view kBrushes = "brushes";
 inline constexpr std::string_view kProblems = "problems";

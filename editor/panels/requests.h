@@ -61,6 +61,10 @@ struct ShowProblem {};
 struct RenameLayer {
   int layer = 0;  // index in Level::layers
 };
+// To the same: begins to rename a group of layers.
+struct RenameGroup {
+  int group = 0;  // index in TileLayers::groups
+};
 // To the breakpoints panel: takes this cell as the place of the new breakpoint.
 struct PutBreakpointAt {
   Cell cell;
@@ -78,8 +82,8 @@ struct OpenProgram {
 
 using Request = std::variant<request::ShowTab, request::FocusField, request::FocusPanel, request::ShowCell,
                              request::Scroll, request::Zoom, request::FitMap, request::FitFirstScreen,
-                             request::ShowProblem, request::RenameLayer, request::PutBreakpointAt,
-                             request::ShowFileDialog, request::OpenProgram>;
+                             request::ShowProblem, request::RenameLayer, request::RenameGroup,
+                             request::PutBreakpointAt, request::ShowFileDialog, request::OpenProgram>;
 
 class Requests {
  public:

@@ -36,6 +36,7 @@ struct View {
     canvas.forget_level();
     debugger.forget_level();
     shape.forget_level();
+    sprites.kept_tile = -1;
     requests.take<request::PutBreakpointAt>();
   }
 };

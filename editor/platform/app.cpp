@@ -17,11 +17,14 @@
 #include "formats/last_catch.h"
 #include "formats/native/recording_file.h"
 #include "formats/text/utf8_text.h"
+#include "overlay/small_picture.h"
 #include "panels/commands/commands.h"
 #include "panels/files/reading_panel.h"
 #include "panels/ui/dialog.h"
 #include "picture.h"
 #include "sdl_keys.h"
+#include "session/files/read_permissions.h"
+#include "session/files/unsaved_mappings.h"
 #include "user_folder.h"
 
 namespace talus {
@@ -135,6 +138,8 @@ std::string App::open_window(Settings& settings) {
   window_ = std::move(*opened);
   textures_ = std::make_unique<SheetTextures>();
   map_textures_ = std::make_unique<MapTextureCache>();
+  small_pictures_ = std::make_unique<SmallPictureTextures>();
+  picture_textures_ = std::make_unique<PictureTextureCache>();
   SDL_EventState(SDL_DROPFILE, SDL_ENABLE);
   return {};
 }
@@ -144,6 +149,8 @@ void App::open_first_level() {
   if (options_.remember) {
     tools.record = state_folder() + "/exports";
     tools.permissions = state_folder() + "/" + kPermissionsFile;
+    tools.reads = state_folder() + "/" + kReadPermissionsFile;
+    tools.mappings = state_folder() + "/" + kMappingsFile;
   }
   if (!options_.file.empty()) {
     session_ = std::make_unique<Session>(Level(), "", kUnnamed, tools);
@@ -167,6 +174,8 @@ void App::take_settings(const Settings& settings) {
   ui_.view.window.ui_scale = settings.ui_scale;
   ui_.view.sprites.pixels = settings.pixels;
   ui_.view.files.recent_files = settings.recent_files;
+  for (const std::string& file : settings.recent_files)
+    if (auto picture = recent_pictures_.find(file)) ui_.view.files.recent_pictures[file] = std::move(picture);
   ui_.view.files.hard_cases = hard_case_paths();
   ui_.view.window.tabs = settings.tabs;
   ui_.view.window.dock_open = settings.dock_open;
@@ -281,8 +290,10 @@ void App::frame() {
                                                     : automatic_scale(window_->size().y);
   ui_.scale = std::min(wanted, largest_scale(window_->size()));
   window_->set_style({ui_.scale, ui_.view.preferences.font_size, ui_.view.preferences.theme});
-  textures_->update(session_->level(), session_->revision(), ui_);
+  textures_->update(*session_, ui_);
   map_textures_->update(session_->level(), session_->revision(), ui_);
+  picture_textures_->update(ui_);
+  small_pictures_->update(ui_);
   if (const auto& import = session_->png_import(); import && import->plan)
     textures_->show_preview(import->plan->sheet, import->plan->palette, ui_);
   if (const auto& import = session_->tile_import())
@@ -493,15 +504,28 @@ void App::note_changes() {
     noted_preferences_ = ui_.view.preferences;
     remember_changes();
   }
-  if (session_->path() == noted_path_) return;
-  noted_path_ = session_->path();
-  if (noted_path_.empty()) return;
+  const bool is_other = session_->path() != std::exchange(noted_path_, session_->path());
+  const bool is_saved = session_->saves() != std::exchange(noted_saves_, session_->saves());
+  if (is_other && !noted_path_.empty()) note_recent_file();
+  if ((is_other || is_saved) && !noted_path_.empty()) note_recent_picture();
+}
+
+void App::note_recent_file() {
   auto& recent = ui_.view.files.recent_files;
   const std::string path = absolute_path(noted_path_);
   std::erase(recent, path);
   recent.insert(recent.begin(), path);
   if (recent.size() > kMaxRecentFiles) recent.resize(kMaxRecentFiles);
   remember_changes();
+}
+
+// Of the level as it was opened or saved last.
+void App::note_recent_picture() {
+  const std::string path = absolute_path(noted_path_);
+  const auto picture = std::make_shared<const SheetPicture>(
+      small_picture(session_->level(), RecentPictures::kWidth, RecentPictures::kHeight));
+  ui_.view.files.recent_pictures[path] = picture;
+  if (options_.remember) recent_pictures_.keep(*picture, path, ui_.view.files.recent_files);
 }
 
 // Messages of success disappear; errors stay.

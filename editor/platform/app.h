@@ -17,9 +17,12 @@
 #include "panels/canvas/play_keys.h"
 #include "panels/commands/keys.h"
 #include "panels/window/workspace.h"
+#include "picture_texture_cache.h"
+#include "recent_pictures.h"
 #include "session/session.h"
 #include "settings.h"
 #include "sheet_textures.h"
+#include "small_picture_textures.h"
 #include "user_folder.h"
 #include "work_guard.h"
 
@@ -30,7 +33,7 @@ struct AppOptions {
   int width = 0, height = 0;             // px, of the window; 0: as in the settings
   bool offscreen = false;                // without a display
   bool remember = true;                  // reads and writes settings, and saves automatically
-  std::function<double()> clock;         // s, never running backwards; empty: the machine's clock
+  std::function<double()> clock = {};    // s, never running backwards; empty: the machine's clock
   std::vector<std::string> others = {};  // maps that are listed with `file`
 };
 
@@ -77,6 +80,8 @@ class App {
   void draw_file_dialog(Actions& actions);
   void note_dialog_result();
   void note_changes();
+  void note_recent_file();
+  void note_recent_picture();
   void dismiss_old_note();
   bool follow_work();  // returns true if there is something new to show
   bool wait();         // returns whether a frame is due
@@ -85,11 +90,14 @@ class App {
   std::unique_ptr<GlWindow> window_;
   std::unique_ptr<SheetTextures> textures_;
   std::unique_ptr<MapTextureCache> map_textures_;
+  std::unique_ptr<PictureTextureCache> picture_textures_;
+  std::unique_ptr<SmallPictureTextures> small_pictures_;
   std::unique_ptr<Session> session_;
   Workspace workspace_;
   FileBrowser browser_;
   std::optional<WorkGuard> guard_;  // nothing if `remember` is false
   OpenCopies copies_{state_folder() + "/copies"};
+  RecentPictures recent_pictures_{state_folder() + "/level_pictures"};
   GameStart game_start_;
   EventQueue events_;
   HeldPlayKeys play_keys_;
@@ -98,6 +106,7 @@ class App {
   double last_time_ = 0;    // s, of the last frame
   double last_event_ = 0;   // s, of the last event by the user or from outside
   std::string noted_path_;  // path of the session at the last look
+  int noted_saves_ = 0;     // how often it had been saved then
   std::uint64_t noted_revision_ = 0;
   std::string title_;
   bool dialog_answered_ = false;

@@ -62,16 +62,36 @@ SheetTextures::SheetTextures() {
 
 SheetTextures::~SheetTextures() { glDeleteTextures(static_cast<GLsizei>(names_.size()), names_.data()); }
 
-void SheetTextures::update(const Level& level, std::uint64_t revision, Ui& ui) {
+void SheetTextures::update(const Session& session, Ui& ui) {
+  const Level& level = session.level();
   const auto id = [&](std::size_t i) {
     return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(names_[i]));
   };
+  const bool in_true_colour = level.sheet(SheetId::tiles).picture != nullptr;
   ui.sheets = {id(0), id(1)};
-  ui.clear_tiles = id(2);
+  ui.clear_tiles = id(in_true_colour ? 0 : 2);
   for (std::size_t i = 0; i < ui.layouts.size(); ++i) ui.layouts[i] = level.sheets[i].layout();
-  if (revision_ == revision) return;
-  revision_ = revision;
-  for (std::size_t i = 0; i < 3; ++i) upload(names_[i], level.sheets[i % 2], level.palette, i == 2);
+  if (revision_ == session.revision()) return;
+  const auto painted = revision_ ? session.sheet_changes().tiles_since(*revision_) : std::nullopt;
+  revision_ = session.revision();
+  if (painted) return upload_painted(level, *painted);
+  const std::size_t last = in_true_colour ? 1 : 2;
+  for (std::size_t i = 0; i <= last; ++i) upload(names_[i], level.sheets[i % 2], level.palette, i == 2);
+}
+
+void SheetTextures::upload_painted(const Level& level, const std::vector<int>& tiles) const {
+  if (tiles.empty()) return;
+  const Sheet& sheet = level.sheet(SheetId::tiles);
+  const TileSize size = level.map.tile_size();
+  glBindTexture(GL_TEXTURE_2D, names_[0]);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, sheet.picture->width);
+  for (const int tile : tiles) {
+    const Cell place = sheet.layout().place_of(tile);
+    const int x = place.x * size.width, y = place.y * size.height;
+    glTexSubImage2D(GL_TEXTURE_2D, 0, x, y, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                    sheet.picture->at(x, y));
+  }
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
 void SheetTextures::show_preview(const Sheet& sheet, const Palette& palette, Ui& ui) {

@@ -6,9 +6,11 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include <talus/level/level.h>
 #include "panels/ui/ui.h"
+#include "session/session.h"
 
 namespace talus {
 
@@ -20,13 +22,16 @@ class SheetTextures {
   SheetTextures(const SheetTextures&) = delete;
   SheetTextures& operator=(const SheetTextures&) = delete;
 
-  // revision: of the level, as in Session.
-  void update(const Level& level, std::uint64_t revision, Ui& ui);
+  // Shows the session's level. Of a picture in true colour only the tiles that were painted are uploaded
+  // again.
+  void update(const Session& session, Ui& ui);
 
   // A sheet that is not the level's, with a palette of its own.
   void show_preview(const Sheet& sheet, const Palette& palette, Ui& ui);
 
  private:
+  void upload_painted(const Level& level, const std::vector<int>& tiles) const;
+
   std::array<unsigned, 4> names_{};  // tiles, sprites, the tiles with colour 0 clear, and the preview
   std::optional<std::uint64_t> revision_;
 };

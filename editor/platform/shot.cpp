@@ -10,6 +10,7 @@
 #include "panels/canvas/tile_drawing.h"
 #include "panels/window/panel_list.h"
 #include "picture.h"
+#include "picture_texture_cache.h"
 
 namespace talus {
 namespace {
@@ -72,7 +73,9 @@ tl::expected<void, std::string> write_shot(const Session& session, const ShotOpt
   Ui ui;
   ui.scale = std::clamp(zoom / 3, 1.0f, 3.0f);  // overlays stay in proportion to the art
   (*window)->set_style({.scale = ui.scale});
-  textures.update(session.level(), session.revision(), ui);
+  textures.update(session, ui);
+  PictureTextureCache pictures;
+  pictures.update(ui);
   (*window)->begin_picture(size);
   const CanvasView view{{0, 0},
                         size,

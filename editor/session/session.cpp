@@ -79,6 +79,7 @@ void Session::advance(double seconds) { impl_->advance(seconds); }
 
 const Level& Session::level() const { return impl_->open.level; }
 std::uint64_t Session::revision() const { return impl_->open.revision; }
+const SheetChanges& Session::sheet_changes() const { return impl_->open.sheet_changes; }
 const UndoStack& Session::history() const { return impl_->open.history; }
 const std::string& Session::path() const { return impl_->open.path; }
 std::string Session::file_name() const { return impl_->files.file_name(); }
@@ -90,6 +91,7 @@ const std::vector<Problem>& Session::problems() const { return impl_->checks.pro
 const std::vector<Problem>& Session::listed_problems() const { return impl_->checks.lint_cache().problems(); }
 bool Session::is_linting() const { return !impl_->checks.lint_cache().is_done(); }
 double Session::lint_progress() const { return impl_->checks.lint_cache().progress(); }
+const Level& Session::linted_level() const { return impl_->checks.linted(); }
 const LintOptions& Session::lint_options() const { return impl_->checks.lint_options(); }
 const ReachFinder& Session::reach() const { return impl_->checks.reach(); }
 const std::optional<HardCase>& Session::hard_case() const { return impl_->run.hard_case(); }

@@ -66,6 +66,7 @@ class Session {
 
   const Level& level() const;
   std::uint64_t revision() const;  // grows with every change of the level, also by undo and opening
+  const SheetChanges& sheet_changes() const;
   const UndoStack& history() const;
   const std::string& path() const;               // empty when it has none
   std::string file_name() const;                 // for titles: "demo.talus.json"
@@ -79,6 +80,8 @@ class Session {
   bool is_linting() const;       // whether they are not all of the current level's
   double lint_progress() const;  // the checked share of the level, 0 to 1
   const LintOptions& lint_options() const;
+  // What the problems are of: the level, or the ground of its layers.
+  const Level& linted_level() const;
   const std::optional<HardCase>& hard_case() const;  // of the opened level, whose input is played, too
 
   // About the shown frame: the last played one, unless an earlier one is visited.

@@ -78,7 +78,7 @@ TEST_F(Additions, ARuleOfTheLintNeedsOneFile) {
   EXPECT_THAT(answer.out, HasSubstr(": warning: body 1 has no name [spawn-unnamed]"));
 
   Level fixed = level();
-  const Edit edit = fix_all(fixed, {}, problems, *problems[0].rule);
+  const Edit edit = fix_all(fixed, fixed, {}, problems, *problems[0].rule);
   EXPECT_EQ(edit.label, "Fix 1 problem: body without a name");
   apply_edit(fixed, edit);
   EXPECT_TRUE(lint(fixed).empty());

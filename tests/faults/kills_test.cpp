@@ -25,12 +25,13 @@ class Kills : public FolderTest {
   // Gives every cell of row 1 the same tile, so that half of a stroke would show.
   static Edit stroke(const Level& level, TileNumber tile) {
     Edit edit{"Paint", {}};
-    for (int x = 0; x < kWidth; ++x) edit.changes.push_back(CellChange{{x, 1}, level.map.at({x, 1}), tile});
+    for (int x = 0; x < kWidth; ++x)
+      edit.changes.push_back(CellChange{{x, 1}, level.map.tile_at({x, 1}), tile});
     return edit;
   }
   static bool is_whole(const Level& level) {
     for (int x = 1; x < kWidth; ++x)
-      if (level.map.at({x, 1}) != level.map.at({0, 1})) return false;
+      if (level.map.tile_at({x, 1}) != level.map.tile_at({0, 1})) return false;
     return true;
   }
 

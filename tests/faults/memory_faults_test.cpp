@@ -97,7 +97,7 @@ TEST_F(MemoryFaults, CompilingALargeLevelSaysThatItCannotBePlayed) {
   Level level;
   level.sheet(SheetId::tiles).flags[1] = 1;
   level.map = TileMap(400, 400);
-  std::fill(level.map.cells().begin(), level.map.cells().end(), TileNumber{1});
+  std::fill(level.map.cells().tiles().begin(), level.map.cells().tiles().end(), TileNumber{1});
   Session session(level);
   {
     const FailingMemory failing(10'000, FailingMemory::Where::on_other_threads);

@@ -82,10 +82,11 @@ Level painted(TileNumber tile) {
 }
 
 void paint(Session& session, TileNumber tile) {
-  session.apply(action::EditLevel{Edit{"Paint", {CellChange{{1, 1}, session.level().map.at({1, 1}), tile}}}});
+  session.apply(
+      action::EditLevel{Edit{"Paint", {CellChange{{1, 1}, session.level().map.tile_at({1, 1}), tile}}}});
 }
 
-TileNumber tile_in(const Level& level) { return level.map.at({1, 1}); }
+TileNumber tile_in(const Level& level) { return level.map.tile_at({1, 1}); }
 
 bool tells_error(const Session& session) { return session.message() && session.message()->is_error; }
 

@@ -101,7 +101,7 @@ inline Checked check_saving_tiled(Level level, std::string_view document) {
   const auto same = write_tiled(level, context);
   if (!same) return checked_error(same.error());
   if (same->bytes != document) return {true, "an unchanged map of Tiled gets other bytes"};
-  TileNumber& cell = level.map.cells()[level.map.cells().size() / 2];
+  TileNumber& cell = level.map.cells().tiles()[level.map.cells().size() / 2];
   cell = cell == 0 ? static_cast<TileNumber>(level.tile_count() - 1) : TileNumber{0};
   const auto changed = write_tiled(level, context);
   if (!changed) return checked_error(changed.error());
@@ -133,7 +133,7 @@ inline Checked check_tiled(std::string_view document) {
 // Whether what is added to a level of LDtk is there again after saving it.
 inline Checked check_saving_ldtk(Level level) {
   const Level held = level;
-  TileNumber& cell = level.map.cells()[level.map.cells().size() / 2];
+  TileNumber& cell = level.map.cells().tiles()[level.map.cells().size() / 2];
   cell = cell == 0 ? static_cast<TileNumber>(level.tile_count() - 1) : TileNumber{0};
   const auto companion = write_ldtk_companion(level, "", "small.ldtk");
   if (!companion) return checked_error(companion.error());

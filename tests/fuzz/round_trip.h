@@ -30,7 +30,7 @@ inline void require_native_round_trip(const Level& level) { require(checked_leve
 
 // An edit of a cart survives reading the cart again, and the other form of the cart keeps it too.
 inline void require_edit_survives(Level level, const FormatContext& context) {
-  level.map.set({5, 7}, static_cast<TileNumber>((level.map.at({5, 7}) ^ 0x1f) % level.tile_count()));
+  level.map.set({5, 7}, static_cast<TileNumber>((level.map.tile_at({5, 7}) ^ 0x1f) % level.tile_count()));
   level.sheet(SheetId::tiles).flags[3] ^= 5;
   level.palette[2].r |= 1;  // not black, as an all-black palette counts as missing
   for (const char* id : {"tic", "tic-text"}) {

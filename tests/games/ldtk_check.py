@@ -26,6 +26,7 @@ def check_references(path, project):
         for tile in layer["gridTiles"]:
             x, y = tile["px"]
             assert tile["d"] == [y // 8 * layer["__cWid"] + x // 8]
+            assert tile["f"] in (0, 1, 2, 3)
             assert tile["src"] == [tile["t"] % 16 * 8, tile["t"] // 16 * 8]
         iids.append(layer["iid"])
         for entity in layer["entityInstances"]:

@@ -8,10 +8,26 @@ local level, slopes = require "level", require "bump_slopes"
 local function number(value, what) assert(type(value) == "number", what) return value end
 
 -- Tilesets: embedded, with a picture of whole tiles.
-assert(map.orientation == "orthogonal" and map.renderorder == "right-down")
+assert(map.orientation == "orthogonal" and map.renderorder:match "^%a+%-%a+$")
+local folder = arg[1]:match("^(.*/)[^/]*$")
+local function picture(name) assert(assert(io.open(folder .. name, "rb")):read(8):sub(2, 4) == "PNG", name) end
 local tiles = {}
+-- A collection of images: STI makes a tile of each, and wants its size.
+local function collect(set, index)
+  assert(set.tilecount == #set.tiles and set.tileoffset)
+  for _, tile in ipairs(set.tiles) do
+    picture(tile.image)
+    number(tile.width, "width") number(tile.height, "height")
+    tiles[set.firstgid + tile.id] = {properties = assert(tile.properties), tileset = index}
+  end
+end
 for index, set in ipairs(map.tilesets) do
+  if set.name == "pictures" then
+    collect(set, index)
+    break
+  end
   assert(not set.filename and type(set.image) == "string")
+  picture(set.image)
   number(set.spacing, "spacing") number(set.margin, "margin")
   assert(set.imagewidth % set.tilewidth == 0 and set.imageheight % set.tileheight == 0)
   local count = set.imagewidth / set.tilewidth * (set.imageheight / set.tileheight)
@@ -38,14 +54,18 @@ for _, layer in ipairs(map.layers) do
   if layer.type == "tilelayer" then
     assert(layer.encoding == "lua" and not layer.chunks and #layer.data == layer.width * layer.height)
     ground = layer
+  elseif layer.type == "imagelayer" then
+    picture(layer.image)
   else
     assert(layer.type == "objectgroup")
-    assert(layer.visible == (layer.name ~= "slopes"), "what STI would draw over the tiles")
+    assert(not layer.tintcolor or #layer.tintcolor == 3)
+    assert(layer.name ~= "slopes" or not layer.visible, "what STI would draw over the tiles")
     local ids = {}
     for _, object in ipairs(layer.objects) do
       assert(not ids[object.id]) ids[object.id] = true
       number(object.x + object.y + object.width + object.height + math.rad(object.rotation), "object")
       assert(object.properties.collidable ~= true or object.shape == "rectangle")
+      assert(not object.gid or tiles[object.gid], "a tile that no tileset has")
       for _, point in ipairs(object.polyline or {}) do number(point.x + point.y, "point") end
     end
   end

@@ -51,6 +51,7 @@ TEST(Documents, TheSeedsAreReadable) {
   EXPECT_TRUE(check_tiled(grammar_of_seed("small.tmx").document(none)).is_read);
   EXPECT_TRUE(check_tiled(grammar_of_seed("infinite.tmj").document(none)).is_read);
   EXPECT_TRUE(check_tiled(grammar_of_seed("infinite.tmx").document(none)).is_read);
+  EXPECT_TRUE(check_tiled(grammar_of_seed("old.tmj").document(none)).is_read);
   EXPECT_TRUE(check_tiled(grammar_of_seed("sets.tmx").document(none)).is_read);
   EXPECT_TRUE(check_tiled(grammar_of_seed("small.tsx").document(none)).is_read);
   EXPECT_TRUE(check_tiled(grammar_of_seed("small.tsj").document(none)).is_read);
@@ -66,6 +67,7 @@ TEST(Documents, MapsOfTiledInJson) { expect_promises("small.tmj", 300, check_til
 TEST(Documents, MapsOfTiledInXml) { expect_promises("small.tmx", 300, check_tiled); }
 TEST(Documents, InfiniteMapsInJson) { expect_promises("infinite.tmj", 300, check_tiled); }
 TEST(Documents, InfiniteMapsInXml) { expect_promises("infinite.tmx", 300, check_tiled); }
+TEST(Documents, MapsOfTiledInOldJson) { expect_promises("old.tmj", 300, check_tiled); }
 TEST(Documents, MapsOfTiledWithManyTilesets) { expect_promises("sets.tmx", 300, check_tiled); }
 TEST(Documents, TilesetsOfTiledInJson) { expect_promises("small.tsj", 200, check_tiled); }
 TEST(Documents, TilesetsOfTiledInXml) { expect_promises("small.tsx", 100, check_tiled); }

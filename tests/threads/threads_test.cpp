@@ -29,9 +29,9 @@ class Threads : public FolderTest {
   // Paints tile 1, and sets or clears its flag, so that the whole ground is compiled again.
   static void paint(Session& session, int number) {
     const Cell cell{number % kSide, 3};
-    Edit edit{"Paint", {CellChange{cell, session.level().map.at(cell), 1}}};
-    const std::uint8_t flags = session.level().tile_flags(1);
-    edit.changes.push_back(FlagsChange{SheetId::tiles, 1, flags, static_cast<std::uint8_t>(flags ^ 1)});
+    Edit edit{"Paint", {CellChange{cell, session.level().map.tile_at(cell), 1}}};
+    const FlagSet flags = session.level().tile_flags(1);
+    edit.changes.push_back(FlagsChange{SheetId::tiles, 1, flags, flags ^ 1});
     session.apply(action::EditLevel{std::move(edit)});
   }
 };

@@ -67,7 +67,7 @@ TEST_F(UiCursor, ARowIsPaintedByHoldingSpaceInOneUndo) {
   // The arrows choose a tile of the sheet from the program's first frame on.
   key(kKeyF2);
   go(KeyChord{kKeyRight}, 3);
-  EXPECT_EQ(session().choices().stamp.tiles, std::vector<TileNumber>{3});
+  EXPECT_EQ(session().choices().stamp.tiles, std::vector<MapCell>{3});
   key(kKeyF3);
   press_key(kKeyEnter);
   go_to({4, 5});

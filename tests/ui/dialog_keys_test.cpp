@@ -387,7 +387,7 @@ TEST_F(UiDialogKeys, TabsAreOpenedByNameAndUsedByKeys) {
   EXPECT_TRUE(view().window.keys_in_panel);
   EXPECT_NE(focused(), "") << "the control that has the keys is marked";
   press_key({kKeyDown});
-  press_key({kKeyLeft});
+  press_key({kKeyLeft}, 3);
   press_key({' '});
   EXPECT_EQ(level().tile_flags(9), 1) << "the first lamp is switched";
   press_key({kKeyDown});

@@ -17,12 +17,12 @@ class UiEdit : public UiTest {
         .sheet(SheetId::tiles)
         .images[static_cast<std::size_t>(tile)][static_cast<std::size_t>(y * 8 + x)];
   }
-  std::uint8_t flags(int tile) { return level().sheet(SheetId::tiles).flags[static_cast<std::size_t>(tile)]; }
+  FlagSet flags(int tile) { return level().sheet(SheetId::tiles).flags[static_cast<std::size_t>(tile)]; }
 };
 
 TEST_F(UiEdit, ClickPaintsTheSelectedTile) {
   click(on_sheet(3));
-  EXPECT_EQ(session().choices().stamp.tiles, std::vector<TileNumber>{3});
+  EXPECT_EQ(session().choices().stamp.tiles, std::vector<MapCell>{3});
   click(on_map({12, 9}));
   EXPECT_EQ(tile_at({12, 9}), 3);
   EXPECT_EQ(tile_at({13, 9}), 0);
@@ -57,11 +57,11 @@ TEST_F(UiEdit, PickedTilesAreSelectedOnTheSheet) {
   key(kKeyF3);
   key('i');
   drag(on_map({11, 8}), on_map({13, 8}));
-  EXPECT_EQ(session().choices().stamp.tiles, (std::vector<TileNumber>{4, 5, 6}));
+  EXPECT_EQ(session().choices().stamp.tiles, (std::vector<MapCell>{4, 5, 6}));
   EXPECT_EQ(session().choices().area.tiles, (CellRect{4, 0, 3, 1}));
   key('i');
   drag(on_map({13, 8}), on_map({14, 8}));  // tiles 6 and 0 are apart on the sheet
-  EXPECT_EQ(session().choices().stamp.tiles, (std::vector<TileNumber>{6, 0}));
+  EXPECT_EQ(session().choices().stamp.tiles, (std::vector<MapCell>{6, 0}));
   EXPECT_EQ(session().choices().area.tiles, (CellRect{6, 0, 1, 1}));
 }
 
@@ -71,7 +71,7 @@ TEST_F(UiEdit, SpritesSheetLeavesTheStamp) {
   frames(2);
   click(on_sheet(40));
   EXPECT_EQ(session().choices().area.sheet, SheetId::sprites);
-  EXPECT_EQ(session().choices().stamp.tiles, std::vector<TileNumber>{3});
+  EXPECT_EQ(session().choices().stamp.tiles, std::vector<MapCell>{3});
   EXPECT_NE(find("status/stamp"), nullptr) << "the picture of what is painted";
   EXPECT_EQ(number_on_screen(SheetId::sprites, 40), 296);
   EXPECT_EQ(number_on_screen(SheetId::tiles, 40), 40);
@@ -89,7 +89,7 @@ TEST_F(UiEdit, MapToolsByTheirKeys) {
   EXPECT_EQ(tile_at({3, 2}), 0);
   key('i');
   drag(on_map({2, 2}), on_map({3, 2}));
-  EXPECT_EQ(session().choices().stamp.tiles, (std::vector<TileNumber>{1, 0}));
+  EXPECT_EQ(session().choices().stamp.tiles, (std::vector<MapCell>{1, 0}));
   EXPECT_EQ(session().choices().map_tool, MapTool::stamp);
   key('4');
   click(on_sheet(6));

@@ -233,7 +233,7 @@ TEST_F(UiExport, ALongPreviewShowsItsShareAndCanBeCancelled) {
   Level large = test_level();
   large.map = TileMap(3000, 3000);
   std::uint32_t n = 0;  // noise has a long outline
-  for (TileNumber& cell : large.map.cells()) cell = n++ * 2654435761u >> 31 == 0 ? 1 : 0;
+  for (TileNumber& cell : large.map.cells().tiles()) cell = n++ * 2654435761u >> 31 == 0 ? 1 : 0;
   large.exports.push_back({"data", "json", "out/data.json", "", false, ""});
   ASSERT_TRUE(save_level(large, *find_format("native"), path("large.talus.json")));
   start(path("large.talus.json"));
@@ -281,7 +281,7 @@ TEST_F(UiExport, TheMessageAndTheTooltipsOfButtonsCoverNoControl) {
 TEST_F(UiExport, ALongExportCanBeCancelled) {
   Level large = test_level();
   large.map = TileMap(1024, 1024);
-  for (TileNumber& cell : large.map.cells()) cell = 200;  // much to write, but no ground
+  for (TileNumber& cell : large.map.cells().tiles()) cell = 200;  // much to write, but no ground
   for (std::size_t i = 0; i < kMaxExports; ++i)
     large.exports.push_back({"copy", "native", "out/" + std::to_string(i) + ".talus.json", "", false, ""});
   ASSERT_TRUE(save_level(large, *find_format("native"), path("large.talus.json")));

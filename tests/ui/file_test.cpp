@@ -235,6 +235,7 @@ TEST_F(UiFile, SettingsAreRememberedBetweenStarts) {
   EXPECT_EQ(app().ui().view.window.tabs, (std::vector<std::string>{"flags", "tuning", "history"}));
   EXPECT_EQ(app().ui().view.files.recent_files,
             (std::vector<std::string>{path("level.talus.json"), path("second.talus.json")}));
+  EXPECT_EQ(app().ui().view.files.recent_pictures.size(), 2u) << "of both levels";
   click("menu/File");
   frames(2);
   click("menu/recent");

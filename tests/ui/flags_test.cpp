@@ -12,7 +12,7 @@ class UiFlags : public UiTest {
     UiTest::SetUp();
     start();
   }
-  std::uint8_t flags_of(int tile) { return level().tile_flags(static_cast<TileNumber>(tile)); }
+  FlagSet flags_of(int tile) { return level().tile_flags(static_cast<TileNumber>(tile)); }
   std::size_t edits() { return session().history().edits().size(); }
   void choose_tint(int item) {
     click("canvas/flag_tint");
@@ -51,7 +51,7 @@ TEST_F(UiFlags, AnEmptyByteChangesNothingAndSaysSo) {
   key(kReturn);
   EXPECT_EQ(flags_of(1), 1);
   ASSERT_TRUE(session().message());
-  EXPECT_EQ(session().message()->text, "\"\" is not a byte of flags: type two hexadecimal digits, 00 to ff.");
+  EXPECT_EQ(session().message()->text, "\"\" is no number of flags: type two hexadecimal digits, 00 to ff.");
 }
 
 TEST_F(UiFlags, TheBrushSetsAndClearsOnTheSheet) {

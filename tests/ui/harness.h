@@ -49,7 +49,7 @@ class UiTest : public ::testing::Test {
   App& app() { return *app_; }
   Session& session() { return app_->session(); }
   const Level& level() { return session().level(); }
-  TileNumber tile_at(Cell cell) { return level().map.at(cell); }
+  TileNumber tile_at(Cell cell) { return level().map.tile_at(cell); }
   const Body& ball() { return session().state().bodies.at(0); }
 
   // Lets `count` frames of 1/60 s pass, and more while events wait.

@@ -3,6 +3,7 @@
 #include "golden_harness.h"
 #include "harness.h"
 #include "overlay/overlay.h"
+#include "unit/pictured_level.h"
 
 namespace talus::layers_ui_test {
 
@@ -17,7 +18,7 @@ Level layered_level(Level level) {
   const auto with = [&](Cell cell, TileNumber tile) {
     std::vector<TileNumber> cells = empty;
     cells[static_cast<std::size_t>(cell.y) * level.map.width() + cell.x] = tile;
-    return std::make_shared<const std::vector<TileNumber>>(std::move(cells));
+    return std::make_shared<const MapCells>(std::move(cells));
   };
   level.layers.list = {{.name = "back", .is_ground = false, .cells = with({10, 5}, 1)},
                        {.name = "middle"},
@@ -48,7 +49,7 @@ class UiLayers : public UiTest {
     return text;
   }
   TileNumber tile_in(int index, Cell cell) {
-    return level().cells_of(index)[static_cast<std::size_t>(cell.y) * level().map.width() + cell.x];
+    return level().cells_of(index).tiles()[static_cast<std::size_t>(cell.y) * level().map.width() + cell.x];
   }
   ImVec2 row(int index) { return centre("layers/" + std::to_string(index)); }
   std::string mark(int index, const std::string& name) {
@@ -118,7 +119,7 @@ TEST_F(UiLayers, AreDrawnFarAway) {
   large.map = TileMap(2000, 1500);
   std::vector<TileNumber> front(large.map.cells().size());
   std::fill(front.begin(), front.begin() + static_cast<std::ptrdiff_t>(front.size() / 2), TileNumber{1});
-  large.layers.list = {{}, {.cells = std::make_shared<const std::vector<TileNumber>>(std::move(front))}};
+  large.layers.list = {{}, {.cells = std::make_shared<const MapCells>(std::move(front))}};
   ASSERT_TRUE(save_level(large, *find_format("native"), file));
   start(file);
   ASSERT_TRUE(frames_until([&] { return level().map.width() == 2000; }));
@@ -201,9 +202,96 @@ TEST_F(UiLayers, ObjectsHaveRowsWithMarks) {
   EXPECT_GT(session().scene().ground_lines, 0u);
   click("layers/objects/0/eye");
   EXPECT_FALSE(level().objects[0].visible);
+  click("layers/objects/0/lock");
+  EXPECT_TRUE(level().objects[0].locked);
+  key(ctrl('z'));
   key(ctrl('z'));
   key(ctrl('z'));
   EXPECT_FALSE(level().objects[0].is_ground);
+}
+
+TEST_F(UiLayers, FlagsAreFoundInAllOfThemOrInTheChosenOne) {
+  session().apply(action::SetFlagOverlay{pattern_of_flag(0)});
+  move({2, 2});
+  frames(2);
+  key(ctrl('g'));
+  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{10, 5})) << "in the layer at the back";
+  key(ctrl('g'));
+  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{0, 16}));
+  click("tabs/flag_search");
+  frames(2);
+  click("flag_search/chosen_layer");
+  frames(2);
+  key(ctrl_shift('g'));
+  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{29, 16})) << "around the end";
+}
+
+// The fields are about the layer that was chosen last, of either kind.
+TEST_F(UiLayers, LooksOfObjectsAndPicturesAreTypedAndUndone) {
+  Level with = level();
+  ObjectLayer sky{.name = "sky"};
+  sky.image = LayerImage{.path = "sky.png", .part = plain_part(16, 16, with.palette[9])};
+  with.objects = {{.name = "walls"}, sky};
+  const std::string file = path("looks.talus.json");
+  ASSERT_TRUE(save_level(with, *find_format("native"), file));
+  session().apply(action::OpenFile{file});
+  frames(3);
+  const auto put = [&](const std::string& field, const std::string& text) {
+    const ImVec2 at = centre("layers/" + field);
+    click(at);
+    click(at);
+    key(ctrl('a'));
+    type(text);
+    key(KeyChord{'\r'});
+    frames(2);
+  };
+  click("layers/objects/1");
+  frames(2);
+  put("offset_x", "80");
+  put("offset_y", "40");
+  move(centre("layers/offset_x"));
+  wheel(-9);  // the panel is low
+  frames(2);
+  put("parallax_x", "0.5");
+  EXPECT_EQ(level().objects[1].offset, (Vec2{80, 40}));
+  EXPECT_EQ(level().objects[1].parallax, (Vec2{0.5, 1}));
+  EXPECT_EQ(label(), "Change a layer's parallax");
+  EXPECT_EQ(color_at(upper("map")), 9) << "the picture is drawn there now";
+  move(centre("layers/offset_x"));
+  wheel(9);
+  frames(2);
+  click("layers/objects/0");
+  frames(2);
+  put("offset_x", "3");
+  EXPECT_EQ(level().objects[0].offset, (Vec2{3, 0}));
+  EXPECT_EQ(level().objects[1].offset, (Vec2{80, 40}));
+  click("layers/" + std::to_string(kFront));
+  frames(2);
+  put("offset_x", "5");
+  EXPECT_EQ(layer(kFront).offset, (Vec2{5, 0}));
+  EXPECT_EQ(level().objects[0].offset, (Vec2{3, 0}));
+  for (int i = 0; i < 5; ++i) key(ctrl('z'));
+  EXPECT_EQ(level().objects, with.objects);
+  EXPECT_EQ(layer(kFront).offset, Vec2());
+}
+
+TEST_F(UiLayers, PicturesAreDrawnInTheirOrder) {
+  Level with = level();
+  ObjectLayer sky{.name = "sky", .offset = {80, 40}};
+  sky.image = LayerImage{.path = "sky.png", .part = plain_part(16, 16, with.palette[9])};
+  with.objects = {sky};
+  const std::string file = path("pictures.talus.json");
+  ASSERT_TRUE(save_level(with, *find_format("native"), file));
+  session().apply(action::OpenFile{file});
+  frames(3);
+  EXPECT_EQ(color_at(upper("map")), 9);
+  EXPECT_EQ(color_at(upper("play")), 9);
+  session().apply(action::EditLevel{move_in_order(level(), 3, 0)});
+  frames(2);
+  EXPECT_EQ(level().objects[0].place, 0);
+  EXPECT_EQ(label(), "Move layer");
+  EXPECT_EQ(color_at(upper("map")), 13) << "it is behind the tiles";
+  EXPECT_EQ(color_at(on_canvas("map", {90, 50})), 9);
 }
 
 TEST_F(UiLayers, AnimatedTilesPlay) {

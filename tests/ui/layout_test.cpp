@@ -264,7 +264,7 @@ TEST_F(UiKeys, TintListShowsEveryFlag) {
   start();
   click("canvas/flag_tint");
   frames(2);
-  for (int flag = 0; flag < kFlagCount; ++flag) {
+  for (int flag = 0; flag < kCartFlags; ++flag) {
     const Widget* row = find("canvas/flag_tint" + std::to_string(flag));
     ASSERT_NE(row, nullptr) << flag;
     EXPECT_LE(row->max.y, row->clip_max.y) << flag;

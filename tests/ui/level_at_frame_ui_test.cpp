@@ -24,7 +24,7 @@ class UiLevelAtFrame : public DebuggerTest {
   }
   Rgb color_in(const std::string& canvas, Cell cell) { return color_at(middle_of(canvas, cell)); }
   void paint(Cell cell, int w = 1, int h = 1) {
-    const Stamp solid{w, h, std::vector<TileNumber>(static_cast<std::size_t>(w * h), 1)};
+    const Stamp solid{w, h, std::vector<MapCell>(static_cast<std::size_t>(w * h), 1)};
     session().apply(action::EditLevel{paint_stamp(level(), cell, solid)});
     frames(2);
   }

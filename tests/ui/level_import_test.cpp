@@ -73,7 +73,7 @@ TEST_F(UiLevelImport, TheLayerIsChosenByKeys) {
   EXPECT_EQ(find("choose/open"), nullptr);
   EXPECT_EQ(level().map.width(), 3);
   EXPECT_EQ(tile_at({1, 0}), 1);
-  EXPECT_EQ(tile_at({0, 0}), 2) << "a tile of its own for the mirrored one";
+  EXPECT_EQ(level().map.at({0, 0}), MapCell(1, TileTurn::left_right));
 }
 
 TEST_F(UiLevelImport, EnterAcceptsTheProposal) {
@@ -155,11 +155,16 @@ TEST_F(UiLdtkImport, ValuesAreMappedAndMappedAgain) {
   click("choose/open");
   frames(3);
   EXPECT_EQ(shape_of_tile(level(), 1).heights, (std::vector<double>{0, 8}));
+  EXPECT_FALSE(session().modified());
+  session().apply(action::OpenFile{path("one.ldtk")});
+  frames(3);
+  EXPECT_EQ(find("choose/open"), nullptr) << "the mapping is remembered without saving";
+  EXPECT_EQ(shape_of_tile(level(), 1).heights, (std::vector<double>{0, 8}));
   session().apply(action::SaveFile{});
   frames(2);
   session().apply(action::OpenFile{path("one.ldtk")});
   frames(3);
-  EXPECT_EQ(find("choose/open"), nullptr) << "the mapping is remembered";
+  EXPECT_EQ(find("choose/open"), nullptr) << "the mapping is remembered beside the project";
   EXPECT_EQ(shape_of_tile(level(), 1).heights, (std::vector<double>{0, 8}));
   session().apply(action::EditLevel{{"Paint", {CellChange{{1, 0}, 0, 1}}}});
   session().apply(action::AskLdtkMapping{});

@@ -72,7 +72,7 @@ class UiLongText : public UiTest, public ::testing::WithParamInterface<std::tupl
     curve.name = text();
     curve.curve.form = Segment{{20, 100}, {60, 80}};
     level.curves = {curve, curve};
-    const auto cells = std::make_shared<const std::vector<TileNumber>>(level.map.cells().size());
+    const auto cells = std::make_shared<const MapCells>(level.map.cells().size());
     level.layers.list = {{.name = text()}, {.name = text(), .cells = cells}};
     level.brushes.resize(500, Brush{text().substr(0, kMaxBrushName), 1, 1, {1}, false, {}});
     const std::string part = text().substr(0, kMaxExportText);
@@ -109,8 +109,8 @@ class UiLongText : public UiTest, public ::testing::WithParamInterface<std::tupl
     app().ui().view.window.dock_open = true;
     frames(2);
     for (const char* tab :
-         {"tabs/inspector", "tabs/why", "tabs/shape", "tabs/tuning", "tabs/brushes", "tabs/problems",
-          "tabs/history", "tabs/flag_search", "tabs/layers", "tabs/input_roll", "tabs/plots",
+         {"tabs/inspector", "tabs/why", "tabs/shape", "tabs/tile", "tabs/tuning", "tabs/brushes",
+          "tabs/problems", "tabs/history", "tabs/flag_search", "tabs/layers", "tabs/input_roll", "tabs/plots",
           "tabs/breakpoints", "tabs/compare", "tabs/reach"}) {
       click(tab);
       look(tab);

@@ -133,7 +133,7 @@ TEST_F(UiProblems, FurtherFixesAreInTheMenuOfTheRow) {
 TEST_F(UiProblems, TheProgressOnALargeLevelIsShown) {
   Level level = test_level();
   level.map = TileMap(2048, 512);
-  for (std::size_t i = 0; i < level.map.cells().size(); i += 30) level.map.cells()[i] = 3;
+  for (std::size_t i = 0; i < level.map.cells().size(); i += 30) level.map.cells().tiles()[i] = 3;
   const std::string file = path("large.talus.json");
   ASSERT_TRUE(save_level(level, *format_for_file(file), file));
   start(file);

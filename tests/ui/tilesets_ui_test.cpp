@@ -38,7 +38,7 @@ TEST_F(UiTilesets, ATabShowsOneAloneAndItsTilesArePainted) {
   click("sheet/tileset1");
   frames(2);
   drag(in_tab({0, 0}, 20), in_tab({1, 1}, 20));
-  EXPECT_EQ(session().choices().stamp.tiles, (std::vector<TileNumber>{200, 201, 220, 221}));
+  EXPECT_EQ(session().choices().stamp.tiles, (std::vector<MapCell>{200, 201, 220, 221}));
   click("sheet/tileset-1");
   frames(2);
   click(on_sheet(15));

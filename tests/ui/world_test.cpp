@@ -14,7 +14,7 @@ class UiWorld : public UiTest {
     Level large = test_level();
     large.map = TileMap(width, height);
     std::uint32_t bits = 1;
-    for (TileNumber& cell : large.map.cells()) {
+    for (TileNumber& cell : large.map.cells().tiles()) {
       bits = bits * 1664525u + 1013904223u;
       cell = bits >> 30 == 0 ? 1 : 0;
     }

@@ -53,7 +53,7 @@ GroundRows ground_rows(const TileMap& map) {
   GroundRows rows(static_cast<std::size_t>(map.height()));
   for (Cell c{0, 0}; c.y < map.height(); ++c.y) {
     for (c.x = 0; c.x < map.width(); ++c.x) {
-      const std::size_t tile = map.at(c);
+      const std::size_t tile = map.tile_at(c);
       rows[static_cast<std::size_t>(c.y)] += tile == 0 ? '.' : tile == 200 ? 'x' : kPartLetters[tile - 1];
     }
   }
@@ -228,7 +228,7 @@ TEST(AutoTile, CellsOutsideTheSelectionStay) {
   Level level = ground_level({".....", "..#..", "....."});
   const CellRect selection{1, 0, 2, 2};
   apply_edit(level, paint_ground(level, {0, 0}, {4, 0}, GroundChange::add, selection));
-  EXPECT_EQ(level.map.at({0, 0}) + level.map.at({3, 0}) + level.map.at({4, 0}), 0);
+  EXPECT_EQ(level.map.tile_at({0, 0}) + level.map.tile_at({3, 0}) + level.map.tile_at({4, 0}), 0);
   EXPECT_NE(level.map.at({1, 0}), 0);
   EXPECT_NE(level.map.at({2, 0}), 0);
   level = ground_level({"r=7", "[#]", "L_J"});
@@ -265,7 +265,7 @@ RC_GTEST_PROP(AutoTileProperty, TheOrderOfPaintingDoesNotMatter, ()) {
   apply_edit(second, fill_ground(second, {0, 0, width, height}, GroundChange::add));
   for (Cell c{0, 0}; c.y < height; ++c.y) {
     for (c.x = 0; c.x < width; ++c.x)
-      if (first.map.at(c) == 0) apply_edit(second, paint_ground(second, c, c, GroundChange::remove));
+      if (first.map.tile_at(c) == 0) apply_edit(second, paint_ground(second, c, c, GroundChange::remove));
   }
   RC_ASSERT(ground_rows(first.map) == ground_rows(second.map));
 }
@@ -278,7 +278,7 @@ void draw_tile(Level& level, TileNumber tile, const std::vector<std::string>& ro
     image[i] = static_cast<std::uint8_t>(rows[i / kCartTileSize][i % kCartTileSize] - '0');
 }
 
-constexpr std::uint8_t kSolidFlag = 1, kUpFlag = 4, kDownFlag = 8;
+constexpr FlagSet kSolidFlag = 1, kUpFlag = 4, kDownFlag = 8;
 
 // A sheet of brown ground (3) with grass (5) and dark sides (1), and grey rock (7) that comes first.
 Level sheet_of_ground() {

@@ -21,7 +21,7 @@ class AutosaveTest : public FolderTest {
  protected:
   std::string folder() const { return path("state"); }
   static void paint(Session& session, TileNumber tile) {
-    Edit edit{"Paint", {CellChange{{1, 1}, session.level().map.at({1, 1}), tile}}};
+    Edit edit{"Paint", {CellChange{{1, 1}, session.level().map.tile_at({1, 1}), tile}}};
     session.apply(action::EditLevel{edit});
   }
   int files() const {

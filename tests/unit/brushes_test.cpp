@@ -22,7 +22,7 @@ TEST(RandomTile, IsTheSameForACellAndASeed) {
   EXPECT_EQ(random_tile(kFour, {3, 4}, 1), random_tile(kFour, {3, 4}, 1));
   EXPECT_EQ(random_tile({1, 1, {5}}, {3, 4}, 1), 5);
   std::vector<int> row;
-  for (int x = 0; x < 8; ++x) row.push_back(random_tile(kFour, {x, 0}, 1));
+  for (int x = 0; x < 8; ++x) row.push_back(random_tile(kFour, {x, 0}, 1).tile);
   EXPECT_EQ(row, (std::vector<int>{8, 10, 10, 9, 9, 8, 7, 10})) << "files and tests rely on the very tiles";
 }
 
@@ -31,7 +31,7 @@ TEST(RandomTile, TakesEachTileEquallyOften) {
   int unlike_the_next_seed = 0;
   for (int y = 0; y < 100; ++y) {
     for (int x = 0; x < 100; ++x) {
-      ++counts[static_cast<std::size_t>(random_tile(kFour, {x, y}, 1) - 7)];
+      ++counts[static_cast<std::size_t>(random_tile(kFour, {x, y}, 1).tile - 7)];
       unlike_the_next_seed += random_tile(kFour, {x, y}, 1) != random_tile(kFour, {x, y}, 2) ? 1 : 0;
     }
   }
@@ -43,14 +43,14 @@ TEST(RandomTile, AStrokeStaysInsideTheSelection) {
   Level level = empty_map(6, 3);
   apply_edit(level, paint_random_stroke(level, {0, 1}, {5, 1}, kFour, 1, CellRect{2, 0, 2, 3}));
   for (int x = 0; x < 6; ++x)
-    EXPECT_EQ(level.map.at({x, 1}), x == 2 || x == 3 ? random_tile(kFour, {x, 1}, 1) : 0) << x;
+    EXPECT_EQ(level.map.tile_at({x, 1}), x == 2 || x == 3 ? random_tile(kFour, {x, 1}, 1) : 0) << x;
 }
 
 TEST(RandomTile, AStrokePaintsEachCellOnceAndUndoesExactly) {
   Level level = empty_map(6, 3);
   const Edit edit = paint_random_stroke(level, {0, 1}, {9, 1}, kFour, 1);
   apply_edit(level, edit);
-  for (int x = 0; x < 6; ++x) EXPECT_EQ(level.map.at({x, 1}), random_tile(kFour, {x, 1}, 1));
+  for (int x = 0; x < 6; ++x) EXPECT_EQ(level.map.tile_at({x, 1}), random_tile(kFour, {x, 1}, 1));
   EXPECT_EQ(level.map.at({0, 0}), 0);
   EXPECT_TRUE(paint_random_stroke(level, {5, 1}, {0, 1}, kFour, 1).empty()) << "the same tiles again";
   revert_edit(level, edit);
@@ -61,7 +61,7 @@ TEST(RandomTile, ARectangleIsFilledAndCutAtTheMap) {
   Level level = empty_map(3, 3);
   apply_edit(level, fill_rect_at_random(level, {1, 1, 50, 50}, kFour, 9));
   EXPECT_EQ(level.map.at({0, 1}), 0);
-  EXPECT_EQ(level.map.at({2, 2}), random_tile(kFour, {2, 2}, 9));
+  EXPECT_EQ(level.map.tile_at({2, 2}), random_tile(kFour, {2, 2}, 9));
   EXPECT_TRUE(fill_rect_at_random(level, {3, 0, 2, 2}, kFour, 9).empty());
 }
 
@@ -72,7 +72,7 @@ TEST(Brushes, AStampComesBackAsItWas) {
 }
 
 TEST(Brushes, AHugeStampIsCutToTheLimit) {
-  Stamp stamp{300, 2, std::vector<TileNumber>(600, 1)};
+  Stamp stamp{300, 2, std::vector<MapCell>(600, 1)};
   stamp.tiles[300] = 2;
   const Brush brush = brush_of_stamp(stamp, "", false);
   EXPECT_EQ(brush.w, kMaxBrushSide);

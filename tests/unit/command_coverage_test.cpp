@@ -77,6 +77,8 @@ const std::map<std::string, std::string> kCommandOfAction = {
     {"SelectSpawn", "bodies/next"},
     {"SelectCurve", "curves/next"},
     {"SetCurveKind", "map/curve_arc"},
+    {"SelectObject", "objects/next"},
+    {"SetObjectKind", "map/object_ellipse"},
     {"SelectTiles", "sheet/right"},
     {"SetStamp", "brushes/next"},
     {"SetRandomStamp", "map/random"},
@@ -90,6 +92,7 @@ const std::map<std::string, std::string> kCommandOfAction = {
     {"TurnPixels", "pixels/flip_h"},
     {"PastePixels", "pixels/paste"},
     {"SetColor", "palette/next"},
+    {"SetRgba", "palette/next"},
     {"SetOverlay", "overlay/boxes"},
     {"SetFlagOverlay", "flags/tint0"},
     {"SetOverlayPalette", "view/safe_colours"},
@@ -165,7 +168,7 @@ TEST(CommandCoverage, EveryActionHasACommandOrAReason) {
 TEST(CommandCoverage, EveryTabHasACommand) {
   const std::vector<std::string> tabs = tab_ids();
   for (const std::string& panel : tabs) EXPECT_TRUE(is_command("tabs/" + panel)) << panel;
-  EXPECT_EQ(tabs.size(), 16u);
+  EXPECT_EQ(tabs.size(), 17u);
 }
 
 TEST(CommandCoverage, CommandsHaveUniqueIdsAndHelp) {

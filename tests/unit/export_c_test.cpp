@@ -152,7 +152,7 @@ TEST_F(ExportCFloors, AreWithinA256thOnRandomGround) {
   int floors = 0;
   for (int round = 0; round < 5; ++round) {
     Level level = level_of_shapes(std::vector<std::string>(12, std::string(16, '.')));
-    for (TileNumber& cell : level.map.cells())
+    for (TileNumber& cell : level.map.cells().tiles())
       if (dice.one_in(4)) cell = static_cast<std::uint8_t>(dice.up_to(12));
     std::vector<Vec2> points;
     for (int i = 0; i < 1000; ++i)

@@ -3,6 +3,7 @@
 
 #include "export/exporter.h"
 #include "formats/files/atomic_file.h"
+#include "level/layer_tree.h"
 
 namespace talus::export_layers_test {
 
@@ -19,10 +20,10 @@ Level three_layers() {
   level.map = TileMap(2, 1);
   level.tile_shapes[kBlock] = {.kind = TileShape::Kind::solid};
   level.tile_shapes[kRamp] = {.kind = TileShape::Kind::slope, .heights = {0, 8}};
-  level.map.cells() = {kHillPicture, kHillPicture};
+  level.map.cells().tiles() = {kHillPicture, kHillPicture};
   const auto layer = [&](const char* name, std::vector<TileNumber> cells) {
     TileLayer made{.name = name};
-    made.cells = std::make_shared<const std::vector<TileNumber>>(std::move(cells));
+    made.cells = std::make_shared<const MapCells>(std::move(cells));
     level.layers.list.push_back(std::move(made));
   };
   level.layers.list.front().name = "hills";
@@ -79,7 +80,7 @@ TEST(ExportLayers, StiHasThemAsLayers) {
 // The plugin for bump.lua would let a tile of any layer collide.
 TEST(ExportLayers, StiDoesNotCollideWithWhatIsOnlyDrawn) {
   Level level = three_layers();
-  level.map.cells() = {kBlock, kHillPicture};
+  level.map.cells().tiles() = {kBlock, kHillPicture};
   const std::string map = exported(level, "sti").files.front().bytes;
   const auto layers = map.find("layers = {");
   ASSERT_NE(layers, map.npos);
@@ -91,10 +92,24 @@ TEST(ExportLayers, ABodyInACellWithGroundIsSaidToBeLost) {
   Level level = three_layers();
   constexpr TileNumber kBall = 4;
   level.sheet(SheetId::tiles).flags[kBall] = static_cast<std::uint8_t>(1 << level.roles.ball);
-  level.layers.list[2].cells =
-      std::make_shared<const std::vector<TileNumber>>(std::vector<TileNumber>{0, kBall});
+  level.layers.list[2].cells = std::make_shared<const MapCells>(std::vector<TileNumber>{0, kBall});
   EXPECT_THAT(exported(level, "love").dropped,
               testing::ElementsAre("1 body in cells that have ground in another layer"));
+}
+
+TEST(ExportLayers, GroupsAreJoinedWithTheirLayers) {
+  Level level = three_layers();
+  level.layers.groups = {{.name = "far", .opacity = 0.5, .offset = {3, 4}, .tint = {0, 255, 128}}};
+  level.layers.list[0].group = level.layers.list[1].group = 0;
+  const Level flat = without_groups(level);
+  EXPECT_EQ(flat.layers.list[0].opacity, 0.125);
+  for (const Exporter& exporter : exporters()) {
+    if (exporter.takes_groups) continue;
+    const Exported with = exported(level, exporter.id), without = exported(flat, exporter.id);
+    ASSERT_EQ(with.files.size(), without.files.size()) << exporter.id;
+    for (std::size_t i = 0; i < with.files.size(); ++i)
+      EXPECT_EQ(with.files[i].bytes, without.files[i].bytes) << exporter.id << " " << with.files[i].name;
+  }
 }
 
 }  // namespace talus::export_layers_test

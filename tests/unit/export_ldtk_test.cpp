@@ -27,7 +27,7 @@ LdtkJson project(const Level& level) { return LdtkJson::parse(exported(level).fi
 Level small_level() {
   Level level;
   level.map = TileMap(3, 2);
-  level.map.cells() = {1, 2, 0, 5, 3, 4};
+  level.map.cells().tiles() = {1, 2, 0, 5, 3, 4};
   level.sheet(SheetId::tiles).flags[1] = 1;
   level.sheet(SheetId::tiles).flags[4] = 2;
   for (const int tile : {2, 3})
@@ -94,10 +94,10 @@ TEST(ExportLdtk, AnIntGridTellsTheShapes) {
 TEST(ExportLdtk, EveryCellThatAShapeReachesIntoHasAValue) {
   Level level = small_level();
   level.map = TileMap(3, 4);
-  level.map.cells() = {0, 0, 0,  //
-                       7, 0, 0,  //
-                       0, 0, 1,  //
-                       6, 0, 0};
+  level.map.cells().tiles() = {0, 0, 0,  //
+                               7, 0, 0,  //
+                               0, 0, 1,  //
+                               6, 0, 0};
   level.tile_shapes[6] = {.kind = TileShape::Kind::slope, .tiles = 3, .heights = {0, 24}};
   level.tile_shapes[7] = {.kind = TileShape::Kind::profile,
                           .side = TileShape::Side::ceiling,
@@ -141,7 +141,7 @@ TEST(ExportLdtk, TilesAreAtTheirPlacesOnTheMap) {
   EXPECT_EQ(layer["gridTiles"][0].dump(), R"({"a":1,"d":[0],"f":0,"px":[0,0],"src":[8,0],"t":1})");
   Level drawn = small_level();
   drawn.sheet(SheetId::tiles).images[0][3] = 7;
-  drawn.map.cells()[5] = 255;
+  drawn.map.cells().tiles()[5] = 255;
   drawn.sheet(SheetId::tiles).flags[255] = 128;
   const LdtkJson tiles = project(drawn)["levels"][0]["layerInstances"][2]["gridTiles"];
   ASSERT_EQ(tiles.size(), 3U);

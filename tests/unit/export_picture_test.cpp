@@ -6,6 +6,7 @@
 
 #include "folder_test.h"
 #include "formats/pictures/png_picture.h"
+#include "pictured_level.h"
 #include "unit/exported_level.h"
 #include "unit/program_output.h"
 
@@ -25,10 +26,45 @@ TEST(ExportPng, IsTheMapInItsColours) {
   ASSERT_EQ(picture->height, 24);
   for (int y = 0; y < 24; ++y) {
     for (int x = 0; x < 16; ++x) {
-      const TileNumber tile = level.map.at({x / 8, y / 8});
+      const TileNumber tile = level.map.tile_at({x / 8, y / 8});
       EXPECT_EQ(picture->at(x, y), level.palette[tiles.images[tile][y % 8 * 8 + x % 8]]) << x << "," << y;
     }
   }
+}
+
+TEST(ExportPng, ShowsAllLayersInTheirOrder) {
+  Level level = pictured_level();
+  const auto color_at = [&](int x, int y) {
+    const auto picture = read_png(exported_file("png", level));
+    EXPECT_TRUE(picture) << picture.error().message;
+    return picture ? picture->at(x, y) : Rgb();
+  };
+  EXPECT_EQ(color_at(8, 8), kTree) << "the upper half of the tree is above its cell";
+  EXPECT_EQ(color_at(15, 23), kTree);
+  EXPECT_EQ(color_at(8, 7), level.palette[0]);
+  EXPECT_EQ(color_at(5, 5), kSky);
+  EXPECT_EQ(color_at(6, 5), level.palette[0]);
+  EXPECT_EQ(color_at(16, 7), kRock) << "which is scaled";
+  EXPECT_EQ(color_at(23, 0), kRock);
+  level.objects[0].image->repeats_x = true;
+  EXPECT_EQ(color_at(0, 4), kSky);
+  level.objects[0].offset = {8, 20};
+  EXPECT_EQ(color_at(12, 20), kTree) << "the sky is behind it";
+  level.objects[0].place = 1;
+  EXPECT_EQ(color_at(12, 20), kSky);
+  level.objects[1].visible = false;
+  EXPECT_EQ(color_at(16, 7), level.palette[0]);
+}
+
+// Two trees, of which the one that is drawn later covers the other.
+TEST(ExportPng, LargeTilesLieOverOneAnotherInOrder) {
+  Level level = pictured_level();
+  level.large_tiles[2] = {plain_part(16, 8, kRock), {16, 8}};
+  level.map.set({0, 2}, 2);
+  const auto color_at = [&](int x, int y) { return read_png(exported_file("png", level))->at(x, y); };
+  EXPECT_EQ(color_at(12, 20), kTree);
+  level.layers.order = RenderOrder::left_down;
+  EXPECT_EQ(color_at(12, 20), kRock);
 }
 
 TEST(ExportPng, ALargeMapIsRefused) {

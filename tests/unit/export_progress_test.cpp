@@ -21,7 +21,7 @@ Level busy_level() {
   level.tile_shapes[2] = {TileShape::Kind::slope, TileShape::Side::floor, false, 1, {0, 8}};
   level.tile_shapes[3] = {TileShape::Kind::slope, TileShape::Side::floor, true, 1, {8, 8}};
   std::size_t i = 0;
-  for (TileNumber& cell : level.map.cells()) cell = static_cast<TileNumber>(i++ * 7 % 11 % 4);
+  for (TileNumber& cell : level.map.cells().tiles()) cell = static_cast<TileNumber>(i++ * 7 % 11 % 4);
   return level;
 }
 

@@ -95,7 +95,7 @@ TEST(ExportSti, FullTilesAreCollidableAndKeepTheirFlags) {
 TEST(ExportSti, ALongLayerIsInParts) {
   Level level = level_with({.kind = TileShape::Kind::slope, .heights = {0, 8}}, {2}, 1);
   level.map = TileMap(100, 100);
-  std::fill(level.map.cells().begin(), level.map.cells().end(), TileNumber{2});
+  std::fill(level.map.cells().tiles().begin(), level.map.cells().tiles().end(), TileNumber{2});
   const std::string lua = sti_of(level);
   EXPECT_TRUE(lua.starts_with("local function join(parts)"));
   EXPECT_EQ(slopes_of(lua).size(), 10'000U);
@@ -106,7 +106,7 @@ TEST(ExportSti, MoreThanAMillionBoxesAreRefused) {
   Level level =
       level_with({.kind = TileShape::Kind::profile, .heights = {0, 8, 0, 8, 0, 8, 0, 8, 0}}, {2}, 1);
   level.map = TileMap(400, 400);
-  std::fill(level.map.cells().begin(), level.map.cells().end(), TileNumber{2});
+  std::fill(level.map.cells().tiles().begin(), level.map.cells().tiles().end(), TileNumber{2});
   const ReadAsset no_asset;
   const auto exported = find_exporter("sti")->write({level, "a.lua", no_asset});
   ASSERT_FALSE(exported);

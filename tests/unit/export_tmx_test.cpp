@@ -8,7 +8,7 @@ namespace talus::export_tmx_test {
 Level small_level() {
   Level level;
   level.map = TileMap(2, 2);
-  level.map.cells() = {0, 2, 1, 1};
+  level.map.cells().tiles() = {0, 2, 1, 1};
   level.sheet(SheetId::tiles).flags[1] = 1;
   level.tile_shapes[2] = {.kind = TileShape::Kind::slope, .one_way = true, .heights = {0, 7.5}};
   level.spawns.push_back({.name = "<&\"\x01", .position = {0.5, 1}, .velocity = {1, 0}, .extra = ""});
@@ -111,7 +111,7 @@ TEST(ExportTmx, LargeMapsArePackedAndReadAgain) {
   Level level;
   level.map = TileMap(2048, 1024);
   for (std::size_t i = 0; i < level.map.cells().size(); ++i)
-    level.map.cells()[i] = static_cast<TileNumber>(i % 7 * (i % 3));
+    level.map.cells().tiles()[i] = static_cast<TileNumber>(i % 7 * (i % 3));
   for (const std::string to : {"tmx", "tmj"}) {
     const std::string text = tiled_export_of(level, to, "cave." + to).files[0].bytes;
     EXPECT_LT(text.size(), 1'000'000u) << to;

@@ -61,14 +61,15 @@ class ExternalProgramTest : public FolderTest {
     return all;
   }
   void paint(Session& session, TileNumber tile) const {
-    session.apply(action::EditLevel{{"Paint", {CellChange{{0, 0}, session.level().map.at({0, 0}), tile}}}});
+    session.apply(
+        action::EditLevel{{"Paint", {CellChange{{0, 0}, session.level().map.tile_at({0, 0}), tile}}}});
   }
   void save(Session& session) {
     session.apply(action::SaveFile{});
     ASSERT_FALSE(session.modified());
     copies_.follow(session);
   }
-  int first_tile(const std::string& name) const { return load_level(path(name))->level.map.at({0, 0}); }
+  int first_tile(const std::string& name) const { return load_level(path(name))->level.map.tile_at({0, 0}); }
 
   OpenCopies copies_{path("copies")};
 };

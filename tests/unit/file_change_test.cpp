@@ -37,7 +37,7 @@ class FileChangeTest : public FolderTest {
     Edit edit{"Paint", {CellChange{{0, 0}, first_tile(), tile}}};
     session_.apply(action::EditLevel{edit});
   }
-  TileNumber first_tile() const { return session_.level().map.at({0, 0}); }
+  TileNumber first_tile() const { return session_.level().map.tile_at({0, 0}); }
 
   Session session_;
 };

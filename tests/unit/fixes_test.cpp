@@ -24,12 +24,12 @@ Problem first_of(const Level& level, std::string_view code) {
 std::vector<std::string> labels_of(const Level& level, std::string_view code) {
   const Problem problem = first_of(level, code);
   std::vector<std::string> labels;
-  for (const Edit& edit : fixes_for(level, {}, problem)) {
+  for (const Edit& edit : fixes_for(level, level, {}, problem)) {
     labels.push_back(edit.label);
     Level fixed = level;
     apply_edit(fixed, edit);
     EXPECT_LT(lint(fixed).size(), lint(level).size()) << edit.label;
-    EXPECT_THAT(fixes_for(fixed, {}, problem), IsEmpty()) << edit.label;
+    EXPECT_THAT(fixes_for(fixed, fixed, {}, problem), IsEmpty()) << edit.label;
     revert_edit(fixed, edit);
     EXPECT_TRUE(fixed == level) << edit.label;
   }
@@ -71,7 +71,7 @@ TEST(Fixes, FlagsOfSlopes) {
   Level level = slope_level({"o....", "./-..", "#####"});
   level.sheet(SheetId::tiles).flags[kFlaggedHalf] = 4;
   Level fixed = level;
-  const std::vector<Edit> edits = fixes_for(level, {}, first_of(level, "slope-overlap"));
+  const std::vector<Edit> edits = fixes_for(level, level, {}, first_of(level, "slope-overlap"));
   ASSERT_EQ(edits.size(), 1u);
   EXPECT_EQ(edits[0].label, "Clear the up-slope flag of tile 10, the slope's right half");
   apply_edit(fixed, edits[0]);
@@ -80,7 +80,7 @@ TEST(Fixes, FlagsOfSlopes) {
   level = slope_level({"o......", "./-.a..", "#######"});
   level.tile_shapes[kSlopeA] = {};
   level.sheet(SheetId::tiles).images[kSlopeA] = level.sheet(SheetId::tiles).images[kFlaggedSlope];
-  const auto flag = fixes_for(level, {}, first_of(level, "slope-unflagged"));
+  const auto flag = fixes_for(level, level, {}, first_of(level, "slope-unflagged"));
   ASSERT_EQ(flag.size(), 1u);
   EXPECT_EQ(flag[0].label, "Set flag 2, up-slope, of tile 2");
   apply_edit(level, flag[0]);
@@ -104,7 +104,7 @@ TEST(Fixes, SeamsAreFilledOrLevelled) {
 TEST(Fixes, AFixThatBreaksAnotherJoinIsNotOffered) {
   // Raising tile 2 to the wall would make a step to tile 3 beside it.
   const Level level = slope_level({"o........", ".a#..ab#.", "#########"});
-  EXPECT_THAT(fixes_for(level, {}, first_of(level, "seam")), IsEmpty());
+  EXPECT_THAT(fixes_for(level, level, {}, first_of(level, "seam")), IsEmpty());
 }
 
 TEST(Fixes, SteepFloorsAreLowered) {
@@ -125,7 +125,7 @@ TEST(Fixes, TilesAndFlags) {
   level.sheet(SheetId::tiles).images[kSolidSign].fill(0);
   EXPECT_THAT(labels_of(level, "invisible"),
               ElementsAre("Draw tile 1 as what it is", "Clear all flags of tile 1"));
-  apply_edit(level, fixes_for(level, {}, first_of(level, "invisible"))[0]);
+  apply_edit(level, fixes_for(level, level, {}, first_of(level, "invisible"))[0]);
   EXPECT_EQ(level.sheet(SheetId::tiles).images[kSolidSign][63], 15);
 
   level.roles.one_way = 6;
@@ -185,7 +185,7 @@ TEST(Fixes, AllOfAKindAreOneEdit) {
   const Level level = slope_level({"o..........", "./../..e../", "###########"});
   const std::vector<Problem> problems = lint(level);
   int fixed = 0;
-  const Edit edit = fix_all(level, {}, problems, *first_of(level, "slope-half-missing").rule, &fixed);
+  const Edit edit = fix_all(level, level, {}, problems, *first_of(level, "slope-half-missing").rule, &fixed);
   EXPECT_EQ(fixed, 3);
   EXPECT_EQ(edit.label, "Fix 3 problems: slope without its right half");
   EXPECT_EQ(edit.changes.size(), 3u);
@@ -203,7 +203,7 @@ TEST(Fixes, CurvesAreRemovedFromTheLast) {
   Level level = slope_level({"o....", "#####"});
   const LevelCurve bad{"", {Segment{{8, 0}, {0, 8}}, Curve::Faces::up}, ""};
   level.curves = {bad, {"good", {Segment{{0, 0}, {8, 8}}, Curve::Faces::up}, ""}, bad};
-  const Edit edit = fix_all(level, {}, lint(level), *first_of(level, "bad-curve").rule);
+  const Edit edit = fix_all(level, level, {}, lint(level), *first_of(level, "bad-curve").rule);
   apply_edit(level, edit);
   ASSERT_EQ(level.curves.size(), 1u);
   EXPECT_EQ(level.curves[0].name, "good");
@@ -213,7 +213,7 @@ TEST(Fixes, AProblemThatIsGoneIsNotFixed) {
   Level level = slope_level({"o....", "./...", "#####"});
   const Problem problem = first_of(level, "slope-half-missing");
   level.map.set({1, 1}, 0);
-  EXPECT_THAT(fixes_for(level, {}, problem), IsEmpty());
+  EXPECT_THAT(fixes_for(level, level, {}, problem), IsEmpty());
 }
 
 }  // namespace talus::fixes_test

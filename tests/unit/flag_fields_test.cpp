@@ -31,7 +31,7 @@ TEST(FlagField, ReadsItsFlagsAsANumber) {
 TEST(FlagField, SaysWhatIsWrongWithIt) {
   EXPECT_EQ(problem_of(slope_kind()), std::nullopt);
   EXPECT_EQ(problem_of({"", 0, 1, {}, ""}), "must have 2 to 8 bits");
-  EXPECT_EQ(problem_of({"", 6, 3, {}, ""}), "reaches beyond flag 7");
+  EXPECT_EQ(problem_of({"", 30, 3, {}, ""}), "reaches beyond flag 31");
   EXPECT_EQ(problem_of({"", 0, 2, {"a", "b", "c", "d", "e"}, ""}), "has more names than values: 5 for 4");
 }
 
@@ -41,7 +41,8 @@ TEST(FlagField, KnowsItsNeighbours) {
   EXPECT_EQ(field_of_flag(fields, 4), nullptr);
   EXPECT_EQ(most_bits(fields, 0), 2);
   EXPECT_EQ(most_bits(fields, 4), 1);
-  EXPECT_EQ(most_bits({}, 5), 3);
+  EXPECT_EQ(most_bits({}, 29), 3);
+  EXPECT_EQ(most_bits({}, 5), 8);
   EXPECT_EQ(overlapping_field(fields), std::nullopt);
   const std::vector<FlagField> overlapping = {slope_kind(), {"", 3, 2, {}, ""}};
   EXPECT_EQ(overlapping_field(overlapping), 1u);
@@ -80,11 +81,11 @@ TEST(FlagFieldFile, AnEmptyListIsLeftOut) {
 TEST(FlagFieldFile, ErrorsSayWhere) {
   expect_field_error("7", "key flag_fields", "must be a list");
   expect_field_error("[1]", "key flag_fields[0]", "must be an object");
-  expect_field_error(R"([{"bits": 2}])", "key flag_fields[0].first", "must be a flag from 0 to 7");
+  expect_field_error(R"([{"bits": 2}])", "key flag_fields[0].first", "must be a flag from 0 to 31");
   expect_field_error(R"([{"first": 0, "bits": 9}])", "key flag_fields[0].bits",
                      "must be a whole number from 2 to 8");
   expect_field_error(R"([{"first": 0, "bits": 1}])", "key flag_fields[0]", "must have 2 to 8 bits");
-  expect_field_error(R"([{"first": 7, "bits": 2}])", "key flag_fields[0]", "reaches beyond flag 7");
+  expect_field_error(R"([{"first": 31, "bits": 2}])", "key flag_fields[0]", "reaches beyond flag 31");
   expect_field_error(R"([{"first": 0, "bits": 2, "values": [1]}])", "key flag_fields[0].values",
                      "must be a list of strings");
   expect_field_error(R"([{"first": 0, "bits": 2, "name": 1}])", "key flag_fields[0].name",
@@ -95,7 +96,7 @@ TEST(FlagFieldFile, ErrorsSayWhere) {
 
 TEST(FlagFieldFile, FieldsThatAReaderRefusesAreNotWritten) {
   Level level;
-  level.flag_fields = {{"", 7, 2, {}, ""}};
+  level.flag_fields = {{"", 31, 2, {}, ""}};
   const auto written = write_native(level, {});
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().place, "key flag_fields[0]");
@@ -129,6 +130,20 @@ TEST(FlagSearch, GoesFromCellToCellAndWrapsAround) {
   EXPECT_EQ(find_flagged_cell(level, pattern_of_flag(1), Cell{2, 1}, true), (Cell{2, 1})) << "the only one";
   EXPECT_EQ(find_flagged_cell(level, pattern_of_flag(3), {}, true), std::nullopt);
   EXPECT_EQ(find_flagged_cell(level, solid, {}, true, 2), std::nullopt) << "tile 2 is no solid one";
+}
+
+TEST(FlagSearch, LooksAtAllLayersOrTheChosenOne) {
+  Level level = level_of({"#..", "...", ".o."});
+  std::vector<TileNumber> front(9);
+  front[2] = 1;  // the solid tile, at (2,0)
+  level.layers.list = {{.name = "back"},
+                       {.name = "front", .cells = std::make_shared<const MapCells>(std::move(front))}};
+  const FlagPattern solid = pattern_of_flag(0), empty{0b11, 0};
+  EXPECT_EQ(find_flag_use(level, solid).cell_count, 2U);
+  EXPECT_EQ(find_flag_use(level, solid, SearchedLayers::chosen).cell_count, 1U);
+  EXPECT_EQ(find_flag_use(level, empty).cell_count, 7U) << "tile 0 is empty in front";
+  EXPECT_EQ(find_flagged_cell(level, solid, Cell{0, 0}, true), (Cell{2, 0}));
+  EXPECT_EQ(find_flagged_cell(level, solid, Cell{0, 0}, true, -1, SearchedLayers::chosen), (Cell{0, 0}));
 }
 
 }  // namespace talus::flag_fields_test

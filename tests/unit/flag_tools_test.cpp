@@ -7,7 +7,7 @@
 
 namespace talus::flag_tools_test {
 
-constexpr std::uint8_t kAllFlags = 0xff;
+constexpr FlagSet kAllFlags = 0xff;
 
 Level flagged_level() {
   Level level;
@@ -17,7 +17,7 @@ Level flagged_level() {
 }
 const SpriteArea kTwoTiles{SheetId::tiles, {0, 0, 2, 1}};
 
-std::uint8_t flags_after(Level level, const Edit& edit, int tile) {
+FlagSet flags_after(Level level, const Edit& edit, int tile) {
   apply_edit(level, edit);
   return level.tile_flags(static_cast<std::uint8_t>(tile));
 }

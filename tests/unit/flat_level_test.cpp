@@ -23,18 +23,17 @@ Level two_layers() {
   for (std::size_t pixel = 0; pixel < 64; ++pixel)
     level.sheet(SheetId::tiles).images[kLeaf][pixel] = pixel % 8 < 4 ? 5 : 0;
   level.sheet(SheetId::tiles).flags[kLeaf] = 1 << 7;
-  level.map.cells() = {kRamp, kRamp};
-  level.layers.list.push_back(
-      {.name = "front",
-       .is_ground = false,
-       .cells = std::make_shared<const std::vector<TileNumber>>(std::vector<TileNumber>{kLeaf, 0})});
+  level.map.cells().tiles() = {kRamp, kRamp};
+  level.layers.list.push_back({.name = "front",
+                               .is_ground = false,
+                               .cells = std::make_shared<const MapCells>(std::vector<TileNumber>{kLeaf, 0})});
   return level;
 }
 
 TEST(FlatLevel, AStackIsATileOfItsOwn) {
   const auto flat = flat_level(two_layers());
   ASSERT_TRUE(flat);
-  EXPECT_THAT(flat->level.map.cells(), testing::ElementsAre(256, kRamp));
+  EXPECT_THAT(flat->level.map.cells().tiles(), testing::ElementsAre(256, kRamp));
   EXPECT_TRUE(flat->level.layers.is_plain());
   EXPECT_EQ(flat->level.tile_shapes[256], two_layers().tile_shapes[kRamp]);
   EXPECT_EQ(flat->level.tile_flags(256), 1 << 7);
@@ -47,7 +46,7 @@ TEST(FlatLevel, AStackIsATileOfItsOwn) {
 TEST(FlatLevel, WhatIsOnlyDrawnIsNoGround) {
   Level level = two_layers();
   level.tile_shapes[kLeaf] = {.kind = TileShape::Kind::solid};
-  level.map.cells() = {0, kBlock};
+  level.map.cells().tiles() = {0, kBlock};
   const auto flat = flat_level(level);
   ASSERT_TRUE(flat);
   EXPECT_EQ(flat->level.map.at({0, 0}), 256) << "grass without its shape";
@@ -61,7 +60,7 @@ TEST(FlatLevel, HiddenGroundStays) {
   const auto flat = flat_level(level);
   ASSERT_TRUE(flat);
   EXPECT_TRUE(overlaps_ground(terrain_of(flat->level), Rect{12, 4, 3, 3}));
-  const TileNumber hill = flat->level.map.at({1, 0});
+  const TileNumber hill = flat->level.map.tile_at({1, 0});
   EXPECT_EQ(flat->level.sheet(SheetId::tiles).images[hill], TileImage{});
 }
 
@@ -87,7 +86,7 @@ TEST(GroundLevel, HasTheGroundOfAllLayers) {
   level.layers.list.back().is_ground = true;
   level.tile_shapes[kLeaf] = {.kind = TileShape::Kind::solid, .one_way = true};
   const Level ground = ground_level(level);
-  EXPECT_THAT(ground.map.cells(), testing::ElementsAre(256, kRamp));
+  EXPECT_THAT(ground.map.cells().tiles(), testing::ElementsAre(256, kRamp));
   EXPECT_EQ(ground.tile_shapes[256].parts.size(), 2u);
 }
 
@@ -102,7 +101,7 @@ TEST(GroundLevel, FollowsCells) {
 // A hill whose right half is missing: a problem of the layer that is ground, with a fix there alone.
 TEST(GroundLevel, ProblemsAreThoseOfTheGround) {
   Level level = two_layers();
-  level.map.cells() = {0, 0};
+  level.map.cells().tiles() = {0, 0};
   level.tile_shapes[kRamp].tiles = 2;
   level.map.set({1, 0}, kRamp);
   const std::vector<Problem> problems = lint(level);
@@ -110,11 +109,40 @@ TEST(GroundLevel, ProblemsAreThoseOfTheGround) {
   alone.layers = {};
   EXPECT_EQ(problems, lint(alone));
   ASSERT_FALSE(problems.empty());
-  EXPECT_EQ(fixes_for(level, {}, problems.front()).size(), fixes_for(alone, {}, problems.front()).size());
+  EXPECT_EQ(fixes_for(level, ground_level(level), {}, problems.front()).size(),
+            fixes_for(alone, alone, {}, problems.front()).size());
   level.choose_layer(1);
   EXPECT_EQ(lint(level), problems) << "whichever layer is chosen";
-  for (const Edit& edit : fixes_for(level, {}, problems.front()))
+  for (const Edit& edit : fixes_for(level, ground_level(level), {}, problems.front()))
     for (const Change& change : edit.changes) EXPECT_FALSE(std::holds_alternative<CellChange>(change));
+}
+
+// A one-way side that a quarter turn makes no ground of.
+TEST(GroundLevel, ProblemsNameATurnedTileByItsTileAndItsTurn) {
+  Level level = two_layers();
+  level.map.cells().tiles() = {0, 0};
+  level.tile_shapes[kBlock] = {.kind = TileShape::Kind::solid, .one_way = true};
+  level.map.set({1, 0}, MapCell(kBlock, kTurnRight));
+  const std::vector<Problem> problems = lint(level);
+  const std::string name = "tile " + std::to_string(kBlock) + ", turned right,";
+  EXPECT_TRUE(std::any_of(problems.begin(), problems.end(), [&](const Problem& problem) {
+    return problem.message.find(name) != std::string::npos;
+  })) << testing::PrintToString([&] {
+    std::vector<std::string> messages;
+    for (const Problem& problem : problems) messages.push_back(problem.message);
+    return messages;
+  }());
+  for (const Problem& problem : problems)
+    EXPECT_EQ(problem.message.find("tile 256"), std::string::npos) << problem.message;
+}
+
+TEST(GroundNames, NameTilesTurnsStacksAndObjects) {
+  const GroundNames names(10, 12, {{MapCell(3, TileTurn::left_right)}, {MapCell(3), MapCell(7)}});
+  EXPECT_EQ(names.text_of(9), "tile 9");
+  EXPECT_EQ(names.text_of(11), "an object");
+  EXPECT_EQ(names.text_of(12), "tile 3, mirrored,");
+  EXPECT_EQ(names.text_of(13), "tile 3 with tile 7");
+  EXPECT_EQ(GroundNames().text_of(13), "tile 13");
 }
 
 }  // namespace

@@ -46,8 +46,8 @@ TEST(ImportInfinite, ChunksBecomeTheRectangleAroundTheirTiles) {
   const Level level = level_of(map_text(layer));
   EXPECT_EQ(level.map.width(), 5);
   EXPECT_EQ(level.map.tile_size(), (TileSize{16, 8}));
-  EXPECT_THAT(level.map.cells(), ElementsAre(1, 0, 0, 0, 0,  //
-                                             0, 0, 0, 2, 3));
+  EXPECT_THAT(level.map.cells().tiles(), ElementsAre(1, 0, 0, 0, 0,  //
+                                                     0, 0, 0, 2, 3));
 }
 
 TEST(ImportInfinite, ObjectsAndCurvesMoveWithTheCells) {
@@ -57,7 +57,7 @@ TEST(ImportInfinite, ObjectsAndCurvesMoveWithTheCells) {
                              "<objectgroup name=\"curves\"><object x=\"-40\" y=\"66\"><polyline "
                              "points=\"0,0 8,4\"/></object></objectgroup>";
   const Level level = level_of(map_text(layers));
-  EXPECT_THAT(level.map.cells(), ElementsAre(1));
+  EXPECT_THAT(level.map.cells().tiles(), ElementsAre(1));
   ASSERT_EQ(level.spawns.size(), 1u);
   EXPECT_EQ(level.spawns[0].position, (Vec2{1, 6}));
   ASSERT_EQ(level.curves.size(), 1u);
@@ -71,7 +71,7 @@ TEST(ImportInfinite, ObjectsInChunksKeepTheirCells) {
                              "<object type=\"ball\" x=\"900\" y=\"9\"/></objectgroup>";
   const Level level = level_of(map_text(layers));
   EXPECT_EQ(level.map.width(), 3);
-  EXPECT_THAT(level.map.cells(), ElementsAre(0, 0, 1, 0, 0, 0));
+  EXPECT_THAT(level.map.cells().tiles(), ElementsAre(0, 0, 1, 0, 0, 0));
   EXPECT_EQ(level.spawns[0].position, (Vec2{4, 9}));
   EXPECT_EQ(level.spawns[1].position, (Vec2{884, 9})) << "off the map";
 }
@@ -79,8 +79,8 @@ TEST(ImportInfinite, ObjectsInChunksKeepTheirCells) {
 TEST(ImportInfinite, AllLayersHaveTheSameRectangle) {
   const std::string text = map_text(layer_text(chunk_text(0, 0, 2, 1, "0,2"), "near") + "<group>" +
                                     layer_text(chunk_text(-2, 0, 2, 1, "3,0"), "far") + "</group>");
-  EXPECT_THAT(level_of(text, "near").map.cells(), ElementsAre(0, 0, 0, 1));
-  EXPECT_THAT(level_of(text, "far").map.cells(), ElementsAre(2, 0, 0, 0));
+  EXPECT_THAT(level_of(text, "near").map.cells().tiles(), ElementsAre(0, 0, 0, 1));
+  EXPECT_THAT(level_of(text, "far").map.cells().tiles(), ElementsAre(2, 0, 0, 0));
 }
 
 TEST(ImportInfinite, ReadsEveryKindOfData) {
@@ -99,7 +99,7 @@ TEST(ImportInfinite, ReadsEveryKindOfData) {
   const auto expect_cells = [](const std::string& text, const std::string& extension) {
     const auto loaded = read(text, "", extension);
     ASSERT_TRUE(loaded) << text << to_string(loaded.error(), "map");
-    EXPECT_THAT(loaded->level.map.cells(), ElementsAre(2, 1, 0, 0)) << text;
+    EXPECT_THAT(loaded->level.map.cells().tiles(), ElementsAre(2, 1, 0, 0)) << text;
     EXPECT_THAT(loaded->dropped, testing::Each(testing::HasSubstr("picture"))) << text;
   };
   expect_cells(in_xml(" encoding=\"csv\"", "3,2,\n0,1\n"), "tmx");
@@ -112,7 +112,7 @@ TEST(ImportInfinite, ReadsEveryKindOfData) {
 
 TEST(ImportInfinite, ALayerMayHaveNoChunks) {
   const std::string text = map_text(layer_text(chunk_text(3, 3, 2, 1, "1,2")) + layer_text("", "e"));
-  EXPECT_THAT(level_of(text, "e").map.cells(), ElementsAre(0, 0));
+  EXPECT_THAT(level_of(text, "e").map.cells().tiles(), ElementsAre(0, 0));
   const Level empty = level_of(map_text(layer_text("")));
   EXPECT_EQ(empty.map.width(), 30) << "the map's own size";
   EXPECT_EQ(empty.map.height(), 20);
@@ -124,7 +124,7 @@ TEST(ImportInfinite, ALayerMayHaveNoChunks) {
 
 TEST(ImportInfinite, OfOverlappingChunksTheLastCounts) {
   const std::string layer = layer_text(chunk_text(0, 0, 2, 1, "2,3") + chunk_text(1, 0, 2, 1, "4,5"));
-  EXPECT_THAT(level_of(map_text(layer)).map.cells(), ElementsAre(1, 3, 4));
+  EXPECT_THAT(level_of(map_text(layer)).map.cells().tiles(), ElementsAre(1, 3, 4));
 }
 
 TEST(ImportInfinite, SpreadTilesAreCountedBeforeTheyAreMade) {

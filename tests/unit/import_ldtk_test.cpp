@@ -4,6 +4,7 @@
 #include <regex>
 
 #include <talus/formats/format.h>
+#include <talus/level/tile_turns.h>
 #include "export/exporter.h"
 #include "folder_test.h"
 #include "ldtk_text.h"
@@ -35,7 +36,8 @@ std::string error_of(const std::string& text, const ImportChoices& choices = {})
   return loaded ? "" : to_string(loaded.error(), "file");
 }
 TileShape shape_at(const Level& level, int column, int row = 0) {
-  return shape_of_tile(level, level.map.at({column, row}));
+  const auto cell = static_cast<std::size_t>(row * level.map.width() + column);
+  return shape_of_cell(level, level.map.cells()[cell]);
 }
 std::vector<double> heights_at(const Level& level, int column) { return shape_at(level, column).heights; }
 bool is_solid_at(const Level& level, int column) {
@@ -86,14 +88,14 @@ TEST(ImportLdtk, NamesThatAreNotPlainGroundBecomeFlags) {
   const Level level = level_of(ldtk_project(ldtk_level(ldtk_grid(3, 1, "1,2,3")), values));
   EXPECT_EQ(level.flag_names[4], "ice");
   EXPECT_EQ(level.flag_names[5], "ladder");
-  EXPECT_EQ(level.tile_flags(level.map.at({0, 0})), 1);
-  EXPECT_EQ(level.tile_flags(level.map.at({1, 0})), 1 << 5);
-  EXPECT_EQ(level.tile_flags(level.map.at({2, 0})), 1 | 1 << 4);
+  EXPECT_EQ(level.tile_flags(level.map.tile_at({0, 0})), 1);
+  EXPECT_EQ(level.tile_flags(level.map.tile_at({1, 0})), 1 << 5);
+  EXPECT_EQ(level.tile_flags(level.map.tile_at({2, 0})), 1 | 1 << 4);
 }
 
 TEST(ImportLdtk, GridsWithoutTilesetsHaveTheColoursOfTheirValues) {
   const Level level = level_of(ldtk_project(ldtk_level(ldtk_grid(2, 1, "1,0", R"("__opacity":1)")), kWall));
-  const TileNumber wall = level.map.at({0, 0});
+  const TileNumber wall = level.map.tile_at({0, 0});
   EXPECT_EQ(level.palette[level.sheet(SheetId::tiles).images[wall][0]], (Rgb{255, 128, 0}));
   EXPECT_EQ(level.palette[0], kBack);
   EXPECT_EQ(level.map.at({1, 0}), 0);
@@ -108,7 +110,7 @@ TEST(ImportLdtk, EachGridIsALayerOfTheGround) {
   EXPECT_TRUE(level.layers.list[0].is_ground);
   EXPECT_TRUE(level.layers.list[1].is_ground);
   EXPECT_TRUE(is_solid_at(level, 0));
-  EXPECT_THAT(shape_of_tile(level, level.cells_of(1)[1]).heights, ElementsAre(0, 8));
+  EXPECT_THAT(shape_of_tile(level, level.cells_of(1).tiles()[1]).heights, ElementsAre(0, 8));
 }
 
 TEST(ImportLdtk, ValuesOfAnotherGridAreLeftOut) {
@@ -180,8 +182,9 @@ class ImportLdtkPictures : public FolderTest {
     const auto& images = level.sheet(SheetId::tiles).images;
     const auto cell = static_cast<std::size_t>(y / 8 * level.map.width() + x / 8);
     for (int layer = level.layers.count() - 1; layer >= 0; --layer) {
-      const TileImage& image = images[level.cells_of(layer)[cell]];
-      const std::uint8_t color = image[static_cast<std::size_t>(8 * (y % 8) + x % 8)];
+      const auto [tile, turn] = level.cells_of(layer)[cell];
+      const Cell from = pixel_before_turn({x % 8, y % 8}, turn, {8, 8});
+      const std::uint8_t color = images[tile][static_cast<std::size_t>(8 * from.y + from.x)];
       if (color != 0 && level.layers.list[static_cast<std::size_t>(layer)].visible)
         return level.palette[color];
     }
@@ -218,8 +221,8 @@ TEST_F(ImportLdtkPictures, CellsThatLookTheSameAreOneTile) {
       ldtk_tile(0, 0, 1) + "," + ldtk_tile(0, 0, 0) + "," + ldtk_tile(8, 0, 0) + "," + ldtk_tile(16, 0, 0);
   const Level level = load(ldtk_project(ldtk_level(grid_with_tiles(4, "0,0,1,0", tiles)), kWall)).level;
   EXPECT_EQ(level.layers.count(), 1);
-  EXPECT_EQ(level.map.at({0, 0}), level.map.at({1, 0})) << "what is hidden does not count";
-  EXPECT_NE(level.map.at({1, 0}), level.map.at({2, 0})) << "its ground differs";
+  EXPECT_EQ(level.map.tile_at({0, 0}), level.map.tile_at({1, 0})) << "what is hidden does not count";
+  EXPECT_NE(level.map.tile_at({1, 0}), level.map.tile_at({2, 0})) << "its ground differs";
   EXPECT_EQ(level.map.at({3, 0}), 0);
 }
 
@@ -246,7 +249,7 @@ TEST_F(ImportLdtkPictures, OpacityOfTilesAndLayersIsInTheTrueColours) {
   const Level level = load(ldtk_project(ldtk_level(layers))).level;
   const auto& picture = level.sheet(SheetId::tiles).picture;
   ASSERT_TRUE(picture);
-  const Cell place = level.sheet(SheetId::tiles).layout().place_of(level.map.at({0, 0}));
+  const Cell place = level.sheet(SheetId::tiles).layout().place_of(level.map.tile_at({0, 0}));
   const std::uint8_t* pixel = picture->at(8 * place.x, 8 * place.y);
   EXPECT_THAT(std::vector<int>(pixel, pixel + 4), ElementsAre(255, 0, 0, 64));
 }
@@ -280,43 +283,53 @@ TEST_F(ImportLdtkPictures, MissingPicturesAreNumberedBoxes) {
       loaded.dropped,
       ElementsAre(
           "the picture of the tileset \"Tiles\", file t.png: cannot be opened: No such file or directory"));
-  EXPECT_NE(loaded.level.map.at({0, 0}), loaded.level.map.at({1, 0}));
+  EXPECT_NE(loaded.level.map.tile_at({0, 0}), loaded.level.map.tile_at({1, 0}));
   EXPECT_NE(color(loaded.level, 0), kBack);
 }
 
 TEST_F(ImportLdtkPictures, TagsOfTilesBecomeFlagsAndShapes) {
   const std::string tileset = ldtk_tileset(
       R"("enumTags":[{"enumValueId":"Grass","tileIds":[0]},{"enumValueId":"SlopeUp","tileIds":[1]},)"
-      R"({"enumValueId":"Unused","tileIds":[2]}],"customData":[{"tileId":0,"data":"x"}])");
+      R"({"enumValueId":"Unused","tileIds":[2]}],"customData":[{"tileId":0,"data":"x"},)"
+      R"({"tileId":1,"data":"{\"cost\": 3}"}])");
   const std::string tiles = ldtk_tile(0, 0, 0) + "," + ldtk_tile(8, 0, 1) + "," + ldtk_tile(16, 0, 1, 1) +
                             "," + ldtk_tile(24, 0, 1, 2);
   const LoadedLevel loaded =
       load(ldtk_project(ldtk_level(grid_with_tiles(4, "0,0,1,0", tiles)), kWall, tileset));
   EXPECT_EQ(loaded.level.flag_names[4], "Grass");
   EXPECT_EQ(loaded.level.flag_names[5], "");
-  EXPECT_EQ(loaded.level.tile_flags(loaded.level.map.at({0, 0})), 1 << 4);
+  EXPECT_EQ(loaded.level.tile_flags(loaded.level.map.tile_at({0, 0})), 1 << 4);
   EXPECT_THAT(heights_at(loaded.level, 1), ElementsAre(0, 8));
   EXPECT_THAT(heights_at(loaded.level, 2), ElementsAre(8, 0)) << "mirrored, and more than a full value";
   EXPECT_EQ(shape_at(loaded.level, 3).side, TileShape::Side::ceiling);
-  EXPECT_THAT(loaded.dropped, ElementsAre("the custom data of a tile of the tileset \"Tiles\""));
+  const auto properties_at = [&](int x) {
+    return note_of(loaded.level.tile_notes, loaded.level.map.tile_at({x, 0})).properties;
+  };
+  EXPECT_EQ(properties_at(0), R"({"data":"x"})");
+  EXPECT_EQ(properties_at(1), R"({"cost":3})");
+  EXPECT_EQ(properties_at(2), R"({"cost":3})");
+  EXPECT_THAT(loaded.dropped, testing::IsEmpty());
 }
 
-TEST_F(ImportLdtkPictures, MoreThan8NamesAreLeftOut) {
-  std::string tags;
-  for (int i = 0; i < 9; ++i) {
-    tags += (i > 0 ? "," : "") + std::string(R"({"enumValueId":"tag)") + static_cast<char>('a' + i) +
-            R"(","tileIds":[)" + (i < 8 ? "0" : "1") + "]}";
-  }
-  const std::string tileset = ldtk_tileset(R"("enumTags":[)" + tags + "]");
-  const std::string tile = ldtk_tile(0, 0, 0);
-  const Level eight = load(ldtk_project(ldtk_level(ldtk_tiles(2, 1, tile)), "", tileset)).level;
-  EXPECT_EQ(eight.tile_flags(eight.map.at({0, 0})), 255);
+TEST_F(ImportLdtkPictures, NamesHave32FlagsAndTheOthersAreTold) {
+  const auto load_tags = [&](int count) {
+    std::string tags;
+    for (int i = 10; i < 10 + count; ++i)
+      tags += (i > 10 ? "," : "") + std::string(R"({"enumValueId":"tag)") + std::to_string(i) +
+              R"(","tileIds":[0]})";
+    const std::string tileset = ldtk_tileset(R"("enumTags":[)" + tags + "]");
+    return load(ldtk_project(ldtk_level(ldtk_tiles(2, 1, ldtk_tile(0, 0, 0))), "", tileset));
+  };
+  const auto flags_of = [](const Level& level) { return level.tile_flags(level.map.tile_at({0, 0})); };
+  const Level eight = load_tags(8).level;
+  EXPECT_EQ(flags_of(eight), 0xff);
   EXPECT_EQ(eight.roles.solid, FlagRoles::kUnused);
-  const LoadedLevel nine =
-      load(ldtk_project(ldtk_level(ldtk_tiles(2, 1, tile + "," + ldtk_tile(8, 0, 1))), "", tileset));
-  EXPECT_EQ(nine.level.tile_flags(nine.level.map.at({0, 0})), 0);
-  EXPECT_THAT(nine.dropped,
-              ElementsAre("the 9 names of values and tags of tiles, as tiles have only 8 flags"));
+  const LoadedLevel all = load_tags(32);
+  EXPECT_EQ(flags_of(all.level), 0xffffffff);
+  EXPECT_EQ(all.level.flag_names[31], "tag41");
+  EXPECT_THAT(all.dropped, IsEmpty());
+  EXPECT_THAT(load_tags(33).dropped,
+              ElementsAre("the name \"tag42\" of a value or tag of tiles, as tiles have only 32 flags"));
 }
 
 TEST_F(ImportLdtkPictures, MayBeOfAseprite) {
@@ -344,9 +357,9 @@ TEST_F(ImportLdtkPictures, MayBeOfAseprite) {
 TEST_F(ImportLdtkPictures, GroundAndBodiesOfAnExportAreTheSame) {
   Level level;
   level.map = TileMap(6, 3);
-  level.map.cells() = {0, 0, 0, 0, 0, 4,  //
-                       0, 2, 3, 5, 0, 0,  //
-                       1, 1, 1, 1, 1, 1};
+  level.map.cells().tiles() = {0, 0, 0, 0, 0, 4,  //
+                               0, 2, 3, 5, 0, 0,  //
+                               1, 1, 1, 1, 1, 1};
   level.tile_shapes[1] = {.kind = TileShape::Kind::solid};
   level.tile_shapes[2] = {.kind = TileShape::Kind::slope, .tiles = 2, .heights = {0, 7.5}};
   level.tile_shapes[4] = {
@@ -367,8 +380,8 @@ TEST_F(ImportLdtkPictures, GroundAndBodiesOfAnExportAreTheSame) {
   const auto again = load_level(path("out.ldtk"));
   ASSERT_TRUE(again) << to_string(again.error(), "out.ldtk");
   for (std::size_t i = 0; i < level.map.cells().size(); ++i) {
-    EXPECT_EQ(shape_of_tile(again->level, again->level.map.cells()[i]),
-              shape_of_tile(level, level.map.cells()[i]))
+    EXPECT_EQ(shape_of_tile(again->level, again->level.map.cells().tiles()[i]),
+              shape_of_tile(level, level.map.cells().tiles()[i]))
         << "cell " << i;
   }
   ASSERT_EQ(again->level.spawns.size(), 1u);

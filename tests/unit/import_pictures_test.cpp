@@ -27,7 +27,7 @@ class ImportPictures : public FolderTest {
     return loaded ? *loaded : LoadedLevel{Level(), nullptr};
   }
   static Rgb color(const Level& level, int cell, int x, int y) {
-    const auto tile = level.map.at({cell, 0});
+    const auto tile = level.map.tile_at({cell, 0});
     const auto at = static_cast<std::size_t>(8 * y + x);
     return level.palette[level.sheet(SheetId::tiles).images[tile][at]];
   }
@@ -46,6 +46,23 @@ std::string tileset(const std::string& attributes, const std::string& content, i
          "</tileset>";
 }
 const std::string kSmall = "tilewidth=\"16\" tileheight=\"16\" tilecount=\"4\" columns=\"2\"";
+
+TEST_F(ImportPictures, WhereNothingIsDrawnNoColourOfTheTilesIsSeen) {
+  const Rgb first{10, 200, 30}, second{200, 10, 30};
+  put("t.png", columns({first, second}, 16, 16));
+  const std::string set = tileset("tilewidth=\"16\" tileheight=\"16\" tilecount=\"2\" columns=\"2\"",
+                                  "<image source=\"t.png\" width=\"32\" height=\"16\"/>");
+  const Level level = read(set, "0,1,2").level;
+  EXPECT_EQ(level.palette[0], default_palette()[0]);
+  const Sheet& sheet = level.sheet(SheetId::tiles);
+  ASSERT_NE(sheet.picture, nullptr);
+  for (int cell = 0; cell < 3; ++cell) {
+    const Cell place = sheet.layout().place_of(level.map.tile_at({cell, 0}));
+    const std::uint8_t* pixel = sheet.picture->at(16 * place.x, 16 * place.y);
+    EXPECT_EQ(pixel[3], cell == 0 ? 0 : 255);
+    if (cell > 0) EXPECT_EQ((Rgb{pixel[0], pixel[1], pixel[2]}), cell == 1 ? first : second);
+  }
+}
 
 TEST_F(ImportPictures, MayHave4096PixelsASide) {
   put("t.png", columns({kRed, kGreen}, 2048, 2));
@@ -105,7 +122,8 @@ TEST_F(ImportPictures, ThatAreMissingLeaveNumberedBoxes) {
   EXPECT_EQ(loaded.level.palette, default_palette());
   put("none.png", "JPEG");
   EXPECT_THAT(read(tileset(kSmall, "<image source=\"none.png\"/>"), "1").dropped,
-              ElementsAre("the picture of the tileset \"t\", file none.png: is not a PNG picture"));
+              ElementsAre("the picture of the tileset \"t\", file none.png: is no PNG, JPEG, BMP, GIF, TGA "
+                          "or picture of Aseprite"));
 }
 
 TEST(TiledBoxes, ShowTheLastTwoDigits) {
@@ -174,7 +192,7 @@ TEST_F(ImportPictures, EachTileOfACollectionHasItsOwn) {
   EXPECT_EQ(color(loaded.level, 1, 7, 7), kRed);
   EXPECT_EQ(color(loaded.level, 2, 0, 0), kBlue);
   EXPECT_EQ(color(loaded.level, 3, 0, 1), color_of_box(7, 0, 1));
-  EXPECT_EQ(loaded.level.tile_shapes[loaded.level.map.at({1, 0})].heights, (std::vector<double>{8, 8}));
+  EXPECT_EQ(loaded.level.tile_shapes[loaded.level.map.tile_at({1, 0})].heights, (std::vector<double>{8, 8}));
   EXPECT_THAT(loaded.dropped, Contains("a picture of the tileset \"t\", file none.png: cannot be opened: "
                                        "No such file or directory"));
   EXPECT_EQ(loaded.linked.size(), 3u) << "red.png is read once, none.png is looked for";
@@ -191,9 +209,9 @@ TEST_F(ImportPictures, LargerTilesShowThePartInTheirCell) {
   EXPECT_EQ(color(loaded.level, 0, 7, 0), kRed);
   EXPECT_EQ(color(loaded.level, 1, 0, 0), kGreen) << "mirrored";
   EXPECT_EQ(color(loaded.level, 1, 4, 0), kRed);
-  EXPECT_EQ(loaded.level.tile_shapes[loaded.level.map.at({0, 0})].heights, (std::vector<double>{12, 12}));
-  EXPECT_THAT(loaded.dropped, Contains("the parts of a tile of the tileset \"t\" that are drawn outside of "
-                                       "its cell (2 times)"));
+  EXPECT_EQ(loaded.level.tile_shapes[loaded.level.map.tile_at({0, 0})].heights,
+            (std::vector<double>{12, 12}));
+  EXPECT_EQ(loaded.level.large_tiles.size(), 2u) << "the mirrored one, too";
   const LoadedLevel moved = read(tileset(size, "<tileoffset x=\"-8\" y=\"4\"/>" + content), "1");
   EXPECT_EQ(color(moved.level, 0, 3, 0), kRed);
   EXPECT_EQ(color(moved.level, 0, 4, 0), kGreen);
@@ -220,7 +238,7 @@ TEST_F(ImportPictures, AMapOfObjectsAloneHasEmptyGround) {
       "<objectgroup name=\"o\"><object type=\"ball\" x=\"1\" y=\"2\"/></objectgroup></map>");
   const auto loaded = load_level(path("objects.tmx"));
   ASSERT_TRUE(loaded) << to_string(loaded.error(), "map");
-  EXPECT_THAT(loaded->level.map.cells(), ElementsAre(0, 0, 0, 0, 0, 0));
+  EXPECT_THAT(loaded->level.map.cells().tiles(), ElementsAre(0, 0, 0, 0, 0, 0));
   EXPECT_EQ(loaded->level.spawns.size(), 1u);
 }
 

@@ -105,7 +105,8 @@ TEST_F(ImportTemplates, ThatCannotBeReadAreReported) {
   EXPECT_EQ(dropped("templates/bad.tx"), of + "templates/bad.tx, line 2: this is not valid XML");
   EXPECT_EQ(dropped("templates/map.tx"), of + "templates/map.tx: is not a template of Tiled");
   EXPECT_EQ(dropped("templates"), of + "templates: is not a file");
-  EXPECT_EQ(dropped("templates/endless.tx"), of + "templates/endless.tx: is not a file");
+  EXPECT_EQ(dropped("templates/endless.tx"),
+            of + "templates/endless.tx: lies outside of the folder of the map, and was not read");
   EXPECT_THAT(dropped("templates/large.tx"),
               testing::StartsWith(of + "templates/large.tx: is larger than 1 MiB"));
 }

@@ -53,7 +53,7 @@ TEST(ImportTiled, KeepsThePlacesOfTilesOnASmallSheet) {
   EXPECT_EQ(loaded.format->id, "tmj");
   EXPECT_TRUE(loaded.format->writes_back);
   EXPECT_EQ(loaded.level.map.width(), 2);
-  EXPECT_THAT(loaded.level.map.cells(), ElementsAre(0, 17, 0, 51));
+  EXPECT_THAT(loaded.level.map.cells().tiles(), ElementsAre(0, 17, 0, 51));
   EXPECT_THAT(loaded.dropped, ElementsAre("the picture of the tileset \"t\""));
 }
 
@@ -129,7 +129,8 @@ TEST(ImportTiled, FlagsAreReadByNumberAndByName) {
 
 TEST(ImportTiled, DroppedThingsAreReported) {
   const std::string tiles =
-      tile_text("", R"({"name":"flags","value":300},{"name":"hp","value":2},{"name":"x","value":{}})") +
+      tile_text("",
+                R"({"name":"flags","value":4294967296},{"name":"hp","value":2},{"name":"x","value":{}})") +
       R"(,{"id":6,"animation":[{}],"type":"door"})";
   const std::string layers =
       R"(,{"type":"objectgroup","name":"things","objects":[{"x":1,"y":1,"type":"chest"},)"
@@ -145,13 +146,11 @@ TEST(ImportTiled, DroppedThingsAreReported) {
   EXPECT_THAT(
       loaded.dropped,
       testing::UnorderedElementsAre(
-          "the picture of the tileset \"t\"", "`flags` of a tile, which is not a whole number from 0 to 255",
-          "the property \"hp\" of a tile", "the property \"x\" of a tile", "\"type\" of a tile",
-          "the rotation of a body", "the property \"hp\" of a body",
+          "the picture of the tileset \"t\"", "`flags` of a tile, which is not a whole number of 32 bits",
+          "the property \"x\" of a tile", "the rotation of a body", "the property \"hp\" of a body",
           "the body \"far\", as a number of it must be a number from -100000000 to 100000000",
-          "\"image\" of the layer \"sky\"", "the layer \"sky\", which is a picture",
-          "the curve \"c\", which has its last end off the map",
-          "\"backgroundcolor\" of the map, which is not colour 0", "the property \"m\" of the map"));
+          "the picture of the layer \"sky\"", "the curve \"c\", which has its last end off the map",
+          "the property \"m\" of the map"));
   ASSERT_EQ(loaded.level.spawns.size(), 1u);
   EXPECT_EQ(loaded.level.spawns[0].size, (Vec2{8, 8}));
 }
@@ -233,18 +232,18 @@ TEST(ImportTiled, ReadsEveryKindOfLayerData) {
       "<data encoding=\"base64\" compression=\"zstd\">" + base64(packed_by_zstd(bytes)) + "</data>",
       "<data><tile gid=\"3\"/><tile gid=\"2\"/><tile/><tile gid=\"1\"/></data>"};
   for (const std::string& data : datas)
-    EXPECT_THAT(read(xml_map(data), "tmx").level.map.cells(), ElementsAre(2, 1, 0, 0)) << data;
+    EXPECT_THAT(read(xml_map(data), "tmx").level.map.cells().tiles(), ElementsAre(2, 1, 0, 0)) << data;
 }
 
 TEST(ImportTiled, DataWithoutCellsIsAnEmptyLayer) {
   for (const char* data : {"<data encoding=\"csv\">\n</data>", "<data/>",
                            "<data encoding=\"base64\" compression=\"zstd\"></data>"})
-    EXPECT_THAT(read(xml_map(data), "tmx").level.map.cells(), ElementsAre(0, 0, 0, 0)) << data;
+    EXPECT_THAT(read(xml_map(data), "tmx").level.map.cells().tiles(), ElementsAre(0, 0, 0, 0)) << data;
 }
 
 TEST(ImportTiled, CellsWithUnknownTilesAreEmpty) {
   const LoadedLevel loaded = read(xml_map("<data encoding=\"csv\">3,2,17,17</data>"), "tmx");
-  EXPECT_THAT(loaded.level.map.cells(), ElementsAre(2, 1, 0, 0));
+  EXPECT_THAT(loaded.level.map.cells().tiles(), ElementsAre(2, 1, 0, 0));
   EXPECT_THAT(loaded.dropped, testing::Contains("tile 17 in cells, which no tileset has"));
 }
 
@@ -352,8 +351,10 @@ TEST(ImportTiled, NamesOfXmlDoNotClashInJson) {
   EXPECT_THAT(dropped("<data ", "<data/><data "), ElementsAre("map:line 1: error: has \"data\" twice"));
   EXPECT_THAT(dropped("name=\"l\"", "name=\"&#xD800;\""),
               ElementsAre("map:line 1: error: refers to a character that does not exist"));
-  EXPECT_THAT(dropped("</tileset>", "</tileset>\n<imagelayer name=\"a&#10;::error::[31m\"/>"),
-              ElementsAre(R"(the layer "a\n::error::[31m", which is a picture)"));
+  EXPECT_THAT(dropped("</tileset>",
+                      "</tileset>\n<imagelayer name=\"a&#10;::error::[31m\"><image "
+                      "source=\"a.png\"/></imagelayer>"),
+              ElementsAre(R"(the picture of the layer "a\n::error::[31m")"));
 }
 
 TEST(ImportTiled, EntitiesOfAFileAreNotExpanded) {
@@ -383,20 +384,21 @@ TEST(ImportTiled, TakesAllLayers) {
   ASSERT_EQ(level.layers.count(), 2);
   EXPECT_EQ(level.layers.chosen, 0);
   EXPECT_EQ(level.layers.list[0].name, "ground");
-  EXPECT_THAT(level.map.cells(), ElementsAre(0, 1, 0, 0));
+  EXPECT_THAT(level.map.cells().tiles(), ElementsAre(0, 1, 0, 0));
   TileLayer back = level.layers.list[1];
-  EXPECT_THAT(*back.cells, ElementsAre(0, 2, 0, 0));
+  EXPECT_THAT(back.cells->tiles(), ElementsAre(0, 2, 0, 0));
   back.cells = nullptr;
   EXPECT_EQ(back, (TileLayer{.name = "back",
                              .is_ground = false,
                              .visible = false,
                              .locked = true,
-                             .opacity = 0.25,
-                             .offset = {3, 0},
+                             .opacity = 0.5,
                              .parallax = {0.25, 1},
                              .tint = {255, 128, 0},
+                             .group = 0,
                              .extra = {},
                              .cells = nullptr}));
+  EXPECT_EQ(level.layers.groups, (LayerGroups{{.name = "g", .opacity = 0.5, .offset = {3, 0}}}));
 }
 
 TEST(ImportTiled, AsksForOneOfTooManyLayers) {
@@ -425,7 +427,7 @@ TEST(ImportTiled, ChoosesOneOfSeveralLayers) {
   context.choices.layer = "back";
   const auto loaded = read_level(text, context);
   ASSERT_TRUE(loaded);
-  EXPECT_THAT(loaded->level.map.cells(), ElementsAre(2, 2, 2, 2));
+  EXPECT_THAT(loaded->level.map.cells().tiles(), ElementsAre(2, 2, 2, 2));
   EXPECT_THAT(loaded->dropped, testing::Contains("the layer \"ground\""));
   context.choices.layer = "front";
   EXPECT_EQ(read_level(text, context).error().message,
@@ -438,19 +440,19 @@ TEST(ImportTiled, TakesUsedTilesOfLargeAndOfSeveralTilesets) {
   text.replace(text.find(count), count.size(), "\"tilecount\":700");
   const auto all = read_level(text, FormatContext{"tmj"});
   ASSERT_TRUE(all);
-  EXPECT_THAT(all->level.map.cells(), ElementsAre(599, 0, 0, 599));
+  EXPECT_THAT(all->level.map.cells().tiles(), ElementsAre(599, 0, 0, 599));
   EXPECT_EQ(all->level.sheet(SheetId::tiles).layout(), (SheetLayout{4, 700}));
   FormatContext used{"tmj"};
   used.choices.used_tiles = true;
-  EXPECT_THAT(read_level(text, used)->level.map.cells(), ElementsAre(2, 1, 0, 2));
+  EXPECT_THAT(read_level(text, used)->level.map.cells().tiles(), ElementsAre(2, 1, 0, 2));
 
   const std::string first = "\"tilesets\":[";
   std::string two = map_text({.cells = "1,101,0,1"});
   two.insert(two.find(first) + first.size(),
              R"({"firstgid":100,"name":"u","tilewidth":8,"tileheight":8,"columns":4,"tilecount":8},)");
-  EXPECT_THAT(read_level(two, used)->level.map.cells(), ElementsAre(2, 1, 0, 2));
+  EXPECT_THAT(read_level(two, used)->level.map.cells().tiles(), ElementsAre(2, 1, 0, 2));
   const Level both = read(two).level;
-  EXPECT_THAT(both.map.cells(), ElementsAre(0, 17, 0, 0)) << "below the rows of the first one";
+  EXPECT_THAT(both.map.cells().tiles(), ElementsAre(0, 17, 0, 0)) << "below the rows of the first one";
   EXPECT_EQ(both.sheet(SheetId::tiles).layout(), (SheetLayout{4, 24}));
 }
 
@@ -467,27 +469,36 @@ TEST(ImportTiled, HasAtMostAllNumbersOfTiles) {
       "and rows: `talus import --tiles-used` takes only those that the map shows");
 }
 
-TEST(ImportTiled, MirroredTilesBecomeTilesOfTheirOwn) {
+TEST(ImportTiled, CellsKeepTheirFlips) {
   const std::string slope = polygon(R"({"x":0,"y":8},{"x":8,"y":4},{"x":8,"y":8})");
   // The cells as they are, mirrored horizontally, mirrored vertically, and turned by a quarter clockwise.
   const std::string text =
       map_text({.cells = "6,2147483654,1073741830,2684354566", .tiles = tile_text(slope)});
-  const LoadedLevel all = read(text);
-  EXPECT_THAT(all.level.map.cells(), ElementsAre(17, 53, 52, 54)) << "behind the tileset's last tile";
-  EXPECT_THAT(all.dropped, testing::Contains("that 3 of the tiles are others that are mirrored or turned: "
-                                             "they are tiles of their own"));
   FormatContext used{"tmj"};
   used.choices.used_tiles = true;
-  const auto loaded = read_level(text, used);
-  ASSERT_TRUE(loaded);
-  EXPECT_THAT(loaded->level.map.cells(), ElementsAre(1, 3, 2, 4));
-  using Kind = TileShape::Kind;
-  EXPECT_EQ(loaded->level.tile_shapes[1], (TileShape{.kind = Kind::slope, .heights = {0, 4}}));
-  EXPECT_EQ(loaded->level.tile_shapes[3], (TileShape{.kind = Kind::slope, .heights = {4, 0}}));
-  EXPECT_EQ(loaded->level.tile_shapes[2],
-            (TileShape{.kind = Kind::slope, .side = TileShape::Side::ceiling, .heights = {0, 4}}));
-  EXPECT_EQ(loaded->level.tile_shapes[4], (TileShape{.kind = Kind::profile, .heights = {8, 0, 0}}))
-      << "as steep as it is";
+  for (const FormatContext& context : {FormatContext{"tmj"}, used}) {
+    const auto loaded = read_level(text, context);
+    ASSERT_TRUE(loaded);
+    const TileNumber tile = context.choices.used_tiles ? 1 : 17;
+    const Level& level = loaded->level;
+    EXPECT_THAT(level.map.cells().tiles(), ElementsAre(tile, tile, tile, tile));
+    EXPECT_THAT(level.map.cells().turns(),
+                ElementsAre(TileTurn::none, TileTurn::left_right, TileTurn::up_down, kTurnRight));
+    EXPECT_THAT(loaded->dropped, testing::Not(testing::Contains(HasSubstr("turned"))));
+    EXPECT_EQ(shape_of_cell(level, level.map.at({1, 0})),
+              (TileShape{.kind = TileShape::Kind::slope, .heights = {4, 0}}));
+  }
+}
+
+// A cell cannot turn a tile of another size about the tile's middle.
+TEST(ImportTiled, TurnedTilesOfOtherSizesAreTilesOfTheirOwn) {
+  std::string text = map_text({.cells = "6,2147483654,1073741830,6"});
+  const std::string width = "\"tilewidth\":8";
+  text.replace(text.rfind(width), width.size(), "\"tilewidth\":4");  // of the tileset
+  const LoadedLevel loaded = read(text);
+  EXPECT_FALSE(loaded.level.map.cells().has_turned());
+  EXPECT_NE(loaded.level.map.at({0, 0}), loaded.level.map.at({1, 0}));
+  EXPECT_THAT(loaded.dropped, testing::Contains(testing::HasSubstr("do not have the size of a cell")));
 }
 
 TEST(ImportTiled, XmlNeedsOneRootAndValidCharacters) {
@@ -538,7 +549,7 @@ TEST(ImportTiled, TakesALayerByNumberIfNoneHasThatName) {
   FormatContext context{"tmj"};
   const auto first_cell = [&] {
     const auto loaded = read_level(text, context);
-    return loaded ? loaded->level.map.at({0, 0}) : 255;
+    return loaded ? loaded->level.map.tile_at({0, 0}) : 255;
   };
   context.choices.layer = "ground";
   EXPECT_EQ(first_cell(), 0) << "the first of two layers with one name";
@@ -560,7 +571,7 @@ TEST(ImportTiled, EmptyCellsGetATileBehindAllOthers) {
   text.replace(text.find(count), count.size(), "\"tilecount\":256");
   const LoadedLevel loaded = read(text);
   EXPECT_EQ(loaded.level.tile_count(), 257);
-  EXPECT_THAT(loaded.level.map.cells(), ElementsAre(256, 0, 256, 256));
+  EXPECT_THAT(loaded.level.map.cells().tiles(), ElementsAre(256, 0, 256, 256));
   EXPECT_THAT(loaded.dropped,
               testing::Contains("the number of tile 0, which is now 256: 0 is the empty tile"));
 }
@@ -597,17 +608,14 @@ TEST_F(ImportTiledFiles, ShapesFlagsAndNamesDoNotNeedTheLevelProperty) {
   std::string text = tiled_export_of(level, "tmj", "cave.tmj").files[0].bytes;
   text.replace(text.find("talus_level"), 11, "another");
   const LoadedLevel loaded = read(text);
-  EXPECT_THAT(loaded.dropped,
-              testing::UnorderedElementsAre("the picture of the tileset \"tiles\"",
-                                            "the property \"another\" of the map",
-                                            "the exact form of a curve that was changed in Tiled: it "
-                                            "has lines now"));
+  EXPECT_THAT(loaded.dropped, testing::UnorderedElementsAre("the picture of the tileset \"tiles\"",
+                                                            "the property \"another\" of the map"));
   EXPECT_EQ(loaded.level.tile_shapes, level.tile_shapes);
   EXPECT_EQ(loaded.level.sheet(SheetId::tiles).flags, level.sheet(SheetId::tiles).flags);
   EXPECT_EQ(loaded.level.flag_names, level.flag_names);
   EXPECT_EQ(loaded.level.map, level.map);
   EXPECT_EQ(loaded.level.spawns[0].velocity, level.spawns[0].velocity);
-  EXPECT_EQ(loaded.level.curves[0], level.curves[0]);
+  EXPECT_EQ(loaded.level.curves, level.curves) << "properties have the exact form of the arc";
 }
 
 TEST_F(ImportTiledFiles, ChangesMadeInTiledAreKept) {
@@ -673,13 +681,12 @@ TEST_F(ImportTiledFiles, FindsTilesetsAndPicturesBesideTheMap) {
   const auto loaded = load_level(path("map.tmx"));
   ASSERT_TRUE(loaded) << to_string(loaded.error(), "map");
   EXPECT_THAT(loaded->dropped, ElementsAre());
-  EXPECT_THAT(loaded->level.map.cells(), ElementsAre(17, 0));
+  EXPECT_THAT(loaded->level.map.cells().tiles(), ElementsAre(17, 0));
   EXPECT_EQ(loaded->level.tile_shapes[17].kind, TileShape::Kind::solid);
   const std::uint8_t color = loaded->level.sheet(SheetId::tiles).images[17][0];
   EXPECT_EQ(loaded->level.palette[color], (Rgb{50, 0, 0}));
   const auto tileset = load_level(path("sets/t.tsx"));
-  ASSERT_TRUE(tileset) << "a tileset alone has an empty map";
-  EXPECT_EQ(tileset->level.map, TileMap());
+  ASSERT_TRUE(tileset);
   EXPECT_EQ(tileset->level.tile_shapes[17].kind, TileShape::Kind::solid);
 }
 
@@ -690,12 +697,12 @@ TEST_F(ImportTiledFiles, NamesTheTilesetThatIsOutside) {
         "<tileset firstgid=\"1\" source=\"" +
             source + "\"/><layer name=\"l\"><data encoding=\"csv\">0</data></layer></map>");
     const auto loaded = load_level(path("map.tmx"));
-    return loaded ? "" : to_string(loaded.error(), "map");
+    return loaded ? loaded->dropped.back() : to_string(loaded.error(), "map");
   };
   EXPECT_EQ(error_with("/etc/passwd"),
-            "map:file /etc/passwd: error: must be relative to the folder of the map");
-  EXPECT_EQ(error_with("C:\\t.tsx"), "map:file C:/t.tsx: error: must be relative to the folder of the map");
-  EXPECT_EQ(error_with("."), "map:file .: error: is not a file");
+            "the tileset, file /etc/passwd: must be relative to the folder of the map");
+  EXPECT_EQ(error_with("C:\\t.tsx"), "the tileset, file C:/t.tsx: must be relative to the folder of the map");
+  EXPECT_EQ(error_with("."), "the tileset, file .: is not a file");
   put("t.tsx", "<tileset tilewidth=\"16\" tileheight=\"0\"/>");
   EXPECT_EQ(error_with("t.tsx"),
             "map:file t.tsx, line 1: error: has tiles of 16x0 px, but a tileset needs tiles of 1 to 4096 px "

@@ -5,14 +5,16 @@
 
 #include <limits>
 
+#include "edit/layer_looks.h"
 #include "edit/map_stroke.h"
 #include "edit/undo_stack.h"
+#include "level/placed_picture.h"
 #include "session/session.h"
 
 namespace talus::layer_tools_test {
 
-std::shared_ptr<const std::vector<TileNumber>> cells_of(std::vector<TileNumber> tiles) {
-  return std::make_shared<const std::vector<TileNumber>>(std::move(tiles));
+std::shared_ptr<const MapCells> cells_of(std::vector<TileNumber> tiles) {
+  return std::make_shared<const MapCells>(std::move(tiles));
 }
 
 // A map of 3x1 cells with the layers "back" (tiles 1 1 1), "middle" (0 2 0), which is chosen, and "front" (3
@@ -20,7 +22,7 @@ std::shared_ptr<const std::vector<TileNumber>> cells_of(std::vector<TileNumber> 
 Level three_layers() {
   Level level;
   level.map = TileMap(3, 1);
-  level.map.cells() = {0, 2, 0};
+  level.map.cells().tiles() = {0, 2, 0};
   level.layers.list = {{.name = "back", .cells = cells_of({1, 1, 1})},
                        {.name = "middle"},
                        {.name = "front", .cells = cells_of({3, 0, 0})}};
@@ -33,7 +35,7 @@ std::string text_of(const Level& level) {
   std::string text;
   for (int layer = 0; layer < level.layers.count(); ++layer) {
     std::string row = level.layers.list[static_cast<std::size_t>(layer)].name + " ";
-    for (const TileNumber tile : level.cells_of(layer)) row += std::to_string(tile);
+    for (const TileNumber tile : level.cells_of(layer).tiles()) row += std::to_string(tile);
     if (layer == level.layers.chosen) row = "[" + row + "]";
     text += (text.empty() ? "" : ", ") + row;
   }
@@ -183,6 +185,67 @@ TEST(LayerTools, LooksCostNoOtherScene) {
   session.apply(action::EditLevel{set_layer_looks(session.level(), 2, looks)});
   session.advance(0);
   EXPECT_EQ(&session.scene(), scene);
+}
+
+// The names of all layers from the back.
+std::string names_in_order(const Level& level) {
+  std::string names;
+  for (const auto& [has_tiles, index] : layers_in_order(level)) {
+    const auto at = static_cast<std::size_t>(index);
+    names += (names.empty() ? "" : " ") + (has_tiles ? level.layers.list[at].name : level.objects[at].name);
+  }
+  return names;
+}
+
+TEST(LayerTools, LayersOfObjectsKeepTheirPlaces) {
+  Level level = three_layers();
+  level.objects = {{.name = "sky", .place = 0}, {.name = "things", .place = 2}, {.name = "top"}};
+  EXPECT_EQ(names_in_order(level), "sky back middle things front top");
+  const auto after = [&](const Edit& edit) {
+    Level changed = level;
+    apply_edit(changed, edit);
+    Level back = changed;
+    revert_edit(back, edit);
+    EXPECT_EQ(back, level);
+    return names_in_order(changed);
+  };
+  EXPECT_EQ(after(add_layer(level)), "sky back middle Layer 4 things front top");
+  EXPECT_EQ(after(remove_layer(level, 0)), "sky middle things front top");
+  EXPECT_EQ(after(merge_layer_down(level, 1)), "sky back things front top");
+  EXPECT_EQ(after(move_layer(level, 1, 2)), "sky back things front middle top");
+  EXPECT_EQ(after(move_in_order(level, 0, 3)), "back middle things sky front top");
+  EXPECT_EQ(after(move_in_order(level, 5, 0)), "top sky back middle things front");
+}
+
+TEST(LayerLooks, OfEveryKindAreSetWithinTheirRanges) {
+  Level level = three_layers();
+  level.objects = {{.name = "walls"}};
+  const LayerInOrder walls{false, 0}, front{true, 2};
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const LayerInOrder& layer : {walls, front}) {
+    const Edit edit =
+        set_looks(level, layer, {.opacity = 2, .offset = {nan, 4}, .parallax = {1000, 0}, .tint = {1, 2, 3}});
+    apply_edit(level, edit);
+    EXPECT_EQ(looks_of(level, layer),
+              (LayerLooks{.offset = {0, 4}, .parallax = {kMaxParallax, 0}, .tint = {1, 2, 3}}));
+    EXPECT_TRUE(set_looks(level, layer, looks_of(level, layer)).empty());
+    revert_edit(level, edit);
+    EXPECT_EQ(looks_of(level, layer), LayerLooks());
+  }
+  EXPECT_TRUE(set_looks(level, {false, 1}, {.opacity = 0.5}).empty()) << "there is no such layer";
+  EXPECT_TRUE(set_looks(level, {true, 3}, {.opacity = 0.5}).empty());
+}
+
+TEST(LayerLooks, OfGroupsAreSetWithinTheirRanges) {
+  Level level = three_layers();
+  level.layers.groups = {{.name = "far", .locked = true}};
+  level.layers.list[2].group = 0;
+  const Edit edit = set_looks_of_group(level, 0, {.opacity = 2, .offset = {3, 4}, .tint = {1, 2, 3}});
+  apply_edit(level, edit);
+  EXPECT_EQ(looks_of_group(level, 0), (LayerLooks{.locked = true, .offset = {3, 4}, .tint = {1, 2, 3}}));
+  EXPECT_EQ(looks_of(level, {true, 2}), LayerLooks()) << "its own";
+  EXPECT_TRUE(set_looks_of_group(level, 1, {.opacity = 0.5}).empty()) << "there is no such group";
+  EXPECT_EQ(looks_of_group(level, 1), LayerLooks());
 }
 
 }  // namespace talus::layer_tools_test

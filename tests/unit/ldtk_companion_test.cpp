@@ -32,7 +32,7 @@ class LdtkCompanion : public FolderTest {
   // The level Cave with one more wall and a body.
   Level changed_cave() const {
     Level level = load("game.ldtk", {.level = "Cave"}).level;
-    level.map.set({1, 1}, level.map.at({0, 0}));
+    level.map.set({1, 1}, level.map.tile_at({0, 0}));
     Spawn ball;
     ball.name = "Bo";
     level.spawns.push_back(ball);
@@ -82,7 +82,7 @@ TEST_F(LdtkCompanion, HoldsSeveralLevelsAndTheMapping) {
   EXPECT_EQ(again.ldtk->mapping, mapping);
   const Level mapped = load("game.ldtk", {.level = "Cave"}).level;
   EXPECT_EQ(mapped.map.at({1, 0}), 200);
-  EXPECT_THAT(shape_of_tile(mapped, mapped.map.at({0, 0})).heights, ElementsAre(0, 8))
+  EXPECT_THAT(shape_of_tile(mapped, mapped.map.tile_at({0, 0})).heights, ElementsAre(0, 8))
       << "the mapping is that of the whole project";
 }
 
@@ -94,7 +94,7 @@ TEST_F(LdtkCompanion, PaintedCellsWinWhereLdtkChangedNothing) {
   const LoadedLevel both = load("game.ldtk", {.level = "Cave"});
   EXPECT_EQ(both.level.map.at({0, 0}), 0) << "as in LDtk";
   EXPECT_NE(both.level.map.at({1, 0}), 200) << "that cell was changed in LDtk, too";
-  EXPECT_EQ(both.level.map.at({1, 1}), cave.map.at({1, 1}));
+  EXPECT_EQ(both.level.map.tile_at({1, 1}), cave.map.tile_at({1, 1}));
   EXPECT_EQ(both.note, "LDtk has changed game.ldtk: 1 painted cell is as in LDtk now");
   const auto saved = save(both.level, both.companion);
   ASSERT_TRUE(saved);
@@ -115,7 +115,7 @@ TEST_F(LdtkCompanion, LayersOfTalusAreKept) {
   Level cave = load("game.ldtk", {.level = "Cave"}).level;
   TileLayer mine;
   mine.name = "Mine";
-  mine.cells = std::make_shared<const std::vector<TileNumber>>(std::vector<TileNumber>{0, 1, 0, 1});
+  mine.cells = std::make_shared<const MapCells>(std::vector<TileNumber>{0, 1, 0, 1});
   cave.layers.list.push_back(mine);
   Brush pair;
   pair.w = 2;

@@ -23,7 +23,7 @@ Level level_of(const std::string& text, const LdtkMapping& mapping,
   EXPECT_TRUE(loaded) << to_string(loaded.error(), "file");
   return loaded ? loaded->level : Level();
 }
-TileShape shape_in(const Level& level, int column) { return shape_of_tile(level, level.map.at({column, 0})); }
+TileShape shape_in(const Level& level, int column) { return shape_of_cell(level, level.map.at({column, 0})); }
 // The definition of the layer has no name.
 LdtkMapping value_to(const std::string& number, const std::string& shape, const std::string& flag = "") {
   LdtkMapping mapping;
@@ -46,7 +46,7 @@ TEST(LdtkMapping, AValueHasTheChosenFlag) {
   const std::string text = ldtk_project(ldtk_level(ldtk_grid(2, 1, "1,2")), kTwoValues);
   const Level own = level_of(text, value_to("1", "", "own"));
   EXPECT_EQ(own.flag_names[5], "wall");
-  EXPECT_EQ(own.tile_flags(own.map.at({0, 0})), 1 | 1 << 5);
+  EXPECT_EQ(own.tile_flags(own.map.tile_at({0, 0})), 1 | 1 << 5);
   const Level none = level_of(text, value_to("2", "", "none"));
   EXPECT_EQ(none.flag_names[4], "");
   const Level role = level_of(text, value_to("2", "", "one_way"));
@@ -78,8 +78,8 @@ TEST(LdtkMapping, TilesKeepTheirNumbersWhenTheProjectChanges) {
   const Level before = level_of(ldtk_project(ldtk_level(ldtk_grid(3, 1, "1,2,0")), kTwoValues), {});
   const Level after = level_of(ldtk_project(ldtk_level(ldtk_grid(3, 1, "0,3,2")), kTwoValues),
                                value_to("2", "slope_up"), before.ldtk->tiles);
-  EXPECT_EQ(after.map.at({2, 0}), before.map.at({1, 0}));
-  EXPECT_NE(after.map.at({1, 0}), before.map.at({0, 0})) << "that number is taken";
+  EXPECT_EQ(after.map.tile_at({2, 0}), before.map.tile_at({1, 0}));
+  EXPECT_NE(after.map.tile_at({1, 0}), before.map.tile_at({0, 0})) << "that number is taken";
   EXPECT_THAT(shape_in(after, 2).heights, ElementsAre(0, 8));
   const Level broken = level_of(ldtk_project(ldtk_level(ldtk_grid(2, 1, "1,2")), kTwoValues), {},
                                 {"", "x", "2 1 9 9", "2 1", "2 1"});

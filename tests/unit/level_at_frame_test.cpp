@@ -23,7 +23,7 @@ class LevelOfAFrame : public testing::Test {
     session_.apply(action::EditLevel{paint_stamp(session_.level(), cell, {1, 1, {tile}})});
   }
   void show() { level_at_frame_.show(session_, session_.timeline().current(), session_.timeline().frame()); }
-  TileNumber tile_at(Cell cell) { return level_at_frame_.level(session_).map.at(cell); }
+  TileNumber tile_at(Cell cell) { return level_at_frame_.level(session_).map.tile_at(cell); }
 
   Session session_{ball_room()};
   LevelAtFrame level_at_frame_;

@@ -68,8 +68,7 @@ Level level_with(const std::vector<std::size_t>& amounts) {
   level.curves.resize(amounts[1] % 50, {"ramp", {Segment{{0, 0}, {8, 8}}, Curve::Faces::up}, ""});
   if (!level.spawns.empty()) level.spawns[0].name.assign(kMaxNameBytes - 300 + amounts[2] % 250, 'x');
   level.extra = json{{"unknown", std::string(kMaxUnknownBytes - 100 + amounts[3] % 100, 'x')}}.dump();
-  level.brushes.resize(15 + amounts[4] % 2,
-                       {"b", 256, 256, std::vector<TileNumber>(256 * 256, 3), false, ""});
+  level.brushes.resize(15 + amounts[4] % 2, {"b", 256, 256, std::vector<MapCell>(256 * 256, 3), false, ""});
   if (amounts[4] % 5 == 0) level.brushes.push_back({"one", 1, 1, {7}, false, ""});
   Polyline line{0, 1900, std::vector<double>(kMaxPolylineHeights, 4)};
   level.curves.resize(level.curves.size() + 3 + amounts[5] % 3, {"", {line, Curve::Faces::up}, ""});
@@ -186,7 +185,7 @@ TEST(LevelLimits, DeepUnknownMembersStaySmall) {
 
 TEST(LevelLimits, RepeatedSectionLinesDoNotMakeACartGrow) {
   Level level;
-  std::fill(level.map.cells().begin(), level.map.cells().end(), TileNumber{17});
+  std::fill(level.map.cells().tiles().begin(), level.map.cells().tiles().end(), TileNumber{17});
   json document = json::parse(native_of_level(level));
   document["cart"] = {{"kind", "text"}, {"comment", "--"}, {"lines", json::array()}};
   for (int i = 0; i < 200; ++i) document["cart"]["lines"].push_back({{"level", "MAP"}});
@@ -210,7 +209,7 @@ TEST(LevelLimits, ALevelTooLargeForACartIsNotSavedAsOne) {
                            .data = std::string_view(data).substr(0, kMaxCartBytes - bytes.size() - 100)});
   auto level = read_tic(bytes, {});
   ASSERT_TRUE(level) << level.error().message;
-  std::fill(level->map.cells().begin(), level->map.cells().end(), TileNumber{3});
+  std::fill(level->map.cells().tiles().begin(), level->map.cells().tiles().end(), TileNumber{3});
   const auto cart = write_tic(*level, {});
   ASSERT_FALSE(cart);
   EXPECT_THAT(cart.error().message, HasSubstr("bytes as a cartridge, but may have only 4194304"));
@@ -267,7 +266,7 @@ TEST(RecordingLimits, EditsDoNotReadTheCart) {
   ASSERT_TRUE(again) << to_string(again.error(), "file");
   ASSERT_TRUE(again->level.cart);
   EXPECT_NE(again->level.cart->bytes.find("trace(1)"), std::string::npos);
-  EXPECT_EQ(again->edits[0].version->layers[0].rows.front()->size(), 300u);
+  EXPECT_EQ(again->edits[0].version->width, 300);
 }
 
 TEST(RecordingLimits, TheCartCountsAsAPartOfALevel) {

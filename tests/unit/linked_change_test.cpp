@@ -44,7 +44,7 @@ class LinkedChanges : public FolderTest {
            cells + "</data></layer>\n</map>\n";
   }
   void check() { session_.apply(act::CheckFile{}); }
-  auto cell(int x, int y) const { return session_.level().map.at({x, y}); }
+  auto cell(int x, int y) const { return session_.level().map.tile_at({x, y}); }
   void paint(int x, int y, int tile) {
     session_.apply(
         act::EditLevel{Edit{"Paint", {CellChange{{x, y}, cell(x, y), static_cast<TileNumber>(tile)}}}});

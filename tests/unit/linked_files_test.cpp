@@ -6,6 +6,7 @@
 
 #include <talus/formats/format.h>
 #include "folder_test.h"
+#include "png_bytes.h"
 
 namespace talus::linked_files_test {
 
@@ -31,10 +32,14 @@ class LinkedFiles : public FolderTest {
         R"(<map version="1.10" orientation="orthogonal" width="1" height="1" tilewidth="8" tileheight="8">)" +
             tileset +
             R"(<layer id="1" name="l" width="1" height="1"><data encoding="csv">1</data></layer></map>)");
-    const auto loaded = load_level(path("maps/map.tmx"));
+    const auto loaded = load_level(path("maps/map.tmx"), {.outside = outside_});
     if (!loaded) return to_string(loaded.error(), "map");
-    return loaded->dropped.empty() ? "" : loaded->dropped.front();
+    for (const std::string& phrase : loaded->dropped)
+      if (phrase.find(", file ") != phrase.npos) return phrase;
+    return "";
   }
+
+  std::vector<std::string> outside_ = {"/"};  // also where everything may be read
 };
 
 TEST_F(LinkedFiles, AreReadOnlyIfTheyAreRegularFiles) {
@@ -60,6 +65,52 @@ TEST_F(LinkedFiles, OtherContentIsNotQuotedInTheError) {
     EXPECT_THAT(error_with_tileset(name), testing::AllOf(HasSubstr("error"), Not(HasSubstr("hunter2"))))
         << name;
   }
+}
+
+TEST_F(LinkedFiles, OutsideOfTheFolderAreReadIfThatIsAllowed) {
+  fs::create_directories(path("art"));
+  put("art/t.png", rgb_png(8, std::vector<Rgb>(64, Rgb{200, 0, 0})));
+  put("art/t.tsx",
+      R"(<tileset name="t" tilewidth="8" tileheight="8" tilecount="1" columns="1"><image source="t.png"/></tileset>)");
+  fs::create_symlink("../art/t.png", path("maps/link.png"));
+  outside_ = {};
+  for (const char* name : {"../art/t.png", "link.png", "../maps/../art/t.png"}) {
+    EXPECT_THAT(said_of_picture(name),
+                HasSubstr(std::string("file ") + name + ": lies outside of the folder"));
+    const auto loaded = load_level(path("maps/map.tmx"));
+    EXPECT_THAT(loaded->refused, testing::ElementsAre(name));
+    EXPECT_THAT(loaded->linked, testing::IsEmpty()) << "nobody watches it";
+  }
+  EXPECT_THAT(error_with_tileset("../art/t.tsx"), HasSubstr("../art/t.tsx: lies outside of the folder"));
+  outside_ = {fs::canonical(path("art")).string()};
+  for (const char* name : {"../art/t.png", "link.png"}) EXPECT_EQ(said_of_picture(name), "");
+  EXPECT_EQ(error_with_tileset("../art/t.tsx"), "");
+  EXPECT_EQ(load_level(path("maps/map.tmx"), {.outside = outside_})->linked.size(), 2u);
+  outside_ = {fs::canonical(path("maps")).string() + "/art"};
+  EXPECT_THAT(said_of_picture("../art/t.png"), HasSubstr("lies outside")) << "another folder of that name";
+}
+
+TEST_F(LinkedFiles, OutsideOfTheFolderAreSavedIfTheyWereRead) {
+  fs::create_directories(path("art"));
+  put("art/t.tsx",
+      "<tileset name=\"t\" tilewidth=\"8\" tileheight=\"8\" tilecount=\"1\" columns=\"1\">\n"
+      " <image source=\"t.png\" width=\"8\" height=\"8\"/>\n</tileset>\n");
+  outside_ = {};
+  error_with_tileset("../art/t.tsx");
+  const std::string map = bytes_of("maps/map.tmx"), tileset = bytes_of("art/t.tsx");
+  const auto save_solid = [&] {
+    auto loaded = load_level(path("maps/map.tmx"), {.outside = outside_});
+    loaded->level.tile_shapes[loaded->level.map.tile_at({0, 0})] = {.kind = TileShape::Kind::solid};
+    return save_level(loaded->level, *loaded->format, loaded->path, loaded->companion).has_value();
+  };
+  ASSERT_TRUE(save_solid());
+  EXPECT_EQ(bytes_of("maps/map.tmx"), map);
+  EXPECT_EQ(bytes_of("art/t.tsx"), tileset) << "the companion has it";
+  fs::remove(path("maps/map.tmx.talus.json"));
+  outside_ = {fs::canonical(path("art")).string()};
+  ASSERT_TRUE(save_solid());
+  EXPECT_EQ(bytes_of("maps/map.tmx"), map);
+  EXPECT_THAT(bytes_of("art/t.tsx"), HasSubstr("<object"));
 }
 
 }  // namespace talus::linked_files_test

@@ -17,7 +17,7 @@ bool advance(LintCache& cache, const Level& level) {
 Level random_slopes(int width, int height, std::mt19937& random) {
   Level level = slope_level({"."});
   level.map = TileMap(width, height);
-  for (TileNumber& tile : level.map.cells())
+  for (TileNumber& tile : level.map.cells().tiles())
     tile = random() % 3 == 0 ? static_cast<TileNumber>(random() % kSlopeSigns.size()) : 0;
   level.spawns = {{"", {40, 40}, {}, "", BodyKind::player, {7, 14}}};
   return level;

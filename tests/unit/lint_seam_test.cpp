@@ -150,10 +150,10 @@ TEST(LintTiles, ATileHasNoPicture) {
   Level level = slope_level({"o....", ".....", "#####"});
   level.sheet(SheetId::tiles).images[kSolidSign].fill(0);
   EXPECT_THAT(lint_lines(level), ElementsAre("invisible: tile 1 is solid, but its picture is blank"));
-  level.map.cells().assign(15, 0);
+  level.map.cells().tiles().assign(15, 0);
   level.spawns.push_back({});
   EXPECT_THAT(lint_lines(level), IsEmpty());  // it is not on the map
-  level.map.cells().assign(15, kSolidSign);
+  level.map.cells().tiles().assign(15, kSolidSign);
   level.spawns[0].position = {0, -8};
   for (TileImage& image : level.sheet(SheetId::tiles).images) image.fill(0);
   EXPECT_THAT(lint_lines(level).size(), 1u);  // the spawn; nothing has a picture in such a level

@@ -338,6 +338,26 @@ TEST(Lint, PolygonsThatASolverDoesNotTake) {
   EXPECT_THAT(problems(level), unknown);
 }
 
+TEST(Lint, GroundOfALayerThatIsDrawnElsewhere) {
+  Level level = level_of({"o..", "###"});
+  level.layers.list[0].offset = {4, -0.5};
+  level.layers.list[0].name = "land";
+  const auto moved = ElementsAre(
+      "W ground-not-where-drawn: bodies do not stop where the layer \"land\" is drawn: its picture has an "
+      "offset of 4, -0.5 px, and its ground has none");
+  EXPECT_THAT(problems(level), moved);
+  Level sky = level;
+  sky.layers.list.push_back({.name = "sky", .is_ground = false, .offset = {9, 9}});
+  sky.layers.list[1].cells = std::make_shared<const MapCells>(level.map.cells());
+  EXPECT_THAT(problems(sky), moved) << "one among several";
+  sky.layers.list[0].offset = {};
+  EXPECT_THAT(problems(sky), IsEmpty());
+  level.map.cells().tiles().assign(6, 0);
+  level.map.set({0, 0}, kBall);
+  EXPECT_THAT(problems(level), testing::Not(testing::Contains(testing::HasSubstr("not-where-drawn"))))
+      << "it has no ground";
+}
+
 TEST(Lint, GroundThatTheArticleDoesNotKnow) {
   Level level = level_of({"o..", "###"});
   level.map.set({1, 0}, 20);

@@ -12,8 +12,10 @@ using Kind = TileShape::Kind;
 // a: solid, one colour. b, c: the halves of an up-slope of 16x8 px as in the article, with the flag on the
 // left one. d, e: the halves of a down-slope, drawn as mirror images. f: an up-slope of one tile with its own
 // shape. g: a sign without ground, drawn on its left. h: the mirror image of the sign.
+// The level is a cart's, which has no turned tiles.
 Level mirror_level(const MapRows& rows) {
   Level level = level_of_rows(rows);
+  level.cart = std::make_shared<const CartOrigin>();
   Sheet& sheet = level.sheet(SheetId::tiles);
   sheet.flags[1] = 1;
   sheet.flags[2] = 4;
@@ -112,6 +114,26 @@ TEST(MapMirror, OneWayPlatformHasNoMirrorImageUpsideDown) {
   level.tile_shapes[9] = {.kind = Kind::solid, .one_way = true};
   EXPECT_EQ(mirror_cells(level, {0, 0, 1, 2}, kUpDown).without_partner, 1);
   EXPECT_EQ(mirror_cells(level, {0, 0, 1, 2}, kLeftRight).without_partner, 0);
+}
+
+TEST(MapMirror, WhatHasNoPartnerIsTurned) {
+  Level level = mirror_level({"fbcgh", "i...."});
+  level.cart = nullptr;
+  level.sheet(SheetId::tiles).flags[4] = 0;    // the sheet has no down-slope any more
+  level.sheet(SheetId::tiles).flags[8] = 128;  // and no mirror image of the sign
+  level.tile_shapes[9] = {.kind = Kind::solid, .one_way = true};
+  const MirroredCells across = mirror_cells(level, {0, 0, 5, 2}, kLeftRight);
+  EXPECT_EQ(text_of_missing(across), "");
+  apply_edit(level, across.edit);
+  const auto turned = [](TileNumber tile, TileTurn turn = TileTurn::left_right) {
+    return MapCell(tile, turn);
+  };
+  const MapCell expected[] = {turned(8), turned(7), turned(3), turned(2), turned(6)};
+  for (int x = 0; x < 5; ++x) EXPECT_EQ(level.map.at({x, 0}), expected[x]) << x;
+  EXPECT_EQ(level.map.at({4, 1}), 9);
+  apply_edit(level, mirror_cells(level, {4, 0, 1, 2}, kUpDown).edit);
+  EXPECT_EQ(level.map.at({4, 0}), turned(9, TileTurn::up_down));
+  EXPECT_EQ(level.map.at({4, 1}), turned(6, turn_of(false, true, true)));
 }
 
 }  // namespace talus::map_mirror_test

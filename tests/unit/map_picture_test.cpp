@@ -104,7 +104,7 @@ TEST(MapPicture, EveryRowAndColumnCounts) {
 TEST(MapPicture, TheLongestRowFitsAPixel) {
   Level level = picture_level(kMaxTerrainSide, 8);
   level.palette[1] = {255, 255, 255};
-  std::fill(level.map.cells().begin(), level.map.cells().end(), TileNumber{1});
+  std::fill(level.map.cells().tiles().begin(), level.map.cells().tiles().end(), TileNumber{1});
   EXPECT_EQ(pixel(map_picture(level.map, tile_colors(level, {}), {0, 0}, kMaxBlock, 1, 1), 0),
             (Rgb{255, 255, 255}));
 }
@@ -112,8 +112,8 @@ TEST(MapPicture, TheLongestRowFitsAPixel) {
 TEST(MapPicture, LayersInFrontAreClearWhereTheyShowNothing) {
   Level level = picture_level(2, 1);
   level.sheet(SheetId::tiles).images[1][1] = 0;
-  level.map.cells() = {1, 0};
-  level.layers.list = {{.cells = std::make_shared<const std::vector<TileNumber>>(2)}, {}};
+  level.map.cells().tiles() = {1, 0};
+  level.layers.list = {{.cells = std::make_shared<const MapCells>(2)}, {}};
   level.layers.chosen = 1;
   const auto picture = [&](const LayerLook& look, int block) {
     return layer_picture(level, look.layer, layer_paint(level, look), {0, 0}, block, 2, 1);
@@ -132,7 +132,7 @@ TEST(MapPicture, LayersInFrontAreClearWhereTheyShowNothing) {
 
 TEST(MapPicture, OnlyGroundHidesItsBalls) {
   Level level = picture_level(1, 1);
-  level.layers.list = {{.cells = std::make_shared<const std::vector<TileNumber>>(1)}, {}};
+  level.layers.list = {{.cells = std::make_shared<const MapCells>(1)}, {}};
   level.layers.chosen = 1;
   LayerLook look{1, false, {}};
   look.look.hide_balls = true;

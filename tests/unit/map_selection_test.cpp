@@ -126,7 +126,7 @@ TEST_F(MapSelection, LargeMovesRestoreCellsToo) {
   for (int y = 0; y < 40; ++y) {
     for (int x = 0; x < 30; ++x) {
       ASSERT_EQ(session_->level().map.at({x, y}), 0);
-      ASSERT_EQ(session_->level().map.at({x + 30, y}), level.map.at({x, y}));
+      ASSERT_EQ(session_->level().map.tile_at({x + 30, y}), level.map.tile_at({x, y}));
     }
   }
   for (int i = 0; i < 30; ++i) move(-1, 0);
@@ -151,13 +151,13 @@ TEST(MapClipboard, HasTheFormOfTic80) {
 }
 
 TEST(MapClipboard, LargerThanAByteHasALineOfItsOwn) {
-  Stamp wide{300, 1, std::vector<TileNumber>(300, 7)};
+  Stamp wide{300, 1, std::vector<MapCell>(300, 7)};
   wide.tiles[299] = 0x21;
   const std::string text = text_of_cells(wide);
   EXPECT_EQ(text.substr(0, 12), "map 300x1\n70");
   EXPECT_EQ(text.substr(text.size() - 2), "12");
   EXPECT_EQ(cells_of_text(text), wide);
-  const Stamp most{255, 1, std::vector<TileNumber>(255, 1)};
+  const Stamp most{255, 1, std::vector<MapCell>(255, 1)};
   EXPECT_EQ(text_of_cells(most).substr(0, 4), "ff10");
   EXPECT_EQ(cells_of_text(text_of_cells(most)), most);
 }

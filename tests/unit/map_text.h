@@ -27,7 +27,7 @@ inline MapRows rows_of(const TileMap& map) {
   MapRows rows(static_cast<std::size_t>(map.height()));
   for (Cell c{0, 0}; c.y < map.height(); ++c.y) {
     for (c.x = 0; c.x < map.width(); ++c.x) {
-      const int tile = map.at(c);
+      const int tile = map.tile_at(c);
       rows[static_cast<std::size_t>(c.y)] += static_cast<char>(tile == 0 ? '.' : 'a' + tile - 1);
     }
   }

@@ -120,7 +120,7 @@ TEST(MapTools, FloodFillsAMillionCells) {
   const Edit edit = flood_fill(level, {2000, 100}, kA);
   apply_edit(level, edit);
   TileMap expected(4096, 256);
-  for (TileNumber& tile : expected.cells()) tile = 1;
+  for (TileNumber& tile : expected.cells().tiles()) tile = 1;
   EXPECT_TRUE(level.map == expected);
 }
 

@@ -132,8 +132,10 @@ TEST(Merge, TakesEveryPartOfALevel) {
   mine.flag_shapes[3].kind = TileShape::Kind::solid;
   mine.tilesets = {{.name = "all", .count = kCartTiles, .columns = kCartColumns}};
   mine.animations[9] = {{8, 100}};
+  mine.tile_notes[9].type = "lava";
+  mine.large_tiles[9].size = {16, 24};
   mine.layers.list[0].opacity = 0.5;
-  mine.map.set({2, 2}, 9);
+  mine.map.set({2, 2}, {9, kTurnRight});
   mine.curves = {{.name = "hill", .curve = {.form = Segment{{0, 8}, {8, 4}}}, .extra = ""}};
   mine.objects = {{.name = "things", .objects = {{.name = "coin", .position = {3, 4}}}}};
   mine.tuning.shared.fall_speed = 7;
@@ -143,12 +145,13 @@ TEST(Merge, TakesEveryPartOfALevel) {
   mine.exports = {{.name = "game", .exporter = "love", .path = "game", .extra = ""}};
   mine.extra = R"({"new":1})";
   const auto& [sheets, palette, flag_names, flag_fields, roles, tile_shapes, flag_shapes, tilesets,
-               animations, layers, map, curves, objects, tuning, spawns, brushes, auto_tiles, exports, cart,
-               tiled, ldtk, extra] = mine;
+               animations, tile_notes, large_tiles, layers, map, curves, objects, tuning, spawns, brushes,
+               auto_tiles, exports, cart, tiled, ldtk, extra] = mine;
   EXPECT_FALSE(sheets == base.sheets || palette == base.palette || flag_names == base.flag_names ||
                flag_fields == base.flag_fields || roles == base.roles || tile_shapes == base.tile_shapes ||
                flag_shapes == base.flag_shapes || tilesets == base.tilesets ||
-               animations == base.animations || layers == base.layers);
+               animations == base.animations || tile_notes == base.tile_notes ||
+               large_tiles == base.large_tiles || layers == base.layers);
   EXPECT_FALSE(map.cells() == base.map.cells() || curves == base.curves || objects == base.objects ||
                tuning == base.tuning || spawns == base.spawns || brushes == base.brushes ||
                auto_tiles == base.auto_tiles || exports == base.exports || extra == base.extra);

@@ -165,8 +165,8 @@ TEST(NativeShapes, ShapeErrorsSayWhere) {
   expect(R"({"kind": "slope", "heights": [1]})", "", "must have 2 heights");
   expect(R"({"kind": "slope", "heights": [0, 65]})", "", "has a height that is not from 0 to 64 px");
   expect_error(R"("tile_shapes": {"256": {}})", "key tile_shapes.256", "must be a tile number from 0 to 255");
-  expect_error(R"("flag_shapes": {"8": {}})", "key flag_shapes.8", "must be a flag from 0 to 7");
-  expect_error(R"("flag_shapes": {"07": {}})", "key flag_shapes.07", "must be a flag from 0 to 7");
+  expect_error(R"("flag_shapes": {"32": {}})", "key flag_shapes.32", "must be a flag from 0 to 31");
+  expect_error(R"("flag_shapes": {"07": {}})", "key flag_shapes.07", "must be a flag from 0 to 31");
   expect_error(R"("flag_shapes": {"1": {"kind": "profile"}})", "key flag_shapes.1",
                "must have 3 to 65 heights");
 }
@@ -217,7 +217,7 @@ TEST(NativeShapes, SpawnAndTuningErrorsSayWhere) {
   expect_error(R"("tuning": {"player": {"jump_cut": 2}})", "key tuning.player.jump_cut",
                "must be a number from 0 to 1");
   expect_error(R"("tuning": {"player": 2})", "key tuning.player", "must be an object");
-  expect_error(R"("roles": {"one_way": 9})", "key roles.one_way", "must be a flag from 0 to 7, or null");
+  expect_error(R"("roles": {"one_way": 32})", "key roles.one_way", "must be a flag from 0 to 31, or null");
 }
 
 TEST(NativeShapes, LevelsThatCannotBeReadAreNotWritten) {

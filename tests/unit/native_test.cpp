@@ -146,8 +146,8 @@ TEST(Native, UnknownKeysSurviveTheDataBesideThem) {
 }
 
 TEST(Native, ANewerVersionIsRefused) {
-  expect_native_error(R"({"talus": 6, "palette": 7})", "key talus",
-                      "has version 6, but this Talus reads only up to version 5");
+  expect_native_error(R"({"talus": 8, "palette": 7})", "key talus",
+                      "has version 8, but this Talus reads only up to version 7");
   expect_native_error(R"({"talus": "1"})", "key talus", "must be the version, a whole number from 1");
   expect_native_error(R"({"map": {}})", "key talus", "is missing, so this is not a Talus level");
   expect_native_error("[]", "", "is JSON, but not a Talus level");
@@ -191,11 +191,11 @@ TEST(Native, ErrorsSayWhere) {
   expect_native_error(native_with(R"("tuning": {"solver": "magic"})"), "key tuning.solver",
                       R"(must be "article", "bump" or "exact")");
   expect_native_error(native_with(R"("tuning": [])"), "key tuning", "must be an object");
-  expect_native_error(native_with(R"("roles": {"solid": 8})"), "key roles.solid",
-                      "must be a flag from 0 to 7, or null");
+  expect_native_error(native_with(R"("roles": {"solid": 32})"), "key roles.solid",
+                      "must be a flag from 0 to 31, or null");
   expect_native_error(native_with(R"("palette": ["000000"])"), "key palette", "must be a list of 16 colours");
   expect_native_error(native_with(R"("flag_names": [1])"), "key flag_names",
-                      "must be a list of up to 8 strings");
+                      "must be a list of up to 32 strings");
   expect_native_error(native_with(R"("spawns": [{}, {"x": 200000000}])"), "key spawns[1].x",
                       "must be a number from -100000000 to 100000000");
   expect_native_error(native_with(R"("spawns": [7])"), "key spawns[0]", "must be an object");
@@ -203,8 +203,8 @@ TEST(Native, ErrorsSayWhere) {
                       "must be a tile number from 0 to 255");
   expect_native_error(native_with(R"("tiles": {"01": {}})"), "key tiles.01",
                       "must be a tile number from 0 to 255");
-  expect_native_error(native_with(R"("tiles": {"1": {"flags": [8]}})"), "key tiles.1.flags",
-                      "must be a list of flags from 0 to 7");
+  expect_native_error(native_with(R"("tiles": {"1": {"flags": [32]}})"), "key tiles.1.flags",
+                      "must be a list of flags from 0 to 31");
   expect_native_error(native_with(R"("sprites": {"9": {"pixels": "0"}})"), "key sprites.9.pixels",
                       "must be eight rows of eight hexadecimal digits");
 }
@@ -243,7 +243,7 @@ TEST(Native, TheLargestMapsAreReadAgain) {
     Level level;
     level.map = TileMap(width, kMaxTerrainCells / width);
     for (std::size_t i = 0; i < level.map.cells().size(); ++i)
-      level.map.cells()[i] = static_cast<std::uint8_t>(i * 7 + 1);
+      level.map.cells().tiles()[i] = static_cast<std::uint8_t>(i * 7 + 1);
     const std::string text = native_of_level(level);
     EXPECT_LT(text.size(), width == 8 ? 55'000'000u : 34'000'000u);
     EXPECT_EQ(level_of_native(text), level);

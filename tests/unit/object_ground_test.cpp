@@ -46,7 +46,7 @@ bool is_ground_at(const Level& tiles, Vec2 place) {
   const TileSize size = tiles.map.tile_size();
   const Cell cell{static_cast<int>(place.x / size.width), static_cast<int>(place.y / size.height)};
   const auto at = static_cast<std::size_t>(cell.y * tiles.map.width() + cell.x);
-  const auto& cells = *tiles.layers.list.back().cells;
+  const auto& cells = tiles.layers.list.back().cells->tiles();
   const TileShape& shape = tiles.tile_shapes[static_cast<std::size_t>(cells[at])];
   return shape.kind != TileShape::Kind::none && is_in_ground(shape, size, place - tiles.map.corner_of(cell));
 }
@@ -215,6 +215,13 @@ TEST(ObjectGround, LayersOfTiledAreGroundByTheirName) {
   EXPECT_FALSE(is_ground(R"("name":"doors")"));
 }
 
+TEST(ObjectGround, MovesWithTheOffsetOfItsLayer) {
+  Level moved = level_with({box_object({20, 30, 50, 40}, 10)});
+  moved.objects[0].offset = {5.5, -7};
+  const Level there = level_with({box_object({25.5, 23, 50, 40}, 10)});
+  EXPECT_EQ(with_object_tiles(moved), with_object_tiles(there));
+}
+
 TEST(ObjectGround, ObjectsOfTiledAreKeptWithAllTheyHave) {
   const LoadedLevel loaded = load_object_map(
       R"({"type":"objectgroup","name":"solid","offsetx":4,"objects":[
@@ -227,7 +234,8 @@ TEST(ObjectGround, ObjectsOfTiledAreKeptWithAllTheyHave) {
   const MapObject& rock = loaded.level.objects[0].objects[0];
   EXPECT_EQ(rock.name, "rock");
   EXPECT_EQ(rock.type, "stone");
-  EXPECT_EQ(rock.position, (Vec2{20, 32}));
+  EXPECT_EQ(rock.position, (Vec2{16, 32}));
+  EXPECT_EQ(loaded.level.objects[0].offset, (Vec2{4, 0}));
   EXPECT_EQ(rock.rotation, 5);
   EXPECT_TRUE(rock.one_way);
   EXPECT_EQ(rock.properties, R"({"hp":3,"one_way":true})");

@@ -372,7 +372,7 @@ TEST(Overlays, TheWorkForBodiesInTheGroundIsBounded) {
   level.tuning.solver = SolverKind::exact;
   level.map = TileMap(140, 140);
   level.tile_shapes[2].kind = TileShape::Kind::solid;
-  std::fill(level.map.cells().begin(), level.map.cells().end(), TileNumber{2});
+  std::fill(level.map.cells().tiles().begin(), level.map.cells().tiles().end(), TileNumber{2});
   const Scene scene = compile_scene(level);
   std::vector<Body> bodies;
   for (int i = 1; i <= 100; ++i) bodies.push_back(body(i, {40, 40, 1024, 1024}));

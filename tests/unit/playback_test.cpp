@@ -273,7 +273,8 @@ TEST(Playback, EditsOfCellsGiveTheSceneOfTheEditedLevel) {
   level.tuning.solver = SolverKind::exact;
   Session session(level);
   for (const Cell cell : {Cell{2, 6}, Cell{3, 6}, Cell{2, 2}, Cell{2, 6}}) {
-    session.apply(painted(session, cell, session.level().map.at(cell) == kRoomSolid ? kPlain : kRoomSolid));
+    session.apply(
+        painted(session, cell, session.level().map.tile_at(cell) == kRoomSolid ? kPlain : kRoomSolid));
     EXPECT_EQ(session.scene(), compile_scene(session.level()));
     session.apply(act::StepFrame{});
   }

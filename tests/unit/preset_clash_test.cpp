@@ -27,6 +27,12 @@ FormatResult<std::string> read_asset(const std::string& name) {
 TEST(ExporterFiles, AreAllNamedBeforehand) {
   Level level;
   level.curves.push_back({"", {Arc{{30, 20}, 8, 24, 36, true}, Curve::Faces::up}, ""});
+  level.flag_names[4] = "ice";
+  auto picture = std::make_shared<SheetPicture>(SheetPicture{1, 1, {1, 2, 3, 255}});
+  MapObject shown{.form = MapObject::Form::tile, .size = {4, 4}};
+  shown.picture = {.picture = picture, .width = 1, .height = 1};
+  level.objects.push_back({.name = "shown", .objects = {shown}});
+  level.large_tiles[1] = {.part = {.picture = picture, .width = 1, .height = 1}, .size = {16, 16}};
   const ReadAsset read = read_asset;
   for (const Exporter& exporter : exporters()) {
     const std::string name = exporter.is_folder() ? "a.b" : "a.b." + std::string(exporter.extensions[0]);
@@ -34,11 +40,26 @@ TEST(ExporterFiles, AreAllNamedBeforehand) {
     ASSERT_TRUE(exported) << exporter.id << exported.error().message;
     std::set<std::string> written, told;
     for (const ExportedFile& file : exported->files) {
-      if (!file.name.empty()) written.insert(file.name);
+      if (!file.name.empty()) written.insert(without_picture_number(file.name));
     }
     for (const std::string_view beside : exporter.beside) told.insert(name_beside(beside, name));
     EXPECT_EQ(written, told) << exporter.id;
   }
+}
+
+TEST(ExporterFiles, PicturesOfAMapBelongToIt) {
+  EXPECT_NE(
+      clash({preset("map", "tmx", "out/a.tmx"), preset("map as a picture", "png", "out/a-picture-12.png")}),
+      "");
+  EXPECT_NE(
+      clash({preset("map as a picture", "png", "out/a-picture-1.png"), preset("map", "sti", "out/a.lua")}),
+      "");
+  for (const char* path :
+       {"out/a-picture-.png", "out/a-picture-1x.png", "out/b-picture-1.png", "a-picture-1.png"})
+    EXPECT_EQ(clash({preset("map", "tmx", "out/a.tmx"), preset("map as a picture", "png", path)}), "")
+        << path;
+  EXPECT_EQ(without_picture_number("a-picture-3.png"), "a-picture-#.png");
+  EXPECT_EQ(without_picture_number("a-tiles.png"), "a-tiles.png");
 }
 
 TEST(ExporterFiles, CompanionsBelongToOneExport) {

@@ -113,7 +113,7 @@ TEST_F(InterruptedRun, EndsLongBeforeItsLastFrame) {
 TEST_F(InterruptedRun, EndsWhileAFileIsRead) {
   Level large;
   large.map = TileMap(1000, 1000);
-  std::fill(large.map.cells().begin(), large.map.cells().end(), TileNumber{1});
+  std::fill(large.map.cells().tiles().begin(), large.map.cells().tiles().end(), TileNumber{1});
   ASSERT_TRUE(save_level(large, *find_format("native"), path("cave.talus.json")));
   const HeldSignals held;
   pthread_kill(pthread_self(), SIGINT);

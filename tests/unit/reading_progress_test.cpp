@@ -14,7 +14,7 @@ Level large_level() {
   Level level = level_for_tiled();
   level.map = TileMap(400, 300);
   std::size_t i = 0;
-  for (TileNumber& cell : level.map.cells()) cell = static_cast<TileNumber>(1 + i++ % 7);
+  for (TileNumber& cell : level.map.cells().tiles()) cell = static_cast<TileNumber>(1 + i++ % 7);
   return level;
 }
 

@@ -98,7 +98,7 @@ TEST_F(SaveTiled, APaintedCellChangesOnlyTheData) {
     put("a.tmx", map_in(encoded, 1));
     const auto paint = [](Level& level) {
       ASSERT_EQ(level.map.width(), 3);
-      level.map.set({0, 0}, level.map.at({1, 1}));  // the tile with the number 3
+      level.map.set({0, 0}, level.map.tile_at({1, 1}));  // the tile with the number 3
     };
     EXPECT_EQ(edit("a.tmx", paint), "") << encoded.name;
     EXPECT_EQ(bytes_of("a.tmx"), map_in(encoded, 3)) << encoded.name;
@@ -113,10 +113,27 @@ TEST_F(SaveTiled, MirroredTilesKeepTheirBits) {
   EXPECT_EQ(bytes_of("a.tmx"), map_in(kEncodings[0], 0x80000001));
 }
 
+TEST_F(SaveTiled, EachTurnIsWrittenAsItsBits) {
+  for (const Encoded& encoded : kEncodings) {
+    for (std::uint32_t turn = 0; turn < kTileTurns; ++turn) {
+      put("a.tmx", map_in(encoded, 1));
+      MapCell painted;
+      const auto paint = [&](Level& level) {
+        painted = {level.map.tile_at({1, 1}), static_cast<TileTurn>(turn)};  // the tile with the number 3
+        level.map.set({0, 0}, painted);
+      };
+      EXPECT_EQ(edit("a.tmx", paint), "");
+      EXPECT_EQ(bytes_of("a.tmx"), map_in(encoded, turn << 29 | 3)) << encoded.name << turn;
+      EXPECT_FALSE(exists("a.tmx.talus.json"));
+      EXPECT_EQ(level_of("a.tmx").map.at({0, 0}), painted);
+    }
+  }
+}
+
 TEST_F(SaveTiled, TilesThatNoTilesetHasStayInCells) {
   const std::string unknown = map_with("<data encoding=\"csv\">99,2,0,1,1,1</data>");
   put("a.tmx", unknown);
-  const auto paint = [](Level& level) { level.map.set({2, 0}, level.map.at({1, 0})); };
+  const auto paint = [](Level& level) { level.map.set({2, 0}, level.map.tile_at({1, 0})); };
   EXPECT_EQ(edit("a.tmx", paint), "");
   EXPECT_EQ(bytes_of("a.tmx"), map_with("<data encoding=\"csv\">99,2,2,1,1,1</data>"));
 }
@@ -134,7 +151,7 @@ TEST_F(SaveTiled, AnotherSizeIsWrittenToMapAndLayer) {
   const auto grow = [](Level& level) {
     TileMap larger(4, 3, level.map.tile_size());
     for (int y = 0; y < 2; ++y)
-      for (int x = 0; x < 3; ++x) larger.set({x, y}, level.map.at({x, y}));
+      for (int x = 0; x < 3; ++x) larger.set({x, y}, level.map.tile_at({x, y}));
     level.map = larger;
   };
   EXPECT_EQ(edit("a.tmx", grow), "");
@@ -163,10 +180,9 @@ TEST_F(SaveTiled, WhatTheMapCannotHoldIsInItsCompanion) {
   EXPECT_FALSE(exists("a.tmx.talus.json"));
 }
 
-// The mirrored tile has a number of its own behind the others, which another map would not give it.
 TEST_F(SaveTiled, NumbersOfTilesStayWithACompanion) {
   put("a.tmx", map_with("<data encoding=\"csv\">2147483649,1073741826,0,1,1,1</data>"));
-  TileNumber second = 0;
+  MapCell second;
   const auto change = [&](Level& level) {
     second = level.map.at({1, 0});
     level.map.set({0, 0}, 0);
@@ -183,11 +199,9 @@ TEST_F(SaveTiled, NumbersOfTilesStayWithACompanion) {
   EXPECT_EQ(bytes_of("a.tmx"), map_with("<data encoding=\"csv\">0,0,0,1073741826,1,1</data>"));
 }
 
-TEST_F(SaveTiled, PaintedPicturesAreRefused) {
+TEST_F(SaveTiled, TilesOfNoTilesetAreRefused) {
   const std::string text = map_in(kEncodings[0], 1);
   put("a.tmx", text);
-  EXPECT_THAT(edit("a.tmx", [](Level& level) { level.sheet(SheetId::tiles).images[1][3] ^= 1; }),
-              HasSubstr("pictures of tiles that were painted"));
   EXPECT_THAT(edit("a.tmx",
                    [](Level& level) {
                      level.map.set({0, 0}, 200);
@@ -228,13 +242,78 @@ TEST_F(SaveTiled, EachLayerIsWrittenIntoItsOwn) {
   EXPECT_FALSE(exists("a.tmx.talus.json"));
 }
 
-TEST_F(SaveTiled, OtherLayersAreRefused) {
-  const std::string text = two_layers("1,2,0,1,1,1", "0,0,0,3,3,3");
-  put("a.tmx", text);
-  EXPECT_THAT(
+// The cells of both layers, from the back, as they come from the file again.
+std::vector<std::vector<TileNumber>> cells_of_layers(const Level& level) {
+  std::vector<std::vector<TileNumber>> all;
+  for (int layer = 0; layer < level.layers.count(); ++layer) all.push_back(level.cells_of(layer).tiles());
+  return all;
+}
+
+TEST_F(SaveTiled, SwappedNamesOfLayersAreNames) {
+  put("a.tmx", two_layers("1,2,0,1,1,1", "0,0,0,3,3,3"));
+  EXPECT_EQ(
       edit("a.tmx", [](Level& level) { std::swap(level.layers.list[0].name, level.layers.list[1].name); }),
-      HasSubstr("in another order"));
-  EXPECT_EQ(bytes_of("a.tmx"), text);
+      "");
+  std::string wanted = two_layers("1,2,0,1,1,1", "0,0,0,3,3,3");
+  wanted.replace(wanted.find("\"ground\""), 8, "\"front\"");
+  wanted.replace(wanted.rfind("\"front\""), 7, "\"ground\"");
+  EXPECT_EQ(bytes_of("a.tmx"), wanted);
+}
+
+// The layer moves with its group, which is half transparent.
+TEST_F(SaveTiled, MovedLayersKeepTheirText) {
+  std::string text = two_layers("1,2,0,1,1,1", "0,0,0,3,3,3");
+  text.insert(text.find("<group name") + 6, " opacity=\"0.5\"");
+  put("a.tmx", text);
+  EXPECT_EQ(edit("a.tmx",
+                 [](Level& level) {
+                   level.choose_layer(1);
+                   TileLayer back = level.layers.list[0];
+                   level.layers.list.erase(level.layers.list.begin());
+                   level.layers.list.push_back(back);
+                   level.layers.chosen = 0;
+                 }),
+            "");
+  const Level again = level_of("a.tmx");
+  ASSERT_EQ(again.layers.count(), 2);
+  EXPECT_EQ(again.layers.list[1].name, "ground");
+  EXPECT_EQ(shown_looks(again.layers.groups, again.layers.list[1]).opacity, 0.5);
+  EXPECT_EQ(again.layers.list[0].name, "front");
+  EXPECT_THAT(bytes_of("a.tmx"), HasSubstr("<properties><property name=\"p\" value=\"1\"/></properties>\n  "
+                                           "<data encoding=\"csv\">1,2,0,1,1,1</data>\n </layer>"));
+  EXPECT_THAT(bytes_of("a.tmx"), HasSubstr("<data encoding=\"csv\">0,0,0,3,3,3</data></layer>"));
+}
+
+TEST_F(SaveTiled, NewLayersHaveTheEncodingOfTheOthers) {
+  for (const Encoded& encoded : kEncodings) {
+    put("a.tmx", map_in(encoded, 1));
+    std::vector<std::vector<TileNumber>> wanted;
+    const auto add = [&](Level& level) {
+      TileLayer added;
+      added.name = "new";
+      added.is_ground = false;
+      added.opacity = 0.25;
+      added.cells = std::make_shared<const MapCells>(std::vector<TileNumber>{0, 0, 16, 0, 0, 1});
+      level.layers.list.push_back(added);
+      wanted = cells_of_layers(level);
+    };
+    EXPECT_EQ(edit("a.tmx", add), "") << encoded.name;
+    const Level again = level_of("a.tmx");
+    EXPECT_EQ(cells_of_layers(again), wanted) << encoded.name;
+    EXPECT_EQ(again.layers.list.at(1).name, "new");
+    EXPECT_EQ(again.layers.list.at(0).name, "ground");
+    EXPECT_EQ(again.layers.list.at(1).opacity, 0.25);
+    EXPECT_FALSE(again.layers.list.at(1).is_ground);
+    EXPECT_THAT(bytes_of("a.tmx"), HasSubstr(encoded.with(1))) << "the first layer's data stay";
+    EXPECT_FALSE(exists("a.tmx.talus.json"));
+  }
+}
+
+TEST_F(SaveTiled, RemovedLayersTakeTheirText) {
+  put("a.tmx", two_layers("1,2,0,1,1,1", "0,0,0,3,3,3"));
+  EXPECT_EQ(edit("a.tmx", [](Level& level) { level.layers.list.pop_back(); }), "");
+  EXPECT_EQ(bytes_of("a.tmx"), map_with("<data encoding=\"csv\">1,2,0,1,1,1</data>"));
+  EXPECT_FALSE(exists("a.tmx.talus.json"));
 }
 
 TEST_F(SaveTiled, LooksOfLayersAreAttributes) {
@@ -280,7 +359,7 @@ TEST_F(SaveTiled, OnlyChangedChunksOfInfiniteMapsAreWritten) {
   const auto check = [](Level& level) {
     ASSERT_EQ(level.map.width(), 6);
     ASSERT_EQ(level.map.height(), 3);
-    level.map.set({0, 0}, level.map.at({5, 2}));  // at (-2, -2)
+    level.map.set({0, 0}, level.map.tile_at({5, 2}));  // at (-2, -2)
   };
   EXPECT_EQ(edit("a.tmx", nothing), "");
   EXPECT_EQ(bytes_of("a.tmx"), infinite(first + last + "\n  "));
@@ -291,7 +370,7 @@ TEST_F(SaveTiled, OnlyChangedChunksOfInfiniteMapsAreWritten) {
 TEST_F(SaveTiled, CellsOutsideOfChunksGetNewOnes) {
   const std::string both = chunk(-2, -2, "\n0,2,\n1,1\n") + chunk(2, 0, "3,3,0,0");
   put("a.tmx", infinite(both + "\n  "));
-  EXPECT_EQ(edit("a.tmx", [](Level& level) { level.map.set({3, 1}, level.map.at({5, 2})); }), "");
+  EXPECT_EQ(edit("a.tmx", [](Level& level) { level.map.set({3, 1}, level.map.tile_at({5, 2})); }), "");
   EXPECT_EQ(bytes_of("a.tmx"), infinite(both + chunk(0, -2, "\n0,0,\n0,3\n") + "\n  "));
 }
 
@@ -304,8 +383,26 @@ std::string json_map(const std::string& cells, const std::string& encoding = "")
          "\"name\":\"t\", \"tilewidth\":8, \"tileheight\":8, \"tilecount\":4, \"columns\":2}]}\n";
 }
 
+TEST_F(SaveTiled, NewLayersOfInfiniteMapsGetChunks) {
+  const std::string first = chunk(-2, -2, "\n0,2,\n1,1\n"), last = chunk(2, 0, "3,3,0,0");
+  put("a.tmx", infinite(first + last + "\n  "));
+  const auto add = [](Level& level) {
+    TileLayer added;
+    added.name = "new";
+    std::vector<TileNumber> cells(level.map.cells().size());
+    cells.back() = 1;
+    added.cells = std::make_shared<const MapCells>(cells);
+    level.layers.list.insert(level.layers.list.begin(), added);
+    level.layers.chosen = 1;
+  };
+  EXPECT_EQ(edit("a.tmx", add), "");
+  EXPECT_THAT(bytes_of("a.tmx"), HasSubstr(first + last));
+  EXPECT_LT(bytes_of("a.tmx").find("name=\"new\""), bytes_of("a.tmx").find("name=\"l\""));
+  EXPECT_EQ(level_of("a.tmx").layers.count(), 2);
+}
+
 TEST_F(SaveTiled, JsonKeepsItsTextBesideTheCells) {
-  const auto paint = [](Level& level) { level.map.set({0, 0}, level.map.at({1, 1})); };
+  const auto paint = [](Level& level) { level.map.set({0, 0}, level.map.tile_at({1, 1})); };
   const std::string zlib = ", \"encoding\":\"base64\",\"compression\":\"zlib\"";
   for (const auto& [before, after, how] : std::vector<std::array<std::string, 3>>{
            {"[1, 2, 0,\n  2147483649, 3, 0]", "[3, 2, 0,\n  2147483649, 3, 0]", ""},
@@ -315,6 +412,42 @@ TEST_F(SaveTiled, JsonKeepsItsTextBesideTheCells) {
     EXPECT_EQ(bytes_of("a.tmj"), json_map(before, how));
     EXPECT_EQ(edit("a.tmj", paint), "");
     EXPECT_EQ(bytes_of("a.tmj"), json_map(after, how));
+  }
+}
+
+// Tiled reads no layer of a finite map that has fewer cells than the map.
+TEST_F(SaveTiled, NewEmptyLayersHaveAllCells) {
+  put("a.tmj", json_map("[1, 2, 0,\n  2147483649, 3, 0]", ""));
+  put("a.tmx", map_in(kEncodings[0], 1));
+  const auto add = [](Level& level) {
+    TileLayer added;
+    added.name = "new";
+    added.cells = std::make_shared<const MapCells>(6);
+    level.layers.list.push_back(added);
+  };
+  EXPECT_EQ(edit("a.tmj", add), "");
+  EXPECT_THAT(bytes_of("a.tmj"), HasSubstr("\"data\":[\n0,0,0,\n0,0,0\n]"));
+  EXPECT_EQ(edit("a.tmx", add), "");
+  EXPECT_THAT(bytes_of("a.tmx"), HasSubstr("\n0,0,0,\n0,0,0\n"));
+}
+
+TEST_F(SaveTiled, JsonGetsAndLosesLayers) {
+  const std::string zlib = ", \"encoding\":\"base64\",\"compression\":\"zlib\"";
+  for (const auto& [cells, how] : std::vector<std::pair<std::string, std::string>>{
+           {"[1, 2, 0,\n  2147483649, 3, 0]", ""}, {"\"" + zlib_with(1) + "\"", zlib}}) {
+    put("a.tmj", json_map(cells, how));
+    const auto add = [](Level& level) {
+      TileLayer added;
+      added.name = "new \"";
+      added.cells = std::make_shared<const MapCells>(std::vector<TileNumber>{0, 0, 16, 0, 0, 1});
+      level.layers.list.push_back(added);
+    };
+    EXPECT_EQ(edit("a.tmj", add), "");
+    const Level again = level_of("a.tmj");
+    ASSERT_EQ(again.layers.count(), 2);
+    EXPECT_EQ(again.cells_of(1).tiles(), (std::vector<TileNumber>{0, 0, 16, 0, 0, 1}));
+    EXPECT_EQ(edit("a.tmj", [](Level& level) { level.layers.list.pop_back(); }), "");
+    EXPECT_EQ(bytes_of("a.tmj"), json_map(cells, how));
   }
 }
 

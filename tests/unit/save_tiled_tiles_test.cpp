@@ -127,6 +127,34 @@ TEST_F(SaveTiledTiles, ANewTileGetsItsElementAtItsPlace) {
   }
 }
 
+// Without a word of it, the outline of a slope or of a full tile is one.
+TEST_F(SaveTiledTiles, APolygonLikeASlopeStaysOne) {
+  put_both(kForeign);
+  TileShape wedge = triangle(), box = triangle(), group;
+  wedge.points = {{0, 16}, {16, 0}, {16, 16}};
+  box.points = {{0, 0}, {16, 0}, {16, 16}, {0, 16}};
+  group.kind = TileShape::Kind::group;
+  group.parts = {wedge, triangle()};
+  EXPECT_EQ(edit("a.tmx",
+                 [&](Level& level) {
+                   level.tile_shapes[tile(level, 1)] = wedge;
+                   level.tile_shapes[tile(level, 3)] = group;
+                   level.tile_shapes[tile(level, 4)] = box;
+                 }),
+            "");
+  EXPECT_FALSE(exists("a.tmx.talus.json"));
+  EXPECT_THAT(bytes_of("t.tsx"), HasSubstr("<property name=\"shape\" value=\"polygon\"/>"));
+  EXPECT_EQ(edit("a.tmx",
+                 [&](Level& level) {
+                   level.tile_shapes[tile(level, 1)] = slope(0, 16);
+                   level.tile_shapes[tile(level, 3)] = {};
+                   level.tile_shapes[tile(level, 4)] = triangle();
+                 }),
+            "");
+  EXPECT_FALSE(exists("a.tmx.talus.json"));
+  EXPECT_THAT(bytes_of("t.tsx"), testing::Not(HasSubstr("\"polygon\"")));
+}
+
 TEST_F(SaveTiledTiles, OnlyTheChangedObjectIsReplaced) {
   put_both(kForeign);
   EXPECT_EQ(edit("a.tmx",
@@ -329,6 +357,38 @@ TEST_F(SaveTiledTiles, ATilesetAloneIsSavedTheSameWay) {
                 "value=\"true\"/>\n  </properties>\n </tile>");
   EXPECT_EQ(bytes_of("t.tsx"), tileset_of(wanted));
   EXPECT_FALSE(exists("t.tsx.talus.json"));
+}
+
+TEST_F(SaveTiledTiles, ATilesetAloneShowsEachTileOnce) {
+  put("t.tsx", tileset_of(kForeign));
+  auto loaded = load_level(path("t.tsx"));
+  ASSERT_TRUE(loaded);
+  const TileMap& map = loaded->level.map;
+  EXPECT_EQ(map.width(), 4 + 6);
+  EXPECT_EQ(map.height(), 2 + 6);
+  for (std::uint32_t id = 0; id < 8; ++id) {
+    const Cell cell{3 + static_cast<int>(id) % 4, 3 + static_cast<int>(id) / 4};
+    EXPECT_EQ(map.tile_at(cell), tile(loaded->level, id + 1)) << id;
+  }
+  EXPECT_EQ(std::count(map.cells().tiles().begin(), map.cells().tiles().end(), 0), 80 - 8);
+  loaded->level.map.set({0, 0}, tile(loaded->level, 6));
+  loaded->level.spawns.push_back({.name = "", .position = {8, 8}, .velocity = {}, .extra = ""});
+  const auto saved = save_level(loaded->level, *loaded->format, loaded->path, loaded->companion);
+  ASSERT_TRUE(saved);
+  EXPECT_EQ(bytes_of("t.tsx"), tileset_of(kForeign)) << "what was tried is kept beside it";
+  EXPECT_TRUE(load_level(path("t.tsx"))->level == loaded->level);
+}
+
+TEST_F(SaveTiledTiles, ATilesetAloneWithGapsShowsWhatIsThere) {
+  put("t.tsx", R"(<tileset name="t" tilewidth="16" tileheight="16" tilecount="2" columns="0">)"
+               R"(<tile id="1"><image source="a.png" width="16" height="16"/></tile>)"
+               R"(<tile id="19"><image source="b.png" width="16" height="16"/></tile></tileset>)");
+  const auto loaded = load_level(path("t.tsx"));
+  ASSERT_TRUE(loaded);
+  EXPECT_EQ(std::count(loaded->level.map.cells().tiles().begin(), loaded->level.map.cells().tiles().end(), 0),
+            loaded->level.map.width() * loaded->level.map.height() - 2);
+  put("wide.tsx", R"(<tileset name="t" tilewidth="16" tileheight="16" tilecount="70000" columns="70000"/>)");
+  EXPECT_FALSE(load_level(path("wide.tsx"))) << "too many tiles";
 }
 
 TEST_F(SaveTiledTiles, ACollectionTakesShapesInThePlaceOfItsTiles) {

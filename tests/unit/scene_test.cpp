@@ -91,7 +91,7 @@ TEST(FlagRoles, SolidWinsOverSlopesAndSlopesOverBall) {
 TEST(Scene, WithTooMuchGroundForItsSolverHasNone) {
   Level level;
   level.map = TileMap(2048, 1025);
-  std::fill(level.map.cells().begin(), level.map.cells().end(), TileNumber{1});
+  std::fill(level.map.cells().tiles().begin(), level.map.cells().tiles().end(), TileNumber{1});
   level.tile_shapes[1] = {.kind = TileShape::Kind::solid};
   level.spawns.resize(1);
   level.tuning.solver = SolverKind::exact;
@@ -104,8 +104,8 @@ TEST(Scene, WithTooMuchGroundForItsSolverHasNone) {
     EXPECT_EQ(compile_scene(level).items.size(), 1u);
   }
   level.map.set({0, 0}, 0);
-  level.map.cells()[0] = 0;
-  std::fill_n(level.map.cells().begin(), 2048, TileNumber{0});
+  level.map.cells().tiles()[0] = 0;
+  std::fill_n(level.map.cells().tiles().begin(), 2048, TileNumber{0});
   EXPECT_FALSE(ground_problem(level));
 }
 
@@ -113,7 +113,7 @@ TEST(Scene, WithTooMuchGroundForItsSolverHasNone) {
 TEST(Scene, GroundIsCountedByTheHeightsOfItsTiles) {
   Level level;
   level.map = TileMap(400, 400);
-  std::fill(level.map.cells().begin(), level.map.cells().end(), TileNumber{1});
+  std::fill(level.map.cells().tiles().begin(), level.map.cells().tiles().end(), TileNumber{1});
   std::vector<double> heights;
   for (int i = 0; i < max_shape_heights({}); ++i) heights.push_back(i % 2 == 0 ? 0 : 8);
   level.tile_shapes[1] = {.kind = TileShape::Kind::profile, .one_way = true, .heights = heights};

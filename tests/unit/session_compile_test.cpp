@@ -76,6 +76,26 @@ TEST_F(SessionCompile, UndoMeanwhileRestoresTheLevel) {
   expect_scene_of_level(session);
 }
 
+TEST_F(SessionCompile, OnlyNewStacksOfTilesTakeLong) {
+  constexpr TileNumber kRising = 2, kFalling = 3;
+  Level level = large_level();
+  level.tuning.solver = SolverKind::exact;
+  level.tile_shapes[kRising] = {.kind = TileShape::Kind::slope, .heights = {0, 8}};
+  level.tile_shapes[kFalling] = {.kind = TileShape::Kind::slope, .heights = {8, 0}};
+  std::vector<TileNumber> front(level.map.cells().size());
+  front[3 * kLargeSide + 9] = front[2 * kLargeSide + 20] = kRising;
+  front[2 * kLargeSide + 30] = kFalling;
+  level.layers.list.push_back({.name = "front", .cells = std::make_shared<const MapCells>(std::move(front))});
+  Session session(level);
+  wait_for_scene(session);
+  session.apply(action::EditLevel{paint_stamp(session.level(), {20, 2}, {1, 1, {1}})});
+  EXPECT_FALSE(session.compile_progress()) << "cell 9,3 has the same tiles";
+  session.apply(action::EditLevel{paint_stamp(session.level(), {30, 2}, {1, 1, {1}})});
+  EXPECT_TRUE(session.compile_progress()) << "no frame waits for the whole map";
+  wait_for_scene(session);
+  expect_scene_of_level(session);
+}
+
 TEST_F(SessionCompile, TuningAndBodiesNeedNoGround) {
   Session session(large_level());
   Tuning tuning = session.level().tuning;

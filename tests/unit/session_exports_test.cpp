@@ -229,7 +229,7 @@ TEST_F(SessionExports, ALongRunReportsItsShareAndStopsAtOnce) {
   large.map = TileMap(1500, 1500);
   large.tile_shapes[1].kind = TileShape::Kind::solid;
   for (std::size_t i = 0; i < large.map.cells().size(); ++i)
-    large.map.cells()[i] = static_cast<TileNumber>(i * 7 % 3 % 2);
+    large.map.cells().tiles()[i] = static_cast<TileNumber>(i * 7 % 3 % 2);
   ASSERT_TRUE(save_level(large, *find_format("native"), path("large.talus.json")));
   session().apply(act::OpenFile{path("large.talus.json")});
   session().finish_reading();

@@ -26,7 +26,7 @@ class SessionFiles : public FolderTest {
     EXPECT_TRUE(save_level(level, *format_for_file(name), path(name)));
     return path(name);
   }
-  int painted() const { return session_.level().map.at({1, 1}); }
+  int painted() const { return session_.level().map.tile_at({1, 1}); }
   std::string message() const { return session_.message() ? session_.message()->text : ""; }
 
   Session session_;

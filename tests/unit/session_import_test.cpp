@@ -65,12 +65,14 @@ TEST_F(SessionImportTest, WarnsOfWhatIsDropped) {
   put("room.tmx",
       "<map orientation=\"orthogonal\" width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\">"
       "<layer name=\"l\"><data encoding=\"csv\">0</data></layer><objectgroup name=\"things\">"
-      "<object x=\"0\" y=\"0\" type=\"door\"/></objectgroup><imagelayer name=\"sky\"/></map>");
+      "<object x=\"0\" y=\"0\" type=\"door\"/></objectgroup><imagelayer name=\"sky\"><image "
+      "source=\"none.png\"/></imagelayer></map>");
   Session session;
   session.apply(action::OpenFile{path("room.tmx")});
   ASSERT_TRUE(session.message());
   EXPECT_EQ(session.message()->text,
-            "Opened room.tmx. Saving keeps what Talus does not show: the layer \"sky\", which is a picture.");
+            "Opened room.tmx. Saving keeps what Talus does not show: the picture of the layer \"sky\", file "
+            "none.png: cannot be opened: No such file or directory.");
 }
 
 TEST_F(SessionImportTest, AMapThatIsNoLevelChangesNothing) {
@@ -117,7 +119,7 @@ TEST_F(SessionImportTest, AsksIfTheMapHoldsMoreThanALevelCan) {
   ASSERT_TRUE(session.level_import()->plan);
   session.apply(action::ApplyLevelImport{});
   EXPECT_FALSE(session.level_import());
-  EXPECT_THAT(session.level().map.cells(), testing::ElementsAre(2, 0));
+  EXPECT_THAT(session.level().map.cells().tiles(), testing::ElementsAre(2, 0));
   ASSERT_TRUE(session.message());
   EXPECT_THAT(session.message()->text, testing::HasSubstr("does not show: the layer \"front\""));
 

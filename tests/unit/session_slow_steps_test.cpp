@@ -119,7 +119,7 @@ TEST(SlowBreakpoints, AreJudgedBeforeTheGameGoesOn) {
   level.tuning.solver = SolverKind::exact;
   level.tile_shapes[2].kind = TileShape::Kind::solid;
   level.map = TileMap(140, 140);
-  std::fill(level.map.cells().begin(), level.map.cells().end(), TileNumber{2});
+  std::fill(level.map.cells().tiles().begin(), level.map.cells().tiles().end(), TileNumber{2});
   Spawn ball;
   ball.position = {40, 40};
   ball.size = {1024, 1024};

@@ -24,7 +24,7 @@ class SessionTilesets : public FolderTest {
   }
   void make_solid() {
     auto changed = std::make_shared<Level>(session_.level());
-    const TileNumber tile = changed->map.at({0, 0});
+    const TileNumber tile = changed->map.tile_at({0, 0});
     changed->sheet(SheetId::tiles).flags[tile] = 1;
     session_.apply(action::EditLevel{replace_by(session_.level(), changed, "Change flags")});
   }

@@ -340,7 +340,7 @@ TEST_F(SessionTimeline, EmptyCellsOfAGrownMapCanBePainted) {
   EXPECT_EQ(session_.level().map.at({55, 35}), kRoomSolid);
   const Branch& branch = timeline().current();
   EXPECT_EQ(branch.chapters.back().version->layers[0].rows.size(), 40u);
-  EXPECT_EQ(branch.chapters.back().version->layers[0].rows[35]->at(55), kRoomSolid);
+  EXPECT_EQ(branch.chapters.back().version->layers[0].rows[35].at(55).tile, kRoomSolid);
 }
 
 }  // namespace talus::session_timeline_test

@@ -33,7 +33,7 @@ TEST(ShapeTools, SlopeUsesTheSlopesAndTheFullTileOfTheStamp) {
 TEST(ShapeTools, SlopeIsDrawnIfTheStampHasNone) {
   const Level level = level_with_slopes();
   const Level laid = after(level, lay_slope(level, {32, 32}, {16, 40}, {1, 1, {1}}, 12));
-  const TileNumber drawn = laid.map.at({2, 4});
+  const TileNumber drawn = laid.map.tile_at({2, 4});
   EXPECT_EQ(drawn, 5) << "the first blank one";
   EXPECT_EQ(laid.tile_shapes[drawn], (TileShape{.kind = TileShape::Kind::slope, .heights = {0, 4}}));
   EXPECT_EQ(laid.sheet(SheetId::tiles).images[drawn][7 * 8 + 1], 12) << "its edge";
@@ -48,9 +48,9 @@ TEST(ShapeTools, SlopeStaysInsideTheSelection) {
   for (const TileShape& shape : laid.tile_shapes) shaped += shape.kind == TileShape::Kind::slope ? 1 : 0;
   for (int x = 0; x < 30; ++x) {
     for (int y = 0; y < 17; ++y) {
-      if (laid.map.at({x, y}) == 0) continue;
+      if (laid.map.tile_at({x, y}) == 0) continue;
       EXPECT_TRUE(selection.contains({x, y})) << x << " " << y;
-      placed += laid.map.at({x, y}) != 1 ? 1 : 0;
+      placed += laid.map.tile_at({x, y}) != 1 ? 1 : 0;
     }
   }
   EXPECT_EQ(placed, 2);

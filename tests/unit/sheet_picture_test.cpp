@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <talus/level/limits.h>
+#include <talus/level/tile_turns.h>
 #include "export/lua_level.h"
 #include "export/map_png.h"
 #include "exported_level.h"
@@ -97,8 +98,10 @@ TEST_F(SheetPictureTest, HasThePixelsOfATileset) {
     return std::vector<int>{c[0], c[1], c[2], c[3]};
   };
   const auto shown = [&](int cell, int x, int y) {
-    const Cell place = sheet.layout().place_of(loaded->level.map.at({cell, 0}));
-    return pixel(*sheet.picture, 4 * place.x + x, 2 * place.y + y);
+    const MapCell content = loaded->level.map.at({cell, 0});
+    const Cell place = sheet.layout().place_of(content.tile),
+               from = pixel_before_turn({x, y}, content.turn, {4, 2});
+    return pixel(*sheet.picture, 4 * place.x + from.x, 2 * place.y + from.y);
   };
   for (int y = 0; y < 2; ++y) {
     for (int x = 0; x < 4; ++x) {
@@ -143,13 +146,13 @@ TEST_F(SheetPictureTest, IsWhatMapsAndSheetsAreExportedAs) {
   EXPECT_THAT(lua_level(level, LuaForm::readable), HasSubstr("true_colour"));
 }
 
-TEST_F(SheetPictureTest, HidesPixelsFromEdits) {
+TEST_F(SheetPictureTest, HidesPixelsOf16ColoursFromEdits) {
   Session session(level_in_true_colour());
   session.apply(action::EditLevel{{"Draw pixels", {PixelChange{SheetId::tiles, 0, 0, 0, 3}}}});
   EXPECT_FALSE(session.modified());
   ASSERT_TRUE(session.message());
   EXPECT_EQ(session.message()->text,
-            "Draw pixels: not done, because the tiles are in true colour, which cannot be painted yet.");
+            "Draw pixels: not done, because the tiles are in true colour: the pixel tools paint them.");
   session.apply(action::EditLevel{{"Draw pixels", {PixelChange{SheetId::sprites, 0, 0, 0, 3}}}});
   EXPECT_TRUE(session.modified()) << "sprites have 16 colours";
 }

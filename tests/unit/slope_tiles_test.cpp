@@ -30,7 +30,7 @@ double floor_at(const Level& level, int x, bool from_left) {
   double best = 1e9;
   for (int y = 0; y < level.map.height(); ++y) {
     for (int cell_x = 0; cell_x < level.map.width(); ++cell_x) {
-      const TileShape shape = shape_of_tile(level, level.map.at({cell_x, y}));
+      const TileShape shape = shape_of_tile(level, level.map.tile_at({cell_x, y}));
       if (shape.kind == TileShape::Kind::none) continue;
       const double inside = x - cell_x * 8, width = shape.tiles * 8;
       if (from_left ? !(inside > 0 && inside <= width) : !(inside >= 0 && inside < width)) continue;

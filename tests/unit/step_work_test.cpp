@@ -102,7 +102,7 @@ TEST(StepWork, LargeBodiesInsideTheGroundAreStepped) {
   Level level;
   level.map = TileMap(200, 200);
   level.tuning.solver = SolverKind::exact;
-  std::fill(level.map.cells().begin(), level.map.cells().end(), TileNumber{1});
+  std::fill(level.map.cells().tiles().begin(), level.map.cells().tiles().end(), TileNumber{1});
   level.tile_shapes[1] = {.kind = TileShape::Kind::profile, .heights = {0, 8, 1, 7, 2, 6, 3, 5, 0}};
   Spawn large = ball({300, 300});
   large.size = {512, 512};

@@ -55,6 +55,18 @@ TEST(Terrain, FullTilesAreStoredAsBitsOnly) {
   EXPECT_THAT(outline_of(terrain), ElementsAre());
 }
 
+TEST(Terrain, TheFirstTileMayBeASlopeInAllCells) {
+  const std::vector<TileNumber> cells(2);
+  TerrainSource source;
+  source.width = 2;
+  source.height = 1;
+  source.cells = cells;
+  source.shapes[0] = {.kind = TileShape::Kind::slope, .heights = {2, 4}};
+  const Terrain terrain(source);
+  EXPECT_TRUE(terrain.is_detailed({0, 0}));
+  EXPECT_TRUE(terrain.is_detailed({1, 0}));
+}
+
 TEST(Terrain, ALoneSlopeIsALineAWallABaseAndATip) {
   const Terrain terrain = TestMap({"...", ".2.", "..."}).compile();
   EXPECT_TRUE(terrain.has_pieces());

@@ -3,6 +3,7 @@
 
 #include <talus/level/tile_animation.h>
 
+#include "edit/tile_animation_tools.h"
 #include "level/tile_renumber.h"
 #include "native_text.h"
 #include "tiled_files.h"
@@ -16,7 +17,7 @@ using testing::Pair;
 Level animated_level() {
   Level level;
   level.map = TileMap(2, 2);
-  level.map.cells() = {0, 20, 1, 1};
+  level.map.cells().tiles() = {0, 20, 1, 1};
   level.animations[20] = {{20, 100}, {21, 50}, {20, 200}};
   return level;
 }
@@ -59,6 +60,33 @@ TEST(TileAnimations, AreStoredInANativeLevel) {
   EXPECT_EQ(read_map(text, {"json"}).level, level);
 }
 
+TEST(TileAnimations, AreEditedFrameByFrame) {
+  Level level;
+  const auto change = [&](const Edit& edit) { apply_edit(level, edit); };
+  const Edit first = add_frames(level, 7, {7});
+  change(first);
+  EXPECT_EQ(level.animations.at(7), (TileAnimation{{7, 100}}));
+  change(change_frame(level, 7, 0, {7, 0}));
+  EXPECT_EQ(level.animations.at(7), (TileAnimation{{7, 1}})) << "within its range";
+  change(change_frame(level, 7, 0, {7, 250}));
+  change(add_frames(level, 7, {8, 9, 300}));
+  EXPECT_EQ(level.animations.at(7), (TileAnimation{{7, 250}, {8, 250}, {9, 250}})) << "there is no tile 300";
+  const Edit move = move_frame(level, 7, 2, 0);
+  change(move);
+  EXPECT_EQ(level.animations.at(7), (TileAnimation{{9, 250}, {7, 250}, {8, 250}}));
+  revert_edit(level, move);
+  change(remove_frame(level, 7, 1));
+  EXPECT_EQ(level.animations.at(7), (TileAnimation{{7, 250}, {9, 250}}));
+  EXPECT_TRUE(change_frame(level, 7, 2, {7, 1}).empty());
+  EXPECT_TRUE(change_frame(level, 7, 0, {300, 1}).empty());
+  EXPECT_TRUE(move_frame(level, 7, 0, 2).empty());
+  EXPECT_TRUE(add_frames(level, 300, {1}).empty());
+  change(remove_animation(level, 7));
+  EXPECT_TRUE(level.animations.empty());
+  const std::vector<TileNumber> too_many(kMaxAnimationFrames + 1, 1);
+  EXPECT_TRUE(problem_after(level, add_frames(level, 7, too_many)));
+}
+
 TEST(TileAnimations, BadOnesAreRefusedWithTheirPlace) {
   const auto error_of = [](const std::string& animations) {
     const auto loaded = read_level(R"({"talus": 1, "animations": )" + animations + "}", {"json"});
@@ -82,7 +110,7 @@ TEST(TileAnimations, BadOnesAreRefusedWithTheirPlace) {
 
 TEST(TileAnimations, ComeFromMapsOfTiled) {
   const LoadedLevel loaded = read_map(tmx("6,1"), {"tmx"});
-  ASSERT_THAT(loaded.level.map.cells(), ElementsAre(17, 0));
+  ASSERT_THAT(loaded.level.map.cells().tiles(), ElementsAre(17, 0));
   EXPECT_THAT(loaded.level.animations, ElementsAre(Pair(17, (TileAnimation{{17, 120}, {18, 80}}))));
   EXPECT_THAT(loaded.dropped, testing::Not(testing::Contains(HasSubstr("animation"))));
 }
@@ -91,7 +119,7 @@ TEST(TileAnimations, BringTheirTilesEvenIfOnlyUsedOnesAreTaken) {
   FormatContext used{"tmx"};
   used.choices.used_tiles = true;
   const LoadedLevel loaded = read_map(tmx("6,0"), used);
-  ASSERT_THAT(loaded.level.map.cells(), ElementsAre(1, 0));
+  ASSERT_THAT(loaded.level.map.cells().tiles(), ElementsAre(1, 0));
   EXPECT_THAT(loaded.level.animations, ElementsAre(Pair(1, (TileAnimation{{1, 120}, {2, 80}}))));
 }
 
@@ -122,7 +150,7 @@ TEST(TileAnimations, FollowTheNumbersOfTheirTiles) {
   renumber_tiles(level, level.sheet(SheetId::tiles).layout(), numbers);
   EXPECT_THAT(level.animations, ElementsAre(Pair(235, (TileAnimation{{235, 100}, {234, 50}, {235, 200}}))));
   level = animated_level();
-  level.map.cells() = {0, 0, 0, 0};
+  level.map.cells().tiles() = {0, 0, 0, 0};
   level.set_tile_layout({16, 21});
   EXPECT_TRUE(level.animations.empty()) << "tile 21 went";
 }

@@ -17,8 +17,8 @@ namespace {
 
 constexpr TileNumber kFull = 1, kRise = 2, kMarker = 3, kDecor = 4, kOtherFull = 5;
 
-std::shared_ptr<const std::vector<TileNumber>> blank_cells(const Level& level) {
-  return std::make_shared<const std::vector<TileNumber>>(level.map.cells().size());
+std::shared_ptr<const MapCells> blank_cells(const Level& level) {
+  return std::make_shared<const MapCells>(level.map.cells().size());
 }
 
 // A map of 4x3 cells with three layers: "back", which is drawn only, "ground", which is chosen, and "front",
@@ -45,7 +45,7 @@ void put(Level& level, int layer, Cell cell, TileNumber tile) {
 }
 
 TileNumber tile_in(const Level& level, int layer, Cell cell) {
-  return level.cells_of(layer)[static_cast<std::size_t>(cell.y) * level.map.width() + cell.x];
+  return level.cells_of(layer).tiles()[static_cast<std::size_t>(cell.y) * level.map.width() + cell.x];
 }
 
 Edit paint(Cell cell, TileNumber tile) { return {"Paint", {CellChange{cell, 0, tile}}}; }
@@ -212,7 +212,7 @@ TEST(GroundCells, OneLayerIsTakenAsItIs) {
   Level level = layered();
   level.layers.list[2].is_ground = false;
   const GroundCells ground = ground_cells(level);
-  EXPECT_EQ(ground.cells.data(), level.map.cells().data());
+  EXPECT_EQ(ground.cells.data(), level.map.cells().tiles().data());
   EXPECT_TRUE(ground.stacks.empty());
 }
 
@@ -311,6 +311,26 @@ TEST(LevelVersions, KeepLayers) {
   Level back = level;
   put_version(next, back);
   EXPECT_EQ(back, edited);
+}
+
+// A map of 4096x4096 cells takes 32 MiB a layer, which a version need not take again.
+TEST(LevelVersions, ShareTheCellsOfLayersThatAreNotChosen) {
+  Level level = layered();
+  const int chosen = level.layers.chosen, other = chosen == 0 ? 1 : 0;
+  const LevelVersion version = version_of(level);
+  const auto& cells = level.layers.list[static_cast<std::size_t>(other)].cells;
+  EXPECT_EQ(version.layers[static_cast<std::size_t>(other)].rows[1].cells, cells);
+
+  level.choose_layer(other);
+  level.map.set({0, 1}, kFull);
+  const LevelVersion next = version_of(level, &version);
+  const auto& rows = next.layers[static_cast<std::size_t>(other)].rows;
+  EXPECT_EQ(rows[0], version.layers[static_cast<std::size_t>(other)].rows[0]);
+  EXPECT_EQ(rows[1].at(0), MapCell(kFull));
+  EXPECT_EQ(next.layers[static_cast<std::size_t>(chosen)].rows,
+            version.layers[static_cast<std::size_t>(chosen)].rows);
+  EXPECT_EQ(level_of(next).layers, level.layers);
+  EXPECT_EQ(level_of(next).map, level.map);
 }
 
 TEST(TileLayers, AreResizedAndMovedTogether) {

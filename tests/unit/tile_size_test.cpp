@@ -22,12 +22,12 @@ constexpr TileSize kWide{18, 12};
 Level plain_level() {
   Level level;
   level.map = TileMap(12, 6);
-  level.map.cells() = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,  //
-                       0, 4, 0, 0, 0, 0, 5, 0, 0, 0, 0, 0,  //
-                       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,  //
-                       0, 0, 2, 0, 0, 0, 0, 0, 6, 0, 0, 0,  //
-                       1, 1, 1, 1, 0, 3, 0, 1, 1, 1, 0, 0,  //
-                       1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+  level.map.cells().tiles() = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,  //
+                               0, 4, 0, 0, 0, 0, 5, 0, 0, 0, 0, 0,  //
+                               0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,  //
+                               0, 0, 2, 0, 0, 0, 0, 0, 6, 0, 0, 0,  //
+                               1, 1, 1, 1, 0, 3, 0, 1, 1, 1, 0, 0,  //
+                               1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
   auto& flags = level.sheet(SheetId::tiles).flags;
   flags[1] = 1, flags[2] = 4, flags[3] = 8, flags[4] = 2;
   level.tile_shapes[5] = {.kind = TileShape::Kind::profile, .one_way = true, .heights = {2, 8, 3}};

@@ -10,10 +10,10 @@ namespace talus {
 inline Level level_for_tiled() {
   Level level;
   level.map = TileMap(6, 4);
-  level.map.cells() = {0, 0, 0, 0, 0, 0,  //
-                       0, 0, 4, 0, 5, 0,  //
-                       0, 2, 3, 7, 0, 6,  //
-                       1, 1, 1, 1, 1, 1};
+  level.map.cells().tiles() = {0, 0, 0, 0, 0, 0,  //
+                               0, 0, 4, 0, 5, 0,  //
+                               0, 2, 3, 7, 0, 6,  //
+                               1, 1, 1, 1, 1, 1};
   Sheet& tiles = level.sheet(SheetId::tiles);
   tiles.flags[1] = 1;           // solid
   tiles.flags[2] = 1 << 2;      // an up-slope of 16x8 px

@@ -183,6 +183,26 @@ TEST_F(LinkedTilesets, NothingOutsideOfTheFolderIsRead) {
   EXPECT_EQ(copy->level.sheet(SheetId::tiles), level.sheet(SheetId::tiles));
 }
 
+TEST_F(LinkedTilesets, AllowedOnesOutsideOfTheFolderAreReadAndStayLinks) {
+  put("art/tiles.png", tiles_png());
+  put("levels/a.talus.json", R"({"talus": 5, "tile_size": [16, 16], "sheet_size": [4, 14], "tilesets":
+      [{"first": 8, "count": 6, "columns": 2, "image": "../art/tiles.png", "tile_size": [16, 16]}]})");
+  const auto unread = load_level(path("levels/a.talus.json"));
+  ASSERT_TRUE(unread);
+  EXPECT_THAT(unread->refused, testing::ElementsAre("../art/tiles.png"));
+  const auto loaded = load_level(path("levels/a.talus.json"), {.outside = {path("art")}});
+  ASSERT_TRUE(loaded);
+  EXPECT_FALSE(loaded->level.tilesets[0].link->is_missing);
+  EXPECT_TRUE(loaded->refused.empty());
+  for (const Level& level : {unread->level, loaded->level}) {
+    ASSERT_TRUE(save_level(level, *find_format("native"), path("levels/a.talus.json")));
+    EXPECT_THAT(bytes_of("levels/a.talus.json"), HasSubstr(R"("image": "../art/tiles.png")"));
+  }
+  ASSERT_TRUE(save_level(loaded->level, *find_format("native"), path("b.talus.json")));
+  EXPECT_THAT(bytes_of("b.talus.json"), HasSubstr(R"("image": "art/tiles.png")"))
+      << "it is inside of this folder";
+}
+
 TEST_F(LinkedTilesets, APictureWithMoreRowsGivesMoreTiles) {
   put("art/tiles.png", tiles_png(3));
   ASSERT_TRUE(save_level(linked(), *find_format("native"), path("a.talus.json")));
@@ -281,6 +301,8 @@ TEST(TileWords, FindByNumberTilesetFlagAndShape) {
   EXPECT_THAT(found("Rock SLOPE"), ElementsAre(12));
   EXPECT_THAT(found("one-way"), ElementsAre(12));
   EXPECT_THAT(found("grass slope"), ElementsAre());
+  EXPECT_THAT(found("set:gra"), ElementsAre(0, 1, 4, 5));
+  EXPECT_THAT(found("flag:grass"), ElementsAre());
   EXPECT_TRUE(find_tiles(level, "  ").empty());
 }
 

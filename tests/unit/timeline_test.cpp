@@ -588,7 +588,7 @@ TEST(Timeline, AHundredEditsDoNotMakeSeeksLong) {
   Timeline timeline(level, 20'000);
   for (std::int64_t frame = 1; frame <= 400; ++frame) {
     const Cell cell{static_cast<int>(frame / 4 % 20) + 2, 2};
-    if (frame % 4 == 0) level.map.set(cell, level.map.at(cell) == 1 ? 0 : 1);
+    if (frame % 4 == 0) level.map.set(cell, level.map.tile_at(cell) == 1 ? 0 : 1);
     if (frame % 4 == 0) timeline.edit(level);
     timeline.step(input_at(frame));
     ASSERT_LE(timeline.keyframe_bytes(), 20'000u);

@@ -82,7 +82,7 @@ TEST(Transform, AnUprightSegmentIsMirroredWithItsFace) {
 
 TEST(Transform, MovingMovesEverything) {
   const Level level = scene(), image = moved(level, 3, 2);
-  EXPECT_EQ(image.map.at({4, 2}), level.map.at({1, 0}));
+  EXPECT_EQ(image.map.tile_at({4, 2}), level.map.tile_at({1, 0}));
   EXPECT_EQ(image.spawns[0].position, (Vec2{27, 18}));
 }
 

@@ -26,7 +26,7 @@ class WatchedFiles : public FolderTest {
   const Level& level() const { return session_.level(); }
   std::string message() const { return session_.message() ? session_.message()->text : ""; }
   void paint(Cell cell, TileNumber tile) {
-    session_.apply(act::EditLevel{Edit{"Paint", {CellChange{cell, level().map.at(cell), tile}}}});
+    session_.apply(act::EditLevel{Edit{"Paint", {CellChange{cell, level().map.tile_at(cell), tile}}}});
   }
   // 32x16 px in one colour: two tiles of 16x16 px.
   static std::string picture(char red) {
@@ -53,7 +53,7 @@ TEST_F(WatchedFiles, APictureOfATilesetOfTiledIsDrawnAnew) {
  <layer name="l" width="2" height="1"><data encoding="csv">1,2</data></layer>
 </map>)");
   open("map.tmx");
-  const int tile = level().map.at({1, 0});
+  const int tile = level().map.tile_at({1, 0});
   ASSERT_EQ(red_of(tile), 10) << message();
   put("t.png", picture(99));
   check();
@@ -101,11 +101,11 @@ class WatchedProjects : public WatchedFiles {
 TEST_F(WatchedProjects, ALevelIsReadAgain) {
   put_project("1,0,0,0,0,0,0,0");
   open("game.ldtk");
-  const TileNumber wall = level().map.at({0, 0});
+  const TileNumber wall = level().map.tile_at({0, 0});
   put_project("1,1,0,0,0,0,0,2");
   check();
   EXPECT_EQ(level().map.at({1, 0}), wall) << message();
-  EXPECT_NE(level().map.at({3, 1}), level().map.at({2, 1}));
+  EXPECT_NE(level().map.tile_at({3, 1}), level().map.tile_at({2, 1}));
   EXPECT_FALSE(session_.modified());
 }
 
@@ -115,7 +115,7 @@ TEST_F(WatchedProjects, ALevelInAFileOfItsOwnIsReadAgain) {
   put("game.ldtk", ldtk_project(head, R"({"value":1,"identifier":"wall"})"));
   put("Cave.ldtkl", ldtk_level(ldtk_grid(2, 1, "0,1")));
   open("game.ldtk");
-  const TileNumber wall = level().map.at({1, 0});
+  const TileNumber wall = level().map.tile_at({1, 0});
   ASSERT_NE(level().map.at({0, 0}), wall);
   put("Cave.ldtkl", ldtk_level(ldtk_grid(2, 1, "1,1")));
   check();
@@ -125,7 +125,7 @@ TEST_F(WatchedProjects, ALevelInAFileOfItsOwnIsReadAgain) {
 TEST_F(WatchedProjects, WhatWasPaintedHereStaysAndMeetsWhatLdtkChanged) {
   put_project("1,2,0,0,0,0,0,0");
   open("game.ldtk");
-  const TileNumber wall = level().map.at({0, 0}), ice = level().map.at({1, 0});
+  const TileNumber wall = level().map.tile_at({0, 0}), ice = level().map.tile_at({1, 0});
   paint({2, 0}, wall);
   session_.apply(act::SaveFile{});
   ASSERT_FALSE(session_.modified()) << message();
@@ -154,12 +154,12 @@ TEST_F(WatchedProjects, WhatWasPaintedHereStaysAndMeetsWhatLdtkChanged) {
 TEST_F(WatchedProjects, SavingAfterUndoIsBesideTheNewerProject) {
   put_project("1,2,0,0,0,0,0,0");
   open("game.ldtk");
-  const TileNumber wall = level().map.at({0, 0});
+  const TileNumber wall = level().map.tile_at({0, 0});
   put_project("1,2,1,0,0,0,0,0");
   check();
   ASSERT_EQ(level().map.at({2, 0}), wall);
   session_.apply(act::Undo{});
-  const TileNumber empty = level().map.at({2, 0});
+  const TileNumber empty = level().map.tile_at({2, 0});
   session_.apply(act::SaveFile{});
   ASSERT_FALSE(session_.modified()) << message();
   Session again;

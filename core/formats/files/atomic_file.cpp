@@ -169,16 +169,23 @@ FormatError too_large_file(std::size_t most) {
   return {"", "is larger than " + std::to_string(most >> 20) + " MiB"};
 }
 
-FormatResult<std::string> read_file(const std::string& path, std::size_t most, const Progress& progress) {
+std::size_t most_bytes_of(const std::string& path) {
+  return path.ends_with(".tmx") || path.ends_with(".TMX") ? kMaxTmxBytes : kMaxFileBytes;
+}
+
+FormatResult<std::string> read_file(const std::string& path, std::optional<std::size_t> most,
+                                    const Progress& progress) {
+  const std::size_t limit = most.value_or(most_bytes_of(path));
   std::size_t size = 0;
   const auto file = open_for_reading(path, size);
   if (!file) return tl::unexpected(file.error());
-  if (size > most) return tl::unexpected(too_large_file(most));
+  if (size > limit) return tl::unexpected(too_large_file(limit));
   std::string bytes;
+  bytes.reserve(size + kReadAtOnce);  // growing step by step would take up to twice as much
   while (progress.at(bytes.size(), std::max(size, bytes.size() + 1))) {
     const auto count = read_more(file->get(), kReadAtOnce, bytes);
     if (!count) return tl::unexpected(count.error());
-    if (bytes.size() > most) return tl::unexpected(too_large_file(most));
+    if (bytes.size() > limit) return tl::unexpected(too_large_file(limit));
     if (*count == 0) return bytes;
   }
   return was_cancelled();

@@ -1,6 +1,7 @@
 // Reads and writes whole files so that no crash, full disk or hostile path costs anybody a level.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,10 +16,16 @@ inline constexpr std::string_view kTemporaryEnding = ".tmp";  // of files that a
 // The error of a file with more bytes than `most`.
 FormatError too_large_file(std::size_t most);
 
+// A map of Tiled as XML may have more than other files: three layers of 4096x4096 cells take 100 to 250 MB as
+// CSV.
+inline constexpr std::size_t kMaxTmxBytes = std::size_t{256} << 20;
+// How many bytes a file may have that is read, by its name: kMaxTmxBytes or kMaxFileBytes.
+std::size_t most_bytes_of(const std::string& path);
+
 // Returns the file's bytes. Unreadable files, and files of more bytes than `most`, are errors; so are
 // directories, devices, pipes and sockets, at once, as reading them could wait for ever. progress: may stop
-// the reading, which is an error, too.
-FormatResult<std::string> read_file(const std::string& path, std::size_t most = kMaxFileBytes,
+// the reading, which is an error, too. most: nothing stands for most_bytes_of().
+FormatResult<std::string> read_file(const std::string& path, std::optional<std::size_t> most = std::nullopt,
                                     const Progress& progress = {});
 // Returns the first `count` bytes, or all of a smaller file; errors as above.
 FormatResult<std::string> read_start_of_file(const std::string& path, std::size_t count);

@@ -5,7 +5,8 @@
 #include <filesystem>
 
 #include "../files/atomic_file.h"
-#include "../pictures/aseprite_picture.h"
+#include "../pictures/any_picture.h"
+#include "../text/base64.h"
 
 namespace talus {
 namespace {
@@ -14,21 +15,9 @@ namespace fs = std::filesystem;
 
 // The number of pixels that a picture claims; 0 if it would be refused for its size.
 std::size_t pixels_of_picture(std::string_view bytes) {
-  if (is_aseprite(bytes)) {
-    const TileSize size = size_of_aseprite(bytes);
-    const bool fits = size.width <= kMaxLinkedPictureSide && size.height <= kMaxLinkedPictureSide;
-    return fits ? static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) : 0;
-  }
-  constexpr std::size_t kSides = 8;  // bytes
-  const auto header = find_png_chunk(bytes, "IHDR");
-  if (!header || header->size() < kSides) return 0;
-  const auto side_at = [&](std::size_t at) {
-    std::size_t side = 0;
-    for (std::size_t i = at; i < at + kSides / 2; ++i)
-      side = side << 8 | static_cast<std::uint8_t>((*header)[i]);
-    return side <= kMaxLinkedPictureSide ? side : 0;  // a larger picture is refused without being read
-  };
-  return side_at(0) * side_at(kSides / 2);
+  const TileSize size = size_of_picture(bytes);
+  const bool fits = size.width <= kMaxLinkedPictureSide && size.height <= kMaxLinkedPictureSide;
+  return fits ? static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) : 0;
 }
 
 }  // namespace
@@ -42,13 +31,38 @@ std::string with_slashes(std::string path) {
   return path;
 }
 
-FormatResult<std::string> LinkedFiles::place_of(const std::string& name) const {
+LinkedFiles::LinkedFiles(const FormatContext& context, ImportDrops& drops)
+    : context_(context), drops_(drops), folders_(context.choices.outside) {
+  if (context.folder.empty()) return;
+  if (auto own = real_path(context.folder)) folders_.push_back(*std::move(own));
+}
+
+// real: from real_path().
+bool LinkedFiles::may_be_read(const std::string& real) const {
+  return std::any_of(folders_.begin(), folders_.end(),
+                     [&](const std::string& folder) { return is_within(real, folder); });
+}
+
+void LinkedFiles::refuse(const std::string& name) {
+  constexpr std::size_t kMost = 1000;
+  std::vector<std::string>* const refused = context_.refused;
+  if (refused == nullptr || refused->size() == kMost) return;
+  if (std::find(refused->begin(), refused->end(), name) == refused->end()) refused->push_back(name);
+}
+
+FormatResult<std::string> LinkedFiles::place_of(const std::string& name) {
   std::error_code failure;
   const fs::path path(name);
   const bool is_drive = name.size() > 1 && name[1] == ':';
   if (name.find('\0') != name.npos || path.is_absolute() || is_drive || name.find("://") != name.npos)
     return error_in(name, {"", "must be relative to the folder of the map"});
   const fs::path file = fs::path(context_.folder) / path;
+  const auto real = real_path(file.string());
+  if (!real) return error_in(name, real.error());
+  if (!may_be_read(*real)) {
+    refuse(name);
+    return error_in(name, {"", "lies outside of the folder of the map, and was not read"});
+  }
   if (fs::exists(file, failure) && !fs::is_regular_file(file, failure))
     return error_in(name, {"", "is not a file"});
   return file.string();
@@ -76,11 +90,15 @@ FormatResult<std::string> LinkedFiles::read(const std::string& name, const std::
 
 std::shared_ptr<const LinkedPicture> LinkedFiles::picture(const std::string& name, const std::string& of) {
   const auto dropped = [&](const FormatError& error) {
-    drops_.add(of + ", " + error.place + ": " + error.message);
+    drops_.add(of + ", " + (error.place.empty() ? "which" : error.place + ":") + " " + error.message);
     LinkedPicture missing;
     missing.is_missing = true;
     return std::make_shared<const LinkedPicture>(std::move(missing));
   };
+  if (is_data_name(name)) {
+    auto picture = picture_in(name);
+    return picture ? std::make_shared<const LinkedPicture>(*std::move(picture)) : dropped(picture.error());
+  }
   const std::string path = with_slashes(name);
   const auto place = place_of(path);
   if (!place) return dropped(place.error());
@@ -97,16 +115,31 @@ std::shared_ptr<const LinkedPicture> LinkedFiles::picture(const std::string& nam
 FormatResult<LinkedPicture> LinkedFiles::read_picture(const std::string& name, const std::string& place) {
   const auto bytes = read(name, place);
   if (!bytes) return tl::unexpected(bytes.error());
-  const std::size_t pixels = pixels_of_picture(*bytes);
+  auto picture = decode(*bytes);
+  if (!picture) return error_in(name, picture.error());
+  picture->path = place;
+  return picture;
+}
+
+FormatResult<LinkedPicture> LinkedFiles::picture_in(std::string_view data_name) {
+  constexpr std::string_view kBase64 = ";base64,";
+  const std::size_t at = data_name.substr(0, 64).find(kBase64);
+  const auto bytes =
+      at == data_name.npos ? std::nullopt : decode_base64(data_name.substr(at + kBase64.size()));
+  if (!bytes) return tl::unexpected(FormatError{"", "is not in Base64"});
+  return decode(*bytes);
+}
+
+FormatResult<LinkedPicture> LinkedFiles::decode(std::string_view bytes) {
+  const std::size_t pixels = pixels_of_picture(bytes);
   if (pixels > kMaxLinkedPixels - pixels_) {
-    return error_in(name, {"", "is too large: all pictures that a map names may have up to " +
-                                   std::to_string(kMaxLinkedPixels) + " pixels together"});
+    return tl::unexpected(FormatError{"", "is too large: all pictures that a map names may have up to " +
+                                              std::to_string(kMaxLinkedPixels) + " pixels together"});
   }
   pixels_ += pixels;
-  auto rgba = is_aseprite(*bytes) ? read_aseprite(*bytes, kMaxLinkedPictureSide)
-                                  : read_rgba(*bytes, kMaxLinkedPictureSide);
-  if (!rgba) return error_in(name, rgba.error());
-  const auto chunk = find_png_chunk(*bytes, "PLTE");
+  auto rgba = talus::read_picture(bytes, kMaxLinkedPictureSide);
+  if (!rgba) return tl::unexpected(rgba.error());
+  const auto chunk = find_png_chunk(bytes, "PLTE");
   LinkedPicture picture;
   picture.rgba = *std::move(rgba);
   for (std::size_t i = 0; chunk && i + 3 <= chunk->size(); i += 3)

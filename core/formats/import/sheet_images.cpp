@@ -27,7 +27,12 @@ void put_images(const SheetPicture& images, const std::vector<Rgb>& palette, Lev
   }
 }
 
-bool images_show(const SheetPicture& picture, const Level& level) {
+namespace {
+
+// Whether all pixels of a picture, with the colours of the images there, are as wanted. Pixels of no tile
+// count as such.
+template <class IsWanted>
+bool all_pixels(const SheetPicture& picture, const Level& level, IsWanted is_wanted) {
   const Sheet& sheet = level.sheet(SheetId::tiles);
   const TileSize size = level.map.tile_size();
   for (int y = 0; y < picture.height; ++y) {
@@ -35,15 +40,28 @@ bool images_show(const SheetPicture& picture, const Level& level) {
       const Cell place{x / size.width, y / size.height};
       if (!sheet.layout().contains(place)) continue;
       const TileImage& image = sheet.images[static_cast<std::size_t>(sheet.layout().tile_at(place))];
-      const std::uint8_t color = color_at(image, size, x % size.width, y % size.height);
-      const std::uint8_t* pixel = picture.at(x, y);
-      constexpr int kOpaque = 255;
-      const bool is_clear = pixel[3] == 0 && color == 0;
-      const bool is_same = pixel[3] == kOpaque && level.palette[color] == Rgb{pixel[0], pixel[1], pixel[2]};
-      if (!is_clear && !is_same) return false;
+      if (!is_wanted(picture.at(x, y), color_at(image, size, x % size.width, y % size.height))) return false;
     }
   }
   return true;
+}
+
+constexpr int kFullOpacity = 255;
+
+}  // namespace
+
+bool images_show(const SheetPicture& picture, const Level& level) {
+  return all_pixels(picture, level, [&](const std::uint8_t* pixel, std::uint8_t color) {
+    const bool is_clear = pixel[3] == 0 && color == 0;
+    return is_clear ||
+           (pixel[3] == kFullOpacity && level.palette[color] == Rgb{pixel[0], pixel[1], pixel[2]});
+  });
+}
+
+bool has_opaque_color_0(const SheetPicture& picture, const Level& level) {
+  return !all_pixels(picture, level, [](const std::uint8_t* pixel, std::uint8_t color) {
+    return pixel[3] != kFullOpacity || color != 0;
+  });
 }
 
 }  // namespace talus

@@ -16,4 +16,8 @@ void put_images(const SheetPicture& images, const std::vector<Rgb>& palette, Lev
 // size of the map's tiles for each.
 bool images_show(const SheetPicture& picture, const Level& level);
 
+// Whether the images have the colour 0, which stands for nothing where layers lie over one another, at an
+// opaque pixel of that picture.
+bool has_opaque_color_0(const SheetPicture& picture, const Level& level);
+
 }  // namespace talus

@@ -8,15 +8,17 @@
 #include "../native/native.h"
 #include "../native/native_bytes.h"
 #include "../native/native_document.h"
+#include "../native/native_groups.h"
 #include "../native/native_layers.h"
+#include "../native/native_object_layers.h"
+#include "../native/native_turns.h"
 #include "../text/base64.h"
 #include "../text/unpack.h"
+#include "ldtk_background.h"
 #include "ldtk_tiles.h"
 
 namespace talus {
 namespace {
-
-using Cells = std::vector<TileNumber>;
 
 tl::unexpected<FormatError> no_addition(const std::string& key) {
   return tl::unexpected(FormatError{"key " + key, "is not what Talus writes there"});
@@ -52,14 +54,33 @@ void apply_changes(Json& object, const Json& changes, bool keeps_null) {
 // A level as a document without what is kept in another way. Layers are in a list, without their cells.
 struct Parts {
   Json members;
+  Json background;  // the layer of the picture behind the level, without that picture; null: there is none
   Json layers = Json::array(), spawns = Json::array(), curves = Json::array();
 };
+
+std::vector<ObjectLayer>::const_iterator background_in(const Level& level) {
+  return std::find_if(level.objects.begin(), level.objects.end(), is_ldtk_background);
+}
+
+ObjectLayer without_picture(ObjectLayer background) {
+  if (background.image) background.image->part = {};
+  for (MapObject& object : background.objects) object.picture = {};
+  return background;
+}
+
 FormatResult<Parts> parts_of(const Level& level) {
   Level bare = level;
   bare.cart.reset();
+  Parts parts;
+  if (const auto background = background_in(level); background != level.objects.end()) {
+    bare.objects.erase(bare.objects.begin() + (background - level.objects.begin()));
+    auto json = json_of({without_picture(*background)}, "objects", {});
+    if (!json) return tl::unexpected(json.error());
+    parts.background = std::move((*json)[0]);
+  }
   auto document = native_document(bare);
   if (!document) return tl::unexpected(document.error());
-  Parts parts{*std::move(document)};
+  parts.members = *std::move(document);
   const auto take = [&](const char* key, Json& out) {
     if (parts.members.contains(key)) out = parts.members[key];
     parts.members.erase(key);
@@ -69,10 +90,8 @@ FormatResult<Parts> parts_of(const Level& level) {
   take("curves", parts.curves);
   for (const char* const key : {"map", "picture", "talus", "sheet_size"}) parts.members.erase(key);
   if (parts.layers.empty()) parts.layers.push_back(Json::object());
-  for (Json& layer : parts.layers) {
-    layer.erase("rows");
-    layer.erase("packed");
-  }
+  for (Json& layer : parts.layers)
+    for (const char* const key : {"rows", "packed", "turns", "packed_turns"}) layer.erase(key);
   return parts;
 }
 
@@ -124,16 +143,24 @@ FormatResult<void> apply_list(const Json& changes, const char* key, Json& list, 
 }
 
 // The cells of a layer on a map of another size.
-Cells resized(const Cells& cells, int width, int height, int new_width, int new_height) {
-  Cells out(static_cast<std::size_t>(new_width) * static_cast<std::size_t>(new_height));
+MapCells resized(const MapCells& cells, int width, int height, int new_width, int new_height) {
+  MapCells out(static_cast<std::size_t>(new_width) * static_cast<std::size_t>(new_height));
   for (int y = 0; y < std::min(height, new_height); ++y) {
-    std::copy_n(cells.begin() + static_cast<std::ptrdiff_t>(y) * width, std::min(width, new_width),
-                out.begin() + static_cast<std::ptrdiff_t>(y) * new_width);
+    const std::size_t from = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+    const std::size_t to = static_cast<std::size_t>(y) * static_cast<std::size_t>(new_width);
+    for (int x = 0; x < std::min(width, new_width); ++x)
+      out.set(to + static_cast<std::size_t>(x), cells[from + static_cast<std::size_t>(x)]);
   }
   return out;
 }
 
-Json runs_of(const Cells& cells, const Cells& before, int width) {
+// A cell as a number: that of its tile, with the turn above the 16 bits of a tile.
+int number_of(MapCell cell) { return static_cast<int>(cell.turn) * kMaxTiles + cell.tile; }
+MapCell cell_of(int number) {
+  return {static_cast<TileNumber>(number % kMaxTiles), static_cast<TileTurn>(number / kMaxTiles)};
+}
+
+Json runs_of(const MapCells& cells, const MapCells& before, int width) {
   Json runs = Json::array();
   bool goes_on = false;
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -144,8 +171,8 @@ Json runs_of(const Cells& cells, const Cells& before, int width) {
     }
     if (!goes_on || x == 0)
       runs.push_back({x, i / static_cast<std::size_t>(width), Json::array(), Json::array()});
-    runs.back()[2].push_back(cells[i]);
-    runs.back()[3].push_back(before[i]);
+    runs.back()[2].push_back(number_of(cells[i]));
+    runs.back()[3].push_back(number_of(before[i]));
     goes_on = true;
   }
   return runs;
@@ -156,21 +183,20 @@ bool is_run(const Json& run, int width, int height) {
       !is_whole(run[1], 0, height - 1) || !run[2].is_array() || !run[3].is_array() ||
       run[2].size() != run[3].size() || run[2].size() > static_cast<std::size_t>(width - run[0].get<int>()))
     return false;
-  const auto is_tile = [](const Json& tile) { return is_whole(tile, 0, kMaxTiles - 1); };
+  const auto is_tile = [](const Json& tile) { return is_whole(tile, 0, kTileTurns * kMaxTiles - 1); };
   return std::all_of(run[2].begin(), run[2].end(), is_tile) &&
          std::all_of(run[3].begin(), run[3].end(), is_tile);
 }
 
 // Paints where the cell is what it was.
-void apply_run(const Json& run, int width, int tile_count, Cells& cells, LdtkConflicts& conflicts) {
+void apply_run(const Json& run, int width, int tile_count, MapCells& cells, LdtkConflicts& conflicts) {
   const std::size_t first =
       run[1].get<std::size_t>() * static_cast<std::size_t>(width) + run[0].get<std::size_t>();
   for (std::size_t i = 0; i < run[2].size(); ++i) {
-    const int tile = run[2][i].get<int>();
-    TileNumber& cell = cells[first + i];
-    if (cell == tile) continue;
-    if (cell == run[3][i].get<int>() && tile < tile_count)
-      cell = static_cast<TileNumber>(tile);
+    const MapCell painted = cell_of(run[2][i].get<int>()), cell = cells[first + i];
+    if (cell == painted) continue;
+    if (cell == cell_of(run[3][i].get<int>()) && painted.tile < tile_count)
+      cells.set(first + i, painted);
     else
       ++conflicts.cells;
   }
@@ -279,6 +305,10 @@ FormatResult<Json> ldtk_additions(const Level& level, const Level& held) {
     if (!value.is_null() && !value.empty()) additions[key] = std::move(value);
   };
   put("members", changes_of(own->members, theirs->members));
+  if (own->background.is_null() && !theirs->background.is_null())
+    additions["background"] = nullptr;
+  else if (!theirs->background.is_null())
+    put("background", changes_of(own->background, theirs->background));
   put("spawns", list_changes(own->spawns, theirs->spawns));
   put("curves", list_changes(own->curves, theirs->curves));
   const int width = level.map.width(), height = level.map.height();
@@ -295,13 +325,13 @@ FormatResult<Json> ldtk_additions(const Level& level, const Level& held) {
       Json whole = layer;
       whole.erase(kLdtkLayerKey);
       layers.push_back(
-          {{"new", whole}, {"runs", runs_of(level.cells_of(i), Cells(level.cells_of(i).size()), width)}});
+          {{"new", whole}, {"runs", runs_of(level.cells_of(i), MapCells(level.cells_of(i).size()), width)}});
       continue;
     }
     layers.push_back(
         {{kLdtkLayerKey, id},
          {"members", changes_of(layer, theirs->layers[static_cast<std::size_t>(place->second)])}});
-    const Cells before =
+    const MapCells before =
         resized(held.cells_of(place->second), held.map.width(), held.map.height(), width, height);
     Json runs = runs_of(level.cells_of(i), before, width);
     if (!runs.empty()) painted.push_back({{kLdtkLayerKey, id}, {"runs", std::move(runs)}});
@@ -369,7 +399,7 @@ class LdtkLayerJoiner {
       if (const auto whole = layer.find("new"); whole != layer.end()) {
         const Json runs = layer.value("runs", Json::array());
         if (!whole->is_object() || !runs.is_array()) return no_addition("layers");
-        add_layer(*whole, Cells(level_.map.cells().size()), runs);
+        add_layer(*whole, MapCells(level_.map.cells().size()), runs);
         continue;
       }
       const auto place = places_.find(id_of(layer));
@@ -389,14 +419,14 @@ class LdtkLayerJoiner {
     Json layer = theirs_[place];
     apply_changes(layer, members, false);
     const int width = level_.map.width(), height = level_.map.height();
-    Cells cells = resized(held_.cells_of(static_cast<int>(place)), held_.map.width(), held_.map.height(),
-                          width, height);
+    MapCells cells = resized(held_.cells_of(static_cast<int>(place)), held_.map.width(), held_.map.height(),
+                             width, height);
     const auto runs = runs_.find(id_of(theirs_[place]));
     const bool is_painted = runs != runs_.end() && places_.at(runs->first) == static_cast<int>(place);
     add_layer(std::move(layer), std::move(cells), is_painted ? *runs->second : Json::array());
   }
 
-  void add_layer(Json layer, Cells cells, const Json& runs) {
+  void add_layer(Json layer, MapCells cells, const Json& runs) {
     const int width = level_.map.width(), height = level_.map.height();
     for (const Json& run : runs) {
       if (is_run(run, width, height))
@@ -404,7 +434,8 @@ class LdtkLayerJoiner {
       else
         ++conflicts_.cells;
     }
-    layer["rows"] = json_of_rows(cells, level_);
+    layer["rows"] = json_of_rows(cells.tiles(), level_);
+    put_turns(cells, width, false, layer);
     list_.push_back(std::move(layer));
   }
 
@@ -417,6 +448,27 @@ class LdtkLayerJoiner {
   std::map<std::string, const Json*> runs_;
   Json list_ = Json::array();
 };
+
+// Puts the picture behind the level back, behind all layers. theirs: its layer, as LDtk gives it.
+FormatResult<void> apply_background(const Json& additions, Json theirs, const Level& held, Level& level) {
+  const auto background = background_in(held);
+  if (background == held.objects.end()) return {};
+  const auto changes = additions.find("background");
+  if (changes != additions.end()) {
+    if (changes->is_null()) return {};
+    if (!changes->is_object()) return no_addition("background");
+    apply_changes(theirs, *changes, false);
+  }
+  Json list = Json::array({std::move(theirs)});
+  auto layers = take_object_layers(list, "background", {});
+  if (!layers) return tl::unexpected(layers.error());
+  ObjectLayer layer = std::move(layers->front());
+  if (layer.image && background->image) layer.image->part = background->image->part;
+  for (std::size_t i = 0; i < std::min(layer.objects.size(), background->objects.size()); ++i)
+    layer.objects[i].picture = background->objects[i].picture;
+  level.objects.insert(level.objects.begin(), std::move(layer));
+  return {};
+}
 
 }  // namespace
 
@@ -448,6 +500,10 @@ FormatResult<Level> add_to_ldtk(const Json& additions, const Level& held, LdtkCo
   if (!level) return level;
   LdtkLayerJoiner layers(additions, parts->layers, held, *level, conflicts);
   if (const auto joined = layers.join(); !joined) return tl::unexpected(joined.error());
+  if (const auto put = apply_background(additions, std::move(parts->background), held, *level); !put)
+    return tl::unexpected(put.error());
+  if (!check_groups(*level)) return no_addition("groups");
+  tidy_groups(level->layers, level->objects);
   if (const auto painted = apply_picture(additions, held, *level); !painted)
     return tl::unexpected(painted.error());
   return level;

@@ -2,9 +2,9 @@
 //
 //   "members"  of a native level (see native.h), what differs from that of LDtk; null removes a member
 //   "map"      [width, height], if it has another size
+//   "background"  members of the layer of the picture behind the level that differ; null: it was removed
 //   "layers"   from the back, if they are others or look otherwise: "ldtk", by which the layer is known in
-//   the
-//              project, with its members that differ; or "new", a layer that LDtk does not have, and its
+//              the project, with its members that differ; or "new", a layer that LDtk does not have, and its
 //              cells as "runs" of what was empty; "known", the layers that LDtk had
 //   "cells"    painted cells, by "ldtk" of their layer: "runs" of [x, y, tiles, the tiles before]
 //   "spawns", "curves"  "added", [place in the list, entry]; "gone", entries of LDtk

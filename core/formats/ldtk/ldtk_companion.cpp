@@ -21,19 +21,6 @@ std::string ldtk_text(const Json& object, const char* key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-Json json_of_mapping(const LdtkMapping& mapping) {
-  Json list = Json::array();
-  for (const LdtkMapping::Choice& choice : mapping.choices) {
-    Json entry = {{"kind", kLdtkKinds[static_cast<std::size_t>(choice.kind)]}, {"name", choice.name}};
-    if (!choice.of.empty()) entry["of"] = choice.of;
-    if (!choice.shape.empty()) entry["shape"] = choice.shape;
-    if (!choice.flag.empty()) entry["flag"] = choice.flag;
-    if (!choice.body.empty()) entry["body"] = choice.body;
-    list.push_back(std::move(entry));
-  }
-  return list;
-}
-
 // Leaves out what is no choice.
 LdtkMapping mapping_of_json(const Json& list) {
   LdtkMapping mapping;
@@ -102,6 +89,26 @@ FormatResult<JoinedLevel> joined_with(const Json& additions, const Level& held, 
 
 }  // namespace
 
+Json json_of_mapping(const LdtkMapping& mapping) {
+  Json list = Json::array();
+  for (const LdtkMapping::Choice& choice : mapping.choices) {
+    Json entry = {{"kind", kLdtkKinds[static_cast<std::size_t>(choice.kind)]}, {"name", choice.name}};
+    if (!choice.of.empty()) entry["of"] = choice.of;
+    if (!choice.shape.empty()) entry["shape"] = choice.shape;
+    if (!choice.flag.empty()) entry["flag"] = choice.flag;
+    if (!choice.body.empty()) entry["body"] = choice.body;
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+std::optional<LdtkMapping> ldtk_mapping_in(std::string_view text) {
+  const auto json = parse_json(text);
+  if (!json) return std::nullopt;
+  const Json list = json->is_object() ? json->value("mapping", Json()) : *json;
+  return list.is_array() ? std::optional(mapping_of_json(list)) : std::nullopt;
+}
+
 LdtkMemory ldtk_memory_of(std::string_view companion) {
   LdtkMemory memory;
   if (companion.empty()) return memory;
@@ -136,7 +143,7 @@ FormatResult<std::string> write_ldtk_companion(const Level& level, std::string_v
   }
   auto added = ldtk_additions(level, *origin.opened);
   if (!added) return tl::unexpected(added.error());
-  document["talus"] = kNativeVersion;
+  document["talus"] = kTilesetVersion;
   document["companion"] = {{"file", file}, {"last", origin.level}};
   if (!origin.project.empty()) document["companion"]["project"] = origin.project;
   document["mapping"] = json_of_mapping(origin.mapping);

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "../native/companion.h"
+#include "../text/json_text.h"
 
 namespace talus {
 
@@ -19,6 +20,10 @@ struct LdtkMemory {
   std::string last = {};                    // iid of a level; empty: unknown
 };
 LdtkMemory ldtk_memory_of(std::string_view companion);
+// A mapping as under "mapping" of a companion: the list itself, or an object with it. Nothing for other
+// texts.
+std::optional<LdtkMapping> ldtk_mapping_in(std::string_view text);
+Json json_of_mapping(const LdtkMapping& mapping);  // the list
 // Of a level; empty: unknown.
 std::vector<std::string> ldtk_tiles_of_companion(std::string_view companion, const std::string& level);
 

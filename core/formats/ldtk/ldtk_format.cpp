@@ -75,8 +75,8 @@ FormatResult<const LdtkLevelHead*> chosen_level(const LdtkProject& project, cons
       FormatError{"", "has no level with the name " + quoted_name(choices.level) + ", but " + names});
 }
 
-FormatResult<LdtkLevel> read_chosen(const LdtkProject& project, const LdtkLevelHead& head,
-                                    const FormatContext& context, LinkedFiles& files) {
+FormatResult<LdtkLevel> read_chosen_text(const LdtkProject& project, const LdtkLevelHead& head,
+                                         const FormatContext& context, LinkedFiles& files) {
   if (head.file.empty()) return read_ldtk_level(project, head, *head.json, head.path);
   const std::string name = with_slashes(head.file);
   if (context.folder.empty())
@@ -89,6 +89,18 @@ FormatResult<LdtkLevel> read_chosen(const LdtkProject& project, const LdtkLevelH
   if (!json) return error_in(name, json.error());
   auto level = read_ldtk_level(project, head, *json, "");
   if (!level) return error_in(name, level.error());
+  return level;
+}
+
+FormatResult<LdtkLevel> read_chosen(const LdtkProject& project, const LdtkLevelHead& head,
+                                    const FormatContext& context, LinkedFiles& files, ImportDrops& drops) {
+  auto level = read_chosen_text(project, head, context, files);
+  if (!level || !level->background) return level;
+  const std::string of = "the picture behind the level";
+  if (context.folder.empty())
+    drops.add(of);
+  else
+    level->background->picture = files.picture(level->background->path, of);
   return level;
 }
 
@@ -146,7 +158,7 @@ FormatResult<Level> read_ldtk_files(std::string_view bytes, const FormatContext&
   const auto head = chosen_level(*project, context.choices);
   if (!head) return tl::unexpected(head.error());
   LinkedFiles files(context, drops);
-  const auto level = read_chosen(*project, **head, context, files);
+  const auto level = read_chosen(*project, **head, context, files, drops);
   if (!level) return tl::unexpected(level.error());
   const ImportChoices choices = remembered(context, **head);
   const LdtkPictures pictures = ldtk_pictures_of(*project, *level, choices.ldtk_tiles, context, files, drops);
@@ -177,6 +189,36 @@ std::vector<LdtkLevelName> ldtk_levels_of_file(const std::string& path, const Pr
                      level.width, level.height, level.color});
   }
   return names;
+}
+
+void read_ldtk_levels(const std::string& path, const ImportChoices& choices,
+                      const std::function<void(std::size_t, const Level&)>& use, const Progress& progress) {
+  const auto bytes = read_file(path);
+  FormatContext context = context_for_file(path);
+  context.choices = choices;
+  context.choices.layer_number = 0;  // may be that of another level
+  if (!bytes || !accepts_ldtk(*bytes, context)) return;
+  const auto json = parse_json(without_mark(*bytes), progress.part(0, kLdtkParsed));
+  if (!json) return;
+  const auto project = read_guarded([&] { return read_ldtk_project(*json); });
+  if (!project) return;
+  ImportDrops drops;
+  LinkedFiles files(context, drops);
+  const double share =
+      (1 - kLdtkParsed) / static_cast<double>(std::max<std::size_t>(1, project->levels.size()));
+  for (std::size_t i = 0; i < project->levels.size(); ++i) {
+    const double from = kLdtkParsed + share * static_cast<double>(i);
+    const Progress of_level = progress.part(from, from + share);
+    if (!of_level.at(0)) return;
+    const LdtkLevelHead& head = project->levels[i];
+    const auto level = read_guarded([&]() -> FormatResult<Level> {
+      const auto read = read_chosen(*project, head, context, files, drops);
+      if (!read) return tl::unexpected(read.error());
+      const LdtkPictures pictures = ldtk_pictures_of(*project, *read, {}, context, files, drops);
+      return level_of_ldtk(*project, *read, pictures, context.choices, drops, of_level);
+    });
+    if (level) use(i, *level);
+  }
 }
 
 FormatResult<Level> read_ldtk(std::string_view bytes, const FormatContext& context) {

@@ -5,6 +5,7 @@
 // levels in files of their own are an error, and pictures are left out.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,11 @@ struct LdtkLevelName {
 // The levels of all worlds in their order, as ImportChoices::level_number counts them. Empty if the file is
 // not a readable project, or if `progress` stopped the work.
 std::vector<LdtkLevelName> ldtk_levels_of_file(const std::string& path, const Progress& progress = {});
+
+// Reads the levels of all worlds in their order, and gives each that can be read to `use`, with its index.
+// Which level the choices name does not count. Ends when `progress` stops the work.
+void read_ldtk_levels(const std::string& path, const ImportChoices& choices,
+                      const std::function<void(std::size_t, const Level&)>& use, const Progress& progress);
 
 // Reads the level that the choices name. If a project has several, one must be chosen.
 FormatResult<Level> read_ldtk(std::string_view bytes, const FormatContext& context);

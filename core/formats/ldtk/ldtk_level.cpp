@@ -10,8 +10,11 @@
 #include <talus/level/limits.h>
 #include "../import/sheet_images.h"
 #include "../native/native_objects.h"
+#include "ldtk_background.h"
 #include "ldtk_keys.h"
 #include "ldtk_meanings.h"
+#include "ldtk_picture_tiles.h"
+#include "ldtk_turns.h"
 
 namespace talus {
 namespace {
@@ -35,6 +38,7 @@ class LdtkLevelMaker {
   void find_ground();
   void name_flags();
   void take_tiles();
+  void take_notes();
   void take_entities(const LdtkLayer& layer);
   void take_body(const LdtkEntity& entity, BodyKind kind, Vec2 offset);
 
@@ -85,9 +89,10 @@ SheetPicture blank_picture(std::int64_t width, std::int64_t height) {
 // Layers with ground in them are ground, and so is that which is painted on.
 void LdtkLevelMaker::find_ground() {
   for (TileLayer& layer : tiles_.layers) {
-    layer.is_ground = std::any_of(layer.cells->begin(), layer.cells->end(), [&](TileNumber tile) {
-      return meanings_[tile].shape.kind != TileShape::Kind::none || !meanings_[tile].roles.empty();
-    });
+    layer.is_ground =
+        std::any_of(layer.cells->tiles().begin(), layer.cells->tiles().end(), [&](TileNumber tile) {
+          return meanings_[tile].shape.kind != TileShape::Kind::none || !meanings_[tile].roles.empty();
+        });
   }
   tiles_.layers[static_cast<std::size_t>(tiles_.ground)].is_ground = true;
 }
@@ -133,15 +138,20 @@ FormatResult<void> LdtkLevelMaker::take_pictures() {
   }
   level_.palette[0] = back;
   put_images(images, {}, level_);
-  if (fits && !images_show(picture, level_))
+  if (!fits) return {};
+  const bool is_needed = !images_show(picture, level_) || has_opaque_color_0(picture, level_);
+  if (is_needed)
     level_.sheet(SheetId::tiles).picture = std::make_shared<const SheetPicture>(std::move(picture));
+  level_.palette[0] = back;
   return {};
 }
 
-// Names of values and tags become flags if there are not too many. Flags without a role come first. Those
-// that lose their role are none that the level has a use for. Roles that were chosen keep or get a flag.
+// Names of values and tags become flags, as many as there are. Those of a cart come first, and among them
+// those without a role. Those that lose their role are none that the level has a use for. Roles that were
+// chosen keep or get a flag.
 void LdtkLevelMaker::name_flags() {
   std::vector<int> order = {4, 5, 6, 7, 3, 2, 1, 0};
+  for (int flag = kCartFlags; flag < kMaxFlags; ++flag) order.push_back(flag);
   std::set<std::string> names;
   std::vector<int FlagRoles::*> roles;
   for (const LdtkTileMeaning& meaning : meanings_) {
@@ -150,11 +160,6 @@ void LdtkLevelMaker::name_flags() {
       if (std::find(roles.begin(), roles.end(), role) == roles.end()) roles.push_back(role);
     }
   }
-  if (names.size() + roles.size() > order.size()) {
-    drops_.add("the " + std::to_string(names.size()) +
-               " names of values and tags of tiles, as tiles have only 8 flags");
-    names.clear();
-  }
   for (int FlagRoles::*const role : roles) {
     int& flag = level_.roles.*role;
     if (flag == FlagRoles::kUnused) flag = order.front();
@@ -162,6 +167,11 @@ void LdtkLevelMaker::name_flags() {
   }
   std::size_t next = 0;
   for (const std::string& name : names) {
+    if (next == order.size()) {
+      drops_.add("the name " + quoted_name(name) +
+                 " of a value or tag of tiles, as tiles have only 32 flags");
+      continue;
+    }
     const int flag = order[next++];
     flags_[name] = flag;
     level_.flag_names[static_cast<std::size_t>(flag)] = name;
@@ -174,19 +184,46 @@ void LdtkLevelMaker::name_flags() {
 void LdtkLevelMaker::take_tiles() {
   for (std::size_t tile = 0; tile < tiles_.cells.size(); ++tile) {
     const LdtkTileMeaning& meaning = meanings_[tile];
-    std::uint8_t& flags = level_.sheet(SheetId::tiles).flags[tile];
+    FlagSet& flags = level_.sheet(SheetId::tiles).flags[tile];
     for (const std::string& name : meaning.flags) {
       const auto flag = flags_.find(name);
-      if (flag != flags_.end()) flags = static_cast<std::uint8_t>(flags | 1 << flag->second);
+      if (flag != flags_.end()) flags |= flag_bit(flag->second);
     }
-    for (int FlagRoles::*const role : meaning.roles)
-      flags = static_cast<std::uint8_t>(flags | 1 << level_.roles.*role);
+    for (int FlagRoles::*const role : meaning.roles) flags |= flag_bit(level_.roles.*role);
     const TileShape& shape = meaning.shape;
     const bool is_full = shape == TileShape{.kind = TileShape::Kind::solid};
     if (is_full && level_.roles.solid != FlagRoles::kUnused)
-      flags = static_cast<std::uint8_t>(flags | 1 << level_.roles.solid);
+      flags |= flag_bit(level_.roles.solid);
     else
       level_.tile_shapes[tile] = shape;
+  }
+}
+
+// The custom data of the tiles that a tile of the level shows in their places, the upper ones before the
+// lower.
+void LdtkLevelMaker::take_notes() {
+  std::size_t bytes = 0;
+  for (std::size_t tile = 0; tile < tiles_.cells.size(); ++tile) {
+    Json properties = Json::object();
+    for (const LdtkPart& part : tiles_.cells[tile].parts) {
+      const LdtkSource& source = tiles_.sources[part.source];
+      if (source.tileset < 0 || !is_in_place(part, source, tiles_.map.tile_size())) continue;
+      const auto& data = project_.tilesets[static_cast<std::size_t>(source.tileset)].data;
+      const auto found = data.find(source.id);
+      if (found == data.end()) continue;
+      constexpr int kDeepest = 16;  // far below what a level may nest
+      const auto json = parse_json(found->second);
+      if (json && json->is_object() && depth_of(*json) <= kDeepest)
+        properties.update(*json);
+      else
+        properties["data"] = found->second;
+    }
+    if (properties.empty()) continue;
+    TileNote note;
+    note.properties = properties.dump(-1, ' ', false, Json::error_handler_t::replace);
+    bytes += note.properties.size();
+    if (bytes > kMaxNoteBytes) return drops_.add("the custom data of tiles beyond 16 MiB");
+    put_note(level_.tile_notes, static_cast<TileNumber>(tile), std::move(note));
   }
 }
 
@@ -230,6 +267,7 @@ FormatResult<Level> LdtkLevelMaker::make() {
                              progress_.part(0, 0.6));
   if (!tiles) return tl::unexpected(tiles.error());
   tiles_ = *std::move(tiles);
+  turn_mirrored_tiles(project_, mapping_, choices_.ldtk_tiles.size(), tiles_);
   meanings_ = ldtk_tile_meanings(project_, mapping_, tiles_, drops_);
   find_ground();
   level_.tuning = new_tuning(tiles_.map.tile_size());
@@ -237,8 +275,12 @@ FormatResult<Level> LdtkLevelMaker::make() {
   if (const auto taken = take_pictures(); !taken) return tl::unexpected(taken.error());
   name_flags();
   take_tiles();
+  take_notes();
   for (const LdtkLayer& layer : source_.layers) take_entities(layer);
-  if (source_.has_picture) drops_.add("the picture behind the level");
+  if (source_.background) {
+    if (auto layer = ldtk_background_layer(*source_.background, origin_, drops_))
+      level_.objects.push_back(*std::move(layer));
+  }
   if (auto problem = problem_of_amounts(level_)) return tl::unexpected(FormatError{"", *std::move(problem)});
   const LdtkLevelHead& head = source_.head;
   LdtkOrigin origin{project_.iid,
@@ -248,7 +290,8 @@ FormatResult<Level> LdtkLevelMaker::make() {
                     std::move(mapping_),
                     ldtk_things_of(project_, source_),
                     ldtk_keys_of(tiles_, project_),
-                    nullptr};
+                    nullptr,
+                    std::make_shared<const PictureTiles>(picture_tiles_of(tiles_, pictures_))};
   origin.opened = std::make_shared<const Level>(level_);
   level_.ldtk = std::make_shared<const LdtkOrigin>(std::move(origin));
   return std::move(level_);

@@ -5,11 +5,14 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <talus/level/level.h>
+#include "../import/linked_files.h"
 #include "../text/json_text.h"
 
 namespace talus {
@@ -34,7 +37,7 @@ struct LdtkTileset {
   std::string path;  // of its picture, from the folder of the project; empty: it has none
   int side = 1;      // px, of a tile, 1..kMaxLdtkTileSide
   std::vector<LdtkTag> tags;
-  std::vector<int> with_data;  // ids of the tiles that have custom data, ascending
+  std::map<int, std::string> data;  // custom data of tiles by their ids
 };
 
 // A value of an IntGrid.
@@ -46,9 +49,10 @@ struct LdtkValue {
 
 struct LdtkLayerDef {
   int uid = 0;
-  std::string name;  // may be empty
-  Vec2 pivot;        // 0..1, by which tiles of another size than the grid's lie in their cells
-  bool has_parallax = false;
+  std::string name;                // may be empty
+  Vec2 pivot;                      // 0..1, by which tiles of another size than the grid's lie in their cells
+  Vec2 parallax;                   // factors: 0 moves with the level, 1 with the view
+  bool scales_by_parallax = true;  // whether LDtk draws it smaller or larger by them
   std::vector<LdtkValue> values;
 };
 
@@ -113,9 +117,20 @@ struct LdtkLayer {
   std::vector<LdtkEntity> entities;
 };
 
+// A picture that lies behind a level.
+struct LdtkBackground {
+  std::string path;  // of its file, from the folder of the project
+  // px of the picture, of the part that is shown; nothing: all of it is.
+  std::optional<Rect> part;
+  Vec2 corner;                                   // px, of the top left corner of that part in the level
+  Vec2 scale = {1, 1};                           // px of the level for each of the picture; above 0
+  bool repeats = false;                          // in both directions
+  std::shared_ptr<const LinkedPicture> picture;  // null: not read yet
+};
+
 struct LdtkLevel {
   LdtkLevelHead head;
-  bool has_picture = false;       // whether a picture lies behind it
+  std::optional<LdtkBackground> background;
   std::vector<LdtkLayer> layers;  // from the top
 };
 

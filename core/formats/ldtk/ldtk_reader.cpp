@@ -2,6 +2,7 @@
 #include "ldtk_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "../import/hex_color.h"
@@ -11,6 +12,7 @@ namespace talus {
 namespace {
 
 constexpr int kMostUid = 1 << 30;
+constexpr double kMostParallax = kMaxParallax - 1;  // far more than LDtk has
 
 class LdtkReader : private JsonNodeReader {
  public:
@@ -46,6 +48,8 @@ class LdtkReader : private JsonNodeReader {
   void levels(const JsonNode& node, const std::string& world, LdtkProject& project);
   LdtkLayer layer(const LdtkProject& project, const JsonNode& node);
   void read_values(const JsonNode& node, LdtkLayer& layer);
+  LdtkBackground background(const JsonNode& node);
+  std::vector<double> list_of(const JsonNode& node, const char* key, std::size_t count);
   LdtkTile tile(const JsonNode& node);
   LdtkEntity entity(const JsonNode& node);
 };
@@ -142,9 +146,8 @@ LdtkTileset LdtkReader::tileset(const JsonNode& node) {
     tileset.tags.push_back({name(entry, "enumValueId"), tile_ids(entry, "tileIds")});
   });
   for_each(node, "customData", [&](const JsonNode& entry) {
-    tileset.with_data.push_back(whole(entry, "tileId", 0, kMostUid, 0));
+    tileset.data[whole(entry, "tileId", 0, kMostUid, 0)] = text_if(entry, "data");
   });
-  std::sort(tileset.with_data.begin(), tileset.with_data.end());
   return tileset;
 }
 
@@ -153,8 +156,11 @@ LdtkLayerDef LdtkReader::layer_def(const JsonNode& node) {
   def.uid = whole(node, "uid", -kMostUid, kMostUid, 0);
   def.name = text_if(node, "identifier");
   def.pivot = {share(node, "tilePivotX", 0), share(node, "tilePivotY", 0)};
-  def.has_parallax = (has(node, "parallaxFactorX") && number(node, "parallaxFactorX") != 0) ||
-                     (has(node, "parallaxFactorY") && number(node, "parallaxFactorY") != 0);
+  const auto factor = [&](const char* key) {
+    return has(node, key) ? std::clamp(number(node, key), -kMostParallax, kMostParallax) : 0;
+  };
+  def.parallax = {factor("parallaxFactorX"), factor("parallaxFactorY")};
+  def.scales_by_parallax = !has(node, "parallaxScaling") || truth(node, "parallaxScaling");
   for_each(node, "intGridValues", [&](const JsonNode& entry) {
     def.values.push_back(
         {whole(entry, "value", 0, kMostUid, 0), text_if(entry, "identifier"), color(entry, "color")});
@@ -182,6 +188,39 @@ void LdtkReader::levels(const JsonNode& node, const std::string& world, LdtkProj
   });
 }
 
+LdtkBackground LdtkReader::background(const JsonNode& node) {
+  LdtkBackground made;
+  made.path = text_if(node, "bgRelPath");
+  made.repeats = text_if(node, "bgPos") == "Repeat";
+  const Json* const place = node.find("__bgPos");
+  if (place == nullptr || !place->is_object()) return made;
+  const JsonNode its{*place, node.path_of("__bgPos")};
+  const auto numbers = [&](const char* key, std::size_t count) { return list_of(its, key, count); };
+  const std::vector<double> corner = numbers("topLeftPx", 2), scale = numbers("scale", 2),
+                            part = numbers("cropRect", 4);
+  if (!corner.empty()) made.corner = {corner[0], corner[1]};
+  if (!scale.empty()) made.scale = {scale[0], scale[1]};
+  if (!part.empty()) made.part = Rect{part[0], part[1], part[2], part[3]};
+  if (!(made.scale.x > 0 && made.scale.y > 0)) fail(its, "scale", "must have two numbers above 0 as scale");
+  return made;
+}
+
+// Empty after an error.
+std::vector<double> LdtkReader::list_of(const JsonNode& node, const char* key, std::size_t count) {
+  const Json* const list = node.find(key);
+  std::vector<double> numbers;
+  const bool is_list = list != nullptr && list->is_array() && list->size() == count;
+  for (std::size_t i = 0; is_list && i < count; ++i) {
+    const bool is_near = (*list)[i].is_number() && std::abs((*list)[i].get<double>()) <= kMaxLdtkPlace;
+    if (is_near) numbers.push_back((*list)[i].get<double>());
+  }
+  if (numbers.size() == count) return numbers;
+  fail(node, key,
+       "must have a list of " + std::to_string(count) + " numbers of at most " +
+           std::to_string(kMaxLdtkPlace) + " as " + key);
+  return {};
+}
+
 LdtkLevel LdtkReader::level(const LdtkProject& project, const LdtkLevelHead& head, const JsonNode& node) {
   LdtkLevel level;
   level.head = head;
@@ -189,7 +228,7 @@ LdtkLevel LdtkReader::level(const LdtkProject& project, const LdtkLevelHead& hea
     fail(node, "layerInstances", "must have a list as layerInstances");
     return level;
   }
-  level.has_picture = has(node, "bgRelPath");
+  if (!text_if(node, "bgRelPath").empty()) level.background = background(node);
   for_each(node, "layerInstances", [&](const JsonNode& entry) {
     if (level.layers.size() == kMaxLdtkLayers) return fail(entry, "", too_many("layer", kMaxLdtkLayers));
     level.layers.push_back(layer(project, entry));

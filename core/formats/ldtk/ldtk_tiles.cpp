@@ -69,6 +69,7 @@ class LdtkNumberer {
   FormatResult<void> place(const LdtkSource& source, int x, int y);
   FormatResult<std::vector<const LdtkLayer*>> taken_layers() const;
   FormatResult<void> take_layer(const LdtkLayer& layer, const Progress& progress);
+  void take_parallax(const LdtkLayer& layer, TileLayer& taken);
   FormatResult<std::vector<TileNumber>> number_cells(const Progress& progress);
   FormatResult<LdtkCell> cell_of(LdtkCellValue value, std::span<const PlacedPart> parts);
   bool has_tags(const LdtkSource& source);
@@ -194,9 +195,6 @@ FormatResult<void> LdtkNumberer::place_colors(const LdtkLayer& layer) {
 
 FormatResult<void> LdtkNumberer::place_layer(const LdtkLayer& layer) {
   const std::string of = "the layer " + quoted_name(layer.name);
-  const bool has_parallax =
-      layer.def >= 0 && project_.layers[static_cast<std::size_t>(layer.def)].has_parallax;
-  if (has_parallax) drops_.add("the parallax of " + of);
   if (layer.type == LdtkLayer::Type::int_grid && layer.tileset < 0) return place_colors(layer);
   if (layer.tileset < 0) {
     if (!layer.tiles.empty()) drops_.add("the tiles of " + of + ", which has no tileset");
@@ -216,8 +214,6 @@ bool LdtkNumberer::has_tags(const LdtkSource& source) {
   known->second = std::any_of(tileset.tags.begin(), tileset.tags.end(), [&](const LdtkTag& tag) {
     return std::binary_search(tag.tiles.begin(), tag.tiles.end(), source.id);
   });
-  if (std::binary_search(tileset.with_data.begin(), tileset.with_data.end(), source.id))
-    drops_.add("the custom data of a tile of the tileset " + quoted_name(tileset.name));
   return known->second;
 }
 
@@ -318,6 +314,14 @@ FormatResult<std::vector<const LdtkLayer*>> LdtkNumberer::taken_layers() const {
                     std::to_string(kMaxLayerCells) + " cells together");
 }
 
+void LdtkNumberer::take_parallax(const LdtkLayer& layer, TileLayer& taken) {
+  if (layer.def < 0) return;
+  const LdtkLayerDef& def = project_.layers[static_cast<std::size_t>(layer.def)];
+  taken.parallax = {1 - def.parallax.x, 1 - def.parallax.y};
+  if (def.scales_by_parallax && def.parallax != Vec2())
+    drops_.add("that its parallax scales the layer " + quoted_name(layer.name));
+}
+
 // By which the layer is known (see ldtk_additions.h). Others may have its name.
 std::string LdtkNumberer::id_of_layer(const LdtkLayer& layer) {
   const std::string name = printable(layer.iid.empty() ? layer.name : layer.iid);
@@ -338,8 +342,9 @@ FormatResult<void> LdtkNumberer::take_layer(const LdtkLayer& layer, const Progre
   taken.name = layer.name;
   taken.visible = layer.is_visible;
   taken.is_ground = false;
+  take_parallax(layer, taken);
   taken.extra = Json{{kLdtkLayerKey, id_of_layer(layer)}}.dump();
-  taken.cells = std::make_shared<const std::vector<TileNumber>>(*std::move(cells));
+  taken.cells = std::make_shared<const MapCells>(*std::move(cells));
   if (&layer == ground_) ground_index_ = static_cast<int>(layers_.size()) - 1;
   return {};
 }
@@ -374,8 +379,7 @@ FormatResult<LdtkTiles> LdtkNumberer::number(const std::vector<std::string>& kno
     if (!taken) return tl::unexpected(taken.error());
   }
   if (layers_.empty()) {
-    layers_.emplace_back().cells =
-        std::make_shared<const std::vector<TileNumber>>(map_.cells().size(), TileNumber{0});
+    layers_.emplace_back().cells = std::make_shared<const MapCells>(map_.cells().size());
   }
   const int ground = ground_index_ >= 0 ? ground_index_ : static_cast<int>(layers_.size()) - 1;
   return LdtkTiles{std::move(map_), std::move(layers_), ground, cells_.take(), sources_.take()};

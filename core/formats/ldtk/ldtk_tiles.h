@@ -65,8 +65,10 @@ inline bool is_in_place(const LdtkPart& part, const LdtkSource& source, TileSize
   return part.x == 0 && part.y == 0 && source.side == tile.width;
 }
 
-// The key in TileLayer::extra with what a layer is known by in its project.
+// The key in TileLayer::extra with what a layer is known by in its project, and in ObjectLayer::extra of the
+// picture behind the level, with kLdtkBackground.
 inline constexpr const char* kLdtkLayerKey = "ldtk";
+inline constexpr const char* kLdtkBackground = "background";
 
 struct LdtkTiles {
   TileMap map;  // as large as each layer, and empty

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include "../text/content_hash.h"
 #include "../text/hex.h"
@@ -38,13 +39,38 @@ FormatResult<Json> document_without_cart(const Level& level) {
   return native_document(bare);
 }
 
-std::string hash_of_member(const Json& document, const std::string& member) {
-  const auto found = document.find(member);
-  std::uint64_t hash = content_hash(
-      found == document.end() ? "" : found->dump(-1, ' ', false, Json::error_handler_t::replace));
+// Layers of objects as a file has them: in the order in which they are drawn, without empty ones.
+Json drawn_layers(const Json& document) {
+  const auto tiles = document.find("layers");
+  const auto count = tiles != document.end() && tiles->is_array() ? std::ssize(*tiles) : 1;
+  Json drawn = Json::array();
+  for (const Json& layer : document.value("objects", Json::array())) {
+    if (!layer.is_object() || (layer.value("objects", Json::array()).empty() && !layer.contains("image")))
+      continue;
+    drawn.push_back(layer);
+    Json& place = drawn.back()["place"];
+    place = is_whole(place, 0, count) ? place : Json(count);
+  }
+  std::stable_sort(drawn.begin(), drawn.end(),
+                   [](const Json& a, const Json& b) { return a["place"] < b["place"]; });
+  return drawn;
+}
+
+std::string hash_of(const Json* value) {
+  std::uint64_t hash =
+      content_hash(value == nullptr ? "" : value->dump(-1, ' ', false, Json::error_handler_t::replace));
   std::string text;
   for (int digit = 0; digit < 16; ++digit, hash <<= 4) text += kHexDigits[hash >> 60];
   return text;
+}
+
+// as_drawn: of layers of objects as they are drawn; older versions took them as they were listed.
+std::string hash_of_member(const Json& document, const std::string& member, bool as_drawn = true) {
+  const auto found = document.find(member);
+  if (found == document.end()) return hash_of(nullptr);
+  if (member != "objects" || !as_drawn) return hash_of(&*found);
+  const Json drawn = drawn_layers(document);
+  return hash_of(drawn.empty() ? nullptr : &drawn);
 }
 
 bool are_objects(const Json& list) {
@@ -59,6 +85,7 @@ class Joiner {
     for (const auto& [key, value] : added.items()) {
       is_changed_ = std::find(changed.begin(), changed.end(), key) != changed.end();
       is_roles_ = key == "roles";
+      is_layers_ = key == "objects";
       put(document, key, value);
     }
   }
@@ -83,19 +110,47 @@ class Joiner {
   // The file has a value of its own, which may be newer.
   void keep(Json& held, const Json& value) {
     if (held == value) return;
-    if (!are_objects(held) || !are_objects(value)) {
+    if (is_layers_ || !are_objects(held) || !are_objects(value)) {
       left_out_ = true;
       return;
     }
     for (const Json& entry : value) {
-      if (std::find(held.begin(), held.end(), entry) == held.end()) held.push_back(entry);
+      const auto same =
+          std::find_if(held.begin(), held.end(), [&](const Json& its) { return has_all_of(entry, its); });
+      if (same == held.end())
+        held.push_back(entry);
+      else
+        *same = entry;
     }
+  }
+
+  // Whether an entry has all members of another one, and maybe some that the file cannot hold.
+  static bool has_all_of(const Json& entry, const Json& other) {
+    return std::all_of(other.items().begin(), other.items().end(), [&](const auto& item) {
+      const auto found = entry.find(item.key());
+      return found != entry.end() && *found == item.value();
+    });
   }
 
   bool is_changed_ = false;  // whether another program changed the current member of the document
   bool is_roles_ = false;
+  bool is_layers_ = false;  // layers of objects, which the file has with its own changes
   bool left_out_ = false;
 };
+
+// Adds the flags that no cart has to the tiles of a cart that another program has changed, and removes all
+// flags of these tiles from `added`: the others may be newer in the cart. member: of both.
+void join_flags(Json& document, const std::string& member, Json& added) {
+  const auto tiles = added.find(member);
+  if (tiles == added.end() || !tiles->is_object()) return;
+  for (const auto& [tile, entry] : tiles->items()) {
+    const auto flags = entry.is_object() ? entry.find("flags") : entry.end();
+    if (flags == entry.end() || !flags->is_array()) continue;
+    for (const Json& flag : *flags)
+      if (!is_whole(flag, 0, kCartFlags - 1)) document[member][tile]["flags"].push_back(flag);
+    entry.erase(flags);
+  }
+}
 
 // The size that the companion gives the map, but not smaller than the cells that the file fills. Removes it
 // from `added`. Returns whether it had to grow.
@@ -117,6 +172,46 @@ bool join_map_size(Json& document, Json& added) {
   take("width", width);
   take("height", rows.size());
   return has_grown;
+}
+
+// Calls change(entry) for everything in a document that may name a picture by its number.
+template <class Change>
+void for_each_pictured(Json& document, Change change) {
+  const auto large = document.find("large_tiles"), layers = document.find("objects");
+  if (large != document.end() && large->is_object()) {
+    for (Json& tile : *large) change(tile);
+  }
+  if (layers == document.end() || !layers->is_array()) return;
+  for (Json& layer : *layers) {
+    if (!layer.is_object()) continue;
+    if (const auto image = layer.find("image"); image != layer.end()) change(*image);
+    const auto objects = layer.find("objects");
+    if (objects == layer.end() || !objects->is_array()) continue;
+    for (Json& object : *objects) change(object);
+  }
+}
+
+// Puts the pictures of the companion behind those of the file, each once, and removes them from `added`, in
+// which their numbers are changed to these. So what the file keeps goes on to name its own pictures.
+void join_pictures(Json& document, Json& added) {
+  const auto found = added.find("pictures");
+  if (found == added.end()) return;
+  const Json own = std::move(*found);
+  added.erase(found);
+  if (!own.is_array()) return;
+  std::vector<std::size_t> numbers;  // in the document, by number in the companion
+  Json all = document.value("pictures", Json::array());
+  for (const Json& picture : own) {
+    const auto same = std::find(all.begin(), all.end(), picture);
+    numbers.push_back(static_cast<std::size_t>(same - all.begin()));
+    if (same == all.end()) all.push_back(picture);
+  }
+  document["pictures"] = std::move(all);
+  for_each_pictured(added, [&](Json& entry) {
+    const auto number = entry.is_object() ? entry.find("picture") : entry.end();
+    if (number == entry.end() || !is_whole(*number, 0, std::ssize(numbers) - 1)) return;
+    *number = numbers[number->get<std::size_t>()];
+  });
 }
 
 // The note on a file that was changed since its companion was saved.
@@ -155,8 +250,15 @@ std::vector<std::string> changed_members(const Json& document, const Json& about
   std::vector<std::string> changed;
   for (const std::string_view held : format.holds) {
     const std::string member(held);
-    const bool fits = with != about.end() && with->is_object() &&
-                      with->value(member, Json()) == hash_of_member(document, member);
+    const bool has_hashes = with != about.end() && with->is_object() && !with->empty();
+    const bool is_unknown =
+        has_hashes && member == "objects" && !with->contains(member);  // to older versions
+    const Json then = has_hashes ? with->value(member, Json()) : Json();
+    const auto is_listed_so = [&] {
+      return member == "objects" && then == hash_of_member(document, member, false);
+    };
+    const bool fits =
+        is_unknown || (has_hashes && (then == hash_of_member(document, member) || is_listed_so()));
     if (!fits) changed.push_back(member);
   }
   return changed;
@@ -267,6 +369,9 @@ FormatResult<JoinedLevel> join_companion(std::string_view bytes, const Level& he
   if (!document) return tl::unexpected(document.error());
   const std::vector<std::string> changed = changed_members(*document, *about, format);
   const bool has_grown = join_map_size(*document, *companion);
+  join_pictures(*document, *companion);
+  for (const std::string& member : changed)
+    if (held.cart != nullptr) join_flags(*document, member, *companion);
   Joiner joiner;
   joiner.join(*document, *std::move(companion), changed);
   auto level = level_of_document(*std::move(document));

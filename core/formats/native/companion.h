@@ -17,8 +17,8 @@
 //
 // So the two share nothing, and version control can compare each. If a member of the file no longer has the
 // hash in "with", another program has changed it. Then the companion is used all the same, but a changed
-// member that has a value in the file keeps it; lists of objects are joined; and a map is never smaller than
-// the cells that the file fills.
+// member that has a value in the file keeps it; lists of objects are joined; flags that no cart has are added
+// to those of a cart's tiles; and a map is never smaller than the cells that the file fills.
 #pragma once
 
 #include <optional>

@@ -3,13 +3,13 @@
 #include "native.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <span>
 
 #include <talus/level/limits.h>
+#include "../../level/placed_picture.h"
 #include "../text/hex.h"
 #include "../text/json_text.h"
 #include "../tilesets/tileset_pixels.h"
@@ -21,12 +21,16 @@
 #include "native_document.h"
 #include "native_exports.h"
 #include "native_flags.h"
+#include "native_groups.h"
 #include "native_layers.h"
 #include "native_members.h"
+#include "native_notes.h"
 #include "native_object_layers.h"
 #include "native_objects.h"
 #include "native_picture.h"
+#include "native_pictures.h"
 #include "native_tilesets.h"
+#include "native_turns.h"
 
 namespace talus {
 namespace {
@@ -34,15 +38,6 @@ namespace {
 constexpr std::array<const char*, 2> kSheetKeys = {"tiles", "sprites"};  // by SheetId
 
 std::string no_tile_of(int count) { return "must be a tile number from 0 to " + std::to_string(count - 1); }
-
-// The number below `count` that a key spells without leading zeros; nothing for any other key.
-std::optional<std::size_t> number_of(const std::string& key, std::size_t count) {
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), number);
-  const bool good = error == std::errc() && end == key.data() + key.size() && number < count &&
-                    std::to_string(number) == key;
-  return good ? std::optional(number) : std::nullopt;
-}
 
 // Goes on after an error, which does no harm, and remembers the first one.
 class Reader {
@@ -56,7 +51,8 @@ class Reader {
     take(document, "sheet_size", [this](Json& v) { read_sheet_size(v); });
     if (error_) return tl::unexpected(*error_);  // the numbers of tiles cannot be judged
     take(document, "palette", [this](Json& v) { read_palette(v); });
-    take(document, "flag_names", [this](Json& v) { read_flag_names(v); });
+    take(document, "flag_names",
+         [this](const Json& v) { keep(take_flag_names(v, "flag_names"), level_.flag_names); });
     take(document, "flag_fields",
          [this](Json& v) { keep(take_flag_fields(v, "flag_fields"), level_.flag_fields); });
     take_object(document, "roles", "roles", [this](Json& v) { read_roles(v); });
@@ -68,7 +64,7 @@ class Reader {
                 [this](Json& v) { keep(take_auto_tiles(v, level_.tile_count()), level_.auto_tiles); });
     take(document, "exports", [this](Json& v) { keep(take_exports(v), level_.exports); });
     take_object(document, "flag_shapes", "flag_shapes", [this](Json& v) {
-      read_shapes(v, "flag_shapes", "must be a flag from 0 to 7", level_.flag_shapes);
+      read_shapes(v, "flag_shapes", "must be a flag from 0 to 31", level_.flag_shapes);
     });
     take_object(document, "tile_shapes", "tile_shapes", [this](Json& v) {
       read_shapes(v, "tile_shapes", no_tile_of(level_.tile_count()), level_.tile_shapes);
@@ -82,10 +78,20 @@ class Reader {
          [this](Json& v) { keep(take_tilesets(v, level_.sheet(SheetId::tiles).layout()), level_.tilesets); });
     take(document, "animations",
          [this](const Json& v) { keep(take_animations(v, level_.tile_count()), level_.animations); });
+    take(document, "tile_notes",
+         [this](Json& v) { keep(take_notes(v, level_.tile_count()), level_.tile_notes); });
     take_object(document, "map", "map", [this](Json& v) { read_map(v); });
     take(document, "layers", [this](Json& v) { read_layers(v); });
     take(document, "curves", [this](Json& v) { keep(take_curves(v, "curves", level_.map), level_.curves); });
-    take(document, "objects", [this](Json& v) { keep(take_object_layers(v, "objects"), level_.objects); });
+    NativePictures pictures;
+    take(document, "pictures", [&](Json& v) { keep(take_pictures(v), pictures); });
+    take(document, "large_tiles",
+         [&](Json& v) { keep(take_large_tiles(v, pictures, level_.tile_count()), level_.large_tiles); });
+    take(document, "render_order", [this](const Json& v) { read_render_order(v); });
+    take(document, "objects",
+         [&](Json& v) { keep(take_object_layers(v, "objects", pictures), level_.objects); });
+    take(document, "groups", [&](Json& v) { keep(take_groups(v), level_.layers.groups); });
+    if (const auto good = check_groups(level_); !good) fail(good.error().place, good.error().message);
     take_object(document, "cart", "cart", [this](Json& v) { read_cart(v); });
     if (error_) return tl::unexpected(*error_);
     if (document.size() > kMaxUnknownKeys) return tl::unexpected(FormatError{"", too_many_unknown()});
@@ -172,20 +178,12 @@ class Reader {
     }
   }
 
-  void read_flag_names(const Json& names) {
-    const bool good =
-        names.is_array() && names.size() <= kFlagCount &&
-        std::all_of(names.begin(), names.end(), [](const Json& name) { return name.is_string(); });
-    if (!good) return fail_key("flag_names", "must be a list of up to 8 strings");
-    for (std::size_t i = 0; i < names.size(); ++i) level_.flag_names[i] = names[i].get<std::string>();
-  }
-
   void read_roles(Json& roles) {
     for (const FlagRoleInfo& info : flag_role_infos()) {
       const std::string key(info.key);
       take(roles, key, [&](const Json& flag) {
-        if (!flag.is_null() && !is_whole(flag, 0, kFlagCount - 1)) {
-          return fail_key("roles." + key, "must be a flag from 0 to 7, or null");
+        if (!flag.is_null() && !is_whole(flag, 0, kMaxFlags - 1)) {
+          return fail_key("roles." + key, "must be a flag from 0 to 31, or null");
         }
         level_.roles.*info.flag = flag.is_null() ? FlagRoles::kUnused : flag.get<int>();
       });
@@ -234,7 +232,7 @@ class Reader {
       const std::string key = std::to_string(tile), entry = path + "." + key;
       take_object(tiles, key, entry, [&](Json& json) {
         take(json, "flags",
-             [&](const Json& flags) { read_flags(flags, entry + ".flags", sheet.flags[tile]); });
+             [&](const Json& flags) { keep(take_flags(flags, entry + ".flags"), sheet.flags[tile]); });
         take(json, "pixels",
              [&](const Json& rows) { read_pixels(rows, entry + ".pixels", sheet.images[tile]); });
       });
@@ -246,7 +244,7 @@ class Reader {
   static std::vector<std::size_t> numbers_in(const Json& object, std::size_t count) {
     std::vector<std::size_t> numbers;
     for (auto it = object.begin(); it != object.end(); ++it) {
-      if (const auto number = number_of(it.key(), count)) numbers.push_back(*number);
+      if (const auto number = number_of_key(it.key(), count)) numbers.push_back(*number);
     }
     std::sort(numbers.begin(), numbers.end());
     return numbers;
@@ -259,16 +257,8 @@ class Reader {
     for (auto it = object.begin(); it != object.end(); ++it) {
       const std::string& key = it.key();
       const bool is_number = !key.empty() && key.find_first_not_of("0123456789") == std::string::npos;
-      if (is_number && !number_of(key, count)) fail_key(path + "." + key.substr(0, 8), message);
+      if (is_number && !number_of_key(key, count)) fail_key(path + "." + key.substr(0, 8), message);
     }
-  }
-
-  void read_flags(const Json& flags, const std::string& path, std::uint8_t& out) {
-    const bool good = flags.is_array() && std::all_of(flags.begin(), flags.end(), [](const Json& flag) {
-                        return is_whole(flag, 0, kFlagCount - 1);
-                      });
-    if (!good) return fail_key(path, "must be a list of flags from 0 to 7");
-    for (const Json& flag : flags) out = static_cast<std::uint8_t>(out | 1 << flag.get<int>());
   }
 
   void read_pixels(const Json& rows, const std::string& path, TileImage& image) {
@@ -305,13 +295,23 @@ class Reader {
     if (!is_terrain_size(width, height, tile_size_)) return fail_key("map", "is longer than 16777216 px");
     level_.map = TileMap(width, height, tile_size_);
     take(map, "rows", [this](const Json& rows) {
-      keep(read_rows(rows, "map.rows", "map row ", level_, progress_), level_.map.cells());
+      keep(read_rows(rows, "map.rows", "map row ", level_, progress_), level_.map.cells().tiles());
+    });
+    take(map, "turns", [this](const Json& rows) {
+      const auto good = take_turn_rows(rows, "map", level_.map.width(), level_.map.cells());
+      if (!good) fail(good.error().place, good.error().message);
     });
   }
 
   void read_layers(Json& layers) {
     const auto good = take_layers(layers, level_, progress_);
     if (!good) fail(good.error().place, good.error().message);
+  }
+
+  void read_render_order(const Json& word) {
+    const auto found = std::find(kRenderOrders.begin(), kRenderOrders.end(), word);
+    if (found == kRenderOrders.end()) return fail_key("render_order", choice_text(kRenderOrders));
+    level_.layers.order = static_cast<RenderOrder>(found - kRenderOrders.begin());
   }
 
   void read_cart(Json& json) {
@@ -357,9 +357,7 @@ void put_sheet(const Sheet& sheet, const std::string& key, Json& document) {
     if (!drawn && sheet.flags[tile] == 0) continue;
     Json& json = object_in(object_in(document, key), std::to_string(tile));
     if (drawn) json["pixels"] = pixel_rows(sheet.images[tile]);
-    for (int flag = 0; flag < kFlagCount; ++flag) {
-      if ((sheet.flags[tile] >> flag & 1) != 0) json["flags"].push_back(flag);
-    }
+    if (sheet.flags[tile] != 0) json["flags"] = json_of_flags(sheet.flags[tile]);
   }
 }
 
@@ -367,7 +365,9 @@ void put_sheet(const Sheet& sheet, const std::string& key, Json& document) {
 void put_map(const Level& level, bool rows, Json& json) {
   json["width"] = level.map.width();
   json["height"] = level.map.height();
-  if (rows) json["rows"] = json_of_rows(level.map.cells(), level);
+  if (!rows) return;
+  json["rows"] = json_of_rows(level.map.cells().tiles(), level);
+  put_turns(level.map.cells(), level.map.width(), false, json);
 }
 
 FormatResult<void> put_numbers(const Tuning& tuning, std::string_view group, Json& json) {
@@ -438,8 +438,15 @@ FormatResult<void> put_physics(const Level& level, Json& document) {
   if (auto good = put_list(json_of(level.spawns, "spawns"), "spawns", document); !good) return good;
   if (auto good = put_list(json_of(level.curves, "curves", level.map), "curves", document); !good)
     return good;
-  if (auto good = put_list(json_of(level.objects, "objects"), "objects", document); !good) return good;
   return put_shapes(level.tile_shapes, "tile_shapes", tile, document);
+}
+
+// What is drawn besides the sheet, and the layers that are not of tiles.
+FormatResult<void> put_pictures(const Level& level, const NativePictures& pictures, Json& document) {
+  if (level.layers.order != RenderOrder()) document["render_order"] = word_of(level.layers.order);
+  if (auto good = put_list(json_of(pictures), "pictures", document); !good) return good;
+  if (auto good = put_list(json_of(level.large_tiles, pictures), "large_tiles", document); !good) return good;
+  return put_list(json_of(level.objects, "objects", pictures), "objects", document);
 }
 
 // Whether a tile or a flag stands for a polygon or a group, which came with version 3.
@@ -451,23 +458,27 @@ bool has_shapes_with_parts(const Level& level) {
 // For all objects at once: no two of them want a pair of keys in different orders.
 std::vector<std::string_view> key_order() {
   std::vector<std::string_view> order = {
-      "talus",       "companion", "file",     "with",       "palette", "flag_names", "flag_fields",
-      "name",        "first",     "bits",     "values",     "kind",    "side",       "faces",
-      "roles",       "solid",     "up_slope", "down_slope", "ball",    "one_way",    "ceiling",
-      "flag_shapes", "tuning",    "spawns",   "curves",     "brushes", "auto_tiles", "exports",
-      "tile_shapes", "tiles",     "random",   "heights",    "points",  "sprites",    "tile_size",
-      "sheet_size",  "picture",   "tilesets", "animations", "map",     "layers",     "objects",
-      "cart",        "solver"};
+      "talus",       "companion", "file",     "with",       "palette",    "flag_names", "flag_fields",
+      "name",        "first",     "bits",     "values",     "kind",       "side",       "faces",
+      "roles",       "solid",     "up_slope", "down_slope", "ball",       "one_way",    "ceiling",
+      "flag_shapes", "tuning",    "spawns",   "curves",     "brushes",    "auto_tiles", "exports",
+      "tile_shapes", "tiles",     "random",   "heights",    "points",     "sprites",    "tile_size",
+      "sheet_size",  "picture",   "tilesets", "animations", "tile_notes", "map",        "layers",
+      "groups",      "objects",   "cart",     "solver"};
   for (const TuningField& field : tuning_fields()) order.push_back(field.key);
-  order.insert(
-      order.end(),
-      {"x",          "y",          "vx",      "vy",       "size",    "foot",      "from",     "to",
-       "from_slope", "to_slope",   "center",  "radius",   "x0",      "x1",        "upper",    "middle",
-       "amplitude",  "wavelength", "origin",  "ys",       "flags",   "pixels",    "width",    "height",
-       "rows",       "comment",    "chunks",  "lines",    "chunk",   "bank",      "reserved", "code",
-       "data",       "path",       "parts",   "on_save",  "count",   "columns",   "image",    "ground",
-       "visible",    "locked",     "spacing", "margin",   "opacity", "offset",    "parallax", "tint",
-       "packed",     "form",       "class",   "rotation", "tile",    "properties"});
+  order.insert(order.end(),
+               {"x",         "y",           "vx",           "vy",        "size",      "foot",
+                "from",      "to",          "from_slope",   "to_slope",  "center",    "radius",
+                "x0",        "x1",          "upper",        "middle",    "amplitude", "wavelength",
+                "origin",    "ys",          "flags",        "pixels",    "width",     "height",
+                "rows",      "turns",       "comment",      "chunks",    "lines",     "chunk",
+                "bank",      "reserved",    "code",         "data",      "path",      "parts",
+                "on_save",   "count",       "columns",      "image",     "ground",    "visible",
+                "locked",    "spacing",     "margin",       "opacity",   "offset",    "parallax",
+                "tint",      "packed",      "packed_turns", "form",      "class",     "probability",
+                "rotation",  "tile",        "properties",   "place",     "by_y",      "rect",
+                "shift",     "keeps_ratio", "swaps_axes",   "mirrors_x", "mirrors_y", "repeats_x",
+                "repeats_y", "anchor",      "group"});
   for (const GroundPartInfo& part : kGroundParts) order.push_back(part.key);
   const auto hard_case = hard_case_keys();
   order.insert(order.end(), hard_case.begin(), hard_case.end());
@@ -492,7 +503,7 @@ std::vector<Tileset> stored_tilesets(const Level& level, const std::string& fold
   for (Tileset& set : sets) {
     const bool is_unread = set.link && folder.empty() && !set.link->path.starts_with('/');
     if (!set.link || is_unread) continue;
-    std::string path = folder.empty() ? "" : linked_path_in(folder, set.link->path);
+    std::string path = folder.empty() ? "" : stored_link(folder, set.link->path);
     if (!path.empty()) {
       set.link->path = std::move(path);
       continue;
@@ -529,9 +540,16 @@ FormatResult<Json> native_document(const Level& level, const std::string& folder
   const auto& picture = tiles.picture;
   auto layers = json_of_layers(level);
   if (!layers) return layers;
-  const bool has_layers = !layers->empty();
-  document["talus"] = !sets.empty() || !level.objects.empty()                                 ? kNativeVersion
-                      : has_layers                                                            ? kLayerVersion
+  auto groups = json_of_groups(level);
+  if (!groups) return groups;
+  const bool has_layers = !layers->empty(), has_tilesets = !sets.empty() || !level.objects.empty();
+  const NativePictures pictures = pictures_of(level);
+  const bool has_notes = has_more_flags(level) || has_turned_tiles(level) || !level.tile_notes.empty() ||
+                         !pictures.empty() || has_new_objects(level.objects);
+  document["talus"] = !groups->empty() ? kNativeVersion
+                      : has_notes      ? kNoteVersion
+                      : has_tilesets   ? kTilesetVersion
+                      : has_layers     ? kLayerVersion
                       : has_other_sheet || picture != nullptr || has_shapes_with_parts(level) ? kSheetVersion
                       : has_other_tiles ? kTileSizeVersion
                                         : 1;
@@ -540,7 +558,7 @@ FormatResult<Json> native_document(const Level& level, const std::string& folder
   document["palette"] = json_of(level.palette);
   const bool named =
       std::any_of(level.flag_names.begin(), level.flag_names.end(), [](const auto& n) { return !n.empty(); });
-  if (named) document["flag_names"] = level.flag_names;
+  if (named) document["flag_names"] = json_of(level.flag_names);
   if (const auto good = put_list(json_of(level.flag_fields, "flag_fields"), "flag_fields", document); !good)
     return tl::unexpected(good.error());
   if (const auto good = put_physics(level, document); !good) return tl::unexpected(good.error());
@@ -561,7 +579,12 @@ FormatResult<Json> native_document(const Level& level, const std::string& folder
   if (const auto good = put_list(json_of(level.animations, level.tile_count()), "animations", document);
       !good)
     return tl::unexpected(good.error());
+  if (const auto good = put_list(json_of(level.tile_notes, level.tile_count()), "tile_notes", document);
+      !good)
+    return tl::unexpected(good.error());
+  if (auto good = put_pictures(level, pictures, document); !good) return tl::unexpected(good.error());
   if (!layers->empty()) document["layers"] = *std::move(layers);
+  if (!groups->empty()) document["groups"] = *std::move(groups);
   put_map(level, !has_layers, object_in(document, "map"));
   if (level.cart) put_cart(level, object_in(document, "cart"));
   if (depth_of(document) > kMaxJsonDepth)
@@ -594,6 +617,7 @@ FormatResult<Level> read_native(std::string_view bytes, const FormatContext& con
         "", "is not a level, but the companion of a cart: put it beside the cart, and open the cart"});
   auto level = level_of_document(*std::move(document), context.progress.part(kParsed, 1));
   if (!level) return level;
+  tidy_groups(level->layers, level->objects);
   if (const auto read = read_linked_tilesets(context, *level); !read) return tl::unexpected(read.error());
   return level;
 }

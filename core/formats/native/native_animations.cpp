@@ -1,23 +1,15 @@
 // Animations of tiles as JSON.
 #include "native_animations.h"
 
-#include <charconv>
 #include <utility>
+
+#include "native_members.h"
 
 namespace talus {
 namespace {
 
 tl::unexpected<FormatError> animation_error(const std::string& key, std::string message) {
   return tl::unexpected(FormatError{"key " + key, std::move(message)});
-}
-
-// The tile that a key spells; nothing for any other key.
-std::optional<TileNumber> tile_of(const std::string& key) {
-  int number = 0;
-  const auto [end, problem] = std::from_chars(key.data(), key.data() + key.size(), number);
-  const bool is_number = problem == std::errc() && end == key.data() + key.size() && number >= 0 &&
-                         number < kMaxTiles && std::to_string(number) == key;
-  return is_number ? std::optional(static_cast<TileNumber>(number)) : std::nullopt;
 }
 
 std::optional<AnimationFrame> frame_of(const Json& json) {
@@ -33,7 +25,7 @@ FormatResult<TileAnimations> take_animations(const Json& json, int tile_count) {
   if (!json.is_object()) return animation_error("animations", "must be an object");
   TileAnimations animations;
   for (const auto& [key, frames] : json.items()) {
-    const auto tile = tile_of(key);
+    const auto tile = number_of_key(key, kMaxTiles);
     if (!tile) return animation_error("animations", "must have only numbers of tiles as keys");
     const std::string path = "animations." + key;
     if (!frames.is_array() || frames.size() > kMaxAnimationFrames)
@@ -41,7 +33,7 @@ FormatResult<TileAnimations> take_animations(const Json& json, int tile_count) {
     for (const Json& entry : frames) {
       const auto frame = frame_of(entry);
       if (!frame) return animation_error(path, "must have frames [tile, ms] of 1 to 60000 ms");
-      animations[*tile].push_back(*frame);
+      animations[static_cast<TileNumber>(*tile)].push_back(*frame);
     }
     if (frames.empty()) return animation_error(path, "must have frames");
   }

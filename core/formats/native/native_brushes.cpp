@@ -6,6 +6,7 @@
 
 #include "../text/hex.h"
 #include "native_members.h"
+#include "native_turns.h"
 
 namespace talus {
 namespace {
@@ -36,6 +37,23 @@ std::optional<std::string> read_brush_rows(const Json& rows, int tile_count, Bru
   return std::nullopt;
 }
 
+// Returns what is wrong with the rows of turns.
+std::optional<std::string> read_brush_turns(const Json& rows, Brush& brush) {
+  if (!rows.is_array() || rows.size() > static_cast<std::size_t>(brush.h))
+    return "must be a list of as many rows as the brush has, or fewer";
+  for (std::size_t y = 0; y < rows.size(); ++y) {
+    const std::string text = rows[y].is_string() ? rows[y].get<std::string>() : "";
+    if (!rows[y].is_string() || text.size() > static_cast<std::size_t>(brush.w))
+      return "must have strings of a digit for each cell of the row, or fewer";
+    for (std::size_t x = 0; x < text.size(); ++x) {
+      const auto turn = turn_of_digit(text[x]);
+      if (!turn) return "has a cell that is not a digit from 0 to 7";
+      brush.tiles[y * static_cast<std::size_t>(brush.w) + x].turn = *turn;
+    }
+  }
+  return std::nullopt;
+}
+
 FormatResult<Brush> take_brush(Json& json, const std::string& path, int tile_count) {
   MemberTaker take(json, path);
   Brush brush;
@@ -44,6 +62,9 @@ FormatResult<Brush> take_brush(Json& json, const std::string& path, int tile_cou
   take.require("rows");
   take.member("rows", [&](const Json& rows) {
     if (auto problem = read_brush_rows(rows, tile_count, brush)) take.fail("rows", *std::move(problem));
+  });
+  take.member("turns", [&](const Json& rows) {
+    if (auto problem = read_brush_turns(rows, brush)) take.fail("turns", *std::move(problem));
   });
   brush.extra = take.rest();
   return take.result(std::move(brush));
@@ -54,7 +75,8 @@ Json rows_of(const Brush& brush, int tile_count) {
   for (int y = 0; y < brush.h; ++y) {
     std::string row;
     for (int x = 0; x < brush.w; ++x) {
-      append_tile(row, brush.tiles[static_cast<std::size_t>(y * brush.w + x)], digits_of_tile(tile_count));
+      append_tile(row, brush.tiles[static_cast<std::size_t>(y * brush.w + x)].tile,
+                  digits_of_tile(tile_count));
     }
     rows.push_back(std::move(row));
   }
@@ -67,6 +89,9 @@ FormatResult<Json> put_brush(const Brush& brush, int tile_count) {
   (*json)["name"] = brush.name;
   if (brush.random) (*json)["random"] = true;
   (*json)["rows"] = rows_of(brush, tile_count);
+  MapCells cells(brush.tiles.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) cells.set(i, brush.tiles[i]);
+  put_turns(cells, brush.w, false, *json);
   return json;
 }
 

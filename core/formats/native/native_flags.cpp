@@ -22,8 +22,8 @@ FormatResult<FlagField> take_flag_field(Json json, const std::string& path) {
   const Json name = json.value("name", Json("")), values = json.value("values", Json::array());
   const Json first = json.value("first", Json()), bits = json.value("bits", Json());
   if (!name.is_string()) return error_at_key(path + ".name", "must be a string");
-  if (!is_whole(first, 0, kFlagCount - 1)) return error_at_key(path + ".first", "must be a flag from 0 to 7");
-  if (!is_whole(bits, 0, kFlagCount))
+  if (!is_whole(first, 0, kMaxFlags - 1)) return error_at_key(path + ".first", "must be a flag from 0 to 31");
+  if (!is_whole(bits, 0, FlagField::kMostBits))
     return error_at_key(path + ".bits", "must be a whole number from 2 to 8");
   if (!are_strings(values)) return error_at_key(path + ".values", "must be a list of strings");
   FlagField field{name, first, bits, values, {}};
@@ -38,6 +38,41 @@ std::string path_of(const std::string& path, std::size_t index) {
 }
 
 }  // namespace
+
+FormatResult<FlagSet> take_flags(const Json& list, const std::string& path) {
+  const bool good = list.is_array() && std::all_of(list.begin(), list.end(), [](const Json& flag) {
+                      return is_whole(flag, 0, kMaxFlags - 1);
+                    });
+  if (!good) return error_at_key(path, "must be a list of flags from 0 to 31");
+  FlagSet flags = 0;
+  for (const Json& flag : list) flags |= flag_bit(flag.get<int>());
+  return flags;
+}
+
+Json json_of_flags(FlagSet flags) {
+  Json list = Json::array();
+  for (int flag = 0; flag < kMaxFlags; ++flag)
+    if (has_flag(flags, flag)) list.push_back(flag);
+  return list;
+}
+
+FormatResult<std::array<std::string, kMaxFlags>> take_flag_names(const Json& list, const std::string& path) {
+  if (!are_strings(list) || list.size() > kMaxFlags)
+    return error_at_key(path, "must be a list of up to 32 strings");
+  std::array<std::string, kMaxFlags> names;
+  for (std::size_t flag = 0; flag < list.size(); ++flag) names[flag] = list[flag].get<std::string>();
+  return names;
+}
+
+Json json_of(const std::array<std::string, kMaxFlags>& names) {
+  std::size_t count = names.size();
+  while (count > kCartFlags && names[count - 1].empty()) --count;
+  Json list = Json::array();
+  for (std::size_t flag = 0; flag < count; ++flag) list.push_back(names[flag]);
+  return list;
+}
+
+bool has_more_flags(const Level& level) { return (used_flags(level) & ~kCartFlagSet) != 0; }
 
 FormatResult<std::vector<FlagField>> take_flag_fields(const Json& list, const std::string& path) {
   if (!list.is_array()) return error_at_key(path, "must be a list");

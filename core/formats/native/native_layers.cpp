@@ -9,8 +9,7 @@
 #include "../text/unpack.h"
 #include "native_brushes.h"
 #include "native_bytes.h"
-#include "native_color.h"
-#include "native_members.h"
+#include "native_turns.h"
 
 namespace talus {
 namespace {
@@ -88,6 +87,54 @@ FormatResult<std::vector<TileNumber>> read_packed(const Json& lines, const std::
   return cells;
 }
 
+FormatResult<TileLayer> take_layer(Json& json, const std::string& path, const Level& level,
+                                   const Progress& progress) {
+  MemberTaker take(json, path);
+  TileLayer layer;
+  take.optional("name", layer.name);
+  take.optional("ground", layer.is_ground);
+  take.optional("group", layer.group);
+  take_looks(take, layer);
+  Json rows = Json::array(), bytes, turns, packed_turns;
+  take.member("rows", [&](const Json& its) { rows = its; });
+  take.member("packed", [&](const Json& its) { bytes = its; });
+  take.member("turns", [&](const Json& its) { turns = its; });
+  take.member("packed_turns", [&](const Json& its) { packed_turns = its; });
+  if (const auto good = take.result(true); !good) return tl::unexpected(good.error());
+  auto cells = bytes.is_null() ? read_rows(rows, path + ".rows", path + " row ", level, progress)
+                               : read_packed(bytes, path + ".packed", level);
+  if (!cells) return tl::unexpected(cells.error());
+  MapCells all(*std::move(cells));
+  FormatResult<void> good;
+  if (!turns.is_null()) good = take_turn_rows(turns, path, level.map.width(), all);
+  if (good && !packed_turns.is_null()) good = take_packed_turns(packed_turns, path, all);
+  if (!good) return tl::unexpected(good.error());
+  layer.cells = std::make_shared<const MapCells>(std::move(all));
+  layer.extra = take.rest();
+  return layer;
+}
+
+FormatResult<Json> json_of_layer(const TileLayer& layer, const MapCells& cells, const std::string& path,
+                                 const Level& level) {
+  if (const auto good = check_looks(layer, path); !good) return tl::unexpected(good.error());
+  auto parsed = parse_extra(layer.extra);
+  if (!parsed) return parsed;
+  Json& json = *parsed;
+  if (!layer.name.empty()) json["name"] = layer.name;
+  if (!layer.is_ground) json["ground"] = false;
+  if (layer.group >= 0) json["group"] = layer.group;
+  put_looks(layer, json);
+  const bool is_packed = cells.size() > kMostCellsAsText;
+  if (is_packed)
+    json["packed"] = json_of_bytes(packed(cells.tiles()));
+  else
+    json["rows"] = json_of_rows(cells.tiles(), level);
+  put_turns(cells, level.map.width(), is_packed, json);
+  return parsed;
+}
+
+}  // namespace
+
 bool is_pair_within(Vec2 pair, double most) {
   const auto is_good = [most](double number) { return number >= -most && number <= most; };
   return is_good(pair.x) && is_good(pair.y);
@@ -102,64 +149,6 @@ void take_pair(MemberTaker& take, const char* key, double most, Vec2& value) {
   take.optional(key, value);
   if (!is_pair_within(value, most)) take.fail(key, pair_text(most));
 }
-
-FormatResult<TileLayer> take_layer(Json& json, const std::string& path, const Level& level,
-                                   const Progress& progress) {
-  MemberTaker take(json, path);
-  TileLayer layer;
-  take.optional("name", layer.name);
-  take.optional("ground", layer.is_ground);
-  take.optional("visible", layer.visible);
-  take.optional("locked", layer.locked);
-  take.ranged("opacity", 0, 1, "", layer.opacity);
-  take_pair(take, "offset", kMaxLayerOffset, layer.offset);
-  take_pair(take, "parallax", kMaxParallax, layer.parallax);
-  take.member("tint", [&](const Json& tint) {
-    const auto color = color_of(tint);
-    if (!color) return take.fail("tint", kColorText);
-    layer.tint = *color;
-  });
-  Json rows = Json::array(), bytes;
-  take.member("rows", [&](const Json& its) { rows = its; });
-  take.member("packed", [&](const Json& its) { bytes = its; });
-  if (const auto good = take.result(true); !good) return tl::unexpected(good.error());
-  auto cells = bytes.is_null() ? read_rows(rows, path + ".rows", path + " row ", level, progress)
-                               : read_packed(bytes, path + ".packed", level);
-  if (!cells) return tl::unexpected(cells.error());
-  layer.cells = std::make_shared<const std::vector<TileNumber>>(*std::move(cells));
-  layer.extra = take.rest();
-  return layer;
-}
-
-FormatResult<Json> json_of_layer(const TileLayer& layer, const std::vector<TileNumber>& cells,
-                                 const std::string& path, const Level& level) {
-  if (!(layer.opacity >= 0 && layer.opacity <= 1))
-    return layer_error("key " + path + ".opacity", range_text(0, 1, ""));
-  if (!is_pair_within(layer.offset, kMaxLayerOffset))
-    return layer_error("key " + path + ".offset", pair_text(kMaxLayerOffset));
-  if (!is_pair_within(layer.parallax, kMaxParallax))
-    return layer_error("key " + path + ".parallax", pair_text(kMaxParallax));
-  auto parsed = parse_extra(layer.extra);
-  if (!parsed) return parsed;
-  Json& json = *parsed;
-  const TileLayer usual;
-  MemberPutter put(json);
-  if (!layer.name.empty()) json["name"] = layer.name;
-  if (layer.is_ground != usual.is_ground) json["ground"] = layer.is_ground;
-  if (layer.visible != usual.visible) json["visible"] = layer.visible;
-  if (layer.locked != usual.locked) json["locked"] = layer.locked;
-  if (layer.opacity != usual.opacity) put("opacity", layer.opacity);
-  if (layer.offset != usual.offset) put("offset", layer.offset);
-  if (layer.parallax != usual.parallax) put("parallax", layer.parallax);
-  if (layer.tint != usual.tint) json["tint"] = text_of(layer.tint);
-  if (cells.size() > kMostCellsAsText)
-    json["packed"] = json_of_bytes(packed(cells));
-  else
-    json["rows"] = json_of_rows(cells, level);
-  return parsed;
-}
-
-}  // namespace
 
 FormatResult<std::vector<TileNumber>> read_rows(const Json& rows, const std::string& key,
                                                 const std::string& row, const Level& level,

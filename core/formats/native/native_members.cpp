@@ -2,6 +2,7 @@
 #include "native_members.h"
 
 #include <algorithm>
+#include <charconv>
 
 namespace talus {
 namespace {
@@ -34,6 +35,14 @@ std::string choice_text(ChoiceNames names) {
 
 std::string length_text(std::size_t most) {
   return "must be a string of up to " + std::to_string(most) + " bytes";
+}
+
+std::optional<std::size_t> number_of_key(const std::string& key, std::size_t count) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), number);
+  const bool good = error == std::errc() && end == key.data() + key.size() && number < count &&
+                    std::to_string(number) == key;
+  return good ? std::optional(number) : std::nullopt;
 }
 
 std::string too_many_unknown() {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,6 +24,9 @@ std::string range_text(double min, double max, std::string_view unit, bool whole
 std::string choice_text(ChoiceNames names);
 // "must be a string of up to 1000 bytes".
 std::string length_text(std::size_t most);
+
+// The number below `count` that a key spells without leading zeros; nothing for any other key.
+std::optional<std::size_t> number_of_key(const std::string& key, std::size_t count);
 
 // "has more than 65536 keys that this Talus does not know".
 std::string too_many_unknown();

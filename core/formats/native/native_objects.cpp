@@ -154,7 +154,7 @@ TileShape take_simple_shape(MemberTaker& take) {
 }
 
 // A part of a group. Its other members could not be kept.
-FormatResult<TileShape> take_part(Json& json, const std::string& path) {
+FormatResult<TileShape> take_group_part(Json& json, const std::string& path) {
   MemberTaker take(json, path);
   TileShape shape = take_simple_shape(take);
   std::optional<std::string> problem;
@@ -181,7 +181,7 @@ FormatResult<TileShape> take_shape(Json& json, const std::string& path, TileSize
   std::optional<FormatError> wrong_part;
   take.member("parts", [&](const Json& list) {
     Json parts = list;
-    auto taken = take_list<TileShape>(parts, path + ".parts", take_part, kMaxGroupParts,
+    auto taken = take_list<TileShape>(parts, path + ".parts", take_group_part, kMaxGroupParts,
                                       "must be a list of up to 64 shapes");
     if (taken)
       shape.parts = *std::move(taken);

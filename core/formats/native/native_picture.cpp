@@ -30,8 +30,7 @@ FormatResult<std::shared_ptr<const SheetPicture>> take_picture(const Json& lines
                          " px, but that of " + std::to_string(layout.columns) + "x" +
                          std::to_string(layout.rows()) + " tiles must have " + std::to_string(width) + "x" +
                          std::to_string(height) + " px");
-  return std::make_shared<const SheetPicture>(
-      SheetPicture{width, height, {rgba->bytes.begin(), rgba->bytes.end()}});
+  return shared_picture(*rgba);
 }
 
 FormatResult<Json> json_of(const SheetPicture& picture) {

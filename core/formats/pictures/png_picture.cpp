@@ -197,6 +197,11 @@ void append_bytes(void* text, void* data, int size) {
 
 }  // namespace
 
+std::shared_ptr<const SheetPicture> shared_picture(const RgbaPicture& picture) {
+  return std::make_shared<const SheetPicture>(
+      SheetPicture{picture.width, picture.height, {picture.bytes.begin(), picture.bytes.end()}});
+}
+
 bool is_png(std::string_view bytes) { return bytes.starts_with(kSignature); }
 
 FormatResult<std::string_view> find_png_chunk(std::string_view bytes, std::string_view type) {

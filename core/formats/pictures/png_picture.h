@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,9 @@ struct RgbaPicture {
   int width = 0, height = 0;  // px
   std::string bytes;          // four for each pixel: red, green, blue, opacity; row by row from the top left
 };
+
+// The same pixels as layers, tilesets and objects share them.
+std::shared_ptr<const SheetPicture> shared_picture(const RgbaPicture& picture);
 
 inline constexpr std::size_t kPngStart = 8;  // bytes that is_png() needs
 bool is_png(std::string_view bytes);

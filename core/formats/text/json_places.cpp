@@ -147,9 +147,9 @@ namespace {
 void change_parts(const JsonPlaces& places, TextSpan whole, const std::vector<TextSpan>& parts,
                   const JsonListEdit& change, TextEdits& edits) {
   if (change.empty()) return;
-  const auto goes = [&](std::size_t i) {
-    return std::find(change.removed.begin(), change.removed.end(), i) != change.removed.end();
-  };
+  std::vector<bool> is_removed(parts.size());
+  for (const std::size_t i : change.removed) is_removed[i] = true;
+  const auto goes = [&](std::size_t i) { return is_removed[i]; };
   const std::string line = parts.empty() ? "" : places.break_before(parts.front().begin);
   const std::string separator = "," + (line.empty() ? " " : line);
   std::size_t first_kept = 0;
@@ -165,7 +165,9 @@ void change_parts(const JsonPlaces& places, TextSpan whole, const std::vector<Te
     if (i < first_kept) edits.replace({parts[i].begin, parts[i + 1].begin}, "");
     if (i > first_kept && goes(i)) edits.replace({parts[i - 1].end, parts[i].end}, "");
   }
-  for (const auto& [before, value] : change.added) {
+  for (const auto& [place, value] : change.added) {
+    std::size_t before = place;
+    while (before < parts.size() && goes(before)) ++before;  // what goes takes the text around it along
     if (before < parts.size())
       edits.insert(parts[before].begin, value + separator);
     else

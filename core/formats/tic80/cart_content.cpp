@@ -89,14 +89,15 @@ void set_images(Sheet& sheet, std::string_view bytes) {
 
 std::string flag_bytes(const Level& level) {
   std::string bytes;
-  for (const Sheet& sheet : level.sheets) bytes.append(sheet.flags.begin(), sheet.flags.end());
+  for (const Sheet& sheet : level.sheets)
+    for (const FlagSet flags : sheet.flags) bytes += static_cast<char>(flags & kCartFlagSet);
   return bytes;
 }
 
 std::string map_bytes(const TileMap& map) {
   std::string bytes(section_info(Section::map).size(), '\0');
   for (int y = 0; y < map.height(); ++y) {
-    const auto row = map.cells().begin() + static_cast<std::ptrdiff_t>(y) * map.width();
+    const auto row = map.cells().tiles().begin() + static_cast<std::ptrdiff_t>(y) * map.width();
     std::copy_n(row, map.width(), bytes.begin() + static_cast<std::ptrdiff_t>(y) * kTicMapWidth);
   }
   return bytes;
@@ -191,7 +192,7 @@ Level level_of_bank(const Bank& bank) {
     level.sheets[i / kCartTiles].flags[i % kCartTiles] = static_cast<std::uint8_t>(flags[i]);
   }
   const std::string& map = at(bank, Section::map);
-  std::transform(map.begin(), map.end(), level.map.cells().begin(),
+  std::transform(map.begin(), map.end(), level.map.cells().tiles().begin(),
                  [](char tile) { return static_cast<std::uint8_t>(tile); });
   level.palette = palette_of(at(bank, Section::palette));
   return level;

@@ -38,10 +38,9 @@ CellBounds bounds_of_tiles(const TiledChunk& chunk) {
   return bounds;
 }
 
-// The cell in which an object begins, if that is in the bounds.
-CellBounds cell_of(const TiledObject& object, TileSize tile, const CellBounds& within) {
-  const double x = std::floor(object.position.x / tile.width),
-               y = std::floor(object.position.y / tile.height);
+// The cell of a place, px, if it is in the bounds.
+CellBounds cell_of(Vec2 place, TileSize tile, const CellBounds& within) {
+  const double x = std::floor(place.x / tile.width), y = std::floor(place.y / tile.height);
   const bool is_inside = x >= static_cast<double>(within.x0) && x < static_cast<double>(within.x1) &&
                          y >= static_cast<double>(within.y0) && y < static_cast<double>(within.y1);
   if (!is_inside) return {};
@@ -62,7 +61,9 @@ CellBounds bounds_of(const TiledChunks& chunks, const TiledMap& map, const Tiled
   }
   if (kept.is_empty()) return {0, 0, map.width, map.height};
   for (const TiledLayer& layer : map.layers) {
-    for (const TiledObject& object : layer.objects) kept.add(cell_of(object, map.tile_size, all));
+    const Vec2 offset = shown_looks(map.groups, layer.looks).offset;
+    for (const TiledObject& object : layer.objects)
+      kept.add(cell_of(object.position + offset, map.tile_size, all));
   }
   return kept;
 }
@@ -105,6 +106,7 @@ std::optional<std::string> join_chunks(TiledChunks chunks, const TiledFrame* fra
   for (std::size_t i = 0; i < map.layers.size(); ++i) {
     TiledLayer& layer = map.layers[i];
     for (TiledObject& object : layer.objects) object.position = object.position - origin;
+    if (layer.image) layer.looks.offset = layer.looks.offset - origin;
     if (!layer.has_tiles) continue;
     layer.cells.assign(cell_count, 0);
     for (const TiledChunk& chunk : chunks[i]) put_chunk(chunk, bounds, layer.cells);

@@ -1,12 +1,21 @@
 // Chooses the form.
 #include "tiled_document.h"
 
+#include "../import/hex_color.h"
+
 namespace talus {
 
 FormatResult<std::unique_ptr<TiledDocument>> tiled_document(std::string_view bytes) {
   const std::size_t first = bytes.find_first_not_of("\xef\xbb\xbf \t\r\n");
   const bool is_xml = first != bytes.npos && bytes[first] == '<';
   return is_xml ? tiled_xml_document(bytes) : tiled_json_document(bytes);
+}
+
+TintEdits tint_edits(const TileLayer& before, const TileLayer& now, std::string_view tint) {
+  const bool has_alpha = split_tint(tint).second < 1;
+  const bool has_other_tint = before.tint != now.tint, has_other_opacity = before.opacity != now.opacity;
+  return {has_other_opacity || (has_alpha && has_other_tint),
+          has_other_tint || (has_alpha && has_other_opacity)};
 }
 
 std::string_view line_end_of(std::string_view text) {

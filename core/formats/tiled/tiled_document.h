@@ -24,16 +24,29 @@ class TiledDocument {
  public:
   virtual ~TiledDocument() = default;
 
+  virtual bool is_map() const = 0;  // else it is a tileset
   // Of a map with as many tile layers; groups do not count. layer: from 0, in the order of the file.
   virtual int layer_count() const = 0;
+  // The same of all other layers: of objects, and of pictures.
+  virtual int object_layer_count() const = 0;
   virtual FormatResult<std::vector<TiledBlock>> blocks(int layer) const = 0;
   // Puts other cells into a block, by its place in blocks(). A block that is no chunk may get another size.
   virtual void put_cells(int layer, std::size_t block, const TiledBlock& content) = 0;
   // Call it once for a layer.
   virtual void add_chunks(int layer, const std::vector<TiledBlock>& chunks) = 0;
-  // Sets what differs of a layer: its name, whether it is shown, locked and ground, its opacity, tint, offset
-  // and parallax. What its groups add to `before` is taken to stay.
-  virtual void set_looks(int layer, const TileLayer& before, const TileLayer& now) = 0;
+  // Sets what differs of a layer or a group: its name, whether it is shown, locked and ground, its opacity,
+  // tint, offset and parallax.
+  virtual void set_looks(TiledLayerKind kind, int layer, const TileLayer& before, const TileLayer& now) = 0;
+  // Sets whether the objects of a layer are drawn in the order of their y; else as listed.
+  virtual void set_draw_order(int layer, bool by_y) = 0;
+  // Changes objects of a layer. New ones get numbers that no other object of the map has. Call it once for a
+  // layer.
+  virtual void edit_objects(int layer, const std::vector<TiledObjectEdit>& edits) = 0;
+  // All layers and groups of a map, as they stand in it.
+  virtual TiledLayerTree layer_tree() const = 0;
+  // Gives the map these layers and groups; those that it lacks go. Moved ones keep their text. New layers of
+  // tiles are empty, in the encoding of the first layer. Call nothing else for the same document.
+  virtual void arrange(const TiledLayerTree& tree) = 0;
   // Sets the size of the map and of its tile layers.
   virtual void set_size(int width, int height) = 0;
 
@@ -43,6 +56,13 @@ class TiledDocument {
 
   virtual std::string text() const = 0;  // with all changes
 };
+
+// Which of two values that Tiled mixes are to be written.
+struct TintEdits {
+  bool opacity = false, tint = false;
+};
+// tint: the colour in the file, whose alpha is a part of the layer's opacity.
+TintEdits tint_edits(const TileLayer& before, const TileLayer& now, std::string_view tint);
 
 // bytes: a file that read_tiled() has read. They must live as long as the document.
 FormatResult<std::unique_ptr<TiledDocument>> tiled_xml_document(std::string_view bytes);

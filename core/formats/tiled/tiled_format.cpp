@@ -15,6 +15,8 @@
 #include "tiled_content.h"
 #include "tiled_json.h"
 #include "tiled_level.h"
+#include "tiled_old_json.h"
+#include "tiled_tiles.h"
 #include "tiled_xml.h"
 
 namespace talus {
@@ -48,6 +50,7 @@ FormatResult<Json> tiled_json_of(std::string_view bytes, const std::string& exte
   if (is_xml_name(extension) && first_character(bytes) != '{')
     return wrong("is not XML, which begins with \"<\"");
   auto json = parse_json(bytes, progress);
+  if (json) modernise_tiled_json(*json);
   if (!json && is_xml_name(extension) && !json.error().place.empty())
     json.error().message += ", and not XML either";
   return json;
@@ -79,6 +82,51 @@ void measure_missing_tilesets(const std::optional<TiledFrame>& frame, TiledMap& 
   }
 }
 
+// A tileset in a file of its own may have grown since the map was saved. Its last numbers are those of the
+// next tileset then, so no cell can show these tiles.
+void leave_out_hidden_tiles(ImportDrops& drops, TiledMap& map) {
+  std::map<std::uint32_t, TiledTileset*> by_number;
+  for (TiledTileset& tileset : map.tilesets) by_number.try_emplace(tileset.first_gid, &tileset);
+  const TiledTileset* next = nullptr;
+  for (auto it = by_number.rbegin(); it != by_number.rend(); next = it->second, ++it) {
+    TiledTileset& tileset = *it->second;
+    if (next == nullptr) continue;
+    const std::uint32_t room = next->first_gid - tileset.first_gid;
+    const int count = grid_of(tileset).count;
+    if (static_cast<std::uint32_t>(count) <= room) continue;
+    tileset.tile_count = static_cast<int>(room);
+    drops.add("the last tiles of the tileset " + quoted_name(tileset.name) + ", from number " +
+              std::to_string(room) + " on: their numbers are those of the next tileset");
+  }
+}
+
+// A map for a tileset that comes without one: it shows each tile once, in its place, with room around them,
+// so that their shapes can be tried with a body.
+TiledMap map_of_tileset(TiledTileset tileset) {
+  constexpr int kAround = 3;  // cells
+  SheetLayout grid = grid_of(tileset);
+  grid.columns = std::min(grid.columns, grid.count);
+  if (grid.columns > kMaxSheetSide || grid.rows() > kMaxSheetSide) grid = {1, 0};  // which no level can have
+  TiledMap map;
+  map.width = grid.columns + 2 * kAround;
+  map.height = grid.rows() + 2 * kAround;
+  map.tile_size = {std::clamp(tileset.tile_size.width, 1, kMaxTileSide),
+                   std::clamp(tileset.tile_size.height, 1, kMaxTileSide)};
+  TiledLayer layer;
+  layer.has_tiles = true;
+  layer.cells.resize(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height));
+  tileset.first_gid = 1;
+  for (int id = 0; id < grid.count; ++id) {
+    if (tileset.is_collection && find_tile(tileset, id) == nullptr) continue;  // ids may have gaps
+    const Cell place = grid.place_of(id);
+    const auto row = static_cast<std::size_t>(kAround + place.y) * static_cast<std::size_t>(map.width);
+    layer.cells[row + static_cast<std::size_t>(kAround + place.x)] = static_cast<std::uint32_t>(id) + 1;
+  }
+  map.layers.push_back(std::move(layer));
+  map.tilesets.push_back(std::move(tileset));
+  return map;
+}
+
 class TiledFiles {
  public:
   // known: tilesets that are taken from here, not from their files.
@@ -87,6 +135,7 @@ class TiledFiles {
 
   FormatResult<TiledMap> read_map(std::string_view bytes);
   TiledPictures read_pictures(TiledMap& map);
+  void read_images(TiledMap& map);
   // Those in files of their own that were read.
   std::vector<TiledOrigin::File> take_tilesets() { return std::move(tileset_files_); }
 
@@ -108,7 +157,6 @@ class TiledFiles {
   std::map<std::string, std::shared_ptr<const Template>> templates_by_name_;
 };
 
-// A tileset without a map gets an empty map.
 FormatResult<TiledMap> TiledFiles::read_map(std::string_view bytes) {
   const auto json = tiled_json_of(bytes, context_.extension, context_.progress.part(0, kTiledParsed));
   if (!json) return tl::unexpected(json.error());
@@ -118,15 +166,7 @@ FormatResult<TiledMap> TiledFiles::read_map(std::string_view bytes) {
   if (is_tileset) {
     auto tileset = read_tiled_tileset(*json, find, drops_);
     if (!tileset) return tl::unexpected(tileset.error());
-    map->width = kTicMapWidth;
-    map->height = kTicMapHeight;
-    map->tile_size = {std::clamp(tileset->tile_size.width, 1, kMaxTileSide),
-                      std::clamp(tileset->tile_size.height, 1, kMaxTileSide)};
-    TiledLayer layer;
-    layer.has_tiles = true;
-    layer.cells.resize(kTicMapWidth * kTicMapHeight);
-    map->layers.push_back(std::move(layer));
-    map->tilesets.push_back(*std::move(tileset));
+    map = map_of_tileset(*std::move(tileset));
   } else {
     const auto& frame = context_.choices.frame;
     map = read_tiled_map(*json, find, frame ? &*frame : nullptr, drops_,
@@ -146,25 +186,28 @@ FormatResult<void> TiledFiles::read_tileset(TiledTileset& tileset) {
   const std::string source = with_slashes(tileset.source);
   if (context_.folder.empty())
     return error_in(source, {"", "is a tileset in a file beside the map, but the map has no file"});
+  const auto miss = [&](const FormatError& error) {
+    drops_.add("the tileset, " + error.place + ": " + error.message);
+    tileset.is_missing = true;
+    return FormatResult<void>();
+  };
   const auto place = files_.place_of(source);
-  if (!place) return tl::unexpected(place.error());
+  if (!place) return miss(place.error());
   const auto number = file_number(*place);
   const auto known = number ? tilesets_.find(*number) : tilesets_.end();
   const bool is_known = known != tilesets_.end();
   std::error_code failure;
   if (!is_known && !fs::exists(*place, failure)) {
-    const auto missing = error_in(source, {"", "does not exist"});
     files_.note(*place);
-    drops_.add("the tileset, " + missing.value().place + ": " + missing.value().message);
-    tileset.is_missing = true;
-    return {};
+    return miss(error_in(source, {"", "does not exist"}).value());
   }
   auto read = is_known ? known->second : tileset_in(source, *place);
   if (!read) return tl::unexpected(read.error());
   if (number) tilesets_.try_emplace(*number, *read);
   read->first_gid = tileset.first_gid;
   const auto from_map = [&](std::string& image) {  // it is relative to the tileset's folder
-    if (!image.empty()) image = (fs::path(source).parent_path() / with_slashes(image)).string();
+    if (!image.empty() && !is_data_name(image))
+      image = (fs::path(source).parent_path() / with_slashes(image)).string();
   };
   from_map(read->image);
   // The tiles are shared by all tilesets of the file, so the first one moves their pictures.
@@ -260,11 +303,26 @@ TiledPictures TiledFiles::read_pictures(TiledMap& map) {
         const auto own = files_.picture(tile.image, "a picture of the tileset " + quoted_name(tileset.name));
         all.of_tiles[tile.id] =
             own->is_missing ? nullptr : std::shared_ptr<const RgbaPicture>(own, &own->rgba);
+        all.paths_of_tiles[tile.id] = own->path;
       }
       pictures.back() = std::make_shared<const TiledPicture>(std::move(all));
     }
   }
+  leave_out_hidden_tiles(drops_, map);  // the sizes of all tilesets are known now
+  read_images(map);
   return pictures;
+}
+
+// The pictures of image layers.
+void TiledFiles::read_images(TiledMap& map) {
+  for (TiledLayer& layer : map.layers) {
+    if (!layer.image || layer.image->path.empty()) continue;
+    const std::string of = "the picture of the layer " + quoted_name(layer.name);
+    if (context_.folder.empty())
+      drops_.add(of);
+    else
+      layer.image->picture = files_.picture(layer.image->path, of);
+  }
 }
 
 // Completes the origin of a level that was read.
@@ -279,6 +337,7 @@ void keep_origin(std::string_view bytes, const FormatContext& context,
   level.map = std::move(map);
   origin->extension = context.extension;
   origin->folder = context.folder;
+  origin->outside = context.choices.outside;
   origin->bytes = bytes;
   origin->tilesets = std::move(tilesets);
   level.tiled = std::move(origin);
@@ -292,6 +351,7 @@ FormatResult<Level> read_files(std::string_view bytes, const FormatContext& cont
   const TiledPictures pictures = files.read_pictures(*map);
   auto level =
       level_of_tiled(*map, pictures, context.choices, drops, context.progress.part(kTiledMapRead, 1));
+  map->layers.clear();  // 4 bytes a cell, which the level does not need
   if (level) keep_origin(bytes, context, files.take_tilesets(), *level);
   return level;
 }

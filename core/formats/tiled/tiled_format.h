@@ -1,6 +1,6 @@
 // Maps and tilesets of Tiled, `.tmx`, `.tmj`, `.tsx` and `.tsj`. A tileset becomes a
-// level with an empty map. A level is written back into the file that it came from, of which only what was
-// edited changes (tiled_save.cpp). core/export writes new maps.
+// level with a map of its tiles. A level is written back into the file that it came from, of which only what
+// was edited changes (tiled_save.cpp). core/export writes new maps.
 //
 // Files of tilesets and pictures are found by relative paths from the folder of the file that names them.
 // Without a folder, tilesets are an error, and pictures are left out.

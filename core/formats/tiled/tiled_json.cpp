@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "../../level/placed_picture.h"
 #include "../import/hex_color.h"
 #include "../text/utf8_text.h"
 #include "tiled_cells.h"
@@ -16,6 +17,7 @@ namespace talus {
 namespace {
 
 constexpr std::size_t kMostPath = 4096;  // bytes; a map may name one file many times, each with its picture's
+bool is_long_path(const std::string& path) { return path.size() > kMostPath && !is_data_name(path); }
 std::string long_path() {
   return "names a picture by a path of more than " + std::to_string(kMostPath) + " bytes";
 }
@@ -39,9 +41,17 @@ std::size_t tile_layers_in(const Json& json) {
   return count;
 }
 
-Rgb product(Rgb a, Rgb b) {
-  const auto channel = [](std::uint8_t x, std::uint8_t y) { return static_cast<std::uint8_t>(x * y / 255); };
-  return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b)};
+// Where the position of a tile's object is in its box. Without a word, it is at the bottom left.
+Vec2 anchor_of(std::string_view alignment) {
+  if (alignment.empty() || alignment == "unspecified") return {0, 1};
+  const auto says = [&](std::string_view word) { return alignment.find(word) != alignment.npos; };
+  return {says("left") ? 0 : says("right") ? 1 : 0.5, says("top") ? 0 : says("bottom") ? 1 : 0.5};
+}
+
+RenderOrder render_order_of(std::string_view word) {
+  const auto found = std::find(kRenderOrders.begin(), kRenderOrders.end(), word);
+  return found == kRenderOrders.end() ? RenderOrder()
+                                      : static_cast<RenderOrder>(found - kRenderOrders.begin());
 }
 
 class TiledReader : private TiledNodeReader {
@@ -57,16 +67,24 @@ class TiledReader : private TiledNodeReader {
  private:
   bool check_map(const JsonNode& node);
   TileSize tile_size(const JsonNode& node, int most);
-  // group: the looks of what the layers are in.
-  void layers(const JsonNode& node, const TileLayer& group, const Progress& progress, TiledMap& map);
-  TileLayer looks(const JsonNode& node, const TileLayer& group);
+  // What layers are in.
+  struct Inside {
+    int group = -1;         // index in TiledMap::groups; -1: the map
+    int depth = 0;          // of the groups around them
+    bool is_ground = true;  // whether layers that do not say it are ground
+  };
+  void layers(const JsonNode& node, const Inside& inside, const Progress& progress, TiledMap& map);
+  void group(const JsonNode& node, const TileLayer& looks, const Inside& inside, const Progress& progress,
+             TiledMap& map);
+  TileLayer looks(const JsonNode& node, const Inside& inside);
   void tile_layer(const JsonNode& node, const TiledMap& map, TiledLayer& layer);
   std::vector<TiledChunk> chunks_of(const JsonNode& node);
   std::optional<TiledChunk> chunk(const JsonNode& layer, const JsonNode& node);
   // The data of a layer or a chunk, in the encoding of the layer.
   std::vector<std::uint32_t> cells(const JsonNode& node, const JsonNode& layer, std::size_t count);
-  std::vector<TiledObject> objects(const JsonNode& node, Vec2 offset);
-  TiledObject object(const JsonNode& node, Vec2 offset);
+  TiledImage image(const JsonNode& node);
+  std::vector<TiledObject> objects(const JsonNode& node);
+  TiledObject object(const JsonNode& node);
   std::optional<Json> templated(const JsonNode& node);
   std::uint32_t gid(const JsonNode& node);
   std::vector<Vec2> points(const JsonNode& node, const char* key);
@@ -118,6 +136,7 @@ TiledMap TiledReader::map(const Json& json, const TiledFrame* frame, const Progr
     fail(node, "width", "is longer than 16777216 px, the most that a level has");
   map.properties = properties(node, "the map");
   map.background = text(node, "backgroundcolor");
+  map.order = render_order_of(text(node, "renderorder"));
   for_each(node, "tilesets", [&](const JsonNode& entry) {
     if (map.tilesets.size() == kMaxTiledTilesets)
       return fail(entry, "", tiled_too_many("tileset", kMaxTiledTilesets));
@@ -167,22 +186,26 @@ TileSize TiledReader::tile_size(const JsonNode& node, int most) {
   return {};
 }
 
-// Those of the group and of the layer together. Numbers out of a level's range are brought into it.
-TileLayer TiledReader::looks(const JsonNode& node, const TileLayer& group) {
+// Numbers out of a level's range are brought into it.
+TileLayer TiledReader::looks(const JsonNode& node, const Inside& inside) {
   const auto near_zero = [](Vec2 v, double most) {
     return Vec2{std::clamp(v.x, -most, most), std::clamp(v.y, -most, most)};
   };
-  TileLayer looks = group;
+  TileLayer looks;
+  looks.group = inside.group;
+  looks.is_ground = inside.is_ground;
   looks.name = text(node, "name");
-  looks.visible = group.visible && (node.find("visible") == nullptr || truth(node, "visible"));
-  looks.locked = group.locked || truth(node, "locked");
-  looks.opacity = group.opacity * std::clamp(number(node, "opacity", 1), 0.0, 1.0);
-  looks.offset =
-      near_zero(group.offset + Vec2{number(node, "offsetx"), number(node, "offsety")}, kMaxLayerOffset);
-  looks.parallax = near_zero(
-      {group.parallax.x * number(node, "parallaxx", 1), group.parallax.y * number(node, "parallaxy", 1)},
-      kMaxParallax);
-  if (const auto tint = color_of_hex(text(node, "tintcolor"))) looks.tint = product(group.tint, *tint);
+  looks.visible = node.find("visible") == nullptr || truth(node, "visible");
+  looks.locked = truth(node, "locked");
+  looks.opacity = std::clamp(number(node, "opacity", 1), 0.0, 1.0);
+  looks.offset = near_zero({number(node, "offsetx"), number(node, "offsety")}, kMaxLayerOffset);
+  looks.parallax = near_zero({number(node, "parallaxx", 1), number(node, "parallaxy", 1)}, kMaxParallax);
+  const std::string tint = text(node, "tintcolor");
+  const auto [color, alpha] = split_tint(tint);
+  if (const auto rgb = color_of_hex(color)) {
+    looks.tint = *rgb;
+    looks.opacity *= alpha;
+  }
   const TiledProperties words = properties(node, "the layer " + quoted_name(looks.name));
   for (const char* word : {"collidable", "solid", "ground"}) {
     if (const bool* is_ground = find_property<bool>(words, word)) looks.is_ground = *is_ground;
@@ -190,7 +213,22 @@ TileLayer TiledReader::looks(const JsonNode& node, const TileLayer& group) {
   return looks;
 }
 
-void TiledReader::layers(const JsonNode& node, const TileLayer& group, const Progress& progress,
+void TiledReader::group(const JsonNode& node, const TileLayer& looks, const Inside& inside,
+                        const Progress& progress, TiledMap& map) {
+  if (inside.depth == kMaxGroupDepth) return fail(node, "", "is nested too deep in groups");
+  const Inside within{static_cast<int>(map.groups.size()), inside.depth + 1, looks.is_ground};
+  map.groups.push_back({.name = looks.name,
+                        .visible = looks.visible,
+                        .locked = looks.locked,
+                        .opacity = looks.opacity,
+                        .offset = looks.offset,
+                        .parallax = looks.parallax,
+                        .tint = looks.tint,
+                        .group = inside.group});
+  layers(node, within, progress, map);
+}
+
+void TiledReader::layers(const JsonNode& node, const Inside& inside, const Progress& progress,
                          TiledMap& map) {
   const Json* const all = node.find("layers");
   const double part = 1.0 / static_cast<double>(all == nullptr ? 1 : std::max<std::size_t>(all->size(), 1));
@@ -207,20 +245,24 @@ void TiledReader::layers(const JsonNode& node, const TileLayer& group, const Pro
     TiledLayer layer;
     layer.name = text(entry, "name");
     const std::string of = "the layer " + quoted_name(layer.name);
-    layer.looks = looks(entry, group);
-    drop_others(entry, of, {"id",       "name",        "type",    "visible",   "locked",     "width",
-                            "height",   "offsetx",     "offsety", "draworder", "color",      "data",
-                            "encoding", "compression", "objects", "layers",    "properties", "chunks",
-                            "startx",   "starty",      "opacity", "tintcolor", "parallaxx",  "parallaxy"});
-    if (type == "group") return layers(entry, layer.looks, of_entry, map);
+    layer.looks = looks(entry, inside);
+    drop_others(entry, of,
+                {"id",       "name",        "type",        "visible",          "locked",     "width",
+                 "height",   "offsetx",     "offsety",     "draworder",        "color",      "data",
+                 "encoding", "compression", "objects",     "layers",           "properties", "chunks",
+                 "startx",   "starty",      "opacity",     "tintcolor",        "parallaxx",  "parallaxy",
+                 "image",    "imagewidth",  "imageheight", "transparentcolor", "repeatx",    "repeaty"});
+    if (type == "group") return group(entry, layer.looks, inside, of_entry, map);
     if (type == "tilelayer") {
       tile_layer(entry, map, layer);
     } else if (type == "objectgroup") {
       layer.type = text(entry, class_key(entry));
       layer.properties = properties(entry, of);
-      layer.objects = objects(entry, layer.looks.offset);
+      layer.objects = objects(entry);
+      layer.by_y = text(entry, "draworder") != "index";
     } else {
-      return drops_.add(of + ", which is a picture");
+      layer.image = image(entry);
+      layer.looks.offset = layer.looks.offset + Vec2{number(entry, "x"), number(entry, "y")};  // of old maps
     }
     map.layers.push_back(std::move(layer));
   });
@@ -300,12 +342,22 @@ std::vector<std::uint32_t> TiledReader::cells(const JsonNode& node, const JsonNo
   return cells;
 }
 
-std::vector<TiledObject> TiledReader::objects(const JsonNode& node, Vec2 offset) {
+TiledImage TiledReader::image(const JsonNode& node) {
+  TiledImage image;
+  image.path = text(node, "image");
+  if (is_long_path(image.path)) fail(node, "image", long_path());
+  image.transparent = color_of_hex(text(node, "transparentcolor"));
+  image.repeats_x = truth(node, "repeatx");
+  image.repeats_y = truth(node, "repeaty");
+  return image;
+}
+
+std::vector<TiledObject> TiledReader::objects(const JsonNode& node) {
   std::vector<TiledObject> all;
   for_each(node, "objects", [&](const JsonNode& entry) {
     if (++objects_ > kMaxTiledObjects) return fail(entry, "", tiled_too_many("object", kMaxTiledObjects));
     const auto joined = templated(entry);
-    if (!error_) all.push_back(object(joined ? JsonNode{*joined, entry.path} : entry, offset));
+    if (!error_) all.push_back(object(joined ? JsonNode{*joined, entry.path} : entry));
   });
   return all;
 }
@@ -331,13 +383,14 @@ std::optional<Json> TiledReader::templated(const JsonNode& node) {
   return with_template(node.json, from, tileset == gids_.end() ? 0 : tileset->second);
 }
 
-TiledObject TiledReader::object(const JsonNode& node, Vec2 offset) {
+TiledObject TiledReader::object(const JsonNode& node) {
   TiledObject object;
   object.name = text(node, "name");
   object.type = text(node, class_key(node));
-  object.position = offset + Vec2{number(node, "x"), number(node, "y")};
+  object.position = {number(node, "x"), number(node, "y")};
   object.size = {number(node, "width"), number(node, "height")};
   object.rotation = number(node, "rotation");
+  object.visible = node.find("visible") == nullptr || truth(node, "visible");
   object.properties = properties(node, "an object");
   drop_others(
       node, "an object",
@@ -426,7 +479,7 @@ TiledTileset TiledReader::tileset(const JsonNode& node) {
   tileset.is_collection = tiles_have_images(node);
   if (!tileset.is_collection) tileset.tile_size = tile_size(node, kMaxTiledTileSide);
   tileset.image = text(node, "image");
-  if (tileset.image.size() > kMostPath) fail(node, "image", long_path());
+  if (is_long_path(tileset.image)) fail(node, "image", long_path());
   tileset.image_width = whole(node, "imagewidth", 0, kMost, 0);
   tileset.image_height = whole(node, "imageheight", 0, kMost, 0);
   tileset.columns = whole(node, "columns", 0, kMost, 0);
@@ -439,6 +492,9 @@ TiledTileset TiledReader::tileset(const JsonNode& node) {
     tileset.offset_y = whole(place, "y", -kMostSpace, kMostSpace, 0);
   }
   tileset.transparent = color_of_hex(text(node, "transparentcolor"));
+  tileset.fits_grid = text(node, "tilerendersize") == "grid";
+  tileset.keeps_ratio = text(node, "fillmode") == "preserve-aspect-fit";
+  tileset.anchor = anchor_of(text(node, "objectalignment"));
   properties(node, of);
   for_each(node, "tiles", [&](const JsonNode& entry) {
     tileset.tiles->push_back(tile(entry));
@@ -446,29 +502,14 @@ TiledTileset TiledReader::tileset(const JsonNode& node) {
   });
   std::stable_sort(tileset.tiles->begin(), tileset.tiles->end(),
                    [](const TiledTile& a, const TiledTile& b) { return a.id < b.id; });
-  drop_others(node, of,
-              {"firstgid",
-               "name",
-               "type",
-               "version",
-               "tiledversion",
-               "tilewidth",
-               "tileheight",
-               "image",
-               "imagewidth",
-               "imageheight",
-               "columns",
-               "tilecount",
-               "spacing",
-               "margin",
-               "tiles",
-               "properties",
-               "editorsettings",
-               "grid",
-               "objectalignment",
-               "transformations",
-               "tileoffset",
-               "transparentcolor"});
+  drop_others(node, of, {"firstgid",        "name",           "type",
+                         "version",         "tiledversion",   "tilewidth",
+                         "tileheight",      "image",          "imagewidth",
+                         "imageheight",     "columns",        "tilecount",
+                         "spacing",         "margin",         "tiles",
+                         "properties",      "editorsettings", "grid",
+                         "objectalignment", "tilerendersize", "fillmode",
+                         "transformations", "tileoffset",     "transparentcolor"});
   return tileset;
 }
 
@@ -483,7 +524,7 @@ void TiledReader::add_to_collection(const JsonNode& node, TiledTileset& tileset)
   constexpr int kMost = kMaxTiledTileSide;
   TiledTile& tile = tileset.tiles->back();
   tile.image = text(node, "image");
-  if (tile.image.size() > kMostPath) fail(node, "image", long_path());
+  if (is_long_path(tile.image)) fail(node, "image", long_path());
   tile.image_x = whole(node, "x", 0, kMost, 0);
   tile.image_y = whole(node, "y", 0, kMost, 0);
   tile.image_size.width = whole(node, "width", 0, kMost, whole(node, "imagewidth", 0, 1 << 20, 0));
@@ -497,17 +538,18 @@ TiledTile TiledReader::tile(const JsonNode& node) {
   TiledTile tile;
   tile.id = whole(node, "id", 0, 1 << 20, 0);
   tile.type = text(node, class_key(node));
+  tile.probability = std::clamp(number(node, "probability", 1), 0.0, kMaxProbability);
   tile.properties = properties(node, "a tile");
   if (const Json* group = node.find("objectgroup"); group != nullptr && group->is_object())
-    tile.objects = objects({*group, node.path_of("objectgroup")}, {});
+    tile.objects = objects({*group, node.path_of("objectgroup")});
   for_each(node, "animation", [&](const JsonNode& entry) {
     if (++frames_ > kMaxAnimationFrames) return fail(entry, "", tiled_too_many("frame", kMaxAnimationFrames));
     tile.animation.push_back({whole(entry, "tileid", 0, 1 << 20, 0),
                               whole(entry, "duration", 0, 1 << 30, AnimationFrame().duration)});
   });
   drop_others(node, "a tile",
-              {"id", "objectgroup", "properties", "animation", "image", "imagewidth", "imageheight", "x", "y",
-               "width", "height"});
+              {"id", "type", "class", "probability", "objectgroup", "properties", "animation", "image",
+               "imagewidth", "imageheight", "x", "y", "width", "height"});
   return tile;
 }
 
@@ -522,7 +564,8 @@ TiledProperties TiledReader::properties(const JsonNode& node, const std::string&
     const bool is_of_ground =
         (name == "ground" || name == "solid" || name == "collidable") && of.starts_with("the layer ");
     const bool is_kept =
-        read && (is_of_ground || (are_read && (of != "the map" || name == kTiledLevelProperty)));
+        read && (is_of_ground || (are_read && (of != "the map" || name == kTiledLevelProperty ||
+                                               name == kTiledObjectsProperty)));
     if (is_kept)
       all.push_back(std::move(*read));
     else

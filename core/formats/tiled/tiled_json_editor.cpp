@@ -55,9 +55,38 @@ std::string json_of_points(const std::vector<Vec2>& points) {
   return in_brackets(values);
 }
 
+std::string json_of_frames(const std::vector<TiledTile::Frame>& frames) {
+  std::vector<std::string> values;
+  values.reserve(frames.size());
+  for (const auto& [id, duration] : frames)
+    values.push_back(NewObject().add("duration", Json(duration)).add("tileid", Json(id)).text());
+  return in_brackets(values);
+}
+
+bool is_json_point(const TiledObject& object) {
+  return object.form == TiledObject::Form::box && object.size == Vec2();
+}
+
 const char* points_key(const TiledObject& object) {
   if (object.form == TiledObject::Form::polygon) return "polygon";
   return object.form == TiledObject::Form::polyline ? "polyline" : "";
+}
+
+void edit_form(const TiledObject& now, std::vector<JsonMemberEdit>& members) {
+  const std::string key = points_key(now);
+  for (const char* form : {"polygon", "polyline", "ellipse", "point", "text", "capsule"}) {
+    const bool stays = form == key || (is_json_point(now) && std::string_view(form) == "point") ||
+                       (now.form == TiledObject::Form::ellipse && std::string_view(form) == "ellipse");
+    if (!stays) members.push_back({form, std::nullopt});
+  }
+  if (!key.empty()) members.push_back({key, json_of_points(now.points)});
+}
+
+// Whether a property of this type in the file can hold a value of that type.
+bool type_takes(const std::string& type, const std::string& of_value) {
+  if (of_value == "string") return type == "string" || type == "color" || type == "file";
+  if (of_value == "int") return type == "int" || type == "object" || type == "float";
+  return type == of_value;
 }
 
 }  // namespace
@@ -92,9 +121,22 @@ void TiledJsonEditor::edit_tiles(TextSpan tileset, const TiledTileEdits& edits) 
 void TiledJsonEditor::edit_tile(TextSpan tile, const TiledTileEdit& edit) {
   std::vector<JsonMemberEdit> members;
   edit_properties(tile, edit.properties, members);
+  if (edit.probability) members.push_back({"probability", text_of(json_number(*edit.probability))});
+  if (edit.type) {
+    const auto type = edit.type->empty() ? std::nullopt : std::optional(text_of(Json(*edit.type)));
+    members.push_back({type_key_of(tile), type});
+  }
+  if (edit.animation) {
+    const auto frames =
+        edit.animation->empty() ? std::nullopt : std::optional(json_of_frames(*edit.animation));
+    members.push_back({"animation", frames});
+  }
   const auto group = places_.member(tile, "objectgroup");
   if (group && !edit.objects.empty()) {
     const auto list = places_.member(*group, "objects");
+    int id = 1;
+    for (const TextSpan object : list ? places_.values(*list) : std::vector<TextSpan>())
+      id = std::max(id, places_.number_of(object, "id") + 1);
     const auto removed =
         std::count_if(edit.objects.begin(), edit.objects.end(), [](const auto& o) { return o.removes; });
     const bool goes = list && static_cast<std::size_t>(removed) == edit.objects.size() &&
@@ -102,7 +144,7 @@ void TiledJsonEditor::edit_tile(TextSpan tile, const TiledTileEdit& edit) {
     if (goes)
       members.push_back({"objectgroup", std::nullopt});
     else
-      edit_objects(*group, edit.objects);
+      edit_objects(*group, edit.objects, [&] { return id++; });
   } else if (std::string objects = new_objects(edit.objects); !objects.empty()) {
     members.push_back({"objectgroup", std::move(objects)});
   }
@@ -111,8 +153,19 @@ void TiledJsonEditor::edit_tile(TextSpan tile, const TiledTileEdit& edit) {
 
 std::string TiledJsonEditor::new_tile(int id, const TiledTileEdit& edit) const {
   const std::string objects = new_objects(edit.objects), properties = new_properties(edit.properties);
-  if (objects.empty() && properties.empty()) return "";
-  return NewObject().add("id", Json(id)).add("objectgroup", objects).add("properties", properties).text();
+  const std::string probability = edit.probability ? text_of(json_number(*edit.probability)) : "";
+  const std::string type = edit.type && !edit.type->empty() ? text_of(Json(*edit.type)) : "";
+  const std::string animation =
+      edit.animation && !edit.animation->empty() ? json_of_frames(*edit.animation) : "";
+  if ((objects + properties + probability + type + animation).empty()) return "";
+  return NewObject()
+      .add("animation", animation)
+      .add("id", Json(id))
+      .add("objectgroup", objects)
+      .add("probability", probability)
+      .add("properties", properties)
+      .add(type_key(), type)
+      .text();
 }
 
 std::string TiledJsonEditor::new_objects(const std::vector<TiledObjectEdit>& edits) const {
@@ -133,17 +186,24 @@ std::string TiledJsonEditor::new_objects(const std::vector<TiledObjectEdit>& edi
       .text();
 }
 
-void TiledJsonEditor::edit_objects(TextSpan group, const std::vector<TiledObjectEdit>& edits) {
+void TiledJsonEditor::edit_objects(TextSpan group, const std::vector<TiledObjectEdit>& edits,
+                                   const std::function<int()>& next_id) {
   const auto list = places_.member(group, "objects");
-  if (!list || !places_.is_list(*list)) return;
+  if (!list) {
+    std::vector<std::string> all;
+    for (const TiledObjectEdit& edit : edits) {
+      if (edit.index < 0) all.push_back(new_object(edit, next_id()));
+    }
+    return set_json_member(places_, group, "objects", in_brackets(all), edits_);
+  }
+  if (!places_.is_list(*list)) return;
   const std::vector<TextSpan> objects = places_.values(*list);
-  int next_id = 1;
-  for (const TextSpan object : objects) next_id = std::max(next_id, places_.number_of(object, "id") + 1);
   JsonListEdit change;
   for (const TiledObjectEdit& edit : edits) {
     const auto i = static_cast<std::size_t>(edit.index);
     if (edit.index < 0)
-      change.added.emplace_back(objects.size(), new_object(edit, next_id++));
+      change.added.emplace_back(edit.at < 0 ? objects.size() : static_cast<std::size_t>(edit.at),
+                                new_object(edit, next_id()));
     else if (i < objects.size() && edit.removes)
       change.removed.push_back(i);
     else if (i < objects.size())
@@ -162,6 +222,8 @@ std::string TiledJsonEditor::new_object(const TiledObjectEdit& edit, int id) con
   NewObject text;
   text.add("height", json_number(object.size.y)).add("id", Json(id)).add("name", Json(object.name));
   if (object.form == TiledObject::Form::ellipse) text.add("ellipse", Json(true));
+  if (object.form == TiledObject::Form::tile) text.add("gid", Json(object.gid));
+  if (is_json_point(object)) text.add("point", Json(true));
   if (const std::string key = points_key(object); !key.empty()) text.add(key, json_of_points(object.points));
   return text.add("properties", new_properties(edit.properties))
       .add("rotation", json_number(object.rotation))
@@ -177,33 +239,55 @@ void TiledJsonEditor::edit_object(TextSpan object, const TiledObjectEdit& edit) 
   std::vector<JsonMemberEdit> members;
   edit_properties(object, edit.properties, members);
   if (edit.object) {
-    const TiledObject& now = *edit.object;
-    const auto set = [&](const std::string& key, const Json& value, const Json& usual) {
-      const auto known = places_.member(object, key);
-      const Json old = known ? Json::parse(known->in(text_), nullptr, false) : usual;
-      if (old != value) members.push_back({key, text_of(value)});
-    };
-    set("name", now.name, "");
-    if (!now.type.empty())
-      set(places_.member(object, "class")  ? "class"
-          : places_.member(object, "type") ? "type"
-                                           : type_key(),
-          now.type, "");
-    set("x", json_number(now.position.x), nullptr);
-    set("y", json_number(now.position.y), nullptr);
-    set("width", json_number(now.size.x), 0);
-    set("height", json_number(now.size.y), 0);
-    set("rotation", json_number(now.rotation), 0);
-    const std::string key = points_key(now);
-    const bool is_point = now.form == TiledObject::Form::box && now.size == Vec2();
-    for (const char* form : {"polygon", "polyline", "ellipse", "point", "text", "capsule"}) {
-      const bool stays = form == key || (is_point && std::string_view(form) == "point") ||
-                         (now.form == TiledObject::Form::ellipse && std::string_view(form) == "ellipse");
-      if (!stays) members.push_back({form, std::nullopt});
-    }
-    if (!key.empty()) members.push_back({key, json_of_points(now.points)});
+    for (JsonMemberEdit& member :
+         edit.before ? differences(object, *edit.before, *edit.object) : all_of(object, *edit.object))
+      members.push_back(std::move(member));
   }
   change_json_members(places_, object, members, edits_);
+}
+
+std::string TiledJsonEditor::type_key_of(TextSpan object) const {
+  if (places_.member(object, "class")) return "class";
+  return places_.member(object, "type") ? "type" : type_key();
+}
+
+// Those that differ from what the object says.
+std::vector<JsonMemberEdit> TiledJsonEditor::all_of(TextSpan object, const TiledObject& now) const {
+  std::vector<JsonMemberEdit> members;
+  const auto set = [&](const std::string& key, const Json& value, const Json& usual) {
+    const auto known = places_.member(object, key);
+    const Json old = known ? Json::parse(known->in(text_), nullptr, false) : usual;
+    if (old != value) members.push_back({key, text_of(value)});
+  };
+  set("name", now.name, "");
+  if (!now.type.empty()) set(type_key_of(object), now.type, "");
+  set("x", json_number(now.position.x), nullptr);
+  set("y", json_number(now.position.y), nullptr);
+  set("width", json_number(now.size.x), 0);
+  set("height", json_number(now.size.y), 0);
+  set("rotation", json_number(now.rotation), 0);
+  edit_form(now, members);
+  return members;
+}
+
+std::vector<JsonMemberEdit> TiledJsonEditor::differences(TextSpan object, const TiledObject& before,
+                                                         const TiledObject& now) const {
+  std::vector<JsonMemberEdit> members;
+  const auto set = [&](const std::string& key, const auto& old, const auto& value) {
+    if (old != value) members.push_back({key, text_of(value)});
+  };
+  set("name", Json(before.name), Json(now.name));
+  set(type_key_of(object), Json(before.type), Json(now.type));
+  set("gid", Json(before.gid), Json(now.gid));
+  set("visible", Json(before.visible), Json(now.visible));
+  set("x", json_number(before.position.x), json_number(now.position.x));
+  set("y", json_number(before.position.y), json_number(now.position.y));
+  set("width", json_number(before.size.x), json_number(now.size.x));
+  set("height", json_number(before.size.y), json_number(now.size.y));
+  set("rotation", json_number(before.rotation), json_number(now.rotation));
+  if (now.form != before.form || now.points != before.points || is_json_point(now) != is_json_point(before))
+    edit_form(now, members);
+  return members;
 }
 
 void TiledJsonEditor::set_property(TextSpan owner, const TiledPropertyEdit& edit) {
@@ -237,7 +321,7 @@ void TiledJsonEditor::edit_properties(TextSpan owner, const std::vector<TiledPro
     const auto value = places_.member(*known, "value");
     if (!edit.value)
       change.removed.push_back(i);
-    else if (value && places_.text_of(*known, "type", "string") == now["type"])
+    else if (value && type_takes(places_.text_of(*known, "type", "string"), now["type"].get<std::string>()))
       edits_.replace(*value, text_of(now["value"]));
     else
       edits_.replace(*known, text);

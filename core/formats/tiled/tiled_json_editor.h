@@ -2,6 +2,7 @@
 // one line.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,11 +22,17 @@ class TiledJsonEditor {
   // Each at most once for a value. Nothing happens if it is not of the usual form.
   void edit_tiles(TextSpan tileset, const TiledTileEdits& edits);
   void set_property(TextSpan owner, const TiledPropertyEdit& edit);
+  // next_id: gives new objects their numbers.
+  void edit_objects(TextSpan group, const std::vector<TiledObjectEdit>& edits,
+                    const std::function<int()>& next_id);
 
  private:
   void edit_tile(TextSpan tile, const TiledTileEdit& edit);
-  void edit_objects(TextSpan group, const std::vector<TiledObjectEdit>& edits);
   void edit_object(TextSpan object, const TiledObjectEdit& edit);
+  std::vector<JsonMemberEdit> all_of(TextSpan object, const TiledObject& now) const;
+  std::vector<JsonMemberEdit> differences(TextSpan object, const TiledObject& before,
+                                          const TiledObject& now) const;
+  std::string type_key_of(TextSpan object) const;
   // Removes the member `properties` if nothing is left in it.
   void edit_properties(TextSpan owner, const std::vector<TiledPropertyEdit>& edits,
                        std::vector<JsonMemberEdit>& members);

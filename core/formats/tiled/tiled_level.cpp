@@ -13,9 +13,14 @@
 #include "../import/sheet_images.h"
 #include "../native/native.h"
 #include "../native/native_objects.h"
-#include "../text/xml_text.h"
+#include "tiled_base_objects.h"
+#include "tiled_flags.h"
+#include "tiled_near.h"
 #include "tiled_object_layers.h"
 #include "tiled_objects.h"
+#include "tiled_parts.h"
+#include "tiled_picture_tiles.h"
+#include "tiled_properties.h"
 #include "tiled_shapes.h"
 
 namespace talus {
@@ -23,35 +28,19 @@ namespace {
 
 constexpr std::size_t kMostCorners = 1024;  // of a collision shape; far more than 64 px can show
 
-double x_of(const Spawn* base) { return base->position.x; }
-double x_of(const std::pair<const LevelCurve*, TiledObject>& base) { return base.second.position.x; }
-
-// The spawns that an object's x may stand for, as Tiled rounds it. In hostile maps these may be all spawns,
-// so their number is limited.
-template <class Entry>
-std::span<const Entry> near_in_x(std::span<const Entry> by_x, double x) {
-  constexpr std::ptrdiff_t kMost = 512;
-  const double slack = 2 * tiled_slack(x);  // that of the larger number
-  const auto first = std::lower_bound(by_x.begin(), by_x.end(), x - slack,
-                                      [](const Entry& entry, double least) { return x_of(entry) < least; });
-  const auto end = std::upper_bound(first, by_x.end(), x + slack,
-                                    [](double most, const Entry& entry) { return most < x_of(entry); });
-  return {first, first + std::min(end - first, kMost)};
-}
-
-template <class Entry>
-void sort_by_x(std::vector<Entry>& entries) {
-  std::stable_sort(entries.begin(), entries.end(),
-                   [](const Entry& a, const Entry& b) { return x_of(a) < x_of(b); });
-}
+const auto kXOfSpawn = [](const Spawn* base) { return base->position.x; };
+const auto kXOfCurve = [](const std::pair<const LevelCurve*, TiledObject>& base) {
+  return base.second.position.x;
+};
 
 class TiledLevelMaker {
  public:
   TiledLevelMaker(const TiledMap& map, const TiledPictures& pictures, ImportDrops& drops,
                   const Progress& progress)
-      : map_(map), pictures_(pictures), drops_(drops), progress_(progress) {}
+      : map_(map), pictures_(pictures), drops_(drops), progress_(progress), parts_(map, pictures, drops) {}
 
   FormatResult<Level> make(const ImportChoices& choices);
+  TiledSources take_sources() { return std::move(sources_); }
 
  private:
   FormatResult<std::vector<const TiledLayer*>> layers_of(const ImportChoices& choices) const;
@@ -62,20 +51,20 @@ class TiledLevelMaker {
   void forget_numbers();
   void take_pixels();
   void name_flags();
-  bool is_free(int flag) const;
-  bool knows_property(const TiledProperty& property) const;
   void take_tile(TileNumber number);
+  void take_note(TileNumber number, const TiledTile& tile);
   void take_animations();
-  std::uint8_t flags_of(const TiledTile& tile);
   TiledObject in_cell(const TiledObject& object, const TiledSource& source) const;
   TileShape own_shape_of(TileNumber number, const TiledSource& source, const TiledTile& tile,
                          const TileShape& before);
   TileShape shape_of_objects(const std::string& tile, const std::vector<TiledObject>& objects,
                              std::optional<bool> one_way, bool is_ceiling);
-  std::optional<TileShape> shape_of_outline(const std::string& tile, const std::vector<Vec2>& outline,
-                                            bool one_way, bool is_ceiling);
+  std::optional<TileShape> nearest_shape_of(const std::string& tile, const std::vector<Vec2>& outline,
+                                            bool one_way);
   void tell_stale_words(const TiledTile& tile, const TileShape& shape);
-  void take_objects(const TiledLayer& layer);
+  // number: of the layer among those that are not of tiles.
+  void take_objects(const TiledLayer& layer, int place, int number);
+  void take_other_layers(const std::vector<const TiledLayer*>& tile_layers);
   bool has_room_for(const MapObject& object);
   const std::string& type_of(const TiledObject& object) const;
   void take_spawn(const TiledObject& object, Spawn spawn);
@@ -97,16 +86,15 @@ class TiledLevelMaker {
   std::vector<const Spawn*> spawns_by_x_;  // of base_
   Level level_;
   TiledTiles tiles_;
-  std::map<std::string, int> flags_;                                    // by the name of their bools
+  std::optional<TiledFlagReader> flags_;                                // there once tiles are numbered
   std::vector<std::pair<const LevelCurve*, TiledObject>> curves_by_x_;  // of base_
-  std::size_t object_bytes_ = 0;                                        // of the level's objects
-  std::size_t curve_name_bytes_ = 0;                                    // of curves that are no base_'s
+  TiledBaseObjects base_objects_;
+  TiledParts parts_;
+  std::size_t object_bytes_ = 0;      // of the level's objects
+  std::size_t note_bytes_ = 0;        // of the notes of its tiles
+  std::size_t curve_name_bytes_ = 0;  // of curves that are no base_'s
+  TiledSources sources_;
 };
-
-// Whether an object has the name that Talus wrote, which in XML may lack characters of the true one.
-bool is_name_of(const std::string& written, const std::string& name) {
-  return written == name || xml_text(written) == name;
-}
 
 std::string named(std::string_view what, const std::string& name) {
   return std::string(what) + (name.empty() ? "" : " " + quoted_name(name));
@@ -185,7 +173,7 @@ TileLayer& TiledLevelMaker::layer_to_choose(std::vector<TileLayer>& list) const 
     has_shape[i] = !is_own_ && tile != nullptr && !tile->objects.empty();
   }
   const auto with_shapes = std::find_if(list.begin(), list.end(), [&](const TileLayer& layer) {
-    return layer.is_ground && std::any_of(layer.cells->begin(), layer.cells->end(),
+    return layer.is_ground && std::any_of(layer.cells->tiles().begin(), layer.cells->tiles().end(),
                                           [&](TileNumber tile) { return has_shape[tile]; });
   });
   if (with_shapes != list.end()) return *with_shapes;
@@ -203,16 +191,18 @@ void TiledLevelMaker::take_layers(const std::vector<const TiledLayer*>& layers) 
       layer.name.clear();
       layer.visible = layer.is_ground = true;
     }
-    if (layer.is_ground && layer.offset != Vec2())
+    if (layer.is_ground && shown_looks(map_.groups, layer).offset != Vec2())
       drops_.add("the offset of the ground of " + named("the layer", layers[i]->name) +
                  ": only its picture is moved");
-    layer.cells = std::make_shared<const std::vector<TileNumber>>(std::move(tiles_.cells[i]));
+    layer.cells = std::make_shared<const MapCells>(std::move(tiles_.cells[i]));
   }
   TileLayer& chosen = layer_to_choose(list);
   level_.map = TileMap(map_.width, map_.height, map_.tile_size);
   level_.map.cells() = *chosen.cells;
   chosen.cells = nullptr;
   level_.layers.chosen = static_cast<int>(&chosen - list.data());
+  level_.layers.order = map_.order;
+  level_.layers.groups = map_.groups;
   level_.layers.list = std::move(list);
 }
 
@@ -228,11 +218,12 @@ FormatResult<void> TiledLevelMaker::read_base() {
       return tl::unexpected(FormatError{"property talus_level",
                                         "is of a level whose tiles have another size than those of the map"});
     for (const Spawn& spawn : base_.spawns) spawns_by_x_.push_back(&spawn);
-    sort_by_x(spawns_by_x_);
+    sort_by_x(spawns_by_x_, kXOfSpawn);
     for (const LevelCurve& curve : base_.curves) {
       if (auto object = tiled_object(curve)) curves_by_x_.emplace_back(&curve, *std::move(object));
     }
-    sort_by_x(curves_by_x_);
+    sort_by_x(curves_by_x_, kXOfCurve);
+    base_objects_.set(base_.objects);
   }
   level_ = base_;
   if (!is_own_) level_.tuning = new_tuning(map_.tile_size);
@@ -250,6 +241,7 @@ void TiledLevelMaker::forget_numbers() {
     drops_.add("the tiles of painted ground, since the numbers of tiles have changed");
   level_.brushes.clear();
   level_.auto_tiles = {};
+  level_.large_tiles.clear();
 }
 
 // As pixels of 16 colours, which carts and tools take, and as a picture if these do not show all of it.
@@ -267,89 +259,28 @@ void TiledLevelMaker::take_pixels() {
     return;
   }
   auto picture = std::make_shared<SheetPicture>(picture_of_tiles(tiles_, map_, pictures_, map_.tile_size));
-  if (images_show(*picture, level_)) return;
-  level_.sheet(SheetId::tiles).picture = std::move(picture);
-  // What is seen where nothing is drawn. The pixels of the picture do not need it.
+  const bool is_needed = !images_show(*picture, level_) || (!is_own_ && has_opaque_color_0(*picture, level_));
+  if (is_needed) level_.sheet(SheetId::tiles).picture = std::move(picture);
+  // What is seen where nothing is drawn. No pixel that is drawn needs it.
   if (!is_own_) level_.palette[0] = color_of_hex(map_.background).value_or(default_palette()[0]);
 }
 
-bool TiledLevelMaker::knows_property(const TiledProperty& property) const {
-  constexpr std::array<std::string_view, 6> kKnown = {"flags",         "shape",      "shape_heights",
-                                                      "shape_one_way", "shape_side", "collidable"};
-  return flags_.contains(property.name) ||
-         std::find(kKnown.begin(), kKnown.end(), property.name) != kKnown.end();
-}
-
-// A true bool with a name that no flag has gives its name to the flag that the same tiles have by number, or
-// else to a flag of which nothing is known.
 void TiledLevelMaker::name_flags() {
-  const auto names = tiled_flag_names(level_);
-  for (int flag = 0; flag < kFlagCount; ++flag) {
-    const std::string& name = names[static_cast<std::size_t>(flag)];
-    flags_[name] = flags_[xml_text(name)] = flag;
-  }
-  using Tiles = std::set<std::size_t>;
-  std::map<std::string, Tiles> wanted;
-  std::array<Tiles, kFlagCount> by_number;
-  for (std::size_t number = 0; number < tiles_.sources.size(); ++number) {
-    const TiledTile* const tile = tile_of(tiles_.sources[number]);
-    if (tile == nullptr) continue;
-    if (const auto* flags = find_property<std::int64_t>(tile->properties, "flags")) {
-      for (std::size_t flag = 0; flag < kFlagCount; ++flag)
-        if ((*flags >> flag & 1) != 0) by_number[flag].insert(number);
-    }
-    for (const TiledProperty& property : tile->properties) {
-      const bool* const is_on = std::get_if<bool>(&property.value);
-      const bool can_be_named = is_on != nullptr && *is_on && !property.name.empty();
-      if (can_be_named && !knows_property(property)) wanted[property.name].insert(number);
-    }
-  }
-  for (const auto& [name, tiles] : wanted) {
-    int flag = 0;
-    while (flag < kFlagCount && !(is_free(flag) && by_number[static_cast<std::size_t>(flag)] == tiles))
-      ++flag;
-    for (int i = 0; i < kFlagCount && flag == kFlagCount; ++i) {
-      if (is_free(i) && by_number[static_cast<std::size_t>(i)].empty()) flag = i;
-    }
-    if (flag == kFlagCount) continue;
-    level_.flag_names[static_cast<std::size_t>(flag)] = name;
-    flags_[name] = flag;
-  }
+  std::vector<const TiledTile*> tiles;
+  for (const TiledSource& source : tiles_.sources) tiles.push_back(tile_of(source));
+  flags_.emplace(level_).name_flags(tiles, !is_own_);
 }
 
-// Whether the flag has no meaning.
-bool TiledLevelMaker::is_free(int flag) const {
-  const auto infos = flag_role_infos();
-  const bool has_role = std::any_of(
-      infos.begin(), infos.end(), [&](const FlagRoleInfo& role) { return level_.roles.*role.flag == flag; });
-  return !has_role && field_of_flag(level_.flag_fields, flag) == nullptr &&
-         level_.flag_names[static_cast<std::size_t>(flag)].empty() &&
-         level_.flag_shapes[static_cast<std::size_t>(flag)].kind == TileShape::Kind::none;
-}
-
-std::uint8_t TiledLevelMaker::flags_of(const TiledTile& tile) {
-  std::uint8_t flags = 0;
-  for (const TiledProperty& property : tile.properties) {
-    if (property.name != "flags") continue;
-    const auto* const number = std::get_if<std::int64_t>(&property.value);
-    if (number != nullptr && *number >= 0 && *number <= 255)
-      flags = static_cast<std::uint8_t>(*number);
-    else
-      drops_.add("`flags` of a tile, which is not a whole number from 0 to 255");
-  }
-  for (const TiledProperty& property : tile.properties) {
-    const auto flag = flags_.find(property.name);
-    const bool* const is_on = std::get_if<bool>(&property.value);
-    const bool is_false = is_on != nullptr && !*is_on;
-    if (flag != flags_.end() && is_on != nullptr) {
-      FlagPattern pattern = pattern_of_flag(flag->second);
-      if (is_false) pattern.bits = 0;
-      flags = pattern.put_in(flags);
-    } else if (!knows_property(property) && !is_false) {
-      drops_.add("the property " + quoted_name(property.name) + " of a tile");
-    }
-  }
-  return flags;
+// With the properties that are neither Talus's nor flags.
+void TiledLevelMaker::take_note(TileNumber number, const TiledTile& tile) {
+  TiledProperties others;
+  for (const TiledProperty& property : tile.properties)
+    if (!flags_->knows(property)) others.push_back(property);
+  TileNote note{tile.type, tile.probability, json_of_properties(others)};
+  const std::size_t bytes = note.type.size() + note.properties.size();
+  if (note_bytes_ + bytes > kMaxNoteBytes) return drops_.add("the class and the properties of a tile");
+  note_bytes_ += bytes;
+  put_note(level_.tile_notes, number, std::move(note));
 }
 
 void TiledLevelMaker::take_tile(TileNumber number) {
@@ -357,7 +288,8 @@ void TiledLevelMaker::take_tile(TileNumber number) {
   const TileShape before = std::exchange(level_.tile_shapes[number], {});
   const TiledTile* const tile = tile_of(source);
   if (tile == nullptr) return;
-  level_.sheet(SheetId::tiles).flags[number] = flags_of(*tile);
+  take_note(number, *tile);
+  level_.sheet(SheetId::tiles).flags[number] = flags_->flags_of(*tile, drops_);
   const TileShape of_flags = shape_of_flags(level_, level_.tile_flags(number));
   TileShape own = own_shape_of(number, source, *tile, before);
   if (own == before || own != of_flags) level_.tile_shapes[number] = std::move(own);
@@ -393,7 +325,10 @@ void TiledLevelMaker::take_animations() {
 TiledObject TiledLevelMaker::in_cell(const TiledObject& object, const TiledSource& source) const {
   const TiledPlace place = place_of_tile(map_, pictures_, source);
   TiledObject result = turned(object, source.turn, place.size);
-  result.position = result.position + Vec2{1.0 * place.x, 1.0 * place.y};
+  const bool is_quarter = (source.turn & kTiledFlipXY) != 0;
+  if (place.scale != Vec2{1, 1})
+    result = stretched(result, is_quarter ? Vec2{place.scale.y, place.scale.x} : place.scale);
+  result.position = result.position + Vec2{place.x, place.y};
   return result;
 }
 
@@ -447,8 +382,10 @@ TileShape TiledLevelMaker::shape_of_objects(const std::string& tile, const std::
                                      std::to_string(kMostCorners) + " are looked at"));
       continue;
     }
-    if (auto part = shape_of_outline(tile, outline, one_way.value_or(is_one_way(object)), is_ceiling))
-      group.parts.push_back(*std::move(part));
+    const bool is_thin = one_way.value_or(is_one_way(object));
+    auto part = shape_of_object(object, outline, is_thin, is_ceiling, map_.tile_size);
+    if (!part) part = nearest_shape_of(tile, outline, is_thin);
+    if (part) group.parts.push_back(*std::move(part));
   }
   if (group.parts.empty()) return {};
   if (group.parts.size() == 1) return std::move(group.parts.front());
@@ -459,14 +396,9 @@ TileShape TiledLevelMaker::shape_of_objects(const std::string& tile, const std::
   return group;
 }
 
-// The shape that an outline is, or the nearest one, if no level can hold the outline.
-std::optional<TileShape> TiledLevelMaker::shape_of_outline(const std::string& tile,
-                                                           const std::vector<Vec2>& outline, bool one_way,
-                                                           bool is_ceiling) {
-  // A one-way plank at the top of its tile looks like a ceiling, but bodies stand on it.
-  const auto of_line = tile_shape_of(outline, one_way, map_.tile_size);
-  if (of_line && (!one_way || is_ceiling || of_line->side == TileShape::Side::floor)) return of_line;
-  if (auto shape = polygon_of(outline, one_way, map_.tile_size)) return shape;
+// The shape that stands for an outline that no level can hold.
+std::optional<TileShape> TiledLevelMaker::nearest_shape_of(const std::string& tile,
+                                                           const std::vector<Vec2>& outline, bool one_way) {
   auto nearest = nearest_tile_shape(outline, map_.tile_size);
   if (!nearest) {
     drops_.add("the outline of " + tile + ", of which nothing is in the tile or up and right of it");
@@ -481,7 +413,7 @@ std::optional<TileShape> TiledLevelMaker::shape_of_outline(const std::string& ti
 void TiledLevelMaker::tell_stale_words(const TiledTile& tile, const TileShape& shape) {
   const TiledProperties words = tiled_properties(shape);
   for (const TiledProperty& property : tile.properties) {
-    if (!property.name.starts_with("shape") || !knows_property(property) || flags_.contains(property.name))
+    if (!property.name.starts_with("shape") || !flags_->knows(property) || flags_->is_flag(property.name))
       continue;
     if (property == TiledProperty{"shape_one_way", false}) continue;
     if (std::find(words.begin(), words.end(), property) == words.end())
@@ -489,22 +421,64 @@ void TiledLevelMaker::tell_stale_words(const TiledTile& tile, const TileShape& s
   }
 }
 
-void TiledLevelMaker::take_objects(const TiledLayer& layer) {
+// Whether the layer is there for bodies or curves, by its name.
+bool is_for_bodies_or_curves(const TiledLayer& layer) {
+  return layer.name == kTiledSpawnLayer || layer.name == kTiledBodyLayer || layer.name == kTiledCurveLayer;
+}
+
+// place: how many layers of tiles are behind the layer. number: of the layer among the others. A layer
+// without objects is kept, so that some can be drawn in it; one of nothing but bodies and curves is not.
+void TiledLevelMaker::take_objects(const TiledLayer& layer, int place, int number) {
   ObjectLayer others = object_layer_of(layer);
-  for (const TiledObject& object : layer.objects) {
-    if (auto spawn = spawn_of(object, type_of(object), map_.tile_size)) {
+  others.place = place;
+  base_objects_.choose(layer);
+  base_objects_.complete(others, static_cast<int>(level_.layers.list.size()));
+  if (layer.image) others.image = parts_.image_of(*layer.image);
+  const Vec2 offset = shown_looks(map_.groups, layer.looks).offset;
+  TiledSources::Layer source{number, {}};
+  TiledSources::Place at{number, 0};
+  for (TiledObject object : layer.objects) {
+    const MapObject* const base = base_objects_.like(object);
+    auto spawn = base == nullptr ? spawn_of(object, type_of(object), map_.tile_size) : std::nullopt;
+    if (spawn) {
+      spawn->position = spawn->position + offset;
+      object.position = object.position + offset;
       take_spawn(object, *std::move(spawn));
-    } else if (object.form == TiledObject::Form::polyline &&
+    } else if (base == nullptr && object.form == TiledObject::Form::polyline &&
                (object.type == kTiledCurveType || layer.name == kTiledCurveLayer)) {
+      object.position = object.position + offset;
       take_curve(object);
     } else if (auto kept = map_object_of(object, type_of(object)); has_room_for(kept)) {
+      if (base != nullptr) take_exact(*base, kept);
+      parts_.show(object.gid, kept);
       others.objects.push_back(std::move(kept));
+      source.objects.push_back(at.index);
     } else {
       drops_.add("an object of the layer " + quoted_name(layer.name));
     }
+    sources_.spawns.resize(level_.spawns.size(), at);
+    sources_.curves.resize(level_.curves.size(), at);
+    ++at.index;
   }
-  if (!others.objects.empty() && level_.objects.size() < kMaxObjectLayers)
-    level_.objects.push_back(std::move(others));
+  const bool is_kept = base_objects_.has_chosen() || others.image || !others.objects.empty() ||
+                       (layer.objects.empty() && !is_for_bodies_or_curves(layer));
+  if (!is_kept || level_.objects.size() >= kMaxObjectLayers) return;
+  level_.objects.push_back(std::move(others));
+  sources_.layers.push_back(std::move(source));
+}
+
+// All layers that are not of tiles.
+void TiledLevelMaker::take_other_layers(const std::vector<const TiledLayer*>& tile_layers) {
+  int place = 0, number = 0;
+  for (const TiledLayer& layer : map_.layers) {
+    if (layer.has_tiles)
+      place += std::count(tile_layers.begin(), tile_layers.end(), &layer) > 0 ? 1 : 0;
+    else
+      take_objects(layer, place, number++);
+  }
+  // Older versions of Talus wrote no layers of objects.
+  if (find_property<bool>(map_.properties, kTiledObjectsProperty) == nullptr && level_.objects.empty())
+    level_.objects = base_.objects;
 }
 
 // Whether the level can hold the object, too. Counts those that it can.
@@ -517,15 +491,8 @@ bool TiledLevelMaker::has_room_for(const MapObject& object) {
 
 // A tile that has no type gets that of the tile in its tileset.
 const std::string& TiledLevelMaker::type_of(const TiledObject& object) const {
-  const std::uint32_t gid = object.gid & kTiledIdBits;
-  if (!object.type.empty() || gid == 0) return object.type;
-  const TiledTileset* tileset = nullptr;
-  for (const TiledTileset& each : map_.tilesets) {
-    if (each.first_gid <= gid && (tileset == nullptr || each.first_gid >= tileset->first_gid))
-      tileset = &each;
-  }
-  if (tileset == nullptr) return object.type;
-  const TiledTile* const tile = find_tile(*tileset, static_cast<int>(gid - tileset->first_gid));
+  if (!object.type.empty() || object.gid == 0) return object.type;
+  const TiledTile* const tile = tile_of(source_of_gid(map_, object.gid));
   return tile == nullptr ? object.type : tile->type;
 }
 
@@ -548,7 +515,7 @@ void TiledLevelMaker::take_spawn(const TiledObject& object, Spawn spawn) {
 // The curve that Talus wrote as this object; null if there is none.
 const Spawn* TiledLevelMaker::base_spawn_like(const Spawn& spawn, const TiledObject& object) const {
   const double y = object.position.y;
-  const auto near = near_in_x(std::span(spawns_by_x_), object.position.x);
+  const auto near = near_in_x(std::span(spawns_by_x_), object.position.x, kXOfSpawn);
   const auto same = std::find_if(near.begin(), near.end(), [&](const Spawn* base) {
     if (std::abs(base->position.y - y) > 2 * tiled_slack(y)) return false;
     return is_name_of(base->name, spawn.name) && base->kind == spawn.kind &&
@@ -561,7 +528,7 @@ const Spawn* TiledLevelMaker::base_spawn_like(const Spawn& spawn, const TiledObj
 void TiledLevelMaker::take_curve(const TiledObject& object) {
   const std::vector<Curve> curves = curves_of(object);
   if (curves.empty()) return drops_.add(named("the curve", object.name));
-  const auto near = near_in_x(std::span(std::as_const(curves_by_x_)), object.position.x);
+  const auto near = near_in_x(std::span(std::as_const(curves_by_x_)), object.position.x, kXOfCurve);
   const auto same = std::find_if(near.begin(), near.end(), [&](const auto& old) {
     return is_name_of(old.first->name, object.name) && old.first->curve.faces == curves.front().faces &&
            is_same_outline(old.second, object);
@@ -569,6 +536,10 @@ void TiledLevelMaker::take_curve(const TiledObject& object) {
   if (same != near.end()) {
     const LevelCurve& old = *same->first;
     if (takes(old.curve, old.name)) level_.curves.push_back(old);
+    return;
+  }
+  if (const auto exact = curve_of_numbers(object)) {
+    if (takes(*exact, object.name)) level_.curves.push_back({object.name, *exact, ""});
     return;
   }
   const auto* const kind = find_property<std::string>(object.properties, "kind");
@@ -607,16 +578,20 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
   TiledOrigin origin;
   origin.frame = frame_of(tiles_, map_);
   origin.layers = numbers_of(*layers);
+  origin.pictures = std::make_shared<const PictureTiles>(picture_tiles_of(tiles_, map_, pictures_));
   const SheetLayout layout{tiles_.columns, static_cast<int>(tiles_.sources.size())};
   if (!tiles_.keeps_numbers || layout.count < level_.tile_count()) forget_numbers();
   level_.set_tile_layout(layout);
   if (!is_own_) level_.tilesets = tilesets_of(tiles_, map_);  // its own are in the base
   take_pixels();
   name_flags();
+  level_.tile_notes.clear();
   for (int tile = 0; tile < layout.count; ++tile) take_tile(static_cast<TileNumber>(tile));
   take_animations();
-  for (const TiledLayer& objects : map_.layers) take_objects(objects);
-  if (level_.objects.empty()) level_.objects = base_.objects;
+  if (!is_own_) level_.large_tiles = parts_.large_tiles(tiles_);
+  take_other_layers(*layers);
+  tidy_groups(level_.layers, level_.objects);
+  parts_.tell_missing();
   if (!map_.background.empty() && map_.background != tiled_color(level_.palette[0]))
     drops_.add("\"backgroundcolor\" of the map, which is not colour 0");
   if (auto problem = problem_of_amounts(level_)) return tl::unexpected(FormatError{"", *std::move(problem)});
@@ -627,9 +602,12 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
 }  // namespace
 
 FormatResult<Level> level_of_tiled(const TiledMap& map, const TiledPictures& pictures,
-                                   const ImportChoices& choices, ImportDrops& drops,
-                                   const Progress& progress) {
-  return TiledLevelMaker(map, pictures, drops, progress).make(choices);
+                                   const ImportChoices& choices, ImportDrops& drops, const Progress& progress,
+                                   TiledSources* sources) {
+  TiledLevelMaker maker(map, pictures, drops, progress);
+  auto level = maker.make(choices);
+  if (sources != nullptr) *sources = maker.take_sources();
+  return level;
 }
 
 }  // namespace talus

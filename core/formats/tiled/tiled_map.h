@@ -8,6 +8,8 @@
 //                 the bool `one_way` if it is one-way, as importers of engines look for it there
 //   background    the level's colour 0
 //   layer "map"   the tiles; cells with tile 0 are empty if tile 0 is blank
+//   other layers  those of the level, in its order; an object with a picture shows a tile of the tileset
+//                 "pictures", a collection of images
 //   "spawns"      boxes of the type "ball" or "player" with `vx`, `vy`, `foot`
 //   "curves"      polylines of the type "curve", at most kTiledTolerance off, with the exact numbers
 //   `talus_level` a property of the map: the rest of the level as a native one in one line, without its
@@ -26,15 +28,21 @@
 
 #include <talus/level/level.h>
 #include "../import/import_drops.h"
+#include "../import/linked_files.h"
 
 namespace talus {
 
 inline constexpr std::uint32_t kTiledIdBits =
     0x0fffffff;  // bits of a cell's number; the others say how the tile is turned
 inline constexpr std::uint32_t kTiledFlipX = 0x80000000, kTiledFlipY = 0x40000000, kTiledFlipXY = 0x20000000;
+// Shifted right by this, the three bits are a TileTurn.
+inline constexpr int kTiledTurnShift = 29;
 inline constexpr std::string_view kTiledLevelProperty = "talus_level";
+// A property of the map: whether all layers of objects of `talus_level` are layers of the map.
+inline constexpr std::string_view kTiledObjectsProperty = "talus_objects";
 inline constexpr std::string_view kTiledSpawnLayer = "spawns", kTiledCurveLayer = "curves",
                                   kTiledTileLayer = "map";
+inline constexpr std::string_view kTiledBodyLayer = "bodies";  // of new bodies in maps of others
 inline constexpr std::string_view kTiledCurveType = "curve";
 
 // Limits for a map that is read, over all of its layers and tilesets.
@@ -67,22 +75,24 @@ struct TiledObject {
     polygon,
     polyline,
     ellipse,  // within a box
-    tile,     // a picture of a tile; its position is the bottom left corner
+    tile,     // a picture of a tile
     other     // a text or a capsule, which no level holds
   };
   Form form = Form::box;
   std::string name, type;
-  std::uint32_t gid = 0;     // of a tile: its number, as in cells; 0: not known
-  Vec2 position, size;       // px
-  double rotation = 0;       // degrees
+  std::uint32_t gid = 0;  // of a tile: its number, as in cells; 0: not known
+  Vec2 position, size;    // px
+  double rotation = 0;    // degrees
+  bool visible = true;
   std::vector<Vec2> points;  // px, from the position; for polygons and polylines
   TiledProperties properties;
   friend bool operator==(const TiledObject&, const TiledObject&) = default;
 };
 
 struct TiledTile {
-  int id = 0;        // in the tileset
-  std::string type;  // that of objects which show it, unless they have one
+  int id = 0;              // in the tileset
+  std::string type;        // that of objects which show it, unless they have one
+  double probability = 1;  // weight among tiles that are chosen at random
   TiledProperties properties;
   std::vector<TiledObject> objects;  // its collision shapes
   struct Frame {
@@ -106,6 +116,9 @@ struct TiledTileset {
   bool is_collection = false;      // whether its tiles have pictures of their own
   TileSize tile_size;              // of its tiles in the picture; of a collection, of the largest
   int offset_x = 0, offset_y = 0;  // px, by which its tiles are drawn right of and below their places
+  bool fits_grid = false;          // whether its tiles are drawn in the size of cells; else in their own
+  bool keeps_ratio = false;        // whether they keep their ratio then, and as objects of another size
+  Vec2 anchor = {0, 1};            // where the position of its objects is in their box, shares of its size
   std::optional<Rgb> transparent;  // colour of its picture that is not drawn
   int columns = 0, tile_count = 0;
   int spacing = 0, margin = 0;  // px, between and around the tiles in the picture
@@ -114,24 +127,36 @@ struct TiledTileset {
   std::shared_ptr<std::vector<TiledTile>> tiles = std::make_shared<std::vector<TiledTile>>();
 };
 
+// The picture of an image layer.
+struct TiledImage {
+  std::string path;  // relative to the map's folder; may be empty
+  std::optional<Rgb> transparent;
+  bool repeats_x = false, repeats_y = false;
+  std::shared_ptr<const LinkedPicture> picture;  // null: not read yet
+};
+
 struct TiledLayer {
-  bool has_tiles = false;  // whether it is a tile layer; else an object layer
+  bool has_tiles = false;  // whether it is a tile layer; else one of objects or a picture
   bool is_hidden = false;  // for writing; a layer that is read counts even if it is hidden
   std::string name;
   std::string type;                  // its class
   TiledProperties properties;        // of an object layer
-  TileLayer looks;                   // with those of its groups; without its cells
+  TileLayer looks;                   // its own, with the number of its group; without its cells
   std::vector<std::uint32_t> cells;  // row by row: 0, or a tile's number with the bits that turn it
   std::vector<TiledObject> objects;
+  bool by_y = false;  // whether objects are drawn in the order of their y
+  std::optional<TiledImage> image;
 };
 
 struct TiledMap {
   int width = 0, height = 0;  // cells
   Cell first;                 // place of its first cell in the file; (0, 0) unless the map is infinite
   TileSize tile_size;         // of each cell
-  std::string background;     // colour, see tiled_color; empty: not set
+  RenderOrder order = RenderOrder::right_down;
+  std::string background;  // colour, see tiled_color; empty: not set
   std::vector<TiledTileset> tilesets;
-  std::vector<TiledLayer> layers;  // groups are taken apart
+  std::vector<TiledLayer> layers;  // in the order of the file, also those in groups
+  LayerGroups groups;              // in the order of the file, each before those in it; some have no layers
   TiledProperties properties;
 };
 

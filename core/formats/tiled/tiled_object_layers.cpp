@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "../text/json_text.h"
+#include "tiled_properties.h"
 
 namespace talus {
 namespace {
@@ -20,16 +20,19 @@ bool is_ground_word(const std::string& text) {
   return std::find(kGroundWords.begin(), kGroundWords.end(), lower) != kGroundWords.end();
 }
 
-Json json_of_value(const TiledProperty& property) {
-  return std::visit([](const auto& value) { return Json(value); }, property.value);
-}
-
 }  // namespace
 
 ObjectLayer object_layer_of(const TiledLayer& layer) {
   ObjectLayer made;
   made.name = layer.name;
   made.visible = layer.looks.visible;
+  made.locked = layer.looks.locked;
+  made.opacity = layer.looks.opacity;
+  made.offset = layer.looks.offset;
+  made.parallax = layer.looks.parallax;
+  made.tint = layer.looks.tint;
+  made.group = layer.looks.group;
+  made.by_y = layer.by_y;
   made.is_ground = is_ground_word(layer.name) || is_ground_word(layer.type);
   for (const char* word : {"collidable", "solid", "ground"})
     if (const bool* is_ground = find_property<bool>(layer.properties, word)) made.is_ground = *is_ground;
@@ -61,14 +64,33 @@ MapObject map_object_of(const TiledObject& object, const std::string& type) {
   made.position = object.position;
   made.size = object.points.empty() ? object.size : Vec2();
   made.rotation = object.rotation;
+  made.visible = object.visible;
   made.points = object.points;
   made.tile = object.gid;
   const bool* const one_way = find_property<bool>(object.properties, "one_way");
   made.one_way = one_way != nullptr && *one_way;
-  if (object.properties.empty()) return made;
-  Json properties = Json::object();
-  for (const TiledProperty& property : object.properties) properties[property.name] = json_of_value(property);
-  made.properties = properties.dump(-1, ' ', false, Json::error_handler_t::replace);
+  made.properties = json_of_properties(object.properties);
+  return made;
+}
+
+TiledObject tiled_object(const MapObject& object) {
+  using From = MapObject::Form;
+  using To = TiledObject::Form;
+  TiledObject made;
+  made.form = object.form == From::ellipse    ? To::ellipse
+              : object.form == From::polygon  ? To::polygon
+              : object.form == From::polyline ? To::polyline
+              : object.form == From::tile     ? To::tile
+              : object.form == From::other    ? To::other
+                                              : To::box;
+  made.name = object.name;
+  made.type = object.type;
+  made.gid = object.tile;
+  made.position = object.position;
+  made.size = object.size;
+  made.rotation = object.rotation;
+  made.visible = object.visible;
+  made.points = object.points;
   return made;
 }
 

@@ -14,6 +14,9 @@ ObjectLayer object_layer_of(const TiledLayer& layer);
 // type: the class that it has, by itself or by its tile.
 MapObject map_object_of(const TiledObject& object, const std::string& type);
 
+// The counterpart, without its properties.
+TiledObject tiled_object(const MapObject& object);
+
 // Whether its numbers are within the ranges that an object of a level has.
 bool is_well_placed(const MapObject& object);
 

@@ -52,6 +52,55 @@ struct CurveNumbers {
 constexpr std::array<std::string_view, 6> kCurveKinds = {"segment", "arc",  "parabola",
                                                          "cubic",   "sine", "polyline"};
 
+// The form of a kind with the numbers of CurveNumbers, all of which must be there. line: its points.
+class FormOfNumbers {
+ public:
+  FormOfNumbers(const TiledProperties& from, const std::vector<Vec2>& line) : from_(from), line_(line) {}
+
+  std::optional<decltype(Curve::form)> form(std::string_view kind) {
+    decltype(Curve::form) made;
+    const auto* const upper = find_property<bool>(from_, "upper");
+    if (kind == "segment")
+      made = Segment{point("x0", "y0"), point("x1", "y1")};
+    else if (kind == "arc")
+      made = Arc{point("x", "y"), number("radius"), number("x0"), number("x1"), upper != nullptr && *upper};
+    else if (kind == "parabola")
+      made = Parabola{point("x0", "y0"), point("x1", "y1"), number("control_y")};
+    else if (kind == "cubic")
+      made = Cubic{point("x0", "y0"), point("x1", "y1"), number("slope0"), number("slope1")};
+    else if (kind == "sine")
+      made = Sine{number("x0"),        number("x1"),         number("middle"),
+                  number("amplitude"), number("wavelength"), number("origin")};
+    else if (kind == "polyline" && line_.size() >= 2)
+      made = polyline();
+    else
+      return std::nullopt;
+    return is_whole_ ? std::optional(made) : std::nullopt;
+  }
+
+ private:
+  double number(std::string_view name) {
+    if (const auto* real = find_property<double>(from_, name)) return *real;
+    if (const auto* whole = find_property<std::int64_t>(from_, name)) return static_cast<double>(*whole);
+    is_whole_ = false;
+    return 0;
+  }
+  Vec2 point(std::string_view x, std::string_view y) { return {number(x), number(y)}; }
+  Polyline polyline() {
+    Polyline made{number("x0"), number("x1"), {}};
+    for (const Vec2 p : line_) made.ys.push_back(p.y);
+    return made;
+  }
+
+  const TiledProperties& from_;
+  const std::vector<Vec2>& line_;
+  bool is_whole_ = true;
+};
+
+constexpr std::array<std::string_view, 17> kCurveProperties = {
+    "kind",  "faces",     "x",      "y",      "x0",     "y0",        "x1",         "y1",    "radius",
+    "upper", "control_y", "slope0", "slope1", "middle", "amplitude", "wavelength", "origin"};
+
 // A stretch bends to one side only, so no point of it is more than twice as far from the chord as the middle
 // one.
 void append_stretch(const CurveStretch<double>& stretch, Vec2 from, Vec2 to, int depth,
@@ -102,21 +151,6 @@ bool goes_in_equal_steps(const std::vector<Vec2>& points) {
 }
 
 }  // namespace
-
-std::array<std::string, kFlagCount> tiled_flag_names(const Level& level) {
-  std::set<std::string> taken = {"flags", "shape", "shape_side", "shape_one_way", "shape_heights"};
-  std::array<std::string, kFlagCount> names;
-  for (std::size_t flag = 0; flag < kFlagCount; ++flag) taken.insert("flag" + std::to_string(flag));
-  for (int flag = 0; flag < kFlagCount; ++flag) {
-    std::string& name = names[static_cast<std::size_t>(flag)];
-    name = level.flag_names[static_cast<std::size_t>(flag)];
-    for (const FlagRoleInfo& role : flag_role_infos()) {
-      if (name.empty() && level.roles.*role.flag == flag) name = role.key;
-    }
-    if (name.empty() || !taken.insert(xml_text(name)).second) name = "flag" + std::to_string(flag);
-  }
-  return names;
-}
 
 std::vector<TiledObject> tiled_objects(const TileShape& shape, TileSize tile) {
   if (shape.kind == TileShape::Kind::none || problem_of(shape, tile)) return {};
@@ -243,6 +277,25 @@ std::vector<Curve> curves_of(const TiledObject& object) {
   }
   return curves;
 }
+
+std::optional<Curve> curve_of_numbers(const TiledObject& object) {
+  const auto* const kind = find_property<std::string>(object.properties, "kind");
+  if (kind == nullptr || object.form != TiledObject::Form::polyline) return {};
+  std::vector<Vec2> line;
+  line.reserve(object.points.size());
+  for (const Vec2 p : object.points) line.push_back(object.position + p);
+  const auto form = FormOfNumbers(object.properties, line).form(*kind);
+  if (!form) return {};
+  Curve curve{*form, Curve::Faces::up};
+  if (const auto* faces = find_property<std::string>(object.properties, "faces")) {
+    const auto word = std::find(kFaceWords.begin(), kFaceWords.end(), *faces);
+    if (word != kFaceWords.end()) curve.faces = static_cast<Curve::Faces>(word - kFaceWords.begin());
+  }
+  const auto along = tiled_object(LevelCurve{"", curve, ""});
+  return along && is_same_outline(*along, object) ? std::optional(curve) : std::nullopt;
+}
+
+std::span<const std::string_view> curve_properties() { return kCurveProperties; }
 
 double tiled_slack(double number) { return std::max(kOnGrid, 1e-5 * std::abs(number)); }
 

@@ -2,17 +2,13 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "tiled_map.h"
 
 namespace talus {
 
 inline constexpr double kTiledTolerance = 0.125;  // px, from a curve to its polyline
-
-// By flag, the name of the bool that its tiles have: the flag's own name; without one that of its role
-// ("up_slope"); else "flag5". A name that another flag or property has is replaced by "flag5", too, and so is
-// one that would be another's in XML (xml_text).
-std::array<std::string, kFlagCount> tiled_flag_names(const Level& level);
 
 // Returns the outline of a shape on its tile of that size; nothing for kind none, or for a shape that cannot
 // be used. One-way shapes get the whole outline, too, though only their line stops bodies.
@@ -36,6 +32,12 @@ std::optional<TiledObject> tiled_object(const LevelCurve& curve);
 // hold, beyond kMaxCurves + 1. Other objects become nothing. The result faces up, or where the property
 // `faces` says.
 std::vector<Curve> curves_of(const TiledObject& object);
+
+// The curve that the properties of a polyline give (see tiled_object): `kind` and its numbers. Nothing if
+// they do not, or if the polyline does not run along that curve.
+std::optional<Curve> curve_of_numbers(const TiledObject& object);
+// The names of all properties that tell the form of a curve, and `faces`.
+std::span<const std::string_view> curve_properties();
 
 // How far off a number may be that Tiled has written, in either direction.
 double tiled_slack(double number);

@@ -2,13 +2,19 @@
 // companion.
 #include <algorithm>
 #include <set>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 
 #include "../files/real_path.h"
 #include "tiled_document.h"
 #include "tiled_format.h"
+#include "tiled_layer_pairs.h"
+#include "tiled_layer_tree.h"
 #include "tiled_map.h"
+#include "tiled_object_layers.h"
+#include "tiled_object_writer.h"
+#include "tiled_properties.h"
 #include "tiled_tile_writer.h"
 
 namespace talus {
@@ -30,6 +36,8 @@ class TiledSaver {
  private:
   FormatResult<void> check_place() const;
   FormatResult<void> check_tiles() const;
+  FormatResult<void> find_layers();
+  FormatResult<void> read_origin();
   FormatResult<void> write_layers(TiledDocument& document);
   FormatResult<void> write_layer(int layer, TiledDocument& document);
   TiledBlock resized(const TiledBlock& before) const;
@@ -37,14 +45,18 @@ class TiledSaver {
   bool takes_cells(TiledBlock& block) const;
   std::vector<bool> covered_by(const std::vector<TiledBlock>& blocks) const;
   std::vector<TiledBlock> new_chunks(const std::vector<TiledBlock>& blocks) const;
-  // The tile of the level that a cell with this number shows.
-  TileNumber tile_of(std::uint32_t cell) const;
-  // The cell of the level at a place of the file; nothing if that is off its map.
-  const TileNumber* at(int x, int y) const;
+  // What a cell of the level holds if one of the file has this number.
+  MapCell content_of(std::uint32_t cell) const;
+  // The number of a cell of the file that holds this.
+  std::uint32_t number_of(MapCell cell) const;
+  // The cell of the level at a place of the file; empty if that is off its map.
+  MapCell at(int x, int y) const;
   // What is written: `left_out` are tiles of which the files keep what they have.
   struct Plan {
     bool takes_new_names = true;  // whether flags get the names that the level gives them
     std::set<TileNumber> left_out = {};
+    bool writes_objects =
+        true;  // whether bodies, curves and objects are written; else the companion has them
   };
   struct Attempt {
     WrittenLevel written;
@@ -52,31 +64,61 @@ class TiledSaver {
     std::set<TileNumber> wrong;  // tiles that were written, and would be read as others
   };
   FormatResult<Attempt> attempt(const Plan& plan);
+  FormatResult<TiledObjectEdits> edits_of_objects(bool writes_objects);
+  FormatResult<TiledArrangement> arrangement(const TiledObjectEdits& objects) const;
+  FormatResult<std::string> with_looks(std::string text, const TiledObjectEdits& objects,
+                                       const TiledArrangement& arranged) const;
+  void take_unread(Level& held) const;
   bool has_other_tiles() const;
+  bool has_other_objects() const;
+  bool has_other_looks() const;
+  bool may_move_layers() const;
   FormatContext context_again() const;
   FormatResult<Level> read_back(const WrittenLevel& written) const;
+
+  // What the files hold, as they were opened.
+  struct Origin {
+    TiledContent content;
+    Level level;
+    TiledSources sources;
+  };
 
   const Level& level_;
   const TiledOrigin& origin_;
   const FormatContext& context_;
-  std::optional<TiledContent> model_;                    // if something is taken from it
-  const std::vector<TileNumber>* cells_ = nullptr;       // of the layer that is being written
+  std::optional<Origin> model_;      // if something is taken from it
+  bool is_map_ = false;              // whether the file is a map
+  bool is_one_of_many_ = false;      // whether the level is one layer that was chosen
+  std::vector<int> pairs_;           // by layer of tiles, that of the opened level; -1: new
+  bool arranges_ = false;            // whether these are other layers than those
+  const MapCells* cells_ = nullptr;  // of the layer that is being written
   std::unordered_map<std::uint32_t, TileNumber> tiles_;  // by the number in cells
   bool has_cells_ = false;                               // whether the file has layers of tiles
 };
 
 constexpr std::uint32_t kTileBits = kTiledIdBits | kTiledFlipX | kTiledFlipY | kTiledFlipXY;
 
-TileNumber TiledSaver::tile_of(std::uint32_t cell) const {
-  const auto found = tiles_.find(cell & kTileBits);
-  return found == tiles_.end() ? TileNumber{0} : found->second;
+// As the reader does, which lets a cell turn a tile unless the level has the turned tile as one of its own.
+MapCell TiledSaver::content_of(std::uint32_t cell) const {
+  const auto as_it_is = tiles_.find(cell & kTileBits);
+  if (as_it_is != tiles_.end()) return as_it_is->second;
+  const auto found = tiles_.find(cell & kTiledIdBits);
+  if (found == tiles_.end()) return {};
+  return {found->second, static_cast<TileTurn>((cell & kTileBits) >> kTiledTurnShift)};
 }
 
-const TileNumber* TiledSaver::at(int x, int y) const {
+std::uint32_t TiledSaver::number_of(MapCell cell) const {
+  const std::uint32_t number = origin_.frame.tiles[cell.tile];
+  if (number == 0 || (cell == MapCell() && origin_.frame.is_0_empty)) return 0;
+  const TileTurn own = static_cast<TileTurn>((number & kTileBits) >> kTiledTurnShift);
+  return (number & kTiledIdBits) | static_cast<std::uint32_t>(after_turn(own, cell.turn)) << kTiledTurnShift;
+}
+
+MapCell TiledSaver::at(int x, int y) const {
   const Cell cell{x - origin_.frame.x, y - origin_.frame.y};
-  if (!level_.map.contains(cell)) return nullptr;
-  return &(*cells_)[static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(level_.map.width()) +
-                    static_cast<std::size_t>(cell.x)];
+  if (!level_.map.contains(cell)) return {};
+  return (*cells_)[static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(level_.map.width()) +
+                   static_cast<std::size_t>(cell.x)];
 }
 
 FormatResult<void> TiledSaver::check_place() const {
@@ -94,27 +136,12 @@ FormatResult<void> TiledSaver::check_place() const {
 }
 
 FormatResult<void> TiledSaver::check_tiles() const {
-  if (level_.layers.list.size() != origin_.layers.size())
-    return cannot("has other layers of tiles than the map");
-  std::vector<std::string> names, old_names;
-  for (std::size_t i = 0; i < origin_.layers.size(); ++i) {
-    names.push_back(level_.layers.list[i].name);
-    old_names.push_back(origin_.opened->layers.list[i].name);
-  }
-  const bool is_moved = names != old_names &&
-                        std::is_permutation(names.begin(), names.end(), old_names.begin(), old_names.end());
-  if (is_moved) return cannot("has layers of tiles in another order than the map");
   const Sheet &now = level_.sheet(SheetId::tiles), &then = origin_.opened->sheet(SheetId::tiles);
   if (now.layout() != then.layout()) return cannot("has tiles that no tileset of the map has");
-  const bool same_picture =
-      now.picture == then.picture || (now.picture && then.picture && *now.picture == *then.picture);
-  if (now.images != then.images || !same_picture)
-    return cannot(
-        "has pictures of tiles that were painted, but those of a map of Tiled are in files of their own");
   if (level_.map.tile_size() != origin_.opened->map.tile_size())
     return cannot("has tiles of another size than the map");
   for (int layer = 0; layer < level_.layers.count(); ++layer) {
-    for (const TileNumber tile : level_.cells_of(layer)) {
+    for (const TileNumber tile : level_.cells_of(layer).tiles()) {
       if (tile != 0 && origin_.frame.tiles[tile] == 0)
         return cannot("shows tile " + std::to_string(tile) + ", which no tileset of the map has");
     }
@@ -128,10 +155,9 @@ bool TiledSaver::takes_cells(TiledBlock& block) const {
   std::size_t i = 0;
   for (int y = block.y; y < block.y + block.height; ++y) {
     for (int x = block.x; x < block.x + block.width; ++x, ++i) {
-      const TileNumber* const tile = at(x, y);
-      const TileNumber wanted = tile == nullptr ? TileNumber{0} : *tile;
-      if (tile_of(block.cells[i]) == wanted) continue;
-      block.cells[i] = wanted == 0 && origin_.frame.is_0_empty ? 0 : origin_.frame.tiles[wanted];
+      const MapCell wanted = at(x, y);
+      if (content_of(block.cells[i]) == wanted) continue;
+      block.cells[i] = number_of(wanted);
       has_changed = true;
     }
   }
@@ -163,7 +189,7 @@ std::vector<TiledBlock> TiledSaver::new_chunks(const std::vector<TiledBlock>& bl
   const std::vector<bool> covered = covered_by(blocks);
   std::set<std::pair<int, int>> places;  // y, x
   for (std::size_t i = 0; i < covered.size(); ++i) {
-    if (covered[i] || (*cells_)[i] == 0) continue;
+    if (covered[i] || cells_->tiles()[i] == 0) continue;
     const auto width = static_cast<std::size_t>(level_.map.width());
     places.emplace(chunk_at(origin_.frame.y + static_cast<int>(i / width), high),
                    chunk_at(origin_.frame.x + static_cast<int>(i % width), wide));
@@ -198,7 +224,7 @@ bool TiledSaver::is_resized() const {
 
 // layer: of the level.
 FormatResult<void> TiledSaver::write_layer(int layer, TiledDocument& document) {
-  const int number = origin_.layers[static_cast<std::size_t>(layer)];
+  const int number = arranges_ ? layer : origin_.layers[static_cast<std::size_t>(layer)];
   cells_ = &level_.cells_of(layer);
   auto blocks = document.blocks(number);
   if (!blocks) return tl::unexpected(blocks.error());
@@ -212,8 +238,9 @@ FormatResult<void> TiledSaver::write_layer(int layer, TiledDocument& document) {
     if (layer == 0) document.set_size(block.width, block.height);
     return {};
   }
+  const bool is_new = arranges_ && pairs_[static_cast<std::size_t>(layer)] < 0;  // it has no cells yet
   for (std::size_t i = 0; i < blocks->size(); ++i) {
-    if (takes_cells((*blocks)[i])) document.put_cells(number, i, (*blocks)[i]);
+    if (takes_cells((*blocks)[i]) || is_new) document.put_cells(number, i, (*blocks)[i]);
   }
   if (!is_infinite) return {};
   if (const std::vector<TiledBlock> chunks = new_chunks(*blocks); !chunks.empty())
@@ -224,29 +251,164 @@ FormatResult<void> TiledSaver::write_layer(int layer, TiledDocument& document) {
 FormatResult<void> TiledSaver::write_layers(TiledDocument& document) {
   has_cells_ = document.layer_count() > 0;
   if (!has_cells_) return {};  // a tileset, or a map of objects alone
-  if (std::any_of(origin_.layers.begin(), origin_.layers.end(),
-                  [&](int number) { return number >= document.layer_count(); }))
-    return cannot("has other layers of tiles than the map");
   for (std::size_t n = origin_.frame.tiles.size(); n-- > 0;) {
     if (origin_.frame.tiles[n] != 0) tiles_[origin_.frame.tiles[n]] = static_cast<TileNumber>(n);
   }
   for (int layer = 0; layer < level_.layers.count(); ++layer) {
-    const auto i = static_cast<std::size_t>(layer);
-    document.set_looks(origin_.layers[i], origin_.opened->layers.list[i], level_.layers.list[i]);
     if (const auto written = write_layer(layer, document); !written) return written;
   }
   return {};
 }
 
+FormatResult<void> TiledSaver::read_origin() {
+  if (model_) return {};
+  FormatContext context = context_again();
+  context.choices.frame = origin_.frame;
+  const auto wrong = [](const FormatError& error) {
+    return cannot("cannot be read again: " + error.message);
+  };
+  auto content = read_tiled_content(origin_.bytes, context, origin_.tilesets);
+  if (!content) return wrong(content.error());
+  model_ = Origin{*std::move(content), Level(), {}};
+  ImportDrops drops;
+  auto level = level_of_tiled(model_->content.map, model_->content.pictures, context.choices, drops, {},
+                              &model_->sources);
+  if (!level) return wrong(level.error());
+  model_->level = *std::move(level);
+  return {};
+}
+
+// Finds out which layers of tiles the level has.
+FormatResult<void> TiledSaver::find_layers() {
+  const auto document = tiled_document(origin_.bytes);
+  if (!document) return tl::unexpected(document.error());
+  const int in_file = (*document)->layer_count();
+  is_map_ = (*document)->is_map();
+  is_one_of_many_ = in_file > 0 && static_cast<int>(origin_.layers.size()) != in_file;
+  if (is_map_ && in_file == 0) {  // the level's only layer stands for none; it is made once it has tiles
+    const std::vector<TileNumber>& tiles = level_.map.cells().tiles();
+    arranges_ = level_.layers.count() > 1 ||
+                std::any_of(tiles.begin(), tiles.end(), [](TileNumber tile) { return tile != 0; });
+    pairs_.assign(level_.layers.list.size(), -1);
+    return {};
+  }
+  const std::vector<TileLayer>& before = origin_.opened->layers.list;
+  if (has_same_names(before, level_.layers.list)) {
+    for (int i = 0; i < level_.layers.count(); ++i) pairs_.push_back(i);
+    return {};
+  }
+  if (is_one_of_many_ || in_file == 0)
+    return level_.layers.list.size() == before.size() ? FormatResult<void>()
+                                                      : cannot("has other layers of tiles than the map");
+  if (const auto read = read_origin(); !read) return read;
+  pairs_ = pairs_of_tile_layers(model_->level, level_);
+  arranges_ = level_.layers.list.size() != before.size();
+  for (std::size_t i = 0; i < pairs_.size(); ++i) arranges_ = arranges_ || pairs_[i] != static_cast<int>(i);
+  return {};
+}
+
+// Which layers and groups the map gets.
+FormatResult<TiledArrangement> TiledSaver::arrangement(const TiledObjectEdits& objects) const {
+  auto document = tiled_document(origin_.bytes);
+  if (!document) return tl::unexpected(document.error());
+  TiledLayerSources sources;
+  sources.objects = objects;
+  sources.opened_tiles.resize(static_cast<std::size_t>((*document)->layer_count()));
+  for (const int layer : origin_.layers)
+    if (!sources.opened_tiles.empty()) sources.opened_tiles[static_cast<std::size_t>(layer)] = true;
+  sources.opened_objects.resize(static_cast<std::size_t>((*document)->object_layer_count()));
+  for (const TiledSources::Layer& layer : model_->sources.layers)
+    sources.opened_objects[static_cast<std::size_t>(layer.layer)] = true;
+  if (arranges_) {
+    for (const int pair : pairs_)
+      sources.tiles.push_back(pair < 0 ? -1 : origin_.layers[static_cast<std::size_t>(pair)]);
+  } else if (!sources.opened_tiles.empty()) {
+    sources.tiles = origin_.layers;
+  }
+  auto arranged = arrange_layers(level_, (*document)->layer_tree(), sources);
+  if (is_one_of_many_ && !has_tiles_in_order(arranged.tree))
+    return cannot("has layers of objects where the map cannot have them");
+  return arranged;
+}
+
+template <class Layer>
+TileLayer looks_of(const Layer& layer) {
+  TileLayer looks;
+  looks.name = layer.name;
+  looks.visible = layer.visible;
+  looks.locked = layer.locked;
+  looks.opacity = layer.opacity;
+  looks.offset = layer.offset;
+  looks.parallax = layer.parallax;
+  looks.tint = layer.tint;
+  if constexpr (std::is_same_v<Layer, ObjectLayer>) looks.is_ground = layer.is_ground;
+  return looks;
+}
+
+// What the text says of the layers is read from it if they have moved.
+FormatResult<std::string> TiledSaver::with_looks(std::string text, const TiledObjectEdits& objects,
+                                                 const TiledArrangement& arranged) const {
+  if (!arranged.is_new && !has_other_looks()) return text;
+  std::vector<TileLayer> tiles = origin_.opened->layers.list;
+  std::vector<TiledLayer> others;
+  LayerGroups groups;
+  if (arranged.is_new || !objects.layers.empty() || !arranged.groups.empty()) {
+    const auto content = read_tiled_content(text, context_again(), origin_.tilesets);
+    if (!content) return tl::unexpected(content.error());
+    groups = content->map.groups;
+    if (arranges_) tiles.clear();
+    for (const TiledLayer& layer : content->map.layers) {
+      if (layer.has_tiles && arranges_) tiles.push_back(layer.looks);
+      if (!layer.has_tiles) others.push_back(layer);
+    }
+  }
+  auto document = tiled_document(text);
+  if (!document) return tl::unexpected(document.error());
+  for (std::size_t i = 0; i < level_.layers.list.size() && has_cells_; ++i) {
+    const int number = arranges_ ? static_cast<int>(i) : origin_.layers[i];
+    TileLayer now = level_.layers.list[i];
+    if (now.name.empty() && origin_.layers.size() <= 1) now.name = tiles[i].name;  // it was not read
+    (*document)->set_looks(TiledLayerKind::tiles, number, tiles[i], now);
+  }
+  for (std::size_t i = 0; i < objects.layers.size(); ++i) {
+    const int slot = objects.layers[i];
+    const int layer = arranged.objects.empty() ? slot : arranged.objects[static_cast<std::size_t>(slot)];
+    const ObjectLayer& now = level_.objects[i];
+    TiledLayer& renamed = others[static_cast<std::size_t>(layer)];
+    ObjectLayer before = object_layer_of(renamed);
+    renamed.name = now.name;  // which may say that the layer is ground, or no longer say it
+    before.is_ground = object_layer_of(renamed).is_ground;
+    (*document)->set_looks(TiledLayerKind::objects, layer, looks_of(before), looks_of(now));
+    if (before.by_y != now.by_y && !now.image) (*document)->set_draw_order(layer, now.by_y);
+  }
+  for (std::size_t i = 0; i < arranged.groups.size(); ++i) {
+    const int group = arranged.groups[i];
+    if (group >= 0)
+      (*document)->set_looks(TiledLayerKind::groups, group, looks_of(groups[static_cast<std::size_t>(group)]),
+                             looks_of(level_.layers.groups[i]));
+  }
+  return (*document)->text();
+}
+
+// The layers without groups that hold nothing: a layer of objects whose bodies are removed stays in the file.
+TileLayers without_empty_groups(TileLayers layers, std::vector<ObjectLayer> objects) {
+  std::erase_if(objects, [](const ObjectLayer& layer) { return layer.objects.empty() && !layer.image; });
+  tidy_groups(layers, objects);
+  return layers;
+}
+
 // Whether both have the same layers with the same cells.
 bool has_same_layers(Level a, const Level& b) {
+  if (a.layers.count() != b.layers.count()) return false;
   a.choose_layer(b.layers.chosen);
-  return a.map == b.map && a.layers == b.layers;
+  return a.map == b.map &&
+         without_empty_groups(a.layers, a.objects) == without_empty_groups(b.layers, b.objects);
 }
 
 FormatContext TiledSaver::context_again() const {
   FormatContext context{.extension = origin_.extension, .folder = origin_.folder};
-  if (origin_.layers.size() == 1) context.choices.layer_number = origin_.layers[0] + 1;
+  if (is_one_of_many_) context.choices.layer_number = origin_.layers[0] + 1;
+  context.choices.outside = origin_.outside;
   context.choices.frame = origin_.frame;
   context.choices.frame->width = level_.map.width();
   context.choices.frame->height = level_.map.height();
@@ -264,22 +426,113 @@ FormatResult<Level> TiledSaver::read_back(const WrittenLevel& written) const {
 
 bool TiledSaver::has_other_tiles() const {
   return level_.tile_shapes != origin_.opened->tile_shapes ||
-         level_.sheet(SheetId::tiles).flags != origin_.opened->sheet(SheetId::tiles).flags;
+         level_.sheet(SheetId::tiles).flags != origin_.opened->sheet(SheetId::tiles).flags ||
+         level_.tile_notes != origin_.opened->tile_notes || level_.animations != origin_.opened->animations;
+}
+
+bool TiledSaver::has_other_objects() const {
+  const Level& opened = *origin_.opened;
+  return level_.spawns != opened.spawns || level_.curves != opened.curves || level_.objects != opened.objects;
+}
+
+bool TiledSaver::has_other_looks() const {
+  const auto same_looks = [](TileLayer a, TileLayer b) {
+    a.cells = b.cells = nullptr;
+    return a == b;
+  };
+  const std::vector<TileLayer>&now = level_.layers.list, &then = origin_.opened->layers.list;
+  return has_other_objects() || level_.layers.groups != origin_.opened->layers.groups ||
+         !std::equal(now.begin(), now.end(), then.begin(), then.end(), same_looks);
+}
+
+// Whether layers may have other places in the map, or other groups.
+bool TiledSaver::may_move_layers() const {
+  const auto same_group = [](const TileLayer& a, const TileLayer& b) { return a.group == b.group; };
+  const TileLayers &now = level_.layers, &then = origin_.opened->layers;
+  return arranges_ || has_other_objects() || now.groups != then.groups ||
+         !std::equal(now.list.begin(), now.list.end(), then.list.begin(), then.list.end(), same_group);
+}
+
+// Takes over what the files hold, but is not read from them: how the only layer looks, and the name of one
+// that was the only one. Layers without objects count only in the files.
+void TiledSaver::take_unread(Level& held) const {
+  const std::vector<TileLayer>& layers = level_.layers.list;
+  for (std::size_t i = 0; i < layers.size() && layers.size() == held.layers.list.size(); ++i) {
+    TileLayer& its = held.layers.list[i];
+    if (layers.size() == 1 || (layers[i].name.empty() && origin_.layers.size() <= 1))
+      its.name = layers[i].name;
+    if (layers.size() > 1) continue;
+    its.visible = layers[i].visible;
+    its.is_ground = layers[i].is_ground;
+  }
+  const auto without_empty = [this](std::vector<ObjectLayer> all) {
+    std::erase_if(all, [](const ObjectLayer& layer) { return layer.objects.empty() && !layer.image; });
+    for (ObjectLayer& layer : all) layer.place = std::clamp(layer.place, 0, level_.layers.count());
+    std::stable_sort(all.begin(), all.end(),  // as they are drawn
+                     [](const ObjectLayer& a, const ObjectLayer& b) { return a.place < b.place; });
+    return all;
+  };
+  if (without_empty(held.objects) == without_empty(level_.objects)) held.objects = level_.objects;
+}
+
+// Whether the files hold what can be written of a note.
+bool is_written(const TileNote& note, const TileNote& held) {
+  return note.type == held.type && note.probability == held.probability &&
+         have_same_values(note.properties, held.properties);
+}
+
+// Without edits, if the companion has the objects.
+FormatResult<TiledObjectEdits> TiledSaver::edits_of_objects(bool writes_objects) {
+  TiledObjectEdits objects;
+  if (!is_map_ || !may_move_layers()) return objects;
+  if (const auto read = read_origin(); !read) return tl::unexpected(read.error());
+  const bool is_as_opened = model_->level.spawns == origin_.opened->spawns &&
+                            model_->level.curves == origin_.opened->curves &&
+                            model_->level.objects == origin_.opened->objects &&
+                            model_->sources.layers.size() == model_->level.objects.size();
+  if (writes_objects && is_as_opened)
+    return object_edits(level_, model_->level, model_->content.map, model_->sources);
+  for (const TiledLayer& layer : model_->content.map.layers)
+    if (!layer.has_tiles) objects.order.push_back({static_cast<int>(objects.order.size())});
+  return objects;
 }
 
 FormatResult<TiledSaver::Attempt> TiledSaver::attempt(const Plan& plan) {
-  auto document = tiled_document(origin_.bytes);
+  const auto objects = edits_of_objects(plan.writes_objects);
+  if (!objects) return tl::unexpected(objects.error());
+  TiledArrangement arranged;
+  if (is_map_ && may_move_layers()) {
+    auto found = arrangement(*objects);
+    if (!found) return tl::unexpected(found.error());
+    arranged = *std::move(found);
+  }
+  std::string text = origin_.bytes;
+  if (arranged.is_new) {
+    auto document = tiled_document(text);
+    if (!document) return tl::unexpected(document.error());
+    (*document)->arrange(arranged.tree);
+    text = (*document)->text();
+  }
+  auto document = tiled_document(text);
   if (!document) return tl::unexpected(document.error());
+  if (model_ && objects->order.size() > static_cast<std::size_t>((*document)->object_layer_count()))
+    return cannot("has layers of objects that the map cannot hold");
+  for (const auto& [slot, edits] : objects->of) {
+    const int layer = arranged.objects.empty() ? slot : arranged.objects[static_cast<std::size_t>(slot)];
+    if (layer >= 0) (*document)->edit_objects(layer, edits);
+  }
   if (const auto written = write_layers(**document); !written) return tl::unexpected(written.error());
   TiledTilesetEdits tiles;
   if (model_) {
     const auto names = names_for_tiled(level_, *origin_.opened, plan.takes_new_names);
-    tiles = tileset_edits(level_, origin_, *model_, names, plan.left_out);
+    tiles = tileset_edits(level_, origin_, model_->content, names, plan.left_out);
   }
   for (const auto& [place, edits] : tiles.of) {
     if (place.first.empty()) (*document)->edit_tiles(place.second, edits);
   }
-  Attempt attempt{{(*document)->text(), {}}, Level(), {}};
+  auto map = with_looks((*document)->text(), *objects, arranged);
+  if (!map) return tl::unexpected(map.error());
+  Attempt attempt{{*std::move(map), {}}, Level(), {}};
   for (const TiledOrigin::File& file : origin_.tilesets) {
     std::string bytes = file.bytes;
     if (const auto found = tiles.of.find({file.path, 0}); found != tiles.of.end()) {
@@ -294,7 +547,8 @@ FormatResult<TiledSaver::Attempt> TiledSaver::attempt(const Plan& plan) {
   const bool is_same = attempt.held && attempt.held->tiled->frame.tiles == origin_.frame.tiles;
   for (const TileNumber tile : tiles.tiles) {
     if (!is_same || attempt.held->tile_shapes[tile] != level_.tile_shapes[tile] ||
-        attempt.held->tile_flags(tile) != level_.tile_flags(tile))
+        attempt.held->tile_flags(tile) != level_.tile_flags(tile) ||
+        !is_written(note_of(level_.tile_notes, tile), note_of(attempt.held->tile_notes, tile)))
       attempt.wrong.insert(tile);
   }
   // The empty tile, alone, may be what moves the numbers.
@@ -305,13 +559,16 @@ FormatResult<TiledSaver::Attempt> TiledSaver::attempt(const Plan& plan) {
 FormatResult<WrittenLevel> TiledSaver::write() {
   if (const auto checked = check_place(); !checked) return tl::unexpected(checked.error());
   if (const auto checked = check_tiles(); !checked) return tl::unexpected(checked.error());
+  if (const auto found = find_layers(); !found) return tl::unexpected(found.error());
   if (has_other_tiles()) {
-    auto model = read_tiled_content(origin_.bytes, context_again(), origin_.tilesets);
-    if (!model) return cannot("cannot be read again: " + model.error().message);
-    model_ = *std::move(model);
+    if (const auto read = read_origin(); !read) return tl::unexpected(read.error());
   }
   Plan plan;
   auto last = attempt(plan);
+  if (has_other_objects() && (!last || !last->held)) {
+    plan.writes_objects = false;
+    last = attempt(plan);
+  }
   if (last && !last->wrong.empty() && level_.flag_names != origin_.opened->flag_names) {
     plan.takes_new_names = false;
     last = attempt(plan);
@@ -323,8 +580,9 @@ FormatResult<WrittenLevel> TiledSaver::write() {
   if (!last) return tl::unexpected(last.error());
   FormatResult<Level>& held = last->held;
   if (!held) return tl::unexpected(held.error());
+  take_unread(*held);
   if (held->tiled->frame.tiles != origin_.frame.tiles || (has_cells_ && !has_same_layers(*held, level_)))
-    return cannot("has layers of tiles that the map cannot hold as they are");
+    return cannot("has layers of tiles, or groups of layers, that the map cannot hold as they are");
   held->choose_layer(level_.layers.chosen);
   // Pictures that were painted elsewhere meanwhile are no edits.
   held->sheet(SheetId::tiles).images = level_.sheet(SheetId::tiles).images;

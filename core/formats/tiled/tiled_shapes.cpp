@@ -6,6 +6,7 @@
 #include <locale>
 #include <numbers>
 #include <sstream>
+#include <utility>
 
 #include <talus/collision/shape_forms.h>
 #include "../text/append_number.h"
@@ -270,6 +271,21 @@ std::optional<TileShape> polygon_of(const std::vector<Vec2>& outline, bool one_w
   return shape;
 }
 
+TiledProperty polygon_word() { return {"shape", std::string("polygon")}; }
+
+bool says_polygon(const TiledObject& object) {
+  return std::find(object.properties.begin(), object.properties.end(), polygon_word()) !=
+         object.properties.end();
+}
+
+std::optional<TileShape> shape_of_object(const TiledObject& object, const std::vector<Vec2>& outline,
+                                         bool one_way, bool is_ceiling, TileSize tile) {
+  auto of_line = says_polygon(object) ? std::nullopt : tile_shape_of(outline, one_way, tile);
+  // A one-way plank at the top of its tile looks like a ceiling, but bodies stand on it.
+  if (of_line && (!one_way || is_ceiling || of_line->side == TileShape::Side::floor)) return of_line;
+  return polygon_of(outline, one_way, tile);
+}
+
 std::optional<NearestShape> nearest_tile_shape(const std::vector<Vec2>& outline, TileSize tile) {
   const bool is_in_reach = std::all_of(outline.begin(), outline.end(), [](Vec2 p) {
     return std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate;
@@ -315,6 +331,30 @@ TileShape as_in_words(const TileShape& shape, const TiledTile& tile, TileSize si
   const std::vector<TiledObject> outline = tiled_objects(said, size);
   if (outline.empty()) return shape;
   return tile_shape_of(outline_of(outline.front()), shape.one_way, size) == shape ? said : shape;
+}
+
+TiledObject turned(const TiledObject& object, std::uint32_t turn, TileSize tile) {
+  TiledObject result;
+  result.form = TiledObject::Form::polygon;
+  result.properties = object.properties;
+  result.points = outline_of(object);
+  if (turn == 0 || result.points.empty()) return object;
+  for (Vec2& p : result.points) {
+    if (turn & kTiledFlipXY) std::swap(p.x, p.y);
+    if (turn & kTiledFlipX) p.x = tile.width - p.x;
+    if (turn & kTiledFlipY) p.y = tile.height - p.y;
+  }
+  return result;
+}
+
+TiledObject stretched(const TiledObject& object, Vec2 by) {
+  TiledObject result;
+  result.form = TiledObject::Form::polygon;
+  result.properties = object.properties;
+  result.points = outline_of(object);
+  if (result.points.empty()) return object;
+  for (Vec2& p : result.points) p = {p.x * by.x, p.y * by.y};
+  return result;
 }
 
 }  // namespace talus

@@ -13,6 +13,13 @@ namespace talus {
 // object is applied.
 std::vector<Vec2> outline_of(const TiledObject& object);
 
+// A box or polygon of a tile of that size as it appears in cells that turn it; other objects stay as they
+// are.
+TiledObject turned(const TiledObject& object, std::uint32_t turn, TileSize tile);
+
+// An object as a polygon that is larger by these factors; one without an outline stays as it is.
+TiledObject stretched(const TiledObject& object, Vec2 by);
+
 // Returns the shape that an outline is: either the whole tile, or the ground between a line over whole tiles,
 // from the left side of the tile on, and the bottom (a floor) or the top (a ceiling). The direction and the
 // first point of the outline do not matter. Beside the ground, the line may lie on the bottom or the top.
@@ -24,6 +31,17 @@ std::optional<TileShape> tile_shape_of(const std::vector<Vec2>& outline, bool on
 // Returns the polygon that an outline is, welded and without points at the place of the one before. Returns
 // nothing if no level can hold it (see problem_of). one_way: see tile_shape_of.
 std::optional<TileShape> polygon_of(const std::vector<Vec2>& outline, bool one_way, TileSize tile);
+
+// Whether an object of a tile says that it stays a polygon, where its outline is that of a slope, too.
+// Without that word such an outline is a slope.
+bool says_polygon(const TiledObject& object);
+// The property of that word.
+TiledProperty polygon_word();
+// Returns what the outline of an object of a tile is: what tile_shape_of() or polygon_of() gives. outline: of
+// the object, in px from the tile's corner. is_ceiling: whether a one-way line at the top of the tile stops
+// bodies from below; else they stand on it.
+std::optional<TileShape> shape_of_object(const TiledObject& object, const std::vector<Vec2>& outline,
+                                         bool one_way, bool is_ceiling, TileSize tile);
 
 // The shape that comes nearest to an outline.
 struct NearestShape {

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <iterator>
 
+#include "tiled_flags.h"
 #include "tiled_objects.h"
+#include "tiled_properties.h"
 #include "tiled_shapes.h"
 
 namespace talus {
@@ -13,7 +15,7 @@ namespace {
 class TileWriter {
  public:
   TileWriter(const Level& level, const TiledContent& model, const TiledSource& source, TileNumber number,
-             const std::array<std::string, kFlagCount>& names)
+             const std::array<std::string, kMaxFlags>& names)
       : level_(level),
         size_(level.map.tile_size()),
         names_(names),
@@ -24,12 +26,23 @@ class TileWriter {
     shape_ = level.tile_shapes[number];
   }
 
-  // before: the flags that the files give.
-  TiledTileEdit edit(std::uint8_t before) {
+  // before: the flags that the files give. shape_differs: whether the level has other flags, or another
+  // shape.
+  void edit_physics(FlagSet before, bool shape_differs) {
     if (flags_ != before) edit_flags(before);
-    if (!objects_give_flags()) edit_shape();
-    return std::move(edit_);
+    if (shape_differs && !objects_give_flags()) edit_shape();
   }
+  // Properties that are true or false would be read as flags: they are left out.
+  void edit_note(const TileNote& before, const TileNote& now) {
+    if (now.probability != before.probability) edit_.probability = now.probability;
+    if (now.type != before.type) edit_.type = now.type;
+    for (TiledPropertyEdit& property : property_edits(before.properties, now.properties)) {
+      const bool is_flag = property.value && std::holds_alternative<bool>(*property.value);
+      if (!is_flag) edit_.properties.push_back(std::move(property));
+    }
+  }
+  void edit_animation(std::vector<TiledTile::Frame> frames) { edit_.animation = std::move(frames); }
+  TiledTileEdit take() { return std::move(edit_); }
 
  private:
   struct Part {
@@ -50,7 +63,7 @@ class TileWriter {
     edit_.properties.push_back({std::move(name), std::move(value)});
   }
 
-  void edit_flags(std::uint8_t before);
+  void edit_flags(FlagSet before);
   bool objects_give_flags() const;
   void edit_shape();
   void edit_words(const std::vector<Part>& parts);
@@ -60,8 +73,8 @@ class TileWriter {
 
   const Level& level_;
   TileSize size_;
-  const std::array<std::string, kFlagCount>& names_;
-  std::uint8_t flags_;
+  const std::array<std::string, kMaxFlags>& names_;
+  FlagSet flags_;
   TiledPlace place_;
   TiledTile tile_;
   TileShape shape_;
@@ -74,11 +87,11 @@ bool is_one_way_object(const TiledObject& object) {
 }
 
 // A number with all flags is kept up to date; else each flag is a property.
-void TileWriter::edit_flags(std::uint8_t before) {
+void TileWriter::edit_flags(FlagSet before) {
   const bool has_number = find_property<std::int64_t>(tile_.properties, "flags") != nullptr;
-  if (has_number) set("flags", std::int64_t{flags_});
-  for (int flag = 0; flag < kFlagCount; ++flag) {
-    const int bit = 1 << flag;
+  if (has_number) set("flags", tiled_number_of(flags_));
+  for (int flag = 0; flag < kMaxFlags; ++flag) {
+    const FlagSet bit = flag_bit(flag);
     if (((flags_ ^ before) & bit) == 0) continue;
     const std::string& name = names_[static_cast<std::size_t>(flag)];
     const bool is_there = property(name) != nullptr, is_on = (flags_ & bit) != 0;
@@ -95,9 +108,7 @@ std::optional<TileShape> TileWriter::part_of(const TiledObject& object, bool one
   constexpr std::size_t kMostCorners = 1024;  // as where shapes are read
   if (outline.empty() || outline.size() > kMostCorners) return {};
   const bool is_ceiling = shape_.side == TileShape::Side::ceiling;
-  const auto of_line = tile_shape_of(outline, one_way, size_);
-  if (of_line && (!one_way || is_ceiling || of_line->side == TileShape::Side::floor)) return of_line;
-  if (auto shape = polygon_of(outline, one_way, size_)) return shape;
+  if (auto shape = shape_of_object(object, outline, one_way, is_ceiling, size_)) return shape;
   auto nearest = nearest_tile_shape(outline, size_);
   if (!nearest) return {};
   nearest->shape.one_way = nearest->shape.one_way || one_way;
@@ -142,6 +153,7 @@ void TileWriter::edit_shape() {
   std::erase_if(parts, [&](const Part& part) { return tiled_objects(part.shape, size_).empty(); });
   edit_words(parts);
   for (Part& part : parts) {  // as they are read again: a profile has as many heights as its line needs
+    if (part.shape.kind == TileShape::Kind::polygon) continue;
     const TiledObject object = tiled_objects(part.shape, size_).front();
     if (auto read = tile_shape_of(outline_of(object), part.shape.one_way, size_))
       part.shape = *std::move(read);
@@ -197,19 +209,28 @@ void TileWriter::edit_objects(std::vector<Part>& parts) {
   for (const Part& part : parts) {
     if (part.is_there) continue;
     TiledObjectEdit change{-1, false, object_of(part.shape), {}};
-    bool was_one_way = false;
+    bool was_one_way = false, was_polygon = false;
     if (next != others.end()) {
       const TiledObject& old = tile_.objects[static_cast<std::size_t>(*next)];
       change.index = *next++;
       change.object->name = old.name;
       change.object->type = old.type;
       was_one_way = is_one_way_object(old);
+      was_polygon = says_polygon(old);
     }
+    const bool is_polygon = part.shape.kind == TileShape::Kind::polygon &&
+                            part_of(*change.object, part.shape.one_way) != part.shape;
+    if (is_polygon && !was_polygon) change.properties.push_back({polygon_word().name, polygon_word().value});
+    if (!is_polygon && was_polygon) change.properties.push_back({polygon_word().name, std::nullopt});
     if (part.shape.one_way && !all_one_way && !was_one_way) change.properties.push_back({"one_way", true});
     if (!part.shape.one_way && was_one_way) change.properties.push_back({"one_way", std::nullopt});
     edit_.objects.push_back(std::move(change));
   }
-  for (; next != others.end(); ++next) edit_.objects.push_back({*next, true, {}, {}});
+  for (; next != others.end(); ++next) {
+    TiledObjectEdit& removal = edit_.objects.emplace_back();
+    removal.index = *next;
+    removal.removes = true;
+  }
 }
 
 // The tileset that a number in cells belongs to; -1: none.
@@ -223,18 +244,40 @@ int tileset_of(const TiledMap& map, std::uint32_t gid) {
   return found;
 }
 
+bool is_same_animation(const TileAnimation* a, const TileAnimation* b) {
+  return a == nullptr || b == nullptr ? a == b : *a == *b;
+}
+
+// The frames as the tileset has them, none without an animation; nothing if one shows a tile that the tileset
+// lacks.
+std::optional<std::vector<TiledTile::Frame>> frames_in(const TiledFrame& frame, const TiledTileset& tileset,
+                                                       const TileAnimation* animation) {
+  std::vector<TiledTile::Frame> frames;
+  if (animation == nullptr) return frames;
+  const auto count = static_cast<std::uint32_t>(grid_of(tileset).count);
+  for (const auto& [tile, duration] : *animation) {
+    const std::uint32_t cell = tile < frame.tiles.size() ? frame.tiles[tile] : 0;
+    if (cell < tileset.first_gid || cell - tileset.first_gid >= count) return std::nullopt;
+    frames.push_back({static_cast<int>(cell - tileset.first_gid), duration});
+  }
+  return frames;
+}
+
 }  // namespace
 
 TiledTilesetEdits tileset_edits(const Level& level, const TiledOrigin& origin, const TiledContent& model,
-                                const std::array<std::string, kFlagCount>& names,
+                                const std::array<std::string, kMaxFlags>& names,
                                 const std::set<TileNumber>& left_out) {
   TiledTilesetEdits edits;
   const Level& opened = *origin.opened;
   for (std::size_t n = 0; n < origin.frame.tiles.size() && n < level.tile_shapes.size(); ++n) {
     const auto number = static_cast<TileNumber>(n);
-    if (level.tile_shapes[n] == opened.tile_shapes[n] &&
-        level.tile_flags(number) == opened.tile_flags(number))
-      continue;
+    const bool same_physics = level.tile_shapes[n] == opened.tile_shapes[n] &&
+                              level.tile_flags(number) == opened.tile_flags(number);
+    const TileNote &now = note_of(level.tile_notes, number), &before = note_of(opened.tile_notes, number);
+    const TileAnimation* const animation = find_animation(level.animations, number);
+    const bool same_animation = is_same_animation(animation, find_animation(opened.animations, number));
+    if (same_physics && now == before && same_animation) continue;
     const std::uint32_t cell = origin.frame.tiles[n];
     const int of = cell == (cell & kTiledIdBits) && cell != 0 ? tileset_of(model.map, cell) : -1;
     if (of < 0 || left_out.contains(number)) continue;
@@ -242,14 +285,17 @@ TiledTilesetEdits tileset_edits(const Level& level, const TiledOrigin& origin, c
     if (tileset.is_missing) continue;
     const TiledSource source{of, static_cast<int>(cell - tileset.first_gid), 0};
     TileWriter writer(level, model, source, number, names);
+    writer.edit_physics(opened.tile_flags(number), !same_physics);
+    writer.edit_note(before, now);
+    if (auto frames = same_animation ? std::nullopt : frames_in(origin.frame, tileset, animation))
+      writer.edit_animation(*std::move(frames));
     const TiledTilesetPlace place{tileset.file, tileset.file.empty() ? of : 0};
-    if (edits.of[place].try_emplace(source.id, writer.edit(opened.tile_flags(number))).second)
-      edits.tiles.insert(number);
+    if (edits.of[place].try_emplace(source.id, writer.take()).second) edits.tiles.insert(number);
   }
   return edits;
 }
 
-std::array<std::string, kFlagCount> names_for_tiled(const Level& level, const Level& opened, bool takes_new) {
+std::array<std::string, kMaxFlags> names_for_tiled(const Level& level, const Level& opened, bool takes_new) {
   auto names = tiled_flag_names(opened);
   const auto new_names = tiled_flag_names(level);
   for (std::size_t flag = 0; takes_new && flag < names.size(); ++flag) {

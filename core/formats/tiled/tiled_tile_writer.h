@@ -23,11 +23,11 @@ struct TiledTilesetEdits {
 // The tiles that differ from the level as the files gave it, without those that are left out and those that
 // no tileset has. names: those of the flags.
 TiledTilesetEdits tileset_edits(const Level& level, const TiledOrigin& origin, const TiledContent& model,
-                                const std::array<std::string, kFlagCount>& names,
+                                const std::array<std::string, kMaxFlags>& names,
                                 const std::set<TileNumber>& left_out);
 
 // The name that a flag has in the files, or gets there: that of the files, or else that of the level. Without
 // `takes_new` the level's names do not count.
-std::array<std::string, kFlagCount> names_for_tiled(const Level& level, const Level& opened, bool takes_new);
+std::array<std::string, kMaxFlags> names_for_tiled(const Level& level, const Level& opened, bool takes_new);
 
 }  // namespace talus

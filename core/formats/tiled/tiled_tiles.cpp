@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "../import/numbered_box.h"
-#include "tiled_shapes.h"
 
 namespace talus {
 namespace {
@@ -22,8 +21,15 @@ FormatError whole_error(std::string message, std::string remedy = {}) {
   return {"", std::move(message), std::move(remedy)};
 }
 
+// What a cell shows: a tile, and how the cell turns it. A tile that does not have the size of a cell is
+// turned elsewhere than the cell, so that a turned one is a tile of its own.
+struct ShownTile {
+  TiledSource source;
+  TileTurn turn = TileTurn::none;
+};
+
 // By the number in the layers, with the bits that turn the tile.
-using SourceOfCell = std::unordered_map<std::uint32_t, TiledSource>;
+using SourceOfCell = std::unordered_map<std::uint32_t, ShownTile>;
 
 class TileNumberer {
  public:
@@ -53,15 +59,19 @@ class TileNumberer {
   void add_frames(std::set<TiledSource>& sources) const;
   // The tiles that the different cells show; blank sources for empty cells.
   FormatResult<SourceOfCell> sources_of_cells() const;
+  int tileset_of(std::uint32_t gid) const;
   TiledSource source_of(std::uint32_t cell) const;
-  void tell_parts_outside(const TiledSource& source) const;
+  ShownTile shown_by(const TiledSource& source) const;
+  std::set<int> tilesets_of_objects() const;
   std::vector<int> shown_tilesets(const SourceOfCell& cells);
   SheetLayout layout_of(const std::vector<int>& tilesets) const;
   FormatResult<void> place_tilesets(const std::vector<int>& tilesets);
   FormatResult<void> add_turned(const SourceOfCell& cells);
   FormatResult<void> add_tile(const TiledSource& source);
   bool is_blank(const TiledSource& source) const;
-  FormatResult<void> free_tile_0();
+  bool shows_tile_0() const;
+  // frame: how the map was numbered before; null: it was not.
+  FormatResult<void> free_tile_0(const TiledFrame* frame);
   FormatResult<void> fill_map(const SourceOfCell& cells);
 
   const Progress& progress_;
@@ -74,10 +84,12 @@ class TileNumberer {
   std::vector<int> order_;  // tilesets by their first number
   TiledTiles tiles_;
   std::size_t cell_count_ = 0;  // of all layers
+  // Of a frame: all tiles that the level has. Cells turn those whose turned form is not among them.
+  std::optional<std::set<TiledSource>> known_;
 };
 
 FormatResult<SourceOfCell> TileNumberer::sources_of_cells() const {
-  constexpr std::size_t kMostDifferent = 65'536;
+  constexpr std::size_t kMostDifferent = std::size_t{kTileTurns} * kMaxTiles;
   SourceOfCell sources;
   std::size_t done = 0;
   for (const TiledLayer* layer : layers_) {
@@ -86,59 +98,69 @@ FormatResult<SourceOfCell> TileNumberer::sources_of_cells() const {
       if (done++ % kCellsAtOnce == 0 && !progress_.at(done, 2 * cell_count_)) return was_cancelled();
       if (std::exchange(last, cell) == cell || sources.contains(cell)) continue;
       if (sources.size() == kMostDifferent) {
-        return tl::unexpected(
-            whole_error("shows more than " + std::to_string(kMostDifferent) +
-                        " different tiles, but a level has only as many with the empty one"));
+        return tl::unexpected(whole_error("shows more than " + std::to_string(kMostDifferent) +
+                                          " different tiles, turned ones among them, which is too many"));
       }
-      sources[cell] = source_of(cell);
+      sources[cell] = shown_by(source_of(cell));
     }
   }
   return sources;
 }
 
-// A blank one for a cell that is empty, or whose tile no tileset has.
-TiledSource TileNumberer::source_of(std::uint32_t cell) const {
-  const std::uint32_t gid = cell & kTiledIdBits;
-  if (gid == 0) return {};
+// -1: none has it. gid: without bits that turn it.
+int TileNumberer::tileset_of(std::uint32_t gid) const {
   const auto after = std::upper_bound(order_.begin(), order_.end(), gid, [&](std::uint32_t number, int of) {
     return number < tileset(of).first_gid;
   });
-  const int of = after == order_.begin() ? -1 : *std::prev(after);
+  return after == order_.begin() ? -1 : *std::prev(after);
+}
+
+// A blank one for an empty cell, or if no tileset has its tile.
+TiledSource TileNumberer::source_of(std::uint32_t cell) const {
+  const std::uint32_t gid = cell & kTiledIdBits;
+  if (gid == 0) return {};
+  const int of = tileset_of(gid);
   const auto id = of < 0 ? 0 : gid - tileset(of).first_gid;
   if (of < 0 || id >= static_cast<std::uint32_t>(grid_of(tileset(of)).count)) {
     drops_.add("tile " + std::to_string(gid) + " in cells, which no tileset has");
     return {};
   }
-  const TiledSource source{of, static_cast<int>(id), cell & kTurns};
-  tell_parts_outside(source);
-  return source;
+  return {of, static_cast<int>(id), cell & kTurns};
 }
 
-void TileNumberer::tell_parts_outside(const TiledSource& source) const {
-  const TiledPlace place = place_of_tile(map_, pictures_, source);
-  const bool is_quarter = (source.turn & kTiledFlipXY) != 0;
-  const int width = is_quarter ? place.size.height : place.size.width;
-  const int height = is_quarter ? place.size.width : place.size.height;
-  const bool is_inside = place.x >= 0 && place.y >= 0 && place.x + width <= map_.tile_size.width &&
-                         place.y + height <= map_.tile_size.height;
-  if (!is_inside) {
-    drops_.add("the parts of a tile of the tileset " + quoted_name(tileset(source.tileset).name) +
-               " that are drawn outside of its cell");
+ShownTile TileNumberer::shown_by(const TiledSource& source) const {
+  if (source.tileset < 0) return {source};
+  const bool is_known = known_ && (known_->contains(source) || source.turn == 0);
+  const TiledPlace place = place_of_tile(map_, pictures_, {source.tileset, source.id, 0});
+  const bool is_cell = place.size == map_.tile_size && place.x == 0 && place.y == 0;
+  if (source.turn != 0 && !is_known && (known_ || is_cell))
+    return {{source.tileset, source.id, 0}, static_cast<TileTurn>(source.turn >> kTiledTurnShift)};
+  return {source};
+}
+
+std::set<int> TileNumberer::tilesets_of_objects() const {
+  std::set<int> shown;
+  for (const TiledLayer& layer : map_.layers) {
+    for (const TiledObject& object : layer.objects)
+      if (object.gid != 0) shown.insert(tileset_of(object.gid & kTiledIdBits));
   }
+  return shown;
 }
 
-// The tilesets of which the map shows tiles, by their first numbers; if it shows no tile, the first tileset.
+// The tilesets of which the map's cells show tiles, by their first numbers; if it shows no tile, the first
+// tileset.
 std::vector<int> TileNumberer::shown_tilesets(const SourceOfCell& cells) {
   std::set<int> shown;
-  for (const auto& [cell, source] : cells) {
-    if (source.tileset >= 0) shown.insert(source.tileset);
+  for (const auto& [cell, tile] : cells) {
+    if (tile.source.tileset >= 0) shown.insert(tile.source.tileset);
   }
   if (shown.empty() && !order_.empty()) shown.insert(order_.front());
+  const std::set<int> of_objects = tilesets_of_objects();
   std::vector<int> tilesets;
   for (const int i : order_) {
     if (shown.contains(i))
       tilesets.push_back(i);
-    else
+    else if (!of_objects.contains(i))
       drops_.add("the tileset " + quoted_name(tileset(i).name) + ", which the map does not show");
   }
   return tilesets;
@@ -199,16 +221,18 @@ void TileNumberer::add_frames(std::set<TiledSource>& sources) const {
   }
 }
 
-// Adds the tiles that the map turns behind the others.
+// Adds the tiles that the map turns, and that its cells cannot, behind the others.
 FormatResult<void> TileNumberer::add_turned(const SourceOfCell& cells) {
   std::set<TiledSource> turned;
-  for (const auto& [cell, source] : cells) {
-    if (source.turn != 0) turned.insert(source);
+  for (const auto& [cell, tile] : cells) {
+    if (tile.source.turn != 0) turned.insert(tile.source);
   }
   if (turned.empty()) return {};
   add_frames(turned);
-  drops_.add("that " + std::to_string(turned.size()) +
-             " of the tiles are others that are mirrored or turned: they are tiles of their own");
+  drops_.add(
+      "that " + std::to_string(turned.size()) +
+      " of the tiles are others that are mirrored or turned and do not have the size of a cell: they are "
+      "tiles of their own");
   for (const TiledSource& source : turned) {
     if (const auto added = add_tile(source); !added) return added;
   }
@@ -229,29 +253,47 @@ FormatResult<void> TileNumberer::add_tile(const TiledSource& source) {
       whole_error("needs more than " + std::to_string(full) + " tiles with those that it turns", kTakeUsed));
 }
 
-// A tile that is not drawn and has no properties.
+// A tile that is not drawn and has no properties. In a single layer, one of the background's colour is not
+// seen.
 bool TileNumberer::is_blank(const TiledSource& source) const {
   if (source.tileset < 0) return true;
   if (find_tile(tileset(source.tileset), source.id)) return false;
+  if (!place_of_tile(map_, pictures_, source).is_in_cell) return false;
   const TiledTiles alone{.columns = 1, .sources = {source}, .cells = {}};
   const SheetPicture picture = picture_of_tiles(alone, map_, pictures_, map_.tile_size);
-  constexpr int kHalfOpaque = 128;
   for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
     const Rgb color{picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]};
-    if (picture.rgba[i + 3] >= kHalfOpaque && color != background_) return false;
+    if (picture.rgba[i + 3] != 0 && (layers_.size() > 1 || color != background_)) return false;
   }
   return true;
 }
 
-// For empty cells. The map is not filled yet.
-FormatResult<void> TileNumberer::free_tile_0() {
+// Whether a cell shows the first tile of the sheet.
+bool TileNumberer::shows_tile_0() const {
+  const TiledSource& first = tiles_.sources[0];
+  const std::uint32_t number = tileset(first.tileset).first_gid + static_cast<std::uint32_t>(first.id);
+  return std::any_of(layers_.begin(), layers_.end(), [&](const TiledLayer* layer) {
+    return std::any_of(layer->cells.begin(), layer->cells.end(),
+                       [&](std::uint32_t cell) { return (cell & kTiledIdBits) == number; });
+  });
+}
+
+// For empty cells, and for those that are emptied later. A map without empty cells may keep its tile 0: one
+// that Talus wrote, one that would not fit a cart any more, and one that was numbered so before. In one that
+// Talus wrote, the picture of tile 0 may also be that of the empty tile, which no cell shows. The map is not
+// filled yet.
+FormatResult<void> TileNumberer::free_tile_0(const TiledFrame* frame) {
   const bool has_empty = std::any_of(layers_.begin(), layers_.end(), [](const TiledLayer* layer) {
     return std::find(layer->cells.begin(), layer->cells.end(), 0U) != layer->cells.end();
   });
-  tiles_.is_0_empty = has_empty || is_blank(tiles_.sources[0]);
-  if (!has_empty || is_blank(tiles_.sources[0])) return {};
+  tiles_.is_0_empty = true;
+  if (is_blank(tiles_.sources[0])) return {};
   auto blank = std::find_if(tiles_.sources.begin(), tiles_.sources.end(),
                             [&](const TiledSource& source) { return is_blank(source); });
+  const bool is_own = find_property<std::string>(map_.properties, kTiledLevelProperty) != nullptr;
+  const bool is_full_cart = blank == tiles_.sources.end() && tiles_.sources.size() == kCartTiles;
+  tiles_.is_0_empty = has_empty || (frame == nullptr ? !is_own && !is_full_cart : frame->is_0_empty);
+  if (!tiles_.is_0_empty || (is_own && !shows_tile_0())) return {};
   if (blank == tiles_.sources.end()) {
     if (const auto added = add_tile({}); !added) return added;
     blank = std::prev(tiles_.sources.end());
@@ -267,18 +309,18 @@ FormatResult<void> TileNumberer::fill_map(const SourceOfCell& cells) {
   for (std::size_t n = 0; n < tiles_.sources.size(); ++n)
     numbers.try_emplace(tiles_.sources[n], static_cast<TileNumber>(n));
   numbers[TiledSource{}] = 0;
-  std::unordered_map<std::uint32_t, TileNumber> number_of_cell;
-  for (const auto& [cell, source] : cells) number_of_cell[cell] = numbers.at(source);
+  std::unordered_map<std::uint32_t, MapCell> content;
+  for (const auto& [cell, tile] : cells) content[cell] = {numbers.at(tile.source), tile.turn};
   std::size_t done = 0;
   for (const TiledLayer* layer : layers_) {
-    std::vector<TileNumber>& filled = tiles_.cells.emplace_back();
-    filled.reserve(layer->cells.size());
-    std::pair<std::uint32_t, TileNumber> last{0, number_of_cell.contains(0) ? number_of_cell.at(0) : 0};
+    MapCells& filled = tiles_.cells.emplace_back(layer->cells.size());
+    std::size_t i = 0;
+    std::pair<std::uint32_t, MapCell> last{0, content.contains(0) ? content.at(0) : MapCell()};
     for (const std::uint32_t cell : layer->cells) {
       if (done++ % kCellsAtOnce == 0 && !progress_.at(cell_count_ + done, 2 * cell_count_))
         return was_cancelled();
-      if (cell != last.first) last = {cell, number_of_cell.at(cell)};
-      filled.push_back(last.second);
+      if (cell != last.first) last = {cell, content.at(cell)};
+      filled.set(i++, last.second);
     }
   }
   return {};
@@ -290,7 +332,7 @@ FormatResult<TiledTiles> TileNumberer::as_they_are() {
   if (const auto placed = place_tilesets(shown_tilesets(*cells)); !placed)
     return tl::unexpected(placed.error());
   if (const auto added = add_turned(*cells); !added) return tl::unexpected(added.error());
-  if (const auto freed = free_tile_0(); !freed) return tl::unexpected(freed.error());
+  if (const auto freed = free_tile_0(nullptr); !freed) return tl::unexpected(freed.error());
   if (const auto filled = fill_map(*cells); !filled) return tl::unexpected(filled.error());
   return std::move(tiles_);
 }
@@ -299,7 +341,7 @@ FormatResult<TiledTiles> TileNumberer::used() {
   const auto cells = sources_of_cells();
   if (!cells) return tl::unexpected(cells.error());
   std::set<TiledSource> shown;
-  for (const auto& [cell, source] : *cells) shown.insert(source);
+  for (const auto& [cell, tile] : *cells) shown.insert(tile.source);
   shown.erase(TiledSource{});
   add_frames(shown);
   if (shown.size() >= kMaxTiles) {
@@ -319,26 +361,26 @@ FormatResult<TiledTiles> TileNumberer::used() {
 }
 
 FormatResult<TiledTiles> TileNumberer::again(const TiledFrame& frame) {
-  const auto cells = sources_of_cells();
-  if (!cells) return tl::unexpected(cells.error());
   tiles_.columns = frame.columns;
   tiles_.keeps_numbers = frame.keeps_numbers;
   tiles_.sources.clear();
   for (const std::uint32_t tile : frame.tiles) tiles_.sources.push_back(source_of(tile));
-  const std::set<TiledSource> known(tiles_.sources.begin(), tiles_.sources.end());
+  known_.emplace(tiles_.sources.begin(), tiles_.sources.end());
+  const auto cells = sources_of_cells();
+  if (!cells) return tl::unexpected(cells.error());
   std::set<TiledSource> added;
   for (const int i : frame.keeps_numbers ? shown_tilesets(*cells) : std::vector<int>()) {
     for (int id = 0; id < grid_of(tileset(i)).count; ++id) added.insert({i, id, 0});
   }
-  for (const auto& [cell, source] : *cells) {
-    if (source.tileset >= 0) added.insert(source);
+  for (const auto& [cell, tile] : *cells) {
+    if (tile.source.tileset >= 0) added.insert(tile.source);
   }
   add_frames(added);
   for (const TiledSource& source : added) {
-    if (known.contains(source)) continue;
+    if (known_->contains(source)) continue;
     if (const auto done = add_tile(source); !done) return tl::unexpected(done.error());
   }
-  if (const auto freed = free_tile_0(); !freed) return tl::unexpected(freed.error());
+  if (const auto freed = free_tile_0(&frame); !freed) return tl::unexpected(freed.error());
   if (const auto filled = fill_map(*cells); !filled) return tl::unexpected(filled.error());
   return std::move(tiles_);
 }
@@ -382,18 +424,17 @@ Rgba color_of(const TiledMap& map, const TiledPictures& pictures, const TiledSou
     return {box.r, box.g, box.b, 255};
   }
   if (tileset.is_collection && !has_own) return kClear;
-  // In parts of a px, so that the middles of the image's pixels are whole numbers.
-  const std::int64_t parts = std::int64_t{2} * image.width * image.height;
   const TiledPlace place = place_of_tile(map, pictures, source);
   const auto [width, height] = place.size;
-  std::int64_t at_x = (std::int64_t{2} * x + 1) * map.tile_size.width * image.height - place.x * parts;
-  std::int64_t at_y = (std::int64_t{2} * y + 1) * map.tile_size.height * image.width - place.y * parts;
   const bool is_quarter = (source.turn & kTiledFlipXY) != 0;
-  if (source.turn & kTiledFlipY) at_y = (is_quarter ? width : height) * parts - at_y;
-  if (source.turn & kTiledFlipX) at_x = (is_quarter ? height : width) * parts - at_x;
+  const Vec2 scale = is_quarter ? Vec2{place.scale.y, place.scale.x} : place.scale;
+  double at_x = ((2 * x + 1) * map.tile_size.width / (2.0 * image.width) - place.x) / scale.x;
+  double at_y = ((2 * y + 1) * map.tile_size.height / (2.0 * image.height) - place.y) / scale.y;
+  if (source.turn & kTiledFlipY) at_y = (is_quarter ? width : height) - at_y;
+  if (source.turn & kTiledFlipX) at_x = (is_quarter ? height : width) - at_x;
   if (is_quarter) std::swap(at_x, at_y);
-  if (at_x < 0 || at_y < 0 || at_x >= width * parts || at_y >= height * parts) return kClear;
-  const Cell in_tile = {static_cast<int>(at_x / parts), static_cast<int>(at_y / parts)};
+  if (at_x < 0 || at_y < 0 || at_x >= width || at_y >= height) return kClear;
+  const Cell in_tile = {static_cast<int>(at_x), static_cast<int>(at_y)};
   if (has_own) {
     const TiledTile* const tile = find_tile(tileset, source.id);
     return color_in(*own->second, {tile->image_x + in_tile.x, tile->image_y + in_tile.y});
@@ -420,13 +461,46 @@ SheetLayout grid_of(const TiledTileset& tileset) {
   return {columns > 0 ? columns : kCartColumns, count > 0 ? count : kCartTiles};
 }
 
+TileSize size_in_picture(const TiledMap& map, const TiledPictures& pictures, const TiledSource& source) {
+  const TiledTileset& tileset = map.tilesets[static_cast<std::size_t>(source.tileset)];
+  return tileset.is_collection ? size_in_collection(map, pictures, source) : tileset.tile_size;
+}
+
 TiledPlace place_of_tile(const TiledMap& map, const TiledPictures& pictures, const TiledSource& source) {
   const TiledTileset& tileset = map.tilesets[static_cast<std::size_t>(source.tileset)];
-  TiledPlace place{tileset.tile_size, tileset.offset_x, 0};
-  if (tileset.is_collection) place.size = size_in_collection(map, pictures, source);
-  const bool is_quarter = (source.turn & kTiledFlipXY) != 0;
-  place.y = map.tile_size.height - (is_quarter ? place.size.width : place.size.height) + tileset.offset_y;
+  const auto [cell_width, cell_height] = map.tile_size;
+  TiledPlace place{.size = size_in_picture(map, pictures, source)};
+  Vec2 box{1.0 * place.size.width, 1.0 * place.size.height};
+  if (tileset.fits_grid) {
+    box = {1.0 * cell_width, 1.0 * cell_height};
+    place.scale = {box.x / place.size.width, box.y / place.size.height};
+    if (tileset.keeps_ratio) place.scale.x = place.scale.y = std::min(place.scale.x, place.scale.y);
+  }
+  Vec2 drawn{place.size.width * place.scale.x, place.size.height * place.scale.y};
+  if ((source.turn & kTiledFlipXY) != 0) {
+    std::swap(drawn.x, drawn.y);
+    std::swap(box.x, box.y);
+  }
+  place.x = (box.x - drawn.x) / 2 + tileset.offset_x * place.scale.x;
+  place.y = cell_height - (box.y + drawn.y) / 2 + tileset.offset_y * place.scale.y;
+  place.is_in_cell = place.scale == Vec2{1, 1} && place.x >= 0 && place.y >= 0 &&
+                     place.x + drawn.x <= cell_width && place.y + drawn.y <= cell_height;
   return place;
+}
+
+TiledSource source_of_gid(const TiledMap& map, std::uint32_t gid) {
+  const std::uint32_t number = gid & kTiledIdBits;
+  int of = -1;
+  for (std::size_t i = 0; i < map.tilesets.size() && number > 0; ++i) {
+    const std::uint32_t first = map.tilesets[i].first_gid;
+    if (first <= number && (of < 0 || first >= map.tilesets[static_cast<std::size_t>(of)].first_gid))
+      of = static_cast<int>(i);
+  }
+  if (of < 0) return {};
+  const TiledTileset& tileset = map.tilesets[static_cast<std::size_t>(of)];
+  const std::uint32_t id = number - tileset.first_gid;
+  if (id >= static_cast<std::uint32_t>(grid_of(tileset).count)) return {};
+  return {of, static_cast<int>(id), gid & kTurns};
 }
 
 FormatResult<TiledTiles> number_tiles(const TiledMap& map, const std::vector<const TiledLayer*>& layers,
@@ -507,20 +581,6 @@ SheetPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, cons
     }
   }
   return sheet;
-}
-
-TiledObject turned(const TiledObject& object, std::uint32_t turn, TileSize tile) {
-  TiledObject result;
-  result.form = TiledObject::Form::polygon;
-  result.properties = object.properties;
-  result.points = outline_of(object);
-  if (turn == 0 || result.points.empty()) return object;
-  for (Vec2& p : result.points) {
-    if (turn & kTiledFlipXY) std::swap(p.x, p.y);
-    if (turn & kTiledFlipX) p.x = tile.width - p.x;
-    if (turn & kTiledFlipY) p.y = tile.height - p.y;
-  }
-  return result;
 }
 
 const TiledTile* find_tile(const TiledTileset& tileset, int id) {

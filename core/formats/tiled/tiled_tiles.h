@@ -15,6 +15,7 @@ struct TiledPicture {
   std::shared_ptr<const LinkedPicture> file;  // null for a collection
   // Of a collection, the picture of each tile by its id; null where it cannot be read.
   std::map<int, std::shared_ptr<const RgbaPicture>> of_tiles = {};
+  std::map<int, std::string> paths_of_tiles = {};  // of these, as they were opened
   // Whether it cannot be read: numbered boxes stand for its tiles.
   bool is_missing() const { return file != nullptr && file->is_missing; }
 };
@@ -25,14 +26,14 @@ using TiledPictures = std::vector<std::shared_ptr<const TiledPicture>>;
 struct TiledSource {
   int tileset = -1;        // -1: a blank tile
   int id = 0;              // in the tileset
-  std::uint32_t turn = 0;  // the bits kTiledFlipX and so on
+  std::uint32_t turn = 0;  // the bits kTiledFlipX and so on, if it is a tile of its own when it is turned
   friend auto operator<=>(const TiledSource&, const TiledSource&) = default;
 };
 
 struct TiledTiles {
   int columns = kCartColumns;                                               // of the level's sheet
   std::vector<TiledSource> sources = std::vector<TiledSource>(kCartTiles);  // by tile of the level
-  std::vector<std::vector<TileNumber>> cells;                               // by layer, row by row
+  std::vector<MapCells> cells;                                              // by layer, row by row
   bool is_0_empty = true;     // whether tile 0 stands for empty cells, too
   bool keeps_numbers = true;  // whether each tile has the number of its tileset, or its place on the sheet
 };
@@ -40,11 +41,12 @@ struct TiledTiles {
 // Numbers the tiles of some layers of the map. Without `used_tiles` the level gets all tiles of the tilesets
 // that the map shows. A single one with the layout of the base keeps its numbers, and one of up to 16x16
 // tiles lies on a cart's sheet, each tile at its place. Else the sheet is as wide as the widest tileset, and
-// the tilesets lie below one another. Tiles that the map turns become tiles of their own, behind the others.
-// Tile 0 is the empty one: if it is drawn and some cells are empty, it swaps its number with a blank one,
-// which is added behind the others if there is none. With `used_tiles` it gets only the tiles that the map
-// shows. With a frame all tiles keep the numbers that they have there, and those that it lacks come behind
-// them. progress: receives how many of the cells are numbered.
+// the tilesets lie below one another. Cells turn tiles of the size of a cell; others that the map turns
+// become tiles of their own, behind the others. Tile 0 is the empty one: if it is drawn and some cells are
+// empty, it swaps its number with a blank one, which is added behind the others if there is none. With
+// `used_tiles` it gets only the tiles that the map shows. With a frame all tiles keep the numbers that they
+// have there, and those that it lacks come behind them. progress: receives how many of the cells are
+// numbered.
 FormatResult<TiledTiles> number_tiles(const TiledMap& map, const std::vector<const TiledLayer*>& layers,
                                       const TiledPictures& pictures, const ImportChoices& choices,
                                       const SheetLayout& base, Rgb background, ImportDrops& drops,
@@ -63,20 +65,24 @@ TiledFrame frame_of(const TiledTiles& tiles, const TiledMap& map);
 // Where a tile is drawn in a cell that shows it: its bottom left corner is that of the cell, moved by the
 // offset of its tileset.
 struct TiledPlace {
-  TileSize size;     // px, of the tile before it is turned
-  int x = 0, y = 0;  // px, of the top left corner of the turned tile in the cell
+  TileSize size;            // px, of the tile in its picture, before it is turned
+  Vec2 scale{1, 1};         // px of the map for each of them
+  double x = 0, y = 0;      // px, of the top left corner of the turned tile in the cell
+  bool is_in_cell = false;  // whether it reaches not beyond the cell, in its own size
 };
 TiledPlace place_of_tile(const TiledMap& map, const TiledPictures& pictures, const TiledSource& source);
 
+// The tile of a number in cells, with the bits that turn it; of no tileset if none has it.
+TiledSource source_of_gid(const TiledMap& map, std::uint32_t gid);
+
+// The size that a tile has in its picture, px.
+TileSize size_in_picture(const TiledMap& map, const TiledPictures& pictures, const TiledSource& source);
+
 // The sheet with the level's tiles, each as an image of that size: of tiles of another size some pixels are
-// repeated or left out. Of larger tiles than the map's it is the part in the cell. Unknown pixels are
+// repeated or left out. Of tiles that reach beyond their cells it is the part in the cell. Unknown pixels are
 // transparent, except those of missing pictures.
 SheetPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, const TiledPictures& pictures,
                               TileSize image);
-
-// A box or polygon of a tile of that size as it appears in cells that turn it; other objects stay as they
-// are.
-TiledObject turned(const TiledObject& object, std::uint32_t turn, TileSize tile);
 
 const TiledTile* find_tile(const TiledTileset& tileset, int id);  // null if the file says nothing about it
 

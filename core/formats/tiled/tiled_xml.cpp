@@ -11,6 +11,7 @@
 #include <utility>
 
 #include <talus/level/limits.h>
+#include "../files/atomic_file.h"
 #include "../text/utf8_text.h"
 #include "../text/xml_text.h"
 #include "tiled_map.h"
@@ -25,10 +26,11 @@ constexpr std::size_t kMaxXmlParts =
 // JSON values that are made of them. Maps that Talus writes need hardly more than they have parts.
 constexpr std::size_t kMaxXmlValues = 2'600'000;
 
-constexpr std::array<std::string_view, 23> kXmlNumbers = {
-    "width",     "height",  "x",       "y",       "id",       "firstgid",  "tilewidth", "tileheight",
-    "tilecount", "columns", "spacing", "margin",  "rotation", "gid",       "tileid",    "duration",
-    "infinite",  "visible", "opacity", "offsetx", "offsety",  "parallaxx", "parallaxy"};
+constexpr std::array<std::string_view, 27> kXmlNumbers = {
+    "width",      "height",    "x",        "y",       "id",          "firstgid", "tilewidth",
+    "tileheight", "tilecount", "columns",  "spacing", "margin",      "rotation", "gid",
+    "tileid",     "duration",  "infinite", "visible", "opacity",     "offsetx",  "offsety",
+    "parallaxx",  "parallaxy", "repeatx",  "repeaty", "probability", "locked"};
 
 // Members that elements make. Attributes cannot have these names, so lists are always lists.
 constexpr std::array<std::string_view, 16> kElementMembers = {
@@ -234,7 +236,13 @@ class TiledXml {
   }
 
   void add_image(const pugi::xml_node& node, Json& json) {
-    put_once(node, "image", node.attribute("source").value(), json);
+    const pugi::xml_node data = node.child("data");
+    const bool is_inside = std::string_view(data.attribute("encoding").value()) == "base64";
+    std::string name = node.attribute("source").value();
+    if (is_inside)
+      name = "data:image/" + std::string(node.attribute("format").value()).substr(0, 8) + ";base64," +
+             data.text().get();
+    put_once(node, "image", std::move(name), json);
     for (const char* side : {"width", "height"}) {
       if (const auto length = node.attribute(side))
         json[std::string("image") + side] = number_or_text(length.value());
@@ -276,6 +284,8 @@ class TiledXml {
       const std::string_view name = child.name();
       if (name == "data")
         add_data(child, json);
+      else if (name == "image")
+        add_image(child, json);
       else if (name == "object")
         json["objects"].push_back(object(child));
       else
@@ -359,9 +369,9 @@ class TiledXml {
 }  // namespace
 
 std::optional<std::string> problem_of_tiled_xml(std::string_view text) {
-  if (text.size() > kMaxFileBytes)
+  if (text.size() > kMaxTmxBytes)
     return "takes " + std::to_string(text.size() >> 20) + " MiB as a file, but Talus reads only up to " +
-           std::to_string(kMaxFileBytes >> 20);
+           std::to_string(kMaxTmxBytes >> 20);
   const auto parts = std::count_if(text.begin(), text.end(), [](char c) { return c == '<' || c == '='; });
   if (static_cast<std::size_t>(parts) > kMaxXmlParts) return "has too many elements";
   if (const std::size_t objects = count_objects(text); objects > kMaxTiledObjects) {

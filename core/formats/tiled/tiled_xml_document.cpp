@@ -1,12 +1,16 @@
 // TMX and TSX.
 #include <algorithm>
 #include <charconv>
+#include <optional>
 #include <pugixml.hpp>
 
+#include "../import/hex_color.h"
 #include "../text/append_number.h"
 #include "../text/xml_places.h"
 #include "tiled_cells.h"
 #include "tiled_document.h"
+#include "tiled_ids.h"
+#include "tiled_layer_order.h"
 #include "tiled_map.h"
 #include "tiled_xml_editor.h"
 
@@ -34,21 +38,50 @@ class TiledXmlDocument : public TiledDocument {
     constexpr unsigned kParts = pugi::parse_default | pugi::parse_fragment;  // as tiled_xml.cpp
     if (!document_.load_buffer(text_.data(), text_.size(), kParts, pugi::encoding_utf8)) return false;
     root_ = document_.document_element();
-    find_layers(root_);
+    tree_ = find_layers(root_);
     return true;
   }
 
+  bool is_map() const override { return std::string_view(root_.name()) == "map"; }
   int layer_count() const override { return static_cast<int>(layers_.size()); }
+  int object_layer_count() const override { return static_cast<int>(object_layers_.size()); }
   FormatResult<std::vector<TiledBlock>> blocks(int layer) const override;
   void put_cells(int layer, std::size_t block, const TiledBlock& content) override;
   void add_chunks(int layer, const std::vector<TiledBlock>& chunks) override;
-  void set_looks(int layer, const TileLayer& before, const TileLayer& now) override;
+  void set_looks(TiledLayerKind kind, int layer, const TileLayer& before, const TileLayer& now) override;
+  void set_draw_order(int layer, bool by_y) override {
+    set_xml_attribute(places_, object_layers_[static_cast<std::size_t>(layer)], "draworder",
+                      by_y ? "topdown" : "index", edits_);
+  }
+  void edit_objects(int layer, const std::vector<TiledObjectEdit>& edits) override;
+  TiledLayerTree layer_tree() const override { return tree_; }
+  void arrange(const TiledLayerTree& tree) override { arrange_in(root_, tree, edits_); }
   void set_size(int width, int height) override;
   void edit_tiles(int tileset, const TiledTileEdits& edits) override;
-  std::string text() const override { return edits_.applied_to(text_); }
+  std::string text() const override;
 
  private:
-  void find_layers(const pugi::xml_node& node);
+  // line: the blanks before it, from the line break on.
+  std::string new_layer(const TiledLayerNode& node, const std::string& line);
+  std::string new_group(const TiledLayerNode& group, const std::string& line);
+  void arrange_in(const pugi::xml_node& parent, const TiledLayerTree& inside, TextEdits& edits);
+  // Where a layer comes that does not stay: behind an element, or before it; null: at the end of the parent.
+  struct Gap {
+    pugi::xml_node beside;
+    bool is_before = false;
+  };
+  Gap first_gap(const pugi::xml_node& parent, const TiledLayerTree& inside,
+                const std::vector<bool>& stays) const;
+  std::string text_of(const TiledLayerNode& node, const std::string& line);
+  pugi::xml_node element_of(const TiledLayerNode& node) const;
+  const std::vector<pugi::xml_node>& elements(TiledLayerKind kind) const {
+    return kind == TiledLayerKind::tiles     ? layers_
+           : kind == TiledLayerKind::objects ? object_layers_
+                                             : groups_;
+  }
+  TiledIds& object_ids();
+  TiledIds& layer_ids();
+  TiledLayerTree find_layers(const pugi::xml_node& node);
   std::vector<XmlCells> cells_of(int layer) const;
   FormatResult<std::vector<std::uint32_t>> read_cells(const XmlCells& at, std::size_t count) const;
   void put_tiles(const XmlCells& at, const TiledBlock& content);
@@ -58,19 +91,36 @@ class TiledXmlDocument : public TiledDocument {
   XmlPlaces places_;
   pugi::xml_document document_;
   pugi::xml_node root_;
-  std::vector<pugi::xml_node> layers_;  // tile layers
+  std::vector<pugi::xml_node> layers_;         // tile layers
+  std::vector<pugi::xml_node> object_layers_;  // and those of pictures
+  std::vector<pugi::xml_node> groups_;         // each before those in it
+  TiledLayerTree tree_;
+  std::optional<TiledIds> object_ids_, layer_ids_;
   TextEdits edits_;
 };
 
+std::optional<TiledLayerKind> kind_of(const pugi::xml_node& element) {
+  const std::string_view name = element.name();
+  if (name == "layer") return TiledLayerKind::tiles;
+  if (name == "objectgroup" || name == "imagelayer") return TiledLayerKind::objects;
+  if (name == "group") return TiledLayerKind::groups;
+  return std::nullopt;
+}
+
 // Groups are at most as deep as the reader allows.
-void TiledXmlDocument::find_layers(const pugi::xml_node& node) {
+TiledLayerTree TiledXmlDocument::find_layers(const pugi::xml_node& node) {
+  TiledLayerTree tree;
   for (const pugi::xml_node child : node.children()) {
-    const std::string_view name = child.name();
-    if (name == "layer")
-      layers_.push_back(child);
-    else if (name == "group")
-      find_layers(child);
+    const auto kind = kind_of(child);
+    if (!kind) continue;
+    auto& list = *kind == TiledLayerKind::tiles     ? layers_
+                 : *kind == TiledLayerKind::objects ? object_layers_
+                                                    : groups_;
+    tree.push_back({*kind, static_cast<int>(list.size()), child.attribute("name").value()});
+    list.push_back(child);
+    if (*kind == TiledLayerKind::groups) tree.back().inside = find_layers(child);
   }
+  return tree;
 }
 
 std::vector<XmlCells> TiledXmlDocument::cells_of(int layer) const {
@@ -186,8 +236,9 @@ void TiledXmlDocument::add_chunks(int layer, const std::vector<TiledBlock>& chun
   append_xml_inside(places_, data, text + data_break, edits_);
 }
 
-void TiledXmlDocument::set_looks(int layer, const TileLayer& before, const TileLayer& now) {
-  const pugi::xml_node node = layers_[static_cast<std::size_t>(layer)];
+void TiledXmlDocument::set_looks(TiledLayerKind kind, int layer, const TileLayer& before,
+                                 const TileLayer& now) {
+  const pugi::xml_node node = elements(kind)[static_cast<std::size_t>(layer)];
   const auto set = [&](const char* name, const std::string& value) {
     set_xml_attribute(places_, node, name, value, edits_);
   };
@@ -200,8 +251,9 @@ void TiledXmlDocument::set_looks(int layer, const TileLayer& before, const TileL
   if (before.name != now.name) set("name", now.name);
   if (before.visible != now.visible) set("visible", now.visible ? "1" : "0");
   if (before.locked != now.locked) set("locked", now.locked ? "1" : "0");
-  if (before.opacity != now.opacity) set_number("opacity", now.opacity);
-  if (before.tint != now.tint) set("tintcolor", tiled_color(now.tint));
+  const TintEdits edits = tint_edits(before, now, node.attribute("tintcolor").value());
+  if (edits.opacity) set_number("opacity", now.opacity);
+  if (edits.tint) set("tintcolor", tiled_color(now.tint));
   if (before.offset.x != now.offset.x)
     set_number("offsetx", own("offsetx", 0) + now.offset.x - before.offset.x);
   if (before.offset.y != now.offset.y)
@@ -210,6 +262,139 @@ void TiledXmlDocument::set_looks(int layer, const TileLayer& before, const TileL
   if (before.parallax.y != now.parallax.y) set_number("parallaxy", now.parallax.y);
   if (before.is_ground != now.is_ground)
     TiledXmlEditor(text_, places_, root_, edits_).set_property(node, {"ground", now.is_ground});
+}
+
+void TiledXmlDocument::edit_objects(int layer, const std::vector<TiledObjectEdit>& edits) {
+  TiledXmlEditor(text_, places_, root_, edits_)
+      .edit_objects(object_layers_[static_cast<std::size_t>(layer)], edits,
+                    [&] { return object_ids().take(); });
+}
+
+TiledIds& TiledXmlDocument::object_ids() {
+  if (object_ids_) return *object_ids_;
+  std::vector<std::int64_t> used;
+  for (const pugi::xml_node& layer : object_layers_) {
+    for (const pugi::xml_node object : layer.children("object"))
+      used.push_back(object.attribute("id").as_llong());
+  }
+  return object_ids_.emplace(std::move(used), root_.attribute("nextobjectid").as_llong());
+}
+
+TiledIds& TiledXmlDocument::layer_ids() {
+  if (layer_ids_) return *layer_ids_;
+  std::vector<std::int64_t> used;
+  for (const auto* list : {&layers_, &object_layers_, &groups_})
+    for (const pugi::xml_node& node : *list) used.push_back(node.attribute("id").as_llong());
+  return layer_ids_.emplace(std::move(used), root_.attribute("nextlayerid").as_llong());
+}
+
+std::string TiledXmlDocument::text() const {
+  TextEdits all = edits_;
+  const auto put = [&](const char* name, const std::optional<TiledIds>& ids) {
+    const auto next = ids ? ids->next() : std::nullopt;
+    if (next && root_.attribute(name)) set_xml_attribute(places_, root_, name, std::to_string(*next), all);
+  };
+  put("nextobjectid", object_ids_);
+  put("nextlayerid", layer_ids_);
+  return all.applied_to(text_);
+}
+
+std::string xml_attribute(const char* name, std::string_view value) {
+  return value.empty() ? "" : " " + std::string(name) + "=\"" + xml_attribute_text(value) + "\"";
+}
+
+std::string TiledXmlDocument::new_layer(const TiledLayerNode& node, const std::string& line) {
+  const auto attribute = xml_attribute;
+  std::string head =
+      root_.attribute("nextlayerid") ? attribute("id", std::to_string(layer_ids().take())) : "";
+  head += attribute("name", node.name);
+  if (node.kind == TiledLayerKind::objects) return "<objectgroup draworder=\"index\"" + head + "/>";
+  head += attribute("width", root_.attribute("width").value()) +
+          attribute("height", root_.attribute("height").value());
+  const pugi::xml_node like = layers_.empty() ? pugi::xml_node() : layers_.front().child("data");
+  const std::string data = "<data" +
+                           (like ? attribute("encoding", like.attribute("encoding").value()) +
+                                       attribute("compression", like.attribute("compression").value())
+                                 : attribute("encoding", "csv")) +
+                           "/>";
+  const std::string inner = line.empty() ? "" : line + TiledXmlEditor(text_, places_, root_, edits_).unit();
+  return "<layer" + head + ">" + inner + data + line + "</layer>";
+}
+
+std::string TiledXmlDocument::new_group(const TiledLayerNode& group, const std::string& line) {
+  std::string text = "<group";
+  if (root_.attribute("nextlayerid")) text += xml_attribute("id", std::to_string(layer_ids().take()));
+  text += xml_attribute("name", group.name) + ">";
+  const std::string inner = line.empty() ? "" : line + TiledXmlEditor(text_, places_, root_, edits_).unit();
+  for (const TiledLayerNode& node : group.inside) text += inner + text_of(node, inner);
+  return text + line + "</group>";
+}
+
+pugi::xml_node TiledXmlDocument::element_of(const TiledLayerNode& node) const {
+  return node.from < 0 ? pugi::xml_node() : elements(node.kind)[static_cast<std::size_t>(node.from)];
+}
+
+// A layer as it is, and a group with what is in it now.
+std::string TiledXmlDocument::text_of(const TiledLayerNode& node, const std::string& line) {
+  const bool is_group = node.kind == TiledLayerKind::groups;
+  if (node.from < 0) return is_group ? new_group(node, line) : new_layer(node, line);
+  const TextSpan whole = places_.whole(element_of(node));
+  if (!is_group) return std::string(whole.in(text_));
+  TextEdits inner;
+  arrange_in(element_of(node), node.inside, inner);
+  const std::string all = inner.applied_to(text_);
+  return all.substr(whole.begin, all.size() - (text_.size() - (whole.end - whole.begin)));
+}
+
+TiledXmlDocument::Gap TiledXmlDocument::first_gap(const pugi::xml_node& parent, const TiledLayerTree& inside,
+                                                  const std::vector<bool>& stays) const {
+  for (std::size_t i = 0; i < inside.size(); ++i)
+    if (stays[i]) return {element_of(inside[i]), true};
+  for (const pugi::xml_node child : parent.children())
+    if (kind_of(child)) return {child};
+  for (pugi::xml_node child = parent.last_child(); child; child = child.previous_sibling())
+    if (child.type() == pugi::node_element) return {child};
+  return {};
+}
+
+// Texts are put before others are taken away: both may be at one place.
+void TiledXmlDocument::arrange_in(const pugi::xml_node& parent, const TiledLayerTree& inside,
+                                  TextEdits& edits) {
+  std::vector<pugi::xml_node> old;
+  for (const pugi::xml_node child : parent.children())
+    if (kind_of(child)) old.push_back(child);
+  const auto place_of = [&](const pugi::xml_node& element) {
+    const auto found = std::find(old.begin(), old.end(), element);
+    return found == old.end() ? -1 : static_cast<int>(found - old.begin());
+  };
+  std::vector<int> places;
+  for (const TiledLayerNode& node : inside) places.push_back(node.from < 0 ? -1 : place_of(element_of(node)));
+  const std::vector<bool> stays = layers_that_stay(places);
+  std::vector<bool> is_kept(old.size());
+  Gap gap = first_gap(parent, inside, stays);
+  std::string at_end;
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    if (stays[i]) {
+      is_kept[static_cast<std::size_t>(places[i])] = true;
+      gap = {element_of(inside[i])};
+      if (inside[i].kind == TiledLayerKind::groups) arrange_in(gap.beside, inside[i].inside, edits);
+      continue;
+    }
+    const std::string line = gap.beside ? places_.break_before(gap.beside) : "";
+    const std::string text = text_of(inside[i], line);
+    if (!gap.beside)
+      at_end += text;
+    else if (gap.is_before)
+      edits.insert(places_.whole(gap.beside).begin, text + line);
+    else
+      edits.insert(places_.whole(gap.beside).end, line + text);
+  }
+  if (!at_end.empty()) append_xml_inside(places_, parent, at_end, edits);
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    if (is_kept[i]) continue;
+    const TextSpan whole = places_.whole(old[i]);
+    edits.replace({whole.begin - places_.break_before(old[i]).size(), whole.end}, "");
+  }
 }
 
 void TiledXmlDocument::set_size(int width, int height) {

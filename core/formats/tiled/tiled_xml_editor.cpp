@@ -73,6 +73,23 @@ bool is_blank_text(std::string_view text) {
   return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
 }
 
+bool is_point(const TiledObject& object) {
+  return object.form == TiledObject::Form::box && object.size == Vec2();
+}
+
+// Whether the edits take all that is in the group.
+bool leave_nothing(const pugi::xml_node& group, const std::vector<TiledObjectEdit>& edits) {
+  const bool all_remove = std::all_of(edits.begin(), edits.end(), [](const auto& e) { return e.removes; });
+  return all_remove && !edits.empty() && edits.size() == elements_in(group).size();
+}
+
+// Whether a property of this type in the file can hold such a value.
+bool takes_value(std::string_view type, const ValueText& value) {
+  if (value.type.empty()) return type.empty() || type == "string" || type == "color" || type == "file";
+  if (value.type == "int") return type == "int" || type == "object" || type == "float";
+  return type == value.type;
+}
+
 int next_id_in(const pugi::xml_node& group) {
   int last = 0;
   for (const pugi::xml_node object : group.children("object"))
@@ -116,31 +133,63 @@ void TiledXmlEditor::edit_tiles(const pugi::xml_node& tileset, const TiledTileEd
     else
       next = tiles.empty() ? tileset.child("wangsets") : element_after(tiles.back().second);
     NewElement tile = new_tile(id, edit);
-    if (!tile.children.empty()) changes.added.emplace_back(next, std::move(tile));
+    const bool has_type = edit.type && !edit.type->empty();
+    if (!tile.children.empty() || edit.probability || has_type)
+      changes.added.emplace_back(next, std::move(tile));
   }
   change_children(tileset, changes);
 }
 
 bool TiledXmlEditor::edit_tile(const pugi::xml_node& tile, const TiledTileEdit& edit) {
   Changes changes;
+  if (edit.probability == 1.0)
+    remove_xml_attribute(places_, tile, "probability", edits_);
+  else if (edit.probability)
+    set_xml_attribute(places_, tile, "probability", text_of_number(*edit.probability), edits_);
+  if (edit.type && edit.type->empty())
+    remove_xml_attribute(places_, tile, type_key(tile), edits_);
+  else if (edit.type)
+    set_xml_attribute(places_, tile, type_key(tile), *edit.type, edits_);
   const pugi::xml_node group = tile.child("objectgroup");
   if (group && !edit.objects.empty()) {
-    if (edit_objects(group, edit.objects)) changes.removed.push_back(group);
+    int id = next_id_in(group);
+    if (leave_nothing(group, edit.objects))
+      changes.removed.push_back(group);
+    else
+      edit_objects(group, edit.objects, [&] { return id++; });
   }
   edit_properties(tile, edit.properties, changes);
   const NewElement fresh = new_tile(0, {edit.objects, {}});
   if (!group && !fresh.children.empty())
     changes.added.emplace_back(tile.child("animation"), fresh.children[0]);
+  if (edit.animation) edit_animation(tile, *edit.animation, changes);
   const std::vector<pugi::xml_node> elements = elements_in(tile);
-  const bool has_only_id = tile.attribute("id") && tile.first_attribute() == tile.last_attribute();
+  const bool has_only_id = !edit.probability && !edit.type && tile.attribute("id") &&
+                           tile.first_attribute() == tile.last_attribute();
   if (has_only_id && changes.added.empty() && !elements.empty() && changes.removed.size() == elements.size())
     return true;
   change_children(tile, changes);
   return false;
 }
 
+void TiledXmlEditor::edit_animation(const pugi::xml_node& tile, const std::vector<TiledTile::Frame>& frames,
+                                    Changes& changes) {
+  if (const pugi::xml_node old = tile.child("animation")) changes.removed.push_back(old);
+  if (!frames.empty()) changes.added.emplace_back(pugi::xml_node(), new_animation(frames));
+}
+
+TiledXmlEditor::NewElement TiledXmlEditor::new_animation(const std::vector<TiledTile::Frame>& frames) {
+  NewElement animation{"animation"};
+  for (const auto& [id, duration] : frames)
+    animation.children.push_back({"frame", attribute_text("tileid", std::to_string(id)) +
+                                               attribute_text("duration", std::to_string(duration))});
+  return animation;
+}
+
 TiledXmlEditor::NewElement TiledXmlEditor::new_tile(int id, const TiledTileEdit& edit) const {
   NewElement tile{"tile", attribute_text("id", std::to_string(id))};
+  if (edit.type && !edit.type->empty()) tile.attributes += attribute_text(type_key({}), *edit.type);
+  if (edit.probability) tile.attributes += attribute_text("probability", text_of_number(*edit.probability));
   if (NewElement list = new_properties(edit.properties); !list.children.empty())
     tile.children.push_back(std::move(list));
   NewElement group{"objectgroup", " draworder=\"index\""};
@@ -149,17 +198,20 @@ TiledXmlEditor::NewElement TiledXmlEditor::new_tile(int id, const TiledTileEdit&
     if (object.index < 0) group.children.push_back(new_object(object, next_id++));
   }
   if (!group.children.empty()) tile.children.push_back(std::move(group));
+  if (edit.animation && !edit.animation->empty()) tile.children.push_back(new_animation(*edit.animation));
   return tile;
 }
 
-bool TiledXmlEditor::edit_objects(const pugi::xml_node& group, const std::vector<TiledObjectEdit>& edits) {
+void TiledXmlEditor::edit_objects(const pugi::xml_node& group, const std::vector<TiledObjectEdit>& edits,
+                                  const std::function<int()>& next_id) {
   const auto range = group.children("object");
   const std::vector<pugi::xml_node> objects(range.begin(), range.end());
-  int next_id = next_id_in(group);
   Changes changes;
   for (const TiledObjectEdit& edit : edits) {
     if (edit.index < 0) {
-      changes.added.emplace_back(pugi::xml_node(), new_object(edit, next_id++));
+      const bool is_last = edit.at < 0 || static_cast<std::size_t>(edit.at) >= objects.size();
+      const pugi::xml_node before = is_last ? pugi::xml_node() : objects[static_cast<std::size_t>(edit.at)];
+      changes.added.emplace_back(before, new_object(edit, next_id()));
     } else if (static_cast<std::size_t>(edit.index) < objects.size()) {
       const pugi::xml_node object = objects[static_cast<std::size_t>(edit.index)];
       if (edit.removes)
@@ -168,10 +220,7 @@ bool TiledXmlEditor::edit_objects(const pugi::xml_node& group, const std::vector
         edit_object(object, edit);
     }
   }
-  const bool goes = changes.added.empty() && !changes.removed.empty() &&
-                    changes.removed.size() == elements_in(group).size();
-  if (!goes) change_children(group, changes);
-  return goes;
+  change_children(group, changes);
 }
 
 const char* TiledXmlEditor::type_key(const pugi::xml_node& object) const {
@@ -189,16 +238,20 @@ TiledXmlEditor::NewElement TiledXmlEditor::new_object(const TiledObjectEdit& edi
   };
   if (!object.name.empty()) add("name", object.name);
   if (!object.type.empty()) add(type_key({}), object.type);
+  if (object.form == TiledObject::Form::tile) add("gid", std::to_string(object.gid));
   add("x", text_of_number(object.position.x));
   add("y", text_of_number(object.position.y));
   if (object.size.x != 0) add("width", text_of_number(object.size.x));
   if (object.size.y != 0) add("height", text_of_number(object.size.y));
+  if (object.rotation != 0) add("rotation", text_of_number(object.rotation));
   if (NewElement list = new_properties(edit.properties); !list.children.empty())
     element.children.push_back(std::move(list));
   if (const std::string form = form_of(object); !form.empty()) {
     const std::string points =
         has_points(object) ? attribute_text("points", text_of_points(object.points)) : "";
     element.children.push_back({form, points});
+  } else if (is_point(object)) {
+    element.children.push_back({"point"});
   }
   return element;
 }
@@ -206,11 +259,46 @@ TiledXmlEditor::NewElement TiledXmlEditor::new_object(const TiledObjectEdit& edi
 void TiledXmlEditor::edit_object(const pugi::xml_node& object, const TiledObjectEdit& edit) {
   Changes changes;
   edit_properties(object, edit.properties, changes);
-  if (edit.object) edit_form(object, *edit.object, changes);
+  if (edit.object && edit.before)
+    edit_differences(object, *edit.before, *edit.object, changes);
+  else if (edit.object)
+    edit_all(object, *edit.object, changes);
   change_children(object, changes);
 }
 
-void TiledXmlEditor::edit_form(const pugi::xml_node& object, const TiledObject& now, Changes& changes) {
+// What its template says needs a value of its own even where that is the usual one.
+void TiledXmlEditor::edit_differences(const pugi::xml_node& object, const TiledObject& before,
+                                      const TiledObject& now, Changes& changes) {
+  const bool has_template = object.attribute("template");
+  const auto set_text = [&](const char* name, const std::string& old, const std::string& value) {
+    if (old == value) return;
+    if (value.empty() && !has_template)
+      remove_xml_attribute(places_, object, name, edits_);
+    else
+      set_xml_attribute(places_, object, name, value, edits_);
+  };
+  const auto set_number = [&](const char* name, double old, double value) {
+    if (old == value) return;
+    if (value == 0 && std::string_view(name).size() > 1 && !has_template)
+      remove_xml_attribute(places_, object, name, edits_);
+    else
+      set_xml_attribute(places_, object, name, text_of_number(value), edits_);
+  };
+  set_text("name", before.name, now.name);
+  set_text(type_key(object), before.type, now.type);
+  if (now.gid != before.gid) set_xml_attribute(places_, object, "gid", std::to_string(now.gid), edits_);
+  if (now.visible != before.visible)
+    set_xml_attribute(places_, object, "visible", now.visible ? "1" : "0", edits_);
+  set_number("x", before.position.x, now.position.x);
+  set_number("y", before.position.y, now.position.y);
+  set_number("width", before.size.x, now.size.x);
+  set_number("height", before.size.y, now.size.y);
+  set_number("rotation", before.rotation, now.rotation);
+  if (now.form != before.form || now.points != before.points || is_point(now) != is_point(before))
+    edit_form(object, now, changes);
+}
+
+void TiledXmlEditor::edit_all(const pugi::xml_node& object, const TiledObject& now, Changes& changes) {
   if (now.name != object.attribute("name").value())
     set_xml_attribute(places_, object, "name", now.name, edits_);
   const char* const key = type_key(object);
@@ -221,10 +309,13 @@ void TiledXmlEditor::edit_form(const pugi::xml_node& object, const TiledObject& 
   edit_number(object, "width", now.size.x);
   edit_number(object, "height", now.size.y);
   edit_number(object, "rotation", now.rotation);
+  edit_form(object, now, changes);
+}
+
+void TiledXmlEditor::edit_form(const pugi::xml_node& object, const TiledObject& now, Changes& changes) {
   const std::string form = form_of(now);
   for (const char* other : kObjectForms) {
-    const bool stays = form == other || (now.form == TiledObject::Form::box && now.size == Vec2() &&
-                                         std::string_view(other) == "point");
+    const bool stays = form == other || (is_point(now) && std::string_view(other) == "point");
     if (const pugi::xml_node child = object.child(other); child && !stays) changes.removed.push_back(child);
   }
   if (form.empty()) return;
@@ -272,7 +363,7 @@ void TiledXmlEditor::edit_properties(const pugi::xml_node& owner, const std::vec
   for (const TiledPropertyEdit& edit : edits) {
     const pugi::xml_node known = list.find_child_by_attribute("property", "name", edit.name.c_str());
     const ValueText value = edit.value ? std::visit(ValueWriter(), *edit.value) : ValueText();
-    if (edit.value && known.attribute("value") && known.attribute("type").value() == value.type) {
+    if (edit.value && known.attribute("value") && takes_value(known.attribute("type").value(), value)) {
       set_xml_attribute(places_, known, "value", value.text, edits_);
       continue;
     }

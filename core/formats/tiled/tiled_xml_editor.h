@@ -2,6 +2,7 @@
 // like its neighbours.
 #pragma once
 
+#include <functional>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
@@ -22,6 +23,10 @@ class TiledXmlEditor {
   // Each at most once for an element.
   void edit_tiles(const pugi::xml_node& tileset, const TiledTileEdits& edits);
   void set_property(const pugi::xml_node& owner, const TiledPropertyEdit& edit);
+  // next_id: gives new objects their numbers.
+  void edit_objects(const pugi::xml_node& group, const std::vector<TiledObjectEdit>& edits,
+                    const std::function<int()>& next_id);
+  const std::string& unit() const { return unit_; }  // by which children are indented
 
  private:
   struct NewElement {
@@ -36,11 +41,13 @@ class TiledXmlEditor {
     bool empty() const { return removed.empty() && added.empty(); }
   };
 
-  // Return whether nothing is left of the element.
+  // Returns whether nothing is left of the element.
   bool edit_tile(const pugi::xml_node& tile, const TiledTileEdit& edit);
-  bool edit_objects(const pugi::xml_node& group, const std::vector<TiledObjectEdit>& edits);
 
   void edit_object(const pugi::xml_node& object, const TiledObjectEdit& edit);
+  void edit_all(const pugi::xml_node& object, const TiledObject& now, Changes& changes);
+  void edit_differences(const pugi::xml_node& object, const TiledObject& before, const TiledObject& now,
+                        Changes& changes);
   void edit_form(const pugi::xml_node& object, const TiledObject& now, Changes& changes);
   void edit_number(const pugi::xml_node& element, const char* name, double value);
   void edit_properties(const pugi::xml_node& owner, const std::vector<TiledPropertyEdit>& edits,
@@ -48,6 +55,9 @@ class TiledXmlEditor {
   void change_children(const pugi::xml_node& parent, const Changes& changes);
   static NewElement new_property(const TiledPropertyEdit& edit);  // which has a value
   static NewElement new_properties(const std::vector<TiledPropertyEdit>& edits);
+  void edit_animation(const pugi::xml_node& tile, const std::vector<TiledTile::Frame>& frames,
+                      Changes& changes);
+  static NewElement new_animation(const std::vector<TiledTile::Frame>& frames);
   NewElement new_tile(int id, const TiledTileEdit& edit) const;
   NewElement new_object(const TiledObjectEdit& edit, int id) const;
   std::string print(const NewElement& element, const std::string& line) const;

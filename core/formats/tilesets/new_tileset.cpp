@@ -9,6 +9,7 @@
 #include "../files/atomic_file.h"
 #include "../import/linked_files.h"
 #include "../import/sheet_images.h"
+#include "../pictures/any_picture.h"
 #include "tile_cut.h"
 #include "tileset_pixels.h"
 
@@ -56,7 +57,7 @@ SheetPicture small_pictures(const Level& level) {
 FormatResult<TileFile> read_tile_picture(const std::string& path) {
   const auto bytes = read_file(path);
   if (!bytes) return tl::unexpected(bytes.error());
-  auto picture = read_rgba(*bytes, kMaxLinkedPictureSide);
+  auto picture = read_picture(*bytes, kMaxLinkedPictureSide);
   if (!picture) return tl::unexpected(picture.error());
   TileFile file{*std::move(picture), {}};
   const auto chunk = find_png_chunk(*bytes, "PLTE");

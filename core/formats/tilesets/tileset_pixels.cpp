@@ -112,10 +112,20 @@ void clear_pixels(const SheetLayout& layout, int tile, TileSize size, SheetPictu
   }
 }
 
-// Why a link is not read; empty if it may be.
-std::string problem_of_link(const std::string& folder, const std::string& path) {
-  if (linked_path_in(folder, path).empty()) return "lies outside of the folder of the level";
-  return "";
+// The name of a linked picture for LinkedFiles, which decides whether it is read; empty for absolute paths
+// that lead out of the folder.
+std::string linked_name(const std::string& folder, const std::string& path) {
+  std::string inside = linked_path_in(folder, path);
+  return inside.empty() && fs::path(path).is_relative() ? path : inside;
+}
+
+// The path of a picture that was read: without "..", or, where it leads out of the folder, with the folder in
+// front of it.
+std::string read_link(const std::string& folder, const std::string& path) {
+  std::error_code failure;
+  if (!linked_path_in(folder, path).empty())
+    return fs::weakly_canonical(fs::path(folder) / path, failure).string();
+  return (fs::weakly_canonical(folder, failure) / path).string();
 }
 
 // With the rows that a picture has more than before, if the tileset is the last thing on the sheet.
@@ -210,6 +220,14 @@ std::string linked_path_in(const std::string& folder, const std::string& path) {
   return inside.generic_string();
 }
 
+std::string stored_link(const std::string& folder, const std::string& path) {
+  if (std::string inside = linked_path_in(folder, path); !inside.empty()) return inside;
+  if (fs::path(path).is_relative()) return path;
+  std::error_code failure;
+  const std::string root = fs::weakly_canonical(folder.empty() ? "." : folder, failure).string() + "/";
+  return path.starts_with(root + "../") ? path.substr(root.size()) : "";
+}
+
 FormatResult<void> read_linked_tilesets(const FormatContext& context, Level& level) {
   const bool has_links = std::any_of(level.tilesets.begin(), level.tilesets.end(),
                                      [](const Tileset& set) { return set.link.has_value(); });
@@ -223,17 +241,15 @@ FormatResult<void> read_linked_tilesets(const FormatContext& context, Level& lev
     if (!set.link) continue;
     TilesetLink& link = *set.link;
     const std::string of = "the picture of the tileset " + quoted_name(set.name);
-    const std::string problem = problem_of_link(context.folder, link.path);
-    if (problem.empty())
-      pictures.push_back(files.picture(linked_path_in(context.folder, link.path), of));
+    const std::string name = linked_name(context.folder, link.path);
+    if (!name.empty())
+      pictures.push_back(files.picture(name, of));
     else
-      drops.add(of + ", file " + link.path + ": " + problem);
-    link.is_missing = !problem.empty() || pictures.back()->is_missing;
+      drops.add(of + ", file " + link.path + ": lies outside of the folder of the level");
+    link.is_missing = name.empty() || pictures.back()->is_missing;
     const RgbaPicture* const picture = link.is_missing ? nullptr : &pictures.back()->rgba;
-    if (problem.empty()) {
-      std::error_code failure;
-      link.path = fs::weakly_canonical(fs::path(context.folder) / link.path, failure).string();
-    }
+    const bool is_inside = !linked_path_in(context.folder, link.path).empty();
+    if (is_inside || !link.is_missing) link.path = read_link(context.folder, link.path);
     if (picture != nullptr && i + 1 == level.tilesets.size()) grow_last(*picture, level);
     shown.push_back({static_cast<int>(i), level.tilesets[i].link->cut, picture});
   }

@@ -28,11 +28,16 @@ Sheet without_linked_pixels(const Level& level, const std::vector<Tileset>& tile
 // Reads the pictures of a level's linked tilesets, whose paths become absolute. One that cannot be read is
 // missing, and numbered boxes stand for its tiles. A tileset at the end of the sheet gets the rows that its
 // picture has more than before. Without a folder of the context nothing is read. Paths that lead out of that
-// folder are not read.
+// folder are read by the rules of LinkedFiles, and become FOLDER/../NAME; those that are not read stay as
+// they are.
 FormatResult<void> read_linked_tilesets(const FormatContext& context, Level& level);
 
 // The path as it stands in a file of that folder: relative, with '/'. Empty if it does not lie below the
 // folder.
 std::string linked_path_in(const std::string& folder, const std::string& path);
+// The path of a link as a file of that folder stores it: the same, or ../NAME for one that was read so from a
+// file of that folder, or that was not read. Empty for others: a level that is saved elsewhere gets the
+// pixels.
+std::string stored_link(const std::string& folder, const std::string& path);
 
 }  // namespace talus

@@ -13,11 +13,11 @@ inline std::string tile_text(int tile) { return "tile " + std::to_string(tile); 
 
 // Returns an edit that puts another tile into one cell.
 inline Edit put_tile(const Level& level, Cell cell, TileNumber tile, std::string label) {
-  return single_change(std::move(label), CellChange{cell, level.map.at(cell), tile});
+  return single_change(std::move(label), CellChange{cell, level.map.tile_at(cell), tile});
 }
 
 // Returns an edit that sets all flags of a tile.
-inline Edit change_flags(const Level& level, TileNumber tile, int after, std::string label) {
+inline Edit change_flags(const Level& level, TileNumber tile, FlagSet after, std::string label) {
   return single_change(std::move(label), FlagsChange{SheetId::tiles, tile, level.tile_flags(tile),
                                                      static_cast<std::uint8_t>(after)});
 }

@@ -59,22 +59,19 @@ bool is_of_cells_alone(const Edit& edit) {
 
 }  // namespace
 
-std::vector<Edit> fixes_for(const Level& level, const LintOptions& options, const Problem& problem) {
-  if (!has_plain_ground(level)) {
-    const Level ground = ground_level(level);
-    const LintTiles tiles(ground, options);
-    std::vector<Edit> fixes = fixes_with({ground, tiles}, problem);
+std::vector<Edit> fixes_for(const Level& level, const Level& ground, const LintOptions& options,
+                            const Problem& problem) {
+  const LintTiles tiles(ground, options);
+  std::vector<Edit> fixes = fixes_with({ground, tiles}, problem);
+  if (!has_plain_ground(level))
     std::erase_if(fixes, [&](const Edit& edit) { return !fits_layers(level, edit); });
-    return fixes;
-  }
-  const LintTiles tiles(level, options);
-  return fixes_with({level, tiles}, problem);
+  return fixes;
 }
 
-Edit fix_all(const Level& level, const LintOptions& options, std::span<const Problem> problems,
-             const LintRule& rule, int* fixed) {
+Edit fix_all(const Level& level, const Level& ground, const LintOptions& options,
+             std::span<const Problem> problems, const LintRule& rule, int* fixed) {
   const bool is_plain = has_plain_ground(level);
-  Level trial = is_plain ? level : ground_level(level);
+  Level trial = ground;
   Edit all;
   EditMerger merger;
   auto tiles = std::make_unique<LintTiles>(trial, options);

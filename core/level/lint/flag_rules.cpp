@@ -20,7 +20,7 @@ constexpr LintRule kShared{.code = "shared-flag",
 
 void check_flags(const LintContext& context, int tile, std::vector<Problem>& out) {
   const Level& level = context.level;
-  const std::uint8_t flags = level.tile_flags(static_cast<TileNumber>(tile));
+  const FlagSet flags = level.tile_flags(static_cast<TileNumber>(tile));
   std::string labels;
   int count = 0, last_flag = FlagRoles::kUnused;
   for (const FlagRoleInfo& info : flag_role_infos()) {
@@ -32,7 +32,7 @@ void check_flags(const LintContext& context, int tile, std::vector<Problem>& out
   }
   if (count > 1) {
     report(out, kConflict,
-           tile_text(tile) + " has the flags of " + labels + "; only the first, " +
+           context.tiles.text_of(tile) + " has the flags of " + labels + "; only the first, " +
                role_label(context.tiles[static_cast<std::size_t>(tile)].role) + ", counts",
            {}, tile);
   }
@@ -40,7 +40,7 @@ void check_flags(const LintContext& context, int tile, std::vector<Problem>& out
     const bool set = info.role == TileRole::none && has_flag(flags, level.roles.*info.flag);
     if (set && context.tiles.shape(tile).kind == TileShape::Kind::none) {
       report(out, kIdle,
-             tile_text(tile) + " has the flag of " + std::string(info.label) +
+             context.tiles.text_of(tile) + " has the flag of " + std::string(info.label) +
                  ", which changes nothing: it has no shape",
              {}, tile);
     }
@@ -66,7 +66,8 @@ void fix_conflict(const LintContext& context, const Problem& problem, std::vecto
   const Level& level = context.level;
   const auto tile = static_cast<TileNumber>(problem.tile);
   const TileRole kept = context.tiles[tile].role;
-  int flags = level.tile_flags(tile), kept_flag = FlagRoles::kUnused;
+  FlagSet flags = level.tile_flags(tile);
+  int kept_flag = FlagRoles::kUnused;
   std::string labels;
   for (const FlagRoleInfo& info : flag_role_infos()) {
     if (info.role == kept && kept_flag == FlagRoles::kUnused) kept_flag = level.roles.*info.flag;
@@ -74,8 +75,8 @@ void fix_conflict(const LintContext& context, const Problem& problem, std::vecto
   for (const FlagRoleInfo& info : flag_role_infos()) {
     const int flag = level.roles.*info.flag;
     if (info.role == TileRole::none || flag == kept_flag) continue;
-    if (!has_flag(static_cast<std::uint8_t>(flags), flag)) continue;
-    flags &= ~(1 << flag);
+    if (!has_flag(flags, flag)) continue;
+    flags &= ~flag_bit(flag);
     labels += (labels.empty() ? "" : " and ") + std::string(info.label);
   }
   out.push_back(change_flags(level, tile, flags,
@@ -86,9 +87,9 @@ void fix_conflict(const LintContext& context, const Problem& problem, std::vecto
 void fix_idle_flag(const LintContext& context, const Problem& problem, std::vector<Edit>& out) {
   const Level& level = context.level;
   const auto tile = static_cast<TileNumber>(problem.tile);
-  int flags = level.tile_flags(tile);
+  FlagSet flags = level.tile_flags(tile);
   for (const int flag : {level.roles.one_way, level.roles.ceiling}) {
-    if (flag != FlagRoles::kUnused) flags &= ~(1 << flag);
+    if (flag != FlagRoles::kUnused) flags &= ~flag_bit(flag);
   }
   out.push_back(
       change_flags(level, tile, flags, "Clear the flags of " + tile_text(tile) + " that change nothing"));

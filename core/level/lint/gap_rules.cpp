@@ -40,12 +40,12 @@ class GapFinder {
  private:
   Cell on_map(Cell c) const { return turned_ ? Cell{c.y, c.x} : c; }
   bool is_full(Cell c) const {
-    return level_.map.contains(on_map(c)) && tiles_[level_.map.at(on_map(c))].solid;
+    return level_.map.contains(on_map(c)) && tiles_[level_.map.tile_at(on_map(c))].solid;
   }
   bool is_clear(Cell c) const {
     const Cell at = on_map(c);
     if (!level_.map.contains(at)) return at.y < 0 && at.x >= 0 && at.x < level_.map.width();  // the sky
-    const LintTiles::Tile& tile = tiles_[level_.map.at(at)];
+    const LintTiles::Tile& tile = tiles_[level_.map.tile_at(at)];
     return !tile.solid && !tile.line;
   }
   // Counts the clear cells from this one down, up to the number that a player needs.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "../ground_level.h"
+#include "layer_rules.h"
 #include "lint_cache.h"
 #include "rule_group.h"
 
@@ -22,7 +23,13 @@ std::span<const LintRule* const> lint_rules() {
 
 std::vector<Problem> lint(const Level& level, const LintOptions& options) {
   LintCache cache;
-  cache.finish(has_plain_ground(level) ? level : ground_level(level), options);
+  if (has_plain_ground(level)) {
+    cache.finish(level, options);
+  } else {
+    GroundNames names;
+    const Level ground = linted_level(level, &names);
+    cache.finish(ground, options, names);
+  }
   return cache.problems();
 }
 

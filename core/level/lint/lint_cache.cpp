@@ -35,7 +35,7 @@ bool is_before(const Problem& a, const Problem& b) {  // by row, column and rule
 std::optional<Cell> find_in(const TileMap& map, TileNumber tile, const std::array<Cell, 2>& area) {
   for (Cell c = area[0]; c.y <= area[1].y; ++c.y) {
     for (c.x = area[0].x; c.x <= area[1].x; ++c.x) {
-      if (map.at(c) == tile) return c;
+      if (map.tile_at(c) == tile) return c;
     }
   }
   return std::nullopt;
@@ -56,9 +56,10 @@ double LintCache::progress() const {
   return static_cast<double>(next_) / static_cast<double>(blocks_.size());
 }
 
-bool LintCache::advance(const Level& level, const LintOptions& options, FunctionRef<bool()> go_on) {
+bool LintCache::advance(const Level& level, const LintOptions& options, FunctionRef<bool()> go_on,
+                        const GroundNames& names) {
   if (is_done()) return true;
-  begin(level, options);
+  begin(level, options, names);
   look_at_cells(level);
   for (bool more = true; next_ < blocks_.size() && more; ++next_) {
     if (blocks_[next_].is_known) continue;
@@ -70,10 +71,10 @@ bool LintCache::advance(const Level& level, const LintOptions& options, Function
 }
 
 // Marks the blocks that have to be checked again.
-void LintCache::begin(const Level& level, const LintOptions& options) {
+void LintCache::begin(const Level& level, const LintOptions& options, const GroundNames& names) {
   if (!map_ && !rest_) return;
   const bool resized = width_ != level.map.width() || height_ != level.map.height();
-  auto tiles = std::make_unique<const LintTiles>(level, options);
+  auto tiles = std::make_unique<const LintTiles>(level, options, names);
   const bool others = tiles_ == nullptr || !(*tiles == *tiles_);
   tiles_ = std::move(tiles);
   tile_problems_.resize(tiles_->count());
@@ -132,7 +133,7 @@ void LintCache::look_at_cells(const Level& level) {
     // A tile that is gone from the block stays noted: list() checks whether it is still there.
     if (!level.map.contains(cell)) continue;
     std::vector<TileNumber>& noted = blocks_[block_at(cell)].tiles;
-    const TileNumber tile = level.map.at(cell);
+    const TileNumber tile = level.map.tile_at(cell);
     const auto place = std::lower_bound(noted.begin(), noted.end(), tile);
     if (place == noted.end() || *place != tile) noted.insert(place, tile);
   }
@@ -152,7 +153,7 @@ void LintCache::look_at_block(const Level& level, std::size_t number) {
 void LintCache::note_tiles(const Level& level, const std::array<Cell, 2>& area, Block& block) {
   for (Cell c = area[0]; c.y <= area[1].y; ++c.y) {
     for (c.x = area[0].x; c.x <= area[1].x; ++c.x) {
-      const TileNumber tile = level.map.at(c);
+      const TileNumber tile = level.map.tile_at(c);
       seen_[tile / 64] |= std::uint64_t{1} << tile % 64;
     }
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <talus/collision/function_ref.h>
+#include "../ground_names.h"
 #include "lint.h"
 
 namespace talus {
@@ -26,10 +27,13 @@ class LintCache {
   void note_rest() { rest_ = true; }  // call it when anything but the map may have changed
 
   // Checks what has changed and one of the blocks that are left, and more of them while `go_on` returns true.
-  // Returns true when nothing is left. level: the same one each time, except for the noted changes.
-  bool advance(const Level& level, const LintOptions& options, FunctionRef<bool()> go_on);
-  void finish(const Level& level, const LintOptions& options) {
-    advance(level, options, [] { return true; });
+  // Returns true when nothing is left. level: the same one each time, except for the noted changes. names: of
+  // its tiles.
+  bool advance(const Level& level, const LintOptions& options, FunctionRef<bool()> go_on,
+               const GroundNames& names = {});
+  void finish(const Level& level, const LintOptions& options, const GroundNames& names = {}) {
+    advance(
+        level, options, [] { return true; }, names);
   }
   bool is_done() const { return !map_ && !rest_ && cells_.empty() && next_ == blocks_.size(); }
   double progress() const;  // the share of the blocks that are checked, 0 to 1
@@ -47,7 +51,7 @@ class LintCache {
     bool is_known = false;
   };
 
-  void begin(const Level& level, const LintOptions& options);
+  void begin(const Level& level, const LintOptions& options, const GroundNames& names);
   void look_at_cells(const Level& level);
   void look_at_block(const Level& level, std::size_t number);
   void note_tiles(const Level& level, const std::array<Cell, 2>& area, Block& block);

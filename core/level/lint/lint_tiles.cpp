@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 
 #include <talus/level/ground.h>
 
@@ -52,8 +53,9 @@ std::vector<Cell> cells_to_draw(const TileShape& shape, TileSize tile) {
 
 }  // namespace
 
-LintTiles::LintTiles(const Level& level, const LintOptions& options)
+LintTiles::LintTiles(const Level& level, const LintOptions& options, GroundNames names)
     : options_(options),
+      names_(std::move(names)),
       tile_(level.map.tile_size()),
       shapes_(usable_shapes(level)),
       tiles_(shapes_.size()),
@@ -125,9 +127,9 @@ void LintTiles::note_likeness() {
 }
 
 bool operator==(const LintTiles& a, const LintTiles& b) {
-  return a.options_ == b.options_ && a.tile_ == b.tile_ && a.shapes_ == b.shapes_ && a.tiles_ == b.tiles_ &&
-         a.sources_ == b.sources_ && a.slope_cells_ == b.slope_cells_ && a.slope_rows_ == b.slope_rows_ &&
-         a.player_ == b.player_;
+  return a.options_ == b.options_ && a.names_ == b.names_ && a.tile_ == b.tile_ && a.shapes_ == b.shapes_ &&
+         a.tiles_ == b.tiles_ && a.sources_ == b.sources_ && a.slope_cells_ == b.slope_cells_ &&
+         a.slope_rows_ == b.slope_rows_ && a.player_ == b.player_;
 }
 
 }  // namespace talus

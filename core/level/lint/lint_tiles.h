@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "../ground_names.h"
 #include "collision/outline_compiler.h"
 #include "lint.h"
 
@@ -30,7 +31,8 @@ class LintTiles {
     friend bool operator==(const Tile&, const Tile&) = default;
   };
 
-  LintTiles(const Level& level, const LintOptions& options);
+  // names: of the tiles.
+  LintTiles(const Level& level, const LintOptions& options, GroundNames names = {});
 
   const Tile& operator[](std::size_t tile) const { return tiles_[tile]; }
   bool is_slope(std::size_t tile) const {
@@ -40,7 +42,9 @@ class LintTiles {
   bool is_empty(std::size_t tile) const {
     return tiles_[tile].shapeless && (tile == 0 || tiles_[tile].blank);
   }
-  std::size_t count() const { return tiles_.size(); }  // of the level's tiles
+  std::size_t count() const { return tiles_.size(); }                   // of the level's tiles
+  std::string text_of(int tile) const { return names_.text_of(tile); }  // "tile 12"
+  const GroundNames& names() const { return names_; }
   // The shape of a tile. Its kind is none if it is invalid.
   const TileShape& shape(int tile) const { return shapes_[static_cast<std::size_t>(tile)]; }
   bool has_pictures() const { return has_pictures_; }  // whether a tile has a pixel that is not colour 0
@@ -64,6 +68,7 @@ class LintTiles {
   void note_likeness();
 
   LintOptions options_;
+  GroundNames names_;
   TileSize tile_;                     // of the map
   std::vector<TileShape> shapes_;     // by tile; only valid ones
   std::vector<Tile> tiles_;           // by tile

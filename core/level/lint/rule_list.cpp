@@ -12,10 +12,12 @@ const RuleGroup& shape_rules();
 const RuleGroup& spawn_rules();
 const RuleGroup& curve_rules();
 const RuleGroup& solver_rules();
+const RuleGroup& layer_rules();
 
 std::span<const RuleGroup* const> rule_groups() {
-  static const std::array kGroups = {&slope_rules(), &seam_rules(),  &gap_rules(),   &flag_rules(),
-                                     &shape_rules(), &spawn_rules(), &curve_rules(), &solver_rules()};
+  static const std::array kGroups = {&slope_rules(), &seam_rules(),   &gap_rules(),
+                                     &flag_rules(),  &shape_rules(),  &spawn_rules(),
+                                     &curve_rules(), &solver_rules(), &layer_rules()};
   return kGroups;
 }
 

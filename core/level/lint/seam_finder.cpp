@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "slope_fault.h"
 
@@ -25,9 +26,12 @@ class SeamFinder {
       : level_(level),
         tiles_(tiles),
         compiler_(level.map.width(), tiles.outlines(), tiles.curves().pieces, tiles.curves().ends,
-                  [&level, &tiles](Cell c) -> const TileOutline& {
+                  [&level, &tiles](Cell from, std::span<const TileOutline*> row) {
                     static const TileOutline kNothing;
-                    return level.map.contains(c) ? tiles.outlines()[level.map.at(c)] : kNothing;
+                    for (Cell c = from; const TileOutline*& outline : row) {
+                      outline = level.map.contains(c) ? &tiles.outlines()[level.map.tile_at(c)] : &kNothing;
+                      ++c.x;
+                    }
                   }),
         out_(out),
         tile_height_(level.map.tile_size().height),
@@ -47,7 +51,7 @@ class SeamFinder {
     ground_.assign(cells, false);
     for (Cell c = first; c.y <= last.y; ++c.y) {
       for (c.x = first.x; c.x <= last.x; ++c.x)
-        ground_[index_of(c)] = tiles_.outlines()[level_.map.at(c)].full;
+        ground_[index_of(c)] = tiles_.outlines()[level_.map.tile_at(c)].full;
     }
     compiler_.for_lines([this](Cell c, const TileOutline& shape) {
       const auto& [from, to] = shape.touched;
@@ -229,7 +233,7 @@ bool has_lines(const Level& level, const LintTiles& tiles, std::array<Cell, 2> a
   const int y0 = std::max(area[0].y - reach, 0), y1 = std::min(area[1].y + reach, level.map.height() - 1);
   for (int y = y0; y <= y1; ++y) {
     for (int x = x0; x <= x1; ++x) {
-      if (tiles[level.map.at({x, y})].line) return true;
+      if (tiles[level.map.tile_at({x, y})].line) return true;
     }
   }
   return false;

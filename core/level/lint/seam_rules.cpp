@@ -50,7 +50,8 @@ Level cut_out(const Level& level, Cell cell, int reach, Cell& corner) {
   local.tuning = level.tuning;
   local.map = TileMap(last.x - corner.x + 1, last.y - corner.y + 1, map.tile_size());
   for (Cell c = corner; c.y <= last.y; ++c.y) {
-    for (c.x = corner.x; c.x <= last.x; ++c.x) local.map.set({c.x - corner.x, c.y - corner.y}, map.at(c));
+    for (c.x = corner.x; c.x <= last.x; ++c.x)
+      local.map.set({c.x - corner.x, c.y - corner.y}, map.tile_at(c));
   }
   return local;
 }
@@ -73,7 +74,7 @@ class SeamFixer {
 
  private:
   const TileShape* shape_at(Cell cell) {
-    shape_ = shape_of_tile(level_, level_.map.at(cell));
+    shape_ = shape_of_tile(level_, level_.map.tile_at(cell));
     return is_line_shape(shape_) && shape_.heights.size() > 1 ? &shape_ : nullptr;
   }
   double left_end(const TileShape& shape, Cell cell) const { return end(shape, cell, shape.heights.front()); }
@@ -94,11 +95,11 @@ class SeamFixer {
     if (shape == nullptr) return;
     const int by = right ? shape->tiles : -1;
     const double y = right ? seam_.left_y : seam_.right_y;
-    const auto next = beside(level_, level_.map.at(tile), by);
+    const auto next = beside(level_, level_.map.tile_at(tile), by);
     if (!next) return;
     for (int dy = -1; dy <= 1; ++dy) {
       const Cell cell{tile.x + by, tile.y + dy};
-      if (!level_.map.contains(cell) || !tiles_.is_empty(level_.map.at(cell))) continue;
+      if (!level_.map.contains(cell) || !tiles_.is_empty(level_.map.tile_at(cell))) continue;
       const TileShape other = shape_of_tile(level_, *next);
       if (!is_line_shape(other) || other.heights.size() < 2 || (!right && other.tiles != 1)) continue;
       if ((right ? left_end(other, cell) : right_end(other, cell)) != y) continue;
@@ -114,7 +115,7 @@ class SeamFixer {
     const Cell at = left ? seam_.left_tile : seam_.right_tile;
     const TileShape* before = shape_at(at);
     if (before == nullptr) return;
-    const TileNumber tile = level_.map.at(at);
+    const TileNumber tile = level_.map.tile_at(at);
     TileShape after = *before;
     double& height = left ? after.heights.back() : after.heights.front();
     const double now = height;

@@ -35,8 +35,8 @@ void check_steepness(const LintContext& context, int tile, std::vector<Problem>&
   const double steepest = level.tuning.exact.steepest;
   if (rise <= width * steepest) return;
   report(out, kTooSteep,
-         tile_text(tile) + " rises " + px_text(rise) + " px in " + px_text(width) + " px; more than " +
-             px_text(width * steepest) + " px is not a floor to stand on",
+         context.tiles.text_of(tile) + " rises " + px_text(rise) + " px in " + px_text(width) +
+             " px; more than " + px_text(width * steepest) + " px is not a floor to stand on",
          {}, tile);
 }
 
@@ -44,7 +44,7 @@ void check_picture(const LintContext& context, int tile, std::vector<Problem>& o
   const LintTiles::Tile& facts = context.tiles[static_cast<std::size_t>(tile)];
   if (facts.shapeless || !facts.blank || !context.tiles.has_pictures()) return;
   const std::string what = facts.role != TileRole::none ? "is " + role_label(facts.role) : "has a shape";
-  report(out, kInvisible, tile_text(tile) + " " + what + ", but its picture is blank", {}, tile);
+  report(out, kInvisible, context.tiles.text_of(tile) + " " + what + ", but its picture is blank", {}, tile);
 }
 
 void check_shape_tile(const LintContext& context, int tile, std::vector<Problem>& out) {
@@ -57,7 +57,7 @@ void check_edges(const LintContext& context, std::array<Cell, 2> area, std::vect
   const TileMap& map = context.level.map;
   for (Cell cell = area[0]; cell.y <= area[1].y; ++cell.y) {
     for (cell.x = area[0].x; cell.x <= area[1].x; ++cell.x) {
-      const TileNumber tile = map.at(cell);
+      const TileNumber tile = map.tile_at(cell);
       const LintTiles::Tile& facts = context.tiles[tile];
       if (!facts.line || (context.tiles.is_slope(tile) && !facts.own_shape)) continue;
       const auto& [first, last] = facts.covered;
@@ -67,7 +67,7 @@ void check_edges(const LintContext& context, std::array<Cell, 2> area, std::vect
                                                                   : "";
       if (where.empty()) continue;
       report(out, kLeavesMap,
-             tile_text(tile) + " at " + cell_text(cell) + " reaches over the map's " + where +
+             context.tiles.text_of(tile) + " at " + cell_text(cell) + " reaches over the map's " + where +
                  " edge, where it stops nothing",
              cell, tile);
     }
@@ -76,13 +76,13 @@ void check_edges(const LintContext& context, std::array<Cell, 2> area, std::vect
 
 void check_usable(const LintContext& context, std::vector<Problem>& out) {
   const TileSize size = context.level.map.tile_size();
-  for (int flag = 0; flag < kFlagCount; ++flag) {
+  for (int flag = 0; flag < kMaxFlags; ++flag) {
     if (const auto problem = problem_of(context.level.flag_shapes[static_cast<std::size_t>(flag)], size))
       report(out, kBadShape, "the shape of flag " + std::to_string(flag) + " " + *problem, {}, -1, flag);
   }
   for (int tile = 0; tile < context.level.tile_count(); ++tile) {
     if (const auto problem = problem_of(context.level.tile_shapes[static_cast<std::size_t>(tile)], size))
-      report(out, kBadShape, "the shape of " + tile_text(tile) + " " + *problem, {}, tile);
+      report(out, kBadShape, "the shape of " + context.tiles.text_of(tile) + " " + *problem, {}, tile);
   }
 }
 

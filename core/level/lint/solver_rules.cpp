@@ -28,14 +28,15 @@ bool is_unknown_to_article(const TileShape& shape, TileSize tile) {
 
 // The article knows only full tiles and floors; bump knows no ground between two slopes without a level line
 // between them. This finds the tiles on the map that the level's solver lets bodies through.
-void check_tiles(const Level& level, std::vector<Problem>& out) {
+void check_tiles(const Level& level, const GroundNames& names, std::vector<Problem>& out) {
   const SolverKind solver = level.tuning.solver;
   if (solver == SolverKind::exact) return;
   const bool is_bump = solver == SolverKind::bump;
   const TileSize size = level.map.tile_size();
   std::vector<bool> used(static_cast<std::size_t>(level.tile_count()));
-  for (const TileNumber tile : level.map.cells()) used[tile] = true;
-  std::string tiles;
+  for (const TileNumber tile : level.map.cells().tiles()) used[tile] = true;
+  std::string numbers, tiles;  // of the first ones; the tiles by their names
+  bool has_numbers = true;     // whether the numbers tell which tiles they are
   int count = 0, first = -1;
   for (int tile = 0; tile < level.tile_count(); ++tile) {
     if (!used[static_cast<std::size_t>(tile)]) continue;
@@ -46,11 +47,15 @@ void check_tiles(const Level& level, std::vector<Problem>& out) {
     if (shape.kind == TileShape::Kind::none || has_role || problem_of(shape, size)) continue;
     if (is_bump ? bump_takes_all_of(shape) : !is_unknown_to_article(shape, size)) continue;
     if (count == 0) first = tile;
-    if (++count <= 3) tiles += (count > 1 ? ", " : "") + std::to_string(tile);
+    if (++count > 3) continue;
+    const std::string separator = count > 1 ? ", " : "", name = names.text_of(tile);
+    numbers += separator + std::to_string(tile);
+    tiles += separator + name;
+    has_numbers = has_numbers && name == tile_text(tile);
   }
   if (count == 0) return;
-  if (count > 3) tiles += " and " + std::to_string(count - 3) + " more";
-  const std::string named = "tile" + std::string(count == 1 ? " " : "s ") + tiles;
+  std::string named = has_numbers ? (count == 1 ? "tile " : "tiles ") + numbers : tiles;
+  if (count > 3) named += " and " + std::to_string(count - 3) + " more";
   if (is_bump) {
     report(out, kNotInBump,
            "bodies pass through parts of " + named +
@@ -72,8 +77,16 @@ void check_solver_of_curves(const Level& level, std::vector<Problem>& out) {
              std::string(solver_name(level.tuning.solver)));
 }
 
+std::vector<Problem> ignored_ground_of(const Level& level, const GroundNames& names) {
+  std::vector<Problem> problems;
+  check_solver_of_curves(level, problems);
+  check_tiles(level, names, problems);
+  return problems;
+}
+
 void check_solver(const LintContext& context, std::vector<Problem>& out) {
-  for (Problem& problem : ignored_ground(context.level)) out.push_back(std::move(problem));
+  for (Problem& problem : ignored_ground_of(context.level, context.tiles.names()))
+    out.push_back(std::move(problem));
   if (const auto problem = ground_problem(context.level))
     report(out, kTooMuchGround, "the level " + *problem);
 }
@@ -87,12 +100,7 @@ void fix_solver(const LintContext& context, const Problem&, std::vector<Edit>& o
 
 }  // namespace
 
-std::vector<Problem> ignored_ground(const Level& level) {
-  std::vector<Problem> problems;
-  check_solver_of_curves(level, problems);
-  check_tiles(level, problems);
-  return problems;
-}
+std::vector<Problem> ignored_ground(const Level& level) { return ignored_ground_of(level, {}); }
 
 const RuleGroup& solver_rules() {
   static constexpr const LintRule* kRules[] = {&kCurvesNeedExact, &kNotInArticle, &kNotInBump,

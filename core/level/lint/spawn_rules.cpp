@@ -86,7 +86,7 @@ class SpawnLinter {
   bool is_in_solid(int index, const std::string& subject, std::optional<Cell> cell) {
     const Spawn& spawn = level_.spawns[static_cast<std::size_t>(index)];
     return any_cell(spawn.position, spawn.position + spawn.size, [&](Cell at) {
-      if (!tiles_[level_.map.at(at)].solid) return false;
+      if (!tiles_[level_.map.tile_at(at)].solid) return false;
       report(out_, kInSolid, subject + " starts inside the solid tile at " + cell_text(at), cell, -1, index);
       return true;
     });
@@ -98,7 +98,7 @@ class SpawnLinter {
     const Spawn& spawn = level_.spawns[static_cast<std::size_t>(index)];
     const Vec2 reach = {level_.tuning.shared.slope_width, level_.tuning.shared.slope_height};
     return any_cell(spawn.position - reach, spawn.position + spawn.size, [&](Cell at) {
-      const TileNumber tile = level_.map.at(at);
+      const TileNumber tile = level_.map.tile_at(at);
       if (!tiles_.is_slope(tile) || tiles_[tile].own_shape) return false;
       const double depth = depth_in_slope(level_, spawn.position, spawn.size, at);
       if (!(depth > 0)) return false;
@@ -117,8 +117,8 @@ class SpawnLinter {
     const Vec2 reach = level_.map.corner_of({kMaxShapeTiles, kMaxShapeTiles});
     const Vec2 end = spawn.position + spawn.size;
     const bool is_covered = any_cell(spawn.position - reach, end + reach, [&](Cell at) {
-      const LintTiles::Tile& tile = tiles_[level_.map.at(at)];
-      if (!tile.line || (tiles_.is_slope(level_.map.at(at)) && !tile.own_shape)) return false;
+      const LintTiles::Tile& tile = tiles_[level_.map.tile_at(at)];
+      if (!tile.line || (tiles_.is_slope(level_.map.tile_at(at)) && !tile.own_shape)) return false;
       return any_cell(spawn.position, end, [&](Cell c) {
         return c.x >= at.x + tile.covered[0].x && c.x <= at.x + tile.covered[1].x &&
                c.y >= at.y + tile.covered[0].y && c.y <= at.y + tile.covered[1].y;
@@ -154,7 +154,7 @@ void check_ball(const LintContext& context, Cell cell, int tile, std::vector<Pro
   const int up = std::max(0, cell.y - tiles.slope_rows());
   for (Cell at{left, up}; at.y <= cell.y; ++at.y) {
     for (at.x = left; at.x <= cell.x; ++at.x) {
-      const TileNumber slope = context.level.map.at(at);
+      const TileNumber slope = context.level.map.tile_at(at);
       if (!tiles.is_slope(slope) || tiles[slope].own_shape) continue;
       const double depth = depth_in_slope(context.level, ball.position(), {ball.w, ball.h}, at);
       if (!(depth > 0)) continue;
@@ -170,7 +170,7 @@ void check_ball(const LintContext& context, Cell cell, int tile, std::vector<Pro
 void check_balls(const LintContext& context, std::array<Cell, 2> area, std::vector<Problem>& out) {
   for (Cell cell = area[0]; cell.y <= area[1].y; ++cell.y) {
     for (cell.x = area[0].x; cell.x <= area[1].x; ++cell.x) {
-      const TileNumber tile = context.level.map.at(cell);
+      const TileNumber tile = context.level.map.tile_at(cell);
       if (context.tiles[tile].role == TileRole::ball) check_ball(context, cell, tile, out);
     }
   }
@@ -256,15 +256,15 @@ void move_ball(const LintContext& context, Cell cell, std::vector<Edit>& out) {
   const Level& level = context.level;
   const LintTiles& tiles = context.tiles;
   for (Cell up{cell.x, cell.y - 1}; level.map.contains(up) && up.y >= cell.y - kMostUp; --up.y) {
-    if (!tiles.is_empty(level.map.at(up))) continue;
+    if (!tiles.is_empty(level.map.tile_at(up))) continue;
     // If the ball covers a slope's right half, that half replaces it.
     const Cell left{cell.x - 1, cell.y};
-    const auto half = static_cast<std::uint8_t>(level.map.contains(left) ? level.map.at(left) + 1 : 0);
+    const auto half = static_cast<std::uint8_t>(level.map.contains(left) ? level.map.tile_at(left) + 1 : 0);
     const bool is_half = half != 0 && tiles[half].half_of == half - 1;
     Edit edit = put_tile(level, cell, is_half ? half : 0,
                          "Move the ball of " + cell_text(cell) + " up to " + cell_text(up) +
                              (is_half ? ", and put tile " + std::to_string(half) + " in its place" : ""));
-    edit.changes.push_back(CellChange{up, level.map.at(up), level.map.at(cell)});
+    edit.changes.push_back(CellChange{up, level.map.tile_at(up), level.map.tile_at(cell)});
     out.push_back(std::move(edit));
     return;
   }

@@ -125,8 +125,8 @@ Level report_level(const Setup& setup) {
   const Cell corner = {static_cast<int>(origin.x) / setup.tile, static_cast<int>(origin.y) / setup.tile};
   const Cell size = ground_size(setup.scene);
   level.map = TileMap(corner.x + size.x + 1, corner.y + size.y, {setup.tile, setup.tile});
-  level.sheet(SheetId::tiles).flags[kSolidTile] = static_cast<std::uint8_t>(1 << level.roles.solid);
-  level.sheet(SheetId::tiles).flags[kSlopeTile] = static_cast<std::uint8_t>(1 << level.roles.up_slope);
+  level.sheet(SheetId::tiles).flags[kSolidTile] = flag_bit(level.roles.solid);
+  level.sheet(SheetId::tiles).flags[kSlopeTile] = flag_bit(level.roles.up_slope);
   const auto add = [&](const Curve& curve) { level.curves.push_back({"", curve, ""}); };
   switch (setup.scene) {
     case S::slope_tiles:

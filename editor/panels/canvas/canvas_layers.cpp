@@ -13,6 +13,7 @@
 #include "overlay_painter.h"
 #include "session/run/scene_compiler.h"
 #include "tile_drawing.h"
+#include "turned_tile.h"
 
 namespace talus {
 namespace {
@@ -41,7 +42,7 @@ int image_of(const BodyImages& images, const Body& body) {
   if (body.origin.spawn >= 0 || !level.map.contains(body.origin.cell)) return first_ball;
   const auto at = static_cast<std::size_t>(body.origin.cell.y) * level.map.width() + body.origin.cell.x;
   for (auto cells = layers.rbegin(); cells != layers.rend(); ++cells)
-    if (is_ball_tile(level, (**cells)[at])) return (**cells)[at];
+    if (const TileNumber tile = (*cells)->tiles()[at]; is_ball_tile(level, tile)) return tile;
   return first_ball;
 }
 
@@ -90,9 +91,9 @@ void draw_curves(ImDrawList& list, const Level& level, const CanvasView& view, f
 }
 
 ImU32 flag_color(int flag, int alpha) {
-  constexpr std::array<std::uint32_t, kFlagCount> kColors = {0xff6188, 0xffd866, 0x78dce8, 0xab9df2,
+  constexpr std::array<std::uint32_t, kCartFlags> kColors = {0xff6188, 0xffd866, 0x78dce8, 0xab9df2,
                                                              0xa9dc76, 0xfc9867, 0x66d9c0, 0xd0d0d0};
-  return theme::color(kColors[static_cast<std::size_t>(flag)], alpha);
+  return theme::color(kColors[static_cast<std::size_t>(flag % kCartFlags)], alpha);
 }
 
 void draw_flag_tint(ImDrawList& list, const Level& level, const CanvasView& view, FlagPattern pattern) {
@@ -105,7 +106,7 @@ void draw_flag_tint(ImDrawList& list, const Level& level, const CanvasView& view
     for (int x = cells.x0; x < cells.x1; ++x) {
       const auto at = static_cast<std::size_t>(y) * level.map.width() + x;
       const bool matches = std::any_of(layers.begin(), layers.end(), [&](LayerCells tiles) {
-        return pattern.matches(level.tile_flags((*tiles)[at]));
+        return pattern.matches(level.tile_flags(tiles->tiles()[at]));
       });
       if (!matches) continue;
       const ImVec2 from = view.corner_of({x, y}), to = view.corner_of({x + 1, y + 1});
@@ -313,18 +314,17 @@ void draw_stamp(ImDrawList& list, const Stamp& stamp, CellRect cells, const Canv
   const Cell from = view.to_cell(view.min), to = view.to_cell(view.max);
   for (int y = std::max(cells.y, from.y); y <= std::min(cells.y + cells.h - 1, to.y); ++y) {
     for (int x = std::max(cells.x, from.x); x <= std::min(cells.x + cells.w - 1, to.x); ++x) {
-      const UvRect uv = ui.uv_of(stamp.at((x - cells.x) % stamp.w, (y - cells.y) % stamp.h));
-      list.AddImage(ui.sheet(SheetId::tiles), view.corner_of({x, y}), view.corner_of({x + 1, y + 1}), uv.from,
-                    uv.to, IM_COL32(255, 255, 255, alpha));
+      draw_map_cell(list, stamp.at((x - cells.x) % stamp.w, (y - cells.y) % stamp.h), view.tile,
+                    view.corner_of({x, y}), view.corner_of({x + 1, y + 1}), ui,
+                    IM_COL32(255, 255, 255, alpha));
     }
   }
 }
 
 void draw_painted_cells(ImDrawList& list, const Edit& edit, const CanvasView& view, const Ui& ui, int alpha) {
-  const auto draw = [&](Cell c, TileNumber tile) {
-    const UvRect uv = ui.uv_of(tile);
-    list.AddImage(ui.sheet(SheetId::tiles), view.corner_of({c.x, c.y}), view.corner_of({c.x + 1, c.y + 1}),
-                  uv.from, uv.to, IM_COL32(255, 255, 255, alpha));
+  const auto draw = [&](Cell c, MapCell content) {
+    draw_map_cell(list, content, view.tile, view.corner_of({c.x, c.y}), view.corner_of({c.x + 1, c.y + 1}),
+                  ui, IM_COL32(255, 255, 255, alpha));
   };
   for (const Change& change : edit.changes) {
     if (const auto* cell = std::get_if<CellChange>(&change)) draw(cell->cell, cell->after);

@@ -16,7 +16,7 @@ namespace talus {
 void draw_curves(ImDrawList& list, const Level& level, const CanvasView& view, float scale);
 // Tints the cells with a tile that matches in the chosen layer or one that is ground.
 void draw_flag_tint(ImDrawList& list, const Level& level, const CanvasView& view, FlagPattern pattern);
-ImU32 flag_color(int flag, int alpha);  // the tint of a flag, the same in the legend and the panels
+ImU32 flag_color(int flag, int alpha);  // the tint of a flag everywhere; flags 8 apart have the same
 void draw_grid(ImDrawList& list, const TileMap& map, const CanvasView& view);
 void draw_screen_borders(ImDrawList& list, const TileMap& map, const CanvasView& view, float scale);
 // Where the bodies placed by hand start.

@@ -75,8 +75,8 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
   constexpr CommandId kTools[] = {"map/stamp"_command,   "map/pan"_command,   "map/select"_command,
                                   "map/fill"_command,    "map/line"_command,  "map/rectangle"_command,
                                   "map/ellipse"_command, "map/slope"_command, "map/segment"_command,
-                                  "map/curve"_command,   "map/body"_command,  "map/ground"_command,
-                                  "map/erase"_command,   "map/pick"_command};
+                                  "map/curve"_command,   "map/body"_command,  "map/object"_command,
+                                  "map/ground"_command,  "map/erase"_command, "map/pick"_command};
   const float button = ui.px(theme::kButton);
   for (const CommandId& tool : kTools) {
     ui.same_line_if_fits(button, &tool == kTools ? ui.px(8) : 0);

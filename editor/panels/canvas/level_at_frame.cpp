@@ -20,7 +20,7 @@ std::vector<Cell> cells_changed(const Level& a, const Level& b) {
   const auto width = static_cast<std::size_t>(a.map.width());
   std::vector<bool> is_changed;  // by cell; empty: none is
   for (int layer = 0; layer < a.layers.count(); ++layer) {
-    const std::vector<TileNumber>&then = a.cells_of(layer), &now = b.cells_of(layer);
+    const MapCells &then = a.cells_of(layer), &now = b.cells_of(layer);
     if (then == now) continue;
     is_changed.resize(now.size());
     for (std::size_t i = 0; i < now.size(); ++i)

@@ -80,7 +80,7 @@ int tiles_below(const Level& level, const ScreenBox& box, const CanvasView& view
       if (!level.map.contains(cell)) continue;
       const auto at = static_cast<std::size_t>(cell.y) * level.map.width() + cell.x;
       for (int layer = 0; layer < level.layers.count(); ++layer)
-        if (level.cells_of(layer)[at] != 0) ++count;
+        if (level.cells_of(layer).tiles()[at] != 0) ++count;
     }
   }
   return count;
@@ -217,7 +217,7 @@ void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui,
     ui.view.canvas.hover.pixel = view.to_level(io.MousePos);
     if (session.level().map.contains(cell)) {
       ui.view.canvas.hover.cell = cell;
-      ui.view.sprites.tile_places[session.level().map.at(cell)] = cell;
+      ui.view.sprites.tile_places[session.level().map.tile_at(cell)] = cell;
     }
     zoom_by_wheel({io.MousePos.x - view.min.x, io.MousePos.y - view.min.y});
     if (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2) ||

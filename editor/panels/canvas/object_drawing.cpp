@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "level/placed_picture.h"
 #include "panels/ui/shown_text.h"
 
 namespace talus {
@@ -14,8 +15,15 @@ struct DrawnObject {
   bool is_closed = false;
 };
 
-// Pictures of tiles, points and texts are small crosses at their places.
+// Points and texts are small crosses at their places, and so are tiles without a picture. Others have a
+// frame.
 DrawnObject drawn(const MapObject& object) {
+  if (object.picture.picture != nullptr) {
+    const PlacedPicture shown = placed(object);
+    return {{shown.corner, shown.corner + shown.right, shown.corner + shown.right + shown.down,
+             shown.corner + shown.down},
+            true};
+  }
   DrawnObject line{line_of(object), false};
   if (line.points.empty()) line = {outline_of(object), true};
   return line;
@@ -61,25 +69,28 @@ void draw_object_name(ImDrawList& list, const MapObject& object, ImVec2 mouse, c
 
 void draw_objects(ImDrawList& list, const Level& level, const CanvasView& view, const Ui& ui, ImVec2 mouse) {
   const float width = std::max(1.0f, std::round(ui.scale * 1.5f));
-  const Rect visible = view.visible();
-  const Vec2 pointed = view.to_level(mouse);
   const MapObject* named = nullptr;
   for (const ObjectLayer& layer : level.objects) {
-    if (!layer.visible) continue;
+    const LayerLooks looks = shown_looks(level.layers.groups, layer);
+    if (!looks.visible) continue;
+    CanvasView there = view;
+    there.origin = view.origin + looks.offset * view.zoom;
+    const Rect visible = there.visible();
+    const Vec2 pointed = there.to_level(mouse);
     const ImU32 color = theme::color(layer.is_ground ? theme::kAccent : theme::kMuted);
     for (const MapObject& object : layer.objects) {
-      if (!meets(around(object), visible)) continue;
+      if (!object.visible || !meets(around(object), visible)) continue;
       const DrawnObject shape = drawn(object);
       const Rect bounds =
           shape.points.empty() ? Rect{object.position.x, object.position.y, 0, 0} : bounds_of(shape.points);
       if (!meets(bounds, visible)) continue;
       if (meets(bounds, {pointed.x, pointed.y, 0, 0})) named = &object;
       if (shape.points.empty()) {
-        draw_cross(list, view.to_screen(object.position), ui.px(4), color);
+        draw_cross(list, there.to_screen(object.position), ui.px(4), color);
         continue;
       }
       std::vector<ImVec2> points;
-      for (const Vec2 p : shape.points) points.push_back(view.to_screen(p));
+      for (const Vec2 p : shape.points) points.push_back(there.to_screen(p));
       list.AddPolyline(points.data(), static_cast<int>(points.size()), color,
                        shape.is_closed ? ImDrawFlags_Closed : ImDrawFlags_None, width);
     }

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <talus/collision/shape_forms.h>
 #include <talus/level/ground.h>
+#include <talus/level/tile_turns.h>
 #include "tile_drawing.h"
 
 namespace talus {
@@ -116,15 +118,21 @@ void draw_shapes(ImDrawList& list, const Level& level, const CanvasView& view, s
   const std::vector<TileShape> shapes = usable_shapes(level);
   const int reach = reach_of(shapes, tile);
   const std::vector<LayerCells> layers = ground_layers(level);
+  std::map<MapCell, TileShape> turned_shapes;
   const Cell first = view.to_cell(view.min), last = view.to_cell(view.max);
   for (Cell at{0, std::max(0, first.y - reach)}; at.y <= std::min(map.height() - 1, last.y + reach); ++at.y) {
     for (at.x = std::max(0, first.x - reach); at.x <= std::min(map.width() - 1, last.x + reach); ++at.x) {
       const auto index = static_cast<std::size_t>(at.y) * map.width() + at.x;
       for (auto layer = layers.begin(); layer != layers.end(); ++layer) {
-        const TileNumber number = (**layer)[index];
-        const auto is_it = [&](LayerCells behind) { return (*behind)[index] == number; };
-        if (shapes[number].kind != TileShape::Kind::none && std::none_of(layers.begin(), layer, is_it))
-          draw_tile_shape(list, shapes[number], tile, view.corner_of(at), cell, color, ui);
+        const MapCell content = (**layer)[index];
+        const auto is_it = [&](LayerCells behind) { return (*behind)[index] == content; };
+        const TileShape& its = shapes[content.tile];
+        if (its.kind == TileShape::Kind::none || std::any_of(layers.begin(), layer, is_it)) continue;
+        const TileShape& shown =
+            content.turn == TileTurn::none
+                ? its
+                : turned_shapes.try_emplace(content, turned(its, content.turn, tile)).first->second;
+        draw_tile_shape(list, shown, tile, view.corner_of(at), cell, color, ui);
       }
     }
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "canvas_layers.h"
+#include "panels/inspector/chosen_curve.h"
 
 namespace talus {
 namespace {
@@ -33,13 +34,16 @@ bool paints_with_stamp(MapTool tool) {
          tool == MapTool::rectangle || tool == MapTool::ellipse;
 }
 
+// Whether Shift means something else over the map.
+bool uses_shift(MapTool tool) { return draws_curves(tool) || tool == MapTool::object; }
+
 }  // namespace
 
 bool SheetOverlay::update(const Session& session, Actions& actions, Ui& ui, const CanvasView& view,
                           bool hovered, bool busy) {
   const ImGuiIO& io = ImGui::GetIO();
-  const bool asked =
-      io.KeyShift && !io.KeyCtrl && !io.KeyAlt && !io.WantTextInput && !ui.view.canvas.cursor.on();
+  const bool asked = io.KeyShift && !io.KeyCtrl && !io.KeyAlt && !io.WantTextInput &&
+                     !ui.view.canvas.cursor.on() && !uses_shift(session.choices().map_tool);
   shown_ = from_ || (asked && hovered && !busy);
   const Place place = place_of(view, ui);
   const Cell tile{static_cast<int>(std::floor((io.MousePos.x - place.min.x) / place.cell)),

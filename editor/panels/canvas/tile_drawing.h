@@ -1,4 +1,4 @@
-// The layers of tiles of a map on a canvas, from the back to the front.
+// The layers of a map on a canvas, from the back to the front.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,8 @@ struct TileLooks {
 };
 
 // The visible layers of the map, and what lies beyond its edge. In the layer at the back, colour 0 is the
-// ground of the picture; in those in front of it, tile 0 is empty and colour 0 is clear.
+// ground of the picture; in those in front of it, tile 0 is empty and colour 0 is clear. Of objects only
+// their pictures are drawn.
 void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, const Ui& ui, TileLooks looks);
 // The same at low zoom, in blocks of one colour and without what lies beyond the edge; draws nothing without
 // MapTextures. parallax: as in TileLooks. other: shows this level instead of the edited one.
@@ -37,8 +38,8 @@ struct CellSpan {
 };
 CellSpan visible_cells(const TileMap& map, const CanvasView& view);
 
-// Tiles row by row, as many as the map has cells.
-using LayerCells = const std::vector<TileNumber>*;
+// Of a layer; never null.
+using LayerCells = const MapCells*;
 // The layers that are ground, from the back to the front. Valid as long as the level is not changed.
 std::vector<LayerCells> ground_layers(const Level& level);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "commands.h"
+#include "panels/emit_edit.h"
 #include "panels/panel_ids.h"
 
 namespace talus {
@@ -25,6 +26,7 @@ std::vector<Command> picture_commands();     // work everywhere
 std::vector<Command> export_commands();      // work everywhere
 std::vector<Command> problem_commands();     // work everywhere: the problems, and the reach
 std::vector<Command> curve_commands();       // work in the map, on curves and bodies
+std::vector<Command> object_commands();      // work in the map, on objects
 std::vector<Command> shape_commands();       // work everywhere, on the selected tiles
 std::vector<Command> polygon_commands();     // work in the shape editor, and give it the keys
 std::vector<Command> panel_commands();       // work everywhere: tabs and menus by keys
@@ -70,11 +72,6 @@ inline CommandRun choose_map_tool(MapTool tool) {
 }
 inline CommandTest is_map_tool(MapTool tool) {
   return [tool](const Session& session, const Ui&) { return session.choices().map_tool == tool; };
-}
-
-// Emits the edit, unless it is empty.
-inline void emit_edit(Actions& actions, Edit edit) {
-  if (!edit.empty() || edit.selection) actions.push_back(action::EditLevel{std::move(edit)});
 }
 
 inline std::vector<Command> in_scope(Scope scope, std::vector<Command> commands) {

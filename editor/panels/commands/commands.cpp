@@ -20,11 +20,11 @@ bool answers(const Command& command, KeyChord chord, const KeyBindings& bindings
 }  // namespace
 
 std::span<const Command> commands() {
-  static const std::vector<Command> all =
-      joined({general_commands(), player_commands(), cursor_commands(), program_commands(), debug_commands(),
-              input_roll_commands(), tool_commands(), map_commands(), layer_commands(), brush_commands(),
-              curve_commands(), shape_commands(), polygon_commands(), flag_commands(), picture_commands(),
-              export_commands(), problem_commands(), panel_commands(), field_commands()});
+  static const std::vector<Command> all = joined(
+      {general_commands(),    player_commands(), cursor_commands(),  program_commands(), debug_commands(),
+       input_roll_commands(), tool_commands(),   map_commands(),     layer_commands(),   brush_commands(),
+       curve_commands(),      object_commands(), shape_commands(),   polygon_commands(), flag_commands(),
+       picture_commands(),    export_commands(), problem_commands(), panel_commands(),   field_commands()});
   return all;
 }
 

@@ -1,7 +1,8 @@
-// The commands of curves and bodies on the map.
+// The commands of curves and bodies on the map, and Duplicate.
 #include "command_table.h"
 #include "edit/spawn_tools.h"
 #include "panels/inspector/chosen_curve.h"
+#include "panels/inspector/chosen_object.h"
 #include "panels/inspector/chosen_spawn.h"
 
 namespace talus {
@@ -36,13 +37,23 @@ CommandTest draws_kind(CurveKind kind) {
   };
 }
 
-// The inspector shows what is duplicated: a curve while a tool draws curves, or else a body.
+// The inspector shows what is duplicated: a curve while a tool draws curves, an object with the object tool,
+// or else a body.
 bool can_duplicate(S session, const Ui&) {
+  if (session.choices().map_tool == MapTool::object) return chosen_object(session) != nullptr;
   return (draws_curves(session.choices().map_tool) ? chosen_curve(session) : chosen_spawn(session)) >= 0;
 }
 
 void duplicate(S session, A actions, U) {
   const Level& level = session.level();
+  if (session.choices().map_tool == MapTool::object) {
+    const ObjectRef chosen = session.choices().object;
+    if (const auto problem = problem_of_layer(level, chosen.layer))
+      return actions.push_back(action::ShowMessage{*problem, true});
+    actions.push_back(action::EditLevel{duplicate_object(level, chosen)});
+    actions.push_back(action::SelectObject{place_of_added(level, chosen.layer)});
+    return;
+  }
   if (!draws_curves(session.choices().map_tool)) {
     actions.push_back(action::EditLevel{duplicate_spawn(level, chosen_spawn(session))});
     actions.push_back(action::SelectSpawn{static_cast<int>(level.spawns.size())});
@@ -97,8 +108,9 @@ std::vector<Command> curve_commands() {
            .checked = draws_kind(CurveKind::polyline)},
           {.id = "map/duplicate",
            .label = "Duplicate",
-           .help = "Copies what the inspector shows to a place one tile further on: the chosen curve, with a "
-                   "tool that draws curves, or else the chosen body.",
+           .help =
+               "Copies what the inspector shows to a place one tile further on: the chosen curve, with a "
+               "tool that draws curves, the chosen object, with the object tool, or else the chosen body.",
            .key = ctrl('d'),
            .menu = menus::kMapBrushes,
            .run = duplicate,

@@ -40,9 +40,10 @@ std::vector<Command> color_fields() {
 
 constexpr const char* kBodyWords = "spawn object entity player ball start inspector";
 
-// The inspector shows curves while a tool for curves is chosen.
+// The inspector shows curves while a tool for curves is chosen, and objects with the object tool.
 bool shows_spawn(S session, const Ui&) {
-  return !draws_curves(session.choices().map_tool) && chosen_spawn(session) >= 0;
+  const MapTool tool = session.choices().map_tool;
+  return !draws_curves(tool) && tool != MapTool::object && chosen_spawn(session) >= 0;
 }
 
 CommandRun choose_body(int step) {
@@ -53,7 +54,8 @@ CommandRun choose_body(int step) {
       if (bodies[i].id == session.choices().body)
         next = (i + bodies.size() + static_cast<std::size_t>(step)) % bodies.size();
     actions.push_back(action::SelectBody{bodies[next].id});
-    if (draws_curves(session.choices().map_tool)) actions.push_back(action::SetMapTool{MapTool::body});
+    const MapTool tool = session.choices().map_tool;
+    if (draws_curves(tool) || tool == MapTool::object) actions.push_back(action::SetMapTool{MapTool::body});
     ui.ask(request::ShowTab(panel_id::kInspector));
   };
 }
@@ -200,6 +202,30 @@ std::vector<Command> other_fields() {
        .run = go_to_field(panel_id::kShape, "shape/turn"),
        .enabled = has_shape_to_copy,
        .words = "mirror flip rotate shape duplicate"},
+      {.id = "tile/type_class",
+       .label = "Type the tile's class...",
+       .help = "Goes to the field of the class that games take the selected tiles for.",
+       .run = go_to_field(panel_id::kTile, "tile/class"),
+       .enabled = has_tile_to_shape,
+       .words = "type data note"},
+      {.id = "tile/type_probability",
+       .label = "Type the tile's probability...",
+       .help = "Goes to how often random painting takes the selected tiles.",
+       .run = go_to_field(panel_id::kTile, "tile/probability"),
+       .enabled = has_tile_to_shape,
+       .words = "weight random dice"},
+      {.id = "tile/new_property",
+       .label = "Add a property to the tile...",
+       .help = "Goes to the field of a new property's name; Enter adds it.",
+       .run = go_to_field(panel_id::kTile, "tile/tile_new_property"),
+       .enabled = has_tile_to_shape,
+       .words = "custom data value"},
+      {.id = "tile/animate",
+       .label = "Add a frame to the tile's animation",
+       .help = "Adds the selected tiles as frames of the animation that the tab Tile shows.",
+       .run = go_to_field(panel_id::kTile, "tile/add_frame"),
+       .enabled = has_tile_to_shape,
+       .words = "animation frame duration ms"},
       {.id = "problems/choose",
        .label = "List problems of one kind...",
        .help = "Opens the list of kinds of problems.",

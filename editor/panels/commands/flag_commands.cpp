@@ -20,12 +20,17 @@ void toggle_brush(const Session& session, Actions& actions, Ui&) {
 
 CommandRun go_to_flagged(bool forwards) {
   return [forwards](const Session& session, Actions&, Ui& ui) {
-    const auto cell = find_flagged_cell(session.level(), *session.choices().flag_overlay,
-                                        ui.view.canvas.search_start(), forwards);
+    const auto cell =
+        find_flagged_cell(session.level(), *session.choices().flag_overlay, ui.view.canvas.search_start(),
+                          forwards, -1, ui.view.level.flag_layers);
     if (!cell) return;
     ui.view.show_on_map(*cell);
     ui.view.canvas.show_map();
   };
+}
+
+SearchedLayers other_layers(SearchedLayers layers) {
+  return layers == SearchedLayers::all ? SearchedLayers::chosen : SearchedLayers::all;
 }
 
 bool has_chosen_flag(const Session& session, const Ui&) { return session.choices().flag_overlay.has_value(); }
@@ -66,6 +71,11 @@ CommandTest is_flag_tinted(int flag) {
   };
 }
 
+// Whether the flag has a lamp.
+CommandTest is_flag_shown(int flag) {
+  return [flag](const Session& session, const Ui&) { return flag < shown_flags(session.level()); };
+}
+
 std::vector<Command> commands_of_flag(int flag) {
   const std::string number = std::to_string(flag);
   return {
@@ -73,6 +83,7 @@ std::vector<Command> commands_of_flag(int flag) {
        .label = "Switch flag " + number,
        .help = "Sets the flag in the selected tiles, or clears it if any of them has it.",
        .run = switch_flag(flag),
+       .enabled = is_flag_shown(flag),
        .checked = is_flag_set(flag),
        .words = "set clear toggle bit lamp property"},
       {.id = "flags/name" + number,
@@ -84,6 +95,7 @@ std::vector<Command> commands_of_flag(int flag) {
        .label = "Tint flag " + number,
        .help = "Tints the cells and the tiles of the sheet that have it.",
        .run = tint_flag(flag),
+       .enabled = is_flag_shown(flag),
        .checked = is_flag_tinted(flag),
        .words = "show colour bit map overlay"},
   };
@@ -91,7 +103,7 @@ std::vector<Command> commands_of_flag(int flag) {
 
 std::vector<Command> commands_of_each_flag() {
   std::vector<Command> all;
-  for (int flag = 0; flag < kFlagCount; ++flag) all = joined({all, commands_of_flag(flag)});
+  for (int flag = 0; flag < kMaxFlags; ++flag) all = joined({all, commands_of_flag(flag)});
   return all;
 }
 
@@ -116,7 +128,7 @@ std::vector<Command> commands_of_all_flags() {
        .run = [](const Session&, Actions&, Ui& ui) { ui.ask(request::ShowTab(panel_id::kFlagSearch)); }},
       {.id = "flags/next",
        .label = "Next cell with the flag",
-       .help = "Shows the next cell of the map whose tile has the tinted flag.",
+       .help = "Shows the next cell of the map with a tile that has the tinted flag, in any layer.",
        .key = ctrl('g'),
        .menu = menus::kEditFlags,
        .run = go_to_flagged(true),
@@ -124,15 +136,24 @@ std::vector<Command> commands_of_all_flags() {
        .repeats = true},
       {.id = "flags/previous",
        .label = "Previous cell with the flag",
-       .help = "Shows the previous cell of the map whose tile has the tinted flag.",
+       .help = "Shows the previous cell of the map with a tile that has the tinted flag, in any layer.",
        .key = ctrl_shift('g'),
        .menu = menus::kEditFlags,
        .run = go_to_flagged(false),
        .enabled = has_chosen_flag,
        .repeats = true},
+      {.id = "flags/chosen_layer",
+       .label = "Find flags in the chosen layer alone",
+       .help = "Counts and finds cells with the tinted flag in the chosen layer alone; else in all layers.",
+       .run = [](const Session&, Actions&,
+                 Ui& ui) { ui.view.level.flag_layers = other_layers(ui.view.level.flag_layers); },
+       .enabled = [](const Session& session, const Ui&) { return session.level().layers.count() > 1; },
+       .checked = [](const Session&,
+                     const Ui& ui) { return ui.view.level.flag_layers == SearchedLayers::chosen; },
+       .words = "search layers"},
       {.id = "flags/type_byte",
-       .label = "Type the flags as a byte...",
-       .help = "Goes to the field of all eight flags, as two hexadecimal digits; Enter sets them.",
+       .label = "Type the flags as a number...",
+       .help = "Goes to the field of all flags, as hexadecimal digits; Enter sets them.",
        .run = go_to_field(panel_id::kFlags, "flags/byte"),
        .words = "hex bits byte lamps"},
   };

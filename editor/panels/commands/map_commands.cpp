@@ -6,10 +6,12 @@
 #include "edit/map_mirror.h"
 #include "edit/map_rectangle.h"
 #include "edit/map_selection.h"
+#include "edit/map_turn.h"
 #include "edit/spawn_tools.h"
 #include "edit/stamp.h"
 #include "edit/tile_search.h"
 #include "panels/inspector/chosen_curve.h"
+#include "panels/inspector/chosen_object.h"
 #include "panels/inspector/chosen_spawn.h"
 #include "session/editing/map_clipboard.h"
 
@@ -72,17 +74,33 @@ CommandRun mirror_selection(MirrorAxis axis) {
   };
 }
 
+// Turns what the mouse carries, or the selection, or the stamp.
+CommandRun turn_tiles(TileTurn turn) {
+  return [turn](S session, A actions, U) {
+    const Choices& choices = session.choices();
+    if (choices.pasted) return actions.push_back(action::SetPasted{turned(*choices.pasted, turn)});
+    if (choices.map_tool != MapTool::select || !choices.selection)
+      return actions.push_back(action::SetStamp{turned(choices.stamp, turn)});
+    Edit edit = turn_cells(session.level(), *choices.selection, turn);
+    if (edit.empty() && !edit.selection) return;
+    actions.push_back(action::EditLevel{std::move(edit)});
+  };
+}
+
 void fill_selection(S session, A actions, U) {
   emit_edit(actions, fill_rect(session.level(), *session.choices().selection, session.choices().stamp));
 }
 
-// With the selection tool and a selection the arrows move the selection, otherwise the view.
+// With the selection tool and a selection the arrows move the selection, with the object tool the chosen
+// object, otherwise the view.
 CommandRun move_or_scroll(int dx, int dy) {
   return [dx, dy](S session, A actions, U ui) {
     if (session.choices().selection && session.choices().map_tool == MapTool::select) {
       const MovedCells moved = move_selection(session.level(), session.history(),
                                               *session.choices().selection, {dx, dy}, session.next_stroke());
       actions.push_back(action::EditLevel{moved.edit, moved.stroke});
+    } else if (session.choices().map_tool == MapTool::object && chosen_object(session) != nullptr) {
+      move_chosen_object(session, actions, {1.0 * dx, 1.0 * dy});
     } else {
       ui.ask(request::Scroll{{dx * 64.0, dy * 64.0}});
     }
@@ -96,6 +114,7 @@ void erase_hovered(S session, A actions, U ui) {
     return;
   }
   if (draws_curves(session.choices().map_tool)) return delete_curve(session, actions, ui);
+  if (session.choices().map_tool == MapTool::object) return delete_object(session, actions);
   if (session.choices().selection) {
     emit_edit(actions, erase_cells(session.level(), *session.choices().selection));
     return;
@@ -250,8 +269,8 @@ std::vector<Command> selection_commands() {
       {.id = "map/delete",
        .label = "Delete",
        .help = "Paints tile 0 over the selection or, without one, under the mouse, as large as the stamp. "
-               "The body tool removes the chosen body; tools that draw curves remove the curve under the "
-               "mouse, or the chosen one.",
+               "The body tool and the object tool remove the chosen body or object; tools that draw curves "
+               "remove the curve under the mouse, or the chosen one.",
        .key = KeyChord{kKeyDelete},
        .menu = menus::kMapSelection,
        .run = erase_hovered,
@@ -270,6 +289,40 @@ std::vector<Command> selection_commands() {
        .menu = menus::kMapSelection,
        .run = mirror_selection(MirrorAxis::vertical),
        .enabled = has_selected_cells},
+      {.id = "map/flip_x",
+       .label = "Flip left and right",
+       .help =
+           "Flips the stamp, tiles that are being pasted or, with the selection tool, the selected tiles: "
+           "pictures and shapes. The other side is another turn of the same tile.",
+       .key = KeyChord{'x'},
+       .menu = menus::kMapSelection,
+       .run = turn_tiles(TileTurn::left_right),
+       .words = "mirror horizontal"},
+      {.id = "map/flip_y",
+       .label = "Flip up and down",
+       .help =
+           "Flips the stamp, tiles that are being pasted or, with the selection tool, the selected tiles: "
+           "pictures and shapes.",
+       .key = KeyChord{'y'},
+       .menu = menus::kMapSelection,
+       .run = turn_tiles(TileTurn::up_down),
+       .words = "mirror vertical"},
+      {.id = "map/turn_right",
+       .label = "Turn right",
+       .help = "Turns the stamp, tiles that are being pasted or, with the selection tool, the selected tiles "
+               "by a quarter, clockwise: pictures and shapes.",
+       .key = KeyChord{'z'},
+       .menu = menus::kMapSelection,
+       .run = turn_tiles(kTurnRight),
+       .words = "rotate quarter clockwise"},
+      {.id = "map/turn_left",
+       .label = "Turn left",
+       .help = "Turns the stamp, tiles that are being pasted or, with the selection tool, the selected tiles "
+               "by a quarter, the other way: pictures and shapes.",
+       .key = shift('z'),
+       .menu = menus::kMapSelection,
+       .run = turn_tiles(kTurnLeft),
+       .words = "rotate quarter counterclockwise"},
       {.id = "map/fill_selection",
        .label = "Fill the selection",
        .help = "Fills the selection with the stamp, repeated from its top-left corner.",
@@ -296,12 +349,12 @@ std::vector<Command> selection_commands() {
 void open_find_tiles(S session, A, U ui) {
   ui.view.level.find_tiles_open = true;
   ui.ask(request::FocusField("find_tiles/find"));
-  ui.view.level.find_tile = session.choices().stamp.tiles.front();
+  ui.view.level.find_tile = session.choices().stamp.tiles.front().tile;
 }
 
 CommandRun find_next_tile(FindDirection direction) {
   return [direction](S session, A actions, U ui) {
-    if (!ui.view.level.find_tiles_open) ui.view.level.find_tile = session.choices().stamp.tiles.front();
+    if (!ui.view.level.find_tiles_open) ui.view.level.find_tile = session.choices().stamp.tiles.front().tile;
     const auto tile = static_cast<TileNumber>(ui.view.level.find_tile);
     const auto cell = find_tile(session.level().map, tile, ui.view.canvas.search_start(), direction,
                                 session.choices().selection);
@@ -348,6 +401,10 @@ std::vector<Command> whole_map_commands() {
   };
 }
 
+constexpr const char* kArrowHelp =
+    "Moves the selected tiles by a cell, with the selection tool, or the chosen object by a px, with the "
+    "object tool; otherwise the view.";
+
 std::vector<Command> map_view_commands() {
   return {
       {.id = "map/fit",
@@ -358,25 +415,25 @@ std::vector<Command> map_view_commands() {
        .run = [](S, A, U ui) { ui.ask(request::FitMap{}); }},
       {.id = "map/left",
        .label = "Left",
-       .help = "Moves the selected tiles by a cell, with the selection tool; otherwise the view.",
+       .help = kArrowHelp,
        .key = KeyChord{kKeyLeft},
        .run = move_or_scroll(-1, 0),
        .repeats = true},
       {.id = "map/right",
        .label = "Right",
-       .help = "Moves the selected tiles by a cell, with the selection tool; otherwise the view.",
+       .help = kArrowHelp,
        .key = KeyChord{kKeyRight},
        .run = move_or_scroll(1, 0),
        .repeats = true},
       {.id = "map/up",
        .label = "Up",
-       .help = "Moves the selected tiles by a cell, with the selection tool; otherwise the view.",
+       .help = kArrowHelp,
        .key = KeyChord{kKeyUp},
        .run = move_or_scroll(0, -1),
        .repeats = true},
       {.id = "map/down",
        .label = "Down",
-       .help = "Moves the selected tiles by a cell, with the selection tool; otherwise the view.",
+       .help = kArrowHelp,
        .key = KeyChord{kKeyDown},
        .run = move_or_scroll(0, 1),
        .repeats = true},

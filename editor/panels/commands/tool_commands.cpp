@@ -1,7 +1,10 @@
 // The commands of the sprites: the pixel canvas, the palette and the sheet.
 #include <algorithm>
+#include <optional>
+#include <vector>
 
 #include "command_table.h"
+#include "edit/picture_palette.h"
 #include "edit/sprite_clear.h"
 #include "edit/sprite_clipboard.h"
 #include "edit/sprite_turn.h"
@@ -40,24 +43,25 @@ CommandRun turn_pixels(PixelTurn turn) {
 }
 
 bool can_rotate(S session, const Ui& ui) {
-  const CellRect& tiles = session.choices().area.tiles;
-  return has_selected_pixels(session, ui) || tiles.w == tiles.h;
+  const SpriteArea& area = session.choices().area;
+  return has_selected_pixels(session, ui) || area.width() == area.height();
 }
 
 // Clears the selected pixels, or the tiles and their flags if no pixels are selected.
 void clear_sprite(S session, A actions, U) {
   const Choices& choices = session.choices();
-  const auto color = static_cast<std::uint8_t>(choices.secondary_color);
+  const PixelColor color = choices.paint(session.level(), true);
   const auto& rect = choices.pixels.rect();
   actions.push_back(action::EditLevel{rect ? clear_pixels(session.level(), choices.area, *rect, color)
                                            : clear_area(session.level(), choices.area, color)});
 }
 
 void copy_sprite(S session, A, U) {
+  const Level& level = session.level();
   const Choices& choices = session.choices();
-  const std::string text = choices.pixels.rect()
-                               ? pixels_to_text(choices.pixels.pixels(session.level(), choices.area))
-                               : tiles_to_text(session.level(), choices.area);
+  const SpriteArea& area = choices.area;
+  const std::string text =
+      choices.pixels.rect() ? pixels_to_text(choices.pixels.pixels(level, area)) : tiles_to_text(level, area);
   ImGui::SetClipboardText(text.c_str());
 }
 
@@ -81,7 +85,12 @@ void emit_paste(A actions, tl::expected<Edit, std::string> edit) {
 void paste_sprite(S session, A actions, U) {
   const Choices& choices = session.choices();
   const std::string text = clipboard_text();
-  if (auto block = pixels_from_text(text)) {
+  const bool is_whole = !choices.pixels.rect() && has_tiles_for(session.level(), choices.area, text);
+  const bool in_rgba = is_in_rgba(session.level(), choices.area.sheet);
+  auto block = pixels_from_text(text);
+  if (auto tiles = block ? std::nullopt : tile_pixels_from_text(text); tiles && (in_rgba || tiles->in_rgba))
+    block = std::move(tiles);
+  if (block && !is_whole) {
     const CellRect at = choices.pixels.rect().value_or(CellRect{});
     actions.push_back(action::PastePixels{std::move(*block), {at.x, at.y}});
   } else {
@@ -97,8 +106,24 @@ void paste_colors(S session, A actions, U ui) {
   emit_paste(actions, paste_palette(session.level(), ui.view.sprites.palette_color, clipboard_text()));
 }
 
+// The colour of the picture beside that of a button, in the order of the palette panel.
+std::optional<Rgba> color_beside(S session, int step, bool secondary) {
+  const Choices& choices = session.choices();
+  const std::vector<Rgba> colors = picture_palette(session.level(), choices.area);
+  if (colors.empty()) return std::nullopt;
+  const auto count = static_cast<int>(colors.size());
+  const auto now = std::find(colors.begin(), colors.end(), secondary ? choices.secondary_rgba : choices.rgba);
+  const int at = now == colors.end() ? (step > 0 ? -1 : 0) : static_cast<int>(now - colors.begin());
+  return colors[static_cast<std::size_t>((at + step + count) % count)];
+}
+
 CommandRun cycle_color(int step, bool secondary) {
   return [step, secondary](S session, A actions, U ui) {
+    if (is_in_rgba(session.level(), session.choices().area.sheet)) {
+      if (const auto color = color_beside(session, step, secondary))
+        actions.push_back(action::SetRgba{*color, secondary});
+      return;
+    }
     const int now = secondary ? session.choices().secondary_color : session.choices().color;
     ui.view.sprites.palette_color = (now + step + kColorCount) % kColorCount;
     actions.push_back(action::SetColor{ui.view.sprites.palette_color, secondary});
@@ -212,6 +237,21 @@ std::vector<Command> pixel_tools() {
        .icon = Icon::neighbours,
        .run = toggle<&View::sprites, &SpritesView::pixels, &PixelView::neighbours>,
        .checked = is_on<&View::sprites, &SpritesView::pixels, &PixelView::neighbours>},
+      {.id = "pixels/zoom_in",
+       .label = "Zoom in on the pixels",
+       .help = "Shows the pixels larger. What has no room is scrolled by bars and the wheel. Ctrl and the "
+               "wheel zoom "
+               "at the mouse.",
+       .menu = menus::kSpritesView,
+       .run = [](S, A, U ui) { ++ui.view.sprites.pixel_zoom; },
+       .enabled = [](S, const Ui& ui) { return ui.view.sprites.pixel_zoom < kMostPixelZoom; },
+       .words = "magnify"},
+      {.id = "pixels/zoom_out",
+       .label = "Zoom out of the pixels",
+       .help = "Shows the pixels smaller, until all of them have room.",
+       .menu = menus::kSpritesView,
+       .run = [](S, A, U ui) { --ui.view.sprites.pixel_zoom; },
+       .enabled = [](S, const Ui& ui) { return ui.view.sprites.pixel_zoom > 0; }},
       {.id = "pixels/enlarge",
        .label = "Enlarge the pixels",
        .help = "Shows the pixel canvas above the map and the play view, instead of below the sheet.",
@@ -302,7 +342,9 @@ std::vector<Command> pixel_changes() {
        .run = copy_sprite},
       {.id = "pixels/paste",
        .label = "Paste",
-       .help = "Pastes pixels, which float, or as many tiles as are selected; also from TIC-80.",
+       .help = "Pastes pixels, which float, or as many tiles as are selected, with their flags; also from "
+               "TIC-80. "
+               "Each gets the nearest colour where there are 16.",
        .key = ctrl('v'),
        .menu = menus::kSpritesSelection,
        .run = paste_sprite},

@@ -2,8 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include <talus/level/tileset.h>
 
 namespace talus {
 
@@ -16,7 +20,9 @@ struct ExportView {
 struct FilesView {
   ExportView exports;
   std::vector<std::string> recent_files;  // absolute paths, the latest first
-  std::vector<std::string> hard_cases;    // paths of the levels that come with the program, in order
+  // Small pictures of their levels, by path; some may be missing.
+  std::map<std::string, std::shared_ptr<const SheetPicture>> recent_pictures;
+  std::vector<std::string> hard_cases;  // paths of the levels that come with the program, in order
 };
 
 }  // namespace talus

@@ -74,8 +74,8 @@ void LevelImportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 
 void LevelImportPanel::draw_levels(const LevelImport& import, ImportChoices& choices, Ui& ui) {
   ImGui::TextUnformatted("A level is one of the project's. Take:");
-  choices.level_number =
-      1 + draw_world(import.levels, choices.level_number - 1, {ui.px(kReportWidth), ui.px(kWorldHeight)}, ui);
+  choices.level_number = 1 + draw_world(import.levels, import.pictures, choices.level_number - 1,
+                                        {ui.px(kReportWidth), ui.px(kWorldHeight)}, ui);
   const int count = static_cast<int>(import.levels.size());
   const float lines = std::min(static_cast<float>(count), kListLines);
   ImGui::BeginChild("levels", {ui.px(kReportWidth), lines * ImGui::GetFrameHeightWithSpacing()}, false,

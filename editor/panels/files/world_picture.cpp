@@ -76,7 +76,9 @@ std::vector<Rect> places_in_world(const std::vector<LdtkLevelName>& levels, int 
   return places;
 }
 
-int draw_world(const std::vector<LdtkLevelName>& levels, int chosen, ImVec2 size, Ui& ui) {
+int draw_world(const std::vector<LdtkLevelName>& levels,
+               const std::vector<std::shared_ptr<const SheetPicture>>& pictures, int chosen, ImVec2 size,
+               Ui& ui) {
   const std::vector<Rect> places = places_in_world(levels, chosen);
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const WorldView view = view_of(places, min, size, ui.px(kWorldMargin));
@@ -95,6 +97,9 @@ int draw_world(const std::vector<LdtkLevelName>& levels, int chosen, ImVec2 size
     const Rect& place = places[static_cast<std::size_t>(i)];
     const ImVec2 from = view.at(place.x, place.y), to = corner(place);
     list.AddRectFilled(from, to, theme::color(levels[static_cast<std::size_t>(i)].color));
+    const auto index = static_cast<std::size_t>(i);
+    if (index < pictures.size() && pictures[index] != nullptr)
+      list.AddImage(ui.small_pictures->texture(pictures[index]), from, to);
     list.AddRect(from, to, theme::color(theme::kMuted), 0, 0, ui.px(1));
     const bool is_over = mouse.x >= from.x && mouse.y >= from.y && mouse.x < to.x && mouse.y < to.y;
     if (ImGui::IsItemHovered() && is_over) hovered = i;

@@ -220,6 +220,7 @@ void draw_hard_case(const HardCase& hard, Ui& ui) {
 
 void InspectorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (draws_curves(session.choices().map_tool)) return curve_.draw(session, actions, ui);
+  if (session.choices().map_tool == MapTool::object) return object_.draw(session, actions, ui);
   const Body* body = session.state().find(session.choices().body);
   if (body == nullptr) {
     if (session.choices().map_tool == MapTool::body)

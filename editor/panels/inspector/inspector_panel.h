@@ -1,8 +1,9 @@
 // The inspector: the chosen body's numbers and every contact of its last step, in order. With a tool that
-// draws curves it shows the chosen curve.
+// draws curves it shows the chosen curve, and with the object tool the chosen object.
 #pragma once
 
 #include "curve_inspector.h"
+#include "object_inspector.h"
 #include "panels/panel.h"
 #include "spawn_inspector.h"
 
@@ -17,6 +18,7 @@ class InspectorPanel : public Panel {
  private:
   SpawnInspector spawn_;
   CurveInspector curve_;
+  ObjectInspector object_;
 };
 
 }  // namespace talus

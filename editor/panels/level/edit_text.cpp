@@ -65,6 +65,13 @@ std::string describe(const Edit& edit) {
     return with_count(edit.label, static_cast<std::size_t>(count), "pixel") +
            number_of(pixel->sheet, pixel->tile);
   }
+  if (const auto* look = std::get_if<TileLookChange>(&first)) {
+    const auto count = std::count_if(edit.changes.begin(), edit.changes.end(), [](const Change& c) {
+      return std::holds_alternative<TileLookChange>(c);
+    });
+    return (count > 1 ? with_count(edit.label, static_cast<std::size_t>(count), "tile") : edit.label) +
+           number_of(look->sheet, look->tile);
+  }
   if (const auto* flags = std::get_if<FlagsChange>(&first))
     return edit.label + number_of(flags->sheet, flags->tile);
   if (const auto* tuning = std::get_if<TuningChange>(&first)) return describe_tuning(edit, *tuning);

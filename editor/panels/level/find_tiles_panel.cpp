@@ -39,7 +39,7 @@ void FindTilesPanel::draw_tile(const std::string& name, const char* label, Field
   ImGui::SameLine();
   if (ui.text_button(name + "_take", "Take chosen", false,
                      "Takes the tile that is chosen on the sheet or picked."))
-    field.typed = field.tile = tile = session.choices().stamp.tiles.front();
+    field.typed = field.tile = tile = session.choices().stamp.tiles.front().tile;
 }
 
 void FindTilesPanel::draw_count(std::size_t count, bool of_selection, Ui& ui) const {

@@ -40,7 +40,7 @@ void go_to_problem(std::size_t index, const Session& session, Actions& actions, 
     view.show_on_map(*problem.cell);
     view.window.focus = Focus::map;
     view.canvas.show_map();
-  } else if (problem.tile >= 0) {
+  } else if (problem.tile >= 0 && problem.tile < session.level().tile_count()) {
     const CellRect tile = ui.place_on_sheet(problem.tile);
     if (tile != session.choices().area.tiles) actions.push_back(action::SelectTiles{{SheetId::tiles, tile}});
   }
@@ -72,7 +72,8 @@ void go_to_next_problem(int direction, const Session& session, Actions& actions,
 }
 
 void fix_problem(const Problem& problem, const Session& session, Actions& actions) {
-  const std::vector<Edit> fixes = fixes_for(session.level(), session.lint_options(), problem);
+  const std::vector<Edit> fixes =
+      fixes_for(session.level(), session.linted_level(), session.lint_options(), problem);
   if (!fixes.empty()) {
     actions.push_back(action::EditLevel{fixes.front()});
   } else {
@@ -82,7 +83,8 @@ void fix_problem(const Problem& problem, const Session& session, Actions& action
 
 void fix_all_problems(const LintRule& rule, const Session& session, Actions& actions, const Ui& ui) {
   int fixed = 0;
-  Edit edit = fix_all(session.level(), session.lint_options(), *ui.problems, rule, &fixed);
+  Edit edit =
+      fix_all(session.level(), session.linted_level(), session.lint_options(), *ui.problems, rule, &fixed);
   const auto all = std::count_if(ui.problems->begin(), ui.problems->end(),
                                  [&](const Problem& problem) { return problem.rule == &rule; });
   actions.push_back(action::EditLevel{std::move(edit)});

@@ -17,11 +17,12 @@ constexpr int kRemediesAFrame = 4;  // finding a remedy takes up to a few ms
 constexpr float kFix = 32,
                 kWidePlace = 90;  // px at scale 1: width of the button, above which a place has its own line
 
-std::string place_of(const Problem& problem) {
+// tile_count: of the level; problems of the ground have other tiles, too.
+std::string place_of(const Problem& problem, int tile_count) {
   if (problem.cell)
     return std::string("(").append(std::to_string(problem.cell->x) + "," + std::to_string(problem.cell->y) +
                                    ")");
-  return problem.tile >= 0 ? "#" + std::to_string(problem.tile) : "level";
+  return problem.tile >= 0 && problem.tile < tile_count ? "#" + std::to_string(problem.tile) : "level";
 }
 
 std::string looking_text(const Session& session) {
@@ -118,9 +119,10 @@ void ProblemsPanel::draw_rows(const std::vector<std::size_t>& rows, const Sessio
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY;
   if (!ImGui::BeginTable("problems", 3, kFlags, ImGui::GetContentRegionAvail())) return;
   const std::size_t shown = std::min(rows.size(), kMostRows);
+  const int tiles = session.level().tile_count();
   float place = ui.px(40);
   for (std::size_t i = 0; i < shown; ++i)
-    place = std::max(place, width_of(place_of((*ui.problems)[rows[i]])));
+    place = std::max(place, width_of(place_of((*ui.problems)[rows[i]], tiles)));
   const bool is_wide = place > ui.px(kWidePlace);  // the place is above the message
   ImGui::TableSetupColumn("place", ImGuiTableColumnFlags_WidthFixed, is_wide ? 1 : place + ui.px(4));
   ImGui::TableSetupColumn("message", ImGuiTableColumnFlags_WidthStretch);
@@ -141,7 +143,8 @@ void ProblemsPanel::draw_rows(const std::vector<std::size_t>& rows, const Sessio
 
 void ProblemsPanel::draw_row(std::size_t index, const Session& session, Actions& actions, Ui& ui) {
   const Problem& problem = (*ui.problems)[index];
-  const std::string row = std::to_string(index), place = place_of(problem);
+  const std::string row = std::to_string(index);
+  const std::string place = place_of(problem, session.level().tile_count());
   const bool is_chosen = ui.view.level.problems.chosen == problem;
   ImGui::PushID(static_cast<int>(index));
   ImGui::TableNextRow();
@@ -183,7 +186,8 @@ void ProblemsPanel::draw_menu(const Problem& problem, const Remedy& remedy, cons
   if (!ImGui::BeginPopupContextItem("fixes")) return;
   for (std::size_t i = 0; i < remedy.fixes.size(); ++i) {
     if (menu_item(remedy.fixes[i], std::to_string(i))) {
-      std::vector<Edit> fixes = fixes_for(session.level(), session.lint_options(), problem);
+      std::vector<Edit> fixes =
+          fixes_for(session.level(), session.linted_level(), session.lint_options(), problem);
       if (i < fixes.size()) actions.push_back(action::EditLevel{std::move(fixes[i])});
     }
     ui.item("problems/choice" + std::to_string(i));
@@ -204,7 +208,7 @@ const ProblemsPanel::Remedy& ProblemsPanel::remedy_of(const Problem& problem, co
   if (remedy.revision == now || looked_for_ == kRemediesAFrame || ImGui::IsAnyMouseDown()) return remedy;
   ++looked_for_;
   remedy = {{}, now};
-  for (Edit& edit : fixes_for(session.level(), session.lint_options(), problem))
+  for (Edit& edit : fixes_for(session.level(), session.linted_level(), session.lint_options(), problem))
     remedy.fixes.push_back(std::move(edit.label));
   return remedy;
 }

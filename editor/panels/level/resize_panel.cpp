@@ -154,7 +154,7 @@ void ResizePanel::draw_preview(const TileMap& map, const Ui& ui) const {
   const int step = std::max(1, static_cast<int>(ui.px(2) / cell));
   for (int y = 0; y < map.height(); y += step) {
     for (int x = 0; x < map.width(); x += step) {
-      if (map.at({x, y}) == 0) continue;
+      if (map.tile_at({x, y}) == 0) continue;
       Cell to{x + old.x, y + old.y};
       if (frame_.wrap && result_) {
         const int across = std::max(map.width(), frame_.width), down = std::max(map.height(), frame_.height);

@@ -93,6 +93,8 @@ void draw_swatch(Rgb color, int number, Ui& ui) {
 }  // namespace
 
 void ColorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  if (is_in_rgba(session.level(), session.choices().area.sheet))
+    return rgba_.draw(session, actions, ui, ImGui::GetContentRegionAvail());
   const int color = ui.view.sprites.palette_color;
   const float padding = (ui.px(kRow) - ImGui::GetFontSize()) / 2;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(6), padding));

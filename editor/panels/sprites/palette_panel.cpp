@@ -36,6 +36,8 @@ void draw_swatch(ImDrawList& list, const Choices& choices, int color, Rgb rgb, I
 
 void PalettePanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
+  if (is_in_rgba(session.level(), session.choices().area.sheet))
+    return rgba_.draw(session, actions, ui, room);
   const ImVec2 size{std::floor(room.x / kColorsInRow), std::floor(room.y * kColorsInRow / kColorCount)};
   const std::string keys =
       keys_of("palette/previous"_command, ui) + " " + keys_of("palette/next"_command, ui) + "  " +

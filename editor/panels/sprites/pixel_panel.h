@@ -18,11 +18,19 @@ class PixelPanel : public Panel {
   void draw_sizes(const Session& session, Actions& actions, Ui& ui);
   void draw_brushes(const Session& session, Actions& actions, Ui& ui);
   void draw_canvas(const Session& session, Actions& actions, Ui& ui);
-  void change_size_by_wheel(const Session& session, Actions& actions, Cell pixel);
+  void draw_pixels(const Session& session, Actions& actions, Ui& ui);
+  void take_wheel(const Session& session, Actions& actions, Cell pixel, Ui& ui);
+  void keep_in_place(float zoom) const;
+  static void note_color(const Session& session, Ui& ui);
 
   PixelToolHand hand_;
   SpriteSurroundings surroundings_;
-  float wheel_ = 0;  // clicks of the wheel that do not make a whole step yet
+  struct {
+    Vec2 pixel;           // px of the canvas
+    ImVec2 mouse;         // px of the screen from the corner of the panel
+  } zoomed_about_;        // where the mouse was on the canvas last
+  float shown_zoom_ = 0;  // that of the frame before
+  float wheel_ = 0;       // clicks of the wheel that do not make a whole step yet
 };
 
 }  // namespace talus

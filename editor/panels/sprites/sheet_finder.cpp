@@ -4,6 +4,9 @@
 #include <algorithm>
 
 #include "level/tile_words.h"
+#include "panels/tiles/flag_label.h"
+#include "panels/ui/shown_text.h"
+#include "tile_note_text.h"
 
 namespace talus {
 
@@ -18,10 +21,14 @@ void SheetFinder::draw(const Session& session, Actions& actions, Ui& ui) {
   ImGui::SetNextItemWidth(std::max(ui.px(60), ImGui::GetContentRegionAvail().x - button - gap - note_width));
   const bool entered = input_text("find", "find: 12, flag:solid, slope", text_,
                                   ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  ui.item("sheet/find",
-          "Dims all tiles but those with these words: a number, a tileset, a flag as flag:solid, or a shape: "
-          "none, solid, slope, profile, polygon, one-way, ceiling.",
-          "Enter, Shift+Enter");
+  ui.item(
+      "sheet/find",
+      "Dims all tiles but those with these words: a number, the name of a tileset, of a flag or of a value "
+      "of a field, a class, or a shape: none, solid, slope, profile, polygon, one-way, ceiling. Words with "
+      "blanks "
+      "stand in quotes; flag:\"win zone\" finds only flags, set:desert only tilesets, class:door only "
+      "classes.",
+      "Enter, Shift+Enter");
   if (entered) {
     ImGui::SetKeyboardFocusHere(-1);
     go_to_found(session, actions, ui, !ImGui::GetIO().KeyShift);
@@ -78,16 +85,21 @@ std::string SheetFinder::text_of(const Session& session, int tile) {
   const int set = tileset_with(level.tilesets, level.sheet(SheetId::tiles).layout(), tile);
   if (set >= 0 && !level.tilesets[static_cast<std::size_t>(set)].name.empty())
     text += " of " + shown_text(level.tilesets[static_cast<std::size_t>(set)].name);
-  std::string words;
-  const auto all = words_of_tile(level, static_cast<TileNumber>(tile));
-  for (std::size_t i = set >= 0 ? 2 : 1; i < all.size(); ++i) {
-    const bool is_number =
-        all[i].starts_with("flag:") && all[i].find_first_not_of("0123456789", 5) == all[i].npos;
-    if (all[i].starts_with("flag:") && !is_number) continue;
-    words += (words.empty() ? "" : ", ") + (is_number ? "flag " + all[i].substr(5) : shown_text(all[i]));
+  const auto number = static_cast<TileNumber>(tile);
+  std::string shape, flags;
+  for (const std::string& word : words_of_shape(shape_of_tile(level, number)))
+    shape += (shape.empty() ? ": " : ", ") + word;
+  for (int flag = 0; flag < kMaxFlags; ++flag) {
+    if (!has_flag(level.tile_flags(number), flag)) continue;
+    const std::string name = flag_name(level, flag);
+    flags += (flags.empty() ? " Flags: " : ", ") + std::to_string(flag) + (name.empty() ? "" : " " + name);
   }
+  if (!flags.empty()) flags += ".";
   const std::size_t uses = uses_of(session, tile);
-  return text + ": " + words + ". " +
+  constexpr std::size_t kMostNote = 300;  // bytes
+  std::string note = shown_line(text_of_note(note_of(level.tile_notes, number)), kMostNote);
+  if (!note.empty()) note = " " + note + ".";
+  return text + shape + "." + flags + note + " " +
          (uses == 0 ? "The map does not use it."
                     : "Used " + std::to_string(uses) + (uses == 1 ? " time." : " times."));
 }

@@ -21,7 +21,7 @@ class SheetFinder {
   bool is_found(int tile) const { return found_[static_cast<std::size_t>(tile)]; }
   // How many cells of all layers have the tile.
   std::size_t uses_of(const Session& session, int tile);
-  // Number, tileset, flags, shape and uses.
+  // Number, tileset, flags, shape, note and uses.
   std::string text_of(const Session& session, int tile);
 
  private:

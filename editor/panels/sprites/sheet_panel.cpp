@@ -36,7 +36,8 @@ void mark_stamp(ImDrawList& list, const Choices& choices, ImVec2 at, float cell,
   const SheetLayout& sheet = ui.layout(SheetId::tiles);
   if (choices.area.sheet != SheetId::tiles || choices.stamp == stamp_of_sheet(sheet, choices.area.tiles))
     return;
-  const std::set<TileNumber> tiles(choices.stamp.tiles.begin(), choices.stamp.tiles.end());
+  std::set<TileNumber> tiles;
+  for (const MapCell& painted : choices.stamp.tiles) tiles.insert(painted.tile);
   for (const TileNumber tile : tiles)
     draw_frame(list, ui.place_on_sheet(tile), at, cell, theme::color(theme::kAccent), ui);
 }

@@ -32,12 +32,13 @@ void draw_slope_line(ImDrawList& list, const TileShape& shape, TileSize tile, in
                      const CanvasView& view, float scale) {
   if (shape.kind != TileShape::Kind::slope && shape.kind != TileShape::Kind::profile) return;
   const bool floor = shape.side == TileShape::Side::floor;
-  const double left = x * kCartTileSize, foot = (y + (floor ? 1 : 0)) * kCartTileSize;
+  const TileSize image = view.tile;  // px of the canvas
+  const double left = x * image.width, foot = (y + (floor ? 1 : 0)) * image.height;
   const double step =
-      shape.tiles * static_cast<double>(kCartTileSize) / static_cast<double>(shape.heights.size() - 1);
+      shape.tiles * static_cast<double>(image.width) / static_cast<double>(shape.heights.size() - 1);
   const auto stroke = [&](ImU32 color, float width) {
     for (std::size_t i = 0; i < shape.heights.size(); ++i) {
-      const double rise = shape.heights[i] * kCartTileSize / tile.height, height = floor ? -rise : rise;
+      const double rise = shape.heights[i] * image.height / tile.height, height = floor ? -rise : rise;
       list.PathLineTo(view.to_screen({left + static_cast<double>(i) * step, foot + height}));
     }
     list.PathStroke(color, ImDrawFlags_None, width);

@@ -2,10 +2,14 @@
 #pragma once
 
 #include <map>
+#include <vector>
 
 #include <talus/collision/geometry.h>
+#include "edit/pixel_color.h"
 
 namespace talus {
+
+inline constexpr int kMostPixelZoom = 8;
 
 // How the pixel canvas is shown.
 struct PixelView {
@@ -16,13 +20,16 @@ struct PixelView {
 
 struct SpritesView {
   PixelView pixels;
-  int palette_color = 12;  // 0..15, which the sliders edit
-  // Where on the map the mouse was on each tile last.
+  int palette_color = 12;           // 0..15, which the sliders edit
+  bool picks_right = false;         // whether the picker chooses the right button's colour, in true colour
+  std::vector<Rgba> recent_colors;  // those that were painted with last in true colour, the last one first
+  int pixel_zoom = 0;               // steps that the pixels are shown larger than fits, 0..kMostPixelZoom
   int sheet_zoom = 0;               // steps that the sheet is shown larger than by itself; may be negative
-  std::map<int, Cell> tile_places;  // by tile
+  std::map<int, Cell> tile_places;  // by tile, where on the map the mouse was on it last
   int tileset = -1;                 // index of the tileset that the sheet shows alone; -1: all tiles
   bool finds = false;               // whether a small sheet has the field that finds tiles, too
   bool marks_used = false;          // whether the sheet marks the tiles that the map uses
+  int kept_tile = -1;               // tile that the panel of the tile stays with; -1: the selected one
   int shown_tile = -1;              // tile that the sheet scrolls to when it is drawn next; -1: none
 };
 

@@ -6,7 +6,10 @@
 
 #include "edit/auto_tile.h"
 #include "edit/brush_tools.h"
+#include "edit/tile_note_tools.h"
+#include "panels/canvas/turned_tile.h"
 #include "panels/commands/commands.h"
+#include "panels/emit_edit.h"
 #include "panels/sprites/tile_number.h"
 #include "panels/ui/long_list.h"
 
@@ -15,11 +18,6 @@ namespace {
 
 constexpr float kPicture = 40;   // px at scale 1, the side of a brush's picture
 constexpr float kPartSide = 24;  // px at scale 1, of a tile of the ground
-
-void draw_tile_image(ImDrawList& list, int tile, ImVec2 from, ImVec2 to, const Ui& ui) {
-  const UvRect uv = ui.uv_of(tile);
-  list.AddImage(ui.sheet(SheetId::tiles), from, to, uv.from, uv.to);
-}
 
 // The brush in a square; for a brush that is too large, its top-left part.
 void draw_picture(ImDrawList& list, const Brush& brush, ImVec2 at, float side, const Ui& ui) {
@@ -33,8 +31,8 @@ void draw_picture(ImDrawList& list, const Brush& brush, ImVec2 at, float side, c
   for (int y = 0; y < rows; ++y) {
     for (int x = 0; x < columns; ++x) {
       const ImVec2 corner{from.x + static_cast<float>(x) * cell, from.y + static_cast<float>(y) * cell};
-      draw_tile_image(list, brush.tiles[static_cast<std::size_t>(y * brush.w + x)], corner,
-                      {corner.x + cell, corner.y + cell}, ui);
+      draw_map_cell(list, brush.tiles[static_cast<std::size_t>(y * brush.w + x)], {}, corner,
+                    {corner.x + cell, corner.y + cell}, ui);
     }
   }
 }
@@ -43,10 +41,6 @@ void take(const Brush& brush, const Session& session, Actions& actions) {
   actions.push_back(action::SetStamp{stamp_of_brush(brush)});
   actions.push_back(action::SetRandomStamp{brush.random, session.choices().random_seed});
   actions.push_back(action::SetMapTool{MapTool::stamp});
-}
-
-void push(Edit edit, Actions& actions) {
-  if (!edit.empty()) actions.push_back(action::EditLevel{std::move(edit)});
 }
 
 // The places of the parts in the table: ground as it looks, then the slopes.
@@ -73,7 +67,7 @@ void draw_part(GroundPart part, const Session& session, Actions& actions, Ui& ui
   const auto choose = [&](TileNumber tile) {
     AutoTiles tiles = level.auto_tiles;
     tiles.of(part) = tile;
-    push(set_auto_tiles(level, tiles), actions);
+    emit_edit(actions, set_auto_tiles(level, tiles));
   };
   const SpriteArea& area = session.choices().area;
   if (ImGui::InvisibleButton(name.c_str(), {side, side}) && area.sheet == SheetId::tiles)
@@ -86,7 +80,7 @@ void draw_part(GroundPart part, const Session& session, Actions& actions, Ui& ui
           "The " + std::string(info.label) + ": " + now + ". A click takes the tile selected on the sheet.",
           "right click: no tile");
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (tile != 0) draw_tile_image(list, tile, at, {at.x + side, at.y + side}, ui);
+  if (tile != 0) draw_map_cell(list, static_cast<TileNumber>(tile), {}, at, {at.x + side, at.y + side}, ui);
   const bool hovered = ImGui::IsItemHovered();
   const ImU32 frame = theme::tone(hovered ? theme::kText : theme::kMuted, tile != 0 && !hovered ? 120 : 255);
   list.AddRect(at, {at.x + side, at.y + side}, frame);
@@ -101,6 +95,7 @@ void BrushesPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_ground(session, actions, ui);
   ui.heading("Brushes of the level");
   draw_buttons(session, actions, ui);
+  draw_probability(session, actions, ui);
   draw_list(session, actions, ui);
   ImGui::EndChild();
 }
@@ -114,6 +109,22 @@ void BrushesPanel::draw_buttons(const Session& session, Actions& actions, Ui& ui
   ImGui::SameLine();
   command_text_button("map/shuffle"_command, session, actions, ui,
                       {.label = "Shuffle", .widget = "map/shuffle_button"});
+}
+
+// How often random painting takes the tiles that are selected on the sheet.
+void BrushesPanel::draw_probability(const Session& session, Actions& actions, Ui& ui) {
+  const SpriteArea& area = session.choices().area;
+  if (area.sheet != SheetId::tiles) return;
+  const auto common = common_probability(session.level(), area);
+  double value = common.value_or(1);
+  const bool changed = draw_number_field(
+      {"brushes/probability", common ? "probability %.6g" : "probability differs",
+       "How often Random takes the tiles selected on the sheet: 1 as most, 0 never, 2 twice as often.", 160,
+       0.02f},
+      value, session, number_edit_, ui);
+  if (!changed) return;
+  emit_edit(actions, set_probability(session.level(), area, std::clamp(value, 0.0, kMaxProbability)),
+            number_edit_.stroke);
 }
 
 void BrushesPanel::draw_list(const Session& session, Actions& actions, Ui& ui) {
@@ -152,7 +163,7 @@ void BrushesPanel::draw_brush(int index, const Session& session, Actions& action
   draw_name(index, at.x + width - text_x - button - gap, session, actions, ui);
   ImGui::SetCursorScreenPos({at.x + width - button, at.y});
   if (ui.icon_button(name + "/delete", Icon::close, false, "Deletes the brush; Undo brings it back.", ""))
-    push(remove_brush(session.level(), index), actions);
+    emit_edit(actions, remove_brush(session.level(), index));
   ImGui::SetCursorScreenPos({text_x, at.y + side - ImGui::GetTextLineHeight()});
   ui.heading(std::to_string(brush.w) + " x " + std::to_string(brush.h) + (brush.random ? ", at random" : ""));
   ImGui::SetCursorScreenPos({at.x, at.y + side + gap});
@@ -171,7 +182,7 @@ void BrushesPanel::draw_name(int index, float width, const Session& session, Act
     new_name_ = text;
   }
   if (!ImGui::IsItemDeactivated()) return;
-  if (ImGui::IsItemDeactivatedAfterEdit()) push(rename_brush(session.level(), index, text), actions);
+  if (ImGui::IsItemDeactivatedAfterEdit()) emit_edit(actions, rename_brush(session.level(), index, text));
   if (renamed_ == index) renamed_ = -1;
 }
 

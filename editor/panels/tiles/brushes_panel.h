@@ -4,6 +4,7 @@
 #include <string>
 
 #include "panels/panel.h"
+#include "panels/ui/number_field.h"
 
 namespace talus {
 
@@ -15,11 +16,13 @@ class BrushesPanel : public Panel {
 
  private:
   void draw_buttons(const Session& session, Actions& actions, Ui& ui) const;
+  void draw_probability(const Session& session, Actions& actions, Ui& ui);
   void draw_list(const Session& session, Actions& actions, Ui& ui);
   void draw_brush(int index, const Session& session, Actions& actions, Ui& ui);
   void draw_name(int index, float width, const Session& session, Actions& actions, Ui& ui);
   void draw_ground(const Session& session, Actions& actions, Ui& ui) const;
 
+  NumberEdit number_edit_;
   int renamed_ = -1;      // the brush whose name is being typed; -1: none
   std::string new_name_;  // as it is being typed
 };

@@ -42,7 +42,7 @@ std::string FlagBrush::text(const Session& session, SheetId sheet, std::optional
   const std::string label = pattern_label(session.level(), *pattern);
   const auto verb = [](bool sets) { return sets ? "sets " : "clears "; };
   if (!tile) return (active() ? verb(sets_) : "paints ") + label;
-  const std::uint8_t flags = session.level().sheet(sheet).flags[static_cast<std::size_t>(*tile)];
+  const FlagSet flags = session.level().sheet(sheet).flags[static_cast<std::size_t>(*tile)];
   return "tile " + std::to_string(number_on_screen(sheet, *tile)) + ": " +
          verb(active() ? sets_ : stroke_sets(*pattern, flags)) + label;
 }

@@ -34,7 +34,7 @@ class FlagBrush {
 struct TileOfMap {
   const TileMap& map;
   std::optional<int> operator()(Cell cell) const {
-    return map.contains(cell) ? std::optional<int>(map.at(cell)) : std::nullopt;
+    return map.contains(cell) ? std::optional<int>(map.tile_at(cell)) : std::nullopt;
   }
 };
 

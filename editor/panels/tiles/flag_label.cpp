@@ -1,6 +1,8 @@
 // Names of flags.
 #include "flag_label.h"
 
+#include <bit>
+
 #include "panels/ui/shown_text.h"
 #include "shape_editor.h"
 
@@ -21,6 +23,11 @@ std::string flag_name(const Level& level, int flag) {
   return shape.kind == TileShape::Kind::none ? "" : std::string(kind_label(shape));
 }
 
+int shown_flags(const Level& level) {
+  const int last = kMaxFlags - 1 - std::countl_zero(used_flags(level) | 1);
+  return (last / kCartFlags + 1) * kCartFlags;
+}
+
 std::string flag_label(const Level& level, int flag) {
   const std::string name = flag_name(level, flag);
   return "flag " + std::to_string(flag) + (name.empty() ? "" : "  " + name);
@@ -39,7 +46,8 @@ std::string value_name(const FlagField& field, int value) {
 
 std::vector<FlagPattern> flag_patterns(const Level& level) {
   std::vector<FlagPattern> patterns;
-  for (int flag = 0; flag < kFlagCount; ++flag) {
+  const int shown = shown_flags(level);
+  for (int flag = 0; flag < shown; ++flag) {
     const FlagField* field = field_of_flag(level.flag_fields, flag);
     if (field == nullptr) patterns.push_back(pattern_of_flag(flag));
     if (field == nullptr || field->first != flag) continue;

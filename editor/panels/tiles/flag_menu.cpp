@@ -4,6 +4,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "edit/flag_tools.h"
@@ -19,6 +20,11 @@ namespace {
 
 constexpr const char* kPopup = "flag menu";
 constexpr int kMostValueRows = 8;  // with more rows it scrolls
+
+// How many flags a field from there on can have: none that has no lamp.
+int most_bits_shown(const Level& level, std::span<const FlagField> others, int first) {
+  return std::min(most_bits(others, first), shown_flags(level) - first);
+}
 
 std::vector<FlagField> fields_without(const Level& level, std::size_t index) {
   std::vector<FlagField> others = level.flag_fields;
@@ -45,13 +51,13 @@ bool draw_name(const char* id, const char* hint, std::string& name, float least,
 void FlagMenu::open_flag(const Level& level, int flag, float at_x) {
   x_ = at_x;
   show_flag(level, flag);
-  ImGui::OpenPopup(kPopup);
+  opens_ = true;
 }
 
 void FlagMenu::open_field(int first_flag, float at_x) {
   x_ = at_x;
   show_field(first_flag);
-  ImGui::OpenPopup(kPopup);
+  opens_ = true;
 }
 
 void FlagMenu::show_flag(const Level& level, int flag) {
@@ -68,6 +74,7 @@ void FlagMenu::show_field(int first_flag) {
 }
 
 void FlagMenu::draw(const Session& session, Actions& actions, Ui& ui) {
+  if (std::exchange(opens_, false)) ImGui::OpenPopup(kPopup);
   // It grows with its content: upwards, if there is room.
   ImGui::SetNextWindowPos({x_, ui.bars_top}, ImGuiCond_Always, {0, 1});
   if (!ImGui::BeginPopup(kPopup)) return;
@@ -153,7 +160,7 @@ void FlagMenu::draw_place_in_field(const Level& level, Actions& actions, Ui& ui)
       show_field(field->first);
     return;
   }
-  const bool possible = most_bits(level.flag_fields, flag_) >= FlagField::kLeastBits;
+  const bool possible = most_bits_shown(level, level.flag_fields, flag_) >= FlagField::kLeastBits;
   const std::string label = "Make a field with flag " + std::to_string(flag_ + 1);
   if (!ui.text_button("flags/make_field", possible ? label : "Make a field", false,
                       "Reads this flag and the next as one number, whose values have names, such as the "
@@ -189,7 +196,7 @@ void FlagMenu::draw_field(const Session& session, Actions& actions, Ui& ui, std:
 
 void FlagMenu::draw_bits(const Level& level, Actions& actions, Ui& ui, std::size_t index) const {
   FlagField field = level.flag_fields[index];
-  const int most = most_bits(fields_without(level, index), field.first), before = field.bits;
+  const int most = most_bits_shown(level, fields_without(level, index), field.first), before = field.bits;
   if (ui.text_button("flags/field_narrower", "-", false, "Takes the last flag out of it.", {},
                      before > FlagField::kLeastBits, ui.px(24)))
     --field.bits;

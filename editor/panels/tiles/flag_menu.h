@@ -11,7 +11,7 @@ namespace talus {
 
 class FlagMenu {
  public:
-  // Call it in the window that it belongs to; shown from the next draw() on. `at_x`: px of the screen.
+  // Shown from the next draw() on. `at_x`: px of the screen.
   void open_flag(const Level& level, int flag, float at_x);
   void open_field(int first_flag, float at_x);  // the field that begins there
   void draw(const Session& session, Actions& actions, Ui& ui);
@@ -32,6 +32,7 @@ class FlagMenu {
   int flag_ = 0;  // the flag of the menu; for a field its first flag
   bool is_field_ = false;
   float x_ = 0;              // px of the screen, its left side
+  bool opens_ = false;       // at the next draw()
   bool wants_keys_ = false;  // the name gets the focus, as the menu shows another one
   std::string new_name_;     // of the flag
   NumberEdit shape_edit_;    // for the numbers of a shape

@@ -14,11 +14,16 @@ std::string counted_text(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
+std::string place_text(const Level& level, SearchedLayers layers) {
+  if (level.layers.count() == 1) return " of the map";
+  return layers == SearchedLayers::all ? " of all layers" : " of the chosen layer";
+}
+
 // Selects a tile, and shows its next cell, if the map has one.
 void show_tile(int tile, FlagPattern pattern, const Session& session, Actions& actions, Ui& ui) {
   actions.push_back(action::SelectTiles{{SheetId::tiles, ui.place_on_sheet(tile)}});
-  if (const auto cell =
-          find_flagged_cell(session.level(), pattern, ui.view.canvas.search_start(), true, tile)) {
+  if (const auto cell = find_flagged_cell(session.level(), pattern, ui.view.canvas.search_start(), true, tile,
+                                          ui.view.level.flag_layers)) {
     ui.view.show_on_map(*cell);
     ui.view.canvas.show_map();
   }
@@ -33,14 +38,16 @@ void FlagSearchPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     ui.hint("Choose a flag to see which tiles have it, and where they are on the map.");
     return;
   }
-  count(session, *pattern);
+  draw_layer_choice(session, ui);
+  count(session, *pattern, ui.view.level.flag_layers);
   if (use_.tiles.empty()) {
     ui.hint("No tile has it: click its lamp, or paint it on the sheet with Paint flags (" +
             keys_of("flags/brush"_command, ui) + ").");
     return;
   }
-  const std::string text =
-      counted_text(use_.tiles.size(), "tile") + ", " + counted_text(use_.cell_count, "cell") + " of the map";
+  const std::string text = counted_text(use_.tiles.size(), "tile") + ", " +
+                           counted_text(use_.cell_count, "cell") +
+                           place_text(session.level(), ui.view.level.flag_layers);
   ui.heading(text);
   ui.item("flag_search/count");
   draw_tiles(session, actions, ui);
@@ -60,10 +67,24 @@ void FlagSearchPanel::draw_choice(const Session& session, Actions& actions, Ui& 
                       {.label = ">", .widget = "flag_search/next", .width = button});
 }
 
-void FlagSearchPanel::count(const Session& session, FlagPattern pattern) {
-  if (counted_ == pattern && revision_ == session.revision()) return;
-  use_ = find_flag_use(session.level(), pattern);
+// Of a map with several layers.
+void FlagSearchPanel::draw_layer_choice(const Session& session, Ui& ui) {
+  if (session.level().layers.count() == 1) return;
+  SearchedLayers& layers = ui.view.level.flag_layers;
+  bool chosen = layers == SearchedLayers::chosen;
+  if (checkbox("in the chosen layer alone", "chosen layer", chosen))
+    layers = chosen ? SearchedLayers::chosen : SearchedLayers::all;
+  ui.item("flag_search/chosen_layer",
+          "Whether cells are counted and looked for in the chosen layer alone; else in all layers.");
+}
+
+void FlagSearchPanel::count(const Session& session, FlagPattern pattern, SearchedLayers layers) {
+  const int layer = session.level().layers.chosen;
+  if (counted_ == pattern && layers_ == layers && layer_ == layer && revision_ == session.revision()) return;
+  use_ = find_flag_use(session.level(), pattern, layers);
   counted_ = pattern;
+  layers_ = layers;
+  layer_ = layer;
   revision_ = session.revision();
 }
 

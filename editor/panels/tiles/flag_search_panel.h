@@ -14,11 +14,14 @@ class FlagSearchPanel : public Panel {
 
  private:
   void draw_choice(const Session& session, Actions& actions, Ui& ui);
-  void count(const Session& session, FlagPattern pattern);
+  void draw_layer_choice(const Session& session, Ui& ui);
+  void count(const Session& session, FlagPattern pattern, SearchedLayers layers);
   void draw_tiles(const Session& session, Actions& actions, Ui& ui) const;
 
-  FlagUse use_;  // of the pattern in the level of this revision
+  FlagUse use_;  // of the pattern in these layers of the level of this revision
   std::optional<FlagPattern> counted_;
+  SearchedLayers layers_ = SearchedLayers::all;
+  int layer_ = 0;  // the chosen one
   std::uint64_t revision_ = 0;
 };
 

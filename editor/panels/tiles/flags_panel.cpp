@@ -3,9 +3,8 @@
 
 #include <imgui_internal.h>
 
-#include <array>
+#include <algorithm>
 #include <charconv>
-#include <cstdio>
 
 #include "edit/flag_lamps.h"
 #include "edit/flag_tools.h"
@@ -17,7 +16,10 @@
 namespace talus {
 namespace {
 
-constexpr float kFlagRow = 20;  // px at scale 1
+constexpr float kFlagRow = 20, kRowGap = 4, kMoreWidth = 20;  // px at scale 1
+
+// A cart has no more flags. Those that it gets from its companion have lamps, too.
+bool has_lamps_to_add(const Level& level) { return level.cart == nullptr && shown_flags(level) < kMaxFlags; }
 
 void draw_lamp_light(ImDrawList& list, ImVec2 centre, float radius, FlagLamp lamp, int flag) {
   const ImU32 unlit = theme::is_light() ? theme::tone(theme::kBackground) : theme::color(theme::kDark);
@@ -49,15 +51,17 @@ std::string lamp_help(const Level& level, FlagLamp lamp, int flag) {
          "role or shape.";
 }
 
-std::string hex_byte(std::uint8_t byte) {
-  std::array<char, 3> text{};
-  std::snprintf(text.data(), text.size(), "%02x", byte);
-  return text.data();
+// As many digits as the shown flags need.
+std::string hex_digits(FlagSet flags, int shown) {
+  std::string text;
+  for (int bit = shown - 4; bit >= 0; bit -= 4) text += "0123456789abcdef"[flags >> bit & 15];
+  return text;
 }
 
-std::vector<int> single_flags(const Level& level) {
+// The flags of eight that are in no field.
+std::vector<int> single_flags(const Level& level, int first) {
   std::vector<int> flags;
-  for (int flag = 0; flag < kFlagCount; ++flag)
+  for (int flag = first; flag < first + kCartFlags; ++flag)
     if (field_of_flag(level.flag_fields, flag) == nullptr) flags.push_back(flag);
   return flags;
 }
@@ -72,10 +76,35 @@ bool draw_menu_button(const std::string& name, const std::string& help, float wi
 
 }  // namespace
 
+float height_of_more_flags(const Level& level, const Ui& ui) {
+  const auto& fields = level.flag_fields;
+  auto rows = std::count_if(fields.begin(), fields.end(),
+                            [](const FlagField& field) { return field.first >= kCartFlags; });
+  for (int first = kCartFlags; first < shown_flags(level); first += kCartFlags)
+    rows += (std::ssize(single_flags(level, first)) + 1) / 2;
+  return static_cast<float>(rows) * ui.px(kFlagRow + kRowGap);
+}
+
 void FlagsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
+  const Level& level = session.level();
+  const int shown = shown_flags(level);
+  now_ = flags_in(level, session.choices().area);
   draw_header(session, actions, ui);
-  const float width = (ImGui::GetContentRegionAvail().x - ui.px(4)) / 2;
-  const std::vector<int> flags = single_flags(session.level());
+  const bool scrolls = shown > kCartFlags;
+  if (scrolls)
+    ImGui::BeginChild("lamps", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NavFlattened);
+  for (int first = 0; first < shown; first += kCartFlags) draw_eight(session, actions, ui, first);
+  if (scrolls) ImGui::EndChild();
+  for (int flag = shown; flag < kMaxFlags; ++flag) {  // a command opens the menu of a flag without a lamp
+    if (ui.view.requests.take<request::FocusField>("flags/menu" + std::to_string(flag)))
+      menu_.open_flag(level, flag, ImGui::GetCursorScreenPos().x);
+  }
+  menu_.draw(session, actions, ui);
+}
+
+void FlagsPanel::draw_eight(const Session& session, Actions& actions, Ui& ui, int first) {
+  const float width = (ImGui::GetContentRegionAvail().x - ui.px(kRowGap)) / 2;
+  const std::vector<int> flags = single_flags(session.level(), first);
   const std::size_t rows = (flags.size() + 1) / 2;
   for (std::size_t row = 0; row < rows; ++row) {
     draw_lamp(session, actions, ui, flags[row], width);
@@ -83,20 +112,26 @@ void FlagsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     ImGui::SameLine();
     draw_lamp(session, actions, ui, flags[row + rows], width);
   }
-  for (const FlagField& field : session.level().flag_fields) draw_field(session, actions, ui, field);
-  menu_.draw(session, actions, ui);
+  for (const FlagField& field : session.level().flag_fields)
+    if (field.first >= first && field.first < first + kCartFlags) draw_field(session, actions, ui, field);
 }
 
 // In line with the panel's tab.
 void FlagsPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
+  const Level& level = session.level();
   const Command& brush = find_command("flags/brush"_command);
-  const float byte = ui.px(28), width = ui.px(80), gap = ui.px(theme::kGap);
-  const float hex = ImGui::CalcTextSize("hex").x;
-  ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(8) - byte - width - hex - 2 * gap);
+  const int digits = shown_flags(level) / 4;
+  const bool has_more = has_lamps_to_add(level), is_short = has_more || digits > 2;
+  const float number = ui.px(14 + 7 * static_cast<float>(digits)), width = ui.px(is_short ? 42 : 80);
+  const float gap = ui.px(theme::kGap), hex = ImGui::CalcTextSize("hex").x;
+  const float more = has_more ? ui.px(kMoreWidth) + gap : 0;
+  ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(8) - more - width - hex - number - 2 * gap);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(4), ui.px(1)));
+  if (has_more) draw_more(level, ui);
   const bool on = brush.is_checked(session, ui);
   if (on) ImGui::PushStyleColor(ImGuiCol_Button, theme::tone(theme::kAccent, 150));
-  const bool pressed = ImGui::Button("Paint flags##brush", {width, 0});
+  const bool pressed =
+      is_short ? ImGui::Button("Paint##brush", {width, 0}) : ImGui::Button("Paint flags##brush", {width, 0});
   if (on) ImGui::PopStyleColor();
   if (pressed) brush.run(session, actions, ui);
   ui.item("flags/brush", brush.help, keys_of(brush, ui));
@@ -105,33 +140,46 @@ void FlagsPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
   ImGui::GetWindowDrawList()->AddText({at.x, at.y + ui.px(1)}, theme::tone(theme::kMuted), "hex");
   ImGui::Dummy({hex, 1});
   ImGui::SameLine(0, gap);
-  ImGui::SetNextItemWidth(byte);
-  draw_byte(session, actions, ui);
+  ImGui::SetNextItemWidth(number);
+  draw_number(session, actions, ui);
   ImGui::PopStyleVar();
 }
 
-void FlagsPanel::draw_byte(const Session& session, Actions& actions, Ui& ui) {
-  const Level& level = session.level();
-  const SpriteArea& area = session.choices().area;
-  const auto flags = common_flags(level, area, 0xff);
-  if (!byte_active_) byte_ = flags ? hex_byte(*flags) : "";
+// A flag that is named, or gets a role or a shape, has a lamp, and so do the seven flags after it.
+void FlagsPanel::draw_more(const Level& level, Ui& ui) {
+  const int flag = shown_flags(level);
+  const std::string number = std::to_string(flag);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (ImGui::Button("+##more", {ui.px(kMoreWidth), 0})) menu_.open_flag(level, flag, at.x);
+  ui.item("flags/more", "Names flag " + number + ", which shows the lamps of the flags " + number + " to " +
+                            std::to_string(flag + kCartFlags - 1) + ". A cart has only the flags 0 to 7.");
+  ImGui::SameLine(0, ui.px(theme::kGap));
+}
+
+void FlagsPanel::draw_number(const Session& session, Actions& actions, Ui& ui) {
+  const int shown = shown_flags(session.level());
+  if (!number_active_) number_ = now_.any == now_.all ? hex_digits(now_.all, shown) : "";
   const bool entered =
-      input_text("byte", "..", byte_,
+      input_text("byte", "..", number_,
                  ImGuiInputTextFlags_CharsHexadecimal | ImGuiInputTextFlags_EnterReturnsTrue |
                      ImGuiInputTextFlags_AutoSelectAll);
-  byte_active_ = ImGui::IsItemActive();
-  ui.item("flags/byte",
-          "All eight flags as two hexadecimal digits, flag 0 the lowest bit; empty where the selected tiles "
-          "differ. Enter sets them.");
+  number_active_ = ImGui::IsItemActive();
+  const std::string digits = shown == kCartFlags ? "two" : std::to_string(shown / 4);
+  ui.item("flags/byte", "All " + (shown == kCartFlags ? "eight" : std::to_string(shown)) + " flags as " +
+                            digits +
+                            " hexadecimal digits, flag 0 the lowest bit; empty where the selected tiles "
+                            "differ. Enter sets them.");
   if (!entered) return;
-  unsigned value = 0;
-  const char* end = byte_.data() + byte_.size();
-  const auto [rest, code] = std::from_chars(byte_.data(), end, value, 16);
-  if (code == std::errc() && rest == end && value <= 0xff)
-    actions.push_back(action::EditLevel{set_all_flags(level, area, static_cast<std::uint8_t>(value))});
+  FlagSet flags = 0;
+  const char* end = number_.data() + number_.size();
+  const auto [rest, code] = std::from_chars(number_.data(), end, flags, 16);
+  if (code == std::errc() && rest == end && (shown == kMaxFlags || flags >> shown == 0))
+    actions.push_back(action::EditLevel{set_all_flags(session.level(), session.choices().area, flags)});
   else
-    actions.push_back(action::ShowMessage{
-        "\"" + byte_ + "\" is not a byte of flags: type two hexadecimal digits, 00 to ff.", true});
+    actions.push_back(action::ShowMessage{"\"" + number_ + "\" is no number of flags: type " + digits +
+                                              " hexadecimal digits, " + hex_digits(0, shown) + " to " +
+                                              std::string(static_cast<std::size_t>(shown) / 4, 'f') + ".",
+                                          true});
 }
 
 void FlagsPanel::draw_lamp(const Session& session, Actions& actions, Ui& ui, int flag, float width) {
@@ -139,10 +187,10 @@ void FlagsPanel::draw_lamp(const Session& session, Actions& actions, Ui& ui, int
   const std::string number = std::to_string(flag), name = "flags/lamp" + number;
   const FlagRoleInfo* role = role_of_flag(level.roles, flag);
   const TileShape& shape = level.flag_shapes[static_cast<std::size_t>(flag)];
-  const FlagLamp lamp = flag_lamp(level, session.choices().area, flag);
+  const FlagLamp lamp = now_.lamp(flag);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ui.px(kFlagRow), menu = ui.px(kFlagRow);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, ui.px(4)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, ui.px(kRowGap)));
   if (button("", name, {width - menu, height}))
     actions.push_back(action::EditLevel{toggle_flag(level, session.choices().area, flag)});
   bool opens = ImGui::IsItemClicked(1);
@@ -170,7 +218,7 @@ void FlagsPanel::draw_field(const Session& session, Actions& actions, Ui& ui, co
   const std::string preview =
       field_name(field) + ": " + (now ? value_name(field, field.value_of(*now)) : "differs");
   const float menu = ui.px(kFlagRow);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, ui.px(4)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, ui.px(kRowGap)));
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                       ImVec2(ui.px(6), (ui.px(kFlagRow) - ImGui::GetFontSize()) / 2));
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - menu);

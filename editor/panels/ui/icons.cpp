@@ -75,6 +75,10 @@ void draw_tool_icon(const Pen& pen, Icon icon) {
       pen.box(.06f, .66f, .22f, .82f);
       pen.box(.78f, .66f, .94f, .82f);
       break;
+    case Icon::object:  // a box and a circle, one over the other
+      pen.frame(.1f, .12f, .6f, .62f);
+      pen.arc({.66f, .66f}, .26f, 0, 6.2832f);
+      break;
     case Icon::ground:
       pen.solid({{.08f, .86f}, {.08f, .66f}, {.5f, .66f}, {.5f, .86f}});
       pen.solid({{.44f, .86f}, {.44f, .66f}, {.66f, .36f}, {.92f, .36f}, {.92f, .86f}});
@@ -135,7 +139,7 @@ constexpr Glyph kGlyphs[] = {
     {Icon::zoom_out, 0xf010, "-"},     {Icon::eye, 0xf06e, "o"},         {Icon::eye_closed, 0xf070, "-"},
     {Icon::lock, 0xf023, "L"},         {Icon::unlock, 0xf09c, "U"},      {Icon::plus, 0xf067, "+"},
     {Icon::copy, 0xf24d, "++"},        {Icon::arrow_up, 0xf062, "^"},    {Icon::arrow_down, 0xf063, "v"},
-    {Icon::merge_down, 0xf103, "_"},   {Icon::close, 0xf00d, "x"},
+    {Icon::merge_down, 0xf103, "_"},   {Icon::close, 0xf00d, "x"},       {Icon::folder, 0xf07b, "G"},
 };
 
 const Glyph* find_glyph(Icon icon) {

@@ -15,6 +15,7 @@ enum class Icon {
   segment,
   ground,
   curve,
+  object,
   line,
   select,
   neighbours,
@@ -57,6 +58,7 @@ enum class Icon {
   arrow_down,
   merge_down,
   close,
+  folder,
 };
 
 // Merges the glyphs of Debian's fonts-fork-awesome into the font that was added to the atlas last. scale:

@@ -182,6 +182,7 @@ std::vector<std::string> Ui::wanted_dialogs(const Session& session) const {
 UiFrame::UiFrame(Ui& ui) : ui_(ui) {
   ui_.widgets.begin_frame();
   ui_.rests_on_ = 0;
+  ui_.moves_ = false;
   ui_.dialogs_.clear();
   ui_.view.canvas.hover_before = std::exchange(ui_.view.canvas.hover, {});
 }

@@ -15,7 +15,9 @@
 #include "level/lint/lint.h"
 #include "map_textures.h"
 #include "panels/view.h"
+#include "picture_textures.h"
 #include "shown_text.h"
+#include "small_pictures.h"
 #include "theme.h"
 #include "widget_registry.h"
 
@@ -35,11 +37,13 @@ class Ui {
  public:
   View view;
   WidgetRegistry widgets;
-  std::array<ImTextureID, 2> sheets{};   // by SheetId; 8x8 px for each image
-  std::array<SheetLayout, 2> layouts{};  // by SheetId, of the images
-  MapTextures* map_textures = nullptr;   // null: the map is drawn tile by tile at any zoom
-  ImTextureID preview{};                 // the sheet as an import would change it, while that is shown
-  ImTextureID clear_tiles{};             // the sheet of tiles with colour 0 clear, for bodies and layers
+  std::array<ImTextureID, 2> sheets{};          // by SheetId; 8x8 px for each image
+  std::array<SheetLayout, 2> layouts{};         // by SheetId, of the images
+  MapTextures* map_textures = nullptr;          // null: the map is drawn tile by tile at any zoom
+  PictureTextures* picture_textures = nullptr;  // null: pictures besides the sheet's are not drawn
+  SmallPictures* small_pictures = nullptr;      // never null in a frame
+  ImTextureID preview{};                        // the sheet as an import would change it, while that is shown
+  ImTextureID clear_tiles{};  // the sheet of tiles with colour 0 clear, for bodies and layers
   // The problems of the level; never null in a frame. Not updated while a button is held, so that a stroke on
   // a huge map need not wait for the lint in each frame.
   const std::vector<Problem>* problems = nullptr;
@@ -84,7 +88,10 @@ class Ui {
   void place(std::string_view name, ImVec2 min, ImVec2 max, bool enabled = true);
   // Help for ImGui's last item, which has no name of its own.
   void tooltip(std::string_view help, std::string_view key = {});
-  bool wants_frames() const { return tooltip_pending_; }  // whether a tooltip is due soon
+  // Something moves although nothing happens: the next frame is drawn without waiting.
+  void want_frames() { moves_ = true; }
+  // Whether it does, or a tooltip is due soon.
+  bool wants_frames() const { return tooltip_pending_ || moves_; }
 
   // A square button with an icon; `lit` shows it as switched on.
   bool icon_button(std::string_view name, Icon icon, bool lit, std::string_view help, std::string_view key,
@@ -118,6 +125,7 @@ class Ui {
   ImGuiID rests_on_ = 0;     // the same in this frame; of overlapping items the one that was drawn last
   std::vector<std::pair<std::string, DialogTest>> dialogs_;  // title and test
   bool tooltip_pending_ = false;
+  bool moves_ = false;  // see want_frames()
   bool focuses_next_ = false;
 
   friend class UiFrame;

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "panels/commands/commands.h"
 
@@ -23,6 +26,20 @@ void draw_command(const Command& command, const Session& session, Actions& actio
   if (menu_item(command.label, {}, keys, command.is_checked(session, ui), enabled))
     command.run(session, actions, ui);
   ui.item("menu/" + command.id, command.help, {}, enabled);
+}
+
+// As many as a low window has room for; the others are in a menu at the end.
+void draw_command_rows(std::span<const Command* const> rows, const std::string& name, const Session& session,
+                       Actions& actions, Ui& ui) {
+  constexpr std::size_t kMostRows = 24;
+  const std::size_t count = rows.size() > kMostRows ? kMostRows - 1 : rows.size();
+  for (const Command* const command : rows.first(count)) draw_command(*command, session, actions, ui);
+  if (count == rows.size()) return;
+  const bool open = ImGui::BeginMenu("More");
+  ui.item(name + "/more", "The other commands of this group.");
+  if (!open) return;
+  draw_command_rows(rows.subspan(count), name + "/more", session, actions, ui);
+  ImGui::EndMenu();
 }
 
 // The part of an id before the slash: "map".
@@ -57,6 +74,25 @@ std::vector<std::string> menus_of_menu(std::string_view path) {
     if (is_within && std::ranges::find(found, menu) == found.end()) found.emplace_back(menu);
   }
   return found;
+}
+
+// Before the row of a file: the picture of its level, or a dark field if none is known.
+void draw_level_picture(const std::string& file, Ui& ui) {
+  const ImVec2 room{ui.px(64), ui.px(36)}, at = ImGui::GetCursorScreenPos();
+  ImGui::Dummy(room);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + room.x, at.y + room.y}, theme::color(theme::kDark));
+  const auto& pictures = ui.view.files.recent_pictures;
+  if (const auto found = pictures.find(file); found != pictures.end()) {
+    const auto width = static_cast<float>(found->second->width);
+    const auto height = static_cast<float>(found->second->height);
+    const float zoom = std::min(room.x / width, room.y / height);
+    const ImVec2 from{at.x + (room.x - zoom * width) / 2, at.y + (room.y - zoom * height) / 2};
+    list.AddImage(ui.small_pictures->texture(found->second), from,
+                  {from.x + zoom * width, from.y + zoom * height});
+  }
+  ImGui::SameLine();
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (room.y - ImGui::GetTextLineHeight()) / 2);
 }
 
 }  // namespace
@@ -131,8 +167,10 @@ void MenuPanel::draw_all_commands(const Session& session, Actions& actions, Ui& 
     const bool group_open = begin_menu(group);
     ui.item("menu/all/" + std::string(group));
     if (!group_open) continue;
+    std::vector<const Command*> its;
     for (const Command& command : commands())
-      if (group_of(command) == group) draw_command(command, session, actions, ui);
+      if (group_of(command) == group) its.push_back(&command);
+    draw_command_rows(its, "menu/all/" + std::string(group), session, actions, ui);
     ImGui::EndMenu();
   }
   ImGui::EndMenu();
@@ -147,6 +185,7 @@ void MenuPanel::draw_maps(const Session& session, Actions& actions, Ui& ui) {
   if (!open) return;
   for (std::size_t i = 0; i < std::min(files.size(), kMostShown); ++i) {
     const std::string name = std::filesystem::path(files[i]).filename().string();
+    draw_level_picture(files[i], ui);
     if (menu_item(name, std::to_string(i), {}, maps.current() == i))
       actions.push_back(action::OpenFile{files[i]});
     ui.item("menu/maps" + std::to_string(i), files[i]);
@@ -161,6 +200,7 @@ void MenuPanel::draw_recent_files(const Session&, Actions& actions, Ui& ui) {
   if (!open) return;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string name = std::filesystem::path(files[i]).filename().string();
+    draw_level_picture(files[i], ui);
     if (menu_item(name, std::to_string(i))) actions.push_back(action::OpenFile{files[i]});
     ui.item("menu/recent" + std::to_string(i), files[i]);
   }

@@ -23,6 +23,7 @@
 #include "panels/files/picture_import_panel.h"
 #include "panels/files/reading_panel.h"
 #include "panels/inspector/inspector_panel.h"
+#include "panels/level/delete_group_panel.h"
 #include "panels/level/find_tiles_panel.h"
 #include "panels/level/history_panel.h"
 #include "panels/level/layers_panel.h"
@@ -39,6 +40,7 @@
 #include "panels/tiles/flag_search_panel.h"
 #include "panels/tiles/flags_panel.h"
 #include "panels/tiles/shape_panel.h"
+#include "panels/tiles/tile_panel.h"
 #include "question_panel.h"
 #include "settings_panel.h"
 #include "status_panel.h"
@@ -65,6 +67,7 @@ std::vector<PanelPlace> make_panels() {
   panels.push_back(place<InspectorPanel>(Region::right_top));
   panels.push_back(place<WhyPanel>(Region::right_top));
   panels.push_back(place<ShapePanel>(Region::right_top));
+  panels.push_back(place<TilePanel>(Region::right_top));
   panels.push_back(place<TuningPanel>(Region::right_top));
   panels.push_back(place<BrushesPanel>(Region::right_top));
   panels.push_back(place<ProblemsPanel>(Region::right_bottom));
@@ -86,6 +89,7 @@ std::vector<PanelPlace> make_panels() {
   panels.push_back(place<FindTilesPanel>(Region::floating));
   panels.push_back(place<ExportPanel>(Region::floating));
   panels.push_back(place<ResizePanel>(Region::floating));
+  panels.push_back(place<DeleteGroupPanel>(Region::floating));
   panels.push_back(place<NewLevelPanel>(Region::floating));
   panels.push_back(place<CommandPalettePanel>(Region::floating));
   panels.push_back(place<PictureImportPanel>(Region::floating));

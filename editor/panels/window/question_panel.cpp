@@ -65,20 +65,34 @@ constexpr std::array<AnswerChoice, 3> kMergeAnswers = {
       action::Answer::reload, 'T'},
      {"question/cancel", "Not now", "Changes nothing; saving asks again.", action::Answer::cancel, 'N'}}};
 
+constexpr std::array<AnswerChoice, 2> kPaintAnswers = {
+    {{"question/paint", "Paint", "Paints it here; saving the level writes the file. Undo takes it back.",
+      action::Answer::allow, 'P'},
+     {"question/cancel", "Cancel", "Leaves the picture as it is.", action::Answer::cancel, 'C'}}};
+
+constexpr std::array<AnswerChoice, 2> kReadAnswers = {
+    {{"question/do_not_read", "Do not read",
+      "Opens the map without them: numbered boxes stand for its tiles.", action::Answer::cancel, 'D'},
+     {"question/read", "Read", "Reads them, now and later, for all maps in this folder.",
+      action::Answer::allow, 'R'}}};
+
 // By Question::Kind. Each has a title of its own, so that a new dialog opens when one question follows
 // another.
 struct QuestionDialog {
   const char* title;
   std::span<const AnswerChoice> choices;
 };
-constexpr std::array<QuestionDialog, 8> kQuestionDialogs = {{{"Unsaved changes", kUnsavedAnswers},
-                                                             {"Changed by another program", kChangedAnswers},
-                                                             {"Drop a branch", kDropAnswers},
-                                                             {"Replace files", kReplaceAnswers},
-                                                             {"Keep the recording", kBranchAnswers},
-                                                             {"Not all is saved", kUnstoredAnswers},
-                                                             {"Exports of this file", kAllowAnswers},
-                                                             {"Changed in both places", kMergeAnswers}}};
+constexpr std::array<QuestionDialog, 10> kQuestionDialogs = {
+    {{"Unsaved changes", kUnsavedAnswers},
+     {"Changed by another program", kChangedAnswers},
+     {"Drop a branch", kDropAnswers},
+     {"Replace files", kReplaceAnswers},
+     {"Keep the recording", kBranchAnswers},
+     {"Not all is saved", kUnstoredAnswers},
+     {"Exports of this file", kAllowAnswers},
+     {"Changed in both places", kMergeAnswers},
+     {"Files outside of the map's folder", kReadAnswers},
+     {"Paint a file", kPaintAnswers}}};
 
 bool leaves_all_as_it_is(action::Answer answer, Question::Kind kind) {
   if (kind == Question::Kind::merge) return answer == action::Answer::cancel;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "edit/layer_tools.h"
+#include "edit/picture_palette.h"
 #include "overlay/number_label.h"
 #include "panels/canvas/canvas_layers.h"
 #include "panels/commands/commands.h"
@@ -14,16 +15,17 @@
 namespace talus {
 namespace {
 
-constexpr float kStamp = 360;  // px at scale 1, where the stamp's part begins
-constexpr float kFile = 670;   // px at scale 1, where the parts of the layer and of the file begin
-constexpr float kLayer = 150;  // px at scale 1, of the layer's part
+constexpr float kStamp = 360;   // px at scale 1, where the stamp's part begins
+constexpr float kBodies = 570;  // px at scale 1, where the part of the bodies begins
+constexpr float kFile = 670;    // px at scale 1, where the parts of the layer and of the file begin
+constexpr float kLayer = 150;   // px at scale 1, of the layer's part
 // Tiles of the stamp's picture in a row or column: more would be too small to see.
 constexpr int kMostShown = 8;
 
 // " flags 0,2"; empty if there are no flags.
-std::string flags_text(std::uint8_t flags) {
+std::string flags_text(FlagSet flags) {
   std::string text;
-  for (int flag = 0; flag < kFlagCount; ++flag)
+  for (int flag = 0; flag < kMaxFlags; ++flag)
     if (has_flag(flags, flag)) text += (text.empty() ? " flags " : ",") + std::to_string(flag);
   return text;
 }
@@ -36,11 +38,16 @@ void draw_part(Ui& ui, float x, const std::string& text, std::uint32_t color, st
   ui.tooltip(help);
 }
 
+// "tile 9, mirrored".
+std::string text_of_cell(MapCell cell) {
+  const std::string turn = text_of(cell.turn);
+  return "tile " + std::to_string(cell.tile) + (turn.empty() ? "" : ", " + turn);
+}
+
 std::string stamp_text(const Stamp& stamp) {
-  std::string text = "stamp: tile " + std::to_string(stamp.tiles.front());
-  if (stamp.tiles.size() == 1) return text;
+  if (stamp.tiles.size() == 1) return "stamp: " + text_of_cell(stamp.tiles.front());
   return "stamp: " + std::to_string(stamp.w) + "x" + std::to_string(stamp.h) + " tiles from " +
-         std::to_string(stamp.tiles.front());
+         std::to_string(stamp.tiles.front().tile);
 }
 
 // A picture of the stamp as high as the line, followed by its text.
@@ -54,8 +61,12 @@ void draw_stamp_part(const Stamp& stamp, float x, Ui& ui) {
   draw_stamp(*ImGui::GetWindowDrawList(), stamp, shown, view, ui, 255);
   ImGui::Dummy({side, side});
   ui.item("status/stamp");
-  draw_part(ui, x + 20, stamp_text(stamp), theme::kMuted,
-            "The tiles that the map tools paint: select them on the sheet, or pick them from the map.");
+  ImGui::SameLine(ui.px(x + 20));
+  const std::string text = stamp_text(stamp);
+  draw_short_text(text, ui.px(kBodies - x - 28), theme::tone(theme::kMuted));
+  ui.item("status/stamp_text", text +
+                                   ": what the map tools paint. Select tiles on the sheet, or pick them "
+                                   "from the map.");
 }
 
 // A bar instead of the number of bodies.
@@ -92,7 +103,8 @@ float draw_layer_part(const Session& session, float x, Ui& ui) {
   const TileLayers& layers = session.level().layers;
   if (layers.count() == 1) return x;
   const TileLayer& chosen = layers.list[static_cast<std::size_t>(layers.chosen)];
-  const std::string state = chosen.locked ? " (locked)" : chosen.visible ? "" : " (hidden)";
+  const LayerLooks looks = shown_looks(layers.groups, chosen);
+  const std::string state = looks.locked ? " (locked)" : looks.visible ? "" : " (hidden)";
   const bool is_free = state.empty();
   ImGui::SameLine(ui.px(x));
   draw_short_text("layer: " + layer_name(session.level(), layers.chosen) + state, ui.px(kLayer),
@@ -121,10 +133,12 @@ void draw_file(const Session& session, const std::string& before, float x, Ui& u
 }  // namespace
 
 std::string hover_text(const Session& session, const Hover& hover) {
-  if (hover.sprite)
+  if (hover.sprite) {
+    const SpriteArea& area = session.choices().area;
+    const PixelColor color = pixel_at(session.level(), area, hover.sprite->x, hover.sprite->y);
     return "pixel " + std::to_string(hover.sprite->x) + "," + std::to_string(hover.sprite->y) + "  colour " +
-           std::to_string(
-               pixel_at(session.level(), session.choices().area, hover.sprite->x, hover.sprite->y));
+           (is_in_rgba(session.level(), area.sheet) ? hex_text(rgba_of(color)) : std::to_string(color));
+  }
   if (hover.tile) {
     const SheetId sheet = session.choices().area.sheet;
     return (sheet == SheetId::tiles ? "tile " : "sprite ") +
@@ -133,9 +147,9 @@ std::string hover_text(const Session& session, const Hover& hover) {
   if (!hover.pixel) return "";
   std::string text = "outside the map   ";
   if (hover.cell) {
-    const TileNumber number = session.level().map.at(*hover.cell);
-    text = "(" + std::to_string(hover.cell->x) + ", " + std::to_string(hover.cell->y) + ")  tile " +
-           std::to_string(number) + flags_text(session.level().tile_flags(number)) + "   ";
+    const MapCell content = session.level().map.at(*hover.cell);
+    text = "(" + std::to_string(hover.cell->x) + ", " + std::to_string(hover.cell->y) + ")  " +
+           text_of_cell(content) + flags_text(session.level().tile_flags(content.tile)) + "   ";
   }
   const TileSize tile = session.level().map.tile_size();
   if (hover.dragged)
@@ -154,17 +168,17 @@ void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
   ui.item("status/mouse", hover.empty() ? "The place under the mouse." : hover);
   draw_stamp_part(session.choices().stamp, kStamp, ui);
   if (const auto progress = session.compile_progress()) {
-    draw_compiling(*progress, 570, ui);
+    draw_compiling(*progress, kBodies, ui);
   } else if (const auto exporting = session.exporting().progress()) {
-    draw_exporting(*exporting, 570, ui);
+    draw_exporting(*exporting, kBodies, ui);
   } else if (session.playback().running && session.timeline().in_past()) {
-    draw_part(ui, 570, "replaying", theme::kAccent,
+    draw_part(ui, kBodies, "replaying", theme::kAccent,
               "The recording is shown again. Take over here, beside the timeline, plays on from the shown "
               "frame instead.");
     ui.item("status/replaying");
   } else {
     const std::size_t bodies = session.state().bodies.size();
-    draw_part(ui, 570, std::to_string(bodies) + (bodies == 1 ? " body" : " bodies"), theme::kMuted,
+    draw_part(ui, kBodies, std::to_string(bodies) + (bodies == 1 ? " body" : " bodies"), theme::kMuted,
               "Bodies of the simulation.");
   }
   const std::string problems = problems_text(session, ui);

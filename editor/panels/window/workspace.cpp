@@ -8,6 +8,7 @@
 #include <string>
 
 #include "panels/panel_ids.h"
+#include "panels/tiles/flags_panel.h"
 #include "panels/ui/dialog.h"
 #include "panels/ui/splitter.h"
 
@@ -18,7 +19,8 @@ namespace {
 constexpr float kLeftLeast = 276, kRightLeast = 280, kMiddleLeast = 320;
 constexpr float kTimeline = 28, kTransport = 30, kStatus = 20;
 constexpr float kSheetLeast = 164, kFlags = 130, kPalette = 40, kPixelsLeast = 176;
-constexpr float kMargin = 6;  // px at scale 1, above and below the content of a region
+constexpr float kPictureColors = 64;  // height of the palette of a sheet in true colour
+constexpr float kMargin = 6;          // px at scale 1, above and below the content of a region
 constexpr float kRightTopLeast = 180, kRightBottomLeast = 80;
 constexpr float kDockLeast = 120, kAboveDockLeast = 300;
 
@@ -152,23 +154,36 @@ void Workspace::follow_mouse(View& view) {
 
 void Workspace::draw_left(Frame& frame, ImVec2 at, ImVec2 size) {
   Ui& ui = frame.ui;
-  const float bar = ui.px(kSplitterWidth), flags = ui.px(kFlags), palette = ui.px(kPalette);
+  const SheetId shown = frame.session.choices().area.sheet;
+  const bool in_rgba = is_in_rgba(frame.session.level(), shown);
+  const float bar = ui.px(kSplitterWidth);
+  float flags = ui.px(kFlags);
+  const float palette = ui.px(in_rgba ? kPictureColors : kPalette);
+  const float pixels_least = ui.px(kPixelsLeast - kPalette) + palette;
   // At most as high as the sheet at the zoom that its width allows.
-  const SheetLayout& layout = ui.layout(frame.session.choices().area.sheet);
+  const SheetLayout& layout = ui.layout(shown);
   const float across = static_cast<float>(layout.columns * kCartTileSize);
   const float zoom = std::max(1.0f, std::floor((size.x - ui.px(16)) / across));
   const float header = 2 * ui.px(kMargin) + ui.px(theme::kButton) + ImGui::GetStyle().ItemSpacing.y;
-  const float sheet = std::min(
-      part(ui.view.window.layout.sheet, size.y, ui.px(kSheetLeast), flags + ui.px(kPixelsLeast) + bar),
-      zoom * static_cast<float>(layout.rows() * kCartTileSize) + header);
-  const float pixels = size.y - sheet - flags - bar;
+  const float least = ui.px(kSheetLeast), rest = flags + pixels_least + bar;
+  const float wanted = std::floor(static_cast<float>(ui.view.window.layout.sheet) * size.y);
+  // A sheet of a cart is seen at twice its size in a low window, too.
+  const float most = std::max({size.y - rest, least, in_rgba ? 0 : size.y / 2});
+  const float sheet = std::min(std::clamp(wanted, least, most),
+                               zoom * static_cast<float>(layout.rows() * kCartTileSize) + header);
+  // More flags than a cart's take up to half of the room that the pixels do not need.
+  float pixels = size.y - sheet - flags - bar;
+  const float spare = std::max(0.0f, std::floor((pixels - pixels_least) / 2));
+  const float more = std::min(spare, height_of_more_flags(frame.session.level(), ui));
+  flags += more;
+  pixels -= more;
   draw_region(frame, Region::sheet, at, {size.x, sheet});
   ImGui::SetCursorScreenPos({at.x, at.y + sheet});
   const float moved = splitter("layout/sheet", {size.x, bar}, SplitterAxis::vertical, ui);
   if (moved != 0) ui.view.window.layout.sheet = (sheet + moved) / size.y;
   const float y = at.y + sheet + bar;
   if (ui.view.sprites.pixels.enlarged) {  // elsewhere: the flags get the room that is left
-    const float colors = std::min(pixels, 3 * palette);
+    const float colors = std::min(pixels, 3 * ui.px(kPalette));
     draw_region(frame, Region::palette, {at.x, y}, {size.x, colors});
     draw_region(frame, Region::flags, {at.x, y + colors}, {size.x, pixels - colors + flags});
   } else {
@@ -266,8 +281,11 @@ void Workspace::draw_tabs(Frame& frame, Region region) {
     const std::string id(panel->id());
     const bool wanted =
         asked ? is_wanted(panel) : first && std::find(chosen.begin(), chosen.end(), id) != chosen.end();
+    // Between tabs: six of them fit into a window 1152 px wide.
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, ImVec2(frame.ui.px(2), frame.ui.px(4)));
     const bool open = ImGui::BeginTabItem(std::string(panel->title()).c_str(), nullptr,
                                           wanted ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);
+    ImGui::PopStyleVar();
     frame.ui.item("tabs/" + id);
     if (!open) continue;
     if (!first) remember_tab(chosen, here, id);

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "level/ground_level.h"
+#include "level/lint/layer_rules.h"
 
 namespace talus {
 namespace {
@@ -53,20 +54,26 @@ void CheckHandler::apply(const CheckAction& action) {
 }
 
 const std::vector<Problem>& CheckHandler::problems() {
-  lint_cache_.finish(linted(), lint_options_);
+  const Level& level = linted();
+  lint_cache_.finish(level, lint_options_, ground_names_);
   return lint_cache_.problems();
 }
 
 const Level& CheckHandler::linted() {
   if (has_plain_ground(open_.level)) {
+    if (ground_) {
+      lint_cache_.note_map();
+      lint_cache_.note_rest();
+    }
     ground_.reset();
+    ground_names_ = {};
     noted_cells_.clear();
     return open_.level;
   }
   for (const Cell cell : std::exchange(noted_cells_, {}))
     if (ground_ && !update_cell(open_.level, cell, *ground_)) ground_.reset();
   if (!ground_) {
-    ground_ = ground_level(open_.level);
+    ground_ = linted_level(open_.level, &ground_names_);
     lint_cache_.note_map();
     lint_cache_.note_rest();
   }
@@ -116,7 +123,9 @@ void CheckHandler::lint_some() {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   const std::chrono::duration<double> most(kLintSeconds);
-  lint_cache_.advance(linted(), lint_options_, [&] { return Clock::now() - start < most; });
+  const Level& level = linted();
+  lint_cache_.advance(
+      level, lint_options_, [&] { return Clock::now() - start < most; }, ground_names_);
 }
 
 }  // namespace talus

@@ -22,6 +22,7 @@ class CheckHandler {
   void apply(const CheckAction& action);
 
   const std::vector<Problem>& problems();  // of the current level
+  const Level& linted();                   // the level, or its ground_level() if that is another one
   const LintCache& lint_cache() const { return lint_cache_; }
   const LintOptions& lint_options() const { return lint_options_; }
   const ReachFinder& reach() const { return reach_; }
@@ -40,7 +41,6 @@ class CheckHandler {
 
   void lint_some();
   void note_ground(const Edit& edit);
-  const Level& linted();  // the level, or its ground_level() if that is another one
 
   const OpenLevel& open_;
   RunHandler& run_;
@@ -48,6 +48,7 @@ class CheckHandler {
   MessageHandler& messages_;
   LintCache lint_cache_;
   std::optional<Level> ground_;    // ground_level() of the level; nothing: not needed, or out of date
+  GroundNames ground_names_;       // of its tiles
   std::vector<Cell> noted_cells_;  // which `ground_` does not have yet
   LintOptions lint_options_;
   ReachFinder reach_;

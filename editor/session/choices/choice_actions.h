@@ -7,6 +7,8 @@
 
 #include <talus/collision/geometry.h>
 #include "edit/curve_tools.h"
+#include "edit/object_handles.h"
+#include "edit/pixel_color.h"
 #include "edit/sprite_area.h"
 #include "edit/sprite_shapes.h"
 #include "edit/stamp.h"
@@ -31,7 +33,8 @@ enum class MapTool {
   pick,
   ground,
   flag,
-  curve
+  curve,
+  object
 };
 // The tools of the sprite canvas; the first four in the order of their keys 1 to 4, as in TIC-80.
 enum class SpriteTool { pencil, pick, select, fill, line, rectangle, ellipse };
@@ -43,6 +46,12 @@ struct SelectCurve {
 };
 struct SetCurveKind {  // what the curve tool draws
   CurveKind kind = CurveKind::segment;
+};
+struct SelectObject {  // an unknown one: no object; its layer gets new ones, if the level has that
+  ObjectRef object;
+};
+struct SetObjectKind {  // what the object tool draws
+  ObjectKind kind = ObjectKind::rectangle;
 };
 struct SelectTiles {  // on the sheet: for the canvas and the flags, and, for tiles, the stamp
   SpriteArea area;
@@ -72,9 +81,13 @@ struct SetSpriteTool {
 struct SetBrush {  // for the tools that draw pixels
   int size = 1;    // px, 1..kMaxBrush; clamped
 };
-struct SetColor {
+struct SetColor {          // for sheets in 16 colours
   int color = 0;           // 0..15
   bool secondary = false;  // false: the left button's colour; true: the right button's
+};
+struct SetRgba {           // for sheets in true colour
+  Rgba color;              // clear: the button erases
+  bool secondary = false;  // as above
 };
 struct SetOverlay {
   const Overlay* overlay;  // never null
@@ -98,10 +111,11 @@ struct SetScreenBorders {
 
 // The actions that ChoiceHandler carries out.
 using ChoiceAction =
-    std::variant<action::SelectCurve, action::SetCurveKind, action::SelectTiles, action::SelectPixels,
-                 action::SetStamp, action::SetRandomStamp, action::SelectCells, action::SetPasted,
-                 action::SetMapTool, action::SetSpriteTool, action::SetBrush, action::SetColor,
-                 action::SetOverlay, action::SetFlagOverlay, action::SetOverlayPalette, action::SetGrid,
+    std::variant<action::SelectCurve, action::SetCurveKind, action::SelectObject, action::SetObjectKind,
+                 action::SelectTiles, action::SelectPixels, action::SetStamp, action::SetRandomStamp,
+                 action::SelectCells, action::SetPasted, action::SetMapTool, action::SetSpriteTool,
+                 action::SetBrush, action::SetColor, action::SetRgba, action::SetOverlay,
+                 action::SetFlagOverlay, action::SetOverlayPalette, action::SetGrid,
                  action::SetScreenBorders>;
 
 }  // namespace talus

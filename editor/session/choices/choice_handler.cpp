@@ -16,6 +16,16 @@ void ChoiceHandler::carry_out(const action::SetCurveKind& a) {
 }
 
 template <>
+void ChoiceHandler::carry_out(const action::SelectObject& a) {
+  choices_.object = a.object;
+}
+
+template <>
+void ChoiceHandler::carry_out(const action::SetObjectKind& a) {
+  choices_.object_kind = a.kind;
+}
+
+template <>
 void ChoiceHandler::carry_out(const action::SelectTiles& a) {
   const SpriteArea area = cut_to_sheet(open_.level, a.area);
   if (!(area == choices_.area)) choices_.pixels.drop();
@@ -79,6 +89,11 @@ void ChoiceHandler::carry_out(const action::SetColor& a) {
 }
 
 template <>
+void ChoiceHandler::carry_out(const action::SetRgba& a) {
+  (a.secondary ? choices_.secondary_rgba : choices_.rgba) = a.color;
+}
+
+template <>
 void ChoiceHandler::carry_out(const action::SetOverlay& a) {
   show_overlay(*a.overlay, a.on);
 }
@@ -119,13 +134,14 @@ void ChoiceHandler::fit_level() {
 
 // Tiles that the level lacks become tile 0.
 void ChoiceHandler::fit_stamp(Stamp& stamp) const {
-  const auto is_unknown = [&](TileNumber tile) { return tile >= open_.level.tile_count(); };
-  std::replace_if(stamp.tiles.begin(), stamp.tiles.end(), is_unknown, TileNumber{0});
+  const auto is_unknown = [&](MapCell cell) { return cell.tile >= open_.level.tile_count(); };
+  std::replace_if(stamp.tiles.begin(), stamp.tiles.end(), is_unknown, MapCell());
 }
 
 void ChoiceHandler::forget_level() {
   show_overlay(overlay::answer, false);
   choices_.body = 0;
+  choices_.object = {};
   choices_.selection.reset();
   choices_.pixels.drop();
   fit_level();

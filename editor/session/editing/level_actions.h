@@ -32,7 +32,7 @@ struct TurnPixels {
   PixelTurn turn = PixelTurn::flip_horizontal;
 };
 struct PastePixels {  // the pixels are selected, and float
-  PixelBlock block;   // at least 1 px in each direction
+  PixelBlock block;   // at least 1 px in each direction; of any kind of colours, see in_colors_of()
   Cell at;            // px of the canvas; at least one px stays inside
 };
 

@@ -7,6 +7,10 @@
 #include <variant>
 
 #include "edit/layer_tools.h"
+#include "edit/picture_painting.h"
+#include "formats/files/atomic_file.h"
+#include "formats/files/real_path.h"
+#include "formats/pictures/png_patch.h"
 
 namespace talus {
 
@@ -67,7 +71,7 @@ void LevelHandler::carry_out(const action::TurnPixels& a) {
   if (pixels.rect()) {
     edit_by_user(pixels.turn(open_.level, area, a.turn, hole()));
     pixel_stroke_ = begin_stroke();
-  } else if (a.turn != PixelTurn::rotate || area.tiles.w == area.tiles.h) {
+  } else if (a.turn != PixelTurn::rotate || area.width() == area.height()) {
     edit_by_user(turn_pixels(open_.level, area, a.turn));
   }
 }
@@ -76,12 +80,13 @@ template <>
 void LevelHandler::carry_out(const action::PastePixels& a) {
   choices_.choose_sprite_tool(SpriteTool::select);
   pixel_stroke_ = begin_stroke();
-  edit_by_user(choices_.pixels().paste(open_.level, choices_.choices().area, a.block, a.at), pixel_stroke_);
+  const SpriteArea& area = choices_.choices().area;
+  edit_by_user(
+      choices_.pixels().paste(open_.level, area, in_colors_of(open_.level, area.sheet, a.block), a.at),
+      pixel_stroke_);
 }
 
-std::uint8_t LevelHandler::hole() const {
-  return static_cast<std::uint8_t>(choices_.choices().secondary_color);
-}
+PixelColor LevelHandler::hole() const { return choices_.choices().paint(open_.level, true); }
 
 void LevelHandler::apply(const LevelAction& action) {
   std::visit([this](const auto& a) { carry_out(a); }, action);
@@ -94,7 +99,40 @@ void LevelHandler::edit_by_user(const Edit& wanted, int stroke) {
       open_.permissions.note_edit(presets->before, presets->after);
   }
   if (const auto problem = problem_of_painting(open_.level, wanted)) return messages_.tell_error(*problem);
-  edit(wanted, stroke);
+  if (!paints_tiles(wanted)) return edit(wanted, stroke);
+  edit_pictures(*picture_tiles_of(open_.level), wanted, stroke);
+}
+
+void LevelHandler::edit_pictures(const PictureTiles& pictures, const Edit& wanted, int stroke) {
+  const auto files = files_painted(pictures, wanted);
+  if (!files) return messages_.tell_error(files.error());
+  for (const std::string& file : *files) {
+    if (!painted_files_.contains(file)) return ask_to_paint(file, wanted, stroke);
+  }
+  edit(files->empty() ? wanted : fitted_to_pictures(open_.level, pictures, wanted), stroke);
+}
+
+void LevelHandler::ask_to_paint(const std::string& file, const Edit& wanted, int stroke) {
+  if (messages_.question()) return;  // the stroke goes on while it is asked
+  const std::string name = last_name(file);
+  const PngKind kind = kind_of_png(read_start_of_file(file, kPngKindBytes).value_or(""));
+  if (kind == PngKind::other)
+    return messages_.tell_error("The tile cannot be painted: its picture " + name +
+                                " is no PNG, and Talus writes no other pictures.");
+  if (kind == PngKind::deep)
+    return messages_.tell_error("The tile cannot be painted: its picture " + name +
+                                " has 16 bits a channel, and Talus writes pictures with 8.");
+  const std::string text =
+      kind == PngKind::palette
+          ? name +
+                " is a file of its own, with a palette. Paint it, and save it with the level, in true colour?"
+          : name + " is a file of its own. Paint it, and save it with the level?";
+  messages_.ask(Question{text, Question::Kind::paint_file},
+                [this, file, wanted, stroke](action::Answer answer) {
+                  if (answer != action::Answer::allow) return;
+                  painted_files_.insert(file);
+                  edit_by_user(wanted, stroke);
+                });
 }
 
 void LevelHandler::edit(const Edit& wanted, int stroke) {
@@ -107,7 +145,7 @@ void LevelHandler::edit(const Edit& wanted, int stroke) {
   if (edit.selection) choices_.choose_cells(edit.selection->after);
   if (edit.empty() && wants_hidden_pixels(wanted))
     messages_.tell_error(wanted.label +
-                         ": not done, because the tiles are in true colour, which cannot be painted yet.");
+                         ": not done, because the tiles are in true colour: the pixel tools paint them.");
   if (edit.empty()) return;
   note_edit(edit);
   open_.history.push(open_.level, std::move(edit), stroke);
@@ -123,7 +161,7 @@ bool LevelHandler::wants_hidden_pixels(const Edit& edit) const {
 }
 
 void LevelHandler::note_edit(const Edit& edit) {
-  ++open_.revision;
+  open_.sheet_changes.note(edit, ++open_.revision);
   run_.note_edit(edit);
   checks_.note_edit(edit);
 }
@@ -140,8 +178,9 @@ void LevelHandler::note_step_of_history() {
 
 void LevelHandler::replace(Level opened) {
   open_.level = std::move(opened);
+  painted_files_.clear();
   open_.history.clear();
-  ++open_.revision;
+  open_.sheet_changes.note_all(++open_.revision);
   choices_.forget_level();
   run_.load_level();
   checks_.forget_level();

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <set>
+#include <string>
 
+#include "level/picture_tiles.h"
 #include "level_actions.h"
 #include "open_level.h"
 #include "session/checks/check_handler.h"
@@ -36,6 +39,9 @@ class LevelHandler {
   template <class A>
   void carry_out(const A& action) = delete;
 
+  // Edits tiles whose pixels come from files, after a question for each of these.
+  void edit_pictures(const PictureTiles& pictures, const Edit& wanted, int stroke);
+  void ask_to_paint(const std::string& file, const Edit& wanted, int stroke);
   // Called for an edit that is done or undone: before it, and after it.
   bool wants_hidden_pixels(const Edit& edit) const;
   void note_edit(const Edit& edit);
@@ -43,7 +49,7 @@ class LevelHandler {
   void note_step_of_history();
 
   int begin_stroke() { return ++open_.last_stroke; }  // returns a number that no edit has yet
-  std::uint8_t hole() const;                          // the colour that stays behind where pixels are lifted
+  PixelColor hole() const;                            // the colour that stays behind where pixels are lifted
 
   OpenLevel& open_;
   const FileReader& reader_;
@@ -51,7 +57,8 @@ class LevelHandler {
   CheckHandler& checks_;
   ChoiceHandler& choices_;
   MessageHandler& messages_;
-  int pixel_stroke_ = 0;  // for the moves of the selected pixels, while they float
+  std::set<std::string> painted_files_;  // paths of the pictures that the user allows to paint
+  int pixel_stroke_ = 0;                 // for the moves of the selected pixels, while they float
 };
 
 }  // namespace talus

@@ -13,8 +13,9 @@ namespace talus {
 namespace {
 
 constexpr int kMostInAByte = 255;
-constexpr std::string_view kLargeMap = "map ";      // two digits a cell
-constexpr std::string_view kWideMap = "wide map ";  // four digits a cell
+constexpr std::string_view kLargeMap = "map ";          // two digits a cell
+constexpr std::string_view kWideMap = "wide map ";      // four digits a cell
+constexpr std::string_view kTurnedMap = "turned map ";  // six digits a cell
 constexpr const char* kNoTiles = "the clipboard holds no tiles of a map";
 
 bool is_space(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
@@ -54,20 +55,23 @@ std::vector<std::uint8_t> bytes_of(std::string_view text) {
 
 std::string text_of_cells(const Stamp& tiles) {
   std::string text;
-  const bool is_wide =
-      std::any_of(tiles.tiles.begin(), tiles.tiles.end(), [](int tile) { return tile > kMostInAByte; });
-  text.reserve((is_wide ? 4 : 2) * tiles.tiles.size() + 24);
+  const auto any = [&](auto is) { return std::any_of(tiles.tiles.begin(), tiles.tiles.end(), is); };
+  const bool is_turned = any([](MapCell cell) { return cell.turn != TileTurn::none; });
+  const bool is_wide = is_turned || any([](MapCell cell) { return cell.tile > kMostInAByte; });
+  text.reserve((is_wide ? 6 : 2) * tiles.tiles.size() + 24);
   if (is_wide) {
-    text = std::string(kWideMap) + std::to_string(tiles.w) + "x" + std::to_string(tiles.h) + "\n";
+    text = std::string(is_turned ? kTurnedMap : kWideMap) + std::to_string(tiles.w) + "x" +
+           std::to_string(tiles.h) + "\n";
   } else if (tiles.w > kMostInAByte || tiles.h > kMostInAByte) {
     text = std::string(kLargeMap) + std::to_string(tiles.w) + "x" + std::to_string(tiles.h) + "\n";
   } else {
     append_byte(text, tiles.w);
     append_byte(text, tiles.h);
   }
-  for (const TileNumber tile : tiles.tiles) {
+  for (const auto [tile, turn] : tiles.tiles) {
     append_byte(text, tile & kMostInAByte);
     if (is_wide) append_byte(text, tile >> 8);
+    if (is_turned) append_byte(text, static_cast<int>(turn));
   }
   return text;
 }
@@ -77,11 +81,14 @@ tl::expected<Stamp, std::string> cells_of_text(std::string_view text) {
     return tl::unexpected(std::string("the clipboard is empty"));
   const auto no_tiles = tl::unexpected(std::string(kNoTiles));
   std::optional<Cell> size;
-  const bool is_wide = text.starts_with(kWideMap);
-  if (is_wide || text.starts_with(kLargeMap)) {
-    text.remove_prefix(is_wide ? kWideMap.size() : kLargeMap.size());
+  std::size_t bytes_of_cell = 1;
+  for (const std::string_view head : {kLargeMap, kWideMap, kTurnedMap}) {
+    if (!text.starts_with(head)) continue;
+    bytes_of_cell = head == kTurnedMap ? 3 : head == kWideMap ? 2 : 1;
+    text.remove_prefix(head.size());
     size = take_size(text);
     if (!size) return no_tiles;
+    break;
   }
   std::vector<std::uint8_t> bytes = bytes_of(text);
   if (!size) {
@@ -89,13 +96,15 @@ tl::expected<Stamp, std::string> cells_of_text(std::string_view text) {
     size = Cell{bytes[0], bytes[1]};
     bytes.erase(bytes.begin(), bytes.begin() + 2);
   }
-  const std::size_t bytes_of_cell = is_wide ? 2 : 1;
   if (!is_terrain_size(size->x, size->y) ||
       static_cast<std::size_t>(size->x) * size->y * bytes_of_cell != bytes.size())
     return no_tiles;
   Stamp stamp{size->x, size->y, {}};
-  for (std::size_t i = 0; i < bytes.size(); i += bytes_of_cell)
-    stamp.tiles.push_back(static_cast<TileNumber>(is_wide ? bytes[i] | bytes[i + 1] << 8 : bytes[i]));
+  for (std::size_t i = 0; i < bytes.size(); i += bytes_of_cell) {
+    const int high = bytes_of_cell > 1 ? bytes[i + 1] : 0, turn = bytes_of_cell > 2 ? bytes[i + 2] : 0;
+    if (turn >= kTileTurns) return no_tiles;
+    stamp.tiles.emplace_back(static_cast<TileNumber>(bytes[i] | high << 8), static_cast<TileTurn>(turn));
+  }
   return stamp;
 }
 

@@ -9,6 +9,7 @@
 #include <talus/level/level.h>
 #include "edit/undo_stack.h"
 #include "session/files/export_permissions.h"
+#include "sheet_changes.h"
 
 namespace talus {
 
@@ -21,6 +22,7 @@ struct OpenLevel {
 
   Level level;
   UndoStack history;
+  SheetChanges sheet_changes;
   std::uint64_t revision = 0;  // grows with every change of the level, also by undo and opening
   int last_stroke = 0;         // the highest number of a stroke so far
   std::string path;            // of its file; empty: it has none

@@ -16,6 +16,7 @@
 #include "formats/native/native_exports.h"
 #include "formats/text/base64.h"
 #include "formats/text/utf8_text.h"
+#include "stored_path.h"
 
 namespace talus {
 namespace {
@@ -43,22 +44,6 @@ struct StoreLine {
   std::string text;
   std::optional<KeptPermission> own = {};  // nothing: it is of another file than the wanted one, or damaged
 };
-
-const std::string kBase64 = "_base64";
-
-void put_path(Json& line, const std::string& key, const std::string& path) {
-  if (is_utf8(path))
-    line[key] = path;
-  else
-    line[key + kBase64] = encode_base64(path);
-}
-
-// Empty: there is none.
-std::string path_in(const Json& line, const std::string& key) {
-  const Json path = line.value(key, Json()), encoded = line.value(key + kBase64, Json());
-  if (path.is_string()) return path.get<std::string>();
-  return encoded.is_string() ? decode_base64(encoded.get_ref<const std::string&>()).value_or("") : "";
-}
 
 std::optional<KeptPermission> permission_of(const std::string& line) {
   const auto json = parse_json(line);

@@ -23,6 +23,8 @@ struct ExportTools {
   ReadAsset read_asset;     // called from another thread; empty: exports that need a text end with an error
   std::string record = {};  // file of the ExportRecord; empty: it lasts as long as the session
   std::string permissions = {};  // file of the ExportPermissions; empty: they last as long as the session
+  std::string reads = {};        // file of the ReadPermissions; the same
+  std::string mappings = {};     // file of the UnsavedMappings; the same
 };
 
 struct ExportTask {

@@ -55,7 +55,7 @@ struct FileHandler::Look {
 };
 
 // Linked files keep their stamps, but for those that saving writes.
-void FileHandler::note_file() {
+void FileHandler::note_file(const std::vector<std::string>& written) {
   const std::vector<LinkedStamp> linked = stamp_ ? std::move(stamp_->linked) : std::vector<LinkedStamp>();
   stamp_ = source_.path.empty() ? std::nullopt : stamp_of_level(source_.path);
   if (!stamp_) return;
@@ -64,6 +64,10 @@ void FileHandler::note_file() {
   for (const Tileset& tileset : open_.level.tilesets)
     if (tileset.link) pictures.push_back(tileset.link->path);
   add_linked(pictures, time_for_stamps(), *stamp_);
+  for (LinkedStamp& file : stamp_->linked) {
+    const auto is_it = [&](const std::string& path) { return is_same_file(path, file.path); };
+    if (std::any_of(written.begin(), written.end(), is_it)) file.stamp = stamp_of_file(file.path);
+  }
   if (!open_.level.tiled) return;
   for (LinkedStamp& file : stamp_->linked) {
     for (const TiledOrigin::File& tileset : open_.level.tiled->tilesets) {
@@ -91,7 +95,9 @@ void FileHandler::look_at_files() {
   is_reloading_ = true;
   const auto compare = [this, file = source_.path, known = *stamp_,
                         declined = declined_](const Progress&) -> FileReader::Finish {
-    auto look = std::make_shared<Look>(Look{{}, false, known, declined});
+    auto look = std::make_shared<Look>();
+    look->known = known;
+    look->declined = declined;
     look->is_known = look->declined && level_change(file, *look->declined).change == FileChange::none;
     if (!look->is_known) look->found = level_change(file, look->known);
     if (look->found.change == FileChange::gone) {
@@ -192,8 +198,9 @@ void FileHandler::ask_to_read(const std::string& changed, const std::string& why
 // Whatever it gives is an edit, so that neither version is lost.
 void FileHandler::reload() {
   is_reloading_ = true;
-  const auto read = [this, file = source_.path, choices = choices_of(open_.level, source_.choices),
-                     known = *stamp_, is_saving = is_saving_](const Progress& progress) {
+  const ImportChoices choices = with_permissions(source_.path, choices_of(open_.level, source_.choices));
+  const auto read = [this, file = source_.path, choices, known = *stamp_,
+                     is_saving = is_saving_](const Progress& progress) {
     auto newer = std::make_shared<Newer>();
     LevelStamp before = known;
     newer->changed = last_name(level_change(file, before).file);
@@ -229,6 +236,10 @@ void FileHandler::take_reloaded(const std::shared_ptr<Newer>& newer) {
   failures_ = 0;
   if (!loaded) return take_unread(*newer, to_string(loaded.error(), source_.path));
   if (is_companion_broken) return take_unread(*newer, loaded->note);
+  if (is_unasked(source_.path, loaded->refused)) {
+    return ask_about_outside(
+        source_.path, loaded->refused, [this] { reload(); }, [this, newer] { take_reloaded(newer); });
+  }
   Level& theirs = newer->loaded->level;
   if (const int layer = matching_layer(open_.level, open_.level.layers.chosen, theirs); layer >= 0)
     theirs.choose_layer(layer);

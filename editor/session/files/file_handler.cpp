@@ -62,6 +62,8 @@ FileHandler::FileHandler(const Parts& parts, ExportTools tools, std::string name
       run_(parts.run),
       debug_(parts.debug),
       messages_(parts.messages),
+      reads_(tools.reads),
+      mappings_(tools.mappings),
       pictures_(open_, reading_, level_, parts.choices, messages_),
       exports_(open_, level_, messages_, std::move(tools)),
       name_(std::move(name)),
@@ -265,8 +267,10 @@ void FileHandler::discard_and_do(const DiscardingAction& discarding) {
 
 void FileHandler::read_and_open(const action::OpenFile& file) {
   if (!file.as_copy) maps_.note_opened(file.path);
-  reading_.read(file.path, [this, file](const Progress& progress) -> FileReader::Finish {
-    auto opened = std::make_shared<OpenedFile>(read_for_opening(file.path, !file.as_copy, progress));
+  unread_for_.clear();
+  const ImportChoices first = with_permissions(file.path, {.mapping = mappings_.find(file.path)});
+  reading_.read(file.path, [this, file, first](const Progress& progress) -> FileReader::Finish {
+    auto opened = std::make_shared<OpenedFile>(read_for_opening(file.path, !file.as_copy, first, progress));
     return [this, file, opened] { take_opened(file, std::move(*opened)); };
   });
 }
@@ -274,6 +278,12 @@ void FileHandler::read_and_open(const action::OpenFile& file) {
 void FileHandler::take_opened(const action::OpenFile& file, OpenedFile opened) {
   if (const auto* error = std::get_if<FormatError>(&opened.content))
     return messages_.tell_error(to_string(*error, file.path));
+  if (const auto refused = refused_in(opened); is_unasked(file.path, refused)) {
+    auto kept = std::make_shared<OpenedFile>(std::move(opened));
+    return ask_about_outside(
+        file.path, refused, [this, file] { read_and_open(file); },
+        [this, file, kept] { take_opened(file, std::move(*kept)); });
+  }
   if (auto* import = std::get_if<LevelImport>(&opened.content)) {
     level_import_ = std::move(*import);
     return;
@@ -318,10 +328,11 @@ void FileHandler::open_imported(const std::string& file, LoadedLevel loaded) {
 template <>
 void FileHandler::carry_out(const action::SetLevelImport& a) {
   if (!level_import_) return;
-  reading_.read(level_import_->path, [this, a, path = level_import_->path](const Progress& progress) {
+  const auto choices = with_permissions(level_import_->path, a.choices);
+  reading_.read(level_import_->path, [this, a, choices,
+                                      path = level_import_->path](const Progress& progress) {
     auto stamp = std::make_shared<std::optional<LevelStamp>>();
-    auto plan =
-        std::make_shared<FormatResult<LoadedLevel>>(load_with_stamp(path, a.choices, progress, *stamp));
+    auto plan = std::make_shared<FormatResult<LoadedLevel>>(load_with_stamp(path, choices, progress, *stamp));
     return FileReader::Finish([this, a, plan, stamp] {
       if (!level_import_) return;
       level_import_->stamp = *stamp;
@@ -345,6 +356,7 @@ void FileHandler::apply_mapping(const Level& read) {
   fresh.ldtk = read.ldtk;
   auto moved = move_ldtk_additions(open_.level, fresh, file_name());
   if (!moved) return messages_.tell_error(to_string(moved.error(), open_.path));
+  mappings_.keep(open_.path, read.ldtk->mapping);
   level_.edit(replace_by(open_.level, std::make_shared<const Level>(std::move(moved->level)),
                          "Change the LDtk mapping"));
   messages_.tell(
@@ -356,11 +368,18 @@ void FileHandler::carry_out(const action::ApplyLevelImport&) {
   if (!level_import_ || !level_import_->plan || reading_.reader().is_busy()) return;
   LevelImport import = *std::exchange(level_import_, std::nullopt);
   if (import.is_mapping) return apply_mapping(import.plan->level);
-  const bool is_mapped = import.choices.mapping.has_value();
+  if (!is_unasked(import.path, import.plan->refused)) return take_import(std::move(import));
+  auto kept = std::make_shared<LevelImport>(std::move(import));
+  ask_about_outside(
+      kept->path, kept->plan->refused, [this, kept] { read_import_again(kept); },
+      [this, kept] { take_import(std::move(*kept)); });
+}
+
+void FileHandler::take_import(LevelImport import) {
   const std::vector<std::string> dropped = import.plan->dropped;
+  if (import.choices.mapping) mappings_.keep(import.path, *import.choices.mapping);
   open_imported(import.path, *std::move(import.plan));
   note_source(import.path, import.stamp, import.choices, dropped);
-  if (is_mapped) level_.forget_saved();  // the mapping is remembered by saving
 }
 
 // The level becomes that of the recording's end, so that playing goes on as it was recorded.
@@ -374,9 +393,10 @@ void FileHandler::open_recording(const std::string& file, const Recording& recor
 }
 
 void FileHandler::recover(const action::RecoverLevel& saved) {
-  const auto read = [this, saved](const Progress& progress) {
+  const ImportChoices choices = with_permissions(saved.path, {});
+  const auto read = [this, saved, choices](const Progress& progress) {
     auto file = std::make_shared<FormatResult<LoadedLevel>>(tl::unexpected(FormatError{}));
-    if (!saved.path.empty()) *file = load_level(saved.path, {}, progress.part(0, 0.5));
+    if (!saved.path.empty()) *file = load_level(saved.path, choices, progress.part(0, 0.5));
     const EndScenes scenes = saved.recordings.empty()
                                  ? EndScenes{}
                                  : compile_ends(*saved.recordings.front(), progress.part(0.5, 1));
@@ -474,7 +494,7 @@ bool FileHandler::save_to(const std::string& saved_path, const Format& saved_for
   Level level = open_.level;
   const bool is_into_old = saved_format.writes_back || saved_path == source_.path;
   if (is_into_old && !saves_into_newest(level)) return false;
-  FormatResult<SavedLevel> saved = save_level(level, saved_format, saved_path, companion_);
+  FormatResult<SavedLevel> saved = save_level(level, saved_format, saved_path, companion_, base_.get());
   if (!saved) {
     messages_.tell_error(to_string(saved.error(), saved_path));
     return false;
@@ -490,16 +510,18 @@ bool FileHandler::save_to(const std::string& saved_path, const Format& saved_for
   format_ = &saved_format;
   companion_ = std::move(saved->companion);
   unstored_ = std::move(saved->dropped);
-  note_file();
+  note_file(saved->others);
   const auto kept = open_.permissions.save(open_.path, open_.level.exports);
   level_.mark_saved();
   ++saves_;
   std::string text = "Saved " + file_names();
   for (const std::string& other : saved->others) text += " + " + last_name(other);
   text += ".";
-  if (saved_format.keeps_beside)
+  if (saved_format.keeps_beside) {
+    mappings_.forget(open_.path);
     text = "Saved what was added to " + file_name() + ", which LDtk owns, in " + last_name(companion_.path) +
            ".";
+  }
   if (!unstored_.empty()) text += " Not stored in this format: " + joined(unstored_, "") + ".";
   text = with_note(std::move(text), saved->note);
   kept ? messages_.tell(text) : messages_.tell_error(text + "\n" + kept.error());

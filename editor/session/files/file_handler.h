@@ -2,6 +2,7 @@
 // of the pictures and the exports that belong to it.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,9 +18,11 @@
 #include "map_list.h"
 #include "opened_file.h"
 #include "picture_handler.h"
+#include "read_permissions.h"
 #include "session/debugger/debug_handler.h"
 #include "session/editing/level_handler.h"
 #include "tile_import.h"
+#include "unsaved_mappings.h"
 
 namespace talus {
 
@@ -94,9 +97,21 @@ class FileHandler {
   void take_recovered(const action::RecoverLevel& saved, FormatResult<LoadedLevel> file,
                       const EndScenes& scenes);
 
+  void take_import(LevelImport import);
+
+  // --- Files outside of the map's folder; in outside_files.cpp
+  ImportChoices with_permissions(const std::string& file, ImportChoices choices) const;
+  // Whether the user is to be asked about these. refused: as in LoadedLevel.
+  bool is_unasked(const std::string& file, const std::vector<std::string>& refused) const;
+  // Reads everything again if the user allows them, or else goes on without them.
+  void ask_about_outside(const std::string& file, const std::vector<std::string>& refused,
+                         const std::function<void()>& read_again, const std::function<void()>& go_on);
+  void read_import_again(const std::shared_ptr<LevelImport>& import);
+
   // --- Other programs change the files; in file_changes.cpp
-  // Records the current content of the level's own files as known to this session.
-  void note_file();
+  // Records the current content of the level's own files as known to this session. written: paths of other
+  // files that were written with it.
+  void note_file(const std::vector<std::string>& written = {});
   // What the level that was just opened came from.
   void note_source(const std::string& path, std::optional<LevelStamp> stamp, ImportChoices choices,
                    std::vector<std::string> dropped);
@@ -125,6 +140,8 @@ class FileHandler {
   RunHandler& run_;
   DebugHandler& debug_;
   MessageHandler& messages_;
+  ReadPermissions reads_;
+  UnsavedMappings mappings_;
   PictureHandler pictures_;
   ExportHandler exports_;
 
@@ -144,6 +161,7 @@ class FileHandler {
   std::vector<std::string> unstored_;  // the parts of the saved level that the file lacks, one phrase each
   const Format* format_ = nullptr;     // of the file; null: it has none, or an unknown one
 
+  std::string unread_for_;  // the file for which the user has declined to read files outside; empty: none
   std::optional<LevelImport> level_import_;
   std::optional<TileImport> tile_import_;
   MapList maps_;

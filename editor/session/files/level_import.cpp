@@ -2,10 +2,12 @@
 #include "level_import.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include <talus/level/limits.h>
 #include "formats/files/atomic_file.h"
 #include "formats/ldtk/ldtk_companion.h"
+#include "overlay/small_picture.h"
 
 namespace talus {
 namespace {
@@ -21,6 +23,22 @@ int last_level(const std::string& path, const std::vector<LdtkLevelName>& levels
   return found == levels.end() ? 1 : static_cast<int>(found - levels.begin()) + 1;
 }
 
+// Of as many levels as can be read in a moment.
+std::vector<std::shared_ptr<const SheetPicture>> pictures_of_levels(const std::string& path,
+                                                                    const ImportChoices& choices) {
+  constexpr int kSide = 128;  // px
+  constexpr std::chrono::milliseconds kMoment{1000};
+  const auto until = std::chrono::steady_clock::now() + kMoment;
+  std::vector<std::shared_ptr<const SheetPicture>> pictures;
+  const auto use = [&](std::size_t index, const Level& level) {
+    pictures.resize(index + 1);
+    pictures[index] = std::make_shared<const SheetPicture>(small_picture(level, kSide, kSide));
+  };
+  const Progress progress([&](double) { return std::chrono::steady_clock::now() < until; });
+  read_ldtk_levels(path, choices, use, progress);
+  return pictures;
+}
+
 }  // namespace
 
 ImportChoices choices_of(const Level& level, ImportChoices first) {
@@ -28,7 +46,8 @@ ImportChoices choices_of(const Level& level, ImportChoices first) {
     return {.layer_number = level.ldtk->layer_number,
             .level = level.ldtk->level,
             .mapping = level.ldtk->mapping,
-            .ldtk_tiles = level.ldtk->tiles};
+            .ldtk_tiles = level.ldtk->tiles,
+            .outside = first.outside};
   }
   if (!level.tiled) return first;
   const std::vector<int>& layers = level.tiled->layers;
@@ -39,7 +58,8 @@ ImportChoices choices_of(const Level& level, ImportChoices first) {
 
 bool leaves_choice(const LevelImport& import) {
   if (import.levels.size() != 1 || !import.plan || !import.plan->level.ldtk) return true;
-  return !import.plan->level.ldtk->things.empty() && !ldtk_memory_of(text_beside(import.path)).mapping;
+  return !import.plan->level.ldtk->things.empty() && !import.choices.mapping &&
+         !ldtk_memory_of(text_beside(import.path)).mapping;
 }
 
 FormatResult<LoadedLevel> load_with_stamp(const std::string& path, const ImportChoices& choices,
@@ -51,8 +71,9 @@ FormatResult<LoadedLevel> load_with_stamp(const std::string& path, const ImportC
   return loaded;
 }
 
-LevelImport first_level_import(const std::string& path, const Progress& progress) {
-  LevelImport import{path, {}, ldtk_levels_of_file(path), {}, tl::unexpected(FormatError{}), false};
+LevelImport first_level_import(const std::string& path, const ImportChoices& first,
+                               const Progress& progress) {
+  LevelImport import{path, {}, ldtk_levels_of_file(path), first, tl::unexpected(FormatError{}), false};
   if (import.levels.empty()) import.layers = tiled_layers_of_file(path);
   if (!import.levels.empty()) import.choices.level_number = last_level(path, import.levels);
   if (import.layers.size() > kMaxLayers) {
@@ -66,6 +87,7 @@ LevelImport first_level_import(const std::string& path, const Progress& progress
     import.choices.used_tiles = true;
     import.plan = load_with_stamp(path, import.choices, progress.part(0.5, 1), import.stamp);
   }
+  if (import.levels.size() > 1) import.pictures = pictures_of_levels(path, import.choices);
   return import;
 }
 

@@ -2,6 +2,7 @@
 // beforehand.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,8 @@ struct LevelImport {
   FormatResult<LoadedLevel> plan;        // the result with these choices, or why there is none
   bool is_mapping = false;               // whether only the mapping of the open level is asked for
   std::optional<LevelStamp> stamp = {};  // of the file before the plan was read; nothing: not possible
+  // By level of a project, what it looks like; null, or fewer than levels: not known.
+  std::vector<std::shared_ptr<const SheetPicture>> pictures = {};
 };
 
 // Reads a level with its stamp, with its linked files in it.
@@ -35,6 +38,7 @@ ImportChoices choices_of(const Level& level, ImportChoices first = {});
 // if it cannot be read otherwise. So it can be opened at once. A project with one level whose mapping is
 // remembered, or with nothing to map, leaves no choice.
 bool leaves_choice(const LevelImport& import);
-LevelImport first_level_import(const std::string& path, const Progress& progress = {});
+LevelImport first_level_import(const std::string& path, const ImportChoices& first = {},
+                               const Progress& progress = {});
 
 }  // namespace talus

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include <talus/formats/format.h>
 #include "file_stamp.h"
@@ -20,7 +21,12 @@ struct OpenedFile {
   EndScenes scenes;  // for a recording
 };
 
-// has_choice: a file that cannot be read without choices becomes a LevelImport, and is no error.
-OpenedFile read_for_opening(const std::string& path, bool has_choice, const Progress& progress);
+// has_choice: a file that cannot be read without choices becomes a LevelImport, and is no error. first:
+// what is known of the choices.
+OpenedFile read_for_opening(const std::string& path, bool has_choice, const ImportChoices& first,
+                            const Progress& progress);
+
+// The files that were not read for where they lie: LoadedLevel::refused.
+std::vector<std::string> refused_in(const OpenedFile& opened);
 
 }  // namespace talus

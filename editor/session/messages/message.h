@@ -20,7 +20,9 @@ struct Question {
     unsaved_branch,
     unstored,
     allow_exports,
-    merge
+    merge,
+    read_outside,
+    paint_file
   };
   std::string text;  // "Save the changes to demo.talus.json?"
   Kind kind = Kind::unsaved_changes;

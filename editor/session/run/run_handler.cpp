@@ -9,6 +9,8 @@
 #include <talus/level/limits.h>
 #include "formats/native/hard_case_file.h"
 #include "level/followed_spawn.h"
+#include "level/ground_cells.h"
+#include "level/object_ground.h"
 
 namespace talus {
 
@@ -255,7 +257,8 @@ void RunHandler::note_edit(const Edit& edit) {
 void RunHandler::refresh_scene() {
   if (scene_changes_.empty() || (compiler_.is_busy() && !scene_changes_.whole)) return;
   const SceneChanges changes = std::exchange(scene_changes_, {});
-  if (changes.whole && SceneCompiler::is_large(open_.level)) return compiler_.start(open_.level);
+  const bool takes_long = changes.whole || !can_change(*timeline().level_scene(), changes.cells);
+  if (takes_long && SceneCompiler::is_large(open_.level)) return compiler_.start(open_.level);
   leave_compiler();
   ++scenes_;
   bool has_room = true;
@@ -267,18 +270,34 @@ void RunHandler::refresh_scene() {
   }
 }
 
+// Whether a scene gets these cells of the level without being compiled as a whole. It cannot get new stacks
+// of tiles in layers of ground.
+bool RunHandler::can_change(const Scene& scene, std::span<const Cell> cells) const {
+  if (cells.empty()) return true;
+  const TileMap& map = open_.level.map;
+  const auto is_of_map = [&](const auto& ground) {
+    return ground == nullptr || (ground->width() == map.width() && ground->height() == map.height());
+  };
+  if (!is_of_map(scene.ground) || !is_of_map(scene.single_ground)) return false;  // as it was opened
+  if (has_object_ground(open_.level)) return false;
+  return std::all_of(cells.begin(), cells.end(),
+                     [&](Cell cell) { return ground_number(open_.level, scene.stacks, cell).has_value(); });
+}
+
 void RunHandler::leave_compiler() {
   compiler_.cancel();
   is_opening_ = false;
 }
 
-// A large level is opened with an empty map; the compiled scene brings the map.
+// A large level is opened with its bodies alone; the compiled scene brings the map.
 void RunHandler::load_simulation() {
   compiler_.cancel();
   is_opening_ = SceneCompiler::is_large(open_.level);
   if (!is_opening_) return simulation_.load(open_.level);
-  Level bare = open_.level;
-  std::fill(bare.map.cells().begin(), bare.map.cells().end(), TileNumber{0});
+  Level bare;
+  bare.map = TileMap(1, 1, open_.level.map.tile_size());
+  bare.spawns = open_.level.spawns;
+  bare.tuning = open_.level.tuning;
   simulation_.load(bare);
   compiler_.start(open_.level);
 }

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <talus/collision/function_ref.h>
@@ -71,6 +72,7 @@ class RunHandler {
   void keep_chosen_body(FunctionRef<void()> renumber);  // across a change that may give bodies other ids
   void load_simulation();
   void leave_compiler();  // the timeline brings a scene of its own
+  bool can_change(const Scene& scene, std::span<const Cell> cells) const;
 
   const OpenLevel& open_;
   ChoiceHandler& choices_;

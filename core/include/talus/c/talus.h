@@ -42,9 +42,10 @@ typedef struct talus_body {
   double vy;           /* px a frame, down */
 } talus_body;
 
-/* Loads a level or cart of any format that the editor opens, at its first frame. Null after an error; then
-   `error` holds "FILE:PLACE: error: MESSAGE", cut off after error_size - 1 bytes, and else "". `error` may be
-   null. A null `path` is an error. */
+/* Loads a level or cart of any format that the editor opens, at its first frame. Tilesets that a map names
+   are read wherever they lie, as a game opens its own maps. Null after an error; then `error` holds
+   "FILE:PLACE: error: MESSAGE", cut off after error_size - 1 bytes, and else "". `error` may be null. A null
+   `path` is an error. */
 talus_game* talus_open(const char* path, char* error, size_t error_size);
 
 /* The same for what a file holds, `size` bytes; more than 96 MiB are an error, as they are in a file. `name`:

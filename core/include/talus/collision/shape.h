@@ -56,8 +56,12 @@ struct TileShape {
   };
   // On which side of the line the ground lies.
   enum class Side : std::uint8_t {
-    floor,   // ground between the line and the cell's bottom; heights are measured upwards from there
-    ceiling  // ground between the line and the cell's top; heights are measured downwards from there
+    floor,    // ground between the line and the cell's bottom; heights are measured upwards from there
+    ceiling,  // ground between the line and the cell's top; heights are measured downwards from there
+    // Of one-way polygons that cells turn by a quarter: their lines to the left or to the right would stop
+    // bodies. No solver knows such ground, so problem_of() refuses it.
+    left,
+    right
   };
   Kind kind = Kind::none;  // what the ground is
   // Of a slope or profile; of a one-way polygon, whether its upper (floor) or its lower lines stop bodies.

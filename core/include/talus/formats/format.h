@@ -77,6 +77,9 @@ struct ImportChoices {
   // Of a level of a project that was read before: LdtkOrigin::tiles, so that tiles keep their numbers; empty:
   // as its companion says.
   std::vector<std::string> ldtk_tiles = {};
+  // Absolute paths of folders without links. Files that the content names are read in them, as in the folder
+  // of the file itself and below it; those elsewhere are not. "/": they are read everywhere.
+  std::vector<std::string> outside = {};
   friend bool operator==(const ImportChoices&, const ImportChoices&) = default;
 };
 
@@ -88,6 +91,9 @@ struct FormatContext {
   std::string_view companion = {};  // text of the companion beside the file; empty: there is none
   std::vector<std::string>* dropped = nullptr;  // gets a phrase for each thing that a reader could not keep
   std::vector<std::string>* linked = nullptr;   // gets the path of each file that the content names
+  // Gets the name of each file that the content names, and that was not read for where it lies: see
+  // ImportChoices::outside.
+  std::vector<std::string>* refused = nullptr;
   Progress progress = {};  // receives how much a reader has read; may stop the reading, which is an error
 };
 
@@ -126,7 +132,8 @@ struct CompanionFile {
   // content_hash of its bytes; nothing: not all of it was understood.
   std::optional<std::uint64_t> content = {};
   // content_hash of the other files that the level is saved into, by their paths, when they were read or
-  // written. They are the files of a map's tilesets. A file that is not here has the level's own bytes of it.
+  // written. They are the files of a map's tilesets, and pictures that were painted. A file that is not here
+  // has the level's own bytes of it.
   std::map<std::string, std::uint64_t> others = {};
 };
 
@@ -136,6 +143,7 @@ struct LoadedLevel {
   const Format* format = nullptr;         // never null
   std::vector<std::string> dropped = {};  // what a level cannot hold, one phrase each
   std::vector<std::string> linked = {};   // paths of the files that it names, such as a map's tilesets
+  std::vector<std::string> refused = {};  // as in FormatContext, each name once
   std::string path = {};  // path of the file; if its companion was named, path of the file that it belongs to
   CompanionFile companion = {};  // pass it to save_level()
   std::string note = {};         // a note on the companion, a sentence without full stop; empty: no note
@@ -162,9 +170,11 @@ FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoice
 // Writes the whole file or nothing of it, with a companion if the format cannot hold everything. The format
 // must be one that can_save(). known: the companion that the level came with. That one is replaced, and
 // removed if it is no longer needed. Any other file in its place is kept under another name, and the note
-// says so. Files of tilesets into which a map of Tiled is saved are written with it, if they change. After an
-// error all files are as they were.
+// says so. Files of tilesets into which a map of Tiled is saved are written with it, if they change, and so
+// are the pictures of tiles that were painted and come from files, as PNGs. before: the level as its files
+// had it when they were last read or written; null: as it was opened in Tiled's or LDtk's files, and of other
+// levels no pictures are written. After an error all files are as they were.
 FormatResult<SavedLevel> save_level(const Level& level, const Format& format, const std::string& path,
-                                    const CompanionFile& known = {});
+                                    const CompanionFile& known = {}, const Level* before = nullptr);
 
 }  // namespace talus

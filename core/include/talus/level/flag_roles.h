@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include <talus/level/tileset.h>
+#include <talus/level/flag_set.h>
 
 namespace talus {
 
@@ -13,7 +13,7 @@ namespace talus {
 // down_slope, ball wins (the order of the article's is_obj).
 enum class TileRole : std::uint8_t { none, solid, up_slope, down_slope, ball };
 
-// For each role, and for each change of the shape that the other flags give, the flag, 0..7, that stands for
+// For each role, and for each change of the shape that the other flags give, the flag, 0..31, that stands for
 // it; kUnused if no flag does. The defaults are the article's.
 struct FlagRoles {
   static constexpr int kUnused = -1;  // no flag
@@ -27,7 +27,7 @@ struct FlagRoles {
 };
 
 // The role of a tile with these flags.
-TileRole role_of(std::uint8_t flags, const FlagRoles& roles);
+TileRole role_of(FlagSet flags, const FlagRoles& roles);
 
 // One row for each role, for everything that lists the roles: files, flags panel, documentation.
 struct FlagRoleInfo {
@@ -38,8 +38,8 @@ struct FlagRoleInfo {
 };
 const std::array<FlagRoleInfo, 6>& flag_role_infos();  // all of them
 
-// Whether a tile with these flags has the flag, 0..7 or kUnused.
-inline bool has_flag(std::uint8_t flags, int flag) {
+// Whether a tile with these flags has the flag, 0..31 or kUnused.
+inline bool has_flag(FlagSet flags, int flag) {
   return flag != FlagRoles::kUnused && (flags >> flag & 1) != 0;
 }
 

@@ -9,8 +9,9 @@
 
 namespace talus {
 
-// The parts of a level's terrain. Refers to the level's map, which must stay alive meanwhile, and must have
-// no other layer of tiles (asserted). Invalid shapes and curves are left out; the lint reports them.
+// The parts of a level's terrain. Refers to the level's map, which must stay alive meanwhile. It must have no
+// other layer of tiles, and no turned ones (both asserted). Invalid shapes and curves are left out; the lint
+// reports them.
 TerrainSource ground_of(const Level& level);
 
 // The terrain of a level with any layers.

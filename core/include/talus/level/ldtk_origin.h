@@ -12,6 +12,7 @@
 namespace talus {
 
 struct Level;
+struct PictureTiles;
 
 // What the things in a project of LDtk stand for, where their names alone do not tell it as the user wants.
 struct LdtkMapping {
@@ -57,6 +58,7 @@ struct LdtkOrigin {
   std::vector<LdtkThing> things = {};        // what the project has, and how often the level has it
   std::vector<std::string> tiles = {};       // by tile of the level, which cells of LDtk it stands for
   std::shared_ptr<const Level> opened = {};  // what the project alone gave
+  std::shared_ptr<const PictureTiles> pictures = {};  // which parts of its pictures the level's tiles show
 };
 
 }  // namespace talus

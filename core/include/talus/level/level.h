@@ -15,11 +15,15 @@
 #include <talus/level/exports.h>
 #include <talus/level/flag_fields.h>
 #include <talus/level/flag_roles.h>
+#include <talus/level/flag_set.h>
 #include <talus/level/ldtk_origin.h>
+#include <talus/level/map_cells.h>
 #include <talus/level/object_layer.h>
+#include <talus/level/picture_part.h>
 #include <talus/level/tile_animation.h>
 #include <talus/level/tile_layer.h>
 #include <talus/level/tile_map.h>
+#include <talus/level/tile_note.h>
 #include <talus/level/tileset.h>
 #include <talus/level/tuning.h>
 
@@ -62,6 +66,7 @@ struct CartOrigin {
 };
 
 struct Level;
+struct PictureTiles;
 
 // How a level numbers the tiles and cells of the map of Tiled that it came from.
 struct TiledFrame {
@@ -88,59 +93,63 @@ struct TiledOrigin {
   };
   std::string extension;                // of the name of the map's file, without the dot
   std::string folder;                   // of the map's file
+  std::vector<std::string> outside;     // ImportChoices::outside with which it was read
   std::string bytes;                    // the whole file, as read
   std::vector<File> tilesets;           // each file once
   std::vector<int> layers;              // by layer of the level, which of the map's tile layers it is, from 0
   TiledFrame frame;                     // how the level numbers what is in them
   std::shared_ptr<const Level> opened;  // what the files alone gave, without the cells of its map
+  std::shared_ptr<const PictureTiles> pictures;  // which parts of its pictures the level's tiles show
 };
 
 // A plain value. Readers return, and writers and compile_scene() expect, a level within the ranges below.
 // Values outside are refused by writers (problem_of) and left out of the ground. Cells, brushes and the
 // ground's tiles hold numbers below tile_count(); functions that read them assert it.
 struct Level {
-  std::array<Sheet, 2> sheets;                     // by SheetId
-  Palette palette = default_palette();             // the 16 colours
-  std::array<std::string, kFlagCount> flag_names;  // what the user calls each flag; empty: unnamed
-  std::vector<FlagField> flag_fields;              // none of them shares a flag with another
-  FlagRoles roles;                                 // which flag means what
+  std::array<Sheet, 2> sheets;                    // by SheetId
+  Palette palette = default_palette();            // the 16 colours
+  std::array<std::string, kMaxFlags> flag_names;  // what the user calls each flag; empty: unnamed
+  std::vector<FlagField> flag_fields;             // none of them shares a flag with another
+  FlagRoles roles;                                // which flag means what
   // By tile of the first sheet, as many as it has images; of kind none: the tile's flags give its shape.
   std::vector<TileShape> tile_shapes = std::vector<TileShape>(kCartTiles);
-  std::array<TileShape, kFlagCount> flag_shapes;  // the shape that a flag stands for; kind none: no shape
-  std::vector<Tileset> tilesets;                  // parts of the first sheet, see problem_of; none: it is one
-  TileAnimations animations;                      // of tiles of the first sheet, see problem_of
-  TileLayers layers;                              // what the map consists of
-  TileMap map;                                    // tiles of the first sheet: the cells of the chosen layer
-  std::vector<LevelCurve> curves;                 // at most kMaxCurves
-  std::vector<ObjectLayer> objects;               // layers of them, from the back to the front
-  Tuning tuning;                                  // the numbers of the physics
-  std::vector<Spawn> spawns;                      // at most kMaxSpawns
-  std::vector<Brush> brushes;                     // at most kMaxBrushes
-  AutoTiles auto_tiles;                           // of the ground that is painted
-  std::vector<ExportPreset> exports;              // at most kMaxExports
-  std::shared_ptr<const CartOrigin> cart;         // null for a level that never was a cart
-  std::shared_ptr<const TiledOrigin> tiled;       // null for a level that did not come from Tiled
-  std::shared_ptr<const LdtkOrigin> ldtk;         // null for a level that did not come from LDtk
+  std::array<TileShape, kMaxFlags> flag_shapes;  // the shape that a flag stands for; kind none: no shape
+  std::vector<Tileset> tilesets;                 // parts of the first sheet, see problem_of; none: it is one
+  TileAnimations animations;                     // of tiles of the first sheet, see problem_of
+  TileNotes tile_notes;                          // of tiles of the first sheet, see problem_of
+  LargeTiles large_tiles;                        // of the first sheet
+  TileLayers layers;                             // what the map consists of
+  TileMap map;                                   // tiles of the first sheet: the cells of the chosen layer
+  std::vector<LevelCurve> curves;                // at most kMaxCurves
+  std::vector<ObjectLayer> objects;              // layers of them and of pictures, from the back to the front
+  Tuning tuning;                                 // the numbers of the physics
+  std::vector<Spawn> spawns;                     // at most kMaxSpawns
+  std::vector<Brush> brushes;                    // at most kMaxBrushes
+  AutoTiles auto_tiles;                          // of the ground that is painted
+  std::vector<ExportPreset> exports;             // at most kMaxExports
+  std::shared_ptr<const CartOrigin> cart;        // null for a level that never was a cart
+  std::shared_ptr<const TiledOrigin> tiled;      // null for a level that did not come from Tiled
+  std::shared_ptr<const LdtkOrigin> ldtk;        // null for a level that did not come from LDtk
   std::string extra;  // JSON object of keys that this version does not know, or empty
 
   // How many tiles it has, 1 to kMaxTiles; they are numbered from 0.
   int tile_count() const { return static_cast<int>(tile_shapes.size()); }
   // Gives the sheet of tiles this layout. New tiles are blank, and a picture goes if the layout is another.
   // Those tiles that go must not be on the map, in brushes or in the ground's tiles. Tilesets that do not fit
-  // any more go, too, and animations that show tiles which go.
+  // any more go, too, and animations that show tiles which go, and their notes.
   void set_tile_layout(const SheetLayout& layout);
-  // The tiles of a layer, row by row. layer: index in `layers`.
-  const std::vector<TileNumber>& cells_of(int layer) const;
+  // The cells of a layer, row by row. layer: index in `layers`.
+  const MapCells& cells_of(int layer) const;
   // Makes a layer the chosen one. layer: index in `layers`. Takes time by the number of cells.
   void choose_layer(int layer);
   // One of the two sheets, to be changed.
   Sheet& sheet(SheetId id) { return sheets[static_cast<std::size_t>(id)]; }
   // One of the two sheets.
   const Sheet& sheet(SheetId id) const { return sheets[static_cast<std::size_t>(id)]; }
-  // Bit n is flag n.
-  std::uint8_t tile_flags(TileNumber tile) const { return sheet(SheetId::tiles).flags[tile]; }
+  // Of a tile of the map.
+  FlagSet tile_flags(TileNumber tile) const { return sheet(SheetId::tiles).flags[tile]; }
   // Of the tile in a cell, which must lie inside the map (asserted).
-  TileRole role_at(Cell cell) const { return role_of(tile_flags(map.at(cell)), roles); }
+  TileRole role_at(Cell cell) const { return role_of(tile_flags(map.tile_at(cell)), roles); }
 };
 
 // The same content, whichever layer is chosen; carts are compared by their bytes, and maps of Tiled
@@ -149,11 +158,17 @@ bool operator==(const Level& a, const Level& b);
 
 // The shape of a tile: its own shape, or, if it has none, the shape of its flags.
 TileShape shape_of_tile(const Level& level, TileNumber tile);
+// The shape that what a cell holds gives to the ground: the shape of its tile, turned with the picture (see
+// turned() in <talus/level/tile_turns.h>).
+TileShape shape_of_cell(const Level& level, MapCell cell);
 // The shape of the flags' role: a solid tile, or the slope of the article's box, which reaches from the
 // tile's left side over so many tiles as `slope_width` needs and is lowest at the tile's height less
 // `slope_height`, or at 0. A ball has none. Without a role, it is the shape that the lowest flag with a shape
 // stands for. `one_way` and `ceiling` flags change the result.
-TileShape shape_of_flags(const Level& level, std::uint8_t flags);
+TileShape shape_of_flags(const Level& level, FlagSet flags);
+// The flags that tiles or sprites have, and those with a name, a role, a shape or a place in a field. Takes
+// time by the number of tiles.
+FlagSet used_flags(const Level& level);
 
 // The kind of body that a tile on the map stands for: that of its flags, if it has no shape of its own;
 // nothing if it is ground, or neither.

@@ -24,6 +24,9 @@ using TileAnimations = std::map<TileNumber, TileAnimation>;  // by the tile that
 inline constexpr int kMaxFrameDuration = 60'000;            // ms
 inline constexpr std::size_t kMaxAnimationFrames = 65'536;  // of all animations of a level
 
+// Returns the animation of a tile; null if it has none.
+const TileAnimation* find_animation(const TileAnimations& animations, TileNumber tile);
+
 // The tile whose image an animation shows. time: ms since its start; 0 for negative times. The animation must
 // not be empty (asserted).
 TileNumber tile_shown_at(const TileAnimation& animation, double time);

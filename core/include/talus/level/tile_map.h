@@ -1,11 +1,11 @@
-// A rectangle of tile numbers, and the size of its cells.
+// A rectangle of cells with tiles, and the size of the cells.
 #pragma once
 
 #include <cassert>
 #include <cmath>
-#include <vector>
 
 #include <talus/collision/shape.h>
+#include <talus/level/map_cells.h>
 
 namespace talus {
 
@@ -42,13 +42,15 @@ class TileMap {
   // Whether the cell lies inside the map.
   bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width_ && c.y < height_; }
 
-  // The number of the tile in a cell, which must lie inside the map (asserted).
-  TileNumber at(Cell c) const { return cells_[index(c)]; }
-  // Puts a tile there; as at().
-  void set(Cell c, TileNumber tile) { cells_[index(c)] = tile; }
+  // What a cell holds. It must lie inside the map (asserted).
+  MapCell at(Cell c) const { return cells_[index(c)]; }
+  // The number of the tile in a cell; as at().
+  TileNumber tile_at(Cell c) const { return cells_.tiles()[index(c)]; }
+  // Puts something there; as at().
+  void set(Cell c, MapCell cell) { cells_.set(index(c), cell); }
 
-  const std::vector<TileNumber>& cells() const { return cells_; }  // row by row
-  std::vector<TileNumber>& cells() { return cells_; }              // keep its size
+  const MapCells& cells() const { return cells_; }  // row by row
+  MapCells& cells() { return cells_; }              // keep its size
   friend bool operator==(const TileMap&, const TileMap&) = default;
 
  private:
@@ -59,7 +61,7 @@ class TileMap {
   int width_;
   int height_;
   TileSize tile_;
-  std::vector<TileNumber> cells_;
+  MapCells cells_;
 };
 
 }  // namespace talus

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <talus/collision/shape.h>
+#include <talus/level/flag_set.h>
 
 namespace talus {
 
@@ -20,7 +21,6 @@ inline constexpr int kCartTiles = 256;      // images in a sheet of a cart
 inline constexpr int kCartColumns = 16;     // images in a row of a cart's sheet
 inline constexpr int kMaxSheetSide = 2048;  // images in a row or a column of a sheet
 inline constexpr int kColorCount = 16;      // of a palette
-inline constexpr int kFlagCount = 8;        // of an image
 
 // A colour.
 struct Rgb {
@@ -79,7 +79,7 @@ struct SheetPicture {
 struct Sheet {
   int columns = kCartColumns;                                          // images in a row, 1..kMaxSheetSide
   std::vector<TileImage> images = std::vector<TileImage>(kCartTiles);  // by number; 1 to kMaxTiles
-  std::vector<std::uint8_t> flags = std::vector<std::uint8_t>(kCartTiles);  // of each image; bit n is flag n
+  std::vector<FlagSet> flags = std::vector<FlagSet>(kCartTiles);       // of each image
   // How the images look in true colour, each as large as the map's tiles, at their places on the sheet. Null:
   // as `images` says, which is what carts and 16-colour tools take in any case.
   std::shared_ptr<const SheetPicture> picture;

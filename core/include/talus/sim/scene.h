@@ -69,8 +69,9 @@ struct Scene {
   // there is no ground.
   std::size_t ground_lines = 0;
   // What the numbers of the ground from `tile_count` on stand for: the tiles of several layers in one cell,
-  // from the back to the front; sorted. Empty if the level has one layer of ground.
-  std::vector<std::vector<TileNumber>> stacks;
+  // from the back to the front, or one that is turned; sorted. Empty if the level has one layer of ground,
+  // and none of its ground is turned.
+  std::vector<std::vector<MapCell>> stacks;
   SceneFeatures features;  // what its bodies need
   TileSize tile_size;      // of the level's map
   Tuning tuning;           // the level's

@@ -15,7 +15,7 @@ class FillTool : public LevelTool {
     const Cell cell = use.cell;
     if (!level.map.contains(cell) || !meets_selection(use.session, actions, use.dragged())) return true;
     Edit edit = ImGui::GetIO().KeyCtrl
-                    ? replace_tile(level, level.map.at(cell), cell, choices.stamp, choices.selection)
+                    ? replace_tile(level, level.map.tile_at(cell), cell, choices.stamp, choices.selection)
                     : flood_fill(level, cell, choices.stamp, choices.selection);
     if (!edit.empty()) actions.push_back(action::EditLevel{std::move(edit), use.stroke});
     return true;

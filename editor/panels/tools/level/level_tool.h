@@ -36,6 +36,10 @@ class LevelTool {
   virtual void drag(const LevelToolUse&, Actions&) {}
   // The button goes up; called after drag().
   virtual void release(const LevelToolUse&, Actions&) {}
+  // Called in each frame in which no button is held.
+  virtual void rest(const LevelToolUse&, Actions&) {}
+  // Another tool has been chosen.
+  virtual void leave() {}
   // Escape ends the drag; called instead of drag() and release(). Undoes the edits of its stroke, so that
   // everything is as before the press.
   virtual void cancel(const LevelToolUse& use, Actions& actions);

@@ -30,6 +30,7 @@ LevelToolHand::LevelToolHand() {
   tools_[MapTool::pick] = make_pick_tool();
   tools_[MapTool::ground] = make_ground_tool();
   tools_[MapTool::flag] = make_flag_tool();
+  tools_[MapTool::object] = make_object_tool();
 }
 
 // Pasted tiles belong to the selection tool, whichever tool is chosen.
@@ -46,6 +47,10 @@ void LevelToolHand::add_drag(LevelToolUse& use) const {
 
 void LevelToolHand::update(LevelToolUse use, Actions& actions, int pressed) {
   if (!active()) {
+    LevelTool* const now = chosen(use.session.choices());
+    if (resting_ != nullptr && resting_ != now) resting_->leave();
+    resting_ = now;
+    if (now != nullptr) now->rest(use, actions);
     if (pressed == kNoButton) return;
     LevelTool* tool = pressed == kMiddle ? tools_.at(MapTool::pick).get() : chosen(use.session.choices());
     if (tool == nullptr) return;

@@ -21,6 +21,7 @@ std::unique_ptr<LevelTool> make_erase_tool();
 std::unique_ptr<LevelTool> make_pick_tool();
 std::unique_ptr<LevelTool> make_ground_tool();
 std::unique_ptr<LevelTool> make_flag_tool();
+std::unique_ptr<LevelTool> make_object_tool();
 
 // Uses the chosen tool with the left button. A drag continues with the tool that began it, even if another
 // one is chosen. Escape cancels it.
@@ -44,6 +45,7 @@ class LevelToolHand {
 
   std::map<MapTool, std::unique_ptr<LevelTool>> tools_;  // none to move the view, which the canvas does
   LevelTool* held_ = nullptr;                            // the tool of the drag; null if there is no drag
+  LevelTool* resting_ = nullptr;                         // the one that was chosen; null if there was none
   int button_ = kLeft;
   Cell from_, last_;
   int stroke_ = 0;

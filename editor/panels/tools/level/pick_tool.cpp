@@ -9,7 +9,7 @@ namespace {
 // How the sheet shows picked tiles: all of them if they lie there as on the map, else the first one.
 SpriteArea area_of(const Level& level, const Stamp& stamp) {
   const SheetLayout sheet = level.sheet(SheetId::tiles).layout();
-  const Cell place = sheet.place_of(stamp.at(0, 0));
+  const Cell place = sheet.place_of(stamp.at(0, 0).tile);
   const CellRect first{place.x, place.y, 1, 1};
   const CellRect all{first.x, first.y, stamp.w, stamp.h};
   return {SheetId::tiles,

@@ -11,9 +11,10 @@ namespace {
 constexpr int kStampAlpha = 150;
 
 // What one click paints.
-Stamp stamp_at(const Choices& choices, Cell cell) {
+Stamp stamp_at(const Session& session, Cell cell) {
+  const Choices& choices = session.choices();
   if (!choices.random_stamp) return choices.stamp;
-  return {1, 1, {random_tile(choices.stamp, cell, choices.random_seed)}};
+  return {1, 1, {random_tile(choices.stamp, cell, choices.random_seed, session.level().tile_notes)}};
 }
 
 CellRect stamped_cells(const Stamp& stamp, Cell cell) { return {cell.x, cell.y, stamp.w, stamp.h}; }
@@ -21,7 +22,7 @@ CellRect stamped_cells(const Stamp& stamp, Cell cell) { return {cell.x, cell.y, 
 class StampTool : public LevelTool {
  public:
   bool press(const LevelToolUse& use, Actions& actions) override {
-    const Stamp stamp = stamp_at(use.session.choices(), use.cell);
+    const Stamp stamp = stamp_at(use.session, use.cell);
     if (meets_selection(use.session, actions, stamped_cells(stamp, use.cell))) paint(use, actions);
     return true;
   }
@@ -30,7 +31,7 @@ class StampTool : public LevelTool {
   }
   void draw(ImDrawList& list, const LevelToolUse& use) const override {
     if (!use.is_seen()) return;
-    const Stamp stamp = stamp_at(use.session.choices(), use.cell);
+    const Stamp stamp = stamp_at(use.session, use.cell);
     const CellRect cells = stamped_cells(stamp, use.cell);
     if (!use.from) draw_stamp(list, stamp, cells, use.view, use.ui, kStampAlpha);
     draw_cell_frame(list, cells, use.view, theme::color(theme::kText), use.ui.px(1));

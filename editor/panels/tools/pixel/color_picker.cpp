@@ -7,9 +7,7 @@ namespace {
 class ColorPicker : public PixelTool {
  public:
   void press(const PixelToolUse& use, Actions& actions) override {
-    const std::uint8_t color =
-        pixel_at(use.session.level(), use.session.choices().area, use.pixel.x, use.pixel.y);
-    actions.push_back(action::SetColor{color, use.right});
+    take_color(use.session, use.pixel, use.right, actions);
   }
 };
 

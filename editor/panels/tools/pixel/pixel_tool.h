@@ -16,11 +16,18 @@ struct PixelToolUse {
   bool right = false;  // whether it is the right button, with its colour
   int stroke = 0;      // for the drag's edits, so that they are one undo
 
-  std::uint8_t color() const {
-    const Choices& choices = session.choices();
-    return static_cast<std::uint8_t>(right ? choices.secondary_color : choices.color);
-  }
+  PixelColor color() const { return session.choices().paint(session.level(), right); }
 };
+
+// Gives a button the colour of a pixel, which must be inside of the canvas. right: the right button.
+inline void take_color(const Session& session, Cell pixel, bool right, Actions& actions) {
+  const SpriteArea& area = session.choices().area;
+  const PixelColor color = pixel_at(session.level(), area, pixel.x, pixel.y);
+  if (is_in_rgba(session.level(), area.sheet))
+    actions.push_back(action::SetRgba{rgba_of(color), right});
+  else
+    actions.push_back(action::SetColor{color, right});
+}
 
 class PixelTool {
  public:

@@ -28,9 +28,7 @@ PixelToolHand::PixelToolHand() {
 
 void PixelToolHand::update(const Session& session, Actions& actions, Cell pixel, bool hovered) {
   if (active() && (is_drag_cancelled() || held_ != &chosen(session))) held_ = nullptr;
-  if (hovered && ImGui::IsMouseClicked(2))
-    actions.push_back(
-        action::SetColor{pixel_at(session.level(), session.choices().area, pixel.x, pixel.y), false});
+  if (hovered && ImGui::IsMouseClicked(2)) take_color(session, pixel, false, actions);
   const bool right = ImGui::IsMouseClicked(1);
   if (!active()) {
     if (!hovered || (!right && !ImGui::IsMouseClicked(0))) return;

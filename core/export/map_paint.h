@@ -1,0 +1,16 @@
+// The whole map with all of its layers as pixels.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include <talus/level/level.h>
+
+namespace talus {
+
+// Three bytes for each px of the map, row by row: the visible layers over colour 0, as the editor shows them
+// while nothing moves. goes_on: asked with 0..1 now and then; the pixels are not complete if it says no.
+std::vector<std::uint8_t> map_pixels(const Level& level, const std::function<bool(double)>& goes_on);
+
+}  // namespace talus
