@@ -12,6 +12,7 @@
 #include "level/lint/fixes.h"
 #include "overlay/overlay.h"
 #include "panels/commands/commands.h"
+#include "paths.h"
 #include "platform/settings.h"
 #include "unit/cli_answer.h"
 #include "unit/exported_level.h"
@@ -32,9 +33,7 @@ Level level() {
 
 // All files of an export, one after the other.
 std::string all_of_export(const char* exporter) {
-  const ReadAsset assets = [](const std::string& asset) {
-    return read_file(TALUS_SOURCE_DIR "/assets/" + asset);
-  };
+  const ReadAsset assets = [](const std::string& asset) { return read_file(source_path("assets/") + asset); };
   std::string bytes;
   const auto files = find_exporter(exporter)->write({level(), "cave", assets});
   EXPECT_TRUE(files);

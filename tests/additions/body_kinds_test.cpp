@@ -14,6 +14,7 @@
 #include <talus/sim/solver.h>
 #include "export/exporter.h"
 #include "panels/inspector/spawn_inspector.h"
+#include "paths.h"
 #include "sim/frame_hash.h"
 #include "unit/cli_answer.h"
 #include "unit/folder_test.h"
@@ -26,7 +27,7 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
 constexpr int kFrames = 240;
-const std::string kGames = TALUS_SOURCE_DIR "/tests/games/";
+const std::string kGames = source_path("tests/games/");
 
 // A crate, a runner and a ball tile above a floor with a slope, as large as a screen of TIC-80.
 Level level_with_kinds() {

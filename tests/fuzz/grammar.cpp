@@ -1,5 +1,6 @@
 // Both writers walk the good document, and choose at each step whether to change something there.
 #include "fuzz/grammar.h"
+#include "paths.h"
 
 #include <algorithm>
 #include <array>
@@ -313,7 +314,7 @@ std::string Grammar::lines(RandomBytes& choices) const {
 }
 
 Grammar grammar_of_seed(const std::string& name) {
-  std::ifstream file(std::string(TALUS_SOURCE_DIR "/tests/fuzz/seeds/") + name, std::ios::binary);
+  std::ifstream file(source_path("tests/fuzz/seeds/") + name, std::ios::binary);
   assert(file && "the seed is there");
   return Grammar(std::string(std::istreambuf_iterator<char>(file), {}));
 }

@@ -10,12 +10,13 @@
 #include <string>
 
 #include "cli/cli.h"
+#include "paths.h"
 
 namespace talus::article_test {
 
 using Json = nlohmann::json;
 
-const std::string kFolder = TALUS_SOURCE_DIR "/tests/golden/article/";
+const std::string kFolder = source_path("tests/golden/article/");
 constexpr int kFrames = 600;
 
 std::string run(std::vector<std::string> arguments) {

@@ -4,13 +4,14 @@
 
 #include <talus/formats/format.h>
 #include "formats/files/atomic_file.h"
+#include "paths.h"
 
 namespace talus::carts_test {
 
 class CartsTest : public testing::TestWithParam<const char*> {
  protected:
   static std::string path(const std::string& extension) {
-    return std::string(TALUS_SOURCE_DIR "/tests/golden/carts/") + GetParam() + "-data." + extension;
+    return source_path("tests/golden/carts/") + GetParam() + "-data." + extension;
   }
   static Level load(const std::string& extension) { return load_level(path(extension)).value().level; }
   static std::string bytes(const std::string& extension) { return read_file(path(extension)).value(); }

@@ -12,6 +12,7 @@
 #include <talus/sim/solver.h>
 #include "formats/native/hard_case_file.h"
 #include "level/transform.h"
+#include "paths.h"
 #include "sim/hard_case_run.h"
 
 namespace talus::hard_cases_test {
@@ -24,7 +25,7 @@ struct CaseFile {
 
 std::vector<std::string> case_names() {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(TALUS_SOURCE_DIR "/assets/hard_cases")) {
+  for (const auto& entry : std::filesystem::directory_iterator(source_path("assets/hard_cases"))) {
     const std::string name = entry.path().filename().string();
     const std::size_t end = name.find(".talus.json");
     if (end != std::string::npos) names.push_back(name.substr(0, end));
@@ -34,7 +35,7 @@ std::vector<std::string> case_names() {
 }
 
 CaseFile load_case(const std::string& name) {
-  const auto loaded = load_level(TALUS_SOURCE_DIR "/assets/hard_cases/" + name + ".talus.json");
+  const auto loaded = load_level(source_path("assets/hard_cases/") + name + ".talus.json");
   EXPECT_TRUE(loaded) << name << " " << (loaded ? "" : loaded.error().place + ": " + loaded.error().message);
   const auto hard = hard_case_of(loaded->level);
   EXPECT_TRUE(hard) << name << " " << (hard ? "" : hard.error().place + ": " + hard.error().message);

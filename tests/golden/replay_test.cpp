@@ -1,6 +1,7 @@
 // Replays the scenarios in replay/, and compares every answer with the reference's recorded answer, bit by
 // bit.
 #include "formats/native/replay.h"
+#include "paths.h"
 
 #include <gtest/gtest.h>
 
@@ -45,8 +46,7 @@ bool equal_bits(const Json& a, const Json& b) {
 class ReplayGolden : public testing::TestWithParam<std::string> {};
 
 TEST_P(ReplayGolden, AnswersEqualTheReferenceBitByBit) {
-  const std::filesystem::path base =
-      std::filesystem::path(TALUS_SOURCE_DIR "/tests/golden/replay") / GetParam();
+  const std::filesystem::path base = std::filesystem::path(source_path("tests/golden/replay")) / GetParam();
   std::vector<std::string> answers;
   const auto replayed = replay_scenario(read_text(base.string() + ".json"), [&](std::string_view answer) {
     answers.emplace_back(answer);

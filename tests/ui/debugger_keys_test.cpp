@@ -7,6 +7,7 @@
 #include "panels/canvas/case_note.h"
 #include "panels/commands/commands.h"
 #include "panels/debugger/compare_choice.h"
+#include "paths.h"
 
 namespace talus::debugger_keys_test {
 
@@ -235,7 +236,7 @@ TEST_F(UiDebuggerKeys, RulesForEditsAreChosenInTurn) {
 
 TEST_F(UiDebuggerKeys, ACaseSaysThatItsOwnInputPlays) {
   EXPECT_EQ(case_note(session()), "");
-  start(TALUS_SOURCE_DIR "/assets/hard_cases/13-downhill.talus.json");
+  start(source_path("assets/hard_cases/13-downhill.talus.json"));
   EXPECT_EQ(case_note(session()), "The hard case holds Right; your keys count as well");
   session().apply(action::HoldKeys{.left = true, .right = false, .jump = false});
   EXPECT_EQ(case_note(session()),

@@ -4,6 +4,7 @@
 
 #include "debugger_harness.h"
 #include "edit/level_settings.h"
+#include "paths.h"
 
 namespace talus::debugger_test {
 
@@ -267,7 +268,7 @@ TEST_F(UiDebugger, PlotsGrowAndAClickShowsTheFrame) {
 
 // The article's ball sticks at the end of the slope, and the exact solver's passes.
 TEST_F(UiDebugger, FindsWhereAnotherSolverDiffers) {
-  start(TALUS_SOURCE_DIR "/assets/hard_cases/03-step-with-a-slope.talus.json");
+  start(source_path("assets/hard_cases/03-step-with-a-slope.talus.json"));
   Tuning tuning = level().tuning;
   tuning.solver = SolverKind::article;
   session().apply(action::EditLevel{set_tuning(level(), tuning)});

@@ -5,6 +5,7 @@
 #include "panels/canvas/other_side.h"
 #include "panels/commands/commands.h"
 #include "panels/debugger/compare_choice.h"
+#include "paths.h"
 
 namespace talus::debugger_walk_test {
 
@@ -305,7 +306,7 @@ TEST_F(UiDebuggerWalk, TheViewFollowsTheChosenBody) {
 }
 
 TEST_F(UiDebuggerWalk, AnotherFileEndsComparisonAndStop) {
-  drop(TALUS_SOURCE_DIR "/assets/hard_cases/03-step-with-a-slope.talus.json");
+  drop(source_path("assets/hard_cases/03-step-with-a-slope.talus.json"));
   frames(3);
   EXPECT_TRUE(session().choices().overlays.has(overlay::answer));
   session().apply(action::SetBreakpoint{{.condition = "frame == 4"}});

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <map>
 
+#include "paths.h"
 #include "unit/png_bytes.h"
 
 #pragma GCC diagnostic push
@@ -143,7 +144,7 @@ Picture UiGolden::picture_of_window() {
 
 void UiGolden::expect_as_before(const std::string& name, ImVec2 min, ImVec2 max) {
   const Picture now = cut(picture_of_window(), min, max);
-  const std::string golden = TALUS_SOURCE_DIR "/tests/ui/golden/" + name + ".png";
+  const std::string golden = source_path("tests/ui/golden/") + name + ".png";
   if (std::getenv("TALUS_UPDATE_GOLDEN") != nullptr) {
     std::ofstream(golden, std::ios::binary) << small_png(now);
     return;
@@ -153,7 +154,7 @@ void UiGolden::expect_as_before(const std::string& name, ImVec2 min, ImVec2 max)
   Picture shown;
   const std::string where = first_difference(now, before, shown);
   if (where.empty()) return;
-  const fs::path folder = TALUS_FAILURE_DIR;
+  const fs::path folder = build_path("ui-failures");
   fs::create_directories(folder);
   EXPECT_TRUE(write_png(now, (folder / (name + "-now.png")).string()));
   if (!shown.rgba.empty()) {

@@ -1,6 +1,7 @@
 // The debugger's panels, compared with pictures.
 #include "edit/level_settings.h"
 #include "golden_harness.h"
+#include "paths.h"
 
 namespace talus::golden_test {
 
@@ -8,7 +9,7 @@ class UiGoldenDebugger : public UiGolden {
  protected:
   // Opens the third hard case with a ball of the article, which sticks where the slope ends.
   void open_case() {
-    start(TALUS_SOURCE_DIR "/assets/hard_cases/03-step-with-a-slope.talus.json");
+    start(source_path("assets/hard_cases/03-step-with-a-slope.talus.json"));
     Tuning tuning = level().tuning;
     tuning.solver = SolverKind::article;
     session().apply(action::EditLevel{set_tuning(level(), tuning)});

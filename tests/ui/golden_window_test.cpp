@@ -1,6 +1,7 @@
 // The ready layouts as a whole, and the panels for drawing, compared with pictures.
 #include "golden_harness.h"
 #include "panels/commands/commands.h"
+#include "paths.h"
 
 namespace talus::golden_window_test {
 
@@ -10,7 +11,7 @@ class UiGoldenWindow : public UiGolden {
  protected:
   void SetUp() override {
     UiGolden::SetUp();
-    start(TALUS_SOURCE_DIR "/tests/ui/broken.talus.json");
+    start(source_path("tests/ui/broken.talus.json"));
     session().apply(action::SelectTiles{{SheetId::tiles, {3, 0, 2, 1}}});
     settle();
   }

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include <talus/formats/format.h>
+#include "paths.h"
 #include "platform/sdl_keys.h"
 
 namespace talus {
@@ -30,7 +31,7 @@ void UiTest::SetUp() {
 void UiTest::TearDown() {
   if (HasFailure() && app_) {
     const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    const fs::path picture = fs::path(TALUS_FAILURE_DIR) / (std::string(info->name()) + ".png");
+    const fs::path picture = fs::path(build_path("ui-failures")) / (std::string(info->name()) + ".png");
     fs::create_directories(picture.parent_path());
     const auto taken = app_->screenshot(picture.string());
     std::cout << (taken ? "See " + picture.string() : "No picture: " + taken.error()) << '\n';

@@ -4,6 +4,7 @@
 #include "harness.h"
 #include "level/lint/lint.h"
 #include "panels/level/problem_list.h"
+#include "paths.h"
 
 namespace talus::platformer_ui_test {
 
@@ -11,7 +12,7 @@ class UiPlatformer : public UiTest {
  protected:
   std::string map() const { return path("platformer/meadow.tmx"); }
   void start_tour() {
-    std::filesystem::copy(TALUS_SOURCE_DIR "/assets/platformer", path("platformer"));
+    std::filesystem::copy(source_path("assets/platformer"), path("platformer"));
     start(map());
     frames(8);  // the lint and the fixes are computed a few at a time
   }

@@ -5,6 +5,7 @@
 #include "harness.h"
 #include "level/lint/lint.h"
 #include "panels/level/problem_list.h"
+#include "paths.h"
 
 namespace talus::problems_test {
 
@@ -14,7 +15,7 @@ class UiProblems : public UiTest {
   // tile with contradicting flags, and a player inside a wall.
   void start_broken(int width = 1280, int height = 720) {
     const std::string copy = path("broken.talus.json");
-    std::filesystem::copy_file(TALUS_SOURCE_DIR "/tests/ui/broken.talus.json", copy);
+    std::filesystem::copy_file(source_path("tests/ui/broken.talus.json"), copy);
     start(copy, width, height);
     frames(8);  // the lint and the fixes are computed a few at a time
   }

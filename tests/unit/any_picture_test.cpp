@@ -7,13 +7,14 @@
 #include <cstdlib>
 
 #include "folder_test.h"
+#include "paths.h"
 
 namespace talus::any_picture_test {
 
 using testing::HasSubstr;
 
 std::string seed(const std::string& name) {
-  return read_file(TALUS_SOURCE_DIR "/tests/fuzz/seeds/" + name).value_or("");
+  return read_file(source_path("tests/fuzz/seeds/") + name).value_or("");
 }
 
 std::array<int, 4> pixel_of(const RgbaPicture& picture, int x, int y) {

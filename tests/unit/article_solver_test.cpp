@@ -9,6 +9,7 @@
 #include <talus/formats/format.h>
 #include <talus/sim/solver.h>
 #include "level_picture.h"
+#include "paths.h"
 
 namespace talus::article_solver_test {
 
@@ -151,7 +152,7 @@ TEST(ArticleSolver, TuningAtEitherEndOfItsRangeIsSafe) {
 class SixBalls : public testing::Test {
  protected:
   SixBalls() {
-    auto loaded = load_level(TALUS_SOURCE_DIR "/tests/golden/article/six.lua");
+    auto loaded = load_level(source_path("tests/golden/article/six.lua"));
     loaded.value().level.tuning.solver = SolverKind::article;
     scene_ = scene_of(loaded.value().level);
   }

@@ -8,6 +8,7 @@
 
 #include <talus/formats/format.h>
 #include "level_picture.h"
+#include "paths.h"
 
 namespace talus::bump_solver_test {
 
@@ -217,7 +218,7 @@ TEST(BumpSolver, ADraggedBallStaysOnTheSlope) {
 
 // Pinned: the same on every compiler and at every level of optimisation.
 TEST(BumpSolver, EndsWithThePinnedHash) {
-  Level level = load_level(TALUS_SOURCE_DIR "/tests/golden/article/six.lua").value().level;
+  Level level = load_level(source_path("tests/golden/article/six.lua")).value().level;
   level.tuning.solver = SolverKind::bump;
   const Scene scene = compile_scene(level);
   const auto solver = make_solver(std::make_shared<const Scene>(scene));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "folder_test.h"
+#include "paths.h"
 #include "session/session.h"
 
 namespace talus::case_input_test {
@@ -11,7 +12,7 @@ namespace talus::case_input_test {
 namespace act = action;
 
 // A player runs right, up a ramp and into a wall. Its right side is at 96 from frame 100 on.
-const std::string kRamp = TALUS_SOURCE_DIR "/assets/hard_cases/09-ramp-into-a-wall.talus.json";
+const std::string kRamp = source_path("assets/hard_cases/09-ramp-into-a-wall.talus.json");
 
 TEST(CaseInput, HoldsFromItsFrameOn) {
   const std::vector<CaseInput> entries = {{.frame = 3, .mouse = {8, 9}, .mouse_down = true, .left = true},

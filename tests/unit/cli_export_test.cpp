@@ -4,6 +4,7 @@
 #include "cli_answer.h"
 #include "export/exporter.h"
 #include "folder_test.h"
+#include "paths.h"
 
 namespace talus::cli_export_test {
 
@@ -19,7 +20,7 @@ TEST(Exporters, AMissingPartIsAnErrorAndWritesNothing) {
 class CliExport : public FolderTest {
  protected:
   int run(std::vector<std::string> words) {
-    words.insert(words.begin(), {"export", TALUS_SOURCE_DIR "/assets/demo.talus.json", "--to"});
+    words.insert(words.begin(), {"export", source_path("assets/demo.talus.json"), "--to"});
     answer_ = cli_answer(words);
     return answer_.status;
   }
@@ -72,9 +73,10 @@ TEST_F(CliExport, AFolderCannotGoToStandardOutput) {
 }
 
 TEST_F(CliExport, AFolderUnderAFileIsRefused) {
-  const std::string file = TALUS_SOURCE_DIR "/README.md/game";
+  const std::string file = source_path("README.md/game");
   EXPECT_EQ(run({"lua-runtime", "-o", file}), 1);
-  EXPECT_EQ(answer_.err, file + ": error: " TALUS_SOURCE_DIR "/README.md is a file, but must be a folder\n");
+  EXPECT_EQ(answer_.err,
+            file + ": error: " + source_path("README.md") + " is a file, but must be a folder\n");
 }
 
 }  // namespace talus::cli_export_test

@@ -12,14 +12,15 @@
 #include "cli_answer.h"
 #include "folder_test.h"
 #include "native_text.h"
+#include "paths.h"
 
 namespace talus::cli_test {
 
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::string kOne = TALUS_SOURCE_DIR "/tests/golden/article/one.lua";
-const std::string kSix = TALUS_SOURCE_DIR "/tests/golden/article/six.lua";
+const std::string kOne = source_path("tests/golden/article/one.lua");
+const std::string kSix = source_path("tests/golden/article/six.lua");
 
 class CliSim : public FolderTest {};
 class CliReplay : public FolderTest {};

@@ -9,13 +9,14 @@
 #include "folder_test.h"
 #include "formats/native/recording_file.h"
 #include "level_picture.h"
+#include "paths.h"
 #include "sim/timeline.h"
 
 namespace talus::cli_until_test {
 
 using testing::HasSubstr;
 
-const std::string kStep = TALUS_SOURCE_DIR "/assets/hard_cases/03-step-with-a-slope.talus.json";
+const std::string kStep = source_path("assets/hard_cases/03-step-with-a-slope.talus.json");
 
 CliAnswer sim(const std::string& condition, const std::vector<std::string>& more = {}) {
   std::vector<std::string> arguments = {"sim", kStep, "--frames", "60", "--until", condition};

@@ -6,13 +6,14 @@
 #include <nlohmann/json.hpp>
 
 #include "cli_answer.h"
+#include "paths.h"
 
 namespace talus::cli_verify_test {
 
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::string kStep = TALUS_SOURCE_DIR "/assets/hard_cases/03-step-with-a-slope.talus.json";
+const std::string kStep = source_path("assets/hard_cases/03-step-with-a-slope.talus.json");
 
 CliAnswer verify(const std::string& file, const std::vector<std::string>& more) {
   std::vector<std::string> arguments = {"sim", file, "--verify"};
@@ -34,7 +35,7 @@ TEST(CliVerify, FailsWithWhatWasMeasured) {
 }
 
 TEST(CliVerify, NeedsAHardCaseAndTakesItsFramesFromIt) {
-  const CliAnswer none = verify(TALUS_SOURCE_DIR "/assets/demo.talus.json", {});
+  const CliAnswer none = verify(source_path("assets/demo.talus.json"), {});
   EXPECT_EQ(none.status, kExitBad);
   EXPECT_THAT(none.err, HasSubstr("hard_case"));
   EXPECT_EQ(verify(kStep, {"--frames", "3"}).status, kExitUsage);
@@ -42,7 +43,7 @@ TEST(CliVerify, NeedsAHardCaseAndTakesItsFramesFromIt) {
 
 // A player that runs right by the keys of the case alone ends at the wall, with its right side at 96.
 TEST(CliHardCase, IsPlayedWithItsInput) {
-  const std::string ramp = TALUS_SOURCE_DIR "/assets/hard_cases/09-ramp-into-a-wall.talus.json";
+  const std::string ramp = source_path("assets/hard_cases/09-ramp-into-a-wall.talus.json");
   const CliAnswer answer = cli_answer({"sim", ramp, "--frames", "120", "--trace", "-", "--no-contacts"});
   ASSERT_EQ(answer.status, kExitGood) << answer.err;
   const std::string& text = answer.out;

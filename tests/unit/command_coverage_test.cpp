@@ -14,6 +14,7 @@
 #include "panels/commands/command_search.h"
 #include "panels/commands/key_conflicts.h"
 #include "panels/window/panel_list.h"
+#include "paths.h"
 
 namespace talus::command_coverage_test {
 
@@ -127,7 +128,7 @@ const std::map<std::string, std::string> kWithoutCommand = {
 // The actions in the lists at the end of the domains' headers.
 std::set<std::string> listed_actions() {
   std::set<std::string> names;
-  for (const auto& entry : fs::recursive_directory_iterator(TALUS_SOURCE_DIR "/editor/session")) {
+  for (const auto& entry : fs::recursive_directory_iterator(source_path("editor/session"))) {
     if (!entry.path().filename().string().ends_with("_actions.h")) continue;
     std::ifstream in(entry.path());
     std::stringstream text;

@@ -10,6 +10,7 @@
 
 #include "formats/files/atomic_file.h"
 #include "panels/commands/commands.h"
+#include "paths.h"
 
 namespace talus::command_names_test {
 
@@ -45,7 +46,7 @@ struct Source {
 
 std::vector<Source> sources_of(const std::string& folder) {
   std::vector<Source> found;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(TALUS_SOURCE_DIR) / folder)) {
+  for (const auto& entry : fs::recursive_directory_iterator(source_path(folder))) {
     if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
     found.push_back({entry.path().string(), read_file(entry.path().string()).value()});
   }

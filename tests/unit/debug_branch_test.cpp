@@ -10,6 +10,7 @@
 #include "debug/explain.h"
 #include "formats/native/hard_case_file.h"
 #include "level_picture.h"
+#include "paths.h"
 #include "sim/case_input.h"
 #include "sim/timeline.h"
 
@@ -99,7 +100,7 @@ TEST_F(BranchFramesTest, TwoBranchesAreCompared) {
 // A hard case that the article fails. The debugger runs back to the frame in which the ball began to sink
 // into the slope, explains it, and finds where the exact solver differs.
 TEST(DebuggedHardCase, FailingFrameIsFoundBackwardsAndExplained) {
-  auto loaded = load_level(TALUS_SOURCE_DIR "/assets/hard_cases/03-step-with-a-slope.talus.json");
+  auto loaded = load_level(source_path("assets/hard_cases/03-step-with-a-slope.talus.json"));
   ASSERT_TRUE(loaded);
   const auto hard = hard_case_of(loaded->level);
   const auto played = [&](SolverKind solver) {

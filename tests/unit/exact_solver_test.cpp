@@ -8,6 +8,7 @@
 
 #include <talus/formats/format.h>
 #include "level_picture.h"
+#include "paths.h"
 #include "sim/exact_mover.h"
 
 namespace talus::exact_solver_test {
@@ -413,7 +414,7 @@ TEST(ExactSolver, LeftAndRightAreMirrorImages) {
 
 // Pinned: the same on every compiler and at every level of optimisation.
 TEST(ExactSolver, EndsWithThePinnedHash) {
-  Level level = load_level(TALUS_SOURCE_DIR "/tests/golden/article/six.lua").value().level;
+  Level level = load_level(source_path("tests/golden/article/six.lua")).value().level;
   level.tuning.solver = SolverKind::exact;
   level.spawns.push_back(player_at(60, 20));
   const Scene scene = compile_scene(level);

@@ -4,11 +4,12 @@
 #include "export/export_targets.h"
 #include "export/lua_level.h"
 #include "formats/files/atomic_file.h"
+#include "paths.h"
 
 namespace talus::export_bump_test {
 
 FormatResult<std::string> read_asset(const std::string& name) {
-  return read_file(TALUS_SOURCE_DIR "/assets/" + name);
+  return read_file(source_path("assets/") + name);
 }
 
 FormatResult<Exported> exported(const Level& level, const ReadAsset& read = read_asset) {

@@ -8,6 +8,7 @@
 #include <talus/level/ground.h>
 #include "collision/ground_queries.h"
 #include "folder_test.h"
+#include "paths.h"
 #include "property/random_ground.h"
 #include "unit/exported_level.h"
 #include "unit/program_output.h"
@@ -92,8 +93,8 @@ class ExportCFloors : public FolderTest {
     for (const Vec2 p : points) input += std::to_string(fixed(p.x)) + " " + std::to_string(fixed(p.y)) + "\n";
     put("input", input);
     return output_of("cd '" + folder_.string() +
-                     "' && cc -std=c99 -Wall -Wextra -pedantic -Werror -I. -o floors '" TALUS_SOURCE_DIR
-                     "/tests/games/c_header_main.c' 2>&1 && ./floors <input");
+                     "' && cc -std=c99 -Wall -Wextra -pedantic -Werror -I. -o floors '" +
+                     source_path("tests/games/c_header_main.c") + "' 2>&1 && ./floors <input");
   }
 
   // Compares floors at points in the air with those of the core. Returns the number of floors.
@@ -140,7 +141,7 @@ TEST_F(ExportCFloors, TablesBodiesAndTuningAreRead) {
 }
 
 TEST_F(ExportCFloors, AreExactInTheDemo) {
-  const Level level = load_level(TALUS_SOURCE_DIR "/assets/demo.talus.json")->level;
+  const Level level = load_level(source_path("assets/demo.talus.json"))->level;
   std::vector<Vec2> points;
   for (int y = 0; y < kScreenRows * kCartTileSize; y += 8)
     for (int x = 0; x < kScreenColumns * kCartTileSize; ++x) points.push_back({x + 0.5, y + 0.25});

@@ -4,6 +4,7 @@
 #include "export/exporter.h"
 #include "formats/files/atomic_file.h"
 #include "level/layer_tree.h"
+#include "paths.h"
 
 namespace talus::export_layers_test {
 
@@ -36,9 +37,7 @@ Level three_layers() {
 }
 
 Exported exported(const Level& level, std::string_view id) {
-  const ReadAsset read = [](const std::string& name) {
-    return read_file(TALUS_SOURCE_DIR "/assets/" + name);
-  };
+  const ReadAsset read = [](const std::string& name) { return read_file(source_path("assets/") + name); };
   return find_exporter(id)->make({level, "game", read}).value();
 }
 

@@ -6,15 +6,14 @@
 #include "export/exporter.h"
 #include "formats/files/atomic_file.h"
 #include "formats/pictures/png_picture.h"
+#include "paths.h"
 
 namespace talus::export_ldtk_test {
 
 using LdtkJson = nlohmann::json;
 
 Exported exported(const Level& level, const std::string& name = "my cave.ldtk") {
-  const ReadAsset assets = [](const std::string& asset) {
-    return read_file(TALUS_SOURCE_DIR "/assets/" + asset);
-  };
+  const ReadAsset assets = [](const std::string& asset) { return read_file(source_path("assets/") + asset); };
   auto out = find_exporter("ldtk")->write({level, name, assets});
   EXPECT_TRUE(out);
   return out.value_or(Exported());

@@ -5,11 +5,12 @@
 #include "formats/files/atomic_file.h"
 #include "formats/tic80/tic_cart.h"
 #include "formats/tic80/tic_text.h"
+#include "paths.h"
 
 namespace talus::export_love_test {
 
 FormatResult<std::string> read_asset(const std::string& name) {
-  return read_file(TALUS_SOURCE_DIR "/assets/" + name);
+  return read_file(source_path("assets/") + name);
 }
 
 Exported exported(const Level& level, std::string_view id) {

@@ -6,6 +6,7 @@
 #include "folder_test.h"
 #include "formats/files/atomic_file.h"
 #include "level/placed_picture.h"
+#include "paths.h"
 #include "pictured_level.h"
 
 namespace talus::export_objects_test {
@@ -17,7 +18,7 @@ using testing::IsEmpty;
 using testing::Not;
 
 ReadAsset assets() {
-  return [](const std::string& name) { return read_file(TALUS_SOURCE_DIR "/assets/" + name); };
+  return [](const std::string& name) { return read_file(source_path("assets/") + name); };
 }
 
 // Two layers of tiles with the sky behind them, things between them, in the order of their y, and marks in

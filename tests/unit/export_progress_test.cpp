@@ -6,12 +6,11 @@
 #include "export/export_plan.h"
 #include "exported_level.h"
 #include "formats/files/atomic_file.h"
+#include "paths.h"
 
 namespace talus::export_progress_test {
 
-const ReadAsset kAssets = [](const std::string& name) {
-  return read_file(TALUS_SOURCE_DIR "/assets/" + name);
-};
+const ReadAsset kAssets = [](const std::string& name) { return read_file(source_path("assets/") + name); };
 
 // Solid tiles, slopes and one-way tiles beside one another: much for every exporter.
 Level busy_level() {

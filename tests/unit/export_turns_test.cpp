@@ -7,6 +7,7 @@
 #include "formats/files/atomic_file.h"
 #include "formats/tic80/tic_cart.h"
 #include "level/ground_level.h"
+#include "paths.h"
 
 namespace talus::export_turns_test {
 
@@ -31,9 +32,7 @@ Level turned_level() {
 }
 
 Exported exported(const Level& level, std::string_view id) {
-  const ReadAsset read = [](const std::string& name) {
-    return read_file(TALUS_SOURCE_DIR "/assets/" + name);
-  };
+  const ReadAsset read = [](const std::string& name) { return read_file(source_path("assets/") + name); };
   auto made = find_exporter(id)->make({level, "game", read});
   EXPECT_TRUE(made) << id << ": " << (made ? "" : made.error().message);
   return made.value_or(Exported());

@@ -8,6 +8,7 @@
 #include "edit/export_presets.h"
 #include "edit/level_settings.h"
 #include "folder_test.h"
+#include "paths.h"
 #include "platform/game_start.h"
 
 namespace talus::external_program_test {
@@ -215,7 +216,7 @@ TEST_F(ExternalProgramTest, AGameRunsInTheFolderOfItsLevel) {
 
 TEST_F(ExternalProgramTest, AGameRunsInTheFolderThatItIsExportedTo) {
   Session session(Level(), "", kUnnamed, ExportTools{[](const std::string& name) {
-                    return read_file(TALUS_SOURCE_DIR "/assets/" + name);
+                    return read_file(source_path("assets/") + name);
                   }});
   GameStart game;
   EXPECT_TRUE(game.begin(session, commands()));
@@ -248,7 +249,7 @@ TEST_F(ExternalProgramTest, AGameOfAForeignPresetIsNotRunBeforeAnAnswer) {
   level.exports = {{.name = "game", .exporter = "love", .path = "game", .extra = ""}};
   ASSERT_TRUE(save_level(level, *find_format("native"), path("level.talus.json")));
   Session session(Level(), "", kUnnamed, ExportTools{[](const std::string& name) {
-                    return read_file(TALUS_SOURCE_DIR "/assets/" + name);
+                    return read_file(source_path("assets/") + name);
                   }});
   session.apply(action::OpenFile{path("level.talus.json")});
   GameStart game;

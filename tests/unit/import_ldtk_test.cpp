@@ -8,6 +8,7 @@
 #include "export/exporter.h"
 #include "folder_test.h"
 #include "ldtk_text.h"
+#include "paths.h"
 #include "png_bytes.h"
 
 namespace talus::import_ldtk_test {
@@ -371,9 +372,7 @@ TEST_F(ImportLdtkPictures, GroundAndBodiesOfAnExportAreTheSame) {
   player.position = {8, 2};
   player.size = {6, 12};
   level.spawns.push_back(player);
-  const ReadAsset no_asset = [](const std::string& name) {
-    return read_file(std::string(TALUS_SOURCE_DIR) + "/assets/" + name);
-  };
+  const ReadAsset no_asset = [](const std::string& name) { return read_file(source_path("assets/") + name); };
   const Exporter& exporter = *find_exporter("ldtk");
   ASSERT_TRUE(
       write_exported(exporter, exporter.write({level, "out.ldtk", no_asset}).value(), path("out.ldtk")));

@@ -9,6 +9,7 @@
 #include "formats/pictures/png_picture.h"
 #include "formats/pictures/png_sheet.h"
 #include "formats/tiled/tiled_format.h"
+#include "paths.h"
 #include "tiled_files.h"
 
 namespace talus::import_tiled_test {
@@ -598,7 +599,7 @@ TEST_F(ImportTiledFiles, AnExportIsReadBackWithoutLoss) {
   }
   level.sheet(SheetId::tiles).images[0][5] = 1;  // tile 0 is drawn, as the others are
   EXPECT_TRUE(there_and_back(level, "tmj").level == level);
-  const auto cart = load_level(TALUS_SOURCE_DIR "/assets/demo.talus.json");
+  const auto cart = load_level(source_path("assets/demo.talus.json"));
   const auto native = [](const Level& l) { return find_format("native")->write(l, {})->bytes; };
   EXPECT_EQ(native(there_and_back(cart->level, "tmx").level), native(cart->level)) << "with the cart's code";
 }

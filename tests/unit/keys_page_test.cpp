@@ -8,10 +8,11 @@
 
 #include "formats/files/atomic_file.h"
 #include "panels/commands/commands.h"
+#include "paths.h"
 
 namespace talus::keys_page_test {
 
-const std::string kDocs = TALUS_SOURCE_DIR "/docs/", kReadme = TALUS_SOURCE_DIR "/README.md";
+const std::string kDocs = source_path("docs/"), kReadme = source_path("README.md");
 
 // Escapes text for a cell of a Markdown table, which ends at a bar.
 std::string cell_of(std::string text) {

@@ -8,6 +8,7 @@
 #include "export/map_paint.h"
 #include "folder_test.h"
 #include "ldtk_text.h"
+#include "paths.h"
 #include "png_bytes.h"
 
 namespace talus::ldtk_mirrors_test {
@@ -37,9 +38,7 @@ Level mirrored_level() {
 }
 
 Exported exported(const Level& level) {
-  const ReadAsset read = [](const std::string& name) {
-    return read_file(TALUS_SOURCE_DIR "/assets/" + name);
-  };
+  const ReadAsset read = [](const std::string& name) { return read_file(source_path("assets/") + name); };
   auto made = find_exporter("ldtk")->make({level, "cave.ldtk", read});
   EXPECT_TRUE(made);
   return made.value_or(Exported());

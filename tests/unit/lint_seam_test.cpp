@@ -7,6 +7,7 @@
 
 #include <talus/formats/format.h>
 #include "level/lint/rule_group.h"
+#include "paths.h"
 #include "slope_level.h"
 
 namespace talus::lint_seam_test {
@@ -206,7 +207,7 @@ TEST(LintRules, EachHasAUniqueLabelAndCode) {
 }
 
 TEST(LintSeams, TheDemoHasOnlyTheProblemOfItsTour) {
-  const auto demo = load_level(TALUS_SOURCE_DIR "/assets/demo.talus.json");
+  const auto demo = load_level(source_path("assets/demo.talus.json"));
   ASSERT_TRUE(demo);
   EXPECT_THAT(lint_lines(demo->level), ElementsAre("slope-unflagged: tile 9 is drawn like tile 3, an "
                                                    "up-slope, but nothing makes it one"));
@@ -215,7 +216,7 @@ TEST(LintSeams, TheDemoHasOnlyTheProblemOfItsTour) {
 // Their oddities are intended: ramps that end below a wall, and slopes of the article in a row.
 TEST(LintSeams, HardCasesHaveFewProblems) {
   std::vector<std::string> lines;
-  for (const auto& file : std::filesystem::directory_iterator(TALUS_SOURCE_DIR "/assets/hard_cases")) {
+  for (const auto& file : std::filesystem::directory_iterator(source_path("assets/hard_cases"))) {
     if (file.path().extension() != ".json") continue;
     const auto level = load_level(file.path().string());
     ASSERT_TRUE(level);

@@ -5,6 +5,7 @@
 
 #include <talus/formats/format.h>
 #include "level/lint/lint.h"
+#include "paths.h"
 
 namespace talus::lint_test {
 
@@ -304,15 +305,14 @@ TEST(Lint, ModifiersDoNotConflict) {
 
 TEST(Lint, TheScenesOfTheArticleHaveNoProblem) {
   for (const std::string name : {"drag", "one", "s4", "s26", "s60", "six"}) {
-    EXPECT_THAT(problems(load_level(TALUS_SOURCE_DIR "/tests/golden/article/" + name + ".lua")->level),
-                IsEmpty())
+    EXPECT_THAT(problems(load_level(source_path("tests/golden/article/") + name + ".lua")->level), IsEmpty())
         << name;
   }
 }
 
 TEST(Lint, ForeignCartsGetFewProblems) {
   const auto count = [](const std::string& name) {
-    return problems(load_level(TALUS_SOURCE_DIR "/tests/golden/carts/" + name + "-data.tic")->level).size();
+    return problems(load_level(source_path("tests/golden/carts/") + name + "-data.tic")->level).size();
   };
   EXPECT_EQ(count("car"), 1u);  // no balls
   EXPECT_EQ(count("tetris"), 1u);

@@ -12,12 +12,13 @@
 #include "export/lua_level.h"
 #include "folder_test.h"
 #include "formats/files/atomic_file.h"
+#include "paths.h"
 #include "unit/program_output.h"
 
 namespace talus::lua_parts_test {
 
 FormatResult<std::string> read_asset(const std::string& name) {
-  return read_file(TALUS_SOURCE_DIR "/assets/" + name);
+  return read_file(source_path("assets/") + name);
 }
 
 Exported exported(const Level& level, std::string_view id, std::string_view parts = {}) {
@@ -126,7 +127,7 @@ TEST(LuaParts, TheCodeOfAPartIsLeftOutUnlessItIsUsed) {
 }
 
 TEST(LuaParts, HardCase02OfFullTilesHasNoCodeOfCurves) {
-  const auto loaded = load_level(TALUS_SOURCE_DIR "/assets/hard_cases/02-floor-of-tiles.talus.json");
+  const auto loaded = load_level(source_path("assets/hard_cases/02-floor-of-tiles.talus.json"));
   ASSERT_TRUE(loaded);
   EXPECT_FALSE(std::regex_search(code_of(loaded->level), std::regex("curve|stretch|slope")));
 }

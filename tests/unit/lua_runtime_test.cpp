@@ -13,6 +13,7 @@
 #include "export/lua_parts.h"
 #include "folder_test.h"
 #include "formats/native/hard_case_file.h"
+#include "paths.h"
 #include "property/random_ground.h"
 #include "sim/case_input.h"
 #include "unit/program_output.h"
@@ -54,11 +55,10 @@ class LuaRuntime : public FolderTest {
     const std::string luas[] = {"lua5.3", "luajit -Ohotloop=500,hotexit=100"};
     std::future<std::string> outputs[2];
     for (int i = 0; i < 2; ++i) {
-      outputs[i] = std::async(std::launch::async,
-                              [command = "cd '" + folder_.string() + "' && " + luas[i] +
-                                         " '" TALUS_SOURCE_DIR "/tests/games/parity.lua' list.lua 2>&1"] {
-                                return output_of(command);
-                              });
+      outputs[i] =
+          std::async(std::launch::async, [command = "cd '" + folder_.string() + "' && " + luas[i] + " '" +
+                                                    source_path("tests/games/parity.lua") +
+                                                    "' list.lua 2>&1"] { return output_of(command); });
     }
     std::int64_t differences = 0, compared = 0;
     for (int i = 0; i < 2; ++i) {
@@ -121,7 +121,7 @@ class LuaRuntime : public FolderTest {
     if (is_new) {
       std::vector<std::string> texts;
       for (const std::string& file : lua_part_files(parts))
-        texts.push_back(bytes_of(TALUS_SOURCE_DIR "/assets/runtime/" + file + ".lua"));
+        texts.push_back(bytes_of(source_path("assets/runtime/") + file + ".lua"));
       put(entry->second, join_lua(texts));
     }
     return entry->second;
@@ -134,7 +134,7 @@ class LuaRuntime : public FolderTest {
 };
 
 TEST_F(LuaRuntime, GivesTheBitsOfEveryHardCase) {
-  for (const auto& entry : fs::directory_iterator(TALUS_SOURCE_DIR "/assets/hard_cases")) {
+  for (const auto& entry : fs::directory_iterator(source_path("assets/hard_cases"))) {
     if (entry.path().extension() != ".json") continue;
     const auto loaded = load_level(entry.path().string());
     ASSERT_TRUE(loaded) << entry.path();
@@ -150,7 +150,7 @@ TEST_F(LuaRuntime, GivesTheBitsOfEveryHardCase) {
 
 // Many more balls fall than the carts have.
 TEST_F(LuaRuntime, GivesTheBitsOfTheGoldenCarts) {
-  for (const auto& entry : fs::directory_iterator(TALUS_SOURCE_DIR "/tests/golden/carts")) {
+  for (const auto& entry : fs::directory_iterator(source_path("tests/golden/carts"))) {
     auto loaded = load_level(entry.path().string());
     ASSERT_TRUE(loaded) << entry.path();
     Dice dice(1);

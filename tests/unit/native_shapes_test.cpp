@@ -6,6 +6,7 @@
 
 #include <talus/formats/format.h>
 #include "native_text.h"
+#include "paths.h"
 
 namespace talus::native_shapes_test {
 
@@ -124,7 +125,7 @@ TEST(NativeShapes, ErrorsOfPolygonsHaveTheirPlace) {
 }
 
 TEST(NativeShapes, TheFuzzersSeedIsReadable) {
-  const Level level = load_level(TALUS_SOURCE_DIR "/tests/fuzz/seeds/shapes.talus.json")->level;
+  const Level level = load_level(source_path("tests/fuzz/seeds/shapes.talus.json"))->level;
   EXPECT_EQ(level.curves.size(), 7u);
   EXPECT_EQ(level_of_native(native_of_level(level)), level);
 }

@@ -13,10 +13,11 @@
 #include "formats/files/atomic_file.h"
 #include "formats/native/native.h"
 #include "formats/native/recording_file.h"
+#include "paths.h"
 
 namespace talus::pages_test {
 
-const std::string kRoot = TALUS_SOURCE_DIR "/";
+const std::string kRoot = source_path("");
 
 testing::AssertionResult page_has(const std::string& page, const std::string& text) {
   const bool has = read_file(kRoot + page).value().find(text) != std::string::npos;

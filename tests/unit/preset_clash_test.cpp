@@ -7,6 +7,7 @@
 
 #include "export/export_plan.h"
 #include "formats/files/atomic_file.h"
+#include "paths.h"
 
 namespace talus::preset_clash_test {
 
@@ -21,7 +22,7 @@ std::string clash(std::vector<ExportPreset> presets, std::size_t index = 0) {
 }
 
 FormatResult<std::string> read_asset(const std::string& name) {
-  return read_file(TALUS_SOURCE_DIR "/assets/" + name);
+  return read_file(source_path("assets/") + name);
 }
 
 TEST(ExporterFiles, AreAllNamedBeforehand) {

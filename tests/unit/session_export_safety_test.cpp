@@ -11,6 +11,7 @@
 #include "export/export_targets.h"
 #include "folder_test.h"
 #include "formats/native/recording_file.h"
+#include "paths.h"
 #include "session/session.h"
 
 namespace talus::session_export_safety_test {
@@ -28,7 +29,7 @@ class ForeignPresets : public FolderTest {
   void start() {
     session_ = std::make_unique<Session>(
         Level(), "", kUnnamed,
-        ExportTools{[](const std::string& name) { return read_file(TALUS_SOURCE_DIR "/assets/" + name); },
+        ExportTools{[](const std::string& name) { return read_file(source_path("assets/") + name); },
                     path("state/exports"), path("state/allowed_exports")});
   }
   // Writes the level as somebody else would.

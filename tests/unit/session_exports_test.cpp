@@ -13,6 +13,7 @@
 #include "edit/export_presets.h"
 #include "edit/level_settings.h"
 #include "folder_test.h"
+#include "paths.h"
 #include "session/session.h"
 
 namespace talus::session_exports_test {
@@ -33,7 +34,7 @@ class SessionExports : public FolderTest {
     const ReadAsset read = [gate, this](const std::string& name) {
       if (gate.valid()) gate.wait();
       ++assets_read_;
-      return read_file(TALUS_SOURCE_DIR "/assets/" + name);
+      return read_file(source_path("assets/") + name);
     };
     session_ = std::make_unique<Session>(Level(), "", kUnnamed, ExportTools{read, path("state/exports")});
     session_->apply(act::SaveFileAs{path("cave.talus.json")});
@@ -346,7 +347,7 @@ TEST(ExportPreviews, ReportTheirShare) {
       is_waiting = true;
       opened.wait();
     }
-    return read_file(TALUS_SOURCE_DIR "/assets/" + name);
+    return read_file(source_path("assets/") + name);
   }});
   exporting.preview(Level(), 1, {{"game", "love", "out/game", "", false, ""}, ""});
   for (int i = 0; i < 20'000 && !is_waiting; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));

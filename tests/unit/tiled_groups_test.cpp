@@ -6,6 +6,7 @@
 #include "export/exporter.h"
 #include "folder_test.h"
 #include "formats/files/atomic_file.h"
+#include "paths.h"
 
 namespace talus::tiled_groups_test {
 
@@ -191,9 +192,7 @@ TEST_F(TiledGroups, JsonGetsAndLosesThem) {
 TEST_F(TiledGroups, AreExportedAndReadAgain) {
   put("a.tmx", map_with());
   const Level level = level_of("a.tmx");
-  const ReadAsset read = [](const std::string& name) {
-    return read_file(TALUS_SOURCE_DIR "/assets/" + name);
-  };
+  const ReadAsset read = [](const std::string& name) { return read_file(source_path("assets/") + name); };
   for (const char* const id : {"tmx", "tmj"}) {
     const auto made = find_exporter(id)->make({level, std::string("b.") + id, read});
     ASSERT_TRUE(made);

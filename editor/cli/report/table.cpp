@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <functional>
 
 #include "formats/text/append_number.h"
@@ -212,20 +211,7 @@ ball that fell through the ground, or left the scene, is a large error of its ro
 
 )";
 
-std::string first_line_with(const std::string& file, const std::string& key) {
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line);) {
-    const std::size_t colon = line.find(": ");
-    if (line.starts_with(key) && colon != std::string::npos) return line.substr(colon + 2);
-  }
-  return "unknown";
-}
-
 }  // namespace
-
-BuildFacts build_facts() {
-  return {TALUS_COMMIT, TALUS_COMPILER, TALUS_FLAGS, first_line_with("/proc/cpuinfo", "model name")};
-}
 
 std::string csv_of(std::span<const Row> rows, const BuildFacts& facts) {
   const std::vector<Column> columns = csv_columns();
