@@ -117,8 +117,9 @@ TEST_F(SheetPictureTest, IsNotNeededForSixteenColours) {
   SheetPicture plain{32, 8, {}};
   for (int i = 0; i < 32 * 8; ++i) {
     const bool is_clear = i % 32 < 8;
-    const auto part = static_cast<std::uint8_t>(i % 32 / 8 * 60);
-    plain.rgba.insert(plain.rgba.end(), {part, 0, part, static_cast<std::uint8_t>(is_clear ? 0 : 255)});
+    const Rgb color = default_palette()[static_cast<std::size_t>(i % 32 / 8)];  // colour 0 is not drawn
+    plain.rgba.insert(plain.rgba.end(),
+                      {color.r, color.g, color.b, static_cast<std::uint8_t>(is_clear ? 0 : 255)});
   }
   put("t.png", png_of(plain));
   put("map.tmx",
