@@ -3,6 +3,7 @@
 // lists its actions, and a handler beside it, which carries them out.
 #pragma once
 
+#include <cstddef>
 #include <initializer_list>
 #include <type_traits>
 #include <utility>
@@ -43,6 +44,13 @@ struct DomainOf<A, std::variant<>> {
   static_assert(sizeof(A) == 0, "The action is in the list of no domain.");
 };
 
+// The place of the action A in the list of its domain.
+template <class A, class Domain>
+inline constexpr std::size_t kPlaceIn = 0;
+template <class A, class First, class... Rest>
+inline constexpr std::size_t kPlaceIn<A, std::variant<First, Rest...>> =
+    std::is_same_v<A, First> ? 0 : 1 + kPlaceIn<A, std::variant<Rest...>>;
+
 // The actions since the last look, in order.
 class Actions {
  public:
@@ -54,15 +62,14 @@ class Actions {
   Actions& operator=(Actions&& other) noexcept;
   ~Actions();
 
-  // A: an action of one of the domains, or an Action. An overload for Action would let each caller compile
-  // its conversion from all other actions.
+  // A: an action of one of the domains, or an Action.
   template <class A>
   void push_back(A action) {
     if constexpr (std::is_same_v<A, Action>) {
       add(std::move(action));
     } else {
       using Domain = typename DomainOf<A, Action>::type;
-      add(Domain(std::in_place_type<A>, std::move(action)));
+      take<Domain>(kPlaceIn<A, Domain>, &action);
     }
   }
 
@@ -71,10 +78,12 @@ class Actions {
   const Action* end() const;
 
  private:
-  // Compiled in actions.cpp for Action and each domain, as are the members above: in every panel they would
-  // take most of the compile time.
-  template <class Part>
-  void add(Part action);
+  // These are compiled in actions.cpp alone, as are the members above. A panel that made a variant itself
+  // would compile how to move and destroy every action there is, which took most of its compile time.
+  void add(Action action);
+  // Moves out of `action`, which points to an action of the domain, the one at that place of its list.
+  template <class Domain>
+  void take(std::size_t place, void* action);
 
   std::vector<Action> list_;
 };
