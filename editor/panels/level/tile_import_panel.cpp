@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kPictureWidth = 480, kPictureHeight = 360;  // px at scale 1, at most
 constexpr float kMostPixel = 6;                             // px at scale 1, of a pixel of the picture
-constexpr float kAnswer = 112;                              // px at scale 1, the width of a button
+constexpr float kImportButton = 112;                        // px at scale 1, the width of a button
 
 // How many tiles come out, and what is left over.
 std::string text_of_grid(const TileImport& import, const action::ApplyTiles& order) {
@@ -129,7 +129,7 @@ void TileImportPanel::draw_answers(const TileImport& import, const std::string& 
                                       .letter = import.adds ? 'A' : 'N',
                                       .is_default = true,
                                       .enabled = problem.empty(),
-                                      .width = ui.px(kAnswer)},
+                                      .width = ui.px(kImportButton)},
                                      ui);
   ImGui::SameLine();
   const bool cancels = dialog_button({.widget = "tiles/cancel",
@@ -137,7 +137,7 @@ void TileImportPanel::draw_answers(const TileImport& import, const std::string& 
                                       .help = "Keeps the level as it is.",
                                       .letter = 'C',
                                       .is_cancel = true,
-                                      .width = ui.px(kAnswer)},
+                                      .width = ui.px(kImportButton)},
                                      ui);
   if (applies) actions.push_back(order_);
   if (cancels) actions.push_back(action::CancelTiles{});
@@ -148,7 +148,7 @@ void TileImportPanel::draw_answers(const TileImport& import, const std::string& 
                      .label = "Draw on sheet...",
                      .help = "Draws the picture on the sheet of the open level, in its 16 colours.",
                      .letter = 'D',
-                     .width = ui.px(kAnswer)},
+                     .width = ui.px(kImportButton)},
                     ui);
   if (!draws) return;
   actions.push_back(action::CancelTiles{});

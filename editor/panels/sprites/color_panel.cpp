@@ -16,7 +16,7 @@
 namespace talus {
 namespace {
 
-constexpr float kRow = 20, kSwatch = 28, kHex = 72;  // px at scale 1
+constexpr float kColorRow = 20, kSwatch = 28, kHex = 72;  // px at scale 1
 
 struct Channel {
   const char* name;    // name of its slider
@@ -84,7 +84,7 @@ std::optional<Rgb> color_of(std::string_view hex) {
 }
 
 void draw_swatch(Rgb color, int number, Ui& ui) {
-  const ImVec2 at = ImGui::GetCursorScreenPos(), size{ui.px(kSwatch), ui.px(kRow)};
+  const ImVec2 at = ImGui::GetCursorScreenPos(), size{ui.px(kSwatch), ui.px(kColorRow)};
   ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x, at.y + size.y}, theme::color(color));
   ImGui::Dummy(size);
   ui.tooltip("Colour " + std::to_string(number) + ", which is edited here: click another one above.");
@@ -96,7 +96,7 @@ void ColorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (is_in_rgba(session.level(), session.choices().area.sheet))
     return rgba_.draw(session, actions, ui, ImGui::GetContentRegionAvail());
   const int color = ui.view.sprites.palette_color;
-  const float padding = (ui.px(kRow) - ImGui::GetFontSize()) / 2;
+  const float padding = (ui.px(kColorRow) - ImGui::GetFontSize()) / 2;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(6), padding));
   draw_swatch(session.level().palette[static_cast<std::size_t>(color)], color, ui);
   ImGui::SameLine();
