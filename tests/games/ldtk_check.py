@@ -48,12 +48,30 @@ def check_references(path, project):
             json.loads(tile["data"])
 
 
+valid = set()  # items of arrays, by the schema for them
+
+
+def check_items(validator, schema, array, _):
+    """The keyword "items". An item that is valid is not looked at again: most cells of most levels are alike."""
+    for index, item in enumerate(array if validator.is_type(array, "array") else []):
+        key = id(schema), repr(item)
+        if key in valid:
+            continue
+        errors = list(validator.descend(item, schema, path=index))
+        if not errors:
+            valid.add(key)
+        yield from errors
+
+
+Validator = jsonschema.validators.extend(jsonschema.Draft7Validator, {"items": check_items})
+
+
 def main():
     split = sys.argv.index("--")
     validators = []
     for name in sys.argv[split + 1:]:
         with open(name, encoding="utf-8") as file:
-            validators.append((name, jsonschema.Draft7Validator(json.load(file))))
+            validators.append((name, Validator(json.load(file))))
     for path in sys.argv[1:split]:
         with open(path, encoding="utf-8") as file:
             project = json.load(file)
