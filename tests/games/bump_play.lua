@@ -1,5 +1,5 @@
 -- Moves a level's bodies by bump's World and the companion, as the program's solver "bump" does. Prints each
--- body after each frame: frame id x y vx vy.
+-- body after each frame: frame id x y vx vy. A zero has no sign: it depends on the order of contacts.
 --   lua5.3 bump_play.lua FOLDER FRAMES [INPUT.jsonl [MAP.lua]]
 -- FOLDER: a level that was exported for bump. INPUT: as for `talus sim --input`, only the mouse; "" for no
 -- input. MAP: the level exported for STI. The ground is then what STI's plugin adds from it.
@@ -75,6 +75,6 @@ for frame = 1, tonumber(arg[2]) do
     if body == grabbed then drag(body, mouse) else fall(body) end
   end
   for id, body in ipairs(bodies) do
-    print(string.format("%d %d %.17g %.17g %.17g %.17g", frame, id, body.x, body.y, body.vx, body.vy))
+    print(string.format("%d %d %.17g %.17g %.17g %.17g", frame, id, body.x + 0, body.y + 0, body.vx + 0, body.vy + 0))
   end
 end
