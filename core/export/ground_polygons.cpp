@@ -74,7 +74,8 @@ OutlineLine line_at(std::span<const OutlineLine> lines, Vec2 corner, double x) {
 
 class Merger {
  public:
-  explicit Merger(const TerrainSource& ground) : ground_(ground), outlines_(ground.shapes, ground.tile) {
+  Merger(const TerrainSource& ground, std::size_t most_sides)
+      : ground_(ground), most_sides_(most_sides), outlines_(ground.shapes, ground.tile) {
     flat_.push_back({0, 0, 1.0 * ground.tile.width, 0, 0, 0, 0, 0});
     for (const TileNumber tile : ground.cells) {
       const TileOutline& shape = outlines_[tile];
@@ -90,8 +91,8 @@ class Merger {
     for (column_ = 0; column_ < columns; ++column_) {
       if (ground_.progress && !ground_.progress(kMergeShare * column_ / columns)) return EdgeColumns();
       merge_column(column_);
-      if (sides_ > kMaxGroundSides)
-        return tl::unexpected(FormatError{"", "has ground with more than " + std::to_string(kMaxGroundSides) +
+      if (sides_ > most_sides_)
+        return tl::unexpected(FormatError{"", "has ground with more than " + std::to_string(most_sides_) +
                                                   " sides in its outline, the most that can be exported: "
                                                   "join separate tiles, or make the map smaller"});
       std::stable_sort(edges_.begin(), edges_.end(),
@@ -279,12 +280,13 @@ class Merger {
     return {line.base_x, line.base_y, line.slope, line.slope_rest};
   }
   void put_edge(const Edge& edge) {
-    if (edge.from == edge.to || ++sides_ > kMaxGroundSides) return;
+    if (edge.from == edge.to || ++sides_ > most_sides_) return;
     const bool is_here = column_of(edge.from.x, ground_.tile.width) == static_cast<std::size_t>(column_);
     (is_here ? edges_ : next_edges_).push_back(edge);
   }
 
   const TerrainSource& ground_;
+  std::size_t most_sides_;
   TileOutlines outlines_;
   int widest_ = 1;                 // columns that a shape reaches over, from its own one to the right
   int to_the_left_ = 0;            // columns that a shape reaches over on its left
@@ -381,8 +383,9 @@ bool is_straight(Vec2 a, Vec2 b, Vec2 c) {
   return in.x * out.y == in.y * out.x && dot(in, out) > 0;
 }
 
-FormatResult<std::vector<GroundPolygon>> ground_polygons(const TerrainSource& ground) {
-  FormatResult<EdgeColumns> sides = Merger(ground).merge();
+FormatResult<std::vector<GroundPolygon>> ground_polygons(const TerrainSource& ground,
+                                                         std::size_t most_sides) {
+  FormatResult<EdgeColumns> sides = Merger(ground, most_sides).merge();
   if (!sides) return tl::unexpected(sides.error());
   return RingLinker(*std::move(sides), ground.tile.width).link(ground.progress);
 }

@@ -23,9 +23,11 @@ struct GroundPolygon {
 // Points are exact, except where lines cross: those are rounded to 1/256 px. Parts that touch only in a
 // corner are separate polygons, or one whose outline passes that corner twice. Sorted by their leftmost
 // points, then the topmost. `progress` receives the progress; when it stops the work, the list is empty. More
-// sides than kMaxGroundSides are an error: millions of separate tiles would take gigabytes.
-FormatResult<std::vector<GroundPolygon>> ground_polygons(const TerrainSource& ground);
-inline constexpr std::size_t kMaxGroundSides = std::size_t{1} << 23;  // sides are cut at the sides of cells
+// than `most_sides` sides are an error: millions of separate tiles would take gigabytes. Sides are cut at the
+// sides of cells.
+inline constexpr std::size_t kMaxGroundSides = std::size_t{1} << 23;
+FormatResult<std::vector<GroundPolygon>> ground_polygons(const TerrainSource& ground,
+                                                         std::size_t most_sides = kMaxGroundSides);
 
 // Whether b lies exactly on the straight way from a to c.
 bool is_straight(Vec2 a, Vec2 b, Vec2 c);

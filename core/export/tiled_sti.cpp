@@ -71,6 +71,17 @@ TiledObject slope_object(const BumpBox& box, Cell cell, TileSize tile) {
   return object;
 }
 
+// The number of boxes that slope_layer() makes.
+std::size_t count_slope_boxes(const TerrainSource& ground, const std::vector<bool>& collides) {
+  std::vector<std::size_t> of_tiles;
+  of_tiles.reserve(ground.shapes.size());
+  for (const TileShape& shape : ground.shapes) of_tiles.push_back(bump_boxes(shape, ground.tile).size());
+  std::size_t count = 0;
+  for (std::size_t cell = 0; cell < ground.cells.size(); ++cell)
+    if (!collides[cell]) count += of_tiles[ground.cells[cell]];
+  return count;
+}
+
 // In the order of the program's solver: column by column from left to right, each from top to bottom.
 // collides: by cell, whether a tile collides there already.
 TiledLayer slope_layer(const TerrainSource& ground, const std::vector<bool>& collides,
@@ -78,8 +89,7 @@ TiledLayer slope_layer(const TerrainSource& ground, const std::vector<bool>& col
   TiledLayer layer;
   layer.name = kSlopeLayer;
   layer.is_hidden = true;
-  for (Cell c; c.x < ground.width && layer.objects.size() <= kMostBoxes && progress.at(c.x, ground.width);
-       ++c.x) {
+  for (Cell c; c.x < ground.width && progress.at(c.x, ground.width); ++c.x) {
     for (c.y = 0; c.y < ground.height; ++c.y) {
       const auto at = static_cast<std::size_t>(c.y) * static_cast<std::size_t>(ground.width) +
                       static_cast<std::size_t>(c.x);
@@ -106,9 +116,13 @@ void leave_ground_to_slopes(TiledMap& map) {
 FormatResult<Exported> export_sti(const ExportRequest& request) {
   const TerrainSource ground = ground_of(request.level);
   const Level& drawn = request.drawn();
+  const std::vector<bool> collides = collidable_tiles(drawn, ground);
+  const std::vector<bool> collides_in_cells = collidable_cells(drawn, collides);
+  if (count_slope_boxes(ground, collides_in_cells) > kMostBoxes)
+    return tl::unexpected(FormatError{
+        "", "the slopes need more than 1000000 boxes, too many for an STI map: make the map smaller"});
   TiledExport made = tiled_export_of({drawn, request.name, request.read_asset});
   TiledMap& map = made.map;
-  const std::vector<bool> collides = collidable_tiles(drawn, ground);
   describe_tiles(drawn, collides, map.tilesets.front());
   leave_ground_to_slopes(map);
   std::vector<std::string> dropped = std::move(made.dropped);
@@ -116,12 +130,8 @@ FormatResult<Exported> export_sti(const ExportRequest& request) {
     dropped.push_back("collision, which bump.lua cannot have, with " + std::to_string(curves) + " curve" +
                       (curves == 1 ? "" : "s"));
   for (std::string& phrase : dropped_by_bump(request.level)) dropped.push_back(std::move(phrase));
-  map.layers.push_back(
-      slope_layer(ground, collidable_cells(drawn, collides), request.progress.part(0.2, 0.5)));
+  map.layers.push_back(slope_layer(ground, collides_in_cells, request.progress.part(0.2, 0.5)));
   if (request.progress.stopped()) return Exported();
-  if (map.layers.back().objects.size() > kMostBoxes)
-    return tl::unexpected(FormatError{
-        "", "the slopes need more than 1000000 boxes, too many for an STI map: make the map smaller"});
   return tiled_files(request, tiled_lua_text(map), std::move(made.pictures), write_map_tiles(drawn),
                      std::move(dropped));
 }

@@ -8,10 +8,12 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <memory>
 
 #include <talus/collision/cast.h>
 #include "collision/cast_rounding.h"
 #include "random_ground.h"
+#include "tries.h"
 
 namespace talus::exact_property_test {
 
@@ -23,12 +25,14 @@ using reference::Wide;
 using reference::WideBox;
 using reference::WideCurve;
 
-constexpr double kMoves = 4000;
+constexpr double kMoves = 2000;
 constexpr int kSeeds = 100;          // tries of rapidcheck for each property
 constexpr int kMovesOnAGround = 20;  // then another ground is made
 constexpr Wide kNever = 2;           // a time: not during the motion
 
-int grounds_of_a_seed() { return static_cast<int>(property_moves(kMoves) / (kSeeds * kMovesOnAGround)); }
+int grounds_of_a_seed() {
+  return static_cast<int>(tries("TALUS_PROPERTY_MOVES", kMoves) / (kSeeds * kMovesOnAGround));
+}
 
 // ---- Moves ----
 
@@ -134,6 +138,13 @@ struct Scene {
             a.is_told && b.is_told};
   }
   Contact<double> cast(const Move& m) const { return cast_box(terrain, Cast<double>{m.box, m.motion}); }
+  const Scene& mirrored() const {
+    if (!mirrored_) mirrored_ = std::make_shared<const Scene>(ground.mirrored());
+    return *mirrored_;
+  }
+
+ private:
+  mutable std::shared_ptr<const Scene> mirrored_;  // made when it is asked for
 };
 
 // ---- What is wrong with a cast ----
@@ -212,14 +223,15 @@ void expect_right(const Scene& scene, const Move& move, const Truth& truth, doub
 // A move that the reference cannot judge shows nothing, so most moves must be judged.
 TEST(ExactProperty, MostMovesAreJudged) {
   const auto percent = [](GroundKinds kinds) {
+    constexpr int kGrounds = 25;
     int judged = 0;
-    for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    for (std::uint64_t seed = 1; seed <= kGrounds; ++seed) {
       Dice dice(seed);
       const Scene scene(random_ground(dice, 4 + dice.up_to(8), 4 + dice.up_to(8), kinds));
       for (int k = 0; k < kMovesOnAGround; ++k)
         judged += scene.truth(random_move(dice, scene.ground, scene.exact, random_grid(dice))).is_told;
     }
-    return judged * 100 / (50 * kMovesOnAGround);
+    return judged * 100 / (kGrounds * kMovesOnAGround);
   };
   EXPECT_GE(percent({}), 90);
   EXPECT_GE(percent({.one_way = true, .segments = true}), 70);
@@ -276,7 +288,7 @@ Facing mirrored(Facing facing) {
 // rounded on different grids to the left and right of a power of two.
 void expect_mirrored(const Scene& scene, const Move& move, const Truth& truth, bool straight) {
   const double width = scene.ground.right();
-  const Scene other(scene.ground.mirrored());
+  const Scene& other = scene.mirrored();
   const Move turned{{width - move.box.x - move.box.w, move.box.y, move.box.w, move.box.h},
                     {-move.motion.x, move.motion.y}};
   const Contact<double> a = scene.cast(move), b = other.cast(turned);

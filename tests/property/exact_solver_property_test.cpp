@@ -11,6 +11,7 @@
 
 #include <talus/sim/solver.h>
 #include "random_ground.h"
+#include "tries.h"
 
 namespace talus::exact_solver_property_test {
 
@@ -19,7 +20,7 @@ using reference::ExactBox;
 using reference::ExactGround;
 using reference::ExactHit;
 
-constexpr double kMoves = 24000;
+constexpr double kMoves = 9600;
 constexpr int kFrames = 60;
 constexpr int kBodies = 4;
 constexpr double kUnits = 16;  // units in the last place by which a box may be in the ground
@@ -28,7 +29,7 @@ constexpr double kUnits = 16;  // units in the last place by which a box may be 
 // are the same in every run, and there are more of them at night.
 template <class Check>
 void for_rooms(Check check) {
-  const auto rooms = static_cast<std::uint64_t>(property_moves(kMoves) / (kFrames * kBodies));
+  const auto rooms = static_cast<std::uint64_t>(tries("TALUS_PROPERTY_MOVES", kMoves) / (kFrames * kBodies));
   for (std::uint64_t room = 1; room <= rooms && !testing::Test::HasFailure(); ++room) {
     SCOPED_TRACE("room " + std::to_string(room));
     Dice dice(room);

@@ -3,7 +3,6 @@
 #include "random_ground.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "random_polygons.h"
 
@@ -249,11 +248,6 @@ bool leaves_the_map(const TileShape& shape, int column, int row, const RandomGro
 }
 
 }  // namespace
-
-double property_moves(double least) {
-  const char* text = std::getenv("TALUS_PROPERTY_MOVES");
-  return text == nullptr ? least : std::max(least, std::atof(text));
-}
 
 Terrain RandomGround::compile() const {
   TerrainSource source;

@@ -31,9 +31,6 @@ class Dice {
   std::mt19937_64 engine_;
 };
 
-// The number of tries of a property: `least`, or TALUS_PROPERTY_MOVES if that is larger.
-double property_moves(double least);
-
 // A map and curves. Shapes stay inside the borders, and no two begin or end in the same cell, so that the map
 // can be mirrored.
 struct RandomGround {

@@ -133,17 +133,28 @@ TEST(GroundPolygons, HoldExactlyThePointsInTheGround) {
   EXPECT_GT(outside, 5000);
 }
 
-// A map of 4096x4096 separate tiles took 3 GB. A profile of many heights has as many sides.
-TEST(GroundPolygons, MillionsOfSidesAreRefused) {
-  TestMap map(4096, 32);
+// A profile of many heights has as many sides.
+std::string error_of_profiles(int width, int height, std::size_t most_sides) {
+  TestMap map(width, height);
   std::fill(map.cells.begin(), map.cells.end(), TileNumber{1});
   TerrainSource ground = map.source();
   ground.shapes[1] = {.kind = TileShape::Kind::profile};
   for (int i = 0; i < max_shape_heights(ground.tile); ++i)
     ground.shapes[1].heights.push_back(i % 2 == 0 ? 2 : 6);
-  const auto polygons = ground_polygons(ground);
-  ASSERT_FALSE(polygons);
-  EXPECT_EQ(polygons.error().message,
+  const auto polygons = ground_polygons(ground, most_sides);
+  return polygons ? "" : polygons.error().message;
+}
+
+TEST(GroundPolygons, MoreSidesThanTheLimitAreRefused) {
+  EXPECT_EQ(error_of_profiles(40, 4, 9000),
+            "has ground with more than 9000 sides in its outline, the most that can be exported: join "
+            "separate tiles, or make the map smaller");
+  EXPECT_EQ(error_of_profiles(40, 4, kMaxGroundSides), "");
+}
+
+// A map of 4096x4096 separate tiles took 3 GB.
+TEST(LargeGround, MillionsOfSidesAreRefused) {
+  EXPECT_EQ(error_of_profiles(4096, 32, kMaxGroundSides),
             "has ground with more than 8388608 sides in its outline, the most that can be exported: join "
             "separate tiles, or make the map smaller");
 }

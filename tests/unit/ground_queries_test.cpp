@@ -150,11 +150,16 @@ TEST(GroundQueriesOfWideShapes, ABoxOverlapsThemFarFromTheirCell) {
     return std::uniform_real_distribution<double>(lo, hi)(random);
   };
   int inside = 0, beyond = 0;
+  Cell cell;
+  Terrain ground;
   for (int i = 0; i < 20'000; ++i) {
-    const Rising& rising = kRising[static_cast<std::size_t>(i) % kRising.size()];
-    const Cell cell{static_cast<int>(in(0, kWidth)), static_cast<int>(in(0, kHeight))};
-    TestMap map(kWidth, kHeight);
-    map.cells[static_cast<std::size_t>(cell.y * kWidth + cell.x)] = rising.tile;
+    const Rising& rising = kRising[static_cast<std::size_t>(i / 10) % kRising.size()];
+    if (i % 10 == 0) {
+      cell = {static_cast<int>(in(0, kWidth)), static_cast<int>(in(0, kHeight))};
+      TestMap map(kWidth, kHeight);
+      map.cells[static_cast<std::size_t>(cell.y * kWidth + cell.x)] = rising.tile;
+      ground = map.compile();
+    }
     const Rect box{in(-40, 140), in(-40, 110), in(0.5, 20), in(0.5, 20)};
     const double left = cell.x * kCartTileSize, base = (cell.y + 1) * kCartTileSize;
     const double x = std::min(
@@ -162,7 +167,7 @@ TEST(GroundQueriesOfWideShapes, ABoxOverlapsThemFarFromTheirCell) {
     const double top = base - (x - left) * rising.height / (rising.tiles * kCartTileSize);
     const double deep = std::min({x - std::max(left, box.x), base - box.y, box.bottom() - top});
     if (std::abs(deep) < 0.01) continue;
-    ASSERT_EQ(overlaps_ground(map.compile(), box), deep > 0) << i;
+    ASSERT_EQ(overlaps_ground(ground, box), deep > 0) << i;
     inside += deep > 0;
     beyond += deep > 0 && (box.x > kWidth * kCartTileSize || box.bottom() < 0);
   }

@@ -75,7 +75,7 @@ Level level_with(const std::vector<std::size_t>& amounts) {
   return level;
 }
 
-TEST(LevelLimits, SavedLevelsCanBeRead) {
+TEST(LargeLevels, SavedLevelsCanBeRead) {
   std::size_t saved = 0, refused = 0, number = 1;
   const auto next = [&number] { return (number = number * 48271 % 2147483647) >> 3; };
   for (int i = 0; i < 4; ++i) {
@@ -99,21 +99,33 @@ TEST(LevelLimits, SavedLevelsCanBeRead) {
   EXPECT_GT(refused, 0u);
 }
 
-// Each character of such a name takes 6 or 7 bytes in the map, and there is one name too many.
-TEST(LevelLimits, MapsThatCannotBeReadAreNotExported) {
-  Level level = with_spawns(20);
+// Returns why the level is not exported, or nothing if it is.
+std::string refusal(const Level& level, const std::string& to) {
   const ReadAsset no_asset;
-  const auto refusal = [&](const std::string& to) {
-    const auto exported = find_exporter(to)->write({level, "cave." + to, no_asset});
-    return exported ? "" : exported.error().message;
-  };
-  const std::size_t part = kMaxNameBytes / level.spawns.size();
-  for (Spawn& spawn : level.spawns) spawn.name.assign(part, '=');
-  EXPECT_EQ(refusal("tmx"), "has too many elements") << "the writer counts as the reader does";
-  EXPECT_EQ(refusal("tmj"), "");
-  for (Spawn& spawn : level.spawns) spawn.name.assign(part, '\\');
+  const auto exported = find_exporter(to)->write({level, "cave." + to, no_asset});
+  return exported ? "" : exported.error().message;
+}
+
+// 20 bodies whose names take so many bytes together.
+Level with_names(std::size_t bytes, char character) {
+  Level level = with_spawns(20);
+  for (Spawn& spawn : level.spawns) spawn.name.assign(bytes / level.spawns.size(), character);
+  return level;
+}
+
+// A map has each name twice.
+TEST(LevelLimits, MapsThatCannotBeReadAreNotExported) {
+  EXPECT_EQ(refusal(with_names(1'300'000, '='), "tmx"), "has too many elements")
+      << "the writer counts as the reader does";
+}
+
+// Each character of such a name takes 6 or 7 bytes in the map.
+TEST(LargeLevels, MapsOfTheLongestNamesAreReadAgain) {
+  EXPECT_EQ(refusal(with_names(kMaxNameBytes, '='), "tmx"), "has too many elements");
+  EXPECT_EQ(refusal(with_names(kMaxNameBytes, '='), "tmj"), "");
+  const Level level = with_names(kMaxNameBytes, '\\');
   for (const std::string to : {"tmx", "tmj"}) {
-    ASSERT_EQ(refusal(to), "");
+    ASSERT_EQ(refusal(level, to), "");
     EXPECT_TRUE(read_level(tiled_export_of(level, to, "cave." + to).files[0].bytes, {to}));
   }
 }
@@ -232,15 +244,19 @@ std::string error_of(const json& recording) {
   return read ? "" : to_string(read.error(), "file");
 }
 
+// A level of one body whose name takes 4 MiB. A version of it is large, but quick to make.
+Level with_long_name() {
+  Level level = with_spawns(1);
+  level.spawns[0].name.assign(kMaxNameBytes, 'n');
+  return level;
+}
+constexpr int kTooManyEdits = 70;  // for such a level
+
 TEST(RecordingLimits, TheLevelsAfterEachEditAreLimited) {
-  json edits = {
-      {{"frame", 1}, {"patch", {{{"op", "replace"}, {"path", "/spawns"}, {"value", json::array()}}}}}};
-  edits[0]["patch"][0]["value"] = json(std::vector<json>(kMaxSpawns, json::object()));
-  for (int i = 0; i < 40; ++i) {
-    const std::string op = i == 0 ? "add" : "replace";
-    edits.push_back({{"frame", 2}, {"patch", {{{"op", op}, {"path", "/spawns/0/x"}, {"value", i}}}}});
-  }
-  EXPECT_EQ(error_of(recording_with(with_spawns(1), edits)),
+  json edits = json::array();
+  for (int i = 0; i < kTooManyEdits; ++i)
+    edits.push_back({{"frame", 2}, {"patch", {{{"op", "add"}, {"path", "/spawns/0/x"}, {"value", i}}}}});
+  EXPECT_EQ(error_of(recording_with(with_long_name(), edits)),
             "file:key edits: error: has too many edits for a level of this size");
 }
 
@@ -278,9 +294,13 @@ TEST(RecordingLimits, TheCartCountsAsAPartOfALevel) {
 }
 
 TEST(RecordingLimits, PatchesDoNotRepeatLongLists) {
+  Level level;
+  level.extra = R"({"list":[0)";
+  for (int i = 0; i < 500'000; ++i) level.extra += ",0";
+  level.extra += "]}";
   json patch = json::array();
-  for (int i = 0; i < 2000; ++i) patch.push_back({{"op", "remove"}, {"path", "/spawns/0"}});
-  EXPECT_EQ(error_of(recording_with(with_spawns(kMaxSpawns), {{{"frame", 1}, {"patch", patch}}})),
+  for (int i = 0; i < 50; ++i) patch.push_back({{"op", "remove"}, {"path", "/list/0"}});
+  EXPECT_EQ(error_of(recording_with(level, {{{"frame", 1}, {"patch", patch}}})),
             "file:key edits[0].patch: error: moves too many entries of lists");
 }
 
@@ -305,11 +325,11 @@ TEST(RecordingLimits, ManyAddedOrRemovedBodiesAreOneOperation) {
 
 TEST(RecordingLimits, RecordingsThatCannotBeReadAreNotWritten) {
   Recording recording;
-  recording.level = with_spawns(kMaxSpawns);
+  recording.level = with_long_name();
   recording.frames = 10;
   LevelVersion version = version_of(recording.level);
   EXPECT_TRUE(write_recording(recording));
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < kTooManyEdits; ++i) {
     std::vector<Spawn> spawns = *version.spawns;
     spawns[0].position.x = i + 1;
     version.spawns = std::make_shared<const std::vector<Spawn>>(std::move(spawns));

@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <map>
 #include <regex>
+#include <set>
+#include <utility>
 
 #include <talus/formats/format.h>
 #include "export/exporter.h"
@@ -105,6 +108,20 @@ std::string code_of(const Level& level, std::string_view parts = {}) {
   return std::regex_replace(code.substr(code.find("\nlocal")), std::regex("\"[^\"\n]{20,}\""), "\"\"");
 }
 
+// The different words of a code, as the same few hundred come again and again, and std::regex is slow.
+std::string words_of(const std::string& code) {
+  std::set<std::string> words;
+  std::string word;
+  for (const char c : code + ' ') {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
+      word += c;
+    } else if (!word.empty()) {
+      words.insert(std::exchange(word, ""));
+    }
+  }
+  return joined({words.begin(), words.end()});
+}
+
 TEST(LuaParts, TheCodeOfAPartIsLeftOutUnlessItIsUsed) {
   const Level levels[] = {Level(),
                           flat_level(),
@@ -114,7 +131,7 @@ TEST(LuaParts, TheCodeOfAPartIsLeftOutUnlessItIsUsed) {
                           with_curve(flat_level(), Segment{{8, 8}, {16, 8}}),
                           with_curve(flat_level(BodyKind::player), kHill)};
   for (const Level& level : levels) {
-    const std::string code = code_of(level), has = parts_of(level);
+    const std::string code = words_of(code_of(level)), has = parts_of(level);
     for (const auto& [part, words] : kMarks) {
       std::smatch found;
       const bool is_there = std::regex_search(code, found, std::regex(words));
@@ -123,7 +140,7 @@ TEST(LuaParts, TheCodeOfAPartIsLeftOutUnlessItIsUsed) {
     }
   }
   for (const auto& [part, words] : kMarks)
-    EXPECT_TRUE(std::regex_search(code_of(Level(), part), std::regex(words))) << part;
+    EXPECT_TRUE(std::regex_search(words_of(code_of(Level(), part)), std::regex(words))) << part;
 }
 
 TEST(LuaParts, HardCase02OfFullTilesHasNoCodeOfCurves) {

@@ -19,7 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kReadAtOnce = 1 << 20;  // bytes
+constexpr std::size_t kReadAtOnce = 1 << 20;   // bytes
+constexpr std::size_t kReadAtLeast = 1 << 16;  // bytes, for which memory is cleared however short the file is
 
 tl::unexpected<FormatError> failure(const char* what, int error_number) {
   return tl::unexpected(
@@ -181,9 +182,10 @@ FormatResult<std::string> read_file(const std::string& path, std::optional<std::
   if (!file) return tl::unexpected(file.error());
   if (size > limit) return tl::unexpected(too_large_file(limit));
   std::string bytes;
-  bytes.reserve(size + kReadAtOnce);  // growing step by step would take up to twice as much
+  bytes.reserve(size + kReadAtLeast);  // growing step by step would take up to twice as much
   while (progress.at(bytes.size(), std::max(size, bytes.size() + 1))) {
-    const auto count = read_more(file->get(), kReadAtOnce, bytes);
+    const std::size_t left = size - std::min(size, bytes.size());
+    const auto count = read_more(file->get(), std::clamp(left, kReadAtLeast, kReadAtOnce), bytes);
     if (!count) return tl::unexpected(count.error());
     if (bytes.size() > limit) return tl::unexpected(too_large_file(limit));
     if (*count == 0) return bytes;
