@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <filesystem>
 #include <iostream>
 
@@ -25,6 +24,7 @@
 #include "sdl_keys.h"
 #include "session/files/read_permissions.h"
 #include "session/files/unsaved_mappings.h"
+#include "session/run/work_share.h"
 #include "user_folder.h"
 
 namespace talus {
@@ -49,13 +49,6 @@ double note_time(const std::string& note) {
 
 double machine_time() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-// s, processor time of this thread.
-double processor_time() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
 }
 
 FrameCost cost_of_frame(double interface_seconds, double opengl_seconds) {
