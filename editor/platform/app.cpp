@@ -102,7 +102,8 @@ tl::expected<std::unique_ptr<App>, std::string> App::start(AppOptions options) {
   app->open_first_level();
   app->take_settings(settings);
   if (app->options_.remember) {
-    app->guard_.emplace((std::filesystem::path(state_folder()) / "autosave").string());
+    app->guard_.emplace((std::filesystem::path(state_folder()) / "autosave").string(),
+                        app->options_.patience);
     app->guard_->start(app->ui_.view);
   }
   if (!problem.empty()) app->session_->apply(action::ShowMessage{problem, true});
@@ -138,7 +139,8 @@ std::string App::open_window(Settings& settings) {
 }
 
 void App::open_first_level() {
-  ExportTools tools{.read_asset = [](const std::string& name) { return read_file(asset_path(name)); }};
+  ExportTools tools{.read_asset = [](const std::string& name) { return read_file(asset_path(name)); },
+                    .patience = options_.patience};
   if (options_.remember) {
     tools.record = state_folder() + "/exports";
     tools.permissions = state_folder() + "/" + kPermissionsFile;

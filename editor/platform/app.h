@@ -1,6 +1,7 @@
 // App: the editor. Owns the window, the session and the workspace, and runs them frame by frame.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -34,6 +35,7 @@ struct AppOptions {
   bool offscreen = false;                // without a display
   bool remember = true;                  // reads and writes settings, and saves automatically
   std::function<double()> clock = {};    // s, never running backwards; empty: the machine's clock
+  Patience patience{std::chrono::milliseconds(2000), std::chrono::milliseconds(100)};
   std::vector<std::string> others = {};  // maps that are listed with `file`
 };
 
