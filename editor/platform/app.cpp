@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <filesystem>
 #include <iostream>
 
@@ -25,13 +24,14 @@
 #include "sdl_keys.h"
 #include "session/files/read_permissions.h"
 #include "session/files/unsaved_mappings.h"
+#include "session/run/work_share.h"
 #include "user_folder.h"
 
 namespace talus {
 namespace {
 
 constexpr double kLivelyAfterEvent = 0.7;  // s: for hovering, tooltips and the results of an action
-constexpr int kFrameBudget = 8;            // ms: the shortest frame, if the driver does not wait itself
+constexpr double kFrameBudget = 0.008;     // s: the shortest frame, if the driver does not wait itself
 constexpr double kIdleWait = 3600;         // s
 constexpr double kBlinkWait = 0.25;        // s: while something changes slowly, such as a text cursor
 constexpr double kNoteTime = 4;            // s; for short messages of success
@@ -49,13 +49,6 @@ double note_time(const std::string& note) {
 
 double machine_time() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-// s, processor time of this thread.
-double processor_time() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
 }
 
 FrameCost cost_of_frame(double interface_seconds, double opengl_seconds) {
@@ -109,7 +102,8 @@ tl::expected<std::unique_ptr<App>, std::string> App::start(AppOptions options) {
   app->open_first_level();
   app->take_settings(settings);
   if (app->options_.remember) {
-    app->guard_.emplace((std::filesystem::path(state_folder()) / "autosave").string());
+    app->guard_.emplace((std::filesystem::path(state_folder()) / "autosave").string(),
+                        app->options_.patience);
     app->guard_->start(app->ui_.view);
   }
   if (!problem.empty()) app->session_->apply(action::ShowMessage{problem, true});
@@ -145,7 +139,8 @@ std::string App::open_window(Settings& settings) {
 }
 
 void App::open_first_level() {
-  ExportTools tools{.read_asset = [](const std::string& name) { return read_file(asset_path(name)); }};
+  ExportTools tools{.read_asset = [](const std::string& name) { return read_file(asset_path(name)); },
+                    .patience = options_.patience};
   if (options_.remember) {
     tools.record = state_folder() + "/exports";
     tools.permissions = state_folder() + "/" + kPermissionsFile;
@@ -267,22 +262,32 @@ bool App::wait() {
   const double now = options_.clock();
   if (works) last_event_ = now;  // its dialog closes, and its message is measured, in later frames
   if (works || ui_.wants_frames() || has_waiting_events() || last_time_ - last_event_ < kLivelyAfterEvent) {
-    const double spent = (now - last_time_) * 1000;
-    if (spent < kFrameBudget) SDL_Delay(static_cast<Uint32>(kFrameBudget - spent));
+    const double spent = now - last_time_;
+    if (spent < kFrameBudget) pause(kFrameBudget - spent, /*for_event=*/false);
     return true;
   }
   double next_frame = now + kIdleWait;
   if (!note_.empty() && !note_waits_) next_frame = std::min(next_frame, note_since_ + note_time(note_));
   if (ImGui::GetIO().WantTextInput) next_frame = std::min(next_frame, last_time_ + kBlinkWait);
   const double until = guard_ ? std::min(next_frame, guard_->due()) : next_frame;
-  const double ms = std::ceil(std::max(0.0, until - now) * 1000);
-  return SDL_WaitEventTimeout(nullptr, static_cast<int>(ms)) == 1 || options_.clock() >= next_frame;
+  pause(std::max(0.0, until - now), /*for_event=*/true);
+  return SDL_PollEvent(nullptr) == 1 || options_.clock() >= next_frame;
+}
+
+void App::pause(double seconds, bool for_event) const {
+  if (options_.pause) return options_.pause(seconds);
+  const double ms = std::ceil(seconds * 1000);
+  if (for_event)
+    SDL_WaitEventTimeout(nullptr, static_cast<int>(ms));
+  else
+    SDL_Delay(static_cast<Uint32>(ms));
 }
 
 void App::frame() {
   handle_events();
   const double now = options_.clock();
-  session_->advance(now - last_time_);
+  const double passed = now - last_time_;
+  session_->advance(passed);
   last_time_ = ui_.time = now;
   dismiss_old_note();
   follow_work();
@@ -300,7 +305,7 @@ void App::frame() {
     textures_->show_preview(import->shown, session_->level().palette, ui_);
   Actions actions;
   const double start = processor_time();
-  window_->begin_frame(events_, ui_.view.canvas.cursor.begin_frame(), keys_navigate_controls());
+  window_->begin_frame(events_, ui_.view.canvas.cursor.begin_frame(), keys_navigate_controls(), passed);
   draw(actions);
   window_->end_frame();
   const double made = processor_time();

@@ -1,6 +1,7 @@
 // App: the editor. Owns the window, the session and the workspace, and runs them frame by frame.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -29,11 +30,14 @@
 namespace talus {
 
 struct AppOptions {
-  std::string file;                      // file to open; empty: the demo level, playing
-  int width = 0, height = 0;             // px, of the window; 0: as in the settings
-  bool offscreen = false;                // without a display
-  bool remember = true;                  // reads and writes settings, and saves automatically
-  std::function<double()> clock = {};    // s, never running backwards; empty: the machine's clock
+  std::string file;                    // file to open; empty: the demo level, playing
+  int width = 0, height = 0;           // px, of the window; 0: as in the settings
+  bool offscreen = false;              // without a display
+  bool remember = true;                // reads and writes settings, and saves automatically
+  std::function<double()> clock = {};  // s, never running backwards; empty: the machine's clock
+  // Lets that many seconds of the clock pass, or less if an event comes; empty: waits.
+  std::function<void(double seconds)> pause = {};
+  Patience patience{std::chrono::milliseconds(2000), std::chrono::milliseconds(100)};
   std::vector<std::string> others = {};  // maps that are listed with `file`
 };
 
@@ -83,8 +87,9 @@ class App {
   void note_recent_file();
   void note_recent_picture();
   void dismiss_old_note();
-  bool follow_work();  // returns true if there is something new to show
-  bool wait();         // returns whether a frame is due
+  bool follow_work();                                // returns true if there is something new to show
+  bool wait();                                       // returns whether a frame is due
+  void pause(double seconds, bool for_event) const;  // for_event: ends when an event comes
 
   AppOptions options_;
   std::unique_ptr<GlWindow> window_;

@@ -190,9 +190,11 @@ void GlWindow::let_tab_reach_every_control() {
 }
 
 void GlWindow::begin_frame(const EventQueue& events, const std::optional<CursorPointer>& pointer,
-                           bool keys_navigate) {
+                           bool keys_navigate, double seconds) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplSDL2_NewFrame();
+  constexpr double kLeast = 1e-4;  // Dear ImGui needs some time between frames
+  ImGui::GetIO().DeltaTime = static_cast<float>(std::max(seconds, kLeast));
 #if IMGUI_VERSION_NUM < 18700
   // This version of Dear ImGui asks SDL for the mouse; events that a test has pushed would not count.
   ImGuiIO& io = ImGui::GetIO();

@@ -45,8 +45,9 @@ class GlWindow {
   void set_style(const WindowStyle& style);
   void process_event(const SDL_Event& event);
   // pointer: place and buttons of the mouse; nothing: those of the events. keys_navigate: arrows, Tab, Space
-  // and Enter move through the open controls.
-  void begin_frame(const EventQueue& events, const std::optional<CursorPointer>& pointer, bool keys_navigate);
+  // and Enter move through the open controls. seconds: since the frame before.
+  void begin_frame(const EventQueue& events, const std::optional<CursorPointer>& pointer, bool keys_navigate,
+                   double seconds);
   // Begins a frame of that size in px for draw_picture(), whatever the size of the window.
   void begin_picture(ImVec2 size);
   // Makes triangles of what Dear ImGui got since begin_frame(). draw() hands them to OpenGL, and present()

@@ -10,9 +10,7 @@
 namespace talus {
 namespace {
 
-// How long the program waits for the work that was left behind: small work is offered at once.
-constexpr std::chrono::milliseconds kPatience{2000}, kPatienceForLarge{100};
-constexpr std::uintmax_t kSmall = 1 << 20;  // bytes
+constexpr std::uintmax_t kSmall = 1 << 20;  // bytes; so much work is offered at once
 constexpr double kPollInterval = 0.05;      // s, while it is read
 // Number of checks of the file after which it searches again for work that was left behind.
 constexpr int kSecondOffer = 3;
@@ -43,7 +41,7 @@ void WorkGuard::look_for_works() {
     return FileReader::Finish([this, found] { works_ = std::move(*found); });
   };
   reader_.start("unsaved work", read,
-                Autosave::bytes_in(autosave_.folder()) <= kSmall ? kPatience : kPatienceForLarge);
+                Autosave::bytes_in(autosave_.folder()) <= kSmall ? patience_.small : patience_.large);
 }
 
 void WorkGuard::offer(View& view) {

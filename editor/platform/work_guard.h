@@ -16,7 +16,8 @@ class WorkGuard {
  public:
   static constexpr double kFileInterval = 0.5;  // s, between two looks at the level's files
 
-  explicit WorkGuard(std::string folder) : autosave_(std::move(folder)) {}
+  // patience: for the work that was left behind.
+  WorkGuard(std::string folder, Patience patience) : autosave_(std::move(folder)), patience_(patience) {}
 
   // Offers work that was left behind, if there is any: at once, or in a later call of follow() if reading
   // takes long.
@@ -39,6 +40,7 @@ class WorkGuard {
   void drop(std::size_t index) { works_.erase(works_.begin() + static_cast<std::ptrdiff_t>(index)); }
 
   Autosave autosave_;
+  Patience patience_;
   RecoveryDialog dialog_;
   std::vector<SavedWork> works_;         // offered work
   bool wants_offer_ = false;             // offers it as soon as it is read

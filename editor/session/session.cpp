@@ -18,6 +18,7 @@ namespace talus {
 struct Session::Impl {
   Impl(Level opened, std::string opened_path, std::string unsaved_name, ExportTools tools)
       : open(std::move(opened), std::move(opened_path), tools.permissions),
+        reading(messages, tools.patience),
         files({open, reading, level, run, debug, choices, messages}, std::move(tools),
               std::move(unsaved_name)) {
     run.read_hard_case();
@@ -31,7 +32,7 @@ struct Session::Impl {
 
   OpenLevel open;
   MessageHandler messages;
-  FileReading reading{messages};
+  FileReading reading;
   ChoiceHandler choices{open};
   RunHandler run{open, choices, messages};
   CheckHandler checks{open, run, choices, messages};

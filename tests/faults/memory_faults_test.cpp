@@ -2,15 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <cstdlib>
-#include <thread>
-
 #include <talus/c/talus.h>
 #include "faults/failing_memory.h"
 #include "platform/autosave.h"
 #include "unit/cli_answer.h"
 #include "unit/folder_test.h"
+#include "unit/waiting.h"
 
 namespace talus::memory_faults_test {
 
@@ -22,13 +19,6 @@ class MemoryFaults : public FolderTest {
  protected:
   // A file that is larger than the memory that will be left.
   std::string large_file(const std::string& name) const { return put(name, std::string(kFileBytes, ' ')); }
-  // Waits until is_done(), for some seconds at most.
-  template <class IsDone>
-  static void wait_for(IsDone is_done) {
-    for (int ms = 0; ms < 20'000 && !is_done(); ++ms)
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    ASSERT_TRUE(is_done());
-  }
   static std::string message(const Session& session) {
     return session.message() ? session.message()->text : "";
   }
@@ -52,14 +42,13 @@ TEST_F(MemoryFaults, TheInterfaceForCSaysWhatItWasReading) {
 
 TEST_F(MemoryFaults, TheEditorSaysWhatItHadOpen) {
   large_file("settings.json");  // settings are read before there is a window
-  ::setenv("TALUS_CONFIG_DIR", folder_.c_str(), 1);
+  const EnvironmentVariable config("TALUS_CONFIG_DIR", folder_.string());
   testing::internal::CaptureStderr();
   int status = 0;
   {
     const FailingMemory failing(kTooMuch);
     status = cli_answer({"edit", "cave.talus.json"}).status;
   }
-  ::unsetenv("TALUS_CONFIG_DIR");
   EXPECT_EQ(status, 1);
   EXPECT_EQ(testing::internal::GetCapturedStderr(),
             "talus: error: the editor ended while it had cave.talus.json open: there is not enough memory\n");
@@ -103,10 +92,10 @@ TEST_F(MemoryFaults, CompilingALargeLevelSaysThatItCannotBePlayed) {
     const FailingMemory failing(10'000, FailingMemory::Where::on_other_threads);
     session.apply(action::EditLevel{Edit{"Clear the flag", {FlagsChange{SheetId::tiles, 1, 1, 0}}}, 0});
     ASSERT_TRUE(session.compile_progress());
-    wait_for([&] {
+    ASSERT_TRUE(comes_true([&] {
       session.advance(0);
       return !session.compile_progress();
-    });
+    }));
   }
   EXPECT_EQ(message(session), "The level cannot be played: there is not enough memory.");
 }
@@ -119,7 +108,7 @@ TEST_F(MemoryFaults, AutosavingSaysThatItCannot) {
     const FailingMemory failing(2'000, FailingMemory::Where::on_other_threads);
     autosave.follow(session, 0);
     autosave.follow(session, Autosave::kDelay + 1);
-    wait_for([&] { return !autosave.is_writing(); });
+    ASSERT_TRUE(comes_true([&] { return !autosave.is_writing(); }));
   }
   EXPECT_THAT(autosave.follow(session, 0).value_or(""),
               HasSubstr("cannot be written: there is not enough memory"));
@@ -133,10 +122,7 @@ TEST_F(MemoryFaults, AnExportSaysThatItCannotBeMade) {
   {
     const FailingMemory failing(20'000, FailingMemory::Where::on_other_threads);
     session.apply(action::RunExports{});
-    wait_for([&] {
-      session.advance(0);
-      return !session.exporting().is_busy();
-    });
+    ASSERT_TRUE(exports_end(session));
   }
   EXPECT_THAT(message(session), HasSubstr("cannot be made: there is not enough memory"));
   EXPECT_FALSE(exists("map.tmj"));

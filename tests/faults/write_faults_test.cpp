@@ -1,7 +1,6 @@
 // Every system call that writes a file fails in turn, once and for good. Old files are never lost, no
 // temporary file stays, and the user is told.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -15,6 +14,7 @@
 #include "platform/open_copies.h"
 #include "platform/settings.h"
 #include "unit/folder_test.h"
+#include "unit/waiting.h"
 
 namespace talus::write_faults_test {
 
@@ -164,9 +164,8 @@ TEST_F(WriteFaults, Autosaving) {
   const auto follow = [&] {
     for (int i = 0; i < 12; ++i, now += 1) {
       autosave->follow(*session, now);
-      ::usleep(200);
+      EXPECT_TRUE(comes_true([&] { return !autosave->is_writing(); }));
     }
-    while (autosave->is_writing()) ::usleep(50);
     autosave->follow(*session, 0);  // takes the written file over, and begins no new write
     return !autosave->problem();
   };
@@ -267,13 +266,7 @@ class ExportFaults : public WriteFaults {
     }
     return !session_->question() && session_->message() && !session_->message()->is_error;
   }
-  void wait() {
-    for (int i = 0; i < 20'000 && session_->exporting().is_busy(); ++i) {
-      ::usleep(100);
-      session_->advance(0);
-    }
-    ASSERT_FALSE(session_->exporting().is_busy());
-  }
+  void wait() { ASSERT_TRUE(exports_end(*session_)); }
   std::map<std::string, std::string> exported() const {
     auto all = files();
     std::erase_if(all, [&](const auto& file) { return !file.first.starts_with(path("out/")); });
@@ -444,16 +437,10 @@ TEST_F(WriteFaults, APermissionThatCannotBeStoredIsReported) {
   Session later(Level(), "", kUnnamed, ExportTools{.read_asset = {}, .record = "", .permissions = store});
   later.apply(action::OpenFile{path("a.talus.json")});
   later.apply(action::RunExports{});
-  const auto wait = [&] {
-    for (int i = 0; i < 20'000 && later.exporting().is_busy(); ++i) {
-      ::usleep(1000);
-      later.advance(0);
-    }
-  };
-  wait();
+  ASSERT_TRUE(exports_end(later));
   ASSERT_TRUE(later.question()) << "it is asked about again";
   later.apply(action::AnswerQuestion{action::Answer::allow});
-  wait();
+  ASSERT_TRUE(exports_end(later));
   EXPECT_TRUE(exists("map") && !fs::is_empty(path("map"))) << "and written";
   EXPECT_NE(later.message()->text.find("Cannot save which exports are allowed"), std::string::npos)
       << later.message()->text;

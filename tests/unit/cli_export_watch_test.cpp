@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <csignal>
 #include <mutex>
 #include <set>
@@ -19,7 +18,9 @@
 
 #include <talus/formats/format.h>
 #include "cli_answer.h"
+#include "faults/failing_calls.h"
 #include "folder_test.h"
+#include "waiting.h"
 
 namespace talus::cli_export_watch_test {
 
@@ -127,9 +128,7 @@ class CliWatch : public CliPresets {
   }
   // Waits until there are `count` lines, and returns the text.
   static std::string wait_for(SharedText& text, std::size_t count) {
-    for (int i = 0; i < 1000 && lines(text.text()) < count; ++i)
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    EXPECT_GE(lines(text.text()), count) << text.text();
+    EXPECT_TRUE(comes_true([&] { return lines(text.text()) >= count; })) << text.text();
     return text.text();
   }
 
@@ -157,9 +156,10 @@ TEST_F(CliWatch, ExportsAtOnceAndAfterEachSave) {
   save(kTwo, 1);  // by renaming, as this program saves
   wait_for(out_text_, 2);
   const std::string second = bytes_of("out/a.tic");
-  std::string text = bytes_of("cave.talus.json");
-  text.replace(text.find("\"01\""), 4, "\"02\"");
-  std::ofstream(path("cave.talus.json"), std::ios::binary) << text;  // in place, as others do
+  // In place, as others do. The file is whole at any moment.
+  std::fstream in_place(path("cave.talus.json"), std::ios::in | std::ios::out | std::ios::binary);
+  in_place.seekp(static_cast<std::streamoff>(bytes_of("cave.talus.json").find("\"01\"") + 2))
+      << '2' << std::flush;
   wait_for(out_text_, 3);
   const std::string third = bytes_of("out/a.tic");
   reads = false;
@@ -187,15 +187,15 @@ TEST_F(CliWatch, SeesTheCompanionOfACart) {
   level.spawns[0].name = "hero";
   auto saved = save_level(level, *find_format("tic"), path("game.tic"));
   ASSERT_TRUE(saved);
-  wait_for(out_text_, 2);
-  EXPECT_NE(bytes_of("out.json").find("hero"), std::string::npos);
+  const auto is_exported = [&](const std::string& name) {
+    return bytes_of("out.json").find(name) != std::string::npos;
+  };
+  EXPECT_TRUE(comes_true([&] { return is_exported("hero"); }));
   level.spawns[0].name = "heroine";  // the cart stays the same
   ASSERT_TRUE(save_level(level, *find_format("tic"), path("game.tic"), saved->companion));
-  wait_for(out_text_, 3);
-  EXPECT_NE(bytes_of("out.json").find("heroine"), std::string::npos);
+  EXPECT_TRUE(comes_true([&] { return is_exported("heroine"); }));
   fs::remove(path("game.tic.talus.json"));
-  wait_for(out_text_, 4);
-  EXPECT_EQ(bytes_of("out.json").find("hero"), std::string::npos);
+  EXPECT_TRUE(comes_true([&] { return !is_exported("hero"); }));
   interrupt();
   EXPECT_EQ(err_text_.text(), "");
 }
@@ -204,7 +204,7 @@ TEST_F(CliWatch, GoesOnAfterABadFile) {
   save({});
   watch({"--to", "tic", "-o", path("b.tic")});
   wait_for(out_text_, 1);
-  std::ofstream(path("cave.talus.json"), std::ios::binary) << "{\"talus\": 1, \"palette\": 3}";
+  fs::rename(put("bad", "{\"talus\": 1, \"palette\": 3}"), path("cave.talus.json"));
   EXPECT_EQ(wait_for(err_text_, 1),
             path("cave.talus.json") + ":key palette: error: must be a list of 16 colours\n");
   fs::remove(path("cave.talus.json"));
@@ -225,7 +225,8 @@ TEST_F(CliWatch, WaitsForAFileInThePlaceOfAPipe) {
   EXPECT_EQ(
       wait_for(err_text_, 1),
       path("cave.talus.json") + ": error: is a pipe; only regular files can be read; waiting for a file\n");
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));  // long enough for several looks at the file
+  const FailingCalls looks(folder_.string());
+  EXPECT_TRUE(comes_true([&] { return looks.count() >= 12; }));  // some for each look
   fs::remove(path("cave.talus.json"));
   save({}, 5);
   wait_for(out_text_, 1);
@@ -246,11 +247,10 @@ TEST_F(CliPresets, SigtermEndsAWatchThatWaitsForAPipe) {
   }
   int waiting = 0, status = 0;
   constexpr int kFull = 65'536;
-  const auto pause = [] { std::this_thread::sleep_for(std::chrono::milliseconds(10)); };
-  for (int i = 0; i < 1000 && waiting < kFull; ++i, pause()) ::ioctl(reader, FIONREAD, &waiting);
-  EXPECT_EQ(waiting, kFull);
+  EXPECT_TRUE(comes_true([&] { return ::ioctl(reader, FIONREAD, &waiting) == 0 && waiting == kFull; }))
+      << waiting;
   ::kill(child, SIGTERM);
-  for (int i = 0; i < 1000 && ::waitpid(child, &status, WNOHANG) == 0; ++i) pause();
+  EXPECT_TRUE(comes_true([&] { return ::waitpid(child, &status, WNOHANG) != 0; }));
   EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGTERM) << status;
   ::kill(child, SIGKILL);
   ::close(reader);

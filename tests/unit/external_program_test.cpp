@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include "edit/export_presets.h"
 #include "edit/level_settings.h"
 #include "folder_test.h"
 #include "paths.h"
 #include "platform/game_start.h"
+#include "waiting.h"
 
 namespace talus::external_program_test {
 
@@ -47,7 +47,7 @@ class ExternalProgramTest : public FolderTest {
 
   // The arguments that the program got. Waits for them.
   std::string told() const {
-    for (int i = 0; i < 500 && !exists("told"); ++i) ::usleep(10'000);
+    EXPECT_TRUE(comes_true([&] { return exists("told"); }));
     return bytes_of("told");
   }
   // Saves the session to this file, and then changes the level.
@@ -233,11 +233,11 @@ TEST_F(ExternalProgramTest, AGameRunsInTheFolderThatItIsExportedTo) {
   paint(session, 4);
   ASSERT_TRUE(game.begin(session, commands()));
   EXPECT_FALSE(session.modified()) << "it is saved";
-  for (int i = 0; i < 5000 && !exists("told"); ++i) {
-    ::usleep(1000);
+  EXPECT_TRUE(comes_true([&] {
     session.advance(0);
     game.follow(session, commands(), copies_);
-  }
+    return exists("told");
+  }));
   EXPECT_EQ(told(), path("my game") + "\n");
   EXPECT_TRUE(exists("my game/main.lua")) << "the game is exported before it starts";
   EXPECT_FALSE(exists("map.tmj"));
@@ -254,18 +254,17 @@ TEST_F(ExternalProgramTest, AGameOfAForeignPresetIsNotRunBeforeAnAnswer) {
   session.apply(action::OpenFile{path("level.talus.json")});
   GameStart game;
   ASSERT_TRUE(game.begin(session, commands()));
-  const auto follow = [&](int times) {
-    for (int i = 0; i < times; ++i) {
-      ::usleep(1000);
-      session.advance(0);
-      game.follow(session, commands(), copies_);
-    }
+  const auto follow = [&] {
+    session.advance(0);
+    game.follow(session, commands(), copies_);
   };
-  for (int i = 0; i < 5000 && !session.question(); ++i) follow(1);
-  ASSERT_TRUE(session.question());
+  ASSERT_TRUE(comes_true([&] {
+    follow();
+    return session.question().has_value();
+  }));
   EXPECT_EQ(session.question()->kind, Question::Kind::allow_exports);
   session.apply(action::AnswerQuestion{action::Answer::cancel});
-  follow(100);
+  for (int i = 0; i < 100 || session.exporting().is_busy(); ++i) follow();
   EXPECT_FALSE(exists("told"));
   EXPECT_FALSE(exists("game"));
 }

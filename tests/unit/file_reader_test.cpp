@@ -15,6 +15,8 @@ class FileReaderTest : public ::testing::Test {
   FileReader::Work slow(int result) {
     return [this, result](const Progress& progress) {
       while (progress.at(shares_ += 0.00001) && !may_end_) std::this_thread::sleep_for(1ms);
+      has_ended_ = true;
+      has_ended_.notify_all();
       return FileReader::Finish([this, result] { finished_.push_back(result); });
     };
   }
@@ -24,14 +26,14 @@ class FileReaderTest : public ::testing::Test {
     };
   }
 
-  std::atomic<bool> may_end_ = false;
+  std::atomic<bool> may_end_ = false, has_ended_ = false;
   double shares_ = 0;
   std::vector<int> finished_;
   FileReader reader_;  // last, as it waits for work that uses the other members
 };
 
 TEST_F(FileReaderTest, AQuickReadEndsAtOnce) {
-  reader_.start("a", quick(1), 10s);
+  reader_.start("a", quick(1), 24h);
   EXPECT_FALSE(reader_.is_busy());
   EXPECT_EQ(finished_, std::vector{1});
   EXPECT_FALSE(reader_.finish());
@@ -55,9 +57,9 @@ TEST_F(FileReaderTest, ACancelledReadNeverEnds) {
   reader_.cancel();
   EXPECT_FALSE(reader_.is_busy());
   may_end_ = true;
-  std::this_thread::sleep_for(5ms);
+  has_ended_.wait(false);
   EXPECT_FALSE(reader_.finish());
-  reader_.start("b", quick(2), 10s);
+  reader_.start("b", quick(2), 24h);
   EXPECT_EQ(finished_, std::vector{2});
 }
 

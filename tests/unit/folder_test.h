@@ -9,24 +9,21 @@
 #include <stdexcept>
 #include <string>
 
+#include "environment.h"
 #include "formats/files/atomic_file.h"
 
 namespace talus {
 
+// Makes an empty folder that no other test has, as tests run side by side. `beginning`: of its name.
+inline std::filesystem::path new_folder(const std::string& beginning) {
+  std::string name = ::testing::TempDir() + beginning + "XXXXXX";
+  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a folder like " + name);
+  return name;
+}
+
 class FolderTest : public ::testing::Test {
  protected:
-  // Tests run side by side, so no other test may have this folder. Its name has spaces, as names of users do.
-  FolderTest() {
-    std::string name = ::testing::TempDir() + "talus test XXXXXX";
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a folder like " + name);
-    folder_ = name;
-    ::setenv("TALUS_STATE_DIR", path(".state").c_str(),
-             1);  // files that commands remember are this test's own
-  }
-  ~FolderTest() override {
-    ::unsetenv("TALUS_STATE_DIR");
-    std::filesystem::remove_all(folder_);
-  }
+  ~FolderTest() override { std::filesystem::remove_all(folder_); }
 
   // The path of a file in the folder.
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
@@ -38,7 +35,9 @@ class FolderTest : public ::testing::Test {
     return path(name);
   }
 
-  std::filesystem::path folder_;
+  const std::filesystem::path folder_ = new_folder("talus test ");  // with spaces, as names of users have
+  // Files that commands remember are this test's own.
+  const EnvironmentVariable state_folder_{"TALUS_STATE_DIR", path(".state")};
 };
 
 }  // namespace talus

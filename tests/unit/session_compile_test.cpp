@@ -1,14 +1,12 @@
 // A thread compiles large levels, and the session goes on meanwhile.
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <thread>
-
 #include <talus/formats/format.h>
 #include "edit/map_stroke.h"
 #include "edit/spawn_tools.h"
 #include "folder_test.h"
 #include "session/session.h"
+#include "waiting.h"
 
 namespace talus::session_compile_test {
 
@@ -26,13 +24,10 @@ Level large_level() {
 }
 
 void wait_for_scene(Session& session) {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
-  while (session.compile_progress() && Clock::now() - start < std::chrono::seconds(120)) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    session.advance(0);
-  }
-  ASSERT_FALSE(session.compile_progress());
+  ASSERT_TRUE(comes_true([&] {
+    if (session.compile_progress()) session.advance(0);
+    return !session.compile_progress();
+  }));
 }
 
 action::EditLevel clear_solid_flag() {
@@ -116,12 +111,12 @@ TEST_F(SessionCompile, ALargeLevelOpensAtOnceAndPlaysOnceCompiled) {
   ASSERT_TRUE(save_level(large_level(), *find_format("native"), file));
   Session session;
   session.apply(action::OpenFile{file});
+  session.finish_reading();
   session.apply(action::Play{});
   EXPECT_EQ(session.level(), large_level());
-  if (session.compile_progress()) {
-    session.apply(action::StepFrame{});
-    EXPECT_EQ(session.state().frame, 0) << "there is nothing to fall on yet";
-  }
+  ASSERT_TRUE(session.compile_progress());
+  session.apply(action::StepFrame{});
+  EXPECT_EQ(session.state().frame, 0) << "there is nothing to fall on yet";
   wait_for_scene(session);
   expect_scene_of_level(session);
   for (int i = 0; i < 200; ++i) session.apply(action::StepFrame{});

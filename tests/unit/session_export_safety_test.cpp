@@ -3,9 +3,6 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
-#include <chrono>
-#include <thread>
-
 #include "edit/export_presets.h"
 #include "edit/level_settings.h"
 #include "export/export_targets.h"
@@ -13,6 +10,7 @@
 #include "formats/native/recording_file.h"
 #include "paths.h"
 #include "session/session.h"
+#include "waiting.h"
 
 namespace talus::session_export_safety_test {
 
@@ -43,13 +41,7 @@ class ForeignPresets : public FolderTest {
   void open(const std::string& file) { session().apply(act::OpenFile{file}); }
   Session& session() { return *session_; }
   std::string message() { return session().message() ? session().message()->text : ""; }
-  void wait() {
-    for (int i = 0; i < 20'000 && session().exporting().is_busy(); ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      session().advance(0);
-    }
-    ASSERT_FALSE(session().exporting().is_busy());
-  }
+  void wait() { ASSERT_TRUE(exports_end(session())); }
   // Paints a stroke and saves, as by Ctrl+S.
   void paint_and_save() {
     const auto red = static_cast<std::uint8_t>(session().level().palette[3].r + 1);
@@ -465,31 +457,23 @@ TEST_F(ExportPermissionsFile, SaysOnceWhatItCannotKeep) {
   EXPECT_FALSE(permissions.allow(std::vector<ExportPreset>{preset("c\xff")}));
 }
 
-TEST(ExportPermissionsStore, DamagedLinesAreLeftOutAndOthersKept) {
-  const std::string folder = ::testing::TempDir() + "talus permissions";
-  fs::create_directories(folder);
+TEST_F(ExportPermissionsFile, DamagedLinesAreLeftOutAndOthersKept) {
   const ExportPreset a{.name = "a", .exporter = "lua", .path = "a.lua", .extra = ""};
   const ExportPreset long_one{.name = "b",
                               .exporter = "lua",
                               .path = "b.lua",
                               .extra = "{\"x\":\"" + std::string(ExportPermissions::kMostBytes, 'x') + "\"}"};
-  const auto opened = [&] {
-    ExportPermissions permissions(folder + "/allowed");
-    permissions.open(folder + "/level");
-    return permissions;
-  };
-  ExportPermissions first = opened();
+  ExportPermissions first = opened(path("level"));
   const std::vector<ExportPreset> both = {a, long_one};
   first.allow(both);
-  std::ofstream(folder + "/allowed", std::ios::app) << "{\"file\":1}\nnonsense\n[]\n{}\n";
-  EXPECT_TRUE(opened().allows(a));
-  EXPECT_FALSE(opened().allows(long_one)) << "it is asked about again";
+  std::ofstream(path("allowed"), std::ios::app) << "{\"file\":1}\nnonsense\n[]\n{}\n";
+  EXPECT_TRUE(opened(path("level")).allows(a));
+  EXPECT_FALSE(opened(path("level")).allows(long_one)) << "it is asked about again";
   const std::vector<ExportPreset> other = {{.name = "c", .exporter = "lua", .path = "c.lua", .extra = ""}};
-  ExportPermissions second = opened();
+  ExportPermissions second = opened(path("level"));
   second.allow(other);
-  EXPECT_TRUE(opened().allows(a));
-  EXPECT_TRUE(opened().allows(other[0]));
-  fs::remove_all(folder);
+  EXPECT_TRUE(opened(path("level")).allows(a));
+  EXPECT_TRUE(opened(path("level")).allows(other[0]));
 }
 
 }  // namespace talus::session_export_safety_test

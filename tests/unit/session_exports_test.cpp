@@ -1,11 +1,8 @@
 // Session: previews of exports, exports by a thread, and the question before files of others are replaced.
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <array>
 #include <atomic>
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <future>
@@ -15,6 +12,7 @@
 #include "folder_test.h"
 #include "paths.h"
 #include "session/session.h"
+#include "waiting.h"
 
 namespace talus::session_exports_test {
 
@@ -52,13 +50,7 @@ class SessionExports : public FolderTest {
            bool on_save = false) {
     session().apply(act::EditLevel{add_export(session().level(), {name, exporter, to, "", on_save, ""})});
   }
-  void wait() {
-    for (int i = 0; i < 20'000 && exporting().is_busy(); ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      session().advance(0);
-    }
-    ASSERT_FALSE(exporting().is_busy());
-  }
+  void wait() { ASSERT_TRUE(exports_end(session())); }
   const ExportOutcome& preview(std::size_t preset) {
     session().apply(act::PreviewExport{preset});
     wait();
@@ -225,31 +217,25 @@ TEST_F(SessionExports, ACancelledPreviewStaysCancelled) {
 }
 
 TEST_F(SessionExports, ALongRunReportsItsShareAndStopsAtOnce) {
-  session().apply(act::NewLevel{});
-  Level large;
-  large.map = TileMap(1500, 1500);
-  large.tile_shapes[1].kind = TileShape::Kind::solid;
-  for (std::size_t i = 0; i < large.map.cells().size(); ++i)
-    large.map.cells().tiles()[i] = static_cast<TileNumber>(i * 7 % 3 % 2);
-  ASSERT_TRUE(save_level(large, *find_format("native"), path("large.talus.json")));
-  session().apply(act::OpenFile{path("large.talus.json")});
-  session().finish_reading();
-  add("data", "csv", "out");
-  session().apply(act::RunExports{0});
-  double share = 0;
-  for (int i = 0; i < 20'000 && share == 0; ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    ASSERT_TRUE(exporting().progress());
-    share = exporting().progress()->share;
-  }
-  EXPECT_GT(share, 0);
-  EXPECT_LT(share, 0.5);
-  const auto start = std::chrono::steady_clock::now();
+  start_gated();
+  add("data", "csv", "out/data");
+  add("game", "love", "out/game");
+  session().apply(act::RunExports{});
+  ExportProgress held;
+  ASSERT_TRUE(comes_true([&] {
+    held = exporting().progress().value();
+    return held.task == 1 && held.share <= 0.5;
+  }));
+  EXPECT_GT(held.share, 0);
   session().apply(act::CancelExport{});
+  gate_->set_value();
+  gate_.reset();
   wait();
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
+  const int read = assets_read_;
   EXPECT_EQ(message(), "The export was cancelled: nothing was written.");
   EXPECT_FALSE(exists("out"));
+  run();
+  EXPECT_LT(read, assets_read_ - read) << "the level was not made, and what is read after that was not read";
 }
 
 TEST_F(SessionExports, PresetsAreEditedWithUndo) {
@@ -350,17 +336,19 @@ TEST(ExportPreviews, ReportTheirShare) {
     return read_file(source_path("assets/") + name);
   }});
   exporting.preview(Level(), 1, {{"game", "love", "out/game", "", false, ""}, ""});
-  for (int i = 0; i < 20'000 && !is_waiting; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  const bool waits = comes_true([&] { return is_waiting.load(); });
   const auto progress = exporting.preview_progress();
   gate.set_value();
-  ASSERT_TRUE(is_waiting);
+  ASSERT_TRUE(waits);
   ASSERT_TRUE(progress);
   EXPECT_GT(progress->share, 0.9);
   EXPECT_LE(progress->share, 1);
 }
 
-TEST(ExportRecords, RecordsOfSeveralProcessesAreMerged) {
-  const std::string file = ::testing::TempDir() + "talus-record-" + std::to_string(::getpid()) + "/exports";
+class ExportRecords : public FolderTest {};
+
+TEST_F(ExportRecords, RecordsOfSeveralProcessesAreMerged) {
+  const std::string file = path("new/exports");
   ExportRecord one(file), two(file);
   one.note("/a", 1);
   two.note("/b", 2);
@@ -372,28 +360,24 @@ TEST(ExportRecords, RecordsOfSeveralProcessesAreMerged) {
   one.refresh();
   EXPECT_TRUE(one.has("/b", 2));
   EXPECT_TRUE(ExportRecord(file).has("/a", 3));
-  fs::remove_all(fs::path(file).parent_path());
 }
 
-TEST(ExportRecords, KeepPathsWithAnyCharacters) {
-  const std::string file = ::testing::TempDir() + "talus-paths-" + std::to_string(::getpid()) + "/exports";
+TEST_F(ExportRecords, KeepPathsWithAnyCharacters) {
+  const std::string file = path("exports");
   const std::array<std::string, 4> paths = {"/a\n5 /b", "/\xff/\r\n", "/=", "/ "};
   ExportRecord record(file);
-  for (const std::string& path : paths) record.note(path, 7);
+  for (const std::string& each : paths) record.note(each, 7);
   EXPECT_TRUE(record.save());
   const ExportRecord again(file);
-  for (const std::string& path : paths) EXPECT_TRUE(again.has(path, 7)) << path;
+  for (const std::string& each : paths) EXPECT_TRUE(again.has(each, 7)) << each;
   EXPECT_FALSE(again.knows("/b"));
   std::ofstream(file) << "5 /old\nx\n7 =!\n7 =L2IKYw==\n";  // as earlier versions wrote it, and damaged lines
   EXPECT_TRUE(ExportRecord(file).has("/old", 5));
   EXPECT_TRUE(ExportRecord(file).has("/b\nc", 7));
-  fs::remove_all(fs::path(file).parent_path());
 }
 
-TEST(ExportRecords, NeverGrowBeyondWhatCanBeRead) {
-  const std::string folder = ::testing::TempDir() + "talus-large-" + std::to_string(::getpid());
-  const std::string file = folder + "/exports";
-  fs::create_directories(folder);
+TEST_F(ExportRecords, NeverGrowBeyondWhatCanBeRead) {
+  const std::string file = path("exports");
   const std::string long_name(60'000, 'x');
   std::ofstream old(file);
   for (int i = 0; i < 180; ++i) old << "5 /" << i << long_name << '\n';  // 11 MB
@@ -404,10 +388,9 @@ TEST(ExportRecords, NeverGrowBeyondWhatCanBeRead) {
   EXPECT_LE(fs::file_size(file), ExportRecord::kMostBytes);
   EXPECT_GT(fs::file_size(file), ExportRecord::kMostBytes / 2);
   EXPECT_TRUE(ExportRecord(file).has("/new", 7));
-  fs::remove_all(folder);
 }
 
-TEST(ExportRecords, WithoutAFileTheyLastForTheProcess) {
+TEST_F(ExportRecords, WithoutAFileTheyLastForTheProcess) {
   ExportRecord record;
   record.note("/a", 1);
   EXPECT_TRUE(record.save());

@@ -2,17 +2,17 @@
 #include "check_handler.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 #include <variant>
 
 #include "level/ground_level.h"
 #include "level/lint/layer_rules.h"
+#include "session/run/work_share.h"
 
 namespace talus {
 namespace {
 
-constexpr double kLintSeconds = 0.003;   // of real time, for a call of advance()
+constexpr double kLintSeconds = 0.003;   // of processor time, for a call of advance()
 constexpr double kReachSeconds = 0.006;  // the same
 
 }  // namespace
@@ -120,12 +120,10 @@ void CheckHandler::advance() {
 }
 
 void CheckHandler::lint_some() {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
-  const std::chrono::duration<double> most(kLintSeconds);
+  const Stopwatch watch;
   const Level& level = linted();
   lint_cache_.advance(
-      level, lint_options_, [&] { return Clock::now() - start < most; }, ground_names_);
+      level, lint_options_, [&] { return watch.seconds() < kLintSeconds; }, ground_names_);
 }
 
 }  // namespace talus

@@ -14,7 +14,7 @@ class ReachFinder {
   // Starts again. scene: of the current level. origin: of the player to follow; if no player has it, the
   // first player is followed. Returns an error in one sentence if there is nothing to search.
   std::optional<std::string> start(const Scene& scene, std::optional<BodyOrigin> origin);
-  // Searches for so many seconds of real time, or until the search has ended.
+  // Searches for so many seconds of processor time, or until the search has ended.
   void advance(double seconds);
   void cancel() { running_ = false; }
   void note_change();  // the level has changed: the result is out of date, and the search ends

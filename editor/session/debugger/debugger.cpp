@@ -5,7 +5,7 @@
 namespace talus {
 namespace {
 
-constexpr double kSeconds = 0.004;      // of real time, for a call of advance()
+constexpr double kSeconds = 0.004;      // of processor time, for a call of advance()
 constexpr double kJudgeSeconds = 0.02;  // for judging a frame, and for counting the hits before a step
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "export/export_plan.h"
 #include "export_permissions.h"
 #include "export_record.h"
+#include "file_reader.h"
 
 namespace talus {
 
@@ -25,6 +26,7 @@ struct ExportTools {
   std::string permissions = {};  // file of the ExportPermissions; empty: they last as long as the session
   std::string reads = {};        // file of the ReadPermissions; the same
   std::string mappings = {};     // file of the UnsavedMappings; the same
+  Patience patience = {};        // when files are opened
 };
 
 struct ExportTask {

@@ -17,7 +17,7 @@ void FileReader::start(std::string name, Work work, std::chrono::milliseconds pa
       return job->wanted.load();
     }));
   });
-  if (job_->result.wait_for(patience) == std::future_status::ready) finish();
+  if (patience.count() > 0 && job_->result.wait_for(patience) == std::future_status::ready) finish();
 }
 
 void FileReader::cancel() {

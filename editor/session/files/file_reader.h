@@ -22,6 +22,12 @@ struct ReadingProgress {
   double seconds = 0;  // since it began
 };
 
+// How long reading may take before the editor goes on meanwhile. By default small files are always there at
+// once, and large ones never, however quick the machine is.
+struct Patience {
+  std::chrono::milliseconds small = std::chrono::hours(24), large{0};
+};
+
 class FileReader {
  public:
   // Uses the result: called once on the editor's thread, unless the reading was cancelled.
@@ -34,7 +40,8 @@ class FileReader {
   FileReader(const FileReader&) = delete;
   FileReader& operator=(const FileReader&) = delete;
 
-  // Starts reading, replaces the current job, and waits up to `patience` for the result.
+  // Starts reading, replaces the current job, and waits up to `patience` for the result; 0: does not look
+  // for it, however quick the thread is.
   void start(std::string name, Work work, std::chrono::milliseconds patience);
   // The current job will not be finished.
   void cancel();

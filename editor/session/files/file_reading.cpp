@@ -1,7 +1,6 @@
 // Reads files on a thread.
 #include "file_reading.h"
 
-#include <chrono>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -13,14 +12,11 @@
 namespace talus {
 namespace {
 
-// How long to wait for the result: small files are there at once; for large ones the window goes on.
-constexpr std::chrono::milliseconds kPatience{2000}, kPatienceForLarge{100};
-
-std::chrono::milliseconds patience_for(const std::string& path) {
+bool is_small(const std::string& path) {
   constexpr std::uintmax_t kSmall = 256 << 10;  // bytes
   std::error_code error;
   const auto size = std::filesystem::file_size(path, error);
-  return error || size <= kSmall ? kPatience : kPatienceForLarge;
+  return error || size <= kSmall;
 }
 
 }  // namespace
@@ -36,7 +32,7 @@ void FileReading::read(const std::string& file, FileReader::Work work, bool is_l
       });
     }
   };
-  reader_.start(last_name(file), guarded, is_large ? kPatienceForLarge : patience_for(file));
+  reader_.start(last_name(file), guarded, is_large || !is_small(file) ? patience_.large : patience_.small);
 }
 
 void FileReading::cancel() {

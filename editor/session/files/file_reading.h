@@ -12,7 +12,7 @@ namespace talus {
 
 class FileReading {
  public:
-  explicit FileReading(MessageHandler& messages) : messages_(messages) {}
+  FileReading(MessageHandler& messages, Patience patience) : messages_(messages), patience_(patience) {}
 
   // The level stays as it is until the function that `work` returns is called. is_large: it takes long,
   // whatever the size of the file.
@@ -27,6 +27,7 @@ class FileReading {
 
  private:
   MessageHandler& messages_;
+  Patience patience_;
   std::function<void()> on_given_up_;
   FileReader reader_;
 };

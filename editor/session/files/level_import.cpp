@@ -2,12 +2,12 @@
 #include "level_import.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include <talus/level/limits.h>
 #include "formats/files/atomic_file.h"
 #include "formats/ldtk/ldtk_companion.h"
 #include "overlay/small_picture.h"
+#include "session/run/work_share.h"
 
 namespace talus {
 namespace {
@@ -26,15 +26,15 @@ int last_level(const std::string& path, const std::vector<LdtkLevelName>& levels
 // Of as many levels as can be read in a moment.
 std::vector<std::shared_ptr<const SheetPicture>> pictures_of_levels(const std::string& path,
                                                                     const ImportChoices& choices) {
-  constexpr int kSide = 128;  // px
-  constexpr std::chrono::milliseconds kMoment{1000};
-  const auto until = std::chrono::steady_clock::now() + kMoment;
+  constexpr int kSide = 128;     // px
+  constexpr double kMoment = 1;  // s, of processor time
+  const Stopwatch watch;
   std::vector<std::shared_ptr<const SheetPicture>> pictures;
   const auto use = [&](std::size_t index, const Level& level) {
     pictures.resize(index + 1);
     pictures[index] = std::make_shared<const SheetPicture>(small_picture(level, kSide, kSide));
   };
-  const Progress progress([&](double) { return std::chrono::steady_clock::now() < until; });
+  const Progress progress([&](double) { return watch.seconds() < kMoment; });
   read_ldtk_levels(path, choices, use, progress);
   return pictures;
 }

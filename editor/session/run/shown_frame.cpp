@@ -7,7 +7,7 @@
 namespace talus {
 namespace {
 
-constexpr double kReadSeconds = 0.004;  // of real time that view() spends on reading
+constexpr double kReadSeconds = 0.004;  // of processor time that view() spends on reading
 
 }  // namespace
 
@@ -36,7 +36,8 @@ FrameView ShownFrame::view(const Timeline& timeline, const FrameSource& source, 
 bool ShownFrame::advance(const Timeline& timeline, const FrameSource& source, int other, double seconds) {
   if (!is_read_ && key_of(timeline, other) != key_) forget();
   const Stopwatch watch;
-  while (!is_read_ && watch.seconds() < seconds) is_read_ = history_.approach(source, key_.frame);
+  do is_read_ = is_read_ || history_.approach(source, key_.frame);
+  while (!is_read_ && watch.seconds() < seconds);
   return is_read_;
 }
 

@@ -52,8 +52,8 @@ class Simulation {
   const StepTimes& step_times() const { return step_times_; }
 
  private:
-  // Real time for a re-run, for the way to another frame, and for playing, in one call; a single step may
-  // take longer.
+  // Processor time for a re-run, for the way to another frame, and for playing, in one call; a single step
+  // may take longer.
   static constexpr double kRerunSeconds = 0.008, kWaySeconds = 0.03, kPlaySeconds = 0.1;
 
   void start();
