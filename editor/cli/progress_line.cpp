@@ -10,13 +10,17 @@
 namespace talus {
 namespace {
 
-constexpr auto kBetweenLines = std::chrono::milliseconds(100);
 constexpr const char* kToLineStart = "\r\x1b[K";  // and wipes the line
 
 }  // namespace
 
-ProgressLine::ProgressLine(std::ostream& stream, const std::string& label, bool shows, Clock::duration after)
-    : stream_(stream), label_(printable(label)), shows_(shows), next_(Clock::now() + after) {}
+ProgressLine::ProgressLine(std::ostream& stream, const std::string& label, bool shows, Clock::duration after,
+                           Clock::duration between)
+    : stream_(stream),
+      label_(printable(label)),
+      shows_(shows),
+      next_(Clock::now() + after),
+      between_(between) {}
 
 ProgressLine::~ProgressLine() { wipe(); }
 
@@ -25,7 +29,7 @@ bool ProgressLine::at(double share) {
   if (shows_ && now >= next_) {
     stream_ << kToLineStart << label_ << ": " << static_cast<int>(share * 100) << " %" << std::flush;
     is_shown_ = true;
-    next_ = now + kBetweenLines;
+    next_ = now + between_;
   }
   return !signals_.have_come();
 }

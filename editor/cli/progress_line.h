@@ -15,15 +15,16 @@ class ProgressLine {
  public:
   using Clock = std::chrono::steady_clock;
   // label: what is being done. shows: false if the stream is not a terminal; then nothing is written. after:
-  // how long the work goes on before a line appears.
+  // how long the work goes on before a line appears. between: how long each share is shown at least.
   ProgressLine(std::ostream& stream, const std::string& label, bool shows,
-               Clock::duration after = std::chrono::seconds(1));
+               Clock::duration after = std::chrono::seconds(1),
+               Clock::duration between = std::chrono::milliseconds(100));
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  // Shows the share that is done, 0..1, at most ten times a second. Returns false if a signal came: the work
-  // should end.
+  // Shows the share that is done, 0..1, unless another one was shown just now. Returns false if a signal
+  // came: the work should end.
   bool at(double share);
   void wipe();  // call it before anything else is written there
 
@@ -32,6 +33,7 @@ class ProgressLine {
   std::string label_;
   bool shows_;
   Clock::time_point next_;  // when the line is written again
+  Clock::duration between_;
   bool is_shown_ = false;
   EndSignals signals_;
 };

@@ -93,7 +93,7 @@ class AddedBodyKinds : public FolderTest {
     put(game + "/main.lua", bytes_of(game + "/main.lua") +
                                 "\nfunction love.errorhandler(problem) print(problem) os.exit(1) end\n" +
                                 more);
-    return output_of("SDL_VIDEODRIVER=offscreen SDL_AUDIODRIVER=dummy timeout 60 love '" + path(game) +
+    return output_of("SDL_VIDEODRIVER=offscreen SDL_AUDIODRIVER=dummy timeout 600 love '" + path(game) +
                      "' 2>/dev/null");
   }
   // The picture of the play view at the start. Made by another process, as drivers of OpenGL keep memory.

@@ -3,6 +3,8 @@
 
 #include "formats/files/atomic_file.h"
 #include "harness.h"
+#include "held_reading.h"
+#include "platform/asset_path.h"
 
 namespace talus::export_panel_test {
 
@@ -230,27 +232,28 @@ TEST_F(UiExport, WithoutAFileItSaysWhatToDo) {
 }
 
 TEST_F(UiExport, ALongPreviewShowsItsShareAndCanBeCancelled) {
-  Level large = test_level();
-  large.map = TileMap(3000, 3000);
-  std::uint32_t n = 0;  // noise has a long outline
-  for (TileNumber& cell : large.map.cells().tiles()) cell = n++ * 2654435761u >> 31 == 0 ? 1 : 0;
-  large.exports.push_back({"data", "json", "out/data.json", "", false, ""});
-  ASSERT_TRUE(save_level(large, *find_format("native"), path("large.talus.json")));
-  start(path("large.talus.json"));
+  Level level = test_level();
+  level.exports.push_back({"game", "love", "out/game", "", false, ""});
+  ASSERT_TRUE(save_level(level, *find_format("native"), path("level.talus.json")));
+  start(path("level.talus.json"));
+  std::optional<HeldReading> held(asset_path("templates/love/main.lua"));
   key(ctrl_shift('x'));
   ASSERT_TRUE(frames_until([&] { return find("export/preview_progress") != nullptr; }));
   EXPECT_FALSE(find("export/export")->enabled) << "whether it works is not known yet";
   click("export/cancel");
   frames(1);
   EXPECT_EQ(find("export/preview_progress"), nullptr) << "at once";
+  held.reset();
   settle();
   EXPECT_FALSE(exporting().preview());
   ASSERT_NE(find("export/preview_again"), nullptr);
   EXPECT_TRUE(find("export/export")->enabled) << "it needs no preview";
+  held.emplace(asset_path("templates/love/main.lua"));
   click("export/preview_again");
   frames(2);
   EXPECT_TRUE(exporting().previewing());
   session().apply(action::CancelExport{});
+  held.reset();
   settle();
 }
 

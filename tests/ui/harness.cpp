@@ -1,32 +1,21 @@
 // The hand and the eyes of the tests.
 #include "harness.h"
 
-#include <unistd.h>
-
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <sstream>
-#include <thread>
 
 #include <talus/formats/format.h>
 #include "paths.h"
 #include "platform/sdl_keys.h"
+#include "unit/waiting.h"
 
 namespace talus {
 
 namespace fs = std::filesystem;
-
-void UiTest::SetUp() {
-  const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-  folder_ = fs::path(::testing::TempDir()) / ("talus-ui-" + std::to_string(::getpid())) / info->name();
-  fs::remove_all(folder_);
-  fs::create_directories(folder_);
-  ::setenv("TALUS_CONFIG_DIR", path("config").c_str(), 1);
-  ::setenv("TALUS_STATE_DIR", path("state").c_str(), 1);
-}
 
 void UiTest::TearDown() {
   if (HasFailure() && app_) {
@@ -48,6 +37,8 @@ void UiTest::start(const std::string& file, int width, int height) {
   options.height = height;
   options.offscreen = true;
   options.clock = [this] { return clock_; };
+  options.pause = [this](double seconds) { clock_ += std::min(seconds, turns_end_ - clock_); };
+  options.patience = Patience();
   auto app = App::start(std::move(options));
   ASSERT_TRUE(app) << app.error();
   app_ = std::move(*app);
@@ -55,21 +46,9 @@ void UiTest::start(const std::string& file, int width, int height) {
   frames(3);
 }
 
-void UiTest::start_by_the_machines_clock(const std::string& file) {
-  stop();
-  AppOptions options;
-  options.file = file;
-  options.width = 1280;
-  options.height = 720;
-  options.offscreen = true;
-  auto app = App::start(std::move(options));
-  ASSERT_TRUE(app) << app.error();
-  app_ = std::move(*app);
-}
-
 void UiTest::turn_for(double seconds) {
-  const Uint64 end = SDL_GetTicks64() + static_cast<Uint64>(seconds * 1000);
-  while (SDL_GetTicks64() < end) app_->turn();
+  turns_end_ = clock_ + seconds;
+  while (clock_ < turns_end_) app_->turn();
 }
 
 Level UiTest::test_level() {
@@ -112,13 +91,11 @@ void UiTest::frames(int count) {
 }
 
 bool UiTest::frames_until(const std::function<bool()>& is_so) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
-  while (!is_so()) {
-    if (std::chrono::steady_clock::now() > end) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  return comes_true([&] {
+    if (is_so()) return true;
     frames(1);
-  }
-  return true;
+    return is_so();
+  });
 }
 
 ImVec2 UiTest::centre(std::string_view name) {

@@ -13,6 +13,7 @@
 
 #include "panels/commands/keys.h"
 #include "platform/app.h"
+#include "unit/folder_test.h"
 
 namespace talus {
 
@@ -20,7 +21,6 @@ class UiTest : public ::testing::Test {
  protected:
   static constexpr int kLeft = SDL_BUTTON_LEFT, kRight = SDL_BUTTON_RIGHT, kMiddle = SDL_BUTTON_MIDDLE;
 
-  void SetUp() override;
   void TearDown() override;
 
   // Starts the editor on a file, after ending the running one.
@@ -34,9 +34,7 @@ class UiTest : public ::testing::Test {
     key(kKeyF3);
   }
   void stop() { app_.reset(); }
-  // Starts the editor by the machine's clock, for what the window does while nobody touches it. Empty:
-  // without a file.
-  void start_by_the_machines_clock(const std::string& file);
+  // Lets that time pass, in which the window draws a frame only if there is a reason.
   void turn_for(double seconds);
 
   // 30x17 cells with a floor in row 16. Tiles: 1 solid, 2 ball, 3 and 4 up-slope, 5 and 6 down-slope. A ball
@@ -54,8 +52,7 @@ class UiTest : public ::testing::Test {
 
   // Lets `count` frames of 1/60 s pass, and more while events wait.
   void frames(int count = 1);
-  // Lets frames pass until threads have done what `is_so` asks for, for a minute by the machine's clock at
-  // most. Returns false if the minute passed.
+  // Lets frames pass until threads have done what `is_so` asks for. Returns false if they hang.
   bool frames_until(const std::function<bool()>& is_so);
 
   const Widget* find(std::string_view name) { return app_->ui().widgets.find(name); }
@@ -96,8 +93,11 @@ class UiTest : public ::testing::Test {
   void push_button(int button, bool down);
   void push_text(char c);
 
-  std::filesystem::path folder_;  // for the files of the test
-  double clock_ = 100;            // s
+  const std::filesystem::path folder_ = new_folder("talus-ui-");  // for the files of the test
+  const EnvironmentVariable config_folder_{"TALUS_CONFIG_DIR", path("config")};
+  const EnvironmentVariable state_folder_{"TALUS_STATE_DIR", path("state")};
+  double clock_ = 100;    // s
+  double turns_end_ = 0;  // s
   ImVec2 mouse_{0, 0};
   std::unique_ptr<App> app_;
 };

@@ -29,7 +29,7 @@ std::size_t memory_in_use() {
 
 // A driver may queue frames as long as nothing waits for them.
 TEST(UiMemory, StaysConstantWithoutAScreen) {
-  ::setenv("SDL_VIDEODRIVER", "offscreen", 1);
+  const EnvironmentVariable driver("SDL_VIDEODRIVER", "offscreen");
   AppOptions options;
   options.width = 1280;
   options.height = 720;
@@ -37,7 +37,6 @@ TEST(UiMemory, StaysConstantWithoutAScreen) {
   double clock = 0;
   options.clock = [&clock] { return clock; };
   auto app = App::start(std::move(options));
-  ::unsetenv("SDL_VIDEODRIVER");
   ASSERT_TRUE(app) << app.error();
   const auto frames = [&](int count) {
     for (int i = 0; i < count; ++i) {

@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "harness.h"
+#include "held_reading.h"
 #include "platform/autosave.h"
 
 namespace talus::recovery_test {
@@ -52,20 +53,20 @@ TEST_F(UiRecovery, WorkIsOfferedAfterACrashAndRecovered) {
   EXPECT_EQ(find("recovery/recover0"), nullptr) << "nothing is left once it is saved";
 }
 
-// The level of the autosave takes a while to read: 150 MB of blanks.
 TEST_F(UiRecovery, LargeWorkIsReadOnAThread) {
   paint({12, 9});
   frames(kFiveSeconds);
   stop();
-  for (const auto& entry : std::filesystem::directory_iterator(path("state/autosave"))) {
-    if (entry.path().extension() == ".talus-autosave")
-      std::ofstream(entry.path(), std::ios::app) << std::string(150'000'000, ' ');
-  }
+  std::string work;
+  for (const auto& entry : std::filesystem::directory_iterator(path("state/autosave")))
+    if (entry.path().extension() == ".talus-autosave") work = entry.path().string();
+  std::ofstream(work, std::ios::app) << std::string(2'000'000, ' ');
+  std::optional<HeldReading> held(work);
   start(level_file());
   EXPECT_FALSE(app().ui().view.window.recovery_open) << "the window waited for it";
-  for (int i = 0; i < 10'000 && find("recovery/recover0") == nullptr; ++i) frames();
+  held.reset();
+  ASSERT_TRUE(frames_until([&] { return find("recovery/recover0") != nullptr; }));
   frames(2);
-  ASSERT_NE(find("recovery/recover0"), nullptr);
   click("recovery/recover0");
   frames(2);
   EXPECT_EQ(tile_at({12, 9}), 1);
@@ -333,7 +334,7 @@ TEST_F(UiRecovery, NoQuestionComesInTheMiddleOfAStroke) {
 }
 
 TEST_F(UiRecovery, AnIdleWindowDrawsNothing) {
-  start_by_the_machines_clock(level_file());
+  start(level_file());
   turn_for(2.2);  // finishes the work of the start
   const int before = app().drawn_frames();
   EXPECT_GT(before, 0);

@@ -24,47 +24,51 @@ fail() {
 
 # Xvfb picks a free display and writes its number. -noreset: without it, Xvfb restarts whenever its only client leaves,
 # as each search for a window does, and refuses the editor if it connects meanwhile.
+mkfifo "$folder/display"
 Xvfb -displayfd 3 -noreset -screen 0 1400x900x24 -nolisten tcp 3>"$folder/display" 2>/dev/null &
-for _ in $(seq 100); do
-  [ -s "$folder/display" ] && break
-  sleep 0.1
-done
-[ -s "$folder/display" ] || fail "Xvfb does not start"
-export DISPLAY=:$(cat "$folder/display")
+read -r display <"$folder/display" || fail "Xvfb does not start"
+export DISPLAY=:$display
 
 "$program" "$folder/level.talus.json" &
 editor=$!
-# SDL may open and close another window before the editor's own. A search that finds that window while it closes fails.
-find_window() { xdotool search --onlyvisible --name 'Talus' 2>/dev/null | head -n 1; }
-for _ in $(seq 60); do
-  window=$(find_window || true)
-  sleep 1
-  [ -n "$window" ] && [ "$window" = "$(find_window || true)" ] && break
-done
-[ -n "$window" ] || fail "no window appears"
-xdotool windowfocus "$window" || true
+wait_until() {  # COMMAND...: waits as long as the editor runs; fails after ten minutes
+  local i
+  for i in $(seq 6000); do
+    ! "$@" || return 0
+    kill -0 "$editor" 2>/dev/null || return 1
+    sleep 0.1
+  done
+  return 1
+}
+# The window gets the name of the file when the editor is ready. SDL may open and close another window before that.
+find_window() {
+  window=$(xdotool search --onlyvisible --name '^level.talus.json - Talus$' 2>/dev/null | head -n 1)
+  [ -n "$window" ]
+}
+wait_until find_window || fail "no window appears"
+xdotool windowfocus --sync "$window"
+
+# The file is another one after each save.
+number() { stat -c %i "$folder/level.talus.json"; }
+is_saved() { [ "$(number)" != "$before" ]; }
+save() {
+  local before
+  before=$(number)
+  xdotool key --window 0 ctrl+s
+  wait_until is_saved || fail "Ctrl+S does not save"
+}
+save  # from now on there are frames, which the mouse needs
 
 # Picks a tile of the sheet's first row, then paints a fast stroke over six cells of the map. The map is in the upper
 # half of the window, in the middle.
 xdotool mousemove --window "$window" 36 62 click 1
-sleep 0.3
 xdotool mousemove --window "$window" 520 200 mousedown 1 mousemove --window "$window" 560 200 \
   mousemove --window "$window" 600 200 mouseup 1
-sleep 0.3
-xdotool key --window 0 ctrl+s
-for _ in $(seq 50); do
-  cmp -s "$folder/before.talus.json" "$folder/level.talus.json" || break
-  sleep 0.1
-done
+save
 cmp -s "$folder/before.talus.json" "$folder/level.talus.json" && fail "the stroke is not in the file"
 grep -q '010101010101' "$folder/level.talus.json" || fail "the stroke has lost its end"
 
 xdotool key --window 0 ctrl+q
-for _ in $(seq 50); do
-  kill -0 "$editor" 2>/dev/null || break
-  sleep 0.1
-done
-kill -0 "$editor" 2>/dev/null && fail "Ctrl+Q does not end the program"
 wait "$editor" || fail "the program ends with status $?"
 [ -s "$folder/config/settings.json" ] || fail "no settings are remembered"
 echo "painted, saved and quit in a real window"

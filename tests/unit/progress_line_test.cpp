@@ -14,7 +14,7 @@
 
 namespace talus::progress_line_test {
 
-using std::chrono::seconds;
+using std::chrono::hours, std::chrono::seconds;
 
 // While it exists, signals that would end the program are held back. Signals that came are dropped when it is
 // destroyed.
@@ -40,7 +40,7 @@ class HeldSignals {
 TEST(ProgressLine, OverwritesItselfAndIsErased) {
   std::ostringstream text;
   {
-    ProgressLine line(text, "cave.json", true, seconds(0));
+    ProgressLine line(text, "cave.json", true, seconds(0), hours(1));
     EXPECT_TRUE(line.at(0.429));
     EXPECT_EQ(text.str(), "\r\x1b[Kcave.json: 42 %");
     EXPECT_TRUE(line.at(0.5)) << "too early for another";
@@ -52,7 +52,7 @@ TEST(ProgressLine, OverwritesItselfAndIsErased) {
 TEST(ProgressLine, QuickWorkAndPipesShowNothing) {
   std::ostringstream text;
   {
-    ProgressLine quick(text, "a", true);
+    ProgressLine quick(text, "a", true, hours(1));
     ProgressLine other(text, "b", false, seconds(0));
     EXPECT_TRUE(quick.at(0.5));
     EXPECT_TRUE(other.at(0.5));
