@@ -15,7 +15,7 @@ namespace talus::session_slow_steps_test {
 namespace act = action;
 
 constexpr int kFrames = 6;
-constexpr int kMostSteps = 2;  // in a turn
+constexpr int kMostSteps = 3;  // in a turn
 
 Level one_ball() {
   Level level = level_of({"..........", "..........", "##########"});
