@@ -223,7 +223,7 @@ void expect_right(const Scene& scene, const Move& move, const Truth& truth, doub
 // A move that the reference cannot judge shows nothing, so most moves must be judged.
 TEST(ExactProperty, MostMovesAreJudged) {
   const auto percent = [](GroundKinds kinds) {
-    constexpr int kGrounds = 25;
+    constexpr int kGrounds = 50;
     int judged = 0;
     for (std::uint64_t seed = 1; seed <= kGrounds; ++seed) {
       Dice dice(seed);
