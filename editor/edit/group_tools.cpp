@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <utility>
 
 #include "level/single_change.h"
@@ -105,9 +104,7 @@ Edit set_group_looks(const Level& level, int group, LayerGroup looks) {
   TileLayers after = level.layers;
   LayerGroup& its = group_at(after.groups, group);
   looks.group = its.group;
-  looks.opacity = std::isnan(looks.opacity) ? its.opacity : std::clamp(looks.opacity, 0.0, 1.0);
-  looks.offset = within(looks.offset, kMaxLayerOffset, its.offset);
-  looks.parallax = within(looks.parallax, kMaxParallax, its.parallax);
+  keep_in_range(looks, its);
   std::string label = label_of(its, looks);
   its = std::move(looks);
   Edit edit = single_change(std::move(label), LayersChange{level.layers, std::move(after)});

@@ -1,7 +1,5 @@
 #include "layer_looks.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "group_tools.h"
@@ -23,14 +21,6 @@ void put_looks(const LayerLooks& looks, Layer& layer) {
   layer.offset = looks.offset;
   layer.parallax = looks.parallax;
   layer.tint = looks.tint;
-}
-
-double in_range(double value, double least, double most, double before) {
-  return std::isnan(value) ? before : std::clamp(value, least, most);
-}
-
-Vec2 in_range(Vec2 value, double most, Vec2 before) {
-  return {in_range(value.x, -most, most, before.x), in_range(value.y, -most, most, before.y)};
 }
 
 std::string label_of(const LayerLooks& before, const LayerLooks& after) {
@@ -68,9 +58,7 @@ Edit set_looks(const Level& level, const LayerInOrder& layer, const LayerLooks& 
   }
   const LayerLooks before = looks_of(level, layer);
   LayerLooks after = looks;
-  after.opacity = in_range(looks.opacity, 0, 1, before.opacity);
-  after.offset = in_range(looks.offset, kMaxLayerOffset, before.offset);
-  after.parallax = in_range(looks.parallax, kMaxParallax, before.parallax);
+  keep_in_range(after, before);
   std::vector<ObjectLayer> layers = level.objects;
   put_looks(after, layers[static_cast<std::size_t>(layer.index)]);
   return single_change(label_of(before, after), ObjectsChange{level.objects, std::move(layers)});

@@ -2,7 +2,6 @@
 #include "layer_tools.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -144,9 +143,7 @@ Edit set_layer_looks(const Level& level, int layer, TileLayer looks) {
   TileLayer& its = layer_at(after, layer);
   looks.cells = its.cells;
   looks.group = its.group;
-  looks.opacity = std::isnan(looks.opacity) ? its.opacity : std::clamp(looks.opacity, 0.0, 1.0);
-  looks.offset = within(looks.offset, kMaxLayerOffset, its.offset);
-  looks.parallax = within(looks.parallax, kMaxParallax, its.parallax);
+  keep_in_range(looks, its);
   std::string label = label_of(its, looks);
   its = std::move(looks);
   Edit edit = single_change(std::move(label), LayersChange{level.layers, std::move(after)});

@@ -18,11 +18,12 @@ bool are_too_many(const LayerGroups& groups) {
 
 }  // namespace
 
-Vec2 within(Vec2 value, double most, Vec2 before) {
-  const auto part = [most](double now, double then) {
-    return std::isnan(now) ? then : std::clamp(now, -most, most);
-  };
-  return {part(value.x, before.x), part(value.y, before.y)};
+double in_range(double value, double least, double most, double before) {
+  return std::isnan(value) ? before : std::clamp(value, least, most);
+}
+
+Vec2 in_range(Vec2 value, double most, Vec2 before) {
+  return {in_range(value.x, -most, most, before.x), in_range(value.y, -most, most, before.y)};
 }
 
 TileLayer copy_of_layer(const Level& level, int layer) {

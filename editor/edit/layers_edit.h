@@ -27,8 +27,17 @@ std::vector<LayerEntry> layer_entries(const Level& level);
 Edit layers_edit(const Level& level, std::string label, const std::vector<LayerEntry>& entries,
                  LayerGroups groups);
 
-// Brings both parts of a layer's offset or parallax within -most..most. What is not a number stays as before.
-Vec2 within(Vec2 value, double most, Vec2 before);
+// Returns the value within least..most, or within -most..most for both parts; what is not a number stays as
+// before.
+double in_range(double value, double least, double most, double before);
+Vec2 in_range(Vec2 value, double most, Vec2 before);
+// Brings the opacity, offset and parallax that a layer or a group gets into their ranges.
+template <class Looks>
+void keep_in_range(Looks& looks, const Looks& before) {
+  looks.opacity = in_range(looks.opacity, 0, 1, before.opacity);
+  looks.offset = in_range(looks.offset, kMaxLayerOffset, before.offset);
+  looks.parallax = in_range(looks.parallax, kMaxParallax, before.parallax);
+}
 
 // The layer of tiles with its own cells.
 TileLayer copy_of_layer(const Level& level, int layer);
