@@ -8,6 +8,13 @@
 #include <talus/level/limits.h>
 
 namespace talus {
+
+Change::Change(const Change&) = default;
+Change::Change(Change&&) noexcept = default;
+Change& Change::operator=(const Change&) = default;
+Change& Change::operator=(Change&&) noexcept = default;
+Change::~Change() = default;
+
 namespace {
 
 // The place in a level that a change is about. L is Level or const Level.
@@ -144,8 +151,8 @@ std::uint64_t place_key(const Change& change) {
 }
 
 // The key of MapChange, of which an edit has one at most.
-constexpr std::size_t kMapIndex = std::variant_size_v<Change> - 1;
-static_assert(std::is_same_v<std::variant_alternative_t<kMapIndex, Change>, MapChange>);
+constexpr std::size_t kMapIndex = std::variant_size_v<AnyChange> - 1;
+static_assert(std::is_same_v<std::variant_alternative_t<kMapIndex, AnyChange>, MapChange>);
 constexpr std::uint64_t kMapKey = std::uint64_t{kMapIndex} << 56;
 
 // Whether a level has the place of a change, and can hold what comes there.

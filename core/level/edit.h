@@ -110,11 +110,20 @@ struct MapChange {  // the whole map: its size has changed, or too many cells to
   TileMap before, after;
 };
 
-using Change =
+using AnyChange =
     std::variant<CellChange, PixelChange, TileLookChange, FlagsChange, ColorChange, FlagNameChange,
                  FlagFieldsChange, RolesChange, TileShapeChange, FlagShapeChange, CurvesChange, ObjectsChange,
                  TuningChange, SpawnsChange, BrushesChange, AutoTilesChange, ExportsChange, TileNotesChange,
                  TileAnimationsChange, TilesetsChange, LayersChange, LevelChange, MapChange>;
+// Copied, moved and destroyed in edit.cpp, so that the many files with edits need not compile that.
+struct Change : AnyChange {
+  using AnyChange::AnyChange;
+  Change(const Change&);
+  Change(Change&&) noexcept;
+  Change& operator=(const Change&);
+  Change& operator=(Change&&) noexcept;
+  ~Change();
+};
 
 // The change of the selection of cells on the map, so that undo restores that, too.
 struct SelectionChange {
