@@ -64,7 +64,7 @@ std::optional<ObjectLayer> ldtk_background_layer(const LdtkBackground& backgroun
 }
 
 bool is_ldtk_background(const ObjectLayer& layer) {
-  const Json extra = Json::parse(layer.extra, nullptr, false);
+  const Json extra = json_part(layer.extra);
   return extra.is_object() && extra.value(kLdtkLayerKey, Json()) == kLdtkBackground;
 }
 

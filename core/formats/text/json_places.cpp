@@ -17,7 +17,7 @@ std::size_t behind_string(std::string_view text, std::size_t at) {
 }
 
 std::string read_string(std::string_view quoted) {
-  const Json value = Json::parse(quoted, nullptr, false);
+  const Json value = json_part(quoted);
   return value.is_string() ? value.get<std::string>() : std::string();
 }
 
@@ -105,7 +105,7 @@ std::string JsonPlaces::text_of(TextSpan object, std::string_view key, std::stri
 
 int JsonPlaces::number_of(TextSpan object, std::string_view key, int fallback) const {
   const auto value = member(object, key);
-  const Json number = value ? Json::parse(value->in(text_), nullptr, false) : Json();
+  const Json number = value ? json_part(value->in(text_)) : Json();
   constexpr double kMost = 2e9;
   const bool fits = number.is_number() && number.get<double>() >= -kMost && number.get<double>() <= kMost;
   return fits ? static_cast<int>(number.get<double>()) : fallback;

@@ -343,6 +343,8 @@ class Printer {
 
 }  // namespace
 
+Json json_part(std::string_view text) { return Json::parse(text, nullptr, false); }
+
 FormatResult<Json> parse_json(std::string_view text, const Progress& progress, std::int64_t first_line,
                               int most_deep) {
   if (const std::size_t excess = value_too_many(text); excess != text.npos)

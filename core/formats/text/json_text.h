@@ -28,6 +28,10 @@ inline constexpr int kMaxJsonValues = 5'000'000;
 FormatResult<Json> parse_json(std::string_view text, const Progress& progress = {},
                               std::int64_t first_line = 1, int most_deep = kMaxJsonDepth);
 
+// The value of a text that is a part of what parse_json() has read. A text that is not JSON gives a discarded
+// value.
+Json json_part(std::string_view text);
+
 // Whether the text begins with an object that has one of these keys itself, not in a value. What follows the
 // key may be damaged or missing.
 bool has_key(std::string_view text, std::span<const std::string_view> keys);

@@ -123,8 +123,7 @@ FormatResult<std::vector<TiledBlock>> TiledJsonDocument::blocks(int layer) const
     block.height = places_.number_of(holder, "height", places_.number_of(root_, "height"));
     const auto count = static_cast<std::size_t>(std::max(block.width, 0)) *
                        static_cast<std::size_t>(std::max(block.height, 0));
-    const Json data =
-        Json::parse(places_.member(holder, "data").value_or(TextSpan()).in(text_), nullptr, false);
+    const Json data = json_part(places_.member(holder, "data").value_or(TextSpan()).in(text_));
     if (data.is_string() &&
         data.get_ref<const std::string&>().find_first_not_of(" \t\r\n") != std::string::npos) {
       auto cells =
@@ -184,7 +183,7 @@ void TiledJsonDocument::set_looks(TiledLayerKind kind, int layer, const TileLaye
   };
   const auto own = [&](const char* key) {
     const auto value = places_.member(node, key);
-    const Json number = value ? Json::parse(value->in(text_), nullptr, false) : Json(0);
+    const Json number = value ? json_part(value->in(text_)) : Json(0);
     return number.is_number() ? number.get<double>() : 0;
   };
   if (before.name != now.name) set("name", now.name);

@@ -256,7 +256,7 @@ std::vector<JsonMemberEdit> TiledJsonEditor::all_of(TextSpan object, const Tiled
   std::vector<JsonMemberEdit> members;
   const auto set = [&](const std::string& key, const Json& value, const Json& usual) {
     const auto known = places_.member(object, key);
-    const Json old = known ? Json::parse(known->in(text_), nullptr, false) : usual;
+    const Json old = known ? json_part(known->in(text_)) : usual;
     if (old != value) members.push_back({key, text_of(value)});
   };
   set("name", now.name, "");
@@ -317,7 +317,7 @@ void TiledJsonEditor::edit_properties(TextSpan owner, const std::vector<TiledPro
       if (edit.value) change.added.emplace_back(properties.size(), text);
       continue;
     }
-    const Json now = edit.value ? Json::parse(text) : Json();
+    const Json now = edit.value ? json_part(text) : Json();
     const auto value = places_.member(*known, "value");
     if (!edit.value)
       change.removed.push_back(i);

@@ -103,7 +103,7 @@ std::optional<PropertyValue> value_to_write(const Json& json) {
 }
 
 Json properties_of(const MapObject& object) {
-  Json json = object.properties.empty() ? Json::object() : Json::parse(object.properties, nullptr, false);
+  Json json = object.properties.empty() ? Json::object() : json_part(object.properties);
   if (!json.is_object()) json = Json::object();
   return json;
 }
