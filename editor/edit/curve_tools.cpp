@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "distance_to_line.h"
 #include "level/transform.h"
 #include "shape_tools.h"
 
@@ -182,13 +183,6 @@ Curve bent_segment(const Curve& curve, int handle, Vec2 to) {
   Vec2 ends[] = {s.from, s.to};
   ends[handle] = to;
   return turned && !both ? segment_along(ends[1], ends[0], both) : segment_along(ends[0], ends[1], both);
-}
-
-double distance_to_line(Vec2 from, Vec2 to, Vec2 p) {
-  const Vec2 along = to - from, way = p - from;
-  const double squared = dot(along, along);
-  const double part = squared > 0 ? std::clamp(dot(way, along) / squared, 0.0, 1.0) : 0;
-  return std::hypot(way.x - along.x * part, way.y - along.y * part);
 }
 
 // Distance of a point from a good curve's line where that is within `reach` in x; infinite elsewhere.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <talus/collision/shape.h>
+#include "distance_to_line.h"
 
 namespace talus {
 namespace {
@@ -23,15 +24,6 @@ Vec2 turned(Vec2 v, double degrees) {
   if (degrees == 0) return v;
   const double angle = degrees * std::numbers::pi / 180;
   return {v.x * std::cos(angle) - v.y * std::sin(angle), v.x * std::sin(angle) + v.y * std::cos(angle)};
-}
-
-// The square of the distance from a line between two points.
-double distance_to_line(Vec2 at, Vec2 a, Vec2 b) {
-  const Vec2 along = b - a, to = at - a;
-  const double length = along.x * along.x + along.y * along.y;
-  const double share = length == 0 ? 0 : std::clamp((to.x * along.x + to.y * along.y) / length, 0.0, 1.0);
-  const Vec2 off = to - along * share;
-  return std::hypot(off.x, off.y);
 }
 
 bool is_inside(const std::vector<Vec2>& outline, Vec2 at) {
@@ -58,7 +50,7 @@ bool has_point(const MapObject& object, Vec2 at, double reach) {
   const std::vector<Vec2> line = outline.empty() ? line_of(object) : outline;
   const std::size_t sides = line.size() - (outline.empty() && !line.empty() ? 1 : 0);
   for (std::size_t i = 0; i < sides; ++i)
-    if (distance_to_line(at, line[i], line[(i + 1) % line.size()]) <= reach) return true;
+    if (distance_to_line(line[i], line[(i + 1) % line.size()], at) <= reach) return true;
   if (object.form == Form::tile && is_inside(frame_of(object), at)) return true;
   return line.empty() && std::hypot(at.x - object.position.x, at.y - object.position.y) <= reach;
 }
