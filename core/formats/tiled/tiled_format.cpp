@@ -274,7 +274,16 @@ FormatResult<TiledTemplate> TiledFiles::template_in(const std::string& name, con
   return read;
 }
 
-// A picture that cannot be read is dropped. Tilesets that do not say the size of theirs get it.
+// The picture counts, not what the file says of it: it may have changed since. Tiles that it lacks are clear.
+void take_size(const RgbaPicture& picture, TiledTileset& tileset) {
+  tileset.image_width = picture.width;
+  tileset.image_height = picture.height;
+  tileset.columns = 0;
+  const int said = std::exchange(tileset.tile_count, 0);
+  tileset.tile_count = std::max(said, grid_of(tileset).count);
+}
+
+// A picture that cannot be read is dropped.
 TiledPictures TiledFiles::read_pictures(TiledMap& map) {
   TiledPictures pictures;
   for (TiledTileset& tileset : map.tilesets) {
@@ -291,11 +300,7 @@ TiledPictures TiledFiles::read_pictures(TiledMap& map) {
     } else if (!tileset.is_collection) {
       const auto file = files_.picture(tileset.image, of);
       pictures.back() = std::make_shared<const TiledPicture>(TiledPicture{file});
-      if (file->rgba.width > 0 && tileset.image_width != file->rgba.width) {  // Tiled counts its columns, too
-        tileset.columns = 0;
-        tileset.image_width = file->rgba.width;
-      }
-      if (tileset.image_height == 0) tileset.image_height = file->rgba.height;
+      if (!file->is_missing) take_size(file->rgba, tileset);
     } else {
       TiledPicture all;
       for (const TiledTile& tile : *tileset.tiles) {

@@ -450,7 +450,7 @@ Rgba color_of(const TiledMap& map, const TiledPictures& pictures, const TiledSou
 
 SheetLayout grid_of(const TiledTileset& tileset) {
   const auto along = [&](int length, int side) {
-    return std::max(0, (length - 2 * tileset.margin + tileset.spacing) / (side + tileset.spacing));
+    return std::max(0, (length - tileset.margin + tileset.spacing) / (side + tileset.spacing));
   };
   const auto [tile_width, tile_height] = tileset.tile_size;
   const int columns = tileset.columns > 0 ? tileset.columns : along(tileset.image_width, tile_width);

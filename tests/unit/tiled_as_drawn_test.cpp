@@ -1,0 +1,103 @@
+// Maps of Tiled become what Tiled itself draws of them.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <array>
+
+#include "cli_answer.h"
+#include "folder_test.h"
+#include "formats/pictures/png_picture.h"
+
+namespace talus::tiled_as_drawn_test {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+class TiledAsDrawn : public FolderTest {
+ protected:
+  LoadedLevel load(const std::string& name) const {
+    auto loaded = load_level(path(name));
+    EXPECT_TRUE(loaded) << to_string(loaded.error(), name);
+    return loaded ? *loaded : LoadedLevel{Level(), nullptr};
+  }
+  std::string error_of(const std::string& name) const {
+    const auto loaded = load_level(path(name));
+    return loaded ? "" : to_string(loaded.error(), name);
+  }
+  // A picture whose pixel at (x, y) has the red x and the green y.
+  void put_picture(const std::string& name, int width, int height) const {
+    std::vector<std::uint8_t> pixels;
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x)
+        pixels.insert(pixels.end(), {static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), 0, 255});
+    }
+    put(name, encode_png(width, height, 4, pixels.data()));
+  }
+  // A map of cells of 4x4 px with one row.
+  void put_map(const std::string& tilesets, const std::string& cells, const std::string& more = "",
+               const std::string& head = "") const {
+    const auto width = std::to_string(std::count(cells.begin(), cells.end(), ',') + 1);
+    put("m.tmx", "<map orientation=\"orthogonal\" width=\"" + width +
+                     "\" height=\"1\" tilewidth=\"4\" tileheight=\"4\"" + head + ">" + tilesets +
+                     "<layer name=\"l\" width=\"" + width + "\" height=\"1\"><data encoding=\"csv\">" +
+                     cells + "</data></layer>" + more + "</map>");
+  }
+};
+
+std::string tileset(const std::string& attributes, const std::string& inside, int first = 1) {
+  return "<tileset firstgid=\"" + std::to_string(first) + "\" name=\"t\" " + attributes + ">" + inside +
+         "</tileset>";
+}
+const std::string kSize = "tilewidth=\"4\" tileheight=\"4\" ";
+const std::string kPicture = "<image source=\"t.png\"/>";
+
+// The red and the green of the top left pixel of a tile.
+std::array<int, 2> corner_of(const Level& level, int tile) {
+  const SheetLayout layout = level.sheet(SheetId::tiles).layout();
+  const TileSize size = level.map.tile_size();
+  const Cell place = layout.place_of(tile);
+  const std::uint8_t* pixel =
+      level.sheet(SheetId::tiles).picture->at(place.x * size.width, place.y * size.height);
+  return {pixel[0], pixel[1]};
+}
+
+TEST_F(TiledAsDrawn, TheMarginOfATilesetCountsOnce) {
+  put_picture("t.png", 12, 11);  // two tiles and gaps of 1 px, with a margin at the left and at the top
+  for (const std::string said : {"", "tilecount=\"4\"", "columns=\"2\" tilecount=\"4\"", "columns=\"1\""}) {
+    put_map(tileset(kSize + said + " spacing=\"1\" margin=\"2\"", kPicture), "1,2,3,4");
+    const Level level = load("m.tmx").level;
+    EXPECT_EQ(corner_of(level, level.map.tile_at({1, 0})), (std::array{7, 2})) << said;
+    EXPECT_EQ(corner_of(level, level.map.tile_at({2, 0})), (std::array{2, 7})) << said;
+    EXPECT_EQ(corner_of(level, level.map.tile_at({3, 0})), (std::array{7, 7})) << said;
+  }
+}
+
+TEST_F(TiledAsDrawn, AGrownPictureHasMoreTiles) {
+  put_picture("t.png", 8, 12);
+  put_map(
+      tileset(kSize + "tilecount=\"2\" columns=\"2\"", "<image source=\"t.png\" width=\"8\" height=\"4\"/>"),
+      "1,2,6");
+  const LoadedLevel loaded = load("m.tmx");
+  EXPECT_EQ(corner_of(loaded.level, loaded.level.map.tile_at({2, 0})), (std::array{4, 8}));
+  EXPECT_THAT(loaded.dropped, Not(Contains(HasSubstr("which no tileset has"))));
+}
+
+TEST_F(TiledAsDrawn, NewLevelsCountTheMarginOnce) {
+  put_picture("t.png", 12, 12);
+  const CliAnswer made = cli_answer({"new", "--tiles", path("t.png"), "--tile-size", "4x4", "--spacing", "1",
+                                     "--margin", "3", "-o", path("a.talus.json")});
+  EXPECT_THAT(made.out, HasSubstr("4 tiles of 4x4 px")) << made.err;
+}
+
+// Whether the ground of the map's only tile is that box, px of its cell.
+void expect_box(const Level& level, Cell cell, Vec2 from, Vec2 to) {
+  const TileShape shape = shape_of_tile(level, level.map.tile_at(cell));
+  ASSERT_EQ(shape.kind, TileShape::Kind::polygon);
+  for (const Vec2 p : shape.points) {
+    EXPECT_TRUE(p.x == from.x || p.x == to.x) << p.x;
+    EXPECT_TRUE(p.y == from.y || p.y == to.y) << p.y;
+  }
+}
+
+}  // namespace talus::tiled_as_drawn_test
