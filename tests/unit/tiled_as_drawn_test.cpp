@@ -100,4 +100,15 @@ void expect_box(const Level& level, Cell cell, Vec2 from, Vec2 to) {
   }
 }
 
+TEST_F(TiledAsDrawn, OblongTilesThatTurnHaveTheirGround) {
+  put_picture("t.png", 4, 2);
+  const std::string box =
+      "<tile id=\"0\"><objectgroup><object width=\"4\" height=\"2\"/></objectgroup></tile>";
+  const std::string set = tileset("tilewidth=\"4\" tileheight=\"2\"", kPicture + box);
+  for (const std::uint32_t turn : {0x20000000U, 0x60000000U, 0xa0000000U, 0xe0000000U}) {
+    put_map(set, "0," + std::to_string(turn + 1));
+    expect_box(load("m.tmx").level, {1, 0}, {0, 0}, {2, 4});
+  }
+}
+
 }  // namespace talus::tiled_as_drawn_test
