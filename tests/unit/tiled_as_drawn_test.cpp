@@ -111,4 +111,27 @@ TEST_F(TiledAsDrawn, OblongTilesThatTurnHaveTheirGround) {
   }
 }
 
+TEST_F(TiledAsDrawn, BodiesAreWhereTheirTilesetAlignsThem) {
+  put_picture("t.png", 4, 6);
+  const std::vector<std::pair<std::string, Vec2>> corners = {
+      {"unspecified", {20, 14}}, {"topleft", {20, 20}},    {"top", {18, 20}},   {"topright", {16, 20}},
+      {"left", {20, 17}},        {"center", {18, 17}},     {"right", {16, 17}}, {"bottomleft", {20, 14}},
+      {"bottom", {18, 14}},      {"bottomright", {16, 14}}};
+  for (const auto& [word, corner] : corners) {
+    for (const std::string size : {" width=\"4\" height=\"6\"", ""}) {
+      put_map(tileset("tilewidth=\"4\" tileheight=\"6\" objectalignment=\"" + word + "\"", kPicture), "0,0",
+              "<objectgroup><object id=\"1\" type=\"player\" gid=\"1\" x=\"20\" y=\"20\"" + size +
+                  "/></objectgroup>");
+      LoadedLevel loaded = load("m.tmx");
+      ASSERT_EQ(loaded.level.spawns.size(), 1U) << word;
+      EXPECT_EQ(loaded.level.spawns[0].position, corner) << word << size;
+      loaded.level.spawns[0].position.x += 8;
+      loaded.level.spawns[0].size = {2, 2};
+      ASSERT_TRUE(save_level(loaded.level, *loaded.format, path("m.tmx"), loaded.companion));
+      EXPECT_EQ(load("m.tmx").level.spawns, loaded.level.spawns) << word;
+      EXPECT_FALSE(exists("m.tmx.talus.json"));
+    }
+  }
+}
+
 }  // namespace talus::tiled_as_drawn_test

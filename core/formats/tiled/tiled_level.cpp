@@ -67,6 +67,7 @@ class TiledLevelMaker {
   void take_other_layers(const std::vector<const TiledLayer*>& tile_layers);
   bool has_room_for(const MapObject& object);
   const std::string& type_of(const TiledObject& object) const;
+  std::optional<Spawn> body_of(TiledObject object) const;
   void take_spawn(const TiledObject& object, Spawn spawn);
   const Spawn* base_spawn_like(const Spawn& spawn, const TiledObject& object) const;
   void take_curve(const TiledObject& object);
@@ -439,7 +440,7 @@ void TiledLevelMaker::take_objects(const TiledLayer& layer, int place, int numbe
   TiledSources::Place at{number, 0};
   for (TiledObject object : layer.objects) {
     const MapObject* const base = base_objects_.like(object);
-    auto spawn = base == nullptr ? spawn_of(object, type_of(object), map_.tile_size) : std::nullopt;
+    auto spawn = base == nullptr ? body_of(object) : std::nullopt;
     if (spawn) {
       spawn->position = spawn->position + offset;
       object.position = object.position + offset;
@@ -494,6 +495,12 @@ const std::string& TiledLevelMaker::type_of(const TiledObject& object) const {
   if (!object.type.empty() || object.gid == 0) return object.type;
   const TiledTile* const tile = tile_of(source_of_gid(map_, object.gid));
   return tile == nullptr ? object.type : tile->type;
+}
+
+// A tile without a size has its own.
+std::optional<Spawn> TiledLevelMaker::body_of(TiledObject object) const {
+  if (object.gid != 0 && object.size == Vec2()) object.size = parts_.size_of(object.gid);
+  return spawn_of(object, type_of(object), map_.tile_size, anchor_of_gid(map_, object.gid));
 }
 
 void TiledLevelMaker::take_spawn(const TiledObject& object, Spawn spawn) {

@@ -506,6 +506,12 @@ TiledSource source_of_gid(const TiledMap& map, std::uint32_t gid) {
 FormatResult<TiledTiles> number_tiles(const TiledMap& map, const std::vector<const TiledLayer*>& layers,
                                       const TiledPictures& pictures, const ImportChoices& choices,
                                       const SheetLayout& base, Rgb background, ImportDrops& drops,
+Vec2 anchor_of_gid(const TiledMap& map, std::uint32_t gid) {
+  const TiledSource source = source_of_gid(map, gid);
+  return source.tileset < 0 ? TiledTileset().anchor
+                            : map.tilesets[static_cast<std::size_t>(source.tileset)].anchor;
+}
+
                                       const Progress& progress) {
   TileNumberer numberer(map, layers, pictures, base, background, drops, progress);
   if (choices.frame) return numberer.again(*choices.frame);

@@ -76,6 +76,9 @@ TiledPlace place_of_tile(const TiledMap& map, const TiledPictures& pictures, con
 TiledSource source_of_gid(const TiledMap& map, std::uint32_t gid);
 
 // The size that a tile has in its picture, px.
+// Where the position of an object that shows the tile of a number is in its box, see TiledTileset.
+Vec2 anchor_of_gid(const TiledMap& map, std::uint32_t gid);
+
 TileSize size_in_picture(const TiledMap& map, const TiledPictures& pictures, const TiledSource& source);
 
 // The sheet with the level's tiles, each as an image of that size: of tiles of another size some pixels are
