@@ -134,4 +134,34 @@ TEST_F(TiledAsDrawn, BodiesAreWhereTheirTilesetAlignsThem) {
   }
 }
 
+TEST_F(TiledAsDrawn, ATilesetMayHaveNoTiles) {
+  put_picture("t.png", 4, 4);
+  const std::string empty =
+      "<tileset name=\"e\" tilewidth=\"0\" tileheight=\"0\" tilecount=\"0\" columns=\"0\"/>";
+  put("e.tsx", empty);
+  put_map("<tileset firstgid=\"1\" source=\"e.tsx\"/>" + tileset(kSize, kPicture), "0,1");
+  const LoadedLevel loaded = load("m.tmx");
+  EXPECT_NE(loaded.level.map.tile_at({1, 0}), 0);
+  const std::string text = bytes_of("m.tmx");
+  ASSERT_TRUE(save_level(loaded.level, *loaded.format, path("m.tmx"), loaded.companion));
+  EXPECT_EQ(bytes_of("m.tmx"), text);
+  put_map("<tileset firstgid=\"1\" source=\"e.tsx\"/>", "0,1");
+  EXPECT_THAT(load("m.tmx").dropped, Contains("tile 1 in cells, which no tileset has"));
+  EXPECT_EQ(load("e.tsx").level.map.tile_at({3, 3}), 0);
+}
+
+TEST_F(TiledAsDrawn, AMapIsNoTileset) {
+  put("o.tmx", "<map orientation=\"orthogonal\" width=\"1\" height=\"1\" tilewidth=\"4\" tileheight=\"4\"/>");
+  put("o.tmj",
+      R"({"type":"map","orientation":"orthogonal","width":1,"height":1,"tilewidth":4,"tileheight":4,)"
+      R"("layers":[],"tilesets":[]})");
+  put("o.tx", "<template><object/></template>");
+  for (const std::string name : {"o.tmx", "o.tmj", "o.tx"}) {
+    put_map("<tileset firstgid=\"1\" source=\"" + name + "\"/>", "0,1");
+    EXPECT_EQ(error_of("m.tmx"), "m.tmx:file " + name + ": error: is a " +
+                                     (name == "o.tx" ? "template" : "map") +
+                                     " of Tiled, but must be a tileset");
+  }
+}
+
 }  // namespace talus::tiled_as_drawn_test

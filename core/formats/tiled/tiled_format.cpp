@@ -105,7 +105,7 @@ void leave_out_hidden_tiles(ImportDrops& drops, TiledMap& map) {
 TiledMap map_of_tileset(TiledTileset tileset) {
   constexpr int kAround = 3;  // cells
   SheetLayout grid = grid_of(tileset);
-  grid.columns = std::min(grid.columns, grid.count);
+  grid.columns = std::clamp(grid.count, 1, grid.columns);
   if (grid.columns > kMaxSheetSide || grid.rows() > kMaxSheetSide) grid = {1, 0};  // which no level can have
   TiledMap map;
   map.width = grid.columns + 2 * kAround;
@@ -225,6 +225,9 @@ FormatResult<TiledTileset> TiledFiles::tileset_in(const std::string& source, con
   if (!bytes) return tl::unexpected(bytes.error());
   const auto json = tiled_json_of(*bytes, context_for_file(source).extension, {});
   if (!json) return error_in(source, json.error());
+  for (const char* other : {"map", "template"})
+    if (json->is_object() && json->value("type", Json()) == other)
+      return error_in(source, {"", std::string("is a ") + other + " of Tiled, but must be a tileset"});
   tileset_files_.push_back({place, *std::move(bytes)});
   const fs::path folder = fs::path(source).parent_path();
   const auto find = [&](const std::string& name) {  // from the folder of the tileset

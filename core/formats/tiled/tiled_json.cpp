@@ -93,6 +93,7 @@ class TiledReader : private TiledNodeReader {
   bool has_room_for_point(const JsonNode& node, const char* key);
   TiledTile tile(const JsonNode& node);
   bool tiles_have_images(const JsonNode& node);
+  bool has_no_tiles(const JsonNode& node);
   void add_to_collection(const JsonNode& node, TiledTileset& tileset);
   TiledProperties properties(const JsonNode& node, const std::string& of);
   std::optional<TiledProperty> property(const JsonNode& node);
@@ -476,7 +477,7 @@ TiledTileset TiledReader::tileset(const JsonNode& node) {
   const std::string name = text(node, "name");
   const std::string of = "the tileset " + quoted_name(name);
   tileset.name = shortened(name, kMostName);
-  tileset.is_collection = tiles_have_images(node);
+  tileset.is_collection = tiles_have_images(node) || has_no_tiles(node);
   if (!tileset.is_collection) tileset.tile_size = tile_size(node, kMaxTiledTileSide);
   tileset.image = text(node, "image");
   if (is_long_path(tileset.image)) fail(node, "image", long_path());
@@ -511,6 +512,14 @@ TiledTileset TiledReader::tileset(const JsonNode& node) {
                          "objectalignment", "tilerendersize", "fillmode",
                          "transformations", "tileoffset",     "transparentcolor"});
   return tileset;
+}
+
+// A collection from which all tiles were removed.
+bool TiledReader::has_no_tiles(const JsonNode& node) {
+  bool has_tile = false;
+  for_each(node, "tiles", [&](const JsonNode&) { has_tile = true; });
+  return !has_tile && text(node, "image").empty() && number(node, "tilewidth") == 0 &&
+         number(node, "tileheight") == 0;
 }
 
 bool TiledReader::tiles_have_images(const JsonNode& node) {

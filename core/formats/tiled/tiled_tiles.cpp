@@ -148,13 +148,15 @@ std::set<int> TileNumberer::tilesets_of_objects() const {
 }
 
 // The tilesets of which the map's cells show tiles, by their first numbers; if it shows no tile, the first
-// tileset.
+// tileset that has any.
 std::vector<int> TileNumberer::shown_tilesets(const SourceOfCell& cells) {
   std::set<int> shown;
   for (const auto& [cell, tile] : cells) {
     if (tile.source.tileset >= 0) shown.insert(tile.source.tileset);
   }
-  if (shown.empty() && !order_.empty()) shown.insert(order_.front());
+  const auto first =
+      std::find_if(order_.begin(), order_.end(), [&](int i) { return grid_of(tileset(i)).count > 0; });
+  if (shown.empty() && first != order_.end()) shown.insert(*first);
   const std::set<int> of_objects = tilesets_of_objects();
   std::vector<int> tilesets;
   for (const int i : order_) {
@@ -454,6 +456,7 @@ SheetLayout grid_of(const TiledTileset& tileset) {
   };
   const auto [tile_width, tile_height] = tileset.tile_size;
   const int columns = tileset.columns > 0 ? tileset.columns : along(tileset.image_width, tile_width);
+  if (tileset.is_collection) return {columns > 0 ? columns : kCartColumns, tileset.tile_count};
   constexpr std::int64_t kMost = 1 << 20;
   const std::int64_t in_picture = std::int64_t{columns} * along(tileset.image_height, tile_height);
   const int count =
@@ -503,15 +506,15 @@ TiledSource source_of_gid(const TiledMap& map, std::uint32_t gid) {
   return {of, static_cast<int>(id), gid & kTurns};
 }
 
-FormatResult<TiledTiles> number_tiles(const TiledMap& map, const std::vector<const TiledLayer*>& layers,
-                                      const TiledPictures& pictures, const ImportChoices& choices,
-                                      const SheetLayout& base, Rgb background, ImportDrops& drops,
 Vec2 anchor_of_gid(const TiledMap& map, std::uint32_t gid) {
   const TiledSource source = source_of_gid(map, gid);
   return source.tileset < 0 ? TiledTileset().anchor
                             : map.tilesets[static_cast<std::size_t>(source.tileset)].anchor;
 }
 
+FormatResult<TiledTiles> number_tiles(const TiledMap& map, const std::vector<const TiledLayer*>& layers,
+                                      const TiledPictures& pictures, const ImportChoices& choices,
+                                      const SheetLayout& base, Rgb background, ImportDrops& drops,
                                       const Progress& progress) {
   TileNumberer numberer(map, layers, pictures, base, background, drops, progress);
   if (choices.frame) return numberer.again(*choices.frame);
