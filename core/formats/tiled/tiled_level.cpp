@@ -46,6 +46,10 @@ class TiledLevelMaker {
   FormatResult<std::vector<const TiledLayer*>> layers_of(const ImportChoices& choices) const;
   std::vector<int> numbers_of(const std::vector<const TiledLayer*>& layers) const;
   void take_layers(const std::vector<const TiledLayer*>& layers);
+  bool has_other_tile_layers(const TiledLayer& layer) const {
+    return std::any_of(map_.layers.begin(), map_.layers.end(),
+                       [&](const TiledLayer& other) { return other.has_tiles && &other != &layer; });
+  }
   TileLayer& layer_to_choose(std::vector<TileLayer>& list) const;
   FormatResult<void> read_base();
   void forget_numbers();
@@ -183,12 +187,13 @@ TileLayer& TiledLevelMaker::layer_to_choose(std::vector<TileLayer>& list) const 
   return ground == list.end() ? list.front() : *ground;
 }
 
-// A single layer is shown even if it is hidden, and has no name: nobody has to tell it from others.
+// One that was chosen alone is shown even if it is hidden, and has no name: nobody has to tell it from
+// others. Of a level of Talus, the only one has the name that it got there.
 void TiledLevelMaker::take_layers(const std::vector<const TiledLayer*>& layers) {
   std::vector<TileLayer> list;
   for (std::size_t i = 0; i < layers.size(); ++i) {
     TileLayer& layer = list.emplace_back(layers[i]->looks);
-    if (layers.size() == 1) {
+    if (layers.size() == 1 && has_other_tile_layers(*layers[0])) {
       layer.name.clear();
       layer.visible = layer.is_ground = true;
     }
@@ -208,6 +213,7 @@ void TiledLevelMaker::take_layers(const std::vector<const TiledLayer*>& layers) 
 }
 
 // Reads the parts of the level for which Tiled has no place.
+    if (layers.size() == 1 && is_own_ && layer.name == kTiledTileLayer) layer.name.clear();
 FormatResult<void> TiledLevelMaker::read_base() {
   const auto* text = find_property<std::string>(map_.properties, kTiledLevelProperty);
   if (text != nullptr) {

@@ -68,6 +68,12 @@ class TiledSaver {
   FormatResult<TiledArrangement> arrangement(const TiledObjectEdits& objects) const;
   FormatResult<std::string> with_looks(std::string text, const TiledObjectEdits& objects,
                                        const TiledArrangement& arranged) const;
+  // Whether the name of the only layer was not read.
+  bool is_unnamed() const {
+    const std::vector<TileLayer>& opened = origin_.opened->layers.list;
+    return origin_.layers.size() <= 1 && opened.size() == 1 && opened[0].name.empty();
+  }
+  void take_ground_by_name(TiledMap& map, std::vector<TileLayer>& tiles) const;
   void take_unread(Level& held) const;
   bool has_other_tiles() const;
   bool has_other_objects() const;
@@ -367,7 +373,7 @@ FormatResult<std::string> TiledSaver::with_looks(std::string text, const TiledOb
   for (std::size_t i = 0; i < level_.layers.list.size() && has_cells_; ++i) {
     const int number = arranges_ ? static_cast<int>(i) : origin_.layers[i];
     TileLayer now = level_.layers.list[i];
-    if (now.name.empty() && origin_.layers.size() <= 1) now.name = tiles[i].name;  // it was not read
+    if (now.name.empty() && is_unnamed()) now.name = tiles[i].name;
     (*document)->set_looks(TiledLayerKind::tiles, number, tiles[i], now);
   }
   for (std::size_t i = 0; i < objects.layers.size(); ++i) {
@@ -453,15 +459,14 @@ bool TiledSaver::may_move_layers() const {
          !std::equal(now.list.begin(), now.list.end(), then.list.begin(), then.list.end(), same_group);
 }
 
-// Takes over what the files hold, but is not read from them: how the only layer looks, and the name of one
-// that was the only one. Layers without objects count only in the files.
+// Takes over what the files hold, but is not read from them: how a layer that was chosen looks, and the name
+// of one that was the only one of a level of Talus. Layers without objects count only in the files.
 void TiledSaver::take_unread(Level& held) const {
   const std::vector<TileLayer>& layers = level_.layers.list;
   for (std::size_t i = 0; i < layers.size() && layers.size() == held.layers.list.size(); ++i) {
     TileLayer& its = held.layers.list[i];
-    if (layers.size() == 1 || (layers[i].name.empty() && origin_.layers.size() <= 1))
-      its.name = layers[i].name;
-    if (layers.size() > 1) continue;
+    if (is_one_of_many_ || (layers[i].name.empty() && is_unnamed())) its.name = layers[i].name;
+    if (!is_one_of_many_) continue;
     its.visible = layers[i].visible;
     its.is_ground = layers[i].is_ground;
   }
