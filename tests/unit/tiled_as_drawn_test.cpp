@@ -164,4 +164,92 @@ TEST_F(TiledAsDrawn, AMapIsNoTileset) {
   }
 }
 
+TEST_F(TiledAsDrawn, AnAbsoluteTilesetIsListedAndBoxed) {
+  put_map("<tileset firstgid=\"1\" source=\"/nowhere/none.tsx\"/>", "0,2");
+  const LoadedLevel loaded = load("m.tmx");
+  EXPECT_THAT(loaded.dropped,
+              Contains("the tileset, file /nowhere/none.tsx: must be relative to the folder of the map"));
+  EXPECT_NE(loaded.level.map.tile_at({1, 0}), 0);
+}
+
+std::string layer(const std::string& name, const std::string& cells, const std::string& more = "") {
+  return "<layer name=\"" + name + "\">" + more + "<data encoding=\"csv\">" + cells + "</data></layer>";
+}
+std::string map_of(const std::string& layers, const std::string& tiles = "") {
+  return "<map orientation=\"orthogonal\" width=\"2\" height=\"1\" tilewidth=\"4\" tileheight=\"4\">" +
+         tileset(kSize + "tilecount=\"2\"", "<image source=\"t.png\"/>" + tiles) + layers + "</map>";
+}
+std::string bool_property(const std::string& name, bool value) {
+  return "<properties><property name=\"" + name + "\" type=\"bool\" value=\"" + (value ? "true" : "false") +
+         "\"/></properties>";
+}
+std::vector<bool> ground_of_layers(const Level& level) {
+  std::vector<bool> ground;
+  for (const TileLayer& layer : level.layers.list) ground.push_back(layer.is_ground);
+  return ground;
+}
+
+TEST_F(TiledAsDrawn, LayersWithANameOfGroundAreGround) {
+  using testing::ElementsAre;
+  put_picture("t.png", 8, 4);
+  const auto ground = [&](const std::string& layers) {
+    put("m.tmx", map_of(layers));
+    return ground_of_layers(load("m.tmx").level);
+  };
+  EXPECT_THAT(ground(layer("sky", "1,1") + layer("Collision", "0,1")), ElementsAre(false, true));
+  EXPECT_THAT(ground(layer("sky", "1,1") + layer("things", "0,1")), ElementsAre(true, true));
+  EXPECT_THAT(ground(layer("sky", "1,1", bool_property("collides", true)) + layer("walls", "0,1")),
+              ElementsAre(true, true));
+  EXPECT_THAT(ground(layer("a", "1,1") + layer("walls", "0,1", bool_property("ground", false))),
+              ElementsAre(true, false));
+  EXPECT_THAT(ground("<group name=\"g\">" + bool_property("ground", true) + layer("a", "1,1") + "</group>" +
+                     layer("solids", "0,1")),
+              ElementsAre(true, true));
+}
+
+TEST_F(TiledAsDrawn, ALayerGetsANameOfGroundAndStaysAsItIs) {
+  put_picture("t.png", 8, 4);
+  put("m.tmx", map_of(layer("a", "1,1") + layer("b", "0,1")));
+  LoadedLevel loaded = load("m.tmx");
+  loaded.level.layers.list[1].name = "collision";
+  ASSERT_TRUE(save_level(loaded.level, *loaded.format, path("m.tmx"), loaded.companion));
+  EXPECT_EQ(load("m.tmx").level.layers, loaded.level.layers);
+}
+
+TEST_F(TiledAsDrawn, TilesOfACollisionLayerAreSolid) {
+  put_picture("t.png", 8, 4);
+  const auto kind = [](const Level& level, Cell cell) {
+    return shape_of_tile(level, level.map.tile_at(cell)).kind;
+  };
+  using enum TileShape::Kind;
+  put("m.tmx", map_of(layer("sky", "2,2") + layer("collision", "0,1")));
+  LoadedLevel loaded = load("m.tmx");
+  EXPECT_EQ(loaded.level.layers.chosen, 1);
+  EXPECT_EQ(kind(loaded.level, {1, 0}), solid);
+  loaded.level.tile_shapes[loaded.level.map.tile_at({1, 0})] = {};
+  ASSERT_TRUE(save_level(loaded.level, *loaded.format, path("m.tmx"), loaded.companion));
+  EXPECT_EQ(kind(load("m.tmx").level, {1, 0}), none) << "what the user made is kept";
+  std::filesystem::remove(path("m.tmx.talus.json"));
+  put("m.tmx",
+      map_of(layer("collision", "2,1"), "<tile id=\"1\">" + bool_property("collides", true) + "</tile>"));
+  const Level by_word = load("m.tmx").level;
+  EXPECT_EQ(kind(by_word, {0, 0}), solid);
+  EXPECT_EQ(kind(by_word, {1, 0}), none) << "tiles say which are solid";
+}
+
+TEST_F(TiledAsDrawn, TilesThatCollideAreSolid) {
+  put_picture("t.png", 8, 4);
+  for (const std::string word : {"collides", "collidable", "solid"}) {
+    put("m.tmx", map_of(layer("a", "0,2"), "<tile id=\"1\">" + bool_property(word, true) + "</tile>"));
+    LoadedLevel loaded = load("m.tmx");
+    const TileNumber tile = loaded.level.map.tile_at({1, 0});
+    EXPECT_EQ(shape_of_tile(loaded.level, tile).kind, TileShape::Kind::solid) << word;
+    if (word == "solid") continue;  // a flag
+    EXPECT_EQ(loaded.level.tile_flags(tile), 0U);
+    loaded.level.tile_shapes[tile] = {};
+    ASSERT_TRUE(save_level(loaded.level, *loaded.format, path("m.tmx"), loaded.companion));
+    EXPECT_EQ(load("m.tmx").level.tile_shapes[tile].kind, TileShape::Kind::none) << word;
+  }
+}
+
 }  // namespace talus::tiled_as_drawn_test

@@ -58,6 +58,7 @@ class TiledLevelMaker {
   void take_tile(TileNumber number);
   void take_note(TileNumber number, const TiledTile& tile);
   void take_animations();
+  void fill_collision_layers(const std::vector<const TiledLayer*>& layers);
   TiledObject in_cell(const TiledObject& object, const TiledSource& source) const;
   TileShape own_shape_of(TileNumber number, const TiledSource& source, const TiledTile& tile,
                          const TileShape& before);
@@ -321,6 +322,22 @@ void TiledLevelMaker::take_animations() {
       if (shown == numbers.end()) break;
       animation.push_back({shown->second, std::clamp(frame.duration, 1, kMaxFrameDuration)});
     }
+// Layers that are there for collision alone, and whose tiles have no shapes, are solid where they have tiles.
+void TiledLevelMaker::fill_collision_layers(const std::vector<const TiledLayer*>& layers) {
+  std::set<TileNumber> shown;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (!level_.layers.list[i].is_ground || !means_collision(*layers[i])) continue;
+    const std::vector<TileNumber>& tiles = level_.cells_of(static_cast<int>(i)).tiles();
+    shown.insert(tiles.begin(), tiles.end());
+  }
+  std::erase_if(shown, [&](TileNumber tile) { return tiles_.sources[tile].tileset < 0; });
+  const bool has_shapes = std::any_of(shown.begin(), shown.end(), [&](TileNumber tile) {
+    return shape_of_tile(level_, tile).kind != TileShape::Kind::none;
+  });
+  for (const TileNumber tile : shown)
+    if (!has_shapes) level_.tile_shapes[tile] = {.kind = TileShape::Kind::solid};
+}
+
     if (animation.size() == tile->animation.size())
       level_.animations[static_cast<TileNumber>(n)] = std::move(animation);
     else
@@ -361,8 +378,7 @@ TileShape TiledLevelMaker::own_shape_of(TileNumber number, const TiledSource& so
                    return is_same_outline(a, b) && (old.size() == 1 || is_one_way(a) == is_one_way(b));
                  });
   if (is_unchanged) return before;
-  const bool* const collidable = find_property<bool>(tile.properties, "collidable");
-  const bool is_solid = collidable != nullptr && *collidable && of_flags.kind == TileShape::Kind::none;
+  const bool is_solid = is_solid_by_word(tile.properties) && of_flags.kind == TileShape::Kind::none;
   const bool by_flags = !is_own_ && of_flags.one_way;
   if (is_solid && objects.empty()) return {.kind = TileShape::Kind::solid, .one_way = one_way || by_flags};
   std::optional<bool> all_one_way;  // empty: each outline says it
@@ -616,6 +632,7 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
 
 FormatResult<Level> level_of_tiled(const TiledMap& map, const TiledPictures& pictures,
                                    const ImportChoices& choices, ImportDrops& drops, const Progress& progress,
+  if (!is_own_) fill_collision_layers(*layers);
                                    TiledSources* sources) {
   TiledLevelMaker maker(map, pictures, drops, progress);
   auto level = maker.make(choices);

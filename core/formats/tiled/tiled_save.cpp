@@ -351,6 +351,17 @@ TileLayer looks_of(const Layer& layer) {
   return looks;
 }
 
+// The new names of layers of tiles may say which of them are ground. tiles: gets what is ground then.
+void TiledSaver::take_ground_by_name(TiledMap& map, std::vector<TileLayer>& tiles) const {
+  std::vector<TiledLayer*> layers;
+  for (TiledLayer& layer : map.layers)
+    if (layer.has_tiles) layers.push_back(&layer);
+  const std::size_t count = std::min({layers.size(), tiles.size(), level_.layers.list.size()});
+  for (std::size_t i = 0; i < count; ++i) layers[i]->name = level_.layers.list[i].name;
+  choose_tile_ground(map);
+  for (std::size_t i = 0; i < count; ++i) tiles[i].is_ground = layers[i]->looks.is_ground;
+}
+
 // What the text says of the layers is read from it if they have moved.
 FormatResult<std::string> TiledSaver::with_looks(std::string text, const TiledObjectEdits& objects,
                                                  const TiledArrangement& arranged) const {
@@ -358,8 +369,9 @@ FormatResult<std::string> TiledSaver::with_looks(std::string text, const TiledOb
   std::vector<TileLayer> tiles = origin_.opened->layers.list;
   std::vector<TiledLayer> others;
   LayerGroups groups;
-  if (arranged.is_new || !objects.layers.empty() || !arranged.groups.empty()) {
-    const auto content = read_tiled_content(text, context_again(), origin_.tilesets);
+  const bool has_same_tile_names = has_same_names(tiles, level_.layers.list);
+  if (arranged.is_new || !objects.layers.empty() || !arranged.groups.empty() || !has_same_tile_names) {
+    auto content = read_tiled_content(text, context_again(), origin_.tilesets);
     if (!content) return tl::unexpected(content.error());
     groups = content->map.groups;
     if (arranges_) tiles.clear();
@@ -367,6 +379,7 @@ FormatResult<std::string> TiledSaver::with_looks(std::string text, const TiledOb
       if (layer.has_tiles && arranges_) tiles.push_back(layer.looks);
       if (!layer.has_tiles) others.push_back(layer);
     }
+    if (has_cells_ && !is_one_of_many_) take_ground_by_name(content->map, tiles);
   }
   auto document = tiled_document(text);
   if (!document) return tl::unexpected(document.error());
