@@ -172,6 +172,27 @@ TEST_F(TiledAsDrawn, AnAbsoluteTilesetIsListedAndBoxed) {
   EXPECT_NE(loaded.level.map.tile_at({1, 0}), 0);
 }
 
+TEST_F(TiledAsDrawn, ColoursHaveThreeSixOrEightDigits) {
+  put_picture("t.png", 4, 4);
+  const auto read = [&](const std::string& tint, const std::string& background) {
+    put("m.tmx",
+        "<map orientation=\"orthogonal\" width=\"1\" height=\"1\" tilewidth=\"4\" tileheight=\"4\" "
+        "backgroundcolor=\"" +
+            background + "\">" + tileset(kSize, kPicture) + "<layer name=\"a\" tintcolor=\"" + tint +
+            "\"><data encoding=\"csv\">1</data></layer><layer name=\"b\"><data "
+            "encoding=\"csv\">0</data></layer></map>");
+    return load("m.tmx");
+  };
+  LoadedLevel loaded = read("#80ff8000", "#FFE0F8D0");
+  EXPECT_EQ(loaded.level.layers.list[0].tint, (Rgb{255, 128, 0}));
+  EXPECT_DOUBLE_EQ(loaded.level.layers.list[0].opacity, 128 / 255.0);
+  EXPECT_EQ(loaded.level.palette[0], (Rgb{0xe0, 0xf8, 0xd0}));
+  EXPECT_THAT(loaded.dropped, Not(Contains(HasSubstr("backgroundcolor"))));
+  loaded = read("#f80", "#000000ff");
+  EXPECT_EQ(loaded.level.layers.list[0].tint, (Rgb{255, 136, 0}));
+  EXPECT_EQ(loaded.level.palette[0], default_palette()[0]) << "it is clear";
+}
+
 std::string layer(const std::string& name, const std::string& cells, const std::string& more = "") {
   return "<layer name=\"" + name + "\">" + more + "<data encoding=\"csv\">" + cells + "</data></layer>";
 }

@@ -194,7 +194,7 @@ void TiledReader::take_looks(const JsonNode& node, const Inside& inside, TiledLa
   const auto near_zero = [](Vec2 v, double most) {
     return Vec2{std::clamp(v.x, -most, most), std::clamp(v.y, -most, most)};
   };
-  TileLayer looks;
+  TileLayer& looks = layer.looks;
   looks.group = inside.group;
   looks.name = text(node, "name");
   looks.visible = node.find("visible") == nullptr || truth(node, "visible");
@@ -203,18 +203,17 @@ void TiledReader::take_looks(const JsonNode& node, const Inside& inside, TiledLa
   looks.offset = near_zero({number(node, "offsetx"), number(node, "offsety")}, kMaxLayerOffset);
   looks.parallax = near_zero({number(node, "parallaxx", 1), number(node, "parallaxy", 1)}, kMaxParallax);
   const std::string tint = text(node, "tintcolor");
-  const auto [color, alpha] = split_tint(tint);
-  if (const auto rgb = color_of_hex(color)) {
+  if (const auto rgb = color_of_hex(tint)) {
     looks.tint = *rgb;
-    looks.opacity *= alpha;
+    looks.opacity *= opacity_of_hex(tint);
   }
   layer.says_ground = ground_by_word(properties(node, "the layer " + quoted_name(looks.name)));
   if (!layer.says_ground) layer.says_ground = inside.is_ground;
 }
 
 void TiledReader::group(const JsonNode& node, const TiledLayer& group, const Inside& inside,
-  const TileLayer& looks = group.looks;
                         const Progress& progress, TiledMap& map) {
+  const TileLayer& looks = group.looks;
   if (inside.depth == kMaxGroupDepth) return fail(node, "", "is nested too deep in groups");
   const Inside within{static_cast<int>(map.groups.size()), inside.depth + 1, group.says_ground};
   map.groups.push_back({.name = looks.name,

@@ -122,6 +122,16 @@ int number_in(const std::string& text) {
   int number = 0;
   const char* const end = text.data() + text.size();
   const auto [stopped, problem] = std::from_chars(text.data(), end, number);
+// As far as it is not opaque, the colour without any is seen.
+Rgb background_of(const TiledMap& map) {
+  const Rgb usual = default_palette()[0], own = color_of_hex(map.background).value_or(usual);
+  const double opacity = opacity_of_hex(map.background);
+  const auto mix = [&](int over, int under) {
+    return static_cast<std::uint8_t>(std::lround(over * opacity + under * (1 - opacity)));
+  };
+  return {mix(own.r, usual.r), mix(own.g, usual.g), mix(own.b, usual.b)};
+}
+
   return problem == std::errc() && stopped == end && number > 0 ? number : 0;
 }
 
@@ -270,7 +280,7 @@ void TiledLevelMaker::take_pixels() {
   const bool is_needed = !images_show(*picture, level_) || (!is_own_ && has_opaque_color_0(*picture, level_));
   if (is_needed) level_.sheet(SheetId::tiles).picture = std::move(picture);
   // What is seen where nothing is drawn. No pixel that is drawn needs it.
-  if (!is_own_) level_.palette[0] = color_of_hex(map_.background).value_or(default_palette()[0]);
+  if (!is_own_) level_.palette[0] = background_of(map_);
 }
 
 void TiledLevelMaker::name_flags() {
@@ -621,7 +631,7 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
   take_other_layers(*layers);
   tidy_groups(level_.layers, level_.objects);
   parts_.tell_missing();
-  if (!map_.background.empty() && map_.background != tiled_color(level_.palette[0]))
+  if (!map_.background.empty() && background_of(map_) != level_.palette[0])
     drops_.add("\"backgroundcolor\" of the map, which is not colour 0");
   if (auto problem = problem_of_amounts(level_)) return tl::unexpected(FormatError{"", *std::move(problem)});
   level_.tiled = std::make_shared<const TiledOrigin>(std::move(origin));
