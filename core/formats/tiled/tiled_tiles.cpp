@@ -301,8 +301,6 @@ FormatResult<void> TileNumberer::free_tile_0(const TiledFrame* frame) {
     blank = std::prev(tiles_.sources.end());
   }
   std::swap(tiles_.sources[0], *blank);
-  drops_.add("the number of tile 0, which is now " + std::to_string(blank - tiles_.sources.begin()) +
-             ": 0 is the empty tile");
   return {};
 }
 
