@@ -273,4 +273,19 @@ TEST_F(TiledAsDrawn, TilesThatCollideAreSolid) {
   }
 }
 
+TEST_F(TiledAsDrawn, APointInATileIsNoOutline) {
+  put_picture("t.png", 8, 4);
+  const std::string point = "<object x=\"2\" y=\"2\"><point/></object>";
+  const auto shape = [&](const std::string& objects, const std::string& more = "") {
+    put("m.tmx", map_of(layer("a", "0,2"),
+                        "<tile id=\"1\">" + more + "<objectgroup>" + objects + "</objectgroup></tile>"));
+    const LoadedLevel loaded = load("m.tmx");
+    EXPECT_THAT(loaded.dropped, Not(Contains(HasSubstr("outline"))));
+    return shape_of_tile(loaded.level, loaded.level.map.tile_at({1, 0})).kind;
+  };
+  EXPECT_EQ(shape(point), TileShape::Kind::none);
+  EXPECT_EQ(shape(point + "<object width=\"4\" height=\"4\"/>"), TileShape::Kind::solid);
+  EXPECT_EQ(shape(point, bool_property("collides", true)), TileShape::Kind::solid);
+}
+
 }  // namespace talus::tiled_as_drawn_test

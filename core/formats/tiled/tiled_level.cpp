@@ -112,16 +112,16 @@ std::string name_of_tile(int number, const TiledSource& source) {
   return source.id == number ? name : name + " (" + std::to_string(source.id) + " in Tiled)";
 }
 
+// It marks a place, and is no outline.
+bool is_point(const TiledObject& object) {
+  return object.form == TiledObject::Form::box && object.size == Vec2();
+}
+
 bool is_one_way(const TiledObject& object) {
   const bool* const word = find_property<bool>(object.properties, "one_way");
   return word != nullptr && *word;
 }
 
-// The number in the text, from 1; else 0.
-int number_in(const std::string& text) {
-  int number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stopped, problem] = std::from_chars(text.data(), end, number);
 // As far as it is not opaque, the colour without any is seen.
 Rgb background_of(const TiledMap& map) {
   const Rgb usual = default_palette()[0], own = color_of_hex(map.background).value_or(usual);
@@ -132,6 +132,11 @@ Rgb background_of(const TiledMap& map) {
   return {mix(own.r, usual.r), mix(own.g, usual.g), mix(own.b, usual.b)};
 }
 
+// The number in the text, from 1; else 0.
+int number_in(const std::string& text) {
+  int number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stopped, problem] = std::from_chars(text.data(), end, number);
   return problem == std::errc() && stopped == end && number > 0 ? number : 0;
 }
 
@@ -208,6 +213,7 @@ void TiledLevelMaker::take_layers(const std::vector<const TiledLayer*>& layers) 
       layer.name.clear();
       layer.visible = layer.is_ground = true;
     }
+    if (layers.size() == 1 && is_own_ && layer.name == kTiledTileLayer) layer.name.clear();
     if (layer.is_ground && shown_looks(map_.groups, layer).offset != Vec2())
       drops_.add("the offset of the ground of " + named("the layer", layers[i]->name) +
                  ": only its picture is moved");
@@ -224,7 +230,6 @@ void TiledLevelMaker::take_layers(const std::vector<const TiledLayer*>& layers) 
 }
 
 // Reads the parts of the level for which Tiled has no place.
-    if (layers.size() == 1 && is_own_ && layer.name == kTiledTileLayer) layer.name.clear();
 FormatResult<void> TiledLevelMaker::read_base() {
   const auto* text = find_property<std::string>(map_.properties, kTiledLevelProperty);
   if (text != nullptr) {
@@ -317,21 +322,6 @@ void TiledLevelMaker::take_tile(TileNumber number) {
   tell_stale_words(*tile, shape);
 }
 
-void TiledLevelMaker::take_animations() {
-  level_.animations.clear();
-  std::map<TiledSource, TileNumber> numbers;
-  for (std::size_t n = 0; n < tiles_.sources.size(); ++n)
-    numbers.try_emplace(tiles_.sources[n], static_cast<TileNumber>(n));
-  for (std::size_t n = 0; n < tiles_.sources.size(); ++n) {
-    const TiledSource& source = tiles_.sources[n];
-    const TiledTile* const tile = tile_of(source);
-    if (tile == nullptr || tile->animation.empty()) continue;
-    TileAnimation animation;
-    for (const TiledTile::Frame& frame : tile->animation) {
-      const auto shown = numbers.find({source.tileset, frame.id, source.turn});
-      if (shown == numbers.end()) break;
-      animation.push_back({shown->second, std::clamp(frame.duration, 1, kMaxFrameDuration)});
-    }
 // Layers that are there for collision alone, and whose tiles have no shapes, are solid where they have tiles.
 void TiledLevelMaker::fill_collision_layers(const std::vector<const TiledLayer*>& layers) {
   std::set<TileNumber> shown;
@@ -348,6 +338,21 @@ void TiledLevelMaker::fill_collision_layers(const std::vector<const TiledLayer*>
     if (!has_shapes) level_.tile_shapes[tile] = {.kind = TileShape::Kind::solid};
 }
 
+void TiledLevelMaker::take_animations() {
+  level_.animations.clear();
+  std::map<TiledSource, TileNumber> numbers;
+  for (std::size_t n = 0; n < tiles_.sources.size(); ++n)
+    numbers.try_emplace(tiles_.sources[n], static_cast<TileNumber>(n));
+  for (std::size_t n = 0; n < tiles_.sources.size(); ++n) {
+    const TiledSource& source = tiles_.sources[n];
+    const TiledTile* const tile = tile_of(source);
+    if (tile == nullptr || tile->animation.empty()) continue;
+    TileAnimation animation;
+    for (const TiledTile::Frame& frame : tile->animation) {
+      const auto shown = numbers.find({source.tileset, frame.id, source.turn});
+      if (shown == numbers.end()) break;
+      animation.push_back({shown->second, std::clamp(frame.duration, 1, kMaxFrameDuration)});
+    }
     if (animation.size() == tile->animation.size())
       level_.animations[static_cast<TileNumber>(n)] = std::move(animation);
     else
@@ -372,8 +377,9 @@ TileShape TiledLevelMaker::own_shape_of(TileNumber number, const TiledSource& so
   const TileShape of_flags = shape_of_flags(level_, level_.tile_flags(number));
   const TileShape expected = before.kind != TileShape::Kind::none ? before : of_flags;
   const bool* const word = find_property<bool>(tile.properties, "shape_one_way");
-  const bool one_way = word != nullptr ? *word : !tile.objects.empty() && is_one_way(tile.objects.front());
   std::vector<TiledObject> objects = tile.objects;
+  std::erase_if(objects, is_point);
+  const bool one_way = word != nullptr ? *word : !objects.empty() && is_one_way(objects.front());
   if (objects.empty() && source.turn != 0) {
     objects = tiled_objects(of_flags, map_.tile_size);
     for (TiledObject& object : objects) object = turned(object, source.turn, map_.tile_size);
@@ -626,6 +632,7 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
   name_flags();
   level_.tile_notes.clear();
   for (int tile = 0; tile < layout.count; ++tile) take_tile(static_cast<TileNumber>(tile));
+  if (!is_own_) fill_collision_layers(*layers);
   take_animations();
   if (!is_own_) level_.large_tiles = parts_.large_tiles(tiles_);
   take_other_layers(*layers);
@@ -642,7 +649,6 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
 
 FormatResult<Level> level_of_tiled(const TiledMap& map, const TiledPictures& pictures,
                                    const ImportChoices& choices, ImportDrops& drops, const Progress& progress,
-  if (!is_own_) fill_collision_layers(*layers);
                                    TiledSources* sources) {
   TiledLevelMaker maker(map, pictures, drops, progress);
   auto level = maker.make(choices);
