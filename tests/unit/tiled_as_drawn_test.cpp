@@ -172,6 +172,25 @@ TEST_F(TiledAsDrawn, AnAbsoluteTilesetIsListedAndBoxed) {
   EXPECT_NE(loaded.level.map.tile_at({1, 0}), 0);
 }
 
+TEST_F(TiledAsDrawn, PicturesAreAsLongAsTheirPixelsAllow) {
+  put_picture("t.png", 4, 8192);
+  put_map(tileset(kSize, kPicture), "0,2048");
+  const Level level = load("m.tmx").level;
+  EXPECT_EQ(corner_of(level, level.map.tile_at({1, 0})), (std::array{0, 8188 % 256}));
+}
+
+TEST_F(TiledAsDrawn, WideTilesetsAndLongOnesGoTogether) {
+  put_picture("t.png", 4 * 200, 4);
+  put_picture("u.png", 4, 4 * 400);
+  put_map(tileset(kSize, kPicture) + tileset(kSize, "<image source=\"u.png\"/>", 201), "0,200,201,600");
+  const LoadedLevel loaded = load("m.tmx");
+  EXPECT_EQ(corner_of(loaded.level, loaded.level.map.tile_at({1, 0})), (std::array{796 % 256, 0}));
+  EXPECT_EQ(corner_of(loaded.level, loaded.level.map.tile_at({3, 0})), (std::array{0, 1596 % 256}));
+  const std::string text = bytes_of("m.tmx");
+  ASSERT_TRUE(save_level(loaded.level, *loaded.format, path("m.tmx"), loaded.companion));
+  EXPECT_EQ(bytes_of("m.tmx"), text);
+}
+
 TEST_F(TiledAsDrawn, ColoursHaveThreeSixOrEightDigits) {
   put_picture("t.png", 4, 4);
   const auto read = [&](const std::string& tint, const std::string& background) {
