@@ -16,7 +16,8 @@ std::string number(std::int64_t value) { return std::to_string(value); }
 }  // namespace
 
 FormatResult<std::string> map_png(const Level& level, const Progress& progress, std::int64_t most) {
-  const std::int64_t width = level.map.px_width(), height = level.map.px_height();
+  const auto width = static_cast<std::int64_t>(level.map.px_width()),
+             height = static_cast<std::int64_t>(level.map.px_height());
   const auto wrong = [](std::string why) { return tl::unexpected(FormatError{"", std::move(why)}); };
   if (width > kMaxPictureSide || height > kMaxPictureSide || width * height > most)
     return wrong("the map is " + number(width) + "x" + number(height) +

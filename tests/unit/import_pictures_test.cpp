@@ -60,7 +60,9 @@ TEST_F(ImportPictures, WhereNothingIsDrawnNoColourOfTheTilesIsSeen) {
     const Cell place = sheet.layout().place_of(level.map.tile_at({cell, 0}));
     const std::uint8_t* pixel = sheet.picture->at(16 * place.x, 16 * place.y);
     EXPECT_EQ(pixel[3], cell == 0 ? 0 : 255);
-    if (cell > 0) EXPECT_EQ((Rgb{pixel[0], pixel[1], pixel[2]}), cell == 1 ? first : second);
+    if (cell > 0) {
+      EXPECT_EQ((Rgb{pixel[0], pixel[1], pixel[2]}), cell == 1 ? first : second);
+    }
   }
 }
 

@@ -225,9 +225,10 @@ FormatResult<TiledTileset> TiledFiles::tileset_in(const std::string& source, con
   if (!bytes) return tl::unexpected(bytes.error());
   const auto json = tiled_json_of(*bytes, context_for_file(source).extension, {});
   if (!json) return error_in(source, json.error());
-  for (const char* other : {"map", "template"})
-    if (json->is_object() && json->value("type", Json()) == other)
-      return error_in(source, {"", std::string("is a ") + other + " of Tiled, but must be a tileset"});
+  const Json type = json->is_object() ? json->value("type", Json()) : Json();
+  if (type == "map" || type == "template")
+    return error_in(source, {"", "is a " + type.get<std::string>() + " of Tiled, but must be a tileset"});
+  if (!type.is_null() && type != "tileset") return error_in(source, {"type", "is not \"tileset\""});
   tileset_files_.push_back({place, *std::move(bytes)});
   const fs::path folder = fs::path(source).parent_path();
   const auto find = [&](const std::string& name) {  // from the folder of the tileset

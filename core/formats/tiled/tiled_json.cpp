@@ -518,8 +518,8 @@ TiledTileset TiledReader::tileset(const JsonNode& node) {
 bool TiledReader::has_no_tiles(const JsonNode& node) {
   bool has_tile = false;
   for_each(node, "tiles", [&](const JsonNode&) { has_tile = true; });
-  return !has_tile && text(node, "image").empty() && number(node, "tilewidth") == 0 &&
-         number(node, "tileheight") == 0;
+  return !has_tile && text(node, "image").empty() && node.find("tilewidth") != nullptr &&
+         number(node, "tilewidth") == 0 && number(node, "tileheight") == 0;
 }
 
 bool TiledReader::tiles_have_images(const JsonNode& node) {
