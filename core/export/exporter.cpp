@@ -333,7 +333,7 @@ std::span<const Exporter> exporters() {
        .label = "PNG picture of the tiles",
        .extensions = kPng,
        .write = export_tiles_png,
-       .purpose = "The tiles as one picture, 8x8 px each.",
+       .purpose = "The tiles as one picture, in true colour if they have it, else 8x8 px each.",
        .takes_layers = true,
        .takes_objects = true,
        .usual_suffix = "-tiles",

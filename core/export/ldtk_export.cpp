@@ -16,6 +16,7 @@
 #include <talus/level/ground.h>
 #include "../formats/pictures/png_sheet.h"
 #include "../formats/text/append_number.h"
+#include "../formats/text/json_text.h"
 #include "export_targets.h"
 #include "ldtk_shapes.h"
 #include "ldtk_skeleton.h"
@@ -393,7 +394,10 @@ FormatResult<Exported> export_ldtk(const ExportRequest& request) {
   if (const std::size_t cells = project.overlaps(); cells > 0)
     dropped.push_back("a second shape in " + std::to_string(cells) + (cells == 1 ? " cell" : " cells") +
                       " that two shapes reach into");
-  Exported exported = exported_file(project.text(), std::move(dropped));
+  std::string text = project.text();
+  if (const auto problem = problem_of_size(text))
+    return tl::unexpected(FormatError{"", "the project of LDtk " + *problem + ": tmx holds larger maps"});
+  Exported exported = exported_file(std::move(text), std::move(dropped));
   exported.files.push_back({request.sheet_name(), write_map_tiles(drawn)});
   return exported;
 }

@@ -22,6 +22,8 @@ FormatResult<Exported> export_tic_text(const ExportRequest& request) {
   return tic_text_files(request, request.level);
 }
 FormatResult<Exported> export_tiles_png(const ExportRequest& request) {
+  if (request.level.sheet(SheetId::tiles).picture != nullptr)
+    return exported_file(write_map_tiles(request.level));
   return export_part(request, PngPart::tiles);
 }
 FormatResult<Exported> export_sprites_png(const ExportRequest& request) {

@@ -30,11 +30,12 @@ std::uint8_t share_of(int value, int of_255) {
 
 class MapPainter {
  public:
-  explicit MapPainter(const Level& level)
+  MapPainter(const Level& level, int top, int rows)
       : level_(level),
         tile_(level.map.tile_size()),
         width_(static_cast<int>(level.map.px_width())),
-        height_(static_cast<int>(level.map.px_height())),
+        top_(top),
+        height_(rows),
         sheet_(level.sheet(SheetId::tiles)) {
     const Rgb back = level.palette[0];
     pixels_.reserve(3 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
@@ -94,7 +95,7 @@ class MapPainter {
       return paint(placed(large->second, cell, tile_, shown.turn));
     const int left = cell.x * tile_.width + static_cast<int>(std::floor(looks_.offset.x + 0.5));
     const int top = cell.y * tile_.height + top_of_turned(tile_, shown.turn) +
-                    static_cast<int>(std::floor(looks_.offset.y + 0.5));
+                    static_cast<int>(std::floor(looks_.offset.y + 0.5)) - top_;
     const TileSize size = turned(tile_, shown.turn);
     const Cell place = sheet_.layout().place_of(shown.tile);
     for (int y = std::max(0, -top); y < size.height && top + y < height_; ++y) {
@@ -118,7 +119,7 @@ class MapPainter {
 
   void paint(PlacedPicture shown) {
     const PicturePart& part = shown.part;
-    shown.corner = shown.corner + looks_.offset;
+    shown.corner = shown.corner + looks_.offset - Vec2{0, 1.0 * top_};
     const double area = shown.right.x * shown.down.y - shown.right.y * shown.down.x;
     if (area == 0) return;
     const Rect box = bounds_of(shown);
@@ -144,7 +145,7 @@ class MapPainter {
     const PicturePart& part = image.part;
     if (part.picture == nullptr) return;
     const int left = static_cast<int>(std::floor(looks_.offset.x + 0.5));
-    const int top = static_cast<int>(std::floor(looks_.offset.y + 0.5));
+    const int top = static_cast<int>(std::floor(looks_.offset.y + 0.5)) - top_;
     const auto place = [](int px, int from, int length, bool repeats) {
       const int at = px - from;
       if (repeats) return ((at % length) + length) % length;
@@ -161,7 +162,7 @@ class MapPainter {
 
   const Level& level_;
   TileSize tile_;
-  int width_, height_;  // px
+  int width_, top_, height_;  // px; of the rows that are painted
   const Sheet& sheet_;
   PaintLooks looks_;
   bool is_back_ = false;  // whether the layer is the one at the back, in which tile 0 is drawn
@@ -170,8 +171,9 @@ class MapPainter {
 
 }  // namespace
 
-std::vector<std::uint8_t> map_pixels(const Level& level, const std::function<bool(double)>& goes_on) {
-  MapPainter painter(level);
+std::vector<std::uint8_t> map_pixels(const Level& level, int top, int rows,
+                                     const std::function<bool(double)>& goes_on) {
+  MapPainter painter(level, top, rows);
   const std::vector<LayerInOrder> layers = layers_in_order(level);
   const auto count = static_cast<double>(layers.size());
   for (std::size_t i = 0; i < layers.size(); ++i) {

@@ -1,32 +1,42 @@
 #include "map_png.h"
 
-#include "../formats/pictures/png_picture.h"
+#include <algorithm>
+
+#include "../formats/pictures/png_stream.h"
 #include "export_targets.h"
 #include "map_paint.h"
 
 namespace talus {
 namespace {
 
-constexpr double kPaintShare = 0.4;  // share of the time; the rest packs the picture without progress
+constexpr int kMostInStrip = 1 << 22;  // px
+
+std::string number(std::int64_t value) { return std::to_string(value); }
 
 }  // namespace
 
-FormatResult<std::string> map_png(const Level& level, const Progress& progress) {
-  const TileSize tile = level.map.tile_size();
-  const std::int64_t width = std::int64_t{level.map.width()} * tile.width;
-  const std::int64_t height = std::int64_t{level.map.height()} * tile.height;
-  if (width > kMaxPictureSide || height > kMaxPictureSide || width * height > kMaxPicture) {
-    return tl::unexpected(FormatError{"", "the map is " + std::to_string(width) + "x" +
-                                              std::to_string(height) +
-                                              " px, but a picture may have at most 16384 px on each side and "
-                                              "33554432 px in all, such as 8192x4096"});
+FormatResult<std::string> map_png(const Level& level, const Progress& progress, std::int64_t most) {
+  const auto width = static_cast<std::int64_t>(level.map.px_width()),
+             height = static_cast<std::int64_t>(level.map.px_height());
+  const auto wrong = [](std::string why) { return tl::unexpected(FormatError{"", std::move(why)}); };
+  if (width > kMaxPictureSide || height > kMaxPictureSide || width * height > most)
+    return wrong("the map is " + number(width) + "x" + number(height) +
+                 " px, but a picture may have at most " + number(kMaxPictureSide) + " px on each side and " +
+                 number(most) + " px in all");
+  PngStream png(static_cast<int>(width), static_cast<int>(height), 3);
+  const int strip = static_cast<int>(std::max<std::int64_t>(1, kMostInStrip / width));
+  const int all = static_cast<int>(height);
+  for (int top = 0; top < all; top += strip) {
+    const int rows = std::min(strip, all - top);
+    const auto goes_on = [&](double done) { return progress.at((top + done * rows) / (1.0 * all)); };
+    png.add(map_pixels(level, top, rows, goes_on));
+    if (progress.stopped()) return std::string();
+    if (png.size() > kMaxPictureBytes)
+      return wrong("the picture of the map takes more than " + number(kMaxPictureBytes >> 20) + " MiB");
   }
-  const auto goes_on = [&](double done) { return progress.at(kPaintShare * done); };
-  const std::vector<std::uint8_t> bytes = map_pixels(level, goes_on);
-  if (progress.stopped()) return std::string();
-  std::string png = encode_png(static_cast<int>(width), static_cast<int>(height), 3, bytes.data());
-  if (png.empty()) return tl::unexpected(FormatError{"", "there is not enough memory for the map's picture"});
-  return png;
+  std::string bytes = png.finish();
+  if (bytes.empty()) return wrong("there is not enough memory for the map's picture");
+  return bytes;
 }
 
 FormatResult<Exported> export_png(const ExportRequest& request) {

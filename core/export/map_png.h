@@ -6,11 +6,14 @@
 
 namespace talus {
 
-// Encoding takes ten bytes of memory for each pixel; the limit keeps it to a third of a gigabyte.
-inline constexpr int kMaxPictureSide = 16384;         // px
-inline constexpr std::int64_t kMaxPicture = 1 << 25;  // px in all, such as 8192x4096
+inline constexpr int kMaxPictureSide = 262'144;                        // px
+inline constexpr std::int64_t kMaxPicture = std::int64_t{1} << 31;     // px in all, such as 46,340x46,340
+inline constexpr std::size_t kMaxPictureBytes = std::size_t{1} << 30;  // of the file
+inline constexpr std::int64_t kMaxPictureInside = 1 << 25;  // px in all of a picture within another file
 
-// One pixel for each px: all visible layers over colour 0. A map larger than the limits is an error.
-FormatResult<std::string> map_png(const Level& level, const Progress& progress = {});
+// One pixel for each px: all visible layers over colour 0. It is painted and packed in strips. A map larger
+// than the limits, or of more than `most` px, is an error.
+FormatResult<std::string> map_png(const Level& level, const Progress& progress = {},
+                                  std::int64_t most = kMaxPicture);
 
 }  // namespace talus

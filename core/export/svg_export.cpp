@@ -183,7 +183,7 @@ void add_spawns(pugi::xml_node root, const std::vector<Spawn>& spawns) {
 
 FormatResult<Exported> export_svg(const ExportRequest& request) {
   const Level& level = request.level;
-  const FormatResult<std::string> png = map_png(level, request.progress.part(0, 0.7));
+  const FormatResult<std::string> png = map_png(level, request.progress.part(0, 0.7), kMaxPictureInside);
   if (!png) return tl::unexpected(png.error());
   if (!request.progress.at(0.7)) return Exported();
   pugi::xml_document document;

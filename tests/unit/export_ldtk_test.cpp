@@ -224,4 +224,17 @@ TEST(ExportLdtk, TheSameLevelGivesTheSameFile) {
   EXPECT_EQ(exported(small_level()).files[0].bytes, exported(small_level()).files[0].bytes);
 }
 
+// As much as can be edited and saved, but more than is read as JSON.
+TEST(LargeExportLdtk, IsRefusedIfItCannotBeReadAgain) {
+  Level level = small_level();
+  level.map = TileMap(1200, 1200);
+  for (TileNumber& tile : level.map.cells().tiles()) tile = 1;
+  const ReadAsset assets = [](const std::string& asset) { return read_file(source_path("assets/") + asset); };
+  const auto out = find_exporter("ldtk")->write({level, "m.ldtk", assets});
+  ASSERT_FALSE(out);
+  EXPECT_EQ(
+      out.error().message,
+      "the project of LDtk has more lines and numbers than Talus reads from one file: tmx holds larger maps");
+}
+
 }  // namespace talus::export_ldtk_test

@@ -4,6 +4,7 @@
 
 #include <pugixml.hpp>
 
+#include "export/map_paint.h"
 #include "folder_test.h"
 #include "formats/pictures/png_picture.h"
 #include "pictured_level.h"
@@ -69,13 +70,45 @@ TEST(ExportPng, LargeTilesLieOverOneAnotherInOrder) {
 
 TEST(ExportPng, ALargeMapIsRefused) {
   Level level;
-  level.map = TileMap(2049, 1);
+  level.map = TileMap(32'769, 1);
   EXPECT_EQ(exported("png", level, "map.png").error().message,
-            "the map is 16392x8 px, but a picture may have at most 16384 px on each side and 33554432 px in "
-            "all, such as 8192x4096");
+            "the map is 262152x8 px, but a picture may have at most 262144 px on each side and 2147483648 px "
+            "in all");
   level.map = TileMap(1024, 513);
-  EXPECT_THAT(exported("png", level, "map.png").error().message, StartsWith("the map is 8192x4104 px"));
-  EXPECT_THAT(exported("svg", level, "map.svg").error().message, StartsWith("the map is 8192x4104 px"));
+  EXPECT_EQ(
+      exported("svg", level, "map.svg").error().message,
+      "the map is 8192x4104 px, but a picture may have at most 262144 px on each side and 33554432 px in "
+      "all");
+}
+
+// More rows than a strip has, with pictures that reach from one strip into the next.
+TEST(ExportPng, StripsOfAMapFitTogether) {
+  Level level = pictured_level();
+  level.map = TileMap(1, 200, {128, 250});
+  level.large_tiles[1] = {plain_part(8, 240, kTree), {8, 240}};
+  for (int y = 0; y < 200; ++y) level.map.set({0, y}, 1);
+  const auto picture = read_rgba(exported_file("png", level), kMaxSheetPictureSide * 4);
+  ASSERT_TRUE(picture) << picture.error().message;
+  const auto whole = map_pixels(level, 0, 200 * 250, [](double) { return true; });
+  ASSERT_EQ(picture->height, 200 * 250);
+  int different = 0;
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    different += static_cast<std::uint8_t>(picture->bytes[i / 3 * 4 + i % 3]) == whole[i] ? 0 : 1;
+  EXPECT_EQ(different, 0);
+}
+
+TEST(ExportTilesPng, IsInTrueColour) {
+  Level level;
+  level.map = TileMap(1, 1, {2, 2});
+  level.set_tile_layout({2, 2});
+  auto picture = std::make_shared<SheetPicture>(SheetPicture{4, 2, std::vector<std::uint8_t>(32, 77)});
+  level.sheet(SheetId::tiles).picture = picture;
+  const auto read = read_rgba(exported_file("tiles-png", level));
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->width, 4);
+  EXPECT_EQ(read->bytes, std::string(32, 77));
+  level.sheet(SheetId::tiles).picture = nullptr;
+  EXPECT_EQ(read_rgba(exported_file("tiles-png", level))->width, 16) << "8x8 px each";
 }
 
 // The drawing, read as XML.

@@ -60,11 +60,13 @@ TEST_F(ImportPictures, WhereNothingIsDrawnNoColourOfTheTilesIsSeen) {
     const Cell place = sheet.layout().place_of(level.map.tile_at({cell, 0}));
     const std::uint8_t* pixel = sheet.picture->at(16 * place.x, 16 * place.y);
     EXPECT_EQ(pixel[3], cell == 0 ? 0 : 255);
-    if (cell > 0) EXPECT_EQ((Rgb{pixel[0], pixel[1], pixel[2]}), cell == 1 ? first : second);
+    if (cell > 0) {
+      EXPECT_EQ((Rgb{pixel[0], pixel[1], pixel[2]}), cell == 1 ? first : second);
+    }
   }
 }
 
-TEST_F(ImportPictures, MayHave4096PixelsASide) {
+TEST_F(ImportPictures, AreLimitedByTheirPixels) {
   put("t.png", columns({kRed, kGreen}, 2048, 2));
   const std::string set = tileset("tilewidth=\"16\" tileheight=\"2\" tilecount=\"256\" columns=\"256\"",
                                   "<image source=\"t.png\" width=\"4096\" height=\"2\"/>");
@@ -72,9 +74,11 @@ TEST_F(ImportPictures, MayHave4096PixelsASide) {
   EXPECT_EQ(color(loaded.level, 0, 0, 7), kRed);
   EXPECT_EQ(color(loaded.level, 1, 0, 7), kGreen);
   put("t.png", columns({kRed}, 4097, 1));
+  EXPECT_THAT(read(set, "1").dropped, testing::Not(Contains(testing::HasSubstr("t.png"))));
+  put("t.png", columns({kRed}, 16'385, 1));
   EXPECT_THAT(read(set, "1").dropped,
-              Contains("the picture of the tileset \"t\", file t.png: is 4097x1 px, but may have at most "
-                       "4096x4096 px"));
+              Contains("the picture of the tileset \"t\", file t.png: is 16385x1 px, but may have at most "
+                       "16384x16384 px"));
 }
 
 // It was the first colour of the picture, however bright.

@@ -38,7 +38,8 @@ class LdtkBackground : public FolderTest {
     return loaded ? *std::move(loaded) : LoadedLevel{Level(), nullptr};
   }
   static Rgb color(const Level& level, int x, int y) {
-    const auto pixels = map_pixels(level, [](double) { return true; });
+    const auto pixels =
+        map_pixels(level, 0, static_cast<int>(level.map.px_height()), [](double) { return true; });
     const auto i = static_cast<std::size_t>(3 * (y * 32 + x));
     return {pixels[i], pixels[i + 1], pixels[i + 2]};
   }

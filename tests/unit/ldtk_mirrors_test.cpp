@@ -96,7 +96,8 @@ TEST_F(LdtkMirrors, BecomeTurnsOfOneTile) {
   EXPECT_EQ(level.map.cells().turn_of(1), kX);
   EXPECT_EQ(level.map.cells().turn_of(2), kY);
   EXPECT_EQ(level.map.cells().turn_of(3), turn_of(false, true, true));
-  const auto pixels = map_pixels(level, [](double) { return true; });
+  const auto pixels =
+      map_pixels(level, 0, static_cast<int>(level.map.px_height()), [](double) { return true; });
   EXPECT_EQ(pixels[0], 255);
   EXPECT_EQ(pixels[3 * 15], 255) << "the second one is mirrored";
 }

@@ -251,9 +251,12 @@ std::vector<std::vector<TileNumber>> cells_of_layers(const Level& level) {
 
 TEST_F(SaveTiled, SwappedNamesOfLayersAreNames) {
   put("a.tmx", two_layers("1,2,0,1,1,1", "0,0,0,3,3,3"));
-  EXPECT_EQ(
-      edit("a.tmx", [](Level& level) { std::swap(level.layers.list[0].name, level.layers.list[1].name); }),
-      "");
+  const auto change = [](Level& level) {
+    TileLayer &behind = level.layers.list[0], &front = level.layers.list[1];
+    std::swap(behind.name, front.name);
+    std::swap(behind.is_ground, front.is_ground);  // which their names say
+  };
+  EXPECT_EQ(edit("a.tmx", change), "");
   std::string wanted = two_layers("1,2,0,1,1,1", "0,0,0,3,3,3");
   wanted.replace(wanted.find("\"ground\""), 8, "\"front\"");
   wanted.replace(wanted.rfind("\"front\""), 7, "\"ground\"");
@@ -325,7 +328,7 @@ TEST_F(SaveTiled, LooksOfLayersAreAttributes) {
                    level.layers.list[1].name = "far";
                    level.layers.list[1].offset = {2.5, 0};
                    level.layers.list[1].parallax = {0.5, 1};
-                   level.layers.list[1].is_ground = false;
+                   level.layers.list[1].is_ground = true;  // the other one is by its name
                  }),
             "");
   std::string wanted =
@@ -333,7 +336,7 @@ TEST_F(SaveTiled, LooksOfLayersAreAttributes) {
   wanted.replace(wanted.find("\"front\""), 7, "\"far\"");
   EXPECT_FALSE(exists("a.tmx.talus.json"));
   std::string written = bytes_of("a.tmx");
-  const std::string ground = "<property name=\"ground\" type=\"bool\" value=\"false\"/>";
+  const std::string ground = "<property name=\"ground\" type=\"bool\" value=\"true\"/>";
   EXPECT_THAT(written, HasSubstr(ground));
   const std::size_t begin = written.rfind("<properties>", written.find(ground));
   written.erase(begin, written.find("<data", begin) - begin);

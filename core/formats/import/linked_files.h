@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <talus/level/limits.h>
+#include <talus/level/tileset.h>
 #include "../files/real_path.h"
 #include "../pictures/png_picture.h"
 #include "import_drops.h"
@@ -15,7 +16,8 @@
 namespace talus {
 
 inline constexpr std::size_t kMaxLinkedPixels = std::size_t{1} << 25;  // of different pictures together
-inline constexpr int kMaxLinkedPictureSide = 4096;                     // px, of a picture
+// px, of a picture, which has at most kMaxSheetPicturePixels in all.
+inline constexpr int kMaxLinkedPictureSide = kMaxSheetPictureSide;
 
 // A picture that a file names.
 struct LinkedPicture {

@@ -12,7 +12,7 @@ FormatResult<std::unique_ptr<TiledDocument>> tiled_document(std::string_view byt
 }
 
 TintEdits tint_edits(const TileLayer& before, const TileLayer& now, std::string_view tint) {
-  const bool has_alpha = split_tint(tint).second < 1;
+  const bool has_alpha = opacity_of_hex(tint) < 1;
   const bool has_other_tint = before.tint != now.tint, has_other_opacity = before.opacity != now.opacity;
   return {has_other_opacity || (has_alpha && has_other_tint),
           has_other_tint || (has_alpha && has_other_opacity)};

@@ -96,9 +96,12 @@ bool TiledFlagReader::is_free(int flag) const {
 }
 
 bool TiledFlagReader::knows(const TiledProperty& property) const {
-  constexpr std::array<std::string_view, 6> kKnown = {"flags",         "shape",      "shape_heights",
-                                                      "shape_one_way", "shape_side", "collidable"};
-  return is_flag(property.name) || std::find(kKnown.begin(), kKnown.end(), property.name) != kKnown.end();
+  constexpr std::array<std::string_view, 5> kKnown = {"flags", "shape", "shape_heights", "shape_one_way",
+                                                      "shape_side"};
+  const auto is_one_of = [&](const auto& names) {
+    return std::find(names.begin(), names.end(), property.name) != names.end();
+  };
+  return is_flag(property.name) || is_one_of(kKnown) || is_one_of(kTiledSolidWords);
 }
 
 FlagSet TiledFlagReader::flags_of(const TiledTile& tile, ImportDrops& drops) const {

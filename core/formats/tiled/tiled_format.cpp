@@ -105,7 +105,7 @@ void leave_out_hidden_tiles(ImportDrops& drops, TiledMap& map) {
 TiledMap map_of_tileset(TiledTileset tileset) {
   constexpr int kAround = 3;  // cells
   SheetLayout grid = grid_of(tileset);
-  grid.columns = std::min(grid.columns, grid.count);
+  grid.columns = std::clamp(grid.count, 1, grid.columns);
   if (grid.columns > kMaxSheetSide || grid.rows() > kMaxSheetSide) grid = {1, 0};  // which no level can have
   TiledMap map;
   map.width = grid.columns + 2 * kAround;
@@ -225,6 +225,10 @@ FormatResult<TiledTileset> TiledFiles::tileset_in(const std::string& source, con
   if (!bytes) return tl::unexpected(bytes.error());
   const auto json = tiled_json_of(*bytes, context_for_file(source).extension, {});
   if (!json) return error_in(source, json.error());
+  const Json type = json->is_object() ? json->value("type", Json()) : Json();
+  if (type == "map" || type == "template")
+    return error_in(source, {"", "is a " + type.get<std::string>() + " of Tiled, but must be a tileset"});
+  if (!type.is_null() && type != "tileset") return error_in(source, {"type", "is not \"tileset\""});
   tileset_files_.push_back({place, *std::move(bytes)});
   const fs::path folder = fs::path(source).parent_path();
   const auto find = [&](const std::string& name) {  // from the folder of the tileset
@@ -274,7 +278,16 @@ FormatResult<TiledTemplate> TiledFiles::template_in(const std::string& name, con
   return read;
 }
 
-// A picture that cannot be read is dropped. Tilesets that do not say the size of theirs get it.
+// The picture counts, not what the file says of it: it may have changed since. Tiles that it lacks are clear.
+void take_size(const RgbaPicture& picture, TiledTileset& tileset) {
+  tileset.image_width = picture.width;
+  tileset.image_height = picture.height;
+  tileset.columns = 0;
+  const int said = std::exchange(tileset.tile_count, 0);
+  tileset.tile_count = std::max(said, grid_of(tileset).count);
+}
+
+// A picture that cannot be read is dropped.
 TiledPictures TiledFiles::read_pictures(TiledMap& map) {
   TiledPictures pictures;
   for (TiledTileset& tileset : map.tilesets) {
@@ -291,11 +304,7 @@ TiledPictures TiledFiles::read_pictures(TiledMap& map) {
     } else if (!tileset.is_collection) {
       const auto file = files_.picture(tileset.image, of);
       pictures.back() = std::make_shared<const TiledPicture>(TiledPicture{file});
-      if (file->rgba.width > 0 && tileset.image_width != file->rgba.width) {  // Tiled counts its columns, too
-        tileset.columns = 0;
-        tileset.image_width = file->rgba.width;
-      }
-      if (tileset.image_height == 0) tileset.image_height = file->rgba.height;
+      if (!file->is_missing) take_size(file->rgba, tileset);
     } else {
       TiledPicture all;
       for (const TiledTile& tile : *tileset.tiles) {

@@ -12,6 +12,7 @@
 #include "tiled_cells.h"
 #include "tiled_chunks.h"
 #include "tiled_node.h"
+#include "tiled_object_layers.h"
 
 namespace talus {
 namespace {
@@ -69,14 +70,14 @@ class TiledReader : private TiledNodeReader {
   TileSize tile_size(const JsonNode& node, int most);
   // What layers are in.
   struct Inside {
-    int group = -1;         // index in TiledMap::groups; -1: the map
-    int depth = 0;          // of the groups around them
-    bool is_ground = true;  // whether layers that do not say it are ground
+    int group = -1;                      // index in TiledMap::groups; -1: the map
+    int depth = 0;                       // of the groups around them
+    std::optional<bool> is_ground = {};  // what layers are that do not say it; nothing: their names tell
   };
   void layers(const JsonNode& node, const Inside& inside, const Progress& progress, TiledMap& map);
-  void group(const JsonNode& node, const TileLayer& looks, const Inside& inside, const Progress& progress,
+  void group(const JsonNode& node, const TiledLayer& group, const Inside& inside, const Progress& progress,
              TiledMap& map);
-  TileLayer looks(const JsonNode& node, const Inside& inside);
+  void take_looks(const JsonNode& node, const Inside& inside, TiledLayer& layer);
   void tile_layer(const JsonNode& node, const TiledMap& map, TiledLayer& layer);
   std::vector<TiledChunk> chunks_of(const JsonNode& node);
   std::optional<TiledChunk> chunk(const JsonNode& layer, const JsonNode& node);
@@ -93,6 +94,7 @@ class TiledReader : private TiledNodeReader {
   bool has_room_for_point(const JsonNode& node, const char* key);
   TiledTile tile(const JsonNode& node);
   bool tiles_have_images(const JsonNode& node);
+  bool has_no_tiles(const JsonNode& node);
   void add_to_collection(const JsonNode& node, TiledTileset& tileset);
   TiledProperties properties(const JsonNode& node, const std::string& of);
   std::optional<TiledProperty> property(const JsonNode& node);
@@ -156,6 +158,7 @@ TiledMap TiledReader::map(const Json& json, const TiledFrame* frame, const Progr
     map.layers.back().cells.assign(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height),
                                    0);
   }
+  choose_tile_ground(map);
   drop_others(
       node, "the map",
       {"compressionlevel", "nextlayerid",    "nextobjectid",   "tiledversion", "version",      "type",
@@ -187,13 +190,12 @@ TileSize TiledReader::tile_size(const JsonNode& node, int most) {
 }
 
 // Numbers out of a level's range are brought into it.
-TileLayer TiledReader::looks(const JsonNode& node, const Inside& inside) {
+void TiledReader::take_looks(const JsonNode& node, const Inside& inside, TiledLayer& layer) {
   const auto near_zero = [](Vec2 v, double most) {
     return Vec2{std::clamp(v.x, -most, most), std::clamp(v.y, -most, most)};
   };
-  TileLayer looks;
+  TileLayer& looks = layer.looks;
   looks.group = inside.group;
-  looks.is_ground = inside.is_ground;
   looks.name = text(node, "name");
   looks.visible = node.find("visible") == nullptr || truth(node, "visible");
   looks.locked = truth(node, "locked");
@@ -201,22 +203,19 @@ TileLayer TiledReader::looks(const JsonNode& node, const Inside& inside) {
   looks.offset = near_zero({number(node, "offsetx"), number(node, "offsety")}, kMaxLayerOffset);
   looks.parallax = near_zero({number(node, "parallaxx", 1), number(node, "parallaxy", 1)}, kMaxParallax);
   const std::string tint = text(node, "tintcolor");
-  const auto [color, alpha] = split_tint(tint);
-  if (const auto rgb = color_of_hex(color)) {
+  if (const auto rgb = color_of_hex(tint)) {
     looks.tint = *rgb;
-    looks.opacity *= alpha;
+    looks.opacity *= opacity_of_hex(tint);
   }
-  const TiledProperties words = properties(node, "the layer " + quoted_name(looks.name));
-  for (const char* word : {"collidable", "solid", "ground"}) {
-    if (const bool* is_ground = find_property<bool>(words, word)) looks.is_ground = *is_ground;
-  }
-  return looks;
+  layer.says_ground = ground_by_word(properties(node, "the layer " + quoted_name(looks.name)));
+  if (!layer.says_ground) layer.says_ground = inside.is_ground;
 }
 
-void TiledReader::group(const JsonNode& node, const TileLayer& looks, const Inside& inside,
+void TiledReader::group(const JsonNode& node, const TiledLayer& group, const Inside& inside,
                         const Progress& progress, TiledMap& map) {
+  const TileLayer& looks = group.looks;
   if (inside.depth == kMaxGroupDepth) return fail(node, "", "is nested too deep in groups");
-  const Inside within{static_cast<int>(map.groups.size()), inside.depth + 1, looks.is_ground};
+  const Inside within{static_cast<int>(map.groups.size()), inside.depth + 1, group.says_ground};
   map.groups.push_back({.name = looks.name,
                         .visible = looks.visible,
                         .locked = looks.locked,
@@ -245,14 +244,16 @@ void TiledReader::layers(const JsonNode& node, const Inside& inside, const Progr
     TiledLayer layer;
     layer.name = text(entry, "name");
     const std::string of = "the layer " + quoted_name(layer.name);
-    layer.looks = looks(entry, inside);
+    take_looks(entry, inside, layer);
+    if (entry.find("class")) layer.type = text(entry, "class");
     drop_others(entry, of,
-                {"id",       "name",        "type",        "visible",          "locked",     "width",
-                 "height",   "offsetx",     "offsety",     "draworder",        "color",      "data",
-                 "encoding", "compression", "objects",     "layers",           "properties", "chunks",
-                 "startx",   "starty",      "opacity",     "tintcolor",        "parallaxx",  "parallaxy",
-                 "image",    "imagewidth",  "imageheight", "transparentcolor", "repeatx",    "repeaty"});
-    if (type == "group") return group(entry, layer.looks, inside, of_entry, map);
+                {"id",        "class",    "name",        "type",        "visible",          "locked",
+                 "width",     "height",   "offsetx",     "offsety",     "draworder",        "color",
+                 "data",      "encoding", "compression", "objects",     "layers",           "properties",
+                 "chunks",    "startx",   "starty",      "opacity",     "tintcolor",        "parallaxx",
+                 "parallaxy", "image",    "imagewidth",  "imageheight", "transparentcolor", "repeatx",
+                 "repeaty"});
+    if (type == "group") return group(entry, layer, inside, of_entry, map);
     if (type == "tilelayer") {
       tile_layer(entry, map, layer);
     } else if (type == "objectgroup") {
@@ -476,7 +477,7 @@ TiledTileset TiledReader::tileset(const JsonNode& node) {
   const std::string name = text(node, "name");
   const std::string of = "the tileset " + quoted_name(name);
   tileset.name = shortened(name, kMostName);
-  tileset.is_collection = tiles_have_images(node);
+  tileset.is_collection = tiles_have_images(node) || has_no_tiles(node);
   if (!tileset.is_collection) tileset.tile_size = tile_size(node, kMaxTiledTileSide);
   tileset.image = text(node, "image");
   if (is_long_path(tileset.image)) fail(node, "image", long_path());
@@ -511,6 +512,14 @@ TiledTileset TiledReader::tileset(const JsonNode& node) {
                          "objectalignment", "tilerendersize", "fillmode",
                          "transformations", "tileoffset",     "transparentcolor"});
   return tileset;
+}
+
+// A collection from which all tiles were removed.
+bool TiledReader::has_no_tiles(const JsonNode& node) {
+  bool has_tile = false;
+  for_each(node, "tiles", [&](const JsonNode&) { has_tile = true; });
+  return !has_tile && text(node, "image").empty() && node.find("tilewidth") != nullptr &&
+         number(node, "tilewidth") == 0 && number(node, "tileheight") == 0;
 }
 
 bool TiledReader::tiles_have_images(const JsonNode& node) {
@@ -562,7 +571,8 @@ TiledProperties TiledReader::properties(const JsonNode& node, const std::string&
     const std::string name = text(entry, "name");
     auto read = property(entry);
     const bool is_of_ground =
-        (name == "ground" || name == "solid" || name == "collidable") && of.starts_with("the layer ");
+        std::find(kTiledGroundWords.begin(), kTiledGroundWords.end(), name) != kTiledGroundWords.end() &&
+        of.starts_with("the layer ");
     const bool is_kept =
         read && (is_of_ground || (are_read && (of != "the map" || name == kTiledLevelProperty ||
                                                name == kTiledObjectsProperty)));

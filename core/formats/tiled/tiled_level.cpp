@@ -46,6 +46,10 @@ class TiledLevelMaker {
   FormatResult<std::vector<const TiledLayer*>> layers_of(const ImportChoices& choices) const;
   std::vector<int> numbers_of(const std::vector<const TiledLayer*>& layers) const;
   void take_layers(const std::vector<const TiledLayer*>& layers);
+  bool has_other_tile_layers(const TiledLayer& layer) const {
+    return std::any_of(map_.layers.begin(), map_.layers.end(),
+                       [&](const TiledLayer& other) { return other.has_tiles && &other != &layer; });
+  }
   TileLayer& layer_to_choose(std::vector<TileLayer>& list) const;
   FormatResult<void> read_base();
   void forget_numbers();
@@ -54,6 +58,7 @@ class TiledLevelMaker {
   void take_tile(TileNumber number);
   void take_note(TileNumber number, const TiledTile& tile);
   void take_animations();
+  void fill_collision_layers(const std::vector<const TiledLayer*>& layers);
   TiledObject in_cell(const TiledObject& object, const TiledSource& source) const;
   TileShape own_shape_of(TileNumber number, const TiledSource& source, const TiledTile& tile,
                          const TileShape& before);
@@ -67,6 +72,7 @@ class TiledLevelMaker {
   void take_other_layers(const std::vector<const TiledLayer*>& tile_layers);
   bool has_room_for(const MapObject& object);
   const std::string& type_of(const TiledObject& object) const;
+  std::optional<Spawn> body_of(TiledObject object) const;
   void take_spawn(const TiledObject& object, Spawn spawn);
   const Spawn* base_spawn_like(const Spawn& spawn, const TiledObject& object) const;
   void take_curve(const TiledObject& object);
@@ -106,9 +112,24 @@ std::string name_of_tile(int number, const TiledSource& source) {
   return source.id == number ? name : name + " (" + std::to_string(source.id) + " in Tiled)";
 }
 
+// It marks a place, and is no outline.
+bool is_point(const TiledObject& object) {
+  return object.form == TiledObject::Form::box && object.size == Vec2();
+}
+
 bool is_one_way(const TiledObject& object) {
   const bool* const word = find_property<bool>(object.properties, "one_way");
   return word != nullptr && *word;
+}
+
+// As far as it is not opaque, the colour without any is seen.
+Rgb background_of(const TiledMap& map) {
+  const Rgb usual = default_palette()[0], own = color_of_hex(map.background).value_or(usual);
+  const double opacity = opacity_of_hex(map.background);
+  const auto mix = [&](int over, int under) {
+    return static_cast<std::uint8_t>(std::lround(over * opacity + under * (1 - opacity)));
+  };
+  return {mix(own.r, usual.r), mix(own.g, usual.g), mix(own.b, usual.b)};
 }
 
 // The number in the text, from 1; else 0.
@@ -182,15 +203,17 @@ TileLayer& TiledLevelMaker::layer_to_choose(std::vector<TileLayer>& list) const 
   return ground == list.end() ? list.front() : *ground;
 }
 
-// A single layer is shown even if it is hidden, and has no name: nobody has to tell it from others.
+// One that was chosen alone is shown even if it is hidden, and has no name: nobody has to tell it from
+// others. Of a level of Talus, the only one has the name that it got there.
 void TiledLevelMaker::take_layers(const std::vector<const TiledLayer*>& layers) {
   std::vector<TileLayer> list;
   for (std::size_t i = 0; i < layers.size(); ++i) {
     TileLayer& layer = list.emplace_back(layers[i]->looks);
-    if (layers.size() == 1) {
+    if (layers.size() == 1 && has_other_tile_layers(*layers[0])) {
       layer.name.clear();
       layer.visible = layer.is_ground = true;
     }
+    if (layers.size() == 1 && is_own_ && layer.name == kTiledTileLayer) layer.name.clear();
     if (layer.is_ground && shown_looks(map_.groups, layer).offset != Vec2())
       drops_.add("the offset of the ground of " + named("the layer", layers[i]->name) +
                  ": only its picture is moved");
@@ -262,7 +285,7 @@ void TiledLevelMaker::take_pixels() {
   const bool is_needed = !images_show(*picture, level_) || (!is_own_ && has_opaque_color_0(*picture, level_));
   if (is_needed) level_.sheet(SheetId::tiles).picture = std::move(picture);
   // What is seen where nothing is drawn. No pixel that is drawn needs it.
-  if (!is_own_) level_.palette[0] = color_of_hex(map_.background).value_or(default_palette()[0]);
+  if (!is_own_) level_.palette[0] = background_of(map_);
 }
 
 void TiledLevelMaker::name_flags() {
@@ -297,6 +320,22 @@ void TiledLevelMaker::take_tile(TileNumber number) {
   if (is_own_ && tile->objects.empty() && !tiled_objects(shape, map_.tile_size).empty() && source.turn == 0)
     drops_.add("that a tile has no outline: its flags give it one");
   tell_stale_words(*tile, shape);
+}
+
+// Layers that are there for collision alone, and whose tiles have no shapes, are solid where they have tiles.
+void TiledLevelMaker::fill_collision_layers(const std::vector<const TiledLayer*>& layers) {
+  std::set<TileNumber> shown;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (!level_.layers.list[i].is_ground || !means_collision(*layers[i])) continue;
+    const std::vector<TileNumber>& tiles = level_.cells_of(static_cast<int>(i)).tiles();
+    shown.insert(tiles.begin(), tiles.end());
+  }
+  std::erase_if(shown, [&](TileNumber tile) { return tiles_.sources[tile].tileset < 0; });
+  const bool has_shapes = std::any_of(shown.begin(), shown.end(), [&](TileNumber tile) {
+    return shape_of_tile(level_, tile).kind != TileShape::Kind::none;
+  });
+  for (const TileNumber tile : shown)
+    if (!has_shapes) level_.tile_shapes[tile] = {.kind = TileShape::Kind::solid};
 }
 
 void TiledLevelMaker::take_animations() {
@@ -338,8 +377,9 @@ TileShape TiledLevelMaker::own_shape_of(TileNumber number, const TiledSource& so
   const TileShape of_flags = shape_of_flags(level_, level_.tile_flags(number));
   const TileShape expected = before.kind != TileShape::Kind::none ? before : of_flags;
   const bool* const word = find_property<bool>(tile.properties, "shape_one_way");
-  const bool one_way = word != nullptr ? *word : !tile.objects.empty() && is_one_way(tile.objects.front());
   std::vector<TiledObject> objects = tile.objects;
+  std::erase_if(objects, is_point);
+  const bool one_way = word != nullptr ? *word : !objects.empty() && is_one_way(objects.front());
   if (objects.empty() && source.turn != 0) {
     objects = tiled_objects(of_flags, map_.tile_size);
     for (TiledObject& object : objects) object = turned(object, source.turn, map_.tile_size);
@@ -354,8 +394,7 @@ TileShape TiledLevelMaker::own_shape_of(TileNumber number, const TiledSource& so
                    return is_same_outline(a, b) && (old.size() == 1 || is_one_way(a) == is_one_way(b));
                  });
   if (is_unchanged) return before;
-  const bool* const collidable = find_property<bool>(tile.properties, "collidable");
-  const bool is_solid = collidable != nullptr && *collidable && of_flags.kind == TileShape::Kind::none;
+  const bool is_solid = is_solid_by_word(tile.properties) && of_flags.kind == TileShape::Kind::none;
   const bool by_flags = !is_own_ && of_flags.one_way;
   if (is_solid && objects.empty()) return {.kind = TileShape::Kind::solid, .one_way = one_way || by_flags};
   std::optional<bool> all_one_way;  // empty: each outline says it
@@ -439,7 +478,7 @@ void TiledLevelMaker::take_objects(const TiledLayer& layer, int place, int numbe
   TiledSources::Place at{number, 0};
   for (TiledObject object : layer.objects) {
     const MapObject* const base = base_objects_.like(object);
-    auto spawn = base == nullptr ? spawn_of(object, type_of(object), map_.tile_size) : std::nullopt;
+    auto spawn = base == nullptr ? body_of(object) : std::nullopt;
     if (spawn) {
       spawn->position = spawn->position + offset;
       object.position = object.position + offset;
@@ -494,6 +533,12 @@ const std::string& TiledLevelMaker::type_of(const TiledObject& object) const {
   if (!object.type.empty() || object.gid == 0) return object.type;
   const TiledTile* const tile = tile_of(source_of_gid(map_, object.gid));
   return tile == nullptr ? object.type : tile->type;
+}
+
+// A tile without a size has its own.
+std::optional<Spawn> TiledLevelMaker::body_of(TiledObject object) const {
+  if (object.gid != 0 && object.size == Vec2()) object.size = parts_.size_of(object.gid);
+  return spawn_of(object, type_of(object), map_.tile_size, anchor_of_gid(map_, object.gid));
 }
 
 void TiledLevelMaker::take_spawn(const TiledObject& object, Spawn spawn) {
@@ -587,12 +632,13 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
   name_flags();
   level_.tile_notes.clear();
   for (int tile = 0; tile < layout.count; ++tile) take_tile(static_cast<TileNumber>(tile));
+  if (!is_own_) fill_collision_layers(*layers);
   take_animations();
   if (!is_own_) level_.large_tiles = parts_.large_tiles(tiles_);
   take_other_layers(*layers);
   tidy_groups(level_.layers, level_.objects);
   parts_.tell_missing();
-  if (!map_.background.empty() && map_.background != tiled_color(level_.palette[0]))
+  if (!map_.background.empty() && background_of(map_) != level_.palette[0])
     drops_.add("\"backgroundcolor\" of the map, which is not colour 0");
   if (auto problem = problem_of_amounts(level_)) return tl::unexpected(FormatError{"", *std::move(problem)});
   level_.tiled = std::make_shared<const TiledOrigin>(std::move(origin));

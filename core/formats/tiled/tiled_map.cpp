@@ -11,6 +11,20 @@ std::string tiled_path(const std::string& folder, std::string name) {
   return (std::filesystem::path(folder) / name).lexically_normal().string();
 }
 
+bool is_solid_by_word(const TiledProperties& properties) {
+  return std::any_of(kTiledSolidWords.begin(), kTiledSolidWords.end(), [&](std::string_view word) {
+    const bool* const value = find_property<bool>(properties, word);
+    return value != nullptr && *value;
+  });
+}
+
+std::optional<bool> ground_by_word(const TiledProperties& properties) {
+  std::optional<bool> is_ground;
+  for (const std::string_view word : kTiledGroundWords)
+    if (const bool* const value = find_property<bool>(properties, word)) is_ground = *value;
+  return is_ground;
+}
+
 std::string tiled_color(Rgb color) {
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::string text = "#";

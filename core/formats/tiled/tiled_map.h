@@ -17,6 +17,7 @@
 //                 map is read, unless they were changed in Tiled.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -68,6 +69,16 @@ const Value* find_property(const TiledProperties& properties, std::string_view n
   }
   return nullptr;
 }
+
+// Properties of tiles that are true or false: a tile without an outline is solid if one is true. Phaser and
+// STI have them.
+inline constexpr std::array<std::string_view, 2> kTiledSolidWords = {"collides", "collidable"};
+bool is_solid_by_word(const TiledProperties& properties);
+// Those of layers and groups, which say whether they are ground. The last one counts most.
+inline constexpr std::array<std::string_view, 4> kTiledGroundWords = {"collides", "collidable", "solid",
+                                                                      "ground"};
+// What these say; nothing if there is none.
+std::optional<bool> ground_by_word(const TiledProperties& properties);
 
 struct TiledObject {
   enum class Form : std::uint8_t {
@@ -139,8 +150,10 @@ struct TiledLayer {
   bool has_tiles = false;  // whether it is a tile layer; else one of objects or a picture
   bool is_hidden = false;  // for writing; a layer that is read counts even if it is hidden
   std::string name;
-  std::string type;                  // its class
-  TiledProperties properties;        // of an object layer
+  std::string type;            // its class
+  TiledProperties properties;  // of an object layer
+  // Of a tile layer, what its properties, or those of the groups around it, say; nothing: they do not say it.
+  std::optional<bool> says_ground;
   TileLayer looks;                   // its own, with the number of its group; without its cells
   std::vector<std::uint32_t> cells;  // row by row: 0, or a tile's number with the bits that turn it
   std::vector<TiledObject> objects;

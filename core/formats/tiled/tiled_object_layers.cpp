@@ -3,21 +3,27 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "tiled_properties.h"
 
 namespace talus {
 namespace {
 
-constexpr std::array<std::string_view, 11> kGroundWords = {"collision", "collisions", "collider", "colliders",
-                                                           "solid",     "solids",     "wall",     "walls",
-                                                           "ground",    "platform",   "platforms"};
+constexpr std::array<std::string_view, 6> kCollisionWords = {"collision", "collisions", "collider",
+                                                             "colliders", "solid",      "solids"};
+constexpr std::array<std::string_view, 5> kOtherGroundWords = {"wall", "walls", "ground", "platform",
+                                                               "platforms"};
 
-bool is_ground_word(const std::string& text) {
+bool is_word_of(std::span<const std::string_view> words, const std::string& text) {
   std::string lower = text;
   for (char& c : lower)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return std::find(kGroundWords.begin(), kGroundWords.end(), lower) != kGroundWords.end();
+  return std::find(words.begin(), words.end(), lower) != words.end();
+}
+
+bool is_ground_word(const std::string& text) {
+  return is_word_of(kCollisionWords, text) || is_word_of(kOtherGroundWords, text);
 }
 
 }  // namespace
@@ -34,9 +40,23 @@ ObjectLayer object_layer_of(const TiledLayer& layer) {
   made.group = layer.looks.group;
   made.by_y = layer.by_y;
   made.is_ground = is_ground_word(layer.name) || is_ground_word(layer.type);
-  for (const char* word : {"collidable", "solid", "ground"})
-    if (const bool* is_ground = find_property<bool>(layer.properties, word)) made.is_ground = *is_ground;
+  made.is_ground = ground_by_word(layer.properties).value_or(made.is_ground);
   return made;
+}
+
+void choose_tile_ground(TiledMap& map) {
+  const bool is_own = find_property<std::string>(map.properties, kTiledLevelProperty) != nullptr;
+  const auto is_named = [](const TiledLayer& layer) {
+    return layer.has_tiles && layer.says_ground.value_or(true) &&
+           (is_ground_word(layer.name) || is_ground_word(layer.type));
+  };
+  const bool has_named = !is_own && std::any_of(map.layers.begin(), map.layers.end(), is_named);
+  for (TiledLayer& layer : map.layers)
+    if (layer.has_tiles) layer.looks.is_ground = layer.says_ground.value_or(!has_named || is_named(layer));
+}
+
+bool means_collision(const TiledLayer& layer) {
+  return is_word_of(kCollisionWords, layer.name) || is_word_of(kCollisionWords, layer.type);
 }
 
 bool is_well_placed(const MapObject& object) {

@@ -6,10 +6,18 @@
 
 namespace talus {
 
-// The layer without its objects. It is ground if one of its properties `ground`, `solid` and `collidable` is
-// true, or, without these, if its name or its class is one of: collision, collisions, collider, colliders,
-// solid, solids, wall, walls, ground, platform, platforms; in any case of letters.
+// The layer without its objects. It is ground if its properties say so (kTiledGroundWords), or, without
+// these, if its name or its class is one of: collision, collisions, collider, colliders, solid, solids, wall,
+// walls, ground, platform, platforms; in any case of letters.
 ObjectLayer object_layer_of(const TiledLayer& layer);
+
+// Chooses which layers of tiles are ground, where their properties do not say it. If the name or the class of
+// any of them is one of these words, only such layers are; else all are, as in a map that Talus wrote.
+void choose_tile_ground(TiledMap& map);
+
+// Whether the name or the class of the layer says that it is there for collision: collision, collider or
+// solid, also in the plural.
+bool means_collision(const TiledLayer& layer);
 
 // type: the class that it has, by itself or by its tile.
 MapObject map_object_of(const TiledObject& object, const std::string& type);

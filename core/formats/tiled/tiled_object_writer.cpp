@@ -11,6 +11,7 @@
 #include "tiled_object_layers.h"
 #include "tiled_objects.h"
 #include "tiled_pairs.h"
+#include "tiled_tiles.h"
 
 namespace talus {
 namespace {
@@ -271,17 +272,15 @@ const char* word_of(Foot foot) { return foot == Foot::centre ? "centre" : "box";
 
 TiledObjectEdit ObjectWriter::edit_of(const Spawn& before, const Spawn& now, Place place) const {
   const TiledObject& old = object_at(place);
-  const bool is_tile = old.form == TiledObject::Form::tile;
+  const Vec2 anchor = anchor_of_gid(map_, old.gid);
   TiledObjectEdit edit{place.index, false, in_file(old), {}};
   edit.before = edit.object;
   TiledObject& object = *edit.object;
   if (now.name != before.name) object.name = now.name;
   if (now.kind != before.kind) object.type = traits_of(now.kind).word;
   if (now.size != before.size) object.size = now.size;
-  const auto corner = [&](const Spawn& spawn) {  // the place of a tile is at its bottom
-    return spawn.position + Vec2{0, is_tile ? spawn.size.y : 0};
-  };
-  const Vec2 from = corner(before), to = corner(now), written = in_file(to, offset_of(place.layer));
+  const Vec2 from = tiled_position(before, old, anchor), to = tiled_position(now, old, anchor);
+  const Vec2 written = in_file(to, offset_of(place.layer));
   if (from.x != to.x) object.position.x = written.x;
   if (from.y != to.y) object.position.y = written.y;
   const auto set = [&](const char* name, double was, double number) {

@@ -213,7 +213,12 @@ TiledObject tiled_object(const Spawn& spawn) {
   return object;
 }
 
-std::optional<Spawn> spawn_of(const TiledObject& object, std::string_view type, TileSize tile) {
+Vec2 tiled_position(const Spawn& spawn, const TiledObject& object, Vec2 anchor) {
+  if (object.form != TiledObject::Form::tile) return spawn.position;
+  return spawn.position + Vec2{anchor.x * spawn.size.x, anchor.y * spawn.size.y};
+}
+
+std::optional<Spawn> spawn_of(const TiledObject& object, std::string_view type, TileSize tile, Vec2 anchor) {
   const std::optional<BodyKind> kind = find_body_kind(type);
   const bool is_tile = object.form == TiledObject::Form::tile;
   if ((object.form != TiledObject::Form::box && !is_tile) || !kind) return {};
@@ -222,7 +227,7 @@ std::optional<Spawn> spawn_of(const TiledObject& object, std::string_view type, 
   spawn.kind = *kind;
   spawn.position = object.position;
   spawn.size = object.size != Vec2{0, 0} ? object.size : new_body_size(*kind, tile);
-  if (is_tile) spawn.position.y -= spawn.size.y;
+  if (is_tile) spawn.position = spawn.position - Vec2{anchor.x * spawn.size.x, anchor.y * spawn.size.y};
   const auto number = [&](std::string_view name, double& value) {
     if (const auto* real = find_property<double>(object.properties, name)) value = *real;
     if (const auto* whole = find_property<std::int64_t>(object.properties, name))

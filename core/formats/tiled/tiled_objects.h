@@ -22,8 +22,10 @@ TiledProperties tiled_properties(const TileShape& shape);
 TiledObject tiled_object(const Spawn& spawn);
 // type: that of the object, or of the tile that it shows. Returns nothing unless that is the word of a kind
 // of body and the object is a box, a point or a tile. A point gets the size of a new body of the kind among
-// tiles of that size.
-std::optional<Spawn> spawn_of(const TiledObject& object, std::string_view type, TileSize tile);
+// tiles of that size. anchor: of a tile, see TiledTileset.
+std::optional<Spawn> spawn_of(const TiledObject& object, std::string_view type, TileSize tile, Vec2 anchor);
+// The place that an object has in the file if it is this body.
+Vec2 tiled_position(const Spawn& spawn, const TiledObject& object, Vec2 anchor);
 
 // A polyline from the first point of the curve on; nothing for a curve that cannot be used.
 std::optional<TiledObject> tiled_object(const LevelCurve& curve);

@@ -29,9 +29,15 @@ void TiledParts::show(std::uint32_t gid, MapObject& object) {
   const auto [known, is_new] = parts_.try_emplace(gid);
   if (is_new) known->second = part_of(source);
   object.picture = known->second;
-  object.anchor = map_.tilesets[static_cast<std::size_t>(source.tileset)].anchor;
+  object.anchor = anchor_of_gid(map_, gid);
+  if (object.size == Vec2()) object.size = size_of(gid);
+}
+
+Vec2 TiledParts::size_of(std::uint32_t gid) const {
+  const TiledSource source = source_of_gid(map_, gid);
+  if (source.tileset < 0) return {};
   const TileSize own = size_in_picture(map_, pictures_, source);
-  if (object.size == Vec2()) object.size = {1.0 * own.width, 1.0 * own.height};
+  return {1.0 * own.width, 1.0 * own.height};
 }
 
 LayerImage TiledParts::image_of(const TiledImage& image) {

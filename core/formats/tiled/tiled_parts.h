@@ -21,6 +21,8 @@ class TiledParts {
   LargeTiles large_tiles(const TiledTiles& tiles);
   // Gives an object the picture of its tile, if it has one, and where its position is in it.
   void show(std::uint32_t gid, MapObject& object);
+  // px, of the tile of a number; 0 if no tileset has it.
+  Vec2 size_of(std::uint32_t gid) const;
   LayerImage image_of(const TiledImage& image);
   // Says what was dropped, once.
   void tell_missing();

@@ -68,6 +68,12 @@ class TiledSaver {
   FormatResult<TiledArrangement> arrangement(const TiledObjectEdits& objects) const;
   FormatResult<std::string> with_looks(std::string text, const TiledObjectEdits& objects,
                                        const TiledArrangement& arranged) const;
+  // Whether the name of the only layer was not read.
+  bool is_unnamed() const {
+    const std::vector<TileLayer>& opened = origin_.opened->layers.list;
+    return origin_.layers.size() <= 1 && opened.size() == 1 && opened[0].name.empty();
+  }
+  void take_ground_by_name(TiledMap& map, std::vector<TileLayer>& tiles) const;
   void take_unread(Level& held) const;
   bool has_other_tiles() const;
   bool has_other_objects() const;
@@ -345,6 +351,17 @@ TileLayer looks_of(const Layer& layer) {
   return looks;
 }
 
+// The new names of layers of tiles may say which of them are ground. tiles: gets what is ground then.
+void TiledSaver::take_ground_by_name(TiledMap& map, std::vector<TileLayer>& tiles) const {
+  std::vector<TiledLayer*> layers;
+  for (TiledLayer& layer : map.layers)
+    if (layer.has_tiles) layers.push_back(&layer);
+  const std::size_t count = std::min({layers.size(), tiles.size(), level_.layers.list.size()});
+  for (std::size_t i = 0; i < count; ++i) layers[i]->name = level_.layers.list[i].name;
+  choose_tile_ground(map);
+  for (std::size_t i = 0; i < count; ++i) tiles[i].is_ground = layers[i]->looks.is_ground;
+}
+
 // What the text says of the layers is read from it if they have moved.
 FormatResult<std::string> TiledSaver::with_looks(std::string text, const TiledObjectEdits& objects,
                                                  const TiledArrangement& arranged) const {
@@ -352,8 +369,9 @@ FormatResult<std::string> TiledSaver::with_looks(std::string text, const TiledOb
   std::vector<TileLayer> tiles = origin_.opened->layers.list;
   std::vector<TiledLayer> others;
   LayerGroups groups;
-  if (arranged.is_new || !objects.layers.empty() || !arranged.groups.empty()) {
-    const auto content = read_tiled_content(text, context_again(), origin_.tilesets);
+  const bool has_same_tile_names = has_same_names(tiles, level_.layers.list);
+  if (arranged.is_new || !objects.layers.empty() || !arranged.groups.empty() || !has_same_tile_names) {
+    auto content = read_tiled_content(text, context_again(), origin_.tilesets);
     if (!content) return tl::unexpected(content.error());
     groups = content->map.groups;
     if (arranges_) tiles.clear();
@@ -361,13 +379,14 @@ FormatResult<std::string> TiledSaver::with_looks(std::string text, const TiledOb
       if (layer.has_tiles && arranges_) tiles.push_back(layer.looks);
       if (!layer.has_tiles) others.push_back(layer);
     }
+    if (has_cells_ && !is_one_of_many_) take_ground_by_name(content->map, tiles);
   }
   auto document = tiled_document(text);
   if (!document) return tl::unexpected(document.error());
   for (std::size_t i = 0; i < level_.layers.list.size() && has_cells_; ++i) {
     const int number = arranges_ ? static_cast<int>(i) : origin_.layers[i];
     TileLayer now = level_.layers.list[i];
-    if (now.name.empty() && origin_.layers.size() <= 1) now.name = tiles[i].name;  // it was not read
+    if (now.name.empty() && is_unnamed()) now.name = tiles[i].name;
     (*document)->set_looks(TiledLayerKind::tiles, number, tiles[i], now);
   }
   for (std::size_t i = 0; i < objects.layers.size(); ++i) {
@@ -453,15 +472,14 @@ bool TiledSaver::may_move_layers() const {
          !std::equal(now.list.begin(), now.list.end(), then.list.begin(), then.list.end(), same_group);
 }
 
-// Takes over what the files hold, but is not read from them: how the only layer looks, and the name of one
-// that was the only one. Layers without objects count only in the files.
+// Takes over what the files hold, but is not read from them: how a layer that was chosen looks, and the name
+// of one that was the only one of a level of Talus. Layers without objects count only in the files.
 void TiledSaver::take_unread(Level& held) const {
   const std::vector<TileLayer>& layers = level_.layers.list;
   for (std::size_t i = 0; i < layers.size() && layers.size() == held.layers.list.size(); ++i) {
     TileLayer& its = held.layers.list[i];
-    if (layers.size() == 1 || (layers[i].name.empty() && origin_.layers.size() <= 1))
-      its.name = layers[i].name;
-    if (layers.size() > 1) continue;
+    if (is_one_of_many_ || (layers[i].name.empty() && is_unnamed())) its.name = layers[i].name;
+    if (!is_one_of_many_) continue;
     its.visible = layers[i].visible;
     its.is_ground = layers[i].is_ground;
   }

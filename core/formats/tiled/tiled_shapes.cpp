@@ -339,6 +339,7 @@ TiledObject turned(const TiledObject& object, std::uint32_t turn, TileSize tile)
   result.properties = object.properties;
   result.points = outline_of(object);
   if (turn == 0 || result.points.empty()) return object;
+  if (turn & kTiledFlipXY) std::swap(tile.width, tile.height);  // the others mirror what it has turned
   for (Vec2& p : result.points) {
     if (turn & kTiledFlipXY) std::swap(p.x, p.y);
     if (turn & kTiledFlipX) p.x = tile.width - p.x;

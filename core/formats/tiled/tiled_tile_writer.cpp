@@ -139,7 +139,7 @@ bool TileWriter::objects_give_flags() const {
     if (all.kind != TileShape::Kind::none) return false;
     all = *std::move(part);
   }
-  if (all.kind == TileShape::Kind::none) return tile_.objects.empty() && !is_true("collidable");
+  if (all.kind == TileShape::Kind::none) return tile_.objects.empty() && !is_solid_by_word(tile_.properties);
   return all == of_flags;
 }
 
@@ -178,7 +178,8 @@ void TileWriter::edit_words(const std::vector<Part>& parts) {
     const TiledObject object = tiled_objects(shape_, size_).front();
     if (tile_shape_of(outline_of(object), shape_.one_way, size_) != shape_) set(name, word->value);
   }
-  if (shape_.kind == TileShape::Kind::none && is_true("collidable")) set("collidable", false);
+  for (const std::string_view word : kTiledSolidWords)
+    if (shape_.kind == TileShape::Kind::none && is_true(word)) set(std::string(word), false);
 }
 
 void TileWriter::edit_objects(std::vector<Part>& parts) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <unordered_map>
@@ -65,6 +66,8 @@ class TileNumberer {
   std::set<int> tilesets_of_objects() const;
   std::vector<int> shown_tilesets(const SourceOfCell& cells);
   SheetLayout layout_of(const std::vector<int>& tilesets) const;
+  SheetLayout folded_layout(const std::vector<int>& tilesets) const;
+  bool is_better_folded(const SheetLayout& layout, const std::vector<int>& tilesets) const;
   FormatResult<void> place_tilesets(const std::vector<int>& tilesets);
   FormatResult<void> add_turned(const SourceOfCell& cells);
   FormatResult<void> add_tile(const TiledSource& source);
@@ -148,13 +151,15 @@ std::set<int> TileNumberer::tilesets_of_objects() const {
 }
 
 // The tilesets of which the map's cells show tiles, by their first numbers; if it shows no tile, the first
-// tileset.
+// tileset that has any.
 std::vector<int> TileNumberer::shown_tilesets(const SourceOfCell& cells) {
   std::set<int> shown;
   for (const auto& [cell, tile] : cells) {
     if (tile.source.tileset >= 0) shown.insert(tile.source.tileset);
   }
-  if (shown.empty() && !order_.empty()) shown.insert(order_.front());
+  const auto first =
+      std::find_if(order_.begin(), order_.end(), [&](int i) { return grid_of(tileset(i)).count > 0; });
+  if (shown.empty() && first != order_.end()) shown.insert(*first);
   const std::set<int> of_objects = tilesets_of_objects();
   std::vector<int> tilesets;
   for (const int i : order_) {
@@ -166,12 +171,19 @@ std::vector<int> TileNumberer::shown_tilesets(const SourceOfCell& cells) {
   return tilesets;
 }
 
+// Whether a level may have such a sheet.
+bool is_sheet(const SheetLayout& layout) {
+  return layout.columns <= kMaxSheetSide && layout.rows() <= kMaxSheetSide && layout.count <= kMaxTiles;
+}
+
 // Puts the tilesets below one another.
 FormatResult<void> TileNumberer::place_tilesets(const std::vector<int>& tilesets) {
   SheetLayout layout = layout_of(tilesets);
   const bool is_known = tilesets.size() == 1 && grid_of(tileset(tilesets[0])) == base_;
   if (is_known) layout = base_;
-  if (layout.columns > kMaxSheetSide || layout.rows() > kMaxSheetSide || layout.count > kMaxTiles) {
+  const bool is_folded = !is_known && is_better_folded(layout, tilesets);
+  if (is_folded) layout = folded_layout(tilesets);
+  if (!is_sheet(layout)) {
     return tl::unexpected(whole_error("has tilesets of " + std::to_string(layout.columns) + "x" +
                                           std::to_string(layout.rows()) +
                                           " tiles in all, but a level has only 65536, in up to 2048 columns "
@@ -180,17 +192,42 @@ FormatResult<void> TileNumberer::place_tilesets(const std::vector<int>& tilesets
   }
   tiles_.columns = layout.columns;
   tiles_.sources.assign(static_cast<std::size_t>(layout.count), {});
-  int row = 0;
+  int row = 0, next = 0;
   for (const int i : tilesets) {
     const SheetLayout grid = grid_of(tileset(i));
     for (int id = 0; id < grid.count; ++id) {
       const Cell place = grid.place_of(id);
-      const int number = layout.tile_at({place.x, row + place.y});
+      const int number = is_folded ? next++ : layout.tile_at({place.x, row + place.y});
       tiles_.sources[static_cast<std::size_t>(number)] = {i, id, 0};
     }
     row += grid.rows();
   }
   return {};
+}
+
+// All tiles one behind another, on a sheet that is about as wide as high.
+SheetLayout TileNumberer::folded_layout(const std::vector<int>& tilesets) const {
+  std::int64_t count = 0;
+  for (const int i : tilesets) count += grid_of(tileset(i)).count;
+  count = std::min<std::int64_t>(count, kMaxTiles + 1);  // more than a level has
+  const double ratio = 1.0 * map_.tile_size.height / map_.tile_size.width;
+  const auto columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count) * ratio)));
+  return {std::clamp(columns, kCartColumns, kMaxSheetSide), static_cast<int>(count)};
+}
+
+// Wide tilesets below narrow ones leave much of the sheet blank. They stay as they are unless only a folded
+// sheet has room for them, or for their picture.
+bool TileNumberer::is_better_folded(const SheetLayout& layout, const std::vector<int>& tilesets) const {
+  const auto has_picture = [&](const SheetLayout& sheet) {
+    const std::int64_t width = std::int64_t{sheet.columns} * map_.tile_size.width;
+    const std::int64_t height = std::int64_t{sheet.rows()} * map_.tile_size.height;
+    return is_sheet(sheet) && width <= kMaxSheetPictureSide && height <= kMaxSheetPictureSide &&
+           width * height <= kMaxSheetPicturePixels;
+  };
+  const SheetLayout more{layout.columns, layout.count + 1};  // the empty tile may come behind the others
+  if (has_picture(more)) return false;
+  const SheetLayout folded = folded_layout(tilesets);
+  return has_picture(folded) || (!is_sheet(more) && is_sheet(folded));
 }
 
 // That of a cart if a single tileset fits on it; else one as wide as the widest of them.
@@ -299,8 +336,6 @@ FormatResult<void> TileNumberer::free_tile_0(const TiledFrame* frame) {
     blank = std::prev(tiles_.sources.end());
   }
   std::swap(tiles_.sources[0], *blank);
-  drops_.add("the number of tile 0, which is now " + std::to_string(blank - tiles_.sources.begin()) +
-             ": 0 is the empty tile");
   return {};
 }
 
@@ -450,10 +485,11 @@ Rgba color_of(const TiledMap& map, const TiledPictures& pictures, const TiledSou
 
 SheetLayout grid_of(const TiledTileset& tileset) {
   const auto along = [&](int length, int side) {
-    return std::max(0, (length - 2 * tileset.margin + tileset.spacing) / (side + tileset.spacing));
+    return std::max(0, (length - tileset.margin + tileset.spacing) / (side + tileset.spacing));
   };
   const auto [tile_width, tile_height] = tileset.tile_size;
   const int columns = tileset.columns > 0 ? tileset.columns : along(tileset.image_width, tile_width);
+  if (tileset.is_collection) return {columns > 0 ? columns : kCartColumns, tileset.tile_count};
   constexpr std::int64_t kMost = 1 << 20;
   const std::int64_t in_picture = std::int64_t{columns} * along(tileset.image_height, tile_height);
   const int count =
@@ -501,6 +537,12 @@ TiledSource source_of_gid(const TiledMap& map, std::uint32_t gid) {
   const std::uint32_t id = number - tileset.first_gid;
   if (id >= static_cast<std::uint32_t>(grid_of(tileset).count)) return {};
   return {of, static_cast<int>(id), gid & kTurns};
+}
+
+Vec2 anchor_of_gid(const TiledMap& map, std::uint32_t gid) {
+  const TiledSource source = source_of_gid(map, gid);
+  return source.tileset < 0 ? TiledTileset().anchor
+                            : map.tilesets[static_cast<std::size_t>(source.tileset)].anchor;
 }
 
 FormatResult<TiledTiles> number_tiles(const TiledMap& map, const std::vector<const TiledLayer*>& layers,

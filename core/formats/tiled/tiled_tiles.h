@@ -52,7 +52,8 @@ FormatResult<TiledTiles> number_tiles(const TiledMap& map, const std::vector<con
                                       const SheetLayout& base, Rgb background, ImportDrops& drops,
                                       const Progress& progress);
 
-// Columns and tiles of a tileset, computed from its picture if the file does not say.
+// Columns and tiles of a tileset, computed from its picture if the file does not say. A collection may have
+// no tiles.
 SheetLayout grid_of(const TiledTileset& tileset);
 
 // The place of each tileset of the map on the sheet, where most of its tiles lie. Empty if the tiles have new
@@ -74,6 +75,9 @@ TiledPlace place_of_tile(const TiledMap& map, const TiledPictures& pictures, con
 
 // The tile of a number in cells, with the bits that turn it; of no tileset if none has it.
 TiledSource source_of_gid(const TiledMap& map, std::uint32_t gid);
+
+// Where the position of an object that shows the tile of a number is in its box, see TiledTileset.
+Vec2 anchor_of_gid(const TiledMap& map, std::uint32_t gid);
 
 // The size that a tile has in its picture, px.
 TileSize size_in_picture(const TiledMap& map, const TiledPictures& pictures, const TiledSource& source);

@@ -67,7 +67,7 @@ bool has_visible_gaps(const RgbaPicture& picture, const TileCut& cut) {
 CutGrid grid_of(const TileCut& cut, int width, int height) {
   const auto along = [&](int length, int side) {
     if (side < 1 || cut.spacing < 0) return 0;
-    return std::max(0, (length - 2 * cut.margin + cut.spacing) / (side + cut.spacing));
+    return std::max(0, (length - cut.margin + cut.spacing) / (side + cut.spacing));
   };
   const auto rest = [&](int length, int side, int count) {
     return count == 0 ? length : length - cut.margin - count * side - (count - 1) * cut.spacing;
