@@ -5,8 +5,9 @@
 //                the level that was saved last
 //   "mapping"    what things of the project stand for: a list of "kind", "value", "tag" or "entity"; "of" and
 //                "name", as in LdtkMapping; and "shape", "flag" and "body", if they are chosen
-//   "levels"     by the iid of the level: its "name"; "tiles", LdtkOrigin::tiles; and "added", what
-//                ldtk_additions.h says
+//   "levels"     by the iid of the level: its "name"; "tiles", LdtkOrigin::tiles; "ground", where the ground
+//                of LDtk's level was, as ../native/moved_members.h says; and "added", what ldtk_additions.h
+//                says. If the ground lies elsewhere now, what was added moves with it.
 #pragma once
 
 #include "../native/companion.h"

@@ -8,6 +8,7 @@
 #include "formats/files/real_path.h"
 #include "formats/text/content_hash.h"
 #include "level/merge.h"
+#include "level/moved_ground.h"
 
 namespace talus {
 namespace {
@@ -160,7 +161,9 @@ bool FileHandler::saves_into_newest(Level& saved) {
     const std::vector<std::string>&tiles = saved.ldtk->tiles, &newest = base_->ldtk->tiles;
     const bool keeps_numbers =
         tiles.size() <= newest.size() && std::equal(tiles.begin(), tiles.end(), newest.begin());
-    if (saved.ldtk->level != base_->ldtk->level || !keeps_numbers) return tell_of_redo();
+    const bool keeps_place =
+        ground_shift(ground_place(*saved.ldtk->opened), *base_->ldtk->opened) == Cell{0, 0};
+    if (saved.ldtk->level != base_->ldtk->level || !keeps_numbers || !keeps_place) return tell_of_redo();
     if (saved.ldtk->mapping == base_->ldtk->mapping) saved.ldtk = base_->ldtk;
   }
   return true;
