@@ -42,6 +42,15 @@ LdtkMapping mapping_of_json(const Json& list) {
   return mapping;
 }
 
+// Why this version cannot read a companion; nothing if it can.
+std::optional<FormatError> problem_of_companion(const Json& document) {
+  if (!is_whole(document.value("talus", Json()), 1, kNativeVersion))
+    return FormatError{"key talus", "is not a version that this Talus reads"};
+  const auto levels = document.find("levels");
+  if (levels != document.end() && !levels->is_object()) return FormatError{"key levels", "must be an object"};
+  return std::nullopt;
+}
+
 // The companion's document. An error if it is none of this project. project: its iid.
 FormatResult<Json> ldtk_companion(std::string_view bytes, const std::string& file,
                                   const std::string& project) {
@@ -57,11 +66,7 @@ FormatResult<Json> ldtk_companion(std::string_view bytes, const std::string& fil
     return tl::unexpected(
         FormatError{"", "belongs to another project than " + file + ": save the level under another name"});
   }
-  if (!is_whole(document->value("talus", Json()), 1, kNativeVersion))
-    return tl::unexpected(FormatError{"key talus", "is not a version that this Talus reads"});
-  const auto levels = document->find("levels");
-  if (levels != document->end() && !levels->is_object())
-    return tl::unexpected(FormatError{"key levels", "must be an object"});
+  if (auto problem = problem_of_companion(*document)) return tl::unexpected(*std::move(problem));
   return document;
 }
 
@@ -98,6 +103,13 @@ FormatResult<JoinedLevel> joined_with(Json additions, const Level& held, const s
 }
 
 }  // namespace
+
+bool is_damaged_ldtk_companion(std::string_view text) {
+  constexpr std::array<std::string_view, 1> kKey = {"companion"};
+  if (const auto document = parse_json(text); document)
+    return document->is_object() && document->contains("companion") && problem_of_companion(*document);
+  return has_key(text, kKey);
+}
 
 Json json_of_mapping(const LdtkMapping& mapping) {
   Json list = Json::array();

@@ -28,6 +28,10 @@ Json json_of_mapping(const LdtkMapping& mapping);  // the list
 // Of a level; empty: unknown.
 std::vector<std::string> ldtk_tiles_of_companion(std::string_view companion, const std::string& level);
 
+// Whether the text in the place of a companion is one that is damaged, or that this version cannot read, and
+// no file of its own.
+bool is_damaged_ldtk_companion(std::string_view text);
+
 // before: what is in the place of the companion; empty: nothing. A file of another project, or that is no
 // companion, is an error. file: name of the project's file, without folders.
 FormatResult<std::string> write_ldtk_companion(const Level& level, std::string_view before,
