@@ -76,6 +76,37 @@ TEST_F(PlaceTaken, ADamagedCompanionOfLdtkIsKeptAside) {
   EXPECT_EQ(bytes_of("g.talus-kept1.json"), R"({"talus":5,"companion":{)");
 }
 
+TEST_F(PlaceTaken, ADanglingLinkIsAskedAbout) {
+  put("t.tsx", kTileset);
+  put("m.tmx", map_with("t.tsx"));
+  open("m.tmx");
+  paint({0, 0}, session_.level().map.tile_at({1, 0}));
+  fs::remove(path("m.tmx"));
+  fs::create_symlink("elsewhere.tmx", path("m.tmx"));
+  session_.apply(act::CheckFile{});
+  session_.apply(act::SaveFile{});
+  EXPECT_THAT(question(), HasSubstr("m.tmx is a link now, which leads to " + path("elsewhere.tmx")));
+  session_.apply(act::AnswerQuestion{act::Answer::cancel});
+  EXPECT_FALSE(exists("elsewhere.tmx"));
+  session_.apply(act::SaveFile{});
+  session_.apply(act::AnswerQuestion{act::Answer::replace});
+  EXPECT_THAT(bytes_of("elsewhere.tmx"), HasSubstr("2,2"));
+}
+
+TEST_F(PlaceTaken, ALinkToAnotherFileIsNamedInTheQuestion) {
+  put("t.tsx", kTileset);
+  put("notes.txt", "mine");
+  put("m.tmx", map_with("t.tsx"));
+  open("m.tmx");
+  paint({0, 0}, session_.level().map.tile_at({1, 0}));
+  fs::remove(path("m.tmx"));
+  fs::create_symlink("notes.txt", path("m.tmx"));
+  session_.apply(act::SaveFile{});
+  EXPECT_THAT(question(), HasSubstr("m.tmx is a link to " + path("notes.txt") + ", where saving writes."))
+      << message();
+  EXPECT_EQ(bytes_of("notes.txt"), "mine");
+}
+
 TEST_F(PlaceTaken, ASplitHardLinkIsReported) {
   put("t.tsx", kTileset);
   put("m.tmx", map_with("t.tsx"));

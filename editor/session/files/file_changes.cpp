@@ -5,6 +5,7 @@
 
 #include "file_handler.h"
 #include "formats/files/atomic_file.h"
+#include "formats/files/link_target.h"
 #include "formats/files/real_path.h"
 #include "formats/text/content_hash.h"
 #include "level/merge.h"
@@ -179,7 +180,10 @@ bool FileHandler::tell_of_redo() {
 
 // why: that it cannot be read, a sentence, or empty.
 void FileHandler::ask_to_read(const std::string& changed, const std::string& why) {
-  messages_.ask(Question{changed + " was changed by another program." + why +
+  const std::string target = link_target(source_.path);
+  const std::string link =
+      target.empty() ? "" : "\n" + file_name() + " is a link to " + target + ", where saving writes.";
+  messages_.ask(Question{changed + " was changed by another program." + why + link +
                              "\nRead it again, or keep what is here? Undo switches between the two.",
                          Question::Kind::changed_outside},
                 [this](action::Answer answer) {
