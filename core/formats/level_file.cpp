@@ -1,5 +1,6 @@
 // Levels in files, with their companions. The companion is written first. If a crash comes between the two,
 // the companion's hashes show that the two do not fit, and nothing is lost.
+#include <algorithm>
 #include <cassert>
 #include <filesystem>
 #include <iterator>
@@ -27,6 +28,16 @@ void add_doubt(const std::string& path, const StagedFile& staged, std::string& n
   note += (note.empty() ? "" : ". ") + last_name(path) + " " + staged.doubt();
 }
 
+// Says that a file, which is about to be replaced, has other names: they keep the old content. Call it before
+// the new file is put.
+void add_split(const std::string& path, std::string& note) {
+  std::error_code error;
+  const auto names = fs::hard_link_count(path, error);
+  if (error || names < 2) return;
+  note += (note.empty() ? "" : ". ") + last_name(path) +
+          " had other names, hard links, which keep what it was before";
+}
+
 // What is in the place of a companion.
 struct Place {
   bool is_free = true;
@@ -48,7 +59,9 @@ void add_companion(LoadedLevel& loaded) {
   const Place place = look_at(path);
   if (place.is_free) return;
   // A level beside a project of LDtk may have been exported to it.
-  if (loaded.format->keeps_beside && place.bytes && !is_companion(*place.bytes)) return;
+  if (loaded.format->keeps_beside && place.bytes && !is_companion(*place.bytes) &&
+      !is_damaged_ldtk_companion(*place.bytes))
+    return;
   auto joined = place.bytes ? read_guarded([&] {
     return loaded.format->keeps_beside
                ? join_ldtk_companion(*place.bytes, loaded.level, last_name(loaded.path))
@@ -90,10 +103,24 @@ FormatResult<LoadedLevel> load_owner(const std::string& owner, std::string_view 
   return loaded;
 }
 
+// Why a level cannot be saved beside the files that it names: one of them is in the place of its companion.
+// Nothing if it can. path: of the level's file; files: paths.
+std::optional<FormatError> problem_of_names(const std::string& path, const std::vector<std::string>& files) {
+  const auto beside = real_path(companion_path(path));
+  const bool is_named = beside && std::any_of(files.begin(), files.end(), [&](const std::string& file) {
+                          const auto place = real_path(file);
+                          return place && *place == *beside;
+                        });
+  if (!is_named) return std::nullopt;
+  return FormatError{"", "names " + last_name(*beside) +
+                             ", which is the name of its own companion: give that file another name"};
+}
+
 // Writes a file that is put in place at once. `note` gets its doubt, if there is one.
 FormatResult<void> write_noting(const std::string& path, std::string_view bytes, std::string& note) {
   auto staged = StagedFile::write(path, bytes);
   if (!staged) return tl::unexpected(staged.error());
+  add_split(path, note);
   auto put = staged->put();
   if (put) add_doubt(path, *staged, note);
   return put;
@@ -178,6 +205,7 @@ class OtherFiles {
   }
   FormatResult<void> put(std::string& note) {
     for (Entry& entry : entries_) {
+      add_split(entry.file->path, note);
       if (const auto put = entry.staged.put(); !put) return tl::unexpected(named(*entry.file, put.error()));
       entry.is_put = true;
       add_doubt(entry.file->path, entry.staged, note);
@@ -229,6 +257,9 @@ FormatResult<std::string> needed_companion(const Level& level, const Format& for
 FormatResult<SavedLevel> save_pair(const Level& level, const Format& format, const std::string& path,
                                    const WrittenLevel& written, const CompanionFile& known) {
   const std::string beside = companion_path(path);
+  std::vector<std::string> names;
+  for (const WrittenFile& file : written.others) names.push_back(file.path);
+  if (auto problem = problem_of_names(path, names)) return tl::unexpected(*std::move(problem));
   const auto needed = needed_companion(level, format, written, path);
   if (!needed) return companion_error(beside, needed.error());
   const Place before = look_at(beside);
@@ -247,6 +278,7 @@ FormatResult<SavedLevel> save_pair(const Level& level, const Format& format, con
   }
   std::string note = pair.doubt();
   if (const auto put = others.put(note); !put) return tl::unexpected(put.error());
+  add_split(path, note);
   if (const auto put = staged->put(); !put) return tl::unexpected(put.error());
   others.finish();
   pair.finish(needed->empty() && is_known);
@@ -269,19 +301,24 @@ FormatResult<SavedLevel> save_beside(const Level& level, const std::string& path
   if (!before.bytes) return companion_error(beside, before.bytes.error());
   // What is painted into its pictures is no addition.
   const Level additions = without_painted_tiles(level, *level.ldtk->opened);
-  const auto written = write_ldtk_companion(additions, *before.bytes, last_name(path));
+  const bool is_damaged = !before.is_free && is_damaged_ldtk_companion(*before.bytes);
+  const auto written =
+      write_ldtk_companion(additions, is_damaged ? "" : std::string_view(*before.bytes), last_name(path));
   if (!written) {
     FormatError error = written.error();
-    error.message = last_name(beside) + " " + error.message;
+    error.message =
+        last_name(beside) + (error.place.empty() ? " " : ", " + error.place + ", ") + error.message;
+    error.place.clear();  // which is not one of the project
     return tl::unexpected(std::move(error));
   }
   OtherFiles others;
   if (const auto all = others.stage(pictures, known); !all) return tl::unexpected(all.error());
   PairWriter pair(beside, before);
   // What was not read of it is kept aside.
-  const bool is_own = known.path == beside
-                          ? known.content.has_value()
-                          : ldtk_tiles_of_companion(*before.bytes, level.ldtk->level).empty();
+  const bool is_read = known.path == beside
+                           ? known.content.has_value()
+                           : ldtk_tiles_of_companion(*before.bytes, level.ldtk->level).empty();
+  const bool is_own = is_read && !is_damaged;
   if (const auto put = pair.put_companion(*written, is_own); !put)
     return companion_error(beside, put.error());
   std::string note = pair.doubt();
@@ -358,7 +395,10 @@ FormatResult<LoadedLevel> load_level(const std::string& path, const ImportChoice
   auto loaded = read_level(*bytes, context);
   if (!loaded) return loaded;
   loaded->path = path;
-  if (!loaded->format->holds.empty() || loaded->format->keeps_beside) add_companion(*loaded);
+  if (!loaded->format->holds.empty() || loaded->format->keeps_beside) {
+    if (auto problem = problem_of_names(path, loaded->linked)) return tl::unexpected(*std::move(problem));
+    add_companion(*loaded);
+  }
   if (loaded->level.tiled) {
     for (const TiledOrigin::File& tileset : loaded->level.tiled->tilesets)
       loaded->companion.others[tileset.path] = content_hash(tileset.bytes);
@@ -384,6 +424,7 @@ FormatResult<SavedLevel> save_level(const Level& level, const Format& format, co
   OtherFiles others;
   if (const auto all = others.stage(written->others, known); !all) return tl::unexpected(all.error());
   if (const auto put = others.put(saved.note); !put) return tl::unexpected(put.error());
+  add_split(path, saved.note);
   if (const auto put = staged->put(); !put) return tl::unexpected(put.error());
   others.finish();
   add_doubt(path, *staged, saved.note);

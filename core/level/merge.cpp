@@ -578,7 +578,7 @@ int matching_layer(const Level& level, int layer, const Level& other) {
   return -1;
 }
 
-MergedLevel merge_levels(const Level& base, const Level& mine, const Level& theirs, MergeSide side) {
+MergedLevel merge_in_place(const Level& base, const Level& mine, const Level& theirs, MergeSide side) {
   const bool has_groups =
       !base.layers.groups.empty() || !mine.layers.groups.empty() || !theirs.layers.groups.empty();
   if (!has_groups || mine == base || theirs == base) return LevelMerger(base, mine, theirs, side).merge();

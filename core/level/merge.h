@@ -18,8 +18,11 @@ struct MergedLevel {
 
 // What only one side changed since `base` is taken from that side: cell by cell, tile by tile, body by body.
 // side: whose state those places get that both changed. The origin of the level is theirs, its chosen layer
-// mine.
+// mine. If the ground of `theirs` lies elsewhere in its map (see moved_ground.h), what was changed in `mine`
+// moves with it.
 MergedLevel merge_levels(const Level& base, const Level& mine, const Level& theirs, MergeSide side);
+// The same where all three count cells and px from the same corner.
+MergedLevel merge_in_place(const Level& base, const Level& mine, const Level& theirs, MergeSide side);
 
 // The layer of `other` that a layer of `level` is; -1 if there is none. If both have the same names, or not
 // the same number of layers, they are found by name; else by their place.

@@ -248,6 +248,11 @@ FormatResult<StagedFile> StagedFile::begin(const std::string& path, InPlace in_p
   File file(create_temporary(target, *exists || is_private ? 0600 : 0666, temporary));
   if (!file.is_open()) return failure("cannot be written", errno);
   StagedFile staged(target.string(), std::move(temporary), file.release());
+  // A file of another user stays theirs where the system lets it; the mode follows, as this may change it.
+  struct stat made = {};
+  if (*exists && !is_private && ::fstat(staged.descriptor_, &made) == 0 &&
+      (made.st_uid != old.st_uid || made.st_gid != old.st_gid))
+    (void)!::fchown(staged.descriptor_, old.st_uid, old.st_gid);
   if (*exists && !is_private && ::fchmod(staged.descriptor_, old.st_mode & 07777) != 0)
     return failure("cannot be written", errno);
   return staged;

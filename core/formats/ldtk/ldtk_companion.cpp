@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 
+#include "../native/moved_companion.h"
+#include "../native/moved_members.h"
 #include "../native/native.h"
 #include "../native/native_document.h"
 #include "ldtk_additions.h"
 #include "ldtk_meanings.h"
+#include "ldtk_moved.h"
 
 namespace talus {
 namespace {
@@ -39,6 +42,15 @@ LdtkMapping mapping_of_json(const Json& list) {
   return mapping;
 }
 
+// Why this version cannot read a companion; nothing if it can.
+std::optional<FormatError> problem_of_companion(const Json& document) {
+  if (!is_whole(document.value("talus", Json()), 1, kNativeVersion))
+    return FormatError{"key talus", "is not a version that this Talus reads"};
+  const auto levels = document.find("levels");
+  if (levels != document.end() && !levels->is_object()) return FormatError{"key levels", "must be an object"};
+  return std::nullopt;
+}
+
 // The companion's document. An error if it is none of this project. project: its iid.
 FormatResult<Json> ldtk_companion(std::string_view bytes, const std::string& file,
                                   const std::string& project) {
@@ -54,11 +66,7 @@ FormatResult<Json> ldtk_companion(std::string_view bytes, const std::string& fil
     return tl::unexpected(
         FormatError{"", "belongs to another project than " + file + ": save the level under another name"});
   }
-  if (!is_whole(document->value("talus", Json()), 1, kNativeVersion))
-    return tl::unexpected(FormatError{"key talus", "is not a version that this Talus reads"});
-  const auto levels = document->find("levels");
-  if (levels != document->end() && !levels->is_object())
-    return tl::unexpected(FormatError{"key levels", "must be an object"});
+  if (auto problem = problem_of_companion(*document)) return tl::unexpected(*std::move(problem));
   return document;
 }
 
@@ -79,15 +87,29 @@ std::string conflict_note(const LdtkConflicts& conflicts, const std::string& fil
   return text.empty() ? "" : "LDtk has changed " + file + ": " + text;
 }
 
-FormatResult<JoinedLevel> joined_with(const Json& additions, const Level& held, const std::string& file) {
+// place: where the ground of the level was when they were added; nothing if that is not known.
+FormatResult<JoinedLevel> joined_with(Json additions, const Level& held, const std::string& file,
+                                      const std::optional<GroundPlace>& place) {
   LdtkConflicts conflicts;
+  const Cell by = place ? ground_shift(*place, held) : Cell{0, 0};
+  const bool has_moved = by != Cell{0, 0};
+  const int lost_curves = has_moved ? move_ldtk_places(additions, by, *place, held, conflicts) : 0;
   auto level = add_to_ldtk(additions, held, conflicts);
   if (!level) return tl::unexpected(level.error());
   level->ldtk = held.ldtk;
-  return JoinedLevel{*std::move(level), conflict_note(conflicts, file), !conflicts.any()};
+  std::string note = conflict_note(conflicts, file);
+  if (has_moved) note = with_shift_note(note, file, by, lost_curves);
+  return JoinedLevel{*std::move(level), std::move(note), !conflicts.any() && lost_curves == 0};
 }
 
 }  // namespace
+
+bool is_damaged_ldtk_companion(std::string_view text) {
+  constexpr std::array<std::string_view, 1> kKey = {"companion"};
+  if (const auto document = parse_json(text); document)
+    return document->is_object() && document->contains("companion") && problem_of_companion(*document);
+  return has_key(text, kKey);
+}
 
 Json json_of_mapping(const LdtkMapping& mapping) {
   Json list = Json::array();
@@ -150,7 +172,10 @@ FormatResult<std::string> write_ldtk_companion(const Level& level, std::string_v
   std::vector<std::string> tiles = origin.tiles;
   // The user's own tiles keep their numbers, too.
   if (!added->empty()) tiles.resize(static_cast<std::size_t>(level.tile_count()));
-  document["levels"][origin.level] = {{"name", origin.name}, {"tiles", tiles}, {"added", *std::move(added)}};
+  document["levels"][origin.level] = {{"name", origin.name},
+                                      {"tiles", tiles},
+                                      {"ground", json_of_ground(ground_place(*origin.opened))},
+                                      {"added", *std::move(added)}};
   return print_document(document);
 }
 
@@ -163,15 +188,15 @@ FormatResult<JoinedLevel> join_ldtk_companion(std::string_view bytes, const Leve
   const Json added = its.is_object() ? its.value("added", Json::object()) : Json::object();
   if (!added.is_object()) return tl::unexpected(FormatError{"key levels", "must have objects as added"});
   if (added.empty()) return JoinedLevel{held};
-  return joined_with(added, held, file);
+  return joined_with(added, held, file, ground_of_json(its.value("ground", Json())));
 }
 
 FormatResult<JoinedLevel> move_ldtk_additions(const Level& level, const Level& fresh,
                                               const std::string& file) {
-  const auto added = ldtk_additions(level, *level.ldtk->opened);
+  auto added = ldtk_additions(level, *level.ldtk->opened);
   if (!added) return tl::unexpected(added.error());
   if (added->empty()) return JoinedLevel{fresh};
-  return joined_with(*added, fresh, file);
+  return joined_with(*std::move(added), fresh, file, ground_place(*level.ldtk->opened));
 }
 
 }  // namespace talus

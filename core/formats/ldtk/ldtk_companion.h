@@ -5,8 +5,9 @@
 //                the level that was saved last
 //   "mapping"    what things of the project stand for: a list of "kind", "value", "tag" or "entity"; "of" and
 //                "name", as in LdtkMapping; and "shape", "flag" and "body", if they are chosen
-//   "levels"     by the iid of the level: its "name"; "tiles", LdtkOrigin::tiles; and "added", what
-//                ldtk_additions.h says
+//   "levels"     by the iid of the level: its "name"; "tiles", LdtkOrigin::tiles; "ground", where the ground
+//                of LDtk's level was, as ../native/moved_members.h says; and "added", what ldtk_additions.h
+//                says. If the ground lies elsewhere now, what was added moves with it.
 #pragma once
 
 #include "../native/companion.h"
@@ -26,6 +27,10 @@ std::optional<LdtkMapping> ldtk_mapping_in(std::string_view text);
 Json json_of_mapping(const LdtkMapping& mapping);  // the list
 // Of a level; empty: unknown.
 std::vector<std::string> ldtk_tiles_of_companion(std::string_view companion, const std::string& level);
+
+// Whether the text in the place of a companion is one that is damaged, or that this version cannot read, and
+// no file of its own.
+bool is_damaged_ldtk_companion(std::string_view text);
 
 // before: what is in the place of the companion; empty: nothing. A file of another project, or that is no
 // companion, is an error. file: name of the project's file, without folders.

@@ -7,6 +7,8 @@
 
 #include "../text/content_hash.h"
 #include "../text/hex.h"
+#include "moved_companion.h"
+#include "moved_members.h"
 #include "native.h"
 #include "native_document.h"
 
@@ -353,7 +355,10 @@ FormatResult<std::string> write_companion(const Level& level, const Level& held,
   if (companion.empty() && !even_empty) return std::string();
   companion["talus"] = (*whole)["talus"];
   Json& about = companion[kAbout] = {{"file", file}};
-  if (held.tiled) about["frame"] = json_of_frame(held.tiled->frame);
+  if (held.tiled) {
+    about["frame"] = json_of_frame(held.tiled->frame);
+    about["frame"]["ground"] = json_of_ground(ground_place(held));
+  }
   for (const std::string_view member : format.holds)
     about["with"][std::string(member)] = hash_of_member(*part, std::string(member));
   return print_document(companion);
@@ -367,7 +372,12 @@ FormatResult<JoinedLevel> join_companion(std::string_view bytes, const Level& he
   if (!about) return tl::unexpected(about.error());
   auto document = document_without_cart(held);
   if (!document) return tl::unexpected(document.error());
-  const std::vector<std::string> changed = changed_members(*document, *about, format);
+  const auto place = ground_of_frame(*about);
+  const Cell by = place && held.tiled ? ground_shift(*place, held) : Cell{0, 0};
+  const bool has_moved = by != Cell{0, 0};
+  const int lost_curves = has_moved ? move_companion(*companion, by, *place, held) : 0;
+  const auto then = has_moved ? document_before_shift(held, by, *place) : std::nullopt;
+  const std::vector<std::string> changed = changed_members(then ? *then : *document, *about, format);
   const bool has_grown = join_map_size(*document, *companion);
   join_pictures(*document, *companion);
   for (const std::string& member : changed)
@@ -378,8 +388,9 @@ FormatResult<JoinedLevel> join_companion(std::string_view bytes, const Level& he
   if (!level) return tl::unexpected(level.error());
   level->cart = held.cart;
   level->tiled = held.tiled;
-  JoinedLevel joined{*std::move(level), "", !joiner.left_out()};
+  JoinedLevel joined{*std::move(level), "", !joiner.left_out() && lost_curves == 0};
   if (!changed.empty()) joined.note = change_note(file, *about, changed, joiner.left_out(), has_grown);
+  if (has_moved) joined.note = with_shift_note(joined.note, file, by, lost_curves);
   return joined;
 }
 

@@ -9,7 +9,7 @@
 //                alone may number them otherwise. "tiles": for each run of tiles of the level the number of
 //                the first in cells of the map and how many there are, 0 for tiles of no tileset; "columns"
 //                of the sheet; "used", whether only the tiles that the map shows were taken; "map": [x, y,
-//                width, height] in cells.
+//                width, height] in cells; "ground", where its ground was, as moved_members.h says.
 //
 // The other members are those of a native level that differ from the level that the file alone gives; of an
 // object only the members that differ. null removes a member that the file gives; for a role it means no
@@ -18,7 +18,8 @@
 // So the two share nothing, and version control can compare each. If a member of the file no longer has the
 // hash in "with", another program has changed it. Then the companion is used all the same, but a changed
 // member that has a value in the file keeps it; lists of objects are joined; flags that no cart has are added
-// to those of a cart's tiles; and a map is never smaller than the cells that the file fills.
+// to those of a cart's tiles; and a map is never smaller than the cells that the file fills. If the ground of
+// the map lies elsewhere now, all that has a place moves with it.
 #pragma once
 
 #include <optional>

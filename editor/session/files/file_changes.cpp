@@ -5,9 +5,11 @@
 
 #include "file_handler.h"
 #include "formats/files/atomic_file.h"
+#include "formats/files/link_target.h"
 #include "formats/files/real_path.h"
 #include "formats/text/content_hash.h"
 #include "level/merge.h"
+#include "level/moved_ground.h"
 
 namespace talus {
 namespace {
@@ -160,7 +162,9 @@ bool FileHandler::saves_into_newest(Level& saved) {
     const std::vector<std::string>&tiles = saved.ldtk->tiles, &newest = base_->ldtk->tiles;
     const bool keeps_numbers =
         tiles.size() <= newest.size() && std::equal(tiles.begin(), tiles.end(), newest.begin());
-    if (saved.ldtk->level != base_->ldtk->level || !keeps_numbers) return tell_of_redo();
+    const bool keeps_place =
+        ground_shift(ground_place(*saved.ldtk->opened), *base_->ldtk->opened) == Cell{0, 0};
+    if (saved.ldtk->level != base_->ldtk->level || !keeps_numbers || !keeps_place) return tell_of_redo();
     if (saved.ldtk->mapping == base_->ldtk->mapping) saved.ldtk = base_->ldtk;
   }
   return true;
@@ -176,7 +180,10 @@ bool FileHandler::tell_of_redo() {
 
 // why: that it cannot be read, a sentence, or empty.
 void FileHandler::ask_to_read(const std::string& changed, const std::string& why) {
-  messages_.ask(Question{changed + " was changed by another program." + why +
+  const std::string target = link_target(source_.path);
+  const std::string link =
+      target.empty() ? "" : "\n" + file_name() + " is a link to " + target + ", where saving writes.";
+  messages_.ask(Question{changed + " was changed by another program." + why + link +
                              "\nRead it again, or keep what is here? Undo switches between the two.",
                          Question::Kind::changed_outside},
                 [this](action::Answer answer) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "formats/files/atomic_file.h"
+#include "formats/files/link_target.h"
 #include "formats/files/real_path.h"
 #include "formats/ldtk/ldtk_companion.h"
 #include "formats/native/recording_file.h"
@@ -487,6 +488,16 @@ bool FileHandler::save() {
     if (messages_.question() || saves_when_read_ || found().change == FileChange::content) return false;
   }
   if (asks_about_tileset()) return false;
+  if (const std::string target = link_target(open_.path); !target.empty() && !file_number(open_.path)) {
+    messages_.ask(Question{file_name() + " is a link now, which leads to " + target +
+                               ", where no file is.\nWrite the level there?",
+                           Question::Kind::replace_files},
+                  [this](action::Answer answer) {
+                    if (answer != action::Answer::replace) return pending_.reset();
+                    if (save_to(open_.path, *format_)) go_on_when_stored();
+                  });
+    return false;
+  }
   return save_to(open_.path, *format_);
 }
 

@@ -13,14 +13,14 @@ namespace {
 
 // "cave.tmx names 2 files outside of its folder:" and their names, each on a line.
 std::string names_text(const std::string& file, const std::vector<std::string>& names) {
-  constexpr std::size_t kMostNamed = 6, kMostShown = 200;  // files; bytes of a name
+  constexpr std::size_t kMostFiles = 6, kMostShown = 200;  // files; bytes of a name
   std::string text = last_name(file) + " names " + std::to_string(names.size()) +
                      (names.size() == 1 ? " file" : " files") + " outside of its folder:";
-  for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i) {
+  for (std::size_t i = 0; i < std::min(names.size(), kMostFiles); ++i) {
     const std::string name = std::filesystem::path(names[i]).lexically_normal().generic_string();
     text += "\n" + printable(shortened(name, kMostShown));
   }
-  if (names.size() > kMostNamed) text += "\nand " + std::to_string(names.size() - kMostNamed) + " more";
+  if (names.size() > kMostFiles) text += "\nand " + std::to_string(names.size() - kMostFiles) + " more";
   return text;
 }
 

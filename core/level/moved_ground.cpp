@@ -1,0 +1,156 @@
+// Marks are cells at the sides of what is painted: where ground begins and ends tells most about its place.
+#include "moved_ground.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+
+#include "resize.h"
+#include "transform.h"
+
+namespace talus {
+namespace {
+
+// The cells of a layer by their places.
+class MarkedCells {
+ public:
+  MarkedCells(const Level& level, int layer)
+      : map_(level.map), cells_(level.cells_of(layer)), width_(static_cast<std::size_t>(map_.width())) {}
+
+  bool contains(Cell c) const { return map_.contains(c); }
+  MapCell at(Cell c) const {
+    return cells_[static_cast<std::size_t>(c.y) * width_ + static_cast<std::size_t>(c.x)];
+  }
+  // The places whose cell differs from the one `step` before it.
+  std::vector<Cell> sides(Cell step) const {
+    std::vector<Cell> places;
+    for (Cell c{0, step.y}; c.y < map_.height(); ++c.y) {
+      for (c.x = step.x; c.x < map_.width(); ++c.x) {
+        if (at(c) != at({c.x - step.x, c.y - step.y})) places.push_back(c);
+      }
+    }
+    return places;
+  }
+
+ private:
+  const TileMap& map_;
+  const MapCells& cells_;
+  std::size_t width_;
+};
+
+int layer_with_most_tiles(const Level& level) {
+  int best = 0;
+  std::ptrdiff_t most = -1;
+  for (int layer = 0; layer < level.layers.count(); ++layer) {
+    const std::vector<TileNumber>& tiles = level.cells_of(layer).tiles();
+    const std::ptrdiff_t count = std::ssize(tiles) - std::count(tiles.begin(), tiles.end(), TileNumber{0});
+    if (count > most) best = layer, most = count;
+  }
+  return best;
+}
+
+// How the marks lie on the ground when they are shifted.
+struct MarkFit {
+  int fitting = 0, others = 0;
+  // Whether so many fit that another place is not likely.
+  bool is_close() const { return fitting >= 3 * others && fitting > 0; }
+};
+
+// Stops where it has more than `most` that do not fit.
+MarkFit fit_of(const std::vector<GroundMark>& marks, Cell by, const MarkedCells& cells, int most) {
+  MarkFit fit;
+  for (const GroundMark& mark : marks) {
+    const Cell place{mark.place.x + by.x, mark.place.y + by.y};
+    if (!cells.contains(place)) continue;
+    ++(cells.at(place) == mark.cell ? fit.fitting : fit.others);
+    if (fit.others > most) break;
+  }
+  return fit;
+}
+
+// Ground that a map with another size may have moved: no further than its size has changed.
+Cell shift_by_marks(const GroundPlace& before, const Level& now) {
+  constexpr std::int64_t kMostTries = 1 << 20;
+  const Cell grown{now.map.width() - before.width, now.map.height() - before.height};
+  const MarkedCells cells(now, std::min(before.layer, now.layers.count() - 1));
+  Cell best{0, 0};
+  int fewest = fit_of(before.marks, best, cells, static_cast<int>(kMaxGroundMarks)).others;
+  const auto look_at = [&](Cell by) {
+    if (fewest == 0) return;
+    const MarkFit fit = fit_of(before.marks, by, cells, fewest - 1);
+    if (fit.others >= fewest || !fit.is_close()) return;
+    best = by;
+    fewest = fit.others;
+  };
+  for (const Cell corner : {grown, Cell{grown.x, 0}, Cell{0, grown.y}}) look_at(corner);
+  if ((std::abs(grown.x) + std::int64_t{1}) * (std::abs(grown.y) + std::int64_t{1}) > kMostTries) return best;
+  for (int y = std::min(0, grown.y); y <= std::max(0, grown.y); ++y)
+    for (int x = std::min(0, grown.x); x <= std::max(0, grown.x); ++x) look_at({x, y});
+  return best;
+}
+
+// Adds some of the places, from the first to the last.
+void add_marks(const std::vector<Cell>& places, Cell step, const MarkedCells& cells,
+               std::vector<GroundMark>& marks) {
+  constexpr std::size_t kMost = 16;
+  const std::size_t count = std::min(places.size(), kMost);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Cell place = places[count == 1 ? 0 : i * (places.size() - 1) / (count - 1)];
+    const Cell other{place.x - step.x, place.y - step.y};
+    marks.push_back({other, cells.at(other)});
+    marks.push_back({place, cells.at(place)});
+  }
+}
+
+std::string words_for_way(int cells, const char* noun, const char* less, const char* more) {
+  const int count = std::abs(cells);
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s") + " further " +
+         (cells > 0 ? less : more);
+}
+
+}  // namespace
+
+GroundPlace ground_place(const Level& level) {
+  GroundPlace place{{}, level.map.width(), level.map.height(), layer_with_most_tiles(level), {}};
+  if (level.tiled) place.origin = Cell{level.tiled->frame.x, level.tiled->frame.y};
+  const std::vector<TileNumber>& tiles = level.cells_of(place.layer).tiles();
+  if (std::all_of(tiles.begin(), tiles.end(), [](TileNumber tile) { return tile == 0; })) return place;
+  const MarkedCells cells(level, place.layer);
+  for (const Cell step : {Cell{1, 0}, Cell{0, 1}}) add_marks(cells.sides(step), step, cells, place.marks);
+  for (const int y : {0, place.height - 1})
+    for (const int x : {0, place.width - 1}) place.marks.push_back({{x, y}, cells.at({x, y})});
+  return place;
+}
+
+Cell ground_shift(const GroundPlace& before, const Level& now) {
+  if (before.origin && now.tiled) {
+    const TiledFrame& frame = now.tiled->frame;
+    const Cell by{before.origin->x - frame.x, before.origin->y - frame.y};
+    // Only an infinite map, which says where each of its cells is, begins elsewhere and has all of the old.
+    const bool has_old = by.x >= 0 && by.y >= 0 && by.x + before.width <= now.map.width() &&
+                         by.y + before.height <= now.map.height();
+    if (has_old && by != Cell{0, 0}) return by;
+  }
+  if (before.width == now.map.width() && before.height == now.map.height()) return {0, 0};
+  return before.marks.empty() ? Cell{0, 0} : shift_by_marks(before, now);
+}
+
+Level with_moved_ground(const Level& level, Cell by, int width, int height) {
+  ResizedMap there = resized(level, {width, height, by});
+  Level moved_level = level;
+  moved_level.map = std::move(there.map);
+  moved_level.layers = std::move(there.layers);
+  moved_level.objects = std::move(there.objects);
+  const Vec2 px = level.map.corner_of(by);
+  for (Spawn& spawn : moved_level.spawns) spawn.position = spawn.position + px;
+  for (LevelCurve& curve : moved_level.curves) curve.curve = moved(curve.curve, px);
+  return moved_level;
+}
+
+std::string words_for_shift(Cell by) {
+  const std::string x = by.x == 0 ? "" : words_for_way(by.x, "column", "left", "right");
+  const std::string y = by.y == 0 ? "" : words_for_way(by.y, "row", "up", "down");
+  return x + (x.empty() || y.empty() ? "" : " and ") + y;
+}
+
+}  // namespace talus
