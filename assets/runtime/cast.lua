@@ -5,11 +5,15 @@ local COLUMNS = 62  -- cells looked at together; which of two equal contacts cou
 local SLOW = 16  -- a gap that closes more slowly than this share of the motion needs twice the precision
 
 -- The current cast: the terrain, the box, its motion, whether only its centre stands on floors, 1 / dx, the
--- pixels in the motion, the slack of rounding; and a piece that stops nothing.
-local ground, bx, by, bw, bh, dx, dy, centre, inverse, speed, slack, ignored
+-- pixels in the motion, the slack of rounding; a piece that stops nothing; and the height of the part of its
+-- corners that meets no ground.
+local ground, bx, by, bw, bh, dx, dy, centre, inverse, speed, slack, ignored, sunk
+-- The tile, or the body, that is tested.
+local column, row, other
 -- The first contact so far: see offer().
 local best_t, best_facing, best_flat_end, best_mirrored
 local best_piece, best_at, best_first, best_last
+local best_column, best_row, best_other
 
 -- A box's x moved by dx, and rounded so that both its sides are exact.
 local function moved_x(x, w, by_x)
@@ -52,6 +56,7 @@ local function offer(t, facing, flat_end, piece, at, first, last)
   end
   best_t, best_facing, best_flat_end, best_mirrored, best_piece = t, facing, flat_end, false, piece
   best_at, best_first, best_last = at, first, last
+  best_column, best_row, best_other = column, row, other
 end
 
 -- Whether the box approaches so slowly that a rounding of the gap is worth many roundings of its way.
@@ -182,7 +187,7 @@ local function wall(facing, at, y0, y1, open0, open1, piece)
   end
   if t > 1 or t > best_t then return end
   local y = by + t * dy
-  if y + bh > y0 + (open0 and slack or -slack) and y < y1 - (open1 and slack or -slack) then
+  if y + (bh - sunk) > y0 + (open0 and slack or -slack) and y < y1 - (open1 and slack or -slack) then
     offer(t, facing, false, piece, at, 0.0, 0.0)
   end
 end
@@ -199,9 +204,10 @@ local function row_of_tiles(up, y, first, last, left, right)
       local from, to = x * TILE_W, x1 * TILE_W
       if centre and up then
         -- Beside a detailed cell only the centre counts; over a ledge the whole bottom does.
-        if ground:is_solid(x - 1, y) and ground:is_detailed(x - 1, y) then from = from + bw / 2 end
-        if ground:is_solid(x1, y) and ground:is_detailed(x1, y) then to = to - bw / 2 end
+        if sunk > 0 or ground:is_solid(x - 1, y) and ground:is_detailed(x - 1, y) then from = from + bw / 2 end
+        if sunk > 0 or ground:is_solid(x1, y) and ground:is_detailed(x1, y) then to = to - bw / 2 end
       end
+      column, row = x, y
       flat(up, (up and y or y + 1) * TILE_H, from, to, not ground:is_solid(x - 1, y), not ground:is_solid(x1,
           y), nil)
     end
@@ -226,6 +232,7 @@ local function cells_of_row(y, first, last)
     if dx < 0 then side, step = RIGHT, 1 end
     for x = first, last do
       if ground:is_open(x, y, step, 0) then
+        column, row = x, y
         wall(side, (x + (side == LEFT and 0 or 1)) * TILE_W, y * TILE_H, (y + 1) * TILE_H, not ground:is_solid(x,
             y - 1),
              not ground:is_solid(x, y + 1), nil)
@@ -344,11 +351,13 @@ local function begin_cast(terrain, x, y, w, h, motion_x, motion_y, is_centre, wi
   slack = rounding_slack(x, y, w, h, motion_x, motion_y)
   best_t, best_facing, best_flat_end, best_mirrored = huge, UP, false, false
   best_piece, best_at, best_first, best_last = nil, 0.0, 0.0, 0.0
+  sunk, other = 0.0, nil
 end
 
 local function end_cast()
   if not (best_t <= 1) then return nil end
-  local contact = {t = best_t, facing = best_facing, piece = best_piece, on_end = best_flat_end}
+  local contact = {t = best_t, facing = best_facing, piece = best_piece, on_end = best_flat_end,
+                   column = best_column, row = best_row, other = best_other}
   contact.x, contact.y = position_of_best()
   if best_mirrored then
     contact.nx, contact.ny = 0.0, best_facing == UP and -1.0 or 1.0
@@ -363,11 +372,13 @@ function Terrain:with_middle(contact) return contact end
 
 -- The first contact of a box at x, y that moves by motion_x, motion_y; nil if there is none. A contact has t,
 -- the share of the motion; x, y, of the box at that time; nx, ny, the ground's normal; facing; and piece,
--- unless it is a plain tile. others: the result of World:others(). without: a piece that stops nothing this
--- time.
-local function cast_box(terrain, x, y, w, h, motion_x, motion_y, is_centre, others, without)
+-- unless it is a plain tile, whose column and row it has then, or another body. others: the result of
+-- World:others(). without: a piece that stops nothing this time. sunk_by: px, the height of the part of the
+-- corners of a box on its centre that meets no ground; may be nil.
+local function cast_box(terrain, x, y, w, h, motion_x, motion_y, is_centre, others, without, sunk_by)
   begin_cast(terrain, x, y, w, h, motion_x, motion_y, is_centre, without)
   if others then World.against_others(others) end
+  sunk, other = sunk_by or 0.0, nil
   against_terrain()
   local contact = end_cast()
   if not is_centre then return contact end

@@ -60,6 +60,7 @@ end
 -- The end of a slope that the flat bottom of the box stands on: a crest, or the end of the floor.
 local function piece_ends(up, piece, lift)
   if up and centre then
+    if sunk > 0 then return end
     local half = bw / 2
     if piece.last0 then flat_in_reach(piece.x0 - bw, piece.x0 - half, piece.y0 - lift, true, false, up,
         piece.y0, piece) end
@@ -142,8 +143,6 @@ function Line.is_level(piece, _, steepest)
   if slope ~= steepest then return slope < steepest end
   return piece.slope * piece.slope_rest <= 0
 end
-
-local SETTLED = 4  -- a box within so many roundings of a piece is put on it
 
 -- A box that slid along a piece, and is not beyond its end, is on it exactly, without a rounding error.
 function Line.settle(piece, box)

@@ -1,5 +1,7 @@
 -- ---- Mover: takes one box through the ground, contact by contact ----
 
+local SETTLED = 4  -- a box within so many roundings of a piece is put on it
+
 -- The part of a motion that a surface leaves.
 local function slide_along(nx, ny, x, y)
   local into = x * nx + y * ny

@@ -26,7 +26,8 @@ end
 
 -- They stop the box of a cast as tiles do.
 function World.against_others(others)
-  for _, other in ipairs(others) do
+  for _, body in ipairs(others) do
+    other = body
     local x, y = other.x, other.y
     local right, bottom = x + other.w, y + other.h
     if dy > 0 then flat(true, y, x, right, true, true, nil) end

@@ -23,8 +23,13 @@ local function stand(body, box)
   box.vy = 0.0
 end
 
--- A player follows level ground and keeps its horizontal motion. Along anything else it slides, which ends a
--- walk.
+-- Ends a walk at what the player cannot walk on.
+local function stop_at(box, contact)
+  if contact.t ~= 1 and contact.nx * box.vx < 0 then box.vx = 0.0 end
+end
+
+-- In the air a player follows level ground and keeps its horizontal motion. Along anything else it slides, until
+-- it has landed.
 local function meet(world, body, box, contact, x, y)
   local n = world.tuning
   local nx, ny = contact.nx, contact.ny
@@ -35,14 +40,13 @@ local function meet(world, body, box, contact, x, y)
     return rest_x, rest_x * (-nx / ny)
   end
   if contact.t == 1 then return 0.0, 0.0 end
-  local slide_x, slide_y = slide_along(nx, ny, rest_x, rest_y)
-  local into = box.vx * nx + box.vy * ny
   if body.grounded or box.landed then
-    if nx * box.vx < 0 then box.vx = 0.0 end
+    stop_at(box, contact)
     return 0.0, 0.0
   end
+  local into = box.vx * nx + box.vy * ny
   if into < 0 then box.vx, box.vy = box.vx - nx * into, box.vy - ny * into end
-  return slide_x, slide_y
+  return slide_along(nx, ny, rest_x, rest_y)
 end
 
 -- The level ground straight below, within `reach`.
@@ -55,22 +59,24 @@ end
 -- How far below a grounded player its floor may be after a step that moved it by x.
 local function reach_down(n, x) return n.snap > 0 and n.snap or abs(x) * n.steepest + 1 end
 
+-- The motion of a step on a floor with this normal.
+local function motion_on(n, box, nx, ny)
+  local x = n.surface_speed ~= 0 and box.vx * -ny or box.vx
+  return x, x * (-nx / ny)
+end
+
 local function run(world, body, box, input)
   local n = world.tuning
   body.coyote = body.coyote or 0  -- frames in which it may still jump after leaving its floor
   take_keys(n, body, box, input)
   if body.coyote > 0 then body.coyote = body.coyote - 1 end
-  local x, y = box.vx, box.vy
-  if body.grounded then
-    local ground_below = floor_under(world, body, box, reach_down(n, 0.0))
-    if ground_below then
-      if n.surface_speed ~= 0 then x = x * -ground_below.ny end
-      y = x * (-ground_below.nx / ground_below.ny)
-    else
-      y = 0.0
-    end
-  end
   local start, walked = box.x, body.grounded
+  local x, y = box.vx, box.vy
+  if walked then
+    local stands
+    stands, x, y = go_along_floor(world, body, box, reach_down(n, 0.0), motion_on, stop_at)
+    if stands then return stand(body, box) end
+  end
   move(world, body, box, x, y, meet)
   if box.landed then stand(body, box) end
   if not body.grounded then return end

@@ -35,6 +35,10 @@ local function foot_offset(piece, w, centre)
   if up and centre then return w / 2 end
   return (piece.y1 < piece.y0) == up and w or 0.0
 end
+Line.offset = foot_offset
+
+-- How far the line rises or falls over a way to the side.
+function Line.along(piece, x) return x * piece.slope end
 
 -- The top of a box at x that rests on the piece.
 local function rest_on(piece, x, w, h, centre)

@@ -33,5 +33,8 @@ end
 -- Whether the outline in a cell is more than the sides of a full tile.
 function Terrain:is_detailed() return false end
 
+-- Whether there is any such cell.
+function Terrain:has_pieces() return false end
+
 -- Gives a cell another tile.
 function Terrain:set_tile(x, y, tile) self.tiles[y * self.width + x] = tile end

@@ -48,6 +48,7 @@ class Caster {
         dx_(moves_sideways(cast) ? cast.motion.x : 0),
         dy_(cast.motion.y),
         foot_(cast.foot),
+        sunk_(cast.sunk),
         inverse_(dx_ == 0 ? 0 : 1 / dx_),
         speed_(std::abs(dx_) + std::abs(dy_)),
         slack_(rounding_slack(cast)),
@@ -306,7 +307,7 @@ class Caster {
       const bool open1 = (here.solid() >> (first + length) & 1) == 0;
       if (foot_ == Foot::centre && up) {
         // Where slopes may continue, only the centre counts. Over a ledge the whole bottom counts.
-        const std::uint64_t sloped = here.solid() & here.detailed();
+        const std::uint64_t sloped = sunk_ > 0 ? ~std::uint64_t{0} : here.solid() & here.detailed();
         if (sloped >> (first - 1) & 1) x0 += box_.w / 2;
         if (sloped >> (first + length) & 1) x1 -= box_.w / 2;
       }
@@ -360,7 +361,8 @@ class Caster {
                                             : gap * std::abs(inverse_);
     if (t > 1 || t > best_.t) return;
     const Real y = box_.y + t * dy_;
-    if (!(y + box_.h > y0 + (open0 ? slack_ : -slack_) && y < y1 - (open1 ? slack_ : -slack_))) return;
+    const Real h = is_other_ ? box_.h : box_.h - sunk_;
+    if (!(y + h > y0 + (open0 ? slack_ : -slack_) && y < y1 - (open1 ? slack_ : -slack_))) return;
     offer({.t = t, .facing = facing, .piece = piece, .at = at});
   }
 
@@ -402,6 +404,7 @@ class Caster {
   void ends(bool up, const Piece<Real>& piece, Real lift) {
     const Real half = box_.w / 2;
     if (up && foot_ == Foot::centre) {
+      if (sunk_ > 0) return;
       if (piece.last0)
         flat({piece.x0 - box_.w, piece.x0 - half, piece.y0 - lift, piece.y0 - lift, true, false}, up,
              piece.y0, &piece);
@@ -556,6 +559,7 @@ class Caster {
   const BasicRect<Real> box_;
   const Real dx_, dy_;
   const Foot foot_;
+  const Real sunk_;
   const Real inverse_;
   const Real speed_;  // px in the motion, sideways and up or down
   const Real slack_;

@@ -7,6 +7,7 @@
 #include "export_targets.h"
 #include "lua_level.h"
 #include "lua_runtime.h"
+#include "short_names.h"
 
 namespace talus {
 namespace {
@@ -43,7 +44,7 @@ FormatResult<std::string> game_code(const ExportRequest& request) {
   // The joined text begins with code, so none of its comments are kept: space in a cart is short.
   return "-- title:  level\n-- author: made with Talus\n-- desc:   arrows run, up or A jumps, the mouse "
          "drags, B starts again\n-- script: lua\n" +
-         join_lua({"talus=(function()\n", *runtime, "end)()\n"}) + "level=(function()\n" +
+         with_short_names(join_lua({"talus=(function()\n", *runtime, "end)()\n"})) + "level=(function()\n" +
          lua_level(level, LuaForm::small) + "end)()\n" + join_lua(game);
 }
 

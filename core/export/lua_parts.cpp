@@ -28,7 +28,7 @@ constexpr LuaPart kLuaParts[] = {
     {"segments", {"segments"}, {"slopes"}},
     {"curves", {"curves"}, {"segments", "slopes"}},
     {"balls", {"balls"}},
-    {"players", {"players"}},
+    {"players", {"walk", "players"}},
     {"pairs", {"pairs"}},
     {"mouse", {"mouse"}},
     {"end", {"module"}},

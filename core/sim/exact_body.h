@@ -160,8 +160,8 @@ class PlayerRule {
     return {x, x * slope_of(normal)};
   }
 
-  // What a player does on a contact, in the air and on the ground. It follows level ground and keeps its
-  // horizontal motion. Along anything else it slides, which ends a walk.
+  // What a player does on a contact in the air. It follows level ground and keeps its horizontal motion.
+  // Along anything else it slides, until it has landed.
   Vec respond(const Contact<Real>& contact, Vec motion) {
     const Vec normal = contact.normal;
     const Vec rest = motion * (1 - contact.t);
@@ -172,14 +172,19 @@ class PlayerRule {
       return {rest.x, rest.x * slope_of(normal)};
     }
     if (contact.t == 1) return {};
-    const Vec slide = slide_along(normal, rest);
-    const Real into = dot(v, normal);
     if (gait_.grounded || landed_) {
-      v.x = normal.x * v.x < 0 ? 0 : v.x;
+      stop_at(contact);
       return {};
     }
+    const Real into = dot(v, normal);
     if (into < 0) v = v - normal * into;
-    return slide;
+    return slide_along(normal, rest);
+  }
+
+  // Ends a walk at what the player cannot walk on.
+  void stop_at(const Contact<Real>& contact) {
+    Real& x = body_.velocity.x;
+    if (contact.t != 1 && contact.normal.x * x < 0) x = 0;
   }
 
   bool landed() const { return landed_; }

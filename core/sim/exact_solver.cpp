@@ -7,6 +7,7 @@
 #include "../collision/ground_queries.h"
 #include "body_grid.h"
 #include "exact_body.h"
+#include "floor_walk.h"
 #include "mouse.h"
 #include "step_limits.h"
 
@@ -129,14 +130,11 @@ class ExactSolver final : public Solver {
     PlayerRule<Real> rule(numbers_, moving, gait);
     rule.take(input);
     if (gait.coyote > 0) --gait.coyote;
-    Vec motion = moving.velocity;
-    if (gait.grounded) {
-      const auto floor = floor_under(state, index, moving, rule.reach_down(0));
-      motion = floor ? rule.walk(floor.normal) : Vec{moving.velocity.x, 0};
-    }
-    note_goal(moving, motion);
     const Real x = moving.box.x;
     const bool walked = gait.grounded;
+    Vec motion = walked ? Vec{moving.velocity.x, 0} : moving.velocity;
+    if (!walked) note_goal(moving, motion);
+    if (walked && walk(state, index, moving, rule, motion)) return rule.stand();
     move(state, index, moving, motion, [&](const auto& contact, Vec m) { return rule.respond(contact, m); });
     if (rule.landed()) rule.stand();
     if (!gait.grounded) return;
@@ -150,6 +148,80 @@ class ExactSolver final : public Solver {
     } else {
       gait.grounded = false;
     }
+  }
+
+  // Takes a body along the floor that it stands on. Returns true if it is on a floor afterwards. Otherwise
+  // the floor has ended, and `motion` becomes the rest of the body's way.
+  bool walk(const State& state, std::size_t index, Moving<Real>& moving, PlayerRule<Real>& rule,
+            Vec& motion) {
+    const Real speed = moving.velocity.x, reach = rule.reach_down(0);
+    note_goal(moving, motion);
+    if (speed == 0) return false;
+    if (!gather(state, index, moving, {speed, std::abs(speed) * numbers_.steepest + reach + 1})) {
+      note_cut_short();
+      return true;
+    }
+    FloorWalk<Real> way(ground_, others_, speed < 0 ? -1 : 1, numbers_.steepest, &budget_);
+    std::optional<FloorAhead<Real>> floor;
+    Real rest = 1;        // of the step
+    bool at_end = false;  // of a piece, where the next one begins
+    for (int contacts = 0; contacts < max_passes_;) {
+      if (!floor) floor = way.floor_ahead(moving, reach);
+      if (budget_.left <= 0) {
+        note_cut_short();
+        return true;
+      }
+      if (!floor) {
+        motion = motion * rest;
+        return false;
+      }
+      const Vec before = motion;
+      motion = rule.walk(floor->contact.normal);
+      if (rest == 1) note_goal(moving, motion);
+      if (record_ != nullptr && at_end) {
+        Contact<Real> next = floor->contact;
+        next.t = 0;
+        next.position = moving.box.position();
+        note(state.bodies[index], next, before * rest);
+      }
+      if (record_ != nullptr && (at_end || contacts > 0))
+        record_->contacts.back().after = widen(motion * rest);
+      const Vec goal = way.goal_on(*floor, moving.box, motion.x * rest, moving.foot);
+      const Vec leg = goal - moving.box.position();
+      if (leg.x == 0) return true;
+      const auto contact = way.cast_to(*floor, moving, goal);
+      if (!contact && budget_.seen < 1) {
+        note_cut_short();
+        return true;
+      }
+      const Vec at = contact ? contact.position : goal;
+      rest -= (at.x - moving.box.x) / motion.x;
+      moving.box.x = at.x;
+      moving.box.y = at.y;
+      if (!contact) {
+        if (!(rest > 0) || goal.x != floor->end) return true;
+        floor.reset();
+        at_end = true;
+        continue;
+      }
+      ++contacts;
+      at_end = false;
+      if (record_ != nullptr) {
+        note(state.bodies[index], contact, leg);
+        record_->contacts.back().after = Vec2{};
+      }
+      if (way.sinks(moving, contact)) {
+        floor.reset();
+      } else if (contact.normal.y < 0 && is_level(contact, numbers_.steepest)) {
+        floor = way.floor_met(moving, contact);
+      } else {
+        moving.box.y = way.place_on(*floor, moving.box, at.x, moving.foot).y;
+        rule.stop_at(contact);
+        return true;
+      }
+    }
+    if (record_ != nullptr) record_->paths.back().capped = true;
+    return true;
   }
 
   // The level ground straight below, within `reach`.

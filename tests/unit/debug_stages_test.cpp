@@ -12,6 +12,7 @@ namespace talus::debug_stages_test {
 
 using ::testing::Contains;
 using ::testing::ElementsAre;
+using ::testing::Not;
 
 // A floor in row 11, a slope of 8x8 px on it in column 5, and a wall from column 6 on.
 Level level_with_a_slope(SolverKind solver) {
@@ -176,24 +177,44 @@ TEST(Stages, OfAFallGoFromTheWishToTheEnd) {
   EXPECT_EQ(stages[4].box, frame.state.bodies[0].box);
 }
 
-TEST(Stages, OfAWalkerShowTheSnapToTheFloor) {
+TEST(Stages, OfAWalkerShowTheSnapToALowerFloor) {
   Level level = level_with_a_slope(SolverKind::exact);
-  place(level, {44, 72}, {}, BodyKind::player);
+  level.tile_shapes[3] = {.kind = TileShape::Kind::slope, .heights = {6, 6}};  // 2 px below the wall's top
+  level.map.set({5, 10}, 3);
+  place(level, {56, 72}, {}, BodyKind::player);
   Frame frame = frame_after(level, 4);
   const auto solver = make_solver(frame.scene);
   std::vector<StageKind> seen;
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 0; i < 16; ++i) {
     Input input;
     input.left = true;
     solver->step(frame.state, input, &frame.record);
     for (const Stage& stage : stages_of(frame, 1)) {
       seen.push_back(stage.kind);
       if (stage.kind != StageKind::snapped) continue;
-      EXPECT_EQ(stage.box.position(), frame.record.paths[0].goal);
       EXPECT_EQ(stage.box.position() + stage.motion, frame.state.bodies[0].box.position());
+      EXPECT_EQ(frame.state.bodies[0].box.bottom(), 82);
     }
   }
   EXPECT_THAT(seen, Contains(StageKind::snapped));
+}
+
+TEST(Stages, OfAWalkerOverACrestTurnWithTheFloor) {
+  Level level = level_with_a_slope(SolverKind::exact);
+  place(level, {44, 72}, {}, BodyKind::player);
+  Frame frame = frame_after(level, 4);
+  const auto solver = make_solver(frame.scene);
+  int turns = 0;
+  for (int i = 0; i < 30; ++i) {
+    Input input;
+    input.left = true;
+    solver->step(frame.state, input, &frame.record);
+    for (const ContactRecord& contact : frame.record.contacts)
+      turns += contact.ti == 0 && contact.after ? 1 : 0;
+    EXPECT_THAT(kinds(stages_of(frame, 1)), Not(Contains(StageKind::snapped)));
+    EXPECT_TRUE(frame.state.bodies[0].gait.grounded);
+  }
+  EXPECT_GT(turns, 0);
 }
 
 TEST(Stages, OfWorldListEachTestedBoxOnce) {

@@ -29,6 +29,9 @@ struct Cast {
   BasicRect<Real> box;     // px
   BasicVec2<Real> motion;  // px, the whole way; any length
   Foot foot = Foot::box;   // the part of the box that stands on floors: the whole bottom, or only its centre
+  // px, from 0 to the box's height, of a box on its centre: the part of its corners that meets no ground, as
+  // it is in the floor that the centre walks on. Other boxes stop it.
+  Real sunk = 0;
 };
 
 // A box with a negative size, with a number that is not finite, or beyond these limits meets nothing. No

@@ -1,0 +1,203 @@
+-- ---- Walk: takes a body that stands along the floor, piece by piece ----
+-- It turns into the next piece where the piece under its foot ends, so that it neither flies on over a crest nor
+-- meets what lies below the floor that it walks on.
+
+local Walk = {}  -- of one body in one step
+Walk.__index = Walk
+
+local AHEAD = 0.001953125  -- px; how far ahead the next piece of floor is looked for
+local LIP = 0.00390625  -- px; the end of a curve may be so far off the end that it ought to meet
+local UNDER = 16  -- the floor under a body is followed over so many pieces to a corner of the body
+
+-- The column of the solid tile in a row that is nearest to the middle of the box. There is one under it.
+function Walk:solid_column(x, w, y)
+  local terrain, middle = self.terrain, x + w / 2
+  local left = floor(middle / TILE_W)
+  local right = left
+  while not terrain:is_solid(left, y) and left * TILE_W > x do left = left - 1 end
+  while not terrain:is_solid(right, y) and (right + 1) * TILE_W < x + w do right = right + 1 end
+  if not terrain:is_solid(left, y) then return right end
+  if not terrain:is_solid(right, y) then return left end
+  local to_left, to_right = middle - (left + 1) * TILE_W, right * TILE_W - middle
+  return (to_left < to_right or to_left == to_right and self.direction < 0) and left or right
+end
+
+-- The x of the box where it leaves a row of full tiles. Where another kind of ground may go on, only its middle
+-- stands on the last tile.
+function Walk:end_of_tiles(contact, x, w, is_centre)
+  local terrain, step, y = self.terrain, self.direction, contact.row
+  local far = x + step * (w + SHORT)
+  local at = self:solid_column(x, w, y)
+  while terrain:is_open(at + step, y, 0, -1) and ((at + step) * TILE_W - far) * step < 0 do at = at + step end
+  local next_to = at + step
+  local leads_on = is_centre and terrain:is_solid(next_to, y) and terrain:is_detailed(next_to, y)
+  local rest = leads_on and w / 2 or 0.0
+  return step > 0 and next_to * TILE_W - rest or at * TILE_W - w + rest
+end
+
+-- The x of the box where it leaves the floor that it has met.
+function Walk:end_of(contact, on_line, x, w, is_centre)
+  local right, piece = self.direction > 0, contact.piece
+  if contact.other then return right and contact.other.x + contact.other.w or contact.other.x - w end
+  if not piece then return self:end_of_tiles(contact, x, w, is_centre) end
+  if on_line then return (right and piece.x1 or piece.x0) - piece.form.offset(piece, w, is_centre) end
+  -- The flat bottom stands on an end of the piece, or on a level piece.
+  local half = w / 2
+  if is_centre then
+    if piece.x1 - (x + half) > (x + half) - piece.x0 then return right and piece.x0 - half or piece.x0 - w end
+    return right and piece.x1 or piece.x1 - half
+  end
+  if piece.y0 == piece.y1 then return right and piece.x1 or piece.x0 - w end
+  local corner = piece.y1 < piece.y0 and piece.x1 or piece.x0
+  return right and corner or corner - w
+end
+
+-- A floor: the contact with it, whether the foot is on the line of a piece, and where the floor ends.
+function Walk:floor_of(contact, x, w, is_centre)
+  local on_line = contact.piece ~= nil and not contact.on_end
+  return {contact = contact, on_line = on_line, stop = self:end_of(contact, on_line, x, w, is_centre)}
+end
+
+-- The floor a little further on, so that of two pieces that meet at the foot the next one is found.
+function Walk:look_ahead(x, y, w, h, is_centre, reach, sunk_by)
+  local forgiven = rounding_slack(x, y, w, h, 0.0, 0.0)
+  local step = max(AHEAD, 2 * forgiven)
+  local rise = min(step * self.steepest, 1.0) + LIP + 2 * forgiven
+  local there = moved_x(x, w, self.direction * step)
+  local found = cast_box(self.terrain, there, y - rise, w, h, 0.0, rise + reach, is_centre, self.others, nil,
+                         sunk_by > 0 and sunk_by + rise or 0.0)
+  if not found or not is_level(found, self.steepest) then return nil end
+  if found.nx == 0 and found.y - y > reach then return nil end
+  local on = self:floor_of(found, there, w, is_centre)
+  if (on.stop - there) * self.direction < 0 then on.stop = there end  -- by rounding: each piece leads on
+  return on
+end
+
+-- The level floor that the body has met, and goes on along; nil if it ends there.
+function Walk:floor_met(box, contact)
+  local met = self:floor_of(contact, box.x, box.w, box.centre)
+  return (met.stop - box.x) * self.direction > 0 and met or nil
+end
+
+-- The place of a box at x on that floor.
+function Walk.place_on(on, x, w, h, is_centre)
+  if not on.on_line then return x, on.contact.y end
+  return x, on.contact.piece.form.rest(on.contact.piece, x, w, h, is_centre)
+end
+-- Where it is after it went `way` px to the side on that floor, or to the floor's end.
+function Walk:goal_on(on, x, w, h, is_centre, way)
+  local there = moved_x(x, w, way)
+  if (there - on.stop) * self.direction > 0 then there = on.stop end
+  return Walk.place_on(on, there, w, h, is_centre)
+end
+
+-- What the body meets first on its way to a place on the floor.
+function Walk:cast_to(on, box, x, y)
+  local line = on.on_line and on.contact.piece or nil
+  local way_x, way_y = x - box.x, y - box.y
+  -- A ceiling that is parallel to the floor must not come nearer by the rounding of the two places.
+  local straight = not line or line.form.straight
+  local parallel = line and straight and line.form.along(line, way_x) or 0.0
+  if straight and abs(way_y - parallel) <= SETTLED * rounding_slack(box.x, box.y, box.w, box.h, way_x, way_y) then
+    way_y = parallel
+  end
+  return cast_box(self.terrain, box.x, box.y, box.w, box.h, way_x, way_y, box.centre, self.others,
+                  not straight and line.source or nil, self.sunk)
+end
+
+-- The upper end of what a corner of the body met; nil if its middle met it, or if it is a ceiling.
+function Walk:corner_met(box, contact)
+  local piece = contact.piece
+  if contact.facing >= LEFT then
+    if piece then return piece.x0, piece.y0 end
+    return (contact.column + (contact.facing == LEFT and 0 or 1)) * TILE_W, contact.row * TILE_H
+  end
+  if contact.facing == DOWN or (piece and not contact.on_end) then return nil end
+  local at = piece and 0 or self:solid_column(box.x, box.w, contact.row)
+  local x0, x1 = at * TILE_W, (at + 1) * TILE_W
+  if piece then x0, x1 = piece.x0, piece.x1 end
+  local middle, y = box.x + box.w / 2, contact.y + box.h
+  if middle < x0 then return x0, y end
+  if middle > x1 then return x1, y end
+  return nil
+end
+
+-- Whether the floor goes on from the middle of the body to a place, and is not below it there.
+function Walk:floor_leads_over(box, spot_x, spot_y)
+  local x, y, h = box.x + box.w / 2, box.y, box.h
+  local direction = spot_x < x and -1 or 1
+  local under = setmetatable({terrain = self.terrain, direction = direction, steepest = self.steepest}, Walk)
+  for _ = 1, UNDER do
+    if x == spot_x then break end
+    local on = under:look_ahead(x, y, 0.0, h, false, 1.0, 0.0)
+    if not on then return false end
+    local goal_x, goal_y = under:goal_on(on, x, 0.0, h, false, spot_x - x)
+    if goal_x == x then return false end
+    x = (goal_x - spot_x) * direction < 0 and goal_x or spot_x
+    y = goal_y
+  end
+  local forgiven = rounding_slack(box.x, box.y, box.w, box.h, 0.0, 0.0)
+  return x == spot_x and y + h <= spot_y + LIP + 2 * forgiven
+end
+
+-- Whether what the body met lies below the floor that its foot walks on. From then on the lowest part of its
+-- corners meets nothing.
+function Walk:sinks(box, contact)
+  if not box.centre or contact.other or not self.terrain:has_pieces() then return false end
+  local spot_x, spot_y = self:corner_met(box, contact)
+  if not spot_x then return false end
+  local by_px = max(box.y + box.h - spot_y, AHEAD)
+  if not (by_px > self.sunk and by_px < box.h) or not self:floor_leads_over(box, spot_x, spot_y) then
+    return false
+  end
+  self.sunk = by_px
+  return true
+end
+
+-- The floor on which the body goes on, up to `reach` px below it; nil if there is none, or if it is too steep.
+function Walk:floor_ahead(box, reach)
+  local on = self:look_ahead(box.x, box.y, box.w, box.h, box.centre, reach, self.sunk)
+  if on and not on.on_line and self:sinks(box, on.contact) then
+    on = self:look_ahead(box.x, box.y, box.w, box.h, box.centre, reach, self.sunk)
+  end
+  return on
+end
+
+-- Takes a body along the floor that it stands on. motion_on(n, box, nx, ny): its motion in a whole step on a floor
+-- with this normal. stop_at(box, contact): what happens where it cannot go on. Returns true if it is on a floor
+-- afterwards; else false and the rest of its way.
+local function go_along_floor(world, body, box, reach, motion_on, stop_at)
+  local n, speed = world.tuning, box.vx
+  if speed == 0 then return false, 0.0, 0.0 end
+  local walk = setmetatable({terrain = world.terrain, direction = speed < 0 and -1 or 1, steepest = n.steepest,
+                             sunk = 0.0, others = world:others(body, box, speed, abs(speed) * n.steepest + reach + 1)},
+                            Walk)
+  local on, rest, x, y = nil, 1.0, speed, 0.0
+  local contacts = 0
+  while contacts < n.max_passes do
+    on = on or walk:floor_ahead(box, reach)
+    if not on then return false, x * rest, y * rest end
+    x, y = motion_on(n, box, on.contact.nx, on.contact.ny)
+    local goal_x, goal_y = walk:goal_on(on, box.x, box.w, box.h, box.centre, x * rest)
+    if goal_x - box.x == 0 then return true end
+    local contact = walk:cast_to(on, box, goal_x, goal_y)
+    local at_x, at_y = goal_x, goal_y
+    if contact then contacts, at_x, at_y = contacts + 1, contact.x, contact.y end
+    rest = rest - (at_x - box.x) / x
+    box.x, box.y = at_x, at_y
+    if not contact then
+      if not (rest > 0) or goal_x ~= on.stop then return true end
+      on = nil
+    elseif walk:sinks(box, contact) then
+      on = nil
+    elseif contact.ny < 0 and is_level(contact, n.steepest) then
+      on = walk:floor_met(box, contact)
+    else
+      local _, floor_y = Walk.place_on(on, box.x, box.w, box.h, box.centre)
+      box.y = floor_y
+      stop_at(box, contact)
+      return true
+    end
+  end
+  return true
+end

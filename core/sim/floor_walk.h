@@ -1,0 +1,218 @@
+// FloorWalk: takes a body that stands along the floor, piece by piece. It turns into the next piece where the
+// piece under its foot ends, so that it neither flies on over a crest nor meets what lies below the floor
+// that it walks on.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include <talus/collision/cast.h>
+#include "../collision/box_on_piece.h"
+#include "../collision/cast_rounding.h"
+#include "exact_mover.h"
+
+namespace talus {
+
+// px; how far ahead the next piece of floor is looked for: half of the shortest piece.
+inline constexpr double kFloorStep = 0.001953125;
+static_assert(kFloorStep * 2 * kWeldParts == 1);
+// px; the end of a curve may be so far off the end that it ought to meet, as ends are rounded to it.
+inline constexpr double kMostLip = 0.00390625;
+static_assert(kMostLip * kWeldParts == 1);
+// The floor under a body is followed over so many pieces to a corner of the body.
+inline constexpr int kMostPiecesUnder = 16;
+
+// The level piece of floor that a body goes on along, seen from where it stands.
+template <class Real>
+struct FloorAhead {
+  Contact<Real> contact;  // of the body, there or a little further on
+  bool on_line = false;   // the foot is on the line of a piece: its height follows the line
+  Real end = 0;           // px, x of the box where the piece ends
+};
+
+template <class Real>
+class FloorWalk {
+ public:
+  using Vec = BasicVec2<Real>;
+
+  // others: boxes that stop the body as tiles do. direction: -1 or 1. steepest: the largest |dy/dx| of a
+  // floor. budget: of all casts together; null: no limit.
+  FloorWalk(const BasicTerrain<Real>& ground, std::span<const BasicRect<Real>> others, Real direction,
+            Real steepest, CastBudget* budget)
+      : ground_(ground), others_(others), direction_(direction), steepest_(steepest), budget_(budget) {}
+
+  // The floor on which the body goes on, up to `reach` px below it. Nothing: there is none, or it is too
+  // steep.
+  std::optional<FloorAhead<Real>> floor_ahead(const Moving<Real>& body, Real reach) {
+    auto floor = look_ahead(body, reach, sunk_);
+    if (floor && !floor->on_line && sinks(body, floor->contact)) floor = look_ahead(body, reach, sunk_);
+    return floor;
+  }
+
+  // The level floor that the body has met, and goes on along. Nothing: it ends there.
+  std::optional<FloorAhead<Real>> floor_met(const Moving<Real>& body, const Contact<Real>& contact) const {
+    const FloorAhead<Real> floor = floor_of(contact, body.box, body.foot);
+    if (!((floor.end - body.box.x) * direction_ > 0)) return std::nullopt;
+    return floor;
+  }
+
+  // Where the body is after it went `way` px to the side on that floor, or to the floor's end.
+  Vec goal_on(const FloorAhead<Real>& floor, const BasicRect<Real>& box, Real way, Foot foot) const {
+    const Real x = moved_x(box, way);
+    return place_on(floor, box, (x - floor.end) * direction_ > 0 ? floor.end : x, foot);
+  }
+  // The place of the body on that floor at this x.
+  Vec place_on(const FloorAhead<Real>& floor, const BasicRect<Real>& box, Real x, Foot foot) const {
+    const BasicRect<Real> there{x, box.y, box.w, box.h};
+    if (!floor.on_line) return {x, floor.contact.position.y};
+    return {x, rest_on(*floor.contact.piece, ground_.stretches(), there, foot)};
+  }
+
+  // What the body meets first on its way to a place on the floor.
+  Contact<Real> cast_to(const FloorAhead<Real>& floor, const Moving<Real>& body, Vec goal) const {
+    const Piece<Real>* line = floor.on_line ? floor.contact.piece : nullptr;
+    Cast<Real> cast{body.box, goal - body.box.position(), body.foot, sunk_};
+    // A ceiling that is parallel to the floor must not come nearer by the rounding of the two places.
+    const Real along = line != nullptr ? cast.motion.x * line->slope : 0;
+    const bool is_straight = line == nullptr || line->stretch == 0;
+    if (is_straight && std::abs(cast.motion.y - along) <= kSettledSlacks * rounding_slack(cast))
+      cast.motion.y = along;
+    return cast_box(ground_, cast, others_, is_straight ? nullptr : line, budget_);
+  }
+
+  // Whether what the body met lies below the floor that its foot walks on, as the side of the tile below the
+  // next piece does. From then on the lowest part of the body's corners meets nothing. `body` is at the
+  // contact.
+  bool sinks(const Moving<Real>& body, const Contact<Real>& contact) {
+    if (body.foot != Foot::centre || contact.is_other || !ground_.has_pieces()) return false;
+    const auto spot = corner_met(body, contact);
+    if (!spot) return false;
+    const Real sunk = std::max(body.box.y + body.box.h - spot->y, Real(kFloorStep));
+    if (!(sunk > sunk_ && sunk < body.box.h) || !floor_leads_over(body, *spot)) return false;
+    sunk_ = sunk;
+    return true;
+  }
+
+ private:
+  // The floor is looked for a little further on, so that of two pieces that meet at the foot the next one is
+  // found.
+  std::optional<FloorAhead<Real>> look_ahead(const Moving<Real>& body, Real reach, Real sunk) const {
+    const Real slack = rounding_slack<Real>({body.box, {}, body.foot});
+    const Real step = std::max<Real>(Real(kFloorStep), 2 * slack);
+    const Real rise = std::min<Real>(step * steepest_, 1) + Real(kMostLip) + 2 * slack;
+    BasicRect<Real> there = body.box;
+    there.x = moved_x(body.box, direction_ * step);
+    there.y -= rise;
+    const Cast<Real> down{there, {0, rise + reach}, body.foot, sunk > 0 ? sunk + rise : 0};
+    const Contact<Real> contact = cast_box<Real>(ground_, down, others_, nullptr, budget_);
+    if (!contact || !is_level(contact, steepest_)) return std::nullopt;
+    if (contact.normal.x == 0 && contact.position.y - body.box.y > reach) return std::nullopt;
+    FloorAhead<Real> floor = floor_of(contact, there, body.foot);
+    if ((floor.end - there.x) * direction_ < 0) floor.end = there.x;  // by rounding: each piece leads on
+    return floor;
+  }
+
+  // box: where the body has the contact.
+  FloorAhead<Real> floor_of(const Contact<Real>& contact, const BasicRect<Real>& box, Foot foot) const {
+    const bool on_line = contact.piece != nullptr && !contact.on_end;
+    return {contact, on_line, end_of(contact, on_line, box, foot)};
+  }
+
+  // The x of the box where it leaves the floor.
+  Real end_of(const Contact<Real>& contact, bool on_line, const BasicRect<Real>& box, Foot foot) const {
+    const bool right = direction_ > 0;
+    if (contact.is_other) {
+      const BasicRect<Real>& other = others_[static_cast<std::size_t>(-1 - contact.origin)];
+      return right ? other.x + other.w : other.x - box.w;
+    }
+    if (contact.piece == nullptr) return end_of_tiles(contact, box, foot);
+    const Piece<Real>& piece = *contact.piece;
+    if (on_line) return (right ? piece.x1 : piece.x0) - foot_offset(piece, box.w, foot);
+    // The flat bottom stands on an end of the piece, or on a level piece.
+    const Real half = box.w / 2;
+    if (foot == Foot::centre) {
+      const bool on_first = piece.x1 - (box.x + half) > (box.x + half) - piece.x0;
+      if (on_first) return right ? piece.x0 - half : piece.x0 - box.w;
+      return right ? piece.x1 : piece.x1 - half;
+    }
+    if (piece.y0 == piece.y1) return right ? piece.x1 : piece.x0 - box.w;
+    const Real end = piece.rises_to_the_right() ? piece.x1 : piece.x0;
+    return right ? end : end - box.w;
+  }
+
+  // The column of the solid tile in a row that is nearest to the middle of the box. There is one under it.
+  int solid_column(const BasicRect<Real>& box, int row) const {
+    const Real middle = box.x + box.w / 2;
+    int left = static_cast<int>(std::floor(middle / Real(ground_.tile_size().width))), right = left;
+    while (!ground_.is_solid({left, row}) && ground_.x_of(left) > box.x) --left;
+    while (!ground_.is_solid({right, row}) && ground_.x_of(right + 1) < box.x + box.w) ++right;
+    if (!ground_.is_solid({left, row})) return right;
+    if (!ground_.is_solid({right, row})) return left;
+    const Real to_left = middle - ground_.x_of(left + 1), to_right = ground_.x_of(right) - middle;
+    return to_left < to_right || (to_left == to_right && direction_ < 0) ? left : right;
+  }
+
+  // The end of a row of full tiles. Where a slope may go on, only the middle of the box stands on the last
+  // tile.
+  Real end_of_tiles(const Contact<Real>& contact, const BasicRect<Real>& box, Foot foot) const {
+    const int step = direction_ > 0 ? 1 : -1;
+    const int row = contact.origin / ground_.width();
+    Cell cell{solid_column(box, row), row};
+    const auto is_floor = [&](Cell c) {
+      return ground_.is_solid(c) && !ground_.is_detailed(c) && !ground_.is_solid({c.x, c.y - 1});
+    };
+    const Real far = box.x + direction_ * (box.w + kShortMotion);
+    while (is_floor({cell.x + step, row}) && (ground_.x_of(cell.x + step) - far) * direction_ < 0)
+      cell.x += step;
+    const Cell next{cell.x + step, row};
+    const bool leads_on = foot == Foot::centre && ground_.is_solid(next) && ground_.is_detailed(next);
+    const Real rest = leads_on ? box.w / 2 : 0;
+    return step > 0 ? ground_.x_of(next.x) - rest : ground_.x_of(cell.x) - box.w + rest;
+  }
+
+  // The upper end of what a corner of the body met. Nothing: its middle met it, or it is a ceiling.
+  std::optional<Vec> corner_met(const Moving<Real>& body, const Contact<Real>& contact) const {
+    const Piece<Real>* piece = contact.piece;
+    const Cell cell{contact.origin % ground_.width(), contact.origin / ground_.width()};
+    if (contact.facing == Facing::left || contact.facing == Facing::right) {
+      if (piece != nullptr) return Vec{piece->x0, piece->y0};
+      return Vec{ground_.x_of(cell.x + (contact.facing == Facing::left ? 0 : 1)), ground_.y_of(cell.y)};
+    }
+    if (contact.facing == Facing::down || (piece != nullptr && !contact.on_end)) return std::nullopt;
+    const int column = piece != nullptr ? 0 : solid_column(body.box, cell.y);
+    const Real x0 = piece != nullptr ? piece->x0 : ground_.x_of(column);
+    const Real x1 = piece != nullptr ? piece->x1 : ground_.x_of(column + 1);
+    const Real middle = body.box.x + body.box.w / 2, y = contact.position.y + body.box.h;
+    if (middle < x0) return Vec{x0, y};
+    if (middle > x1) return Vec{x1, y};
+    return std::nullopt;
+  }
+
+  // Whether the floor goes on from the middle of the body to the x of the spot, and is not below it there.
+  bool floor_leads_over(const Moving<Real>& body, Vec spot) const {
+    const Real middle = body.box.x + body.box.w / 2;
+    Moving<Real> point{{middle, body.box.y, 0, body.box.h}, {}, Foot::box};
+    const Real direction = spot.x < middle ? -1 : 1;
+    FloorWalk walk(ground_, {}, direction, steepest_, budget_);
+    for (int i = 0; i < kMostPiecesUnder && point.box.x != spot.x; ++i) {
+      const auto floor = walk.look_ahead(point, 1, 0);
+      if (!floor) return false;
+      const Vec goal = walk.goal_on(*floor, point.box, spot.x - point.box.x, point.foot);
+      if (goal.x == point.box.x) return false;
+      point.box.x = (goal.x - spot.x) * direction < 0 ? goal.x : spot.x;
+      point.box.y = goal.y;
+    }
+    const Real slack = rounding_slack<Real>({body.box, {}, body.foot});
+    return point.box.x == spot.x && point.box.y + point.box.h <= spot.y + Real(kMostLip) + 2 * slack;
+  }
+
+  const BasicTerrain<Real>& ground_;
+  const std::span<const BasicRect<Real>> others_;
+  const Real direction_, steepest_;
+  CastBudget* const budget_;
+  Real sunk_ = 0;  // px, as Cast::sunk
+};
+
+}  // namespace talus
