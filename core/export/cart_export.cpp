@@ -41,10 +41,10 @@ FormatResult<std::string> game_code(const ExportRequest& request) {
     const bool is_module = name != "tic80/main";
     game.push_back(is_module ? name + "=(function()\n" + *text + "end)()\n" : *text);
   }
-  // The joined text begins with code, so none of its comments are kept: space in a cart is short.
+  // A text that begins with code keeps none of its comments: space in a cart is short.
   return "-- title:  level\n-- author: made with Talus\n-- desc:   arrows run, up or A jumps, the mouse "
-         "drags, B starts again\n-- script: lua\n" +
-         with_short_names(join_lua({"talus=(function()\n", *runtime, "end)()\n"})) + "level=(function()\n" +
+         "drags, B starts again\n-- script: lua\ntalus=(function()\n" +
+         with_short_names(join_lua({"\n", *runtime})) + "end)()\nlevel=(function()\n" +
          lua_level(level, LuaForm::small) + "end)()\n" + join_lua(game);
 }
 
