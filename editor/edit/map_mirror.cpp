@@ -92,11 +92,17 @@ class Mirrorer {
  private:
   MapCell cell_at(int x, int y) const { return level_.map.at({cells_.x + x, cells_.y + y}); }
   TileNumber tile_at(int x, int y) const { return cell_at(x, y).tile; }
-  bool is_turned(int x, int y) const { return cell_at(x, y).turn != TileTurn::none; }
-  // A turned tile is mirrored by itself, whatever it is.
+  // A turned tile is mirrored by itself, whatever it is, and so is one in true colour: other tiles of a
+  // picture look otherwise.
+  bool turns_itself(int x, int y) const {
+    const MapCell cell = cell_at(x, y);
+    const bool is_in_true_color =
+        level_.sheet(SheetId::tiles).picture != nullptr || level_.large_tiles.contains(cell.tile);
+    return cell.turn != TileTurn::none || (can_turn_ && is_in_true_color);
+  }
   const Physics& physics_at(int x, int y) const {
     static const Physics kNone;
-    return is_turned(x, y) ? kNone : physics_[tile_at(x, y)];
+    return turns_itself(x, y) ? kNone : physics_[tile_at(x, y)];
   }
   const TileImage& image(TileNumber tile) const { return level_.sheet(SheetId::tiles).images[tile]; }
 
@@ -106,7 +112,7 @@ class Mirrorer {
     const TileShape& shape = physics_at(x, y).shape;
     if (axis_ == MirrorAxis::vertical || shape.kind == Kind::none || x + shape.tiles > cells_.w) return 1;
     for (int i = 1; i < shape.tiles; ++i)
-      if (physics_at(x + i, y) != Physics() || is_turned(x + i, y)) return 1;
+      if (physics_at(x + i, y) != Physics() || turns_itself(x + i, y)) return 1;
     return shape.tiles;
   }
   bool taken_by_slope(int x, int y) const {
@@ -126,7 +132,7 @@ class Mirrorer {
     const bool is_cut = axis_ == MirrorAxis::horizontal && span < physics_at(x, y).shape.tiles;
     const int to_x = axis_ == MirrorAxis::horizontal ? cells_.w - x - span : x;
     const int to_y = axis_ == MirrorAxis::vertical ? cells_.h - 1 - y : y;
-    if (is_turned(x, y)) return put(to_x, to_y, turned_over(cell_at(x, y)));
+    if (turns_itself(x, y)) return put(to_x, to_y, turned_over(cell_at(x, y)));
     std::array<MapCell, kMaxShapeTiles> tiles{};
     int art = 0;
     for (int i = 0; i < span; ++i) {

@@ -136,4 +136,23 @@ TEST(MapMirror, WhatHasNoPartnerIsTurned) {
   EXPECT_EQ(level.map.at({4, 1}), turned(6, turn_of(false, true, true)));
 }
 
+// As in maps of Tiled, whose tiles in 16 colours are blank.
+TEST(MapMirror, TilesInTrueColorAreTurned) {
+  Level level = level_of_rows({"abc"});
+  level.tile_shapes[2] = {.kind = Kind::slope, .heights = {0, 8}};
+  level.tile_shapes[4] = {.kind = Kind::slope, .heights = {8, 0}};
+  const int side = kCartColumns * kCartTileSize;
+  level.sheet(SheetId::tiles).picture = std::make_shared<const SheetPicture>(
+      SheetPicture{side, side, std::vector<std::uint8_t>(static_cast<std::size_t>(4 * side * side))});
+  for (const auto& [axis, turn, first] :
+       {std::tuple{kLeftRight, TileTurn::left_right, 3}, std::tuple{kUpDown, TileTurn::up_down, 1}}) {
+    Level turned = level;
+    const MirroredCells mirrored = mirror_cells(level, {0, 0, 3, 1}, axis);
+    apply_edit(turned, mirrored.edit);
+    EXPECT_EQ(turned.map.at({0, 0}), MapCell(static_cast<TileNumber>(first), turn));
+    EXPECT_EQ(turned.map.at({1, 0}), MapCell(2, turn));
+    EXPECT_EQ(text_of_missing(mirrored), "");
+  }
+}
+
 }  // namespace talus::map_mirror_test
