@@ -272,8 +272,8 @@ TEST(Native, LevelsThatCannotBeReadAreNotWritten) {
   level.spawns.push_back({"", {std::numeric_limits<double>::quiet_NaN(), 0}, {}, ""});
   EXPECT_EQ(write_native(level, {}).error().place, "key spawns[0].x");
   level.spawns[0] = {"\xff", {}, {}, ""};
-  EXPECT_EQ(write_native(level, {}).error().message,
-            "a name of a flag, tileset, layer, body, curve, brush or export is not valid UTF-8");
+  EXPECT_EQ(write_native(level, {}).error().place, "key spawns[0].name");
+  EXPECT_EQ(write_native(level, {}).error().message, "is not valid UTF-8");
   level.spawns.clear();
   level.tuning.shared.cell_size = 0;
   EXPECT_EQ(write_native(level, {}).error().place, "key tuning.cell_size");

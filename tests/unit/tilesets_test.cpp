@@ -218,6 +218,13 @@ Level level_of(const std::string& png, const TileCut& cut) {
   return *level_of_tiles({.picture = picture, .cut = cut, .name = "art"}, 10, 5);
 }
 
+TEST(NewTileset, AFileNameThatIsNotUtf8CanBeSaved) {
+  const RgbaPicture picture = picture_of(tiles_png());
+  const Level level = *level_of_tiles({.picture = picture, .cut = {{16, 16}, 1, 1}, .name = "t\xff"}, 10, 5);
+  EXPECT_EQ(level.tilesets[0].name, "t\\xff");
+  EXPECT_TRUE(write_native(level, {}));
+}
+
 TEST(NewTileset, ALevelHasTheTilesBelowABlankRow) {
   const Level level = level_of(tiles_png(), {{16, 16}, 1, 1});
   EXPECT_EQ(level.map.tile_size(), (TileSize{16, 16}));

@@ -12,6 +12,7 @@
 #include "../../level/placed_picture.h"
 #include "../text/hex.h"
 #include "../text/json_text.h"
+#include "../text/utf8_text.h"
 #include "../tilesets/tileset_pixels.h"
 #include "hard_case_file.h"
 #include "native_animations.h"
@@ -597,14 +598,31 @@ FormatResult<Level> level_of_document(Json document, const Progress& progress) {
   return Reader(progress).read(std::move(document));
 }
 
+namespace {
+
+// The place of the first text or key that is not UTF-8, as "key tilesets[0].name"; empty if all are.
+std::string place_of_wrong_text(const Json& json, const std::string& place) {
+  if (json.is_string()) return is_utf8(json.get_ref<const std::string&>()) ? "" : place;
+  std::string found;
+  for (std::size_t i = 0; json.is_array() && found.empty() && i < json.size(); ++i)
+    found = place_of_wrong_text(json[i], place + "[" + std::to_string(i) + "]");
+  if (!json.is_object()) return found;
+  for (auto at = json.begin(); found.empty() && at != json.end(); ++at) {
+    const std::string inner = place + (place == "key " ? "" : ".") + printable(at.key());
+    found = is_utf8(at.key()) ? place_of_wrong_text(*at, inner) : inner;
+  }
+  return found;
+}
+
+}  // namespace
+
 FormatResult<std::string> print_document(const Json& document) {
   try {
     std::string text = print_json(document, key_order());
     if (auto problem = problem_of_size(text)) return tl::unexpected(FormatError{"", *std::move(problem)});
     return text;
   } catch (const Json::exception&) {
-    return tl::unexpected(
-        FormatError{"", "a name of a flag, tileset, layer, body, curve, brush or export is not valid UTF-8"});
+    return tl::unexpected(FormatError{place_of_wrong_text(document, "key "), "is not valid UTF-8"});
   }
 }
 

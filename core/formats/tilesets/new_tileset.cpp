@@ -10,6 +10,7 @@
 #include "../import/linked_files.h"
 #include "../import/sheet_images.h"
 #include "../pictures/any_picture.h"
+#include "../text/utf8_text.h"
 #include "tile_cut.h"
 #include "tileset_pixels.h"
 
@@ -28,7 +29,7 @@ bool is_possible(const SheetLayout& layout) {
 
 Tileset tileset_of(const TilePicture& tiles, const CutGrid& grid, int first, int columns) {
   Tileset set;
-  set.name = tiles.name;
+  set.name = printable(tiles.name);
   set.first = first;
   set.count = (grid.rows - 1) * columns + grid.columns;
   set.columns = grid.columns;

@@ -20,7 +20,7 @@ struct TilePicture {
   const RgbaPicture& picture;
   std::vector<Rgb> palette = {};  // of the file; empty: it has none
   TileCut cut = {};               // without a problem (see tile_cut.h)
-  std::string name = {};          // of the tileset
+  std::string name = {};          // of the tileset; bytes that are not UTF-8 become "\xff"
   std::string link = {};  // path of the picture, absolute, if the tileset shows it; empty: it is copied
 };
 
