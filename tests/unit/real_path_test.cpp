@@ -87,4 +87,11 @@ TEST_F(RealPath, OtherNamesOfTheSameFileAreRecognised) {
   EXPECT_FALSE(is_same_file(path("in/a"), path("none")));
 }
 
+TEST(LastName, OfFoldersIsTheirName) {
+  EXPECT_EQ(last_name("a/b.tmx"), "b.tmx");
+  EXPECT_EQ(last_name("a/maps/"), "maps");
+  EXPECT_EQ(last_name("/"), "/");
+  EXPECT_EQ(last_name(""), "");
+}
+
 }  // namespace talus::real_path_test

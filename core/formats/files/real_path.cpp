@@ -47,7 +47,11 @@ FormatResult<std::string> real_folder_of(const std::string& file) {
   return real_path(fs::path(file).parent_path().string());
 }
 
-std::string last_name(const std::string& path) { return fs::path(path).filename().string(); }
+std::string last_name(const std::string& path) {
+  const fs::path whole(path);
+  const fs::path name = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
+  return name.empty() ? path : name.string();
+}
 
 bool is_within(const std::string& place, const std::string& folder) {
   const fs::path inner(place), outer(folder);

@@ -17,7 +17,7 @@ FormatResult<std::string> real_path(const std::string& path);
 // The same for the folder that a file is in: the file itself may be a link.
 FormatResult<std::string> real_folder_of(const std::string& file);
 
-// Returns the last part of a path, which titles and sentences show.
+// Returns the last part of a path, which titles and sentences show: "maps" for "a/maps/", "/" for "/".
 std::string last_name(const std::string& path);
 
 // Whether a place is the folder or inside of it. Both must come from real_path().
