@@ -15,6 +15,10 @@
 namespace talus {
 namespace {
 
+// Conflicts of levels that cannot be merged part by part.
+constexpr const char* kTileSizes = "the size of the tiles";
+constexpr const char* kTooMuch = "more than fits into one level";
+
 std::vector<std::string> sorted_layer_names(const Level& level) {
   std::vector<std::string> names;
   for (const TileLayer& layer : level.layers.list) names.push_back(layer.name);
@@ -73,6 +77,7 @@ class LevelMerger {
 
  private:
   std::string reason_for_whole() const;
+  std::string text_of_apart(const std::string& reason) const;
   void merge_parts();
 
   template <class T>
@@ -506,12 +511,23 @@ void LevelMerger::fit_curves() {
   note(static_cast<int>(gone), "curve that leaves the map", "curves that leave the map");
 }
 
-// Why the two sides cannot be merged part by part; empty if they can.
+// What keeps the two sides from being merged part by part; empty if they can be.
 std::string LevelMerger::reason_for_whole() const {
-  if (!(mine_.map.tile_size() == theirs_.map.tile_size())) return "the size of the tiles";
+  if (!(mine_.map.tile_size() == theirs_.map.tile_size())) return kTileSizes;
   const bool same_numbers = mine_.sheet(SheetId::tiles).columns == theirs_.sheet(SheetId::tiles).columns &&
                             mine_.sheet(SheetId::sprites).columns == theirs_.sheet(SheetId::sprites).columns;
   return same_numbers ? "" : "the numbers of the tiles";
+}
+
+// The same as a clause.
+std::string LevelMerger::text_of_apart(const std::string& reason) const {
+  const auto px = [](TileSize tile) {
+    return std::to_string(tile.width) + "x" + std::to_string(tile.height) + " px";
+  };
+  if (reason == kTileSizes)
+    return "the tiles have " + px(theirs_.map.tile_size()) + " there, and " + px(mine_.map.tile_size()) +
+           " here";
+  return reason == kTooMuch ? "both together are " + reason : reason + " are others there than here";
 }
 
 void LevelMerger::merge_parts() {
@@ -554,9 +570,12 @@ MergedLevel LevelMerger::merge() {
     take(mine_, {});
   } else if (const std::string reason = reason_for_whole(); !reason.empty()) {
     take(chosen, {reason});
+    merged_.apart = text_of_apart(reason);
   } else {
     merge_parts();
-    if (problem_of_amounts(merged_.level)) take(chosen, {"more than fits into one level"});
+    if (!problem_of_amounts(merged_.level)) return std::move(merged_);
+    take(chosen, {kTooMuch});
+    merged_.apart = text_of_apart(kTooMuch);
   }
   return std::move(merged_);
 }

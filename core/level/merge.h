@@ -14,6 +14,9 @@ struct MergedLevel {
   Level level;
   // What both sides changed, each in another way: "12 cells", "1 shape". Empty: they do not meet.
   std::vector<std::string> conflicts = {};
+  // Why the level is one side's as a whole: "the tiles have 16x16 px there, and 8x8 px here". Empty: it was
+  // merged part by part.
+  std::string apart = {};
 };
 
 // What only one side changed since `base` is taken from that side: cell by cell, tile by tile, body by body.

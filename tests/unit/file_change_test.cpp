@@ -71,6 +71,24 @@ TEST_F(FileChangeTest, AnUnchangedLevelIsReadAgainWithUndo) {
   EXPECT_FALSE(session_.modified());
 }
 
+TEST_F(FileChangeTest, AnotherTileSizeIsSaid) {
+  edit(3);
+  Level other = level_with(1);
+  other.map = TileMap(4, 4, {16, 16});
+  write(other);
+  session_.apply(action::CheckFile{});
+  ASSERT_TRUE(session_.question());
+  EXPECT_EQ(
+      session_.question()->text,
+      "level.talus.json was changed by another program.\nIt cannot be merged with what was changed here, "
+      "as the tiles have 16x16 px there, and 8x8 px here. Take all of mine or all of theirs? Undo takes "
+      "it back.");
+  session_.apply(action::AnswerQuestion{action::Answer::reload});
+  EXPECT_EQ(session_.level(), other);
+  session_.apply(action::Undo{});
+  EXPECT_EQ(first_tile(), 3);
+}
+
 // The new file takes longer to read than the window waits.
 TEST_F(FileChangeTest, ACancelledRereadLeavesTheLevelModified) {
   std::string large = R"({"talus":1,"x":[{"a":0})";

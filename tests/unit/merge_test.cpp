@@ -229,6 +229,7 @@ TEST(Merge, OfOtherTileNumbersTakesOneSideAsAWhole) {
   theirs.set_tile_layout({8, 256});
   const MergedLevel merged = merge_levels(base, mine, theirs, MergeSide::mine);
   EXPECT_THAT(merged.conflicts, ElementsAre("the numbers of the tiles"));
+  EXPECT_EQ(merged.apart, "the numbers of the tiles are others there than here");
   EXPECT_EQ(merged.level, mine);
 }
 

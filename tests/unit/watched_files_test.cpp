@@ -88,6 +88,20 @@ TEST_F(WatchedFiles, APictureThatALevelLinksToIsDrawnAnew) {
   EXPECT_TRUE(session_.modified());
 }
 
+TEST_F(WatchedFiles, APictureWhoseNameIsNotUtf8IsTaken) {
+  put("t\xff.png", picture(10));
+  session_.apply(act::OpenTiles{path("t\xff.png")});
+  ASSERT_TRUE(session_.tile_import());
+  session_.apply(act::ApplyTiles{.cut = {.tile = {16, 16}}, .width = 4, .height = 4});
+  EXPECT_EQ(level().tilesets[0].name, "t\\xff");
+  session_.apply(act::SaveFileAs{path("level.talus.json")});
+  EXPECT_EQ(session_.path(), path("level.talus.json")) << message();
+  session_.apply(act::OpenTiles{path("t\xff.png")});
+  session_.apply(act::ApplyTiles{.cut = {.tile = {16, 16}}, .width = 4, .height = 4, .is_linked = true});
+  session_.apply(act::SaveFileAs{path("linked.talus.json")});
+  EXPECT_EQ(message(), path("linked.talus.json") + ":key tilesets[0].image: error: is not valid UTF-8");
+}
+
 class WatchedProjects : public WatchedFiles {
  protected:
   void put_project(const std::string& cave) const {

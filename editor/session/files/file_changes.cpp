@@ -257,7 +257,7 @@ void FileHandler::take_reloaded(const std::shared_ptr<Newer>& newer) {
   newer->theirs.ldtk = theirs.ldtk;
   MergedLevel merged = merge_levels(*newer->base, open_.level, newer->theirs, MergeSide::mine);
   if (merged.conflicts.empty()) return take_newer(*newer, std::move(merged.level));
-  ask_about_merge(newer, merged.conflicts);
+  ask_about_merge(newer, merged);
 }
 
 void FileHandler::take_unread(const Newer& newer, const std::string& why) {
@@ -275,12 +275,15 @@ void FileHandler::take_unread(const Newer& newer, const std::string& why) {
                            : "Another program changed this file, and it cannot be read again: " + why);
 }
 
-void FileHandler::ask_about_merge(const std::shared_ptr<Newer>& newer,
-                                  const std::vector<std::string>& conflicts) {
+void FileHandler::ask_about_merge(const std::shared_ptr<Newer>& newer, const MergedLevel& merged) {
+  const std::string what =
+      merged.apart.empty()
+          ? "Both changed " + list_of(merged.conflicts) +
+                ", each in another way. Take mine or theirs there? All else that either changed is kept."
+          : "It cannot be merged with what was changed here, as " + merged.apart +
+                ". Take all of mine or all of theirs?";
   messages_.ask(
-      Question{newer->changed + " was changed by another program.\nBoth changed " + list_of(conflicts) +
-                   ", each in another way. Take mine or theirs there? All else that either changed is kept. "
-                   "Undo takes it back.",
+      Question{newer->changed + " was changed by another program.\n" + what + " Undo takes it back.",
                Question::Kind::merge},
       [this, newer](action::Answer answer) {
         if (answer != action::Answer::keep && answer != action::Answer::reload) {

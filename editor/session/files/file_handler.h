@@ -14,6 +14,7 @@
 #include "file_reading.h"
 #include "file_stamp.h"
 #include "formats/native/companion.h"
+#include "level/merge.h"
 #include "level_import.h"
 #include "map_list.h"
 #include "opened_file.h"
@@ -129,7 +130,7 @@ class FileHandler {
   struct Newer;  // the level as its files have it now
   void take_reloaded(const std::shared_ptr<Newer>& newer);
   void take_unread(const Newer& newer, const std::string& why);
-  void ask_about_merge(const std::shared_ptr<Newer>& newer, const std::vector<std::string>& conflicts);
+  void ask_about_merge(const std::shared_ptr<Newer>& newer, const MergedLevel& merged);
   void take_newer(const Newer& newer, Level level);
   bool save();  // returns false if it failed or needs a name first
   bool save_to(const std::string& saved_path, const Format& saved_format);
