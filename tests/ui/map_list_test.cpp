@@ -26,6 +26,7 @@ constexpr KeyChord kNext = ctrl(kKeyPageDown), kPrevious = ctrl(kKeyPageUp);
 
 TEST_F(UiMapList, AFolderIsGoneThroughByKeys) {
   drop(path("maps"));
+  ASSERT_TRUE(frames_until([&] { return !session().maps().files().empty(); }));
   EXPECT_EQ(session().maps().files().size(), 5u) << "with that in the inner folder, without notes.txt";
   EXPECT_EQ(session().path(), path("maps/a.tmx"));
   key(kNext);
@@ -62,7 +63,8 @@ TEST_F(UiMapList, UnsavedChangesAreAskedAboutFirst) {
   click(on_map({12, 9}));
   ASSERT_TRUE(session().modified());
   key(kNext);
-  ASSERT_TRUE(session().question());
+  ASSERT_TRUE(frames_until([&] { return session().question().has_value(); }));
+  frames(3);
   EXPECT_EQ(session().path(), path("maps/b.talus.json"));
   click("question/cancel");
   EXPECT_EQ(tile_at({12, 9}), 1);

@@ -2,11 +2,13 @@
 #include "companion.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iterator>
 
 #include "../text/content_hash.h"
 #include "../text/hex.h"
+#include "../text/json_text.h"
 #include "moved_companion.h"
 #include "moved_members.h"
 #include "native.h"
@@ -344,6 +346,11 @@ bool is_companion(std::string_view bytes) {
   if (bytes.find("\"companion\"") == std::string_view::npos) return false;
   const auto json = parse_json(bytes);
   return json && json->is_object() && json->contains(kAbout);
+}
+
+bool begins_as_companion(std::string_view start) {
+  constexpr std::array<std::string_view, 1> kKey = {kAbout};
+  return has_key(start, kKey);
 }
 
 FormatResult<std::string> write_companion(const Level& level, const Level& held, const Format& format,

@@ -46,6 +46,8 @@ std::string companion_place_problem(const std::string& path);
 std::optional<TiledFrame> frame_of_companion(std::string_view bytes);
 // Whether the text is a companion, maybe a faulty one: JSON with the member "companion".
 bool is_companion(std::string_view bytes);
+// The same by the beginning of the text alone, where Talus writes that member.
+bool begins_as_companion(std::string_view start);
 
 // Returns the companion of a level whose file holds `held`, read as `format`. Empty if the file holds the
 // whole level, unless `even_empty` asks for a companion without members. file: its name without folders.

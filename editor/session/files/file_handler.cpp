@@ -112,18 +112,25 @@ void FileHandler::carry_out(const action::CancelTiles&) {
 
 template <>
 void FileHandler::carry_out(const action::OpenMaps& a) {
-  MapList found;
-  found.list(a.paths, true);
-  if (found.files().empty()) return messages_.tell_error("There is no map in " + joined(a.paths, "") + ".");
-  maps_ = std::move(found);
-  ask_before_discarding(action::OpenFile{maps_.files().front()});
+  list_maps(a.paths, true, [this, paths = a.paths] {
+    if (!maps_.files().empty()) return ask_before_discarding(action::OpenFile{maps_.files().front()});
+    const std::string where = joined(paths, "");
+    messages_.tell_error(maps_.is_cut()
+                             ? "There is no map among the first " + std::to_string(MapList::kMostEntries) +
+                                   " files in " + where + ": open the folder of a game."
+                             : "There is no map in " + where + ".");
+  });
 }
 
 template <>
 void FileHandler::carry_out(const action::OpenNextMap& a) {
-  const std::string next = maps_.beside(a.step);
-  if (next.empty()) return messages_.tell("There is no other map to open.");
-  ask_before_discarding(action::OpenFile{next});
+  const auto open = [this, a] {
+    const std::string next = maps_.beside(a.step);
+    if (next.empty()) return messages_.tell("There is no other map to open.");
+    ask_before_discarding(action::OpenFile{next});
+  };
+  if (maps_.opened().empty() || maps_.current()) return open();
+  list_maps({std::filesystem::path(maps_.opened()).parent_path().string()}, false, open);
 }
 
 template <>
@@ -309,13 +316,6 @@ void FileHandler::take_opened(const action::OpenFile& file, OpenedFile opened) {
     if (!loaded.note.empty()) messages_.tell(with_note("", loaded.note));
   }
   if (!file.as_copy && (!messages_.message() || messages_.message()->text == told)) tell_place_in_list();
-}
-
-void FileHandler::tell_place_in_list() {
-  const auto at = maps_.current();
-  if (!at || maps_.files().size() < 2) return;
-  messages_.tell("Map " + std::to_string(*at + 1) + " of " + std::to_string(maps_.files().size()) + ": " +
-                 last_name(maps_.files()[*at]) + ".");
 }
 
 void FileHandler::open_imported(const std::string& file, LoadedLevel loaded) {

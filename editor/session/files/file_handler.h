@@ -87,7 +87,6 @@ class FileHandler {
   void note_reading_given_up();
   void read_and_open(const action::OpenFile& file);
   void take_opened(const action::OpenFile& file, OpenedFile opened);
-  void tell_place_in_list();
   void apply_mapping(const Level& read);  // the level as the project gives it with another mapping
   void open_imported(const std::string& file, LoadedLevel loaded);
   void open_recording(const std::string& file, const Recording& recording, const EndScenes& scenes);
@@ -99,6 +98,11 @@ class FileHandler {
                       const EndScenes& scenes);
 
   void take_import(LevelImport import);
+
+  // --- Maps, by themselves and in folders; in map_opening.cpp
+  // Lists them beside the window, if there are folders; then calls `use`. paths: not empty.
+  void list_maps(const std::vector<std::string>& paths, bool deep, const std::function<void()>& use);
+  void tell_place_in_list();
 
   // --- Files outside of the map's folder; in outside_files.cpp
   ImportChoices with_permissions(const std::string& file, ImportChoices choices) const;

@@ -7,15 +7,24 @@
 #include <string_view>
 #include <system_error>
 
-#include <talus/formats/format.h>
+#include "formats/files/atomic_file.h"
+#include "formats/native/companion.h"
 
 namespace talus {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostEntries = 200'000;  // looked at in all
-constexpr int kDeepest = 16;           // folders within each other
+constexpr int kDeepest = 16;          // folders within each other
+constexpr std::size_t kStart = 4096;  // bytes that tell a companion
+
+// Whether Talus wrote it beside a map. Companions may be huge.
+bool is_beside_map(const std::string& path) {
+  const std::string owner = owner_of_companion(path);
+  std::error_code ignored;
+  return !owner.empty() && fs::exists(owner, ignored) &&
+         begins_as_companion(read_start_of_file(path, kStart).value_or(""));
+}
 
 // Pictures, tilesets and texts of programs are no maps, and neither are companions.
 bool is_map(const fs::path& path) {
@@ -23,32 +32,35 @@ bool is_map(const fs::path& path) {
   const std::string name = path.filename().string();
   const bool has_ending = std::any_of(kEndings.begin(), kEndings.end(),
                                       [&](std::string_view ending) { return name.ends_with(ending); });
-  return has_ending && level_path(path.string()) == path.string();
+  return has_ending && !is_beside_map(path.string());
 }
 
-void add_maps(const fs::path& folder, bool deep, std::vector<std::string>& files) {
+}  // namespace
+
+void MapList::add_maps(const std::string& folder, bool deep, int& looked, const Progress& progress) {
   std::error_code error;
   fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error);
-  for (int looked = 0; !error && at != fs::recursive_directory_iterator() && looked < kMostEntries;
-       ++looked) {
+  for (; !error && at != fs::recursive_directory_iterator(); ++looked) {
+    is_cut_ = is_cut_ || looked >= kMostEntries || files_.size() >= kMost;
+    if (is_cut_ || !progress.at(looked, kMostEntries)) return;
     std::error_code ignored;
     if (at->is_directory(ignored)) {
       if (!deep || at.depth() >= kDeepest) at.disable_recursion_pending();
-    } else if (files.size() < MapList::kMost && at->is_regular_file(ignored) && is_map(at->path())) {
-      files.push_back(at->path().string());
+    } else if (at->is_regular_file(ignored) && is_map(at->path())) {
+      files_.push_back(at->path().string());
     }
     at.increment(error);
   }
 }
 
-}  // namespace
-
-void MapList::list(const std::vector<std::string>& paths, bool deep) {
+void MapList::list(const std::vector<std::string>& paths, bool deep, const Progress& progress) {
   files_.clear();
+  is_cut_ = false;
+  int looked = 0;
   for (const std::string& path : paths) {
     std::error_code ignored;
     if (fs::is_directory(path, ignored))
-      add_maps(path, deep, files_);
+      add_maps(path, deep, looked, progress);
     else if (files_.size() < kMost)
       files_.push_back(path);
   }
@@ -62,9 +74,7 @@ std::optional<std::size_t> MapList::current() const {
   return static_cast<std::size_t>(found - files_.begin());
 }
 
-std::string MapList::beside(int step) {
-  if (opened_.empty()) return "";
-  if (!current()) list({fs::path(opened_).parent_path().string()}, false);
+std::string MapList::beside(int step) const {
   if (files_.empty()) return "";
   const auto count = static_cast<std::ptrdiff_t>(files_.size());
   const auto at = static_cast<std::ptrdiff_t>(current().value_or(0));
