@@ -267,7 +267,8 @@ bool App::wait() {
     return true;
   }
   double next_frame = now + kIdleWait;
-  if (!note_.empty() && !note_waits_) next_frame = std::min(next_frame, note_since_ + note_time(note_));
+  if (!note_.empty() && !note_waits_ && !keeps_note())
+    next_frame = std::min(next_frame, note_since_ + note_time(note_));
   if (ImGui::GetIO().WantTextInput) next_frame = std::min(next_frame, last_time_ + kBlinkWait);
   const double until = guard_ ? std::min(next_frame, guard_->due()) : next_frame;
   pause(std::max(0.0, until - now), /*for_event=*/true);
@@ -533,6 +534,9 @@ void App::note_recent_picture() {
   if (options_.remember) recent_pictures_.keep(*picture, path, ui_.view.files.recent_files);
 }
 
+// A message with a button waits for it.
+bool App::keeps_note() const { return session_->message() && session_->message()->offers_ground; }
+
 // Messages of success disappear; errors stay.
 void App::dismiss_old_note() {
   const auto& message = session_->message();
@@ -540,7 +544,7 @@ void App::dismiss_old_note() {
   if (text != note_ || note_waits_) {
     note_ = text;
     note_since_ = last_time_;
-  } else if (!note_.empty() && last_time_ - note_since_ > note_time(note_)) {
+  } else if (!note_.empty() && !keeps_note() && last_time_ - note_since_ > note_time(note_)) {
     session_->apply(action::DismissMessage{});
   }
 }

@@ -87,6 +87,7 @@ class App {
   void note_recent_file();
   void note_recent_picture();
   void dismiss_old_note();
+  bool keeps_note() const;
   bool follow_work();                                // returns true if there is something new to show
   bool wait();                                       // returns whether a frame is due
   void pause(double seconds, bool for_event) const;  // for_event: ends when an event comes

@@ -7,6 +7,9 @@
 #include <array>
 #include <string_view>
 
+#include "edit/layer_ground.h"
+#include "edit/layer_tools.h"
+#include "panels/emit_edit.h"
 #include "panels/ui/copy_all.h"
 
 namespace talus {
@@ -42,6 +45,22 @@ ImVec2 place_of_message(const Ui& ui) {
   return {x, free != bottoms.end() ? *free : bottoms.front()};
 }
 
+void draw_ground_button(const Session& session, Actions& actions, Ui& ui) {
+  const Level& level = session.level();
+  const std::string name = shown_line(layer_name(level, level.layers.chosen), kMostLabel);
+  if (!ui.text_button("message/ground", "Make \"" + name + "\" ground", false,
+                      "Makes all tiles of the chosen layer solid, which undo takes back. Layers chooses "
+                      "another one."))
+    return;
+  Edit edit = make_tiles_ground(level);
+  if (edit.empty())
+    return actions.push_back(action::ShowMessage{
+        "The layer \"" + name + "\" has no tiles that can become ground: choose another one under Layers.",
+        true});
+  emit_edit(actions, std::move(edit));
+  actions.push_back(action::DismissMessage{});
+}
+
 }  // namespace
 
 void MessagePanel::draw(const Session& session, Actions& actions, Ui& ui) {
@@ -70,6 +89,7 @@ void MessagePanel::draw(const Session& session, Actions& actions, Ui& ui) {
                      theme::tone(theme::kText));
   ui.item("message/text");
   draw_copy_all("message/copy_all", message.text, ui);
+  if (message.offers_ground) draw_ground_button(session, actions, ui);
   ImGui::End();
   ImGui::PopStyleVar();
   ImGui::PopStyleColor(2);

@@ -315,6 +315,7 @@ void FileHandler::take_opened(const action::OpenFile& file, OpenedFile opened) {
     if (loaded.path == file.path) note_source(file.path, opened.stamp, {}, {});
     if (!loaded.note.empty()) messages_.tell(with_note("", loaded.note));
   }
+  offer_ground(told);
   if (!file.as_copy && (!messages_.message() || messages_.message()->text == told)) tell_place_in_list();
 }
 
@@ -378,9 +379,11 @@ void FileHandler::carry_out(const action::ApplyLevelImport&) {
 
 void FileHandler::take_import(LevelImport import) {
   const std::vector<std::string> dropped = import.plan->dropped;
+  const std::string told = messages_.message() ? messages_.message()->text : "";
   if (import.choices.mapping) mappings_.keep(import.path, *import.choices.mapping);
   open_imported(import.path, *std::move(import.plan));
   note_source(import.path, import.stamp, import.choices, dropped);
+  offer_ground(told);
 }
 
 // The level becomes that of the recording's end, so that playing goes on as it was recorded.

@@ -103,6 +103,8 @@ class FileHandler {
   // Lists them beside the window, if there are folders; then calls `use`. paths: not empty.
   void list_maps(const std::vector<std::string>& paths, bool deep, const std::function<void()>& use);
   void tell_place_in_list();
+  // If the opened map has none. told: the message before it was opened.
+  void offer_ground(const std::string& told);
 
   // --- Files outside of the map's folder; in outside_files.cpp
   ImportChoices with_permissions(const std::string& file, ImportChoices choices) const;

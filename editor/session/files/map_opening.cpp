@@ -1,9 +1,10 @@
-// Lists the maps of folders.
+// Lists the maps of folders, and says what is missing in an opened one.
 #include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <utility>
 
+#include "edit/layer_ground.h"
 #include "file_handler.h"
 #include "formats/files/real_path.h"
 
@@ -35,6 +36,22 @@ void FileHandler::tell_place_in_list() {
   if (!at || maps_.files().size() < 2) return;
   messages_.tell("Map " + std::to_string(*at + 1) + " of " + std::to_string(maps_.files().size()) + ": " +
                  last_name(maps_.files()[*at]) + ".");
+}
+
+// Tilesets, carts and levels of Talus may be without ground on purpose.
+void FileHandler::offer_ground(const std::string& told) {
+  const Level& level = open_.level;
+  const bool is_map = level.ldtk || (level.tiled && !level.tiled->extension.starts_with("ts"));
+  if (!is_map || !lacks_ground(level)) return;
+  const std::string there = level.tiled ? "give a layer the property ground in Tiled"
+                                        : "map a value to a shape in File > LDtk mapping";
+  const auto& message = messages_.message();
+  const std::string opened = message && message->text != told ? message->text + " " : "";
+  messages_.offer_ground(opened +
+                         "Nothing on this map is ground yet: make the tiles of the chosen layer ground here, "
+                         "give tiles a flag or a "
+                         "shape, or " +
+                         there + ".");
 }
 
 }  // namespace talus

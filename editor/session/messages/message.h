@@ -8,6 +8,7 @@ namespace talus {
 struct Message {
   std::string text;
   bool is_error = false;
+  bool offers_ground = false;  // with a button that makes the tiles of the chosen layer ground
 };
 
 // Something that would lose unsaved changes waits for an answer.

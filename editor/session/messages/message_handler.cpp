@@ -7,7 +7,7 @@ namespace talus {
 
 template <>
 void MessageHandler::carry_out(const action::ShowMessage& a) {
-  message_ = Message{a.text, a.is_error};
+  message_ = Message{a.text, a.is_error, false};
 }
 
 template <>

@@ -14,10 +14,11 @@ class MessageHandler {
   void apply(const MessageAction& action);
 
   // Each replaces the message before.
-  void tell(std::string text) { message_ = Message{std::move(text), false}; }
-  void tell_error(std::string text) { message_ = Message{std::move(text), true}; }
+  void tell(std::string text) { message_ = Message{std::move(text), false, false}; }
+  void tell_error(std::string text) { message_ = Message{std::move(text), true, false}; }
   void add(const std::string& sentence);  // appends to the message; does nothing if there is none
-  void dismiss_error();                   // other messages stay
+  void offer_ground(std::string text) { message_ = Message{std::move(text), false, true}; }
+  void dismiss_error();  // other messages stay
   const std::optional<Message>& message() const { return message_; }
 
   // Asks, and replaces the question before, whose answer nobody waits for any more. on_answer: called once,
