@@ -90,6 +90,32 @@ TEST_F(UiRecovery, WorkOfAProcessThatWasStillEndingIsOfferedToo) {
   EXPECT_EQ(tile_at({12, 9}), 5);
 }
 
+TEST_F(UiRecovery, AProjectsDialogComesAfterTheWork) {
+  paint({12, 9});
+  frames(kFiveSeconds);
+  const std::string project = path("game.ldtk");
+  const std::string cells =
+      R"("pxWid":8,"pxHei":8,"layerInstances":[{"__identifier":"G","__type":"IntGrid","__cWid":1,"__cHei":1,)"
+      R"("__gridSize":8,"intGridCsv":[1]}]})";
+  std::ofstream(project) << R"({"defs":{"layers":[],"tilesets":[]},"levels":[{"identifier":"A",)" << cells
+                         << R"(,{"identifier":"B",)" << cells << "]}";
+  crash_and_start(project);
+  frames(4);
+  ASSERT_TRUE(session().level_import());
+  ASSERT_NE(find("recovery/recover0"), nullptr);
+  EXPECT_EQ(find("choose/open"), nullptr) << "it waits";
+  click("recovery/recover0");
+  frames(4);
+  EXPECT_EQ(tile_at({12, 9}), 1);
+  ASSERT_NE(find("choose/open"), nullptr);
+  click("choose/open");
+  frames(4);
+  ASSERT_NE(find("question/cancel"), nullptr) << "what was recovered is not saved";
+  click("question/cancel");
+  frames(4);
+  EXPECT_EQ(tile_at({12, 9}), 1);
+}
+
 TEST_F(UiRecovery, AMarkedBranchIsOfferedAfterACrash) {
   for (int i = 0; i < 12; ++i) key(kKeyF10);
   key(ctrl('m'));

@@ -41,13 +41,23 @@ std::string keys_of_button(const DialogButton& button) {
   return keys;
 }
 
+// Whether another dialog has the place of this one, and waits for its answer.
+bool is_place_taken(std::string_view title, const Session& session, const Ui& ui) {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  const int level = context.BeginPopupStack.Size;
+  if (context.OpenPopupStack.Size <= level) return false;
+  const ImGuiWindow* shown = context.OpenPopupStack[level].Window;
+  return shown != nullptr && (shown->Flags & ImGuiWindowFlags_Modal) != 0 && shown->Name != title &&
+         ui.wants_dialog(shown->Name, session);
+}
+
 }  // namespace
 
 bool begin_dialog(const char* title, DialogTest wanted, ImVec2 size, const Session& session, Ui& ui,
                   DialogKeys keys) {
   const bool is_wanted = wanted(session, ui.view);
   ui.add_dialog(title, std::move(wanted));
-  if (is_wanted && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  if (is_wanted && !ImGui::IsPopupOpen(title) && !is_place_taken(title, session, ui)) ImGui::OpenPopup(title);
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   if (size.x > 0) ImGui::SetNextWindowSize(size);

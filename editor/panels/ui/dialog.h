@@ -11,7 +11,8 @@ enum class DialogKeys { from_control_to_control, its_own };
 
 // Begins the modal in the middle of the window while `wanted` holds. ImGui::EndPopup() must follow if it
 // returns true. size: px; {0,0} fits the content. Call this in every frame, also while the dialog is closed:
-// `wanted` is asked again after the frame's actions, see Ui::wanted_dialogs().
+// `wanted` is asked again after the frame's actions, see Ui::wanted_dialogs(). Of several wanted dialogs, one
+// is shown until it is answered, and then the next one.
 bool begin_dialog(const char* title, DialogTest wanted, ImVec2 size, const Session& session, Ui& ui,
                   DialogKeys keys = DialogKeys::from_control_to_control);
 

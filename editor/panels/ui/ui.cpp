@@ -3,6 +3,7 @@
 
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <utility>
@@ -179,11 +180,19 @@ std::vector<std::string> Ui::wanted_dialogs(const Session& session) const {
   return titles;
 }
 
+bool Ui::wants_dialog(std::string_view title, const Session& session) const {
+  const auto is_it = [&](const auto& dialog) {
+    return dialog.first == title && dialog.second(session, view);
+  };
+  return std::any_of(dialogs_.begin(), dialogs_.end(), is_it) ||
+         std::any_of(dialogs_before_.begin(), dialogs_before_.end(), is_it);
+}
+
 UiFrame::UiFrame(Ui& ui) : ui_(ui) {
   ui_.widgets.begin_frame();
   ui_.rests_on_ = 0;
   ui_.moves_ = false;
-  ui_.dialogs_.clear();
+  ui_.dialogs_before_ = std::exchange(ui_.dialogs_, {});
   ui_.view.canvas.hover_before = std::exchange(ui_.view.canvas.hover, {});
 }
 

@@ -75,6 +75,8 @@ class Ui {
   void add_dialog(std::string_view title, DialogTest wanted) {
     dialogs_.emplace_back(title, std::move(wanted));
   }
+  // Whether a dialog of this title, which was begun in this frame or the one before, should be open now.
+  bool wants_dialog(std::string_view title, const Session& session) const;
   // The titles of the dialogs that should be open now, of those that were begun in this frame.
   std::vector<std::string> wanted_dialogs(const Session& session) const;
 
@@ -123,7 +125,8 @@ class Ui {
   ImGuiID rested_on_ = 0;    // what the mouse was on at the end of the last frame, if it has help
   double rested_since_ = 0;  // s
   ImGuiID rests_on_ = 0;     // the same in this frame; of overlapping items the one that was drawn last
-  std::vector<std::pair<std::string, DialogTest>> dialogs_;  // title and test
+  std::vector<std::pair<std::string, DialogTest>> dialogs_;         // title and test
+  std::vector<std::pair<std::string, DialogTest>> dialogs_before_;  // those of the frame before
   bool tooltip_pending_ = false;
   bool moves_ = false;  // see want_frames()
   bool focuses_next_ = false;

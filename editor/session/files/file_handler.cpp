@@ -265,6 +265,8 @@ void FileHandler::discard_and_do(const DiscardingAction& discarding) {
     level.tuning = new_tuning(fresh->tile);
     replace_level(std::move(level), {}, nullptr);
     name_ = kUnnamed;
+  } else if (const auto* chosen = std::get_if<TakeImport>(&discarding)) {
+    open_import(std::move(*chosen->import));
   } else if (const auto* made = std::get_if<TakeNewLevel>(&discarding)) {
     replace_level(*made->level, {}, nullptr);
     name_ = made->name;
@@ -378,6 +380,10 @@ void FileHandler::carry_out(const action::ApplyLevelImport&) {
 }
 
 void FileHandler::take_import(LevelImport import) {
+  ask_before_discarding(TakeImport{std::make_shared<LevelImport>(std::move(import))});
+}
+
+void FileHandler::open_import(LevelImport import) {
   const std::vector<std::string> dropped = import.plan->dropped;
   const std::string told = messages_.message() ? messages_.message()->text : "";
   if (import.choices.mapping) mappings_.keep(import.path, *import.choices.mapping);

@@ -68,8 +68,11 @@ class FileHandler {
     std::shared_ptr<const Level> level;
     std::string name;  // for titles
   };
-  using DiscardingAction =
-      std::variant<action::NewLevel, TakeNewLevel, action::OpenFile, action::RecoverLevel, action::Quit>;
+  struct TakeImport {  // the level as the user has chosen it
+    std::shared_ptr<LevelImport> import;
+  };
+  using DiscardingAction = std::variant<action::NewLevel, TakeNewLevel, TakeImport, action::OpenFile,
+                                        action::RecoverLevel, action::Quit>;
 
   // For each action of FileAction, in file_handler.cpp.
   template <class A>
@@ -97,7 +100,8 @@ class FileHandler {
   void take_recovered(const action::RecoverLevel& saved, FormatResult<LoadedLevel> file,
                       const EndScenes& scenes);
 
-  void take_import(LevelImport import);
+  void take_import(LevelImport import);  // asks first: work may have been recovered since the file was read
+  void open_import(LevelImport import);
 
   // --- Maps, by themselves and in folders; in map_opening.cpp
   // Lists them beside the window, if there are folders; then calls `use`. paths: not empty.
