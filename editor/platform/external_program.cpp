@@ -108,6 +108,24 @@ void tell_of_command(Session& session, ProgramId program, const std::string& err
   session.apply(action::ShowMessage{label + ": " + error + " Its command is in Edit > Settings.", true});
 }
 
+struct WhatToStart {
+  std::string file;    // absolute
+  std::string folder;  // absolute; empty: that of the file
+  std::string note;    // for the message, before its last sentence
+};
+
+void start_program(Session& session, ProgramId program, const ProgramCommands& commands,
+                   const WhatToStart& what) {
+  const auto index = static_cast<std::size_t>(program);
+  const auto arguments = split_command(commands[index], what.file, what.folder);
+  if (!arguments) return tell_of_command(session, program, arguments.error());
+  if (const auto started = start_detached(*arguments); !started)
+    return tell_of_command(session, program, started.error());
+  session.apply(action::ShowMessage{what.note + "Opened " + (what.folder.empty() ? what.file : what.folder) +
+                                        " in " + std::string(program_infos()[index].label) + ".",
+                                    false});
+}
+
 }  // namespace
 
 tl::expected<std::vector<std::string>, std::string> split_command(std::string_view line,
@@ -174,17 +192,16 @@ bool can_open(Session& session, ProgramId program, const ProgramCommands& comman
 void open_in_program(Session& session, ProgramId program, const ProgramCommands& commands,
                      OpenCopies& copies) {
   if (!can_open(session, program, commands)) return;
-  const auto index = static_cast<std::size_t>(program);
-  const ProgramInfo& info = program_infos()[index];
+  const ProgramInfo& info = program_infos()[static_cast<std::size_t>(program)];
   const auto file = file_for(session, info, copies);
   if (!file) return;
   const std::string folder = program == ProgramId::love ? game_folder(session) : "";
-  const auto arguments = split_command(commands[index], whole_path_of(file->path), folder);
-  if (const auto started = start_detached(*arguments); !started)
-    return tell_of_command(session, program, started.error());
-  session.apply(action::ShowMessage{file->note + "Opened " + (folder.empty() ? file->path : folder) + " in " +
-                                        std::string(info.label) + ".",
-                                    false});
+  start_program(session, program, commands, {whole_path_of(file->path), folder, file->note});
+}
+
+void run_game(Session& session, const ProgramCommands& commands, const std::string& folder) {
+  const std::string file = (fs::path(folder) / "main.lua").string();
+  start_program(session, ProgramId::love, commands, {file, folder, ""});
 }
 
 }  // namespace talus

@@ -35,4 +35,7 @@ bool can_open(Session& session, ProgramId program, const ProgramCommands& comman
 void open_in_program(Session& session, ProgramId program, const ProgramCommands& commands,
                      OpenCopies& copies);
 
+// Runs the game in a folder, which is absolute, in LÖVE. A message says what was done, or what went wrong.
+void run_game(Session& session, const ProgramCommands& commands, const std::string& folder);
+
 }  // namespace talus

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "external_program.h"
+#include "user_folder.h"
 
 namespace talus {
 
@@ -32,16 +33,11 @@ bool has_game_beside(const Session& session) {
 bool GameStart::begin(Session& session, const ProgramCommands& commands) {
   const auto preset = game_preset(session.level());
   if (!preset && has_game_beside(session)) return false;
-  if (!preset) {
-    session.apply(action::ShowMessage{
-        "The level has no preset for LÖVE, and no main.lua is in its folder: add a preset in File > Export.",
-        true});
-    return true;
-  }
   if (!can_open(session, ProgramId::love, commands)) return true;
-  if (session.modified() || session.path().empty()) session.apply(action::SaveFile{});
-  if (session.modified() || session.path().empty()) return true;  // the session asks for something
-  waiting_ = session.level().exports[*preset];
+  if (preset && (session.modified() || session.path().empty())) session.apply(action::SaveFile{});
+  if (preset && (session.modified() || session.path().empty())) return true;  // it asks for something
+  own_folder_ = preset ? "" : (std::filesystem::path(state_folder()) / "game").string();
+  waiting_ = preset ? session.level().exports[*preset] : preset_of_game(own_folder_);
   is_exporting_ = false;
   return true;
 }
@@ -49,17 +45,24 @@ bool GameStart::begin(Session& session, const ProgramCommands& commands) {
 void GameStart::follow(Session& session, const ProgramCommands& commands, OpenCopies& copies) {
   if (!waiting_ || session.exporting().is_busy() || session.question()) return;
   const auto preset = game_preset(session.level());
-  if (!preset || session.level().exports[*preset] != *waiting_) return waiting_.reset();
+  const bool is_there =
+      own_folder_.empty() ? preset && session.level().exports[*preset] == *waiting_ : !preset;
+  if (!is_there) return waiting_.reset();
   if (!is_exporting_) {
     is_exporting_ = true;
-    return session.apply(action::RunExports{*preset});
+    return session.apply(own_folder_.empty() ? Action(action::RunExports{*preset})
+                                             : Action(action::ExportGame{own_folder_}));
   }
   const auto& run = session.exporting().last_run();
   const bool is_written = std::any_of(run.begin(), run.end(), [&](const ExportOutcome& outcome) {
     return outcome.written && outcome.task.preset == *waiting_;
   });
   waiting_.reset();
-  if (is_written) open_in_program(session, ProgramId::love, commands, copies);
+  if (!is_written) return;
+  if (own_folder_.empty())
+    open_in_program(session, ProgramId::love, commands, copies);
+  else
+    run_game(session, commands, own_folder_);
 }
 
 }  // namespace talus

@@ -15,8 +15,9 @@ std::optional<std::size_t> game_preset(const Level& level);
 
 class GameStart {
  public:
-  // Saves the level and exports its game, which follow() starts. Returns false if the level has no such
-  // preset.
+  // Exports the level's game, which follow() starts: by its preset, for which the level is saved first, or
+  // else into a folder of Talus's own state. Returns false if the level has no such preset, but a game is in
+  // the folder of its file.
   bool begin(Session& session, const ProgramCommands& commands);
   // Call it after each frame's actions: starts the game once it is written. If the export fails, the session
   // has said why, and the wait ends.
@@ -24,6 +25,7 @@ class GameStart {
 
  private:
   std::optional<ExportPreset> waiting_;  // the preset whose export it waits for
+  std::string own_folder_;               // absolute, for a level without a preset; empty: it has one
   bool is_exporting_ = false;            // whether the export was requested
 };
 

@@ -7,17 +7,43 @@
 
 namespace talus::run_game_test {
 
-TEST_F(UiTest, RunInLoveRunsTheExportedGame) {
+class UiRunGame : public UiTest {
+ protected:
+  // Opens a level. Instead of LÖVE, a program runs that writes down its folder.
+  void open(const Level& level) {
+    ASSERT_TRUE(save_level(level, *find_format("native"), path("level.talus.json")));
+    start(path("level.talus.json"));
+    const std::string program = path("program");
+    std::ofstream(program) << "#!/bin/sh\nprintf '%s' \"$1\" > '" << told << ".part'\nmv '" << told
+                           << ".part' '" << told << "'\n";
+    ASSERT_EQ(::chmod(program.c_str(), 0755), 0);
+    app().ui().view.preferences.programs[static_cast<std::size_t>(ProgramId::love)] =
+        "'" + program + "' {folder}";
+  }
+  const std::string told = path("told");
+};
+
+TEST_F(UiRunGame, WithoutAPresetItRunsInAFolderOfTalus) {
+  Level level = test_level();
+  level.tuning.solver = SolverKind::exact;
+  open(level);
+  click(on_sheet(1));
+  click(on_map({12, 9}));
+  for (int i = 0; i < 2; ++i) {
+    std::filesystem::remove(told);
+    key(ctrl_shift('l'));
+    ASSERT_TRUE(frames_until([&] { return std::filesystem::exists(told); }));
+    EXPECT_EQ(bytes_of(told), path("state/game"));
+    EXPECT_TRUE(std::filesystem::exists(path("state/game/main.lua")));
+  }
+  EXPECT_TRUE(session().modified()) << "the level is not saved for it";
+  EXPECT_TRUE(session().level().exports.empty());
+}
+
+TEST_F(UiRunGame, ThePresetIsExportedAndRun) {
   Level level = test_level();
   level.exports = {{.name = "game", .exporter = "love", .path = "my game", .extra = ""}};
-  ASSERT_TRUE(save_level(level, *find_format("native"), path("level.talus.json")));
-  start(path("level.talus.json"));
-  const std::string program = path("program"), told = path("told");
-  std::ofstream(program) << "#!/bin/sh\nprintf '%s' \"$1\" > '" << told << ".part'\nmv '" << told
-                         << ".part' '" << told << "'\n";
-  ASSERT_EQ(::chmod(program.c_str(), 0755), 0);
-  app().ui().view.preferences.programs[static_cast<std::size_t>(ProgramId::love)] =
-      "'" + program + "' {folder}";
+  open(level);
   key(ctrl_shift('l'));
   ASSERT_TRUE(frames_until([&] { return session().question().has_value(); }));
   frames(3);

@@ -37,6 +37,7 @@ const std::map<std::string, std::string> kCommandOfAction = {
     {"ExportPng", "picture/export_tiles"},
     {"PreviewExport", "file/export"},
     {"RunExports", "file/export_all"},
+    {"ExportGame", "program/love"},
     {"CancelExport", "file/export_cancel"},
     {"OpenPng", "picture/import"},
     {"Quit", "file/quit"},

@@ -174,8 +174,9 @@ std::vector<Command> file_guard_commands() {
        .run = open_program(ProgramId::tic80)},
       {.id = "program/love",
        .label = "Run in LÖVE",
-       .help = "Saves the level, exports its first preset of a game for LÖVE and runs it; without such a "
-               "preset, runs the game whose main.lua is in the folder of the level.",
+       .help = "Saves the level, exports its first preset of a game for LÖVE and runs it. Without such a "
+               "preset, runs the game whose main.lua is in the folder of the level, or else exports one "
+               "into a folder of Talus.",
        .key = ctrl_shift('l'),
        .menu = menus::kFilePrograms,
        .run = open_program(ProgramId::love)},

@@ -26,12 +26,16 @@ struct PreviewExport {
 struct RunExports {
   std::optional<std::size_t> preset = {};  // index; nothing: all
 };
+// Exports the level as a game for LÖVE into a folder of the program's own, without a preset.
+struct ExportGame {
+  std::string folder;  // absolute
+};
 struct CancelExport {};
 
 }  // namespace action
 
 // The actions that ExportHandler carries out.
-using ExportAction =
-    std::variant<action::SetExportPath, action::PreviewExport, action::RunExports, action::CancelExport>;
+using ExportAction = std::variant<action::SetExportPath, action::PreviewExport, action::RunExports,
+                                  action::ExportGame, action::CancelExport>;
 
 }  // namespace talus

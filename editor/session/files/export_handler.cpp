@@ -111,6 +111,14 @@ void ExportHandler::carry_out(const action::RunExports& a) {
 }
 
 template <>
+void ExportHandler::carry_out(const action::ExportGame& a) {
+  exporting_.run({.tasks = {{preset_of_game(a.folder), open_.path}},
+                  .level = Exporting::snapshot(open_.level),
+                  .may_replace = {},
+                  .revision = open_.revision});
+}
+
+template <>
 void ExportHandler::carry_out(const action::CancelExport&) {
   exporting_.cancel();
 }

@@ -41,6 +41,11 @@ struct ExportTask {
 ExportTask task_of_preset(const Level& level, std::size_t preset, const std::string& level_file,
                           const ExportPermissions& permissions);
 
+// What action::ExportGame exports.
+inline ExportPreset preset_of_game(const std::string& folder) {
+  return {.name = "the game", .exporter = "love", .path = folder, .extra = ""};
+}
+
 // The result of an export, or of a preview.
 struct ExportOutcome {
   ExportTask task;
