@@ -102,7 +102,7 @@ Curve random_curve(Dice& dice, Area area) {
 
 // ---- Mirrored and moved ----
 
-Curve mirrored(const Curve& curve, double width) {
+Curve mirrored_curve(const Curve& curve, double width) {
   Curve m = curve;
   const auto flip = [width](double& x0, double& x1) {
     std::swap(x0, x1);
@@ -270,7 +270,7 @@ RandomGround RandomGround::mirrored() const {
       if (number != 0) m.cells[end - shapes[number].tiles] = number;
     }
   }
-  for (Curve& curve : m.curves) curve = talus::mirrored(curve, right());
+  for (Curve& curve : m.curves) curve = mirrored_curve(curve, right());
   return m;
 }
 
