@@ -150,7 +150,7 @@ Curve mirrored_curve(const Curve& curve, double width) {
   return m;
 }
 
-Curve moved(const Curve& curve, Vec2 by) {
+Curve moved_curve(const Curve& curve, Vec2 by) {
   struct Move {
     Vec2 by;
     void operator()(Segment& s) const { s.from = s.from + by, s.to = s.to + by; }
@@ -284,7 +284,7 @@ RandomGround RandomGround::moved(int columns, int rows) const {
               m.cells.begin() + static_cast<std::ptrdiff_t>(y + rows) * m.width + columns);
   }
   const Vec2 by{1.0 * columns * tile.width, 1.0 * rows * tile.height};
-  for (Curve& curve : m.curves) curve = talus::moved(curve, by);
+  for (Curve& curve : m.curves) curve = moved_curve(curve, by);
   return m;
 }
 
