@@ -260,6 +260,27 @@ TEST_F(MovedGround, ExactCurvesMoveWithTheirObjects) {
   EXPECT_EQ(load("m.tmx").level.curves, with_moved_ground(first.level, {2, 0}, 4, 2).curves);
 }
 
+// Sums of such numbers differ in their last bits from what the file says.
+TEST_F(MovedGround, CurvesOfACompanionMoveOnce) {
+  put("m.tmx", infinite(kChunk));
+  LoadedLevel first = load("m.tmx");
+  for (int i = 0; i < 20; ++i) {
+    const double y = 2.1 + 1.37 * i;
+    first.level.curves.push_back(
+        {"c", {Polyline{0.1 + i * 0.07, 29.3, {y, y + 0.7 / 3, y - 1.1, y + 0.3}}, Curve::Faces::up}, ""});
+    first.level.spawns.push_back({.name = "s", .position = {y, 30 - y / 3}, .velocity = {}, .extra = ""});
+  }
+  first.level.curves[3].extra = first.level.spawns[3].extra = R"({"k":1})";
+  ASSERT_TRUE(save_level(first.level, *first.format, path("m.tmx"), first.companion));
+  std::string text = bytes_of("m.tmx");
+  text.insert(text.find(kChunk), std::string(kLeft) + kAbove);
+  put("m.tmx", text);
+  const LoadedLevel after = load("m.tmx");
+  EXPECT_EQ(after.level.curves.size(), 20u) << after.note;
+  EXPECT_EQ(after.level.spawns.size(), 20u) << after.note;
+  EXPECT_TRUE(after.companion.content) << after.note;
+}
+
 std::string ldtk_of(int left, const std::string& rows) {
   std::string text = ldtk_project(ldtk_level(ldtk_grid(4 + left, 2, rows), "A",
                                              "\"iid\":\"a\",\"worldX\":" + std::to_string(-8 * left) + ","),
