@@ -10,6 +10,7 @@
 #include "formats/ldtk/ldtk_companion.h"
 #include "formats/native/recording_file.h"
 #include "formats/pictures/png_picture.h"
+#include "formats/text/utf8_text.h"
 
 namespace talus {
 namespace {
@@ -42,6 +43,12 @@ std::string import_text(const std::string& file, bool can_save, const std::vecto
     separator = "; ";
   }
   return dropped.empty() ? text : text + ".";
+}
+
+// The name of a file that was saved with a level: its whole path, if it lies outside of the level's folder.
+std::string name_beside(const std::string& level, const std::string& file) {
+  const auto folder = real_folder_of(level), place = real_path(file);
+  return folder && place && !is_within(*place, *folder) ? printable(*place) : last_name(file);
 }
 
 std::string known_extensions() {
@@ -523,7 +530,7 @@ bool FileHandler::save_to(const std::string& saved_path, const Format& saved_for
   level_.mark_saved();
   ++saves_;
   std::string text = "Saved " + file_names();
-  for (const std::string& other : saved->others) text += " + " + last_name(other);
+  for (const std::string& other : saved->others) text += " + " + name_beside(open_.path, other);
   text += ".";
   if (saved_format.keeps_beside) {
     mappings_.forget(open_.path);
