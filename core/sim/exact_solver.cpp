@@ -133,7 +133,7 @@ class ExactSolver final : public Solver {
     const Real x = moving.box.x;
     const bool walked = gait.grounded;
     Vec motion = walked ? Vec{moving.velocity.x, 0} : moving.velocity;
-    if (!walked) note_goal(moving, motion);
+    note_goal(moving, motion);
     if (walked && walk(state, index, moving, rule, motion)) return rule.stand();
     move(state, index, moving, motion, [&](const auto& contact, Vec m) { return rule.respond(contact, m); });
     if (rule.landed()) rule.stand();
@@ -155,7 +155,6 @@ class ExactSolver final : public Solver {
   bool walk(const State& state, std::size_t index, Moving<Real>& moving, PlayerRule<Real>& rule,
             Vec& motion) {
     const Real speed = moving.velocity.x, reach = rule.reach_down(0);
-    note_goal(moving, motion);
     if (speed == 0) return false;
     if (!gather(state, index, moving, {speed, std::abs(speed) * numbers_.steepest + reach + 1})) {
       note_cut_short();
