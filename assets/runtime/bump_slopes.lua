@@ -148,15 +148,59 @@ end
 -- A ceiling is a floor mirrored at y = 0.
 local function mirrored(box) return {x = box.x, y = -(box.y + box.h), w = box.w, h = box.h} end
 
+local function is_ceiling(slope) return slope.ceiling or slope.slope == "ceiling" end
+
 local function meet(slope, box, mover, goal_x, goal_y)
   local h0, h1 = slope.h0, slope.h1
-  if not (slope.ceiling or slope.slope == "ceiling") then
+  if not is_ceiling(slope) then
     return new_passage(h0, h1, box, mover, goal_x, goal_y):meet(slope.one_way)
   end
   local passage = new_passage(h0, h1, mirrored(box), mirrored(mover), goal_x, -(goal_y + mover.h))
   local found = passage:meet(slope.one_way)
   if type(found) == "table" then
     found.y, found.ny, found.goal_y = -(found.y + mover.h), -found.ny, -(found.goal_y + mover.h)
+  end
+  return found
+end
+
+-- Whether a box over or in a slope's columns is past its line by more than rounding: below a floor, above a ceiling.
+local function is_past_line(slope, box, mover)
+  if mover.x + mover.w <= box.x or mover.x >= box.x + box.w then return false end
+  if is_ceiling(slope) then box, mover = mirrored(box), mirrored(mover) end
+  return new_passage(slope.h0, slope.h1, box, mover, mover.x, mover.y):depth(0) > SLACK
+end
+
+-- The slope of a hit that stops from one side alone.
+local function line_of(hit)
+  local slope = hit.type == "slope" and slope_of(hit.other) or nil
+  return slope and slope.one_way and slope or nil
+end
+
+-- bump meets boxes that the item is in by how far it is in them, and each once in a move. Solid ground lifts an item
+-- out again; below a one-way line it would be lost. So a line that the item would be below at this contact comes
+-- first, and the way after the contact ends at a line that was met before. Returns the contact to go on from.
+local function keep_above_lines(world, hit, found, goal_x, goal_y, filter)
+  local from = hit.itemRect
+  local slope, box = slope_of(hit.other), hit.otherRect
+  local function at(x, y) return {x = x, y = y, w = from.w, h = from.h} end
+  local on_the_way, count = world:project(hit.item, from.x, from.y, from.w, from.h, goal_x, goal_y, filter)
+  for i = 1, count do
+    local other = on_the_way[i]
+    local line = line_of(other)
+    if line and is_past_line(line, other.otherRect, at(found.x, found.y)) then
+      local first = meet(line, other.otherRect, from, goal_x, goal_y)
+      if type(first) == "table" and first.t < found.t then
+        found = meet(slope, box, at(first.x, first.y), first.goal_x, first.goal_y)
+        if type(found) ~= "table" then
+          found = first
+          hit.other, hit.otherRect = other.other, other.otherRect
+        end
+      end
+    end
+  end
+  for _, met in ipairs(world.lines_met) do
+    local again = meet(met.line, met.box, at(found.x, found.y), found.goal_x, found.goal_y)
+    if type(again) == "table" then found.goal_x, found.goal_y = again.x, again.y end
   end
   return found
 end
@@ -177,11 +221,14 @@ function slopes.response(world, hit, x, y, w, h, goal_x, goal_y, filter)
       if hit.normal.x ~= 0 then goal_x = hit.touch.x else goal_y = hit.touch.y end
     end
   else
+    if world.has_lines then found = keep_above_lines(world, hit, found, goal_x, goal_y, filter) end
     goal_x, goal_y = found.goal_x, found.goal_y
     hit.overlaps, hit.ti = false, found.t
     hit.normal, hit.touch = {x = found.nx, y = found.ny}, {x = found.x, y = found.y}
   end
   hit[hit.type] = {x = goal_x, y = goal_y}
+  local line = line_of(hit)
+  if line and world.lines_met then table.insert(world.lines_met, {line = line, box = hit.otherRect}) end
   return goal_x, goal_y, world:project(hit.item, hit.touch.x, hit.touch.y, w, h, goal_x, goal_y, filter)
 end
 
@@ -197,12 +244,18 @@ end
 function slopes.install(world)
   world:addResponse("slope", slopes.response)
   local ages, last = setmetatable({}, {__mode = "k"}), 0
-  local add, project = world.add, world.project
+  local add, project, check = world.add, world.project, world.check
   function world:add(item, ...)
     local added = add(self, item, ...)
     last = last + 1
     ages[item] = last
+    local slope = slope_of(item)
+    self.has_lines = self.has_lines or slope ~= nil and slope.one_way
     return added
+  end
+  function world:check(...)
+    self.lines_met = {}  -- the one-way slopes that this move has met
+    return check(self, ...)
   end
   function world:project(...)
     local hits, count = project(self, ...)

@@ -33,8 +33,9 @@ bool is_copy(const Piece<Real>& a, const Piece<Real>& b) {
          a.y0 == b.y0;
 }
 
-// Log: receives the cells and pieces that the cast tests; see NoLog.
-template <class Real, class Log = NoLog>
+// kSunk: whether a part of the box's corners meets no ground; see Cast::sunk. Log: receives the cells and
+// pieces that the cast tests; see NoLog.
+template <class Real, bool kSunk = false, class Log = NoLog>
 class Caster {
  public:
   // budget: null means no limit. with_curves: false lets curves stop the box with their ends alone.
@@ -307,7 +308,7 @@ class Caster {
       const bool open1 = (here.solid() >> (first + length) & 1) == 0;
       if (foot_ == Foot::centre && up) {
         // Where slopes may continue, only the centre counts. Over a ledge the whole bottom counts.
-        const std::uint64_t sloped = sunk_ > 0 ? ~std::uint64_t{0} : here.solid() & here.detailed();
+        const std::uint64_t sloped = kSunk ? ~std::uint64_t{0} : here.solid() & here.detailed();
         if (sloped >> (first - 1) & 1) x0 += box_.w / 2;
         if (sloped >> (first + length) & 1) x1 -= box_.w / 2;
       }
@@ -361,7 +362,7 @@ class Caster {
                                             : gap * std::abs(inverse_);
     if (t > 1 || t > best_.t) return;
     const Real y = box_.y + t * dy_;
-    const Real h = is_other_ ? box_.h : box_.h - sunk_;
+    const Real h = kSunk && !is_other_ ? box_.h - sunk_ : box_.h;
     if (!(y + h > y0 + (open0 ? slack_ : -slack_) && y < y1 - (open1 ? slack_ : -slack_))) return;
     offer({.t = t, .facing = facing, .piece = piece, .at = at});
   }
@@ -404,7 +405,7 @@ class Caster {
   void ends(bool up, const Piece<Real>& piece, Real lift) {
     const Real half = box_.w / 2;
     if (up && foot_ == Foot::centre) {
-      if (sunk_ > 0) return;
+      if constexpr (kSunk) return;
       if (piece.last0)
         flat({piece.x0 - box_.w, piece.x0 - half, piece.y0 - lift, piece.y0 - lift, true, false}, up,
              piece.y0, &piece);
@@ -578,14 +579,14 @@ Cast<Real> middle_of(const Cast<Real>& cast) {
 }
 
 // The contact of the whole box: with all pieces of curves, or with their ends alone.
-template <class Real>
+template <bool kSunk = false, class Real>
 [[gnu::always_inline]] inline Contact<Real> contact_of_box(const BasicTerrain<Real>& terrain,
                                                            const Cast<Real>& cast,
                                                            std::span<const BasicRect<Real>> others,
                                                            const Piece<Real>* ignored, CastBudget* budget,
                                                            bool with_curves) {
   if (budget != nullptr) budget->seen = 1;
-  Caster<Real> caster(terrain, cast, ignored, budget, with_curves);
+  Caster<Real, kSunk> caster(terrain, cast, ignored, budget, with_curves);
   for (std::size_t i = 0; i < others.size(); ++i) caster.against(others[i], static_cast<std::int32_t>(i));
   caster.against_terrain();
   if (budget != nullptr) budget->left -= caster.work() + static_cast<std::int64_t>(others.size()) + 1;
@@ -598,7 +599,9 @@ template <class Real>
 [[gnu::noinline]] Contact<Real> contact_on_centre(const BasicTerrain<Real>& terrain, const Cast<Real>& cast,
                                                   std::span<const BasicRect<Real>> others,
                                                   const Piece<Real>* ignored, CastBudget* budget) {
-  const Contact<Real> contact = contact_of_box(terrain, cast, others, ignored, budget, true);
+  const Contact<Real> contact = cast.sunk > 0
+                                    ? contact_of_box<true>(terrain, cast, others, ignored, budget, true)
+                                    : contact_of_box(terrain, cast, others, ignored, budget, true);
   const Cast<Real> middle = middle_of(cast);
   const double seen = budget != nullptr ? budget->seen : 1;
   Contact<Real> hit = contact_of_box(terrain, middle, {}, ignored, budget, false);
@@ -615,7 +618,8 @@ template <class Real>
 CastTrace traced(const Terrain& terrain, const Cast<double>& cast, bool with_curves) {
   CastTrace trace;
   CastBudget budget{TraceLog::kMost};
-  Caster<double, TraceLog> caster(terrain, cast, nullptr, &budget, with_curves, TraceLog(terrain, trace));
+  Caster<double, false, TraceLog> caster(terrain, cast, nullptr, &budget, with_curves,
+                                         TraceLog(terrain, trace));
   caster.against_terrain();
   trace.contact = caster.contact();
   return trace;

@@ -1,17 +1,16 @@
 // Reads the parts of the runtime and joins them.
 #include "lua_runtime.h"
 
-#include <cctype>
 #include <sstream>
 
 #include "lua_parts.h"
+#include "lua_text.h"
 
 namespace talus {
 namespace {
 
 // A line of Lua without spaces that are not needed. Two hyphens side by side would begin a comment.
 std::string without_spaces(const std::string& line) {
-  const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
   std::string kept;
   bool is_quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -23,7 +22,7 @@ std::string without_spaces(const std::string& line) {
     }
     const std::size_t next = line.find_first_not_of(' ', i);
     if (kept.empty() || next == std::string::npos) continue;
-    const bool joins_words = is_word(kept.back()) && is_word(line[next]);
+    const bool joins_words = is_lua_word(kept.back()) && is_lua_word(line[next]);
     const bool joins_hyphens = kept.back() == '-' && line[next] == '-';
     if (joins_words || joins_hyphens) kept += ' ';
     i = next - 1;

@@ -21,13 +21,16 @@ std::string lua_string(std::string_view text) {
   return quoted + '"';
 }
 
+bool is_lua_word(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (c >= '0' && c <= '9');
+}
+
 bool is_lua_name(std::string_view text) {
   constexpr std::array<std::string_view, 22> kWords = {
       "and", "break", "do",  "else", "elseif", "end",    "false",  "for",  "function", "goto",  "if",
       "in",  "local", "nil", "not",  "or",     "repeat", "return", "then", "true",     "until", "while"};
-  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
-  const auto is_part = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9'); };
-  return !text.empty() && is_letter(text.front()) && std::all_of(text.begin(), text.end(), is_part) &&
+  return !text.empty() && !(text.front() >= '0' && text.front() <= '9') &&
+         std::all_of(text.begin(), text.end(), is_lua_word) &&
          std::find(kWords.begin(), kWords.end(), text) == kWords.end();
 }
 

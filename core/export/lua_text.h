@@ -10,6 +10,9 @@ namespace talus {
 // bytes.
 std::string lua_string(std::string_view text);
 
+// Whether a name or a number of Lua may have the character: an ASCII letter or digit, or _.
+bool is_lua_word(char c);
+
 // Whether a text can be a key without quotes: a name, and no word of Lua's own.
 bool is_lua_name(std::string_view text);
 

@@ -1,7 +1,6 @@
 #include "short_names.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <set>
 #include <string_view>
@@ -19,12 +18,11 @@ constexpr std::string_view kGlobals[] = {"assert",  "error",    "getmetatable", 
 
 // A name, a string in quotes, a number, or one other character.
 std::vector<std::string_view> tokens_of(std::string_view text) {
-  const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
   std::vector<std::string_view> tokens;
   for (std::size_t i = 0; i < text.size();) {
     std::size_t end = i + 1;
-    if (is_word(text[i])) {
-      while (end < text.size() && is_word(text[end])) ++end;
+    if (is_lua_word(text[i])) {
+      while (end < text.size() && is_lua_word(text[end])) ++end;
     } else if (text[i] == '"') {
       while (end < text.size() && text[end] != '"') ++end;
       end = std::min(end + 1, text.size());

@@ -22,14 +22,19 @@ Vec2 bounced(Vec2 v, Vec2 normal, const SharedTuning& t) {
 BumpSolver::BumpSolver(std::shared_ptr<const Scene> scene)
     : WorldSolver(std::move(scene),
                   [this](const World& world, Collision& hit, Rect, Vec2 goal, World::Filter filter,
-                         std::vector<Collision>& next) { return respond(world, hit, goal, filter, next); }) {}
+                         std::vector<Collision>& next) { return respond(world, hit, goal, filter, next); }) {
+  has_one_way_ = std::any_of(items().begin(), items().end(),
+                             [](const SceneItem& item) { return item.line && item.line->one_way; });
+}
 
 // The motion continues from where this leg began, not from where the whole move did: an earlier contact may
 // have turned it.
 Vec2 BumpSolver::respond(const World& world, Collision& hit, Vec2 goal, World::Filter filter,
                          std::vector<Collision>& next) const {
   Rect from = hit.item_rect;
-  const SlopeContact contact = meet_slope(entry(hit.other).slope, from, goal);
+  SlopeContact contact = meet_slope(entry(hit.other).slope, from, goal);
+  if (has_one_way_ && contact.kind == SlopeContact::Kind::surface)
+    keep_above_lines(world, hit, goal, filter, contact);
   switch (contact.kind) {
     case SlopeContact::Kind::none:
       hit.response = Response::cross;
@@ -52,6 +57,39 @@ Vec2 BumpSolver::respond(const World& world, Collision& hit, Vec2 goal, World::F
   if (contact.kind != SlopeContact::Kind::none) from = {hit.touch.x, hit.touch.y, from.w, from.h};
   world.project(hit.item, from, goal, filter, next);
   return goal;
+}
+
+// World meets boxes that the body is in by how far it is in them, and each once in a move. Solid ground lifts
+// a body out again; below a one-way line it would be lost. So a line that the body would be below at this
+// contact comes first, and the way after the contact ends at a line that was met before.
+void BumpSolver::keep_above_lines(const World& world, Collision& hit, Vec2 goal, World::Filter filter,
+                                  SlopeContact& contact) const {
+  const Rect from = hit.item_rect;
+  const auto at = [&](Vec2 place) { return Rect{place.x, place.y, from.w, from.h}; };
+  const auto line_of = [&](const Collision& other) {
+    const bool is_line = other.response == moving()[kSlopeGroup] && entry(other.other).slope.one_way;
+    return is_line ? &entry(other.other).slope : nullptr;
+  };
+  const Slope& slope = entry(hit.other).slope;
+  std::vector<Collision> on_the_way;
+  world.project(hit.item, from, goal, filter, on_the_way);
+  for (const Collision& other : on_the_way) {
+    const Slope* line = line_of(other);
+    if (line == nullptr || !is_past_line(*line, at(contact.touch))) continue;
+    const SlopeContact first = meet_slope(*line, from, goal);
+    if (first.kind != SlopeContact::Kind::surface || first.ti >= contact.ti) continue;
+    contact = meet_slope(slope, at(first.touch), first.goal);
+    if (contact.kind == SlopeContact::Kind::surface) continue;
+    contact = first;
+    hit.other = other.other;
+    hit.other_rect = other.other_rect;
+  }
+  for (const Collision& met : hits_) {
+    const Slope* line = line_of(met);
+    if (line == nullptr) continue;
+    const SlopeContact again = meet_slope(*line, at(contact.touch), contact.goal);
+    if (again.kind == SlopeContact::Kind::surface) contact.goal = again.touch;
+  }
 }
 
 void BumpSolver::fall(Body& body, Placed& placed) {

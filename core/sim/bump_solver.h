@@ -21,7 +21,12 @@ class BumpSolver final : public WorldSolver {
   void drag(Body& body, Placed& placed, const Input& input) override;
   Vec2 respond(const World& world, Collision& hit, Vec2 goal, World::Filter filter,
                std::vector<Collision>& next) const;
+  // Changes a contact with a slope so that the body does not get below a one-way line.
+  void keep_above_lines(const World& world, Collision& hit, Vec2 goal, World::Filter filter,
+                        SlopeContact& contact) const;
   void note_surface(std::size_t i);  // of the hit with this index
+
+  bool has_one_way_ = false;  // whether a slope of the scene stops what comes from one side alone
 };
 
 }  // namespace talus

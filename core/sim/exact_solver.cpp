@@ -133,7 +133,7 @@ class ExactSolver final : public Solver {
     const Real x = moving.box.x;
     const bool walked = gait.grounded;
     Vec motion = walked ? Vec{moving.velocity.x, 0} : moving.velocity;
-    if (!walked) note_goal(moving, motion);
+    note_goal(moving, motion);
     if (walked && walk(state, index, moving, rule, motion)) return rule.stand();
     move(state, index, moving, motion, [&](const auto& contact, Vec m) { return rule.respond(contact, m); });
     if (rule.landed()) rule.stand();
@@ -155,7 +155,6 @@ class ExactSolver final : public Solver {
   bool walk(const State& state, std::size_t index, Moving<Real>& moving, PlayerRule<Real>& rule,
             Vec& motion) {
     const Real speed = moving.velocity.x, reach = rule.reach_down(0);
-    note_goal(moving, motion);
     if (speed == 0) return false;
     if (!gather(state, index, moving, {speed, std::abs(speed) * numbers_.steepest + reach + 1})) {
       note_cut_short();
@@ -178,38 +177,28 @@ class ExactSolver final : public Solver {
       const Vec before = motion;
       motion = rule.walk(floor->contact.normal);
       if (rest == 1) note_goal(moving, motion);
-      if (record_ != nullptr && at_end) {
-        Contact<Real> next = floor->contact;
-        next.t = 0;
-        next.position = moving.box.position();
-        note(state.bodies[index], next, before * rest);
-      }
-      if (record_ != nullptr && (at_end || contacts > 0))
-        record_->contacts.back().after = widen(motion * rest);
+      if (at_end) note_turn(state.bodies[index], moving, floor->contact, before * rest);
+      if (at_end || contacts > 0) note_after(motion * rest);
       const Vec goal = way.goal_on(*floor, moving.box, motion.x * rest, moving.foot);
-      const Vec leg = goal - moving.box.position();
-      if (leg.x == 0) return true;
+      if (goal.x == moving.box.x) return true;
       const auto contact = way.cast_to(*floor, moving, goal);
       if (!contact && budget_.seen < 1) {
         note_cut_short();
         return true;
       }
+      if (contact && record_ != nullptr) note(state.bodies[index], contact, goal - moving.box.position());
       const Vec at = contact ? contact.position : goal;
       rest -= (at.x - moving.box.x) / motion.x;
       moving.box.x = at.x;
       moving.box.y = at.y;
-      if (!contact) {
+      at_end = !contact;
+      if (at_end) {
         if (!(rest > 0) || goal.x != floor->end) return true;
         floor.reset();
-        at_end = true;
         continue;
       }
       ++contacts;
-      at_end = false;
-      if (record_ != nullptr) {
-        note(state.bodies[index], contact, leg);
-        record_->contacts.back().after = Vec2{};
-      }
+      note_after({});
       if (way.sinks(moving, contact)) {
         floor.reset();
       } else if (contact.normal.y < 0 && is_level(contact, numbers_.steepest)) {
@@ -244,14 +233,14 @@ class ExactSolver final : public Solver {
     Mover<Real> mover(ground_, others_, max_passes_, pairs_ ? nullptr : &rests_[index], &budget_);
     const auto answer = [&](const Contact<Real>& contact, Vec way) {
       const Vec after = respond(contact, way);
-      if (record_ != nullptr) record_->contacts.back().after = widen(after);
+      note_after(after);
       return after;
     };
     const auto result = mover.move(moving, motion, answer, [&](const Contact<Real>& contact, Vec way) {
       if (record_ != nullptr) note(state.bodies[index], contact, way);
     });
     if (record_ == nullptr) return;
-    if (result.wedged) record_->contacts.back().after = Vec2{};
+    if (result.wedged) note_after({});
     if (result.cut_short) note_cut_short();
     record_->paths.back().capped = record_->paths.back().capped || result.capped;
   }
@@ -339,6 +328,19 @@ class ExactSolver final : public Solver {
       other.box = {piece->x0, top, static_cast<double>(piece->x1) - piece->x0, bottom - top};
     }
     return other;
+  }
+
+  // The motion that the body went on with after its last contact.
+  void note_after(Vec motion) {
+    if (record_ != nullptr) record_->contacts.back().after = widen(motion);
+  }
+
+  // A walking body goes on along the next piece of floor.
+  void note_turn(const Body& body, const Moving<Real>& moving, Contact<Real> next, Vec motion) {
+    if (record_ == nullptr) return;
+    next.t = 0;
+    next.position = moving.box.position();
+    note(body, next, motion);
   }
 
   void note(const Body& body, const Contact<Real>& contact, Vec motion) {

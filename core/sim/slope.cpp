@@ -14,6 +14,14 @@ double rise_of(const Slope& slope) { return slope.box.h - slope.low; }
 
 Rect mirrored(const Rect& box) { return {box.x, -(box.y + box.h), box.w, box.h}; }
 
+// A ceiling, mirrored.
+Slope floor_of(const Slope& ceiling) {
+  Slope floor = ceiling;
+  floor.box = mirrored(ceiling.box);
+  floor.ceiling = false;
+  return floor;
+}
+
 // A box that moves over a slope; `t` is the fraction of the motion.
 class Passage {
  public:
@@ -28,6 +36,7 @@ class Passage {
   // The time at which the foot passes the slope's high end, the only bend of the floor.
   double bend() const { return d_.x == 0 ? 0 : (high_end() - corner(mover_.x)) / d_.x; }
 
+  bool is_past_line() const { return !beside() && depth(0) > kSlack; }
   double depth(double t) const { return mover_.bottom() + t * d_.y - floor_at(mover_.x + t * d_.x); }
   bool on_high_end(double t) const {
     const double past = corner(mover_.x + t * d_.x) - high_end();
@@ -93,12 +102,14 @@ Vec2 slope_normal(const Slope& slope) {
   return {-slope.direction * rise / length, (slope.ceiling ? width : -width) / length};
 }
 
+bool is_past_line(const Slope& slope, const Rect& box) {
+  if (slope.ceiling) return is_past_line(floor_of(slope), mirrored(box));
+  return Passage(slope, box, box.position()).is_past_line();
+}
+
 SlopeContact meet_slope(const Slope& slope, const Rect& mover, Vec2 goal) {
   if (slope.ceiling) {
-    Slope floor = slope;
-    floor.box = mirrored(slope.box);
-    floor.ceiling = false;
-    SlopeContact contact = meet_slope(floor, mirrored(mover), {goal.x, -(goal.y + mover.h)});
+    SlopeContact contact = meet_slope(floor_of(slope), mirrored(mover), {goal.x, -(goal.y + mover.h)});
     contact.touch.y = -(contact.touch.y + mover.h);
     contact.goal.y = -(contact.goal.y + mover.h);
     contact.normal.y = -contact.normal.y;

@@ -34,6 +34,10 @@ struct SlopeContact {
   double floor_y = 0;  // px, y of the line at the foot
 };
 
+// Whether a box over or in a slope's columns is past its line by more than rounding: below a floor, above a
+// ceiling.
+bool is_past_line(const Slope& slope, const Rect& box);
+
 // The mover's way to `goal`; it may start inside the slope's box.
 SlopeContact meet_slope(const Slope& slope, const Rect& mover, Vec2 goal);
 

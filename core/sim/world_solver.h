@@ -58,6 +58,7 @@ class WorldSolver : public Solver {
   ContactRecord* contact_of_hit(std::size_t i);  // null if the step is not recorded
 
   const SharedTuning& tuning() const { return scene_->tuning.shared; }
+  const std::vector<SceneItem>& items() const { return scene_->items; }
   const Entry& entry(ItemId item) const { return entries_[item.index]; }
   const World::GroupResponses& moving() const { return moving_; }
   const std::vector<Placed>& placed() const { return placed_; }

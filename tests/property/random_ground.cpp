@@ -102,7 +102,7 @@ Curve random_curve(Dice& dice, Area area) {
 
 // ---- Mirrored and moved ----
 
-Curve mirrored(const Curve& curve, double width) {
+Curve mirrored_curve(const Curve& curve, double width) {
   Curve m = curve;
   const auto flip = [width](double& x0, double& x1) {
     std::swap(x0, x1);
@@ -150,7 +150,7 @@ Curve mirrored(const Curve& curve, double width) {
   return m;
 }
 
-Curve moved(const Curve& curve, Vec2 by) {
+Curve moved_curve(const Curve& curve, Vec2 by) {
   struct Move {
     Vec2 by;
     void operator()(Segment& s) const { s.from = s.from + by, s.to = s.to + by; }
@@ -270,7 +270,7 @@ RandomGround RandomGround::mirrored() const {
       if (number != 0) m.cells[end - shapes[number].tiles] = number;
     }
   }
-  for (Curve& curve : m.curves) curve = talus::mirrored(curve, right());
+  for (Curve& curve : m.curves) curve = mirrored_curve(curve, right());
   return m;
 }
 
@@ -284,7 +284,7 @@ RandomGround RandomGround::moved(int columns, int rows) const {
               m.cells.begin() + static_cast<std::ptrdiff_t>(y + rows) * m.width + columns);
   }
   const Vec2 by{1.0 * columns * tile.width, 1.0 * rows * tile.height};
-  for (Curve& curve : m.curves) curve = talus::moved(curve, by);
+  for (Curve& curve : m.curves) curve = moved_curve(curve, by);
   return m;
 }
 

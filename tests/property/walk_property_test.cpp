@@ -219,6 +219,34 @@ TEST(WalkProperty, TunnelsWithoutSpareRoomAreWalkedThrough) {
   });
 }
 
+// The way of the case one-way-valley-bump: a body that drifts to the right and does not bounce.
+TEST(WalkProperty, OneWayFloorsCarryBodiesOfTheSolverBump) {
+  for_floors(false, [](const Floor& floor, std::uint64_t number) {
+    SCOPED_TRACE("floor " + std::to_string(number));
+    const Walker walker;
+    LevelMaker maker(walker);
+    Floor one_way = floor;
+    one_way.one_way.assign(kColumns, true);
+    maker.add_floor(one_way, true);
+    Level level = maker.take(one_way, walker);
+    level.tuning.solver = SolverKind::bump;
+    level.spawns[0].kind = BodyKind::ball;
+    level.spawns[0].position.x += 0.37 * static_cast<double>(number % 20);
+    SharedTuning& tuning = level.tuning.shared;
+    tuning.drift_speed = 1.1, tuning.drift_blend = 1, tuning.fall_speed = 5, tuning.floor_grip = 1;
+    tuning.floor_bounce = tuning.slope_bounce = tuning.wall_bounce = 0;
+    constexpr double kDeepest =
+        0.3;  // px; where a slope ends on a level floor, a foot may be in its last part
+    Play play(level);
+    for (int i = 0; i < 400; ++i) {
+      const Body& body = play.step(0);
+      if (body.box.x > (kColumns - kBehind / 2) * kSide) break;
+      for (double x = body.box.x; x <= body.box.right(); x += body.box.w / 4)
+        ASSERT_LE(body.box.bottom(), floor.y_at(x) + kDeepest) << "falls through at x " << x;
+    }
+  });
+}
+
 TEST(WalkProperty, SinglePrecisionStopsNowhere) {
   for_floors(false, [](const Floor& floor, std::uint64_t number) {
     SCOPED_TRACE("floor " + std::to_string(number));

@@ -2,6 +2,8 @@
 // ground.
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
 #include "folder_test.h"
 #include "ldtk_text.h"
 #include "level/merge.h"
@@ -200,6 +202,83 @@ TEST_F(MovedGround, CurvesThatLeaveTheMapAreKeptAside) {
   const auto saved = save_level(after.level, *after.format, path("m.tmx"), after.companion);
   ASSERT_TRUE(saved);
   EXPECT_THAT(saved->note, HasSubstr("kept as m.tmx.talus-kept1.json"));
+}
+
+// One of each form, within 32x32 px, of numbers that no file has in few digits.
+std::vector<LevelCurve> exact_curves() {
+  const double third = 1.0 / 3;
+  const auto curve = [](const char* name, decltype(Curve::form) form) {
+    return LevelCurve{name, {std::move(form), Curve::Faces::up}, ""};
+  };
+  return {curve("arc", Arc{{16 + third, 20 + third}, 11 + third, 6 + third, 24 + third, true}),
+          curve("sine", Sine{third, 30 + third, 10 + third, 3 + third, 17 + third, 2 + third}),
+          curve("line", Polyline{third, 24 + third, {20 + third, 12, 25 + third, 22}}),
+          curve("parabola", Parabola{{third, 20 + third}, {20 + third, 18}, 8 + third}),
+          curve("cubic", Cubic{{third, 16 + third}, {25 + third, 18}, third, -third}),
+          curve("ramp", Segment{{third, 16 + third}, {16 + third, 8}})};
+}
+
+// In the map itself, and with a key that only a companion holds.
+TEST_F(MovedGround, ExactCurvesMoveOnceWithAnInfiniteMap) {
+  for (const std::string extra : {"", R"({"k":1})"}) {
+    std::filesystem::remove(path("m.tmx.talus.json"));
+    put("m.tmx", infinite(kChunk));
+    LoadedLevel first = load("m.tmx");
+    first.level.curves = exact_curves();
+    first.level.curves[1].extra = extra;
+    ASSERT_TRUE(save_level(first.level, *first.format, path("m.tmx"), first.companion));
+    EXPECT_EQ(exists("m.tmx.talus.json"), !extra.empty());
+    const Level before = load("m.tmx").level;
+    ASSERT_EQ(before.curves, first.level.curves);
+    std::string text = bytes_of("m.tmx");
+    text.insert(text.find(kChunk), std::string(kLeft) + kAbove);
+    put("m.tmx", text);
+    LoadedLevel after = load("m.tmx");
+    EXPECT_EQ(after.level.curves, with_moved_ground(before, {2, 2}, 4, 4).curves) << extra;
+    EXPECT_EQ(after.dropped, first.dropped);
+    EXPECT_EQ(after.companion.content.has_value(), !extra.empty()) << after.note;
+    after.level.curves[0].name = "hill";
+    ASSERT_TRUE(save_level(after.level, *after.format, path("m.tmx"), after.companion));
+    EXPECT_EQ(load("m.tmx").level.curves, after.level.curves) << extra;
+  }
+}
+
+// Other programs move the objects alone, and know nothing of their numbers.
+TEST_F(MovedGround, ExactCurvesMoveWithTheirObjects) {
+  put("m.tmx", finite(4, 2, "1,2,3,4,4,3,2,1"));
+  LoadedLevel first = load("m.tmx");
+  first.level.curves = exact_curves();
+  ASSERT_TRUE(save_level(first.level, *first.format, path("m.tmx"), first.companion));
+  std::string text = bytes_of("m.tmx");
+  for (const LevelCurve& curve : first.level.curves) {
+    const std::size_t at = text.find("name=\"" + curve.name + "\"");
+    ASSERT_NE(at, text.npos);
+    const std::size_t x = text.find(" x=\"", at) + 4, end = text.find('"', x);
+    text.replace(x, end - x, std::to_string(std::stod(text.substr(x, end - x)) + 32));
+  }
+  put("m.tmx", text);
+  EXPECT_EQ(load("m.tmx").level.curves, with_moved_ground(first.level, {2, 0}, 4, 2).curves);
+}
+
+// Sums of such numbers differ in their last bits from what the file says.
+TEST_F(MovedGround, CurvesOfACompanionMoveOnce) {
+  put("m.tmx", infinite(kChunk));
+  LoadedLevel first = load("m.tmx");
+  for (int i = 0; i < 20; ++i) {
+    const double y = 2.1 + 1.37 * i;
+    first.level.curves.push_back(
+        {"c", {Polyline{0.1 + i * 0.07, 29.3, {y, y + 0.7 / 3, y - 1.1, y + 0.3}}, Curve::Faces::up}, ""});
+    first.level.spawns.push_back({.name = "s", .position = {y, 30 - y / 3}, .velocity = {}, .extra = ""});
+  }
+  first.level.curves[3].extra = first.level.spawns[3].extra = R"({"k":1})";
+  ASSERT_TRUE(save_level(first.level, *first.format, path("m.tmx"), first.companion));
+  std::string text = bytes_of("m.tmx");
+  text.insert(text.find(kChunk), std::string(kLeft) + kAbove);
+  put("m.tmx", text);
+  const LoadedLevel after = load("m.tmx");
+  EXPECT_EQ(after.level.curves.size(), 20u) << after.note;
+  EXPECT_EQ(after.level.spawns.size(), 20u) << after.note;
+  EXPECT_TRUE(after.companion.content) << after.note;
 }
 
 std::string ldtk_of(int left, const std::string& rows) {

@@ -54,9 +54,9 @@ TEST_F(OutsideFiles, AreReadAfterOneQuestion) {
   ASSERT_TRUE(session.question());
   EXPECT_EQ(session.question()->kind, Question::Kind::read_outside);
   EXPECT_EQ(session.question()->text,
-            "a.tmx names 1 file outside of its folder:\n../sets/t.tsx\nRead it? All "
-            "maps in the folder of a.tmx may then read files in " +
-                game() + ".");
+            "a.tmx names 1 file outside of its folder:\n../sets/t.tsx (" + game() +
+                "/sets/t.tsx)\nRead it? All maps in the folder of a.tmx may then read files in " + game() +
+                ".\nSaving writes a tileset among them once flags or shapes of its tiles are edited.");
   EXPECT_EQ(session.path(), "") << "the level before stays open";
   session.apply(action::AnswerQuestion{action::Answer::allow});
   EXPECT_FALSE(session.question()) << "the picture that the tileset names is in the same folder";
@@ -74,6 +74,27 @@ TEST_F(OutsideFiles, AreReadAfterOneQuestion) {
   later.apply(action::OpenFile{path("game/maps/c.tmx")});
   ASSERT_TRUE(later.question());
   EXPECT_THAT(later.question()->text, HasSubstr("../../secret.tsx"));
+}
+
+TEST_F(OutsideFiles, AreWrittenWithFlagsAndShapesOfTheirTiles) {
+  Session session(Level(), "", kUnnamed, tools());
+  session.apply(action::OpenFile{path("game/maps/a.tmx")});
+  session.apply(action::AnswerQuestion{action::Answer::allow});
+  session.apply(action::DismissMessage{});
+  auto made = std::make_shared<Level>(session.level());
+  const TileNumber tile = made->map.tile_at({0, 0});
+  made->tile_shapes[tile] = {.kind = TileShape::Kind::solid};
+  made->sheet(SheetId::tiles).flags[tile] |= 2;
+  session.apply(action::EditLevel{replace_by(session.level(), made, "Edit the tile")});
+  session.apply(action::SaveFile{});
+  ASSERT_TRUE(session.message());
+  EXPECT_EQ(session.message()->text, "Saved a.tmx + " + game() + "/sets/t.tsx.");
+  EXPECT_THAT(bytes_of("game/sets/t.tsx"), HasSubstr("<objectgroup"));
+  EXPECT_FALSE(exists("game/maps/a.tmx.talus.json")) << bytes_of("game/maps/a.tmx.talus.json");
+  Session later(Level(), "", kUnnamed, tools());
+  later.apply(action::OpenFile{path("game/maps/a.tmx")});
+  EXPECT_EQ(later.level().tile_shapes, session.level().tile_shapes);
+  EXPECT_EQ(later.level().tile_flags(tile), session.level().tile_flags(tile));
 }
 
 TEST_F(OutsideFiles, ThatAreNotReadLeaveNumberedBoxes) {

@@ -35,6 +35,7 @@ class PlaceTaken : public FolderTest {
   }
   std::string message() const { return session_.message() ? session_.message()->text : ""; }
   std::string question() const { return session_.question() ? session_.question()->text : ""; }
+  void save_through_link(const std::string& from, const std::string& to);
 
   Session session_;
 };
@@ -123,6 +124,68 @@ TEST_F(PlaceTaken, ASplitHardLinkIsReported) {
             "t.tsx had other names, hard links, which keep what it was before. "
             "m.tmx had other names, hard links, which keep what it was before");
   EXPECT_EQ(bytes_of("shared.tsx"), kTileset);
+}
+
+// Saves, and expects the question about a link from one file of the folder to another; declines, and allows.
+void PlaceTaken::save_through_link(const std::string& from, const std::string& to) {
+  const std::string before = bytes_of(to);
+  session_.apply(act::SaveFile{});
+  ASSERT_TRUE(session_.question()) << message();
+  EXPECT_THAT(question(), HasSubstr(from + " is a link now, which leads to " + path(to) + "."));
+  session_.apply(act::AnswerQuestion{act::Answer::cancel});
+  EXPECT_EQ(bytes_of(to), before);
+  session_.apply(act::SaveFile{});
+  EXPECT_EQ(bytes_of(to), before);
+  session_.apply(act::AnswerQuestion{act::Answer::replace});
+  EXPECT_NE(bytes_of(to), before) << message();
+  EXPECT_EQ(question(), "");
+}
+
+TEST_F(PlaceTaken, ALinkToEqualBytesIsAskedAbout) {
+  put("t.tsx", kTileset);
+  put("m.tmx", map_with("t.tsx"));
+  put("other.tmx", bytes_of("m.tmx"));
+  open("m.tmx");
+  paint({0, 0}, session_.level().map.tile_at({1, 0}));
+  fs::remove(path("m.tmx"));
+  fs::create_symlink("other.tmx", path("m.tmx"));
+  session_.apply(act::CheckFile{});
+  save_through_link("m.tmx", "other.tmx");
+  EXPECT_THAT(bytes_of("other.tmx"), HasSubstr("2,2"));
+  paint({1, 0}, 0);
+  session_.apply(act::SaveFile{});
+  EXPECT_EQ(question(), "") << "it is asked once";
+}
+
+TEST_F(PlaceTaken, ALinkToAnotherMapIsAskedAbout) {
+  put("t.tsx", kTileset);
+  put("m.tmx", map_with("t.tsx"));
+  std::string other = map_with("t.tsx");
+  other.replace(other.find(">1,2<"), 5, ">4,4<");
+  put("other.tmx", other);
+  open("m.tmx");
+  paint({0, 0}, session_.level().map.tile_at({1, 0}));
+  const Level painted = session_.level();
+  fs::remove(path("m.tmx"));
+  fs::create_symlink("other.tmx", path("m.tmx"));
+  session_.apply(act::CheckFile{});
+  EXPECT_THAT(question(), HasSubstr("m.tmx is a link to " + path("other.tmx") + ", where saving writes."));
+  EXPECT_EQ(session_.level(), painted) << "it is not read unasked";
+  EXPECT_EQ(bytes_of("other.tmx"), other);
+}
+
+TEST_F(PlaceTaken, ALinkInPlaceOfATilesetIsAskedAbout) {
+  put("t.tsx", kTileset);
+  put("m.tmx", map_with("t.tsx"));
+  put("other.tsx", kTileset);
+  open("m.tmx");
+  auto made = std::make_shared<Level>(session_.level());
+  made->tile_shapes[made->map.tile_at({1, 0})] = {.kind = TileShape::Kind::solid};
+  session_.apply(act::EditLevel{replace_by(session_.level(), made, "Edit the tile")});
+  fs::remove(path("t.tsx"));
+  fs::create_symlink("other.tsx", path("t.tsx"));
+  session_.apply(act::CheckFile{});
+  save_through_link("t.tsx", "other.tsx");
 }
 
 // Only root may give a file away, so the test as another user holds less.

@@ -53,12 +53,8 @@ int move_runs(Json& layer, Cell by) {
 // The map of a level with what was added to it.
 TileMap map_of_additions(const Json& additions, int width, int height, TileSize tile) {
   const Json size = additions.value("map", Json());
-  const auto side = [&](std::size_t i, int usual) {
-    return size.is_array() && size.size() == 2 && is_whole(size[i], 1, kMaxTerrainSide) ? size[i].get<int>()
-                                                                                        : usual;
-  };
-  const int wide = side(0, width), high = side(1, height);
-  return is_terrain_size(wide, high, tile) ? TileMap(wide, high, tile) : TileMap(width, height, tile);
+  const auto side = [&](std::size_t i) { return size.is_array() && size.size() == 2 ? size[i] : Json(); };
+  return map_with_sides(side(0), side(1), width, height, tile);
 }
 
 }  // namespace

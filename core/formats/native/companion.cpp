@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 
@@ -82,9 +83,27 @@ bool are_objects(const Json& list) {
          std::all_of(list.begin(), list.end(), [](const Json& v) { return v.is_object(); });
 }
 
+// Whether both are the same but for the last bits of their numbers.
+bool has_near_numbers(const Json& a, const Json& b) {
+  constexpr double kSlack = 1e-9;
+  if (a.is_number() && b.is_number()) {
+    const double x = a.get<double>(), y = b.get<double>();
+    return std::abs(x - y) <= kSlack * std::max(1.0, std::abs(x));
+  }
+  if (a.is_array() && b.is_array())
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), has_near_numbers);
+  if (!a.is_object() || !b.is_object() || a.size() != b.size()) return a == b;
+  return std::all_of(a.items().begin(), a.items().end(), [&](const auto& item) {
+    const auto other = b.find(item.key());
+    return other != b.end() && has_near_numbers(item.value(), *other);
+  });
+}
+
 // Lays the members of a companion over those of its file.
 class Joiner {
  public:
+  // has_moved: whether both were moved to the place of their ground, by sums that differ in their last bits.
+  explicit Joiner(bool has_moved) : has_moved_(has_moved) {}
   void join(Json& document, Json added, const std::vector<std::string>& changed) {
     for (const auto& [key, value] : added.items()) {
       is_changed_ = std::find(changed.begin(), changed.end(), key) != changed.end();
@@ -113,7 +132,7 @@ class Joiner {
 
   // The file has a value of its own, which may be newer.
   void keep(Json& held, const Json& value) {
-    if (held == value) return;
+    if (is_same(held, value)) return;
     if (is_layers_ || !are_objects(held) || !are_objects(value)) {
       left_out_ = true;
       return;
@@ -129,13 +148,15 @@ class Joiner {
   }
 
   // Whether an entry has all members of another one, and maybe some that the file cannot hold.
-  static bool has_all_of(const Json& entry, const Json& other) {
+  bool has_all_of(const Json& entry, const Json& other) const {
     return std::all_of(other.items().begin(), other.items().end(), [&](const auto& item) {
       const auto found = entry.find(item.key());
-      return found != entry.end() && *found == item.value();
+      return found != entry.end() && is_same(*found, item.value());
     });
   }
+  bool is_same(const Json& a, const Json& b) const { return has_moved_ ? has_near_numbers(a, b) : a == b; }
 
+  bool has_moved_;
   bool is_changed_ = false;  // whether another program changed the current member of the document
   bool is_roles_ = false;
   bool is_layers_ = false;  // layers of objects, which the file has with its own changes
@@ -389,7 +410,7 @@ FormatResult<JoinedLevel> join_companion(std::string_view bytes, const Level& he
   join_pictures(*document, *companion);
   for (const std::string& member : changed)
     if (held.cart != nullptr) join_flags(*document, member, *companion);
-  Joiner joiner;
+  Joiner joiner(has_moved);
   joiner.join(*document, *std::move(companion), changed);
   auto level = level_of_document(*std::move(document));
   if (!level) return tl::unexpected(level.error());

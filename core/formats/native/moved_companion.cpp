@@ -15,13 +15,9 @@ namespace {
 // The map that a companion gives the level, or else a map of that size.
 TileMap map_of_companion(const Json& companion, int width, int height, TileSize tile) {
   const auto map = companion.find("map");
-  const auto side = [&](const char* key, int usual) {
-    if (map == companion.end() || !map->is_object()) return usual;
-    const Json size = map->value(key, Json());
-    return is_whole(size, 1, kMaxTerrainSide) ? size.get<int>() : usual;
-  };
-  const int wide = side("width", width), high = side("height", height);
-  return is_terrain_size(wide, high, tile) ? TileMap(wide, high, tile) : TileMap(width, height, tile);
+  const bool has_map = map != companion.end() && map->is_object();
+  const auto side = [&](const char* key) { return has_map ? map->value(key, Json()) : Json(); };
+  return map_with_sides(side("width"), side("height"), width, height, tile);
 }
 
 // Sums of px differ in their last bits from what a file says. Few digits bring its numbers back.

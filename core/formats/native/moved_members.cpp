@@ -36,6 +36,15 @@ void move_layer(Json& layer, Vec2 by) {
 
 }  // namespace
 
+TileMap map_with_sides(const Json& wide, const Json& high, int usual_width, int usual_height, TileSize tile) {
+  const auto side = [](const Json& json, int usual) {
+    return is_whole(json, 1, kMaxTerrainSide) ? json.get<int>() : usual;
+  };
+  const int width = side(wide, usual_width), height = side(high, usual_height);
+  return is_terrain_size(width, height, tile) ? TileMap(width, height, tile)
+                                              : TileMap(usual_width, usual_height, tile);
+}
+
 Json json_of_ground(const GroundPlace& place) {
   Json marks = Json::array();
   for (const GroundMark& mark : place.marks)

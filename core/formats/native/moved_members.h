@@ -14,6 +14,10 @@ Json json_of_ground(const GroundPlace& place);
 // The same read again; nothing if it is not what json_of_ground() gives.
 std::optional<GroundPlace> ground_of_json(const Json& json);
 
+// A map with these sides, in cells, for each of which a number that is no side of a map stands for the usual
+// one; of the usual size if no map may have both.
+TileMap map_with_sides(const Json& wide, const Json& high, int usual_width, int usual_height, TileSize tile);
+
 // The list "spawns" of a native level, whose bodies go by so many px. Entries that are none stay.
 void move_spawns(Json& list, Vec2 by);
 // The list "objects", as above.

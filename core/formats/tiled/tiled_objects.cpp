@@ -9,6 +9,7 @@
 #include "../../collision/outline_compiler.h"
 #include "../text/append_number.h"
 #include "../text/xml_text.h"
+#include "level/transform.h"
 
 namespace talus {
 namespace {
@@ -141,6 +142,14 @@ Segment segment_between(Vec2 a, Vec2 b) {
   if (a.x > b.x || (a.x == b.x && a.y > b.y)) std::swap(a, b);
   return {a, b};
 }
+
+// By how much a program moved a point, to whole px if that may be: it wrote few digits.
+double shift_between(double from, double to) {
+  if (is_near(from, to)) return 0;
+  const double whole = std::round(to - from);
+  return is_near(from + whole, to) ? whole : to - from;
+}
+Vec2 shift_between(Vec2 from, Vec2 to) { return {shift_between(from.x, to.x), shift_between(from.y, to.y)}; }
 
 bool goes_in_equal_steps(const std::vector<Vec2>& points) {
   const double step = (points.back().x - points.front().x) / static_cast<double>(points.size() - 1);
@@ -296,8 +305,11 @@ std::optional<Curve> curve_of_numbers(const TiledObject& object) {
     const auto word = std::find(kFaceWords.begin(), kFaceWords.end(), *faces);
     if (word != kFaceWords.end()) curve.faces = static_cast<Curve::Faces>(word - kFaceWords.begin());
   }
-  const auto along = tiled_object(LevelCurve{"", curve, ""});
-  return along && is_same_outline(*along, object) ? std::optional(curve) : std::nullopt;
+  auto along = tiled_object(LevelCurve{"", curve, ""});
+  if (!along) return {};
+  const Vec2 by = shift_between(along->position, object.position);
+  along->position = object.position;
+  return is_same_outline(*along, object) ? std::optional(moved(curve, by)) : std::nullopt;
 }
 
 std::span<const std::string_view> curve_properties() { return kCurveProperties; }

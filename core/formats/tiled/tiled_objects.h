@@ -35,8 +35,9 @@ std::optional<TiledObject> tiled_object(const LevelCurve& curve);
 // `faces` says.
 std::vector<Curve> curves_of(const TiledObject& object);
 
-// The curve that the properties of a polyline give (see tiled_object): `kind` and its numbers. Nothing if
-// they do not, or if the polyline does not run along that curve.
+// The curve that the properties of a polyline give (see tiled_object): `kind` and its numbers, moved to where
+// the polyline is, as other programs move that alone. Nothing if they do not, or if the polyline does not run
+// along that curve.
 std::optional<Curve> curve_of_numbers(const TiledObject& object);
 // The names of all properties that tell the form of a curve, and `faces`.
 std::span<const std::string_view> curve_properties();

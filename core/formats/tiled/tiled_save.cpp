@@ -11,6 +11,7 @@
 #include "tiled_format.h"
 #include "tiled_layer_pairs.h"
 #include "tiled_layer_tree.h"
+#include "tiled_lost_layer.h"
 #include "tiled_map.h"
 #include "tiled_object_layers.h"
 #include "tiled_object_writer.h"
@@ -599,8 +600,12 @@ FormatResult<WrittenLevel> TiledSaver::write() {
   FormatResult<Level>& held = last->held;
   if (!held) return tl::unexpected(held.error());
   take_unread(*held);
-  if (held->tiled->frame.tiles != origin_.frame.tiles || (has_cells_ && !has_same_layers(*held, level_)))
-    return cannot("has layers of tiles, or groups of layers, that the map cannot hold as they are");
+  if (held->tiled->frame.tiles != origin_.frame.tiles)
+    return cannot("has tiles that would have other numbers in the map");
+  if (has_cells_ && !has_same_layers(*held, level_)) {
+    if (held->layers.count() > level_.layers.chosen) held->choose_layer(level_.layers.chosen);
+    return tl::unexpected(lost_layer(*held, level_));
+  }
   held->choose_layer(level_.layers.chosen);
   // Pictures that were painted elsewhere meanwhile are no edits.
   held->sheet(SheetId::tiles).images = level_.sheet(SheetId::tiles).images;

@@ -33,6 +33,8 @@ class LevelHandler {
   // See UndoStack.
   void mark_saved() { open_.history.mark_saved(); }
   void forget_saved() { open_.history.forget_saved(); }
+  // Paths of the pictures that the user allows to paint.
+  const std::set<std::string>& painted_files() const { return painted_files_; }
 
  private:
   // For each action of LevelAction, in level_handler.cpp.

@@ -66,6 +66,7 @@ void FileHandler::note_file(const std::vector<std::string>& written) {
   for (const Tileset& tileset : open_.level.tilesets)
     if (tileset.link) pictures.push_back(tileset.link->path);
   add_linked(pictures, time_for_stamps(), *stamp_);
+  note_places();
   for (LinkedStamp& file : stamp_->linked) {
     const auto is_it = [&](const std::string& path) { return is_same_file(path, file.path); };
     if (std::any_of(written.begin(), written.end(), is_it)) file.stamp = stamp_of_file(file.path);
@@ -82,6 +83,13 @@ void FileHandler::note_source(const std::string& path, std::optional<LevelStamp>
                               std::vector<std::string> dropped) {
   source_ = Source{path, std::move(choices), std::move(dropped)};
   stamp_ = std::move(stamp);
+  note_places();
+}
+
+void FileHandler::note_places() {
+  places_.note(files_to_write());
+  if (!stamp_) return;
+  for (const LinkedStamp& linked : stamp_->linked) places_.note({linked.path});
 }
 
 // If another program changed the files, the level here stays as it is, and differs from them.
@@ -122,8 +130,10 @@ void FileHandler::take_look(const Look& look) {
 // Each state of the files is asked about or reported once.
 void FileHandler::take_file_change(const FilesChange& found) {
   if (found.change == FileChange::none) return;
-  if (found.change == FileChange::content)
-    return has_given_up_ ? ask_to_read(last_name(found.file), "") : reload();
+  if (found.change == FileChange::content) {
+    const bool asks = has_given_up_ || !places_.elsewhere(found.file).empty();
+    return asks ? ask_to_read(last_name(found.file), "") : reload();
+  }
   const bool is_own = !open_.path.empty() && !is_linked(found.file);
   if (is_own) level_.forget_saved();
   messages_.tell_error(last_name(found.file) + " was removed or renamed by another program." +
@@ -147,6 +157,38 @@ bool FileHandler::asks_about_tileset() {
     return true;
   }
   return false;
+}
+
+std::vector<std::string> FileHandler::files_to_write() const {
+  std::vector<std::string> files = {open_.path};
+  if (const auto& tiled = open_.level.tiled) {
+    for (const TiledOrigin::File& tileset : tiled->tilesets) files.push_back(tileset.path);
+  }
+  files.insert(files.end(), level_.painted_files().begin(), level_.painted_files().end());
+  return files;
+}
+
+std::vector<std::pair<std::string, std::string>> FileHandler::new_links() const {
+  std::vector<std::pair<std::string, std::string>> links;
+  for (const std::string& file : files_to_write())
+    if (std::string target = places_.elsewhere(file); !target.empty()) links.emplace_back(file, target);
+  return links;
+}
+
+bool FileHandler::asks_about_link(const std::function<void()>& go_on) {
+  const auto links = new_links();
+  if (links.empty()) return false;
+  const auto& [file, target] = links.front();
+  messages_.ask(Question{last_name(file) + " is a link now, which leads to " + target +
+                             (file_number(file) ? "." : ", where no file is.") + "\nWrite " +
+                             (file == open_.path ? "the level" : "what was edited of it") + " there?",
+                         Question::Kind::replace_files},
+                [this, link = links.front(), go_on](action::Answer answer) {
+                  if (answer != action::Answer::replace) return pending_.reset();
+                  places_.allow(link.first, link.second);
+                  go_on();
+                });
+  return true;
 }
 
 // After an undone reading, the level is still saved into its newest files, and not into those before it: they
@@ -180,14 +222,20 @@ bool FileHandler::tell_of_redo() {
 
 // why: that it cannot be read, a sentence, or empty.
 void FileHandler::ask_to_read(const std::string& changed, const std::string& why) {
-  const std::string target = link_target(source_.path);
-  const std::string link =
-      target.empty() ? "" : "\n" + file_name() + " is a link to " + target + ", where saving writes.";
-  messages_.ask(Question{changed + " was changed by another program." + why + link +
+  const auto links = new_links();
+  std::string lines;
+  const auto add = [&](const std::string& file, const std::string& target) {
+    lines += "\n" + last_name(file) + " is a link to " + target + ", where saving writes.";
+  };
+  for (const auto& [file, target] : links) add(file, target);
+  if (const std::string old = link_target(open_.path); !old.empty() && places_.elsewhere(open_.path).empty())
+    add(open_.path, old);
+  messages_.ask(Question{changed + " was changed by another program." + why + lines +
                              "\nRead it again, or keep what is here? Undo switches between the two.",
                          Question::Kind::changed_outside},
-                [this](action::Answer answer) {
+                [this, links](action::Answer answer) {
                   has_given_up_ = false;
+                  for (const auto& [file, target] : links) places_.allow(file, target);
                   if (answer == action::Answer::reload) return reload();
                   for (auto& [path, content] : companion_.others) {
                     if (const auto bytes = read_file(path)) content = content_hash(*bytes);
@@ -306,6 +354,7 @@ void FileHandler::take_newer(const Newer& newer, Level level) {
   run_.read_hard_case();
   base_ = std::make_shared<const Level>(loaded.level);
   stamp_ = newer.stamp;
+  note_places();
   declined_.reset();
   companion_ = loaded.companion;
   source_.dropped = loaded.dropped;

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "formats/files/atomic_file.h"
-#include "formats/files/link_target.h"
 #include "formats/files/real_path.h"
 #include "formats/ldtk/ldtk_companion.h"
 #include "formats/native/recording_file.h"
 #include "formats/pictures/png_picture.h"
+#include "formats/text/utf8_text.h"
 
 namespace talus {
 namespace {
@@ -43,6 +43,12 @@ std::string import_text(const std::string& file, bool can_save, const std::vecto
     separator = "; ";
   }
   return dropped.empty() ? text : text + ".";
+}
+
+// The name of a file that was saved with a level: its whole path, if it lies outside of the level's folder.
+std::string name_beside(const std::string& level, const std::string& file) {
+  const auto folder = real_folder_of(level), place = real_path(file);
+  return folder && place && !is_within(*place, *folder) ? printable(*place) : last_name(file);
 }
 
 std::string known_extensions() {
@@ -175,6 +181,7 @@ void FileHandler::carry_out(const action::SaveFileAs& a) {
     return messages_.tell_error("Cannot save " + last_name(a.path) + ": its extension must be one of " +
                                 known_extensions() + ".");
   }
+  if (a.path == open_.path && asks_about_link([this, a] { carry_out(a); })) return;
   if (!save_to(a.path, *chosen)) return;
   wants_save_as_ = false;
   go_on_when_stored();
@@ -470,6 +477,7 @@ void FileHandler::replace_level(Level opened, std::string opened_path, const For
   source_ = Source{open_.path, {}, {}};
   has_given_up_ = is_saving_ = saves_when_read_ = false;
   declined_.reset();
+  places_.forget();
   failures_ = 0;
   exports_.forget_level();
   level_.replace(std::move(opened));
@@ -497,16 +505,10 @@ bool FileHandler::save() {
     if (messages_.question() || saves_when_read_ || found().change == FileChange::content) return false;
   }
   if (asks_about_tileset()) return false;
-  if (const std::string target = link_target(open_.path); !target.empty() && !file_number(open_.path)) {
-    messages_.ask(Question{file_name() + " is a link now, which leads to " + target +
-                               ", where no file is.\nWrite the level there?",
-                           Question::Kind::replace_files},
-                  [this](action::Answer answer) {
-                    if (answer != action::Answer::replace) return pending_.reset();
-                    if (save_to(open_.path, *format_)) go_on_when_stored();
-                  });
-    return false;
-  }
+  const auto go_on = [this] {
+    if (save()) go_on_when_stored();
+  };
+  if (asks_about_link(go_on)) return false;
   return save_to(open_.path, *format_);
 }
 
@@ -530,12 +532,14 @@ bool FileHandler::save_to(const std::string& saved_path, const Format& saved_for
   format_ = &saved_format;
   companion_ = std::move(saved->companion);
   unstored_ = std::move(saved->dropped);
+  if (const std::string place = places_.elsewhere(open_.path); !place.empty())
+    places_.allow(open_.path, place);
   note_file(saved->others);
   const auto kept = open_.permissions.save(open_.path, open_.level.exports);
   level_.mark_saved();
   ++saves_;
   std::string text = "Saved " + file_names();
-  for (const std::string& other : saved->others) text += " + " + last_name(other);
+  for (const std::string& other : saved->others) text += " + " + name_beside(open_.path, other);
   text += ".";
   if (saved_format.keeps_beside) {
     mappings_.forget(open_.path);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -14,7 +15,7 @@
 #include "file_reading.h"
 #include "file_stamp.h"
 #include "formats/native/companion.h"
-#include "level/merge.h"
+#include "known_places.h"
 #include "level_import.h"
 #include "map_list.h"
 #include "opened_file.h"
@@ -132,6 +133,13 @@ class FileHandler {
   void take_file_change(const FilesChange& found);  // reads, merges, asks or reports
   bool is_linked(const std::string& file) const;
   bool asks_about_tileset();
+  // The files that saving the level may write: its own, tilesets, and painted pictures.
+  std::vector<std::string> files_to_write() const;
+  void note_places();  // where they lead, and pictures that may be painted later
+  // Asks if one of them leads elsewhere than it did. go_on: what was to be done, after a yes.
+  bool asks_about_link(const std::function<void()>& go_on);
+  // Those that lead elsewhere than they did, and where they lead.
+  std::vector<std::pair<std::string, std::string>> new_links() const;
   bool saves_into_newest(Level& saved);
   bool tell_of_redo();
   bool is_undecided_in_ldtk(const LoadedLevel& newer) const;
@@ -168,6 +176,7 @@ class FileHandler {
   std::shared_ptr<const Level> base_;  // as its files had it when they were last read or written
   // The files of the source when they were last read, written or asked about; nothing: no file.
   std::optional<LevelStamp> stamp_;
+  KnownPlaces places_;                 // of the files that saving writes
   CompanionFile companion_;            // the companion that the level was last read or written with
   std::vector<std::string> unstored_;  // the parts of the saved level that the file lacks, one phrase each
   const Format* format_ = nullptr;     // of the file; null: it has none, or an unknown one

@@ -11,17 +11,30 @@
 namespace talus {
 namespace {
 
-// "cave.tmx names 2 files outside of its folder:" and their names, each on a line.
+// "cave.tmx names 2 files outside of its folder:" and their names with their whole paths, each on a line.
 std::string names_text(const std::string& file, const std::vector<std::string>& names) {
-  constexpr std::size_t kMostFiles = 6, kMostShown = 200;  // files; bytes of a name
+  constexpr std::size_t kMostFiles = 6, kMostShown = 200, kMostPath = 1000;  // files; bytes of a name, a path
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   std::string text = last_name(file) + " names " + std::to_string(names.size()) +
                      (names.size() == 1 ? " file" : " files") + " outside of its folder:";
   for (std::size_t i = 0; i < std::min(names.size(), kMostFiles); ++i) {
     const std::string name = std::filesystem::path(names[i]).lexically_normal().generic_string();
+    const auto whole = real_path((folder / names[i]).string());
     text += "\n" + printable(shortened(name, kMostShown));
+    if (whole) text += " (" + printable(shortened(*whole, kMostPath)) + ")";
   }
   if (names.size() > kMostFiles) text += "\nand " + std::to_string(names.size() - kMostFiles) + " more";
   return text;
+}
+
+// What saving writes of these files.
+std::string writing_text(const std::vector<std::string>& names) {
+  const bool has_tileset = std::any_of(names.begin(), names.end(), [](const std::string& name) {
+    const std::string extension = context_for_file(name).extension;
+    return extension == "tsx" || extension == "tsj" || extension == "xml" || extension == "json";
+  });
+  return has_tileset ? "\nSaving writes a tileset among them once flags or shapes of its tiles are edited."
+                     : "";
 }
 
 }  // namespace
@@ -43,7 +56,7 @@ void FileHandler::ask_about_outside(const std::string& file, const std::vector<s
   const std::string folder = common_folder(file, refused);
   messages_.ask(Question{names_text(file, refused) + "\nRead " + (refused.size() == 1 ? "it" : "them") +
                              "? All maps in the folder of " + last_name(file) + " may then read files in " +
-                             printable(folder) + ".",
+                             printable(folder) + "." + writing_text(refused),
                          Question::Kind::read_outside},
                 [this, file, folder, read_again, go_on](action::Answer answer) {
                   if (answer != action::Answer::allow) {
