@@ -16,6 +16,7 @@
 #include "file_stamp.h"
 #include "formats/native/companion.h"
 #include "known_places.h"
+#include "level/merge.h"
 #include "level_import.h"
 #include "map_list.h"
 #include "opened_file.h"
