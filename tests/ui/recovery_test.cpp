@@ -90,7 +90,7 @@ TEST_F(UiRecovery, WorkOfAProcessThatWasStillEndingIsOfferedToo) {
   EXPECT_EQ(tile_at({12, 9}), 5);
 }
 
-TEST_F(UiRecovery, AProjectsDialogComesAfterTheWork) {
+TEST_F(UiRecovery, TheDialogsOfAProjectAndOfWorkTakeTurns) {
   paint({12, 9});
   frames(kFiveSeconds);
   const std::string project = path("game.ldtk");
@@ -100,19 +100,18 @@ TEST_F(UiRecovery, AProjectsDialogComesAfterTheWork) {
   std::ofstream(project) << R"({"defs":{"layers":[],"tilesets":[]},"levels":[{"identifier":"A",)" << cells
                          << R"(,{"identifier":"B",)" << cells << "]}";
   crash_and_start(project);
-  frames(4);
-  ASSERT_TRUE(session().level_import());
-  ASSERT_NE(find("recovery/recover0"), nullptr);
-  EXPECT_EQ(find("choose/open"), nullptr) << "it waits";
-  click("recovery/recover0");
-  frames(4);
-  EXPECT_EQ(tile_at({12, 9}), 1);
-  ASSERT_NE(find("choose/open"), nullptr);
-  click("choose/open");
-  frames(4);
-  ASSERT_NE(find("question/cancel"), nullptr) << "what was recovered is not saved";
-  click("question/cancel");
-  frames(4);
+  // The project and the work are read beside the window, so either dialog may be the first one.
+  int works = 0, projects = 0;
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_TRUE(frames_until([&] { return find("recovery/recover0") || find("choose/cancel"); }));
+    const bool is_work = find("recovery/recover0") != nullptr;
+    EXPECT_FALSE(is_work && find("choose/cancel") != nullptr) << "one hides the other";
+    click(is_work ? "recovery/recover0" : "choose/cancel");
+    frames(4);
+    ++(is_work ? works : projects);
+  }
+  EXPECT_EQ(works, 1);
+  EXPECT_EQ(projects, 1);
   EXPECT_EQ(tile_at({12, 9}), 1);
 }
 
