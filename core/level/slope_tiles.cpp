@@ -18,18 +18,48 @@ tl::unexpected<std::string> failure(std::string message) {
   return tl::unexpected<std::string>(std::move(message));
 }
 
-// The floor to follow: a line that goes on level beyond its ends.
+// The floor to follow: a line that goes on level beyond its ends, or as the tiles there do.
 struct Line {
-  Vec2 from, to;  // whole px, from.x < to.x
+  Vec2 from, to;                                     // x in whole px, from.x < to.x
+  std::optional<TileShape> before = {}, after = {};  // of the cells beyond the ends
+  Vec2 before_base = {}, after_base = {};            // px, their corners at the bottom left
+  TileSize tile = {};
 
   double y_at(double x) const {
-    if (x <= from.x) return from.y;
-    if (x >= to.x) return to.y;
+    if (x <= from.x) return before ? y_of(*before, before_base, x) : from.y;
+    if (x >= to.x) return after ? y_of(*after, after_base, x) : to.y;
     return from.y + (to.y - from.y) * ((x - from.x) / (to.x - from.x));
   }
   double grained_y_at(double x) const { return std::round(y_at(x) / kSlopeTileGrain) * kSlopeTileGrain; }
-  bool is_straight_over(double x0, double x1) const { return from.y == to.y || (x0 >= from.x && x1 <= to.x); }
+  bool is_straight_over(double x0, double x1) const {
+    return (from.y == to.y && !before && !after) || (x0 >= from.x && x1 <= to.x);
+  }
+  double y_of(const TileShape& shape, Vec2 base, double x) const {
+    return base.y - height_of_line(shape, std::clamp(x - base.x, 0.0, 1.0 * tile.width), tile);
+  }
 };
+
+// Lets the line go on as the floor of the tiles in which it ends, where that floor ends at the line's end.
+void join(const Level& level, Line& line) {
+  const TileMap& map = level.map;
+  line.tile = map.tile_size();
+  const auto find = [&](Vec2 end, std::optional<TileShape>& found, Vec2& base) {
+    const int column = map.column_at(end.x);
+    if (map.x_of(column) == end.x || column >= map.width()) return;  // the tile ends where the line does
+    const int first = std::max(map.row_at(end.y) - 1, 0);
+    for (Cell c{column, first}; c.y < std::min(first + kMaxShapeTiles + 2, map.height()); ++c.y) {
+      const TileShape shape = shape_of_cell(level, map.at(c));
+      if (!has_heights(shape) || shape.side != TileShape::Side::floor || shape.tiles != 1) continue;
+      if (problem_of(shape, line.tile)) continue;
+      base = {map.x_of(c.x), map.y_of(c.y + 1)};
+      if (std::abs(line.y_of(shape, base, end.x) - end.y) > kSlopeTileGrain) continue;
+      found = shape;
+      return;
+    }
+  };
+  find(line.from, line.before, line.before_base);
+  find(line.to, line.after, line.after_base);
+}
 
 // side: px, of a cell.
 int cells_up_to(double px, int side) { return static_cast<int>(std::ceil(px / side)); }
@@ -45,19 +75,32 @@ bool is_floor(const TileShape& shape, TileSize tile) {
   return shape.kind == Kind::solid || shape.side == TileShape::Side::floor;
 }
 
+constexpr int kMostFill = 64;  // rows below a slope in which a fill looks for ground
+
 // Collects what to place. A cell keeps the first tile that it is given.
 class Layer {
  public:
-  explicit Layer(const TileMap& map) : map_(map) {}
+  explicit Layer(const Level& level) : level_(level), map_(level.map) {}
 
   void place(Cell cell, TileNumber tile) { tiles_.try_emplace({cell.x, cell.y}, tile); }
   // A cell with a part of the floor in it. The tile SlopeTilesOptions::below goes under it.
   void own(Cell cell) { owners_.push_back(cell); }
 
-  Result take(std::vector<SlopeTiles::Drawn> drawn, std::optional<TileNumber> below) {
+  // The row of the lowest cell with a part of the floor in it.
+  int lowest_row() const {
+    int row = 0;
+    for (const Cell& cell : owners_) row = std::max(row, cell.y);
+    return row;
+  }
+
+  // below: goes under each owner, and further down if the ground is filled, but not below `last` in a column
+  // without a full tile.
+  Result take(std::vector<SlopeTiles::Drawn> drawn, std::optional<TileNumber> below, bool fills, int last) {
     for (const Cell& cell : owners_) {
-      const Cell under = {cell.x, cell.y + 1};
-      if (below && map_.contains(under)) place(under, *below);
+      if (!below) break;
+      const int end = fills ? std::min(end_of_fill(cell, last), map_.height()) : cell.y + 2;
+      for (Cell under{cell.x, cell.y + 1}; under.y < end; ++under.y)
+        if (map_.contains(under) && !is_ball_tile(level_, map_.tile_at(under))) place(under, *below);
     }
     SlopeTiles result{std::move(drawn), {}};
     for (const auto& [at, tile] : tiles_) {
@@ -69,6 +112,15 @@ class Layer {
   }
 
  private:
+  // The row of the first full tile under a cell; the one after `last` if there is none near.
+  int end_of_fill(Cell cell, int last) const {
+    const int bottom = std::min(map_.height(), std::max(last, cell.y) + kMostFill);
+    for (Cell under{cell.x, cell.y + 1}; under.y < bottom && map_.contains(under); ++under.y)
+      if (is_full(shape_of_cell(level_, map_.at(under)))) return under.y;
+    return last + 1;
+  }
+
+  const Level& level_;
   const TileMap& map_;
   std::map<std::pair<int, int>, TileNumber> tiles_;  // by column and row
   std::vector<Cell> owners_;
@@ -83,7 +135,7 @@ class Drawer {
         size_(level.map.tile_size()),
         line_(line),
         options_(options),
-        layer_(level.map),
+        layer_(level),
         used_(static_cast<std::size_t>(level.tile_count())) {
     for (const TileNumber tile : level.map.cells().tiles()) used_[tile] = true;
   }
@@ -93,14 +145,25 @@ class Drawer {
     for (int column = level_.map.column_at(line_.from.x); column < end; ++column) {
       if (auto problem = draw_column(column)) return failure(*std::move(problem));
     }
-    return layer_.take(std::move(drawn_), options_.below);
+    std::optional<TileNumber> below = options_.below;
+    const int last = layer_.lowest_row() + (below ? 1 : 0);
+    if (options_.fills && !below) {
+      TileImage full;
+      full.fill(options_.ground_color);
+      below = tile_with(full, {.kind = TileShape::Kind::solid});
+      if (!below) return failure("there is no blank tile to fill the ground with");
+    }
+    return layer_.take(std::move(drawn_), below, options_.fills, last);
   }
 
  private:
   std::optional<std::string> draw_column(int column) {
     const double x0 = level_.map.x_of(column), x1 = level_.map.x_of(column + 1);
-    const double lowest = std::max(line_.grained_y_at(x0), line_.grained_y_at(x1));
-    const double highest = std::min(line_.grained_y_at(x0), line_.grained_y_at(x1));
+    double lowest = line_.grained_y_at(x0), highest = lowest;
+    for (double x = x0 + 1; x <= x1; ++x) {
+      lowest = std::max(lowest, line_.grained_y_at(x));
+      highest = std::min(highest, line_.grained_y_at(x));
+    }
     int bottom_row = cells_up_to(lowest, size_.height);
     // A level floor on the side of two cells belongs to the lower one.
     if (highest == level_.map.y_of(bottom_row)) ++bottom_row;
@@ -119,7 +182,8 @@ class Drawer {
     const Cell owner = {column, bottom_row - 1};
     layer_.own(owner);
     for (int row = owner.y; row == owner.y || level_.map.y_of(row + 1) > highest; --row) {
-      const auto tile = tile_with(image_of({column, row}), row == owner.y ? shape : TileShape());
+      const TileImage image = image_of({column, row});
+      const auto tile = row == owner.y ? tile_with(with_line(image), shape) : tile_with(image, TileShape());
       if (!tile) return "there are too few blank tiles to draw the slope with";
       if (*tile != 0) layer_.place({column, row}, *tile);
     }
@@ -130,16 +194,37 @@ class Drawer {
   TileImage image_of(Cell cell) const {
     const double px_wide = 1.0 * size_.width / kCartTileSize, px_high = 1.0 * size_.height / kCartTileSize;
     TileImage image{};
+    // Colour 0 would be no edge.
+    const std::uint8_t edge = options_.line_color == 0 ? options_.ground_color : options_.line_color;
     for (int x = 0; x < kCartTileSize; ++x) {
       const double floor =
           line_.y_at(level_.map.x_of(cell.x) + (x + 0.5) * px_wide) - level_.map.y_of(cell.y);
       for (int y = 0; y < kCartTileSize; ++y) {
         if ((y + 0.5) * px_high < floor) continue;
-        image[y * kCartTileSize + x] =
-            (y - 0.5) * px_high < floor ? options_.line_color : options_.ground_color;
+        image[y * kCartTileSize + x] = (y - 0.5) * px_high < floor ? edge : options_.ground_color;
       }
     }
     return image;
+  }
+
+  // A floor that is too low for the middle of a pixel is a line of pixels all the same, so that it is seen.
+  TileImage with_line(TileImage image) const {
+    if (image == TileImage{})
+      std::fill(image.end() - kCartTileSize, image.end(),
+                options_.line_color == 0 ? options_.ground_color : options_.line_color);
+    return image;
+  }
+
+  // Whether a tile of the sheet has this shape, and shows it by the same pixels, in any colours.
+  bool is_alike(int tile, const TileImage& image, const TileShape& shape) const {
+    const Sheet& sheet = level_.sheet(SheetId::tiles);
+    const FlagSet flags = sheet.flags[tile];
+    const int solid = level_.roles.solid;
+    const bool is_plain = flags == 0 || (shape.kind == TileShape::Kind::solid && has_flag(flags, solid) &&
+                                         flags == flag_bit(solid));
+    return is_plain && shape_of_tile(level_, static_cast<TileNumber>(tile)) == shape &&
+           std::equal(image.begin(), image.end(), sheet.images[tile].begin(),
+                      [](std::uint8_t a, std::uint8_t b) { return (a == 0) == (b == 0); });
   }
 
   // A tile that already looks like this, or was drawn so, or can be drawn so; nothing if there are no more
@@ -154,6 +239,8 @@ class Drawer {
       if (sheet.images[tile] == image && level_.tile_shapes[tile] == shape && sheet.flags[tile] == 0)
         return static_cast<TileNumber>(tile);
     }
+    for (int tile = 1; tile < level_.tile_count(); ++tile)
+      if (is_alike(tile, image, shape)) return static_cast<TileNumber>(tile);
     for (int tile = 1; tile < level_.tile_count(); ++tile) {
       const bool blank = sheet.images[tile] == TileImage{} && level_.tile_shapes[tile] == TileShape() &&
                          sheet.flags[tile] == 0 && !used_[tile];
@@ -179,7 +266,7 @@ class Drawer {
 class Chooser {
  public:
   Chooser(const Level& level, const Line& line, const SlopeTilesOptions& options)
-      : level_(level), size_(level.map.tile_size()), line_(line), options_(options), layer_(level.map) {
+      : level_(level), size_(level.map.tile_size()), line_(line), options_(options), layer_(level) {
     for (const TileNumber tile : options.set) {
       TileShape shape = shape_of_tile(level, tile);
       if (is_floor(shape, size_)) candidates_.push_back({tile, std::move(shape)});
@@ -199,7 +286,7 @@ class Chooser {
       column += best->candidate->shape.tiles;
       floor = best->end;
     }
-    return layer_.take({}, options_.below);
+    return layer_.take({}, options_.below, options_.fills, layer_.lowest_row() + 1);
   }
 
  private:
@@ -277,12 +364,13 @@ tl::expected<SlopeTiles, std::string> slope_tiles(const Level& level, Vec2 a, Ve
     if (!(p.x >= 0 && p.y >= 0 && p.x <= width && p.y <= height))
       return failure("an end of the slope is not on the map");
   }
-  Line line{{std::round(a.x), std::round(a.y)}, {std::round(b.x), std::round(b.y)}};
+  Line line{{std::round(a.x), weld(a.y)}, {std::round(b.x), weld(b.y)}};
   if (line.from.x > line.to.x) std::swap(line.from, line.to);
   if (line.from.x == line.to.x) return failure("the slope is vertical");
   if (options.set.empty() && level.sheet(SheetId::tiles).picture != nullptr)
     return failure(
         "the tiles are in true colour, so no slope can be drawn on them: choose tiles with slopes");
+  if (options.set.empty()) join(level, line);
   return options.set.empty() ? Drawer(level, line, options).run() : Chooser(level, line, options).run();
 }
 

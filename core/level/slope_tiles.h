@@ -34,8 +34,11 @@ struct SlopeTilesOptions {
   // The tiles to choose from: floors and solid tiles, as shape_of_tile says. A slope of several cells brings
   // the tiles beside and above it on the sheet. Empty: blank tiles are drawn.
   std::span<const TileNumber> set = {};
-  // The tile under each column of the slope; nothing: no tile is put there.
+  // The tile under each column of the slope; nothing: no tile is put there, unless the ground is filled.
   std::optional<TileNumber> below = {};
+  // Whether the ground under the slope is filled: each column down to the next full tile, or, if it has none,
+  // down to the row of the slope's lower end. Without `below`, a full tile is drawn for it.
+  bool fills = false;
   std::uint8_t line_color = 5;     // 0..15, colour of the topmost pixels of drawn tiles
   std::uint8_t ground_color = 15;  // 0..15, colour of the pixels below
 };
@@ -43,8 +46,10 @@ struct SlopeTilesOptions {
 // The heights of drawn tiles are rounded to this, as a terrain's are.
 inline constexpr double kSlopeTileGrain = 1.0 / 256;  // px
 
-// Returns the tiles whose floor is the line between two points on the map, in px, rounded to whole ones, in
-// any order. Left and right of the points, as far as the outermost tiles reach, the floor is level.
+// Returns the tiles whose floor is the line between two points on the map, in px, in any order. Their x is
+// rounded to whole px, their y to kSlopeTileGrain. Left and right of the points, as far as the outermost
+// tiles reach, the floor is that of the map where it ends at the point, and level otherwise. Drawn tiles are
+// those of the sheet that have the same shape and the same opaque pixels, if there are such.
 //
 // At every column of pixels, drawn tiles are within half of kSlopeTileGrain of the line. With a set, each
 // tile begins at the height at which the one before it ends, and the tile that stays nearest to the line is

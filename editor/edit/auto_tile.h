@@ -31,9 +31,13 @@ Edit fill_ground(const Level& level, CellRect cells, GroundChange change, Within
 
 // Proposes a set for ground from the tiles of the sheet. Slopes are recognised by their shapes, full tiles by
 // their shapes and by the sides that are drawn unlike their middle; the others are those that look most like
-// the inside. among: tiles to choose from, in this order. Returns a set without an inside if none of them is
-// solid.
+// the inside. among: tiles to choose from, in this order. If none of them is solid and the sheet is in true
+// colour, those without a shape that are wholly opaque count as solid. Returns a set without an inside if
+// there are none.
 AutoTiles proposed_auto_tiles(const Level& level, std::span<const TileNumber> among);
+
+// Sets the proposed tiles, and makes those of them solid that have no shape.
+Edit propose_auto_tiles(const Level& level, std::span<const TileNumber> among);
 
 Edit set_auto_tiles(const Level& level, const AutoTiles& tiles);
 

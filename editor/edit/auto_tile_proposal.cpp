@@ -6,6 +6,7 @@
 
 #include "auto_tile.h"
 #include "collision/tile_outlines.h"
+#include "tile_shapes.h"
 
 namespace talus {
 namespace {
@@ -58,6 +59,13 @@ constexpr EdgedPart kEdgedParts[] = {{GroundPart::top, {true, false, false, fals
                                      {GroundPart::bottom_left, {false, true, false, true}},
                                      {GroundPart::bottom_right, {false, false, true, true}}};
 
+// Makes a tile without a shape solid, once.
+void solidify(const Level& level, TileNumber tile, std::vector<bool>& is_done, Edit& edit) {
+  if (tile == 0 || is_done[tile] || shape_of_tile(level, tile).kind != TileShape::Kind::none) return;
+  is_done[tile] = true;
+  edit.changes.emplace_back(TileShapeChange{tile, level.tile_shapes[tile], {.kind = TileShape::Kind::solid}});
+}
+
 // A floor between two heights, as wide as `tiles`.
 bool is_slope(const TileShape& shape, int tiles, double from, double to) {
   return shape.kind == TileShape::Kind::slope && shape.side == TileShape::Side::floor && !shape.one_way &&
@@ -69,6 +77,9 @@ class Proposal {
  public:
   Proposal(const Level& level, std::span<const TileNumber> among) : level_(level) {
     std::copy_if(among.begin(), among.end(), std::back_inserter(tiles_), [](int tile) { return tile != 0; });
+    const auto has_shape = [&](TileNumber tile) { return is_full(shape_of_tile(level, tile)); };
+    takes_opaque_ = level.sheet(SheetId::tiles).picture != nullptr &&
+                    std::none_of(tiles_.begin(), tiles_.end(), has_shape);
   }
 
   AutoTiles make() {
@@ -106,7 +117,12 @@ class Proposal {
   }
 
   void choose_full_tiles() {
-    const auto solid = [&](TileNumber tile) { return is_full(shape_of_tile(level_, tile)); };
+    const auto solid = [&](TileNumber tile) {
+      const TileShape shape = shape_of_tile(level_, tile);
+      if (shape.kind != TileShape::Kind::none) return is_full(shape);
+      return takes_opaque_ && level_.tile_flags(tile) == 0 &&
+             suggest_shape(level_, tile) == TileShape{.kind = TileShape::Kind::solid};
+    };
     TileNumber& inside = set_.of(GroundPart::inside);
     inside = best([&](TileNumber tile) { return solid(tile) && edges_of(image(tile)) == Edges{}; });
     if (inside == 0) inside = best(solid);
@@ -143,10 +159,21 @@ class Proposal {
 
   const Level& level_;
   std::vector<TileNumber> tiles_;
+  bool takes_opaque_ = false;  // no tile is solid yet, and the pictures tell which are opaque
   AutoTiles set_;
 };
 
 }  // namespace
+
+Edit propose_auto_tiles(const Level& level, std::span<const TileNumber> among) {
+  const AutoTiles set = proposed_auto_tiles(level, among);
+  Edit edit = set_auto_tiles(level, set);
+  if (set.empty()) return edit;
+  std::vector<bool> is_done(static_cast<std::size_t>(level.tile_count()));
+  for (const EdgedPart& edged : kEdgedParts) solidify(level, set.of(edged.part), is_done, edit);
+  solidify(level, set.of(GroundPart::inside), is_done, edit);
+  return edit;
+}
 
 AutoTiles proposed_auto_tiles(const Level& level, std::span<const TileNumber> among) {
   return Proposal(level, among).make();

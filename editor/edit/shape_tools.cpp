@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 #include <vector>
 
+#include "level/level_text.h"
 #include "level/single_change.h"
 
 namespace talus {
@@ -50,9 +52,42 @@ Edit put_slope_tiles(const Level& level, const SlopeTiles& tiles, Within within)
   return edit;
 }
 
+namespace {
+
+bool is_full_tile(const Level& level, TileNumber tile) {
+  const TileShape shape = shape_of_tile(level, tile);
+  return shape.kind == TileShape::Kind::solid && !shape.one_way;
+}
+
+constexpr int kMostRowsDown = 64;
+
+// The tile to fill the ground with that the level suggests.
+std::optional<TileNumber> tile_for_inside(const Level& level, Vec2 a, Vec2 b) {
+  const TileNumber inside = level.auto_tiles.of(GroundPart::inside);
+  if (inside != 0 && is_full_tile(level, inside)) return inside;
+  for (const Vec2 end : {a.y > b.y ? a : b, a.y > b.y ? b : a}) {
+    const Cell under = level.map.cell_at(end);
+    for (Cell cell = under; cell.y < under.y + kMostRowsDown; ++cell.y) {
+      for (cell.x = under.x; cell.x >= under.x - 1; --cell.x) {  // it may be at the border of two columns
+        if (!level.map.contains(cell)) continue;
+        const MapCell tile = level.map.at(cell);
+        if (tile.turn == TileTurn::none && is_full_tile(level, tile.tile)) return tile.tile;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, const Stamp& stamp,
-                                          std::uint8_t line_color, Within within) {
+                                          std::uint8_t line_color, Within within, bool fills) {
   if (a == b) return tl::unexpected<std::string>(kNoLength);
+  const double steepest = level.tuning.exact.steepest;
+  if (level.tuning.solver == SolverKind::exact && a.x != b.x &&
+      std::abs(b.y - a.y) > std::abs(b.x - a.x) * steepest)
+    return tl::unexpected("the slope is too steep to stand on: it may rise by " + px_text(steepest) +
+                          " px for each px (steepest floor, in Tuning)");
   SlopeTilesOptions options;
   options.line_color = line_color;
   bool has_slope = false;
@@ -61,9 +96,11 @@ tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, co
     if (turn != TileTurn::none) continue;
     tiles_as_drawn.push_back(tile);
     const TileShape shape = shape_of_tile(level, tile);
-    if (shape.kind == TileShape::Kind::solid && !shape.one_way && !options.below) options.below = tile;
+    if (is_full_tile(level, tile) && !options.below) options.below = tile;
     has_slope = has_slope || (has_heights(shape) && shape.side == TileShape::Side::floor);
   }
+  options.fills = fills;
+  if (fills && !options.below) options.below = tile_for_inside(level, a, b);
   if (has_slope) options.set = std::move(tiles_as_drawn);
   return slope_tiles(level, a, b, options).map([&](const SlopeTiles& tiles) {
     return put_slope_tiles(level, tiles, within);

@@ -22,8 +22,10 @@ Edit put_slope_tiles(const Level& level, const SlopeTiles& tiles, Within within 
 
 // The slope tool: tiles along the line between two points, px. If `stamp` has sloped floors, these are laid;
 // if not, blank tiles are drawn, with their edge in `line_color` (0..15). The first full tile of `stamp` goes
-// below. Cells outside of `within` are left out. The error is one sentence.
+// below; if it has none, the inside of the ground that is painted, or the full tile on which an end of the
+// line stands, or a drawn one. Cells outside of `within` are left out. fills: whether the ground below is
+// filled, see SlopeTilesOptions. The error is one sentence; a floor too steep to stand on is one, too.
 tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, const Stamp& stamp,
-                                          std::uint8_t line_color, Within within = {});
+                                          std::uint8_t line_color, Within within = {}, bool fills = true);
 
 }  // namespace talus

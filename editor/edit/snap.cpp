@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision/tile_outlines.h"
 #include "curve_tools.h"
 
 namespace talus {
@@ -63,6 +64,30 @@ class NearestEnd {
   std::optional<Vec2> found_;
 };
 
+// The y of the nearest floor within half a tile above or below a point at the side of a column; slopes of
+// several tiles have one there between their ends.
+std::optional<double> floor_near(const Level& level, Vec2 point) {
+  const TileMap& map = level.map;
+  const TileSize tile = map.tile_size();
+  std::optional<double> found;
+  double least = tile.height / 2.0;
+  const int row = map.row_at(point.y), column = map.column_at(point.x);
+  for (Cell at{0, row - 1}; at.y <= row + kMaxShapeTiles; ++at.y) {
+    for (at.x = column - kMaxShapeTiles; at.x <= column; ++at.x) {
+      if (!map.contains(at)) continue;
+      const TileShape shape = shape_of_cell(level, map.at(at));
+      const double along = point.x - map.x_of(at.x);
+      if (!has_heights(shape) || shape.side != TileShape::Side::floor || problem_of(shape, tile)) continue;
+      if (along > shape.tiles * tile.width) continue;
+      const double y = weld(map.y_of(at.y + 1) - height_of_line(shape, along, tile));
+      if (std::abs(y - point.y) > least) continue;
+      least = std::abs(y - point.y);
+      found = y;
+    }
+  }
+  return found;
+}
+
 // A coordinate at the border of a tile, if there is one near. side: px, of a tile.
 std::optional<double> at_border(double px, int side, double reach) {
   const double border = std::round(px / side) * side;
@@ -82,6 +107,16 @@ SnappedPoint snap(const Level& level, Vec2 point, const SnapRules& rules) {
   const auto x = at_border(point.x, tile_width, kTileReach / rules.zoom);
   const auto y = at_border(point.y, tile_height, kTileReach / rules.zoom);
   return {{x.value_or(std::round(point.x)), y.value_or(std::round(point.y))}, x || y ? To::tile : To::pixel};
+}
+
+Vec2 snap_slope_end(const Level& level, Vec2 point, double zoom) {
+  const TileSize tile = level.map.tile_size();
+  NearestEnd nearest(level, point, kEndReach / zoom);
+  nearest.try_tiles();
+  if (const auto end = nearest.found(); end && std::fmod(end->x, tile.width) == 0) return *end;
+  const double x = std::round(point.x / tile.width) * tile.width;
+  const double y = std::round(point.y / tile.height) * tile.height;
+  return onto_map(level.map, {x, floor_near(level, {x, point.y}).value_or(y)});
 }
 
 Vec2 onto_map(const TileMap& map, Vec2 point) {

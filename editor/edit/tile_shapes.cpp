@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <talus/collision/shape_forms.h>
+#include "level/picture_tiles.h"
 #include "polygon_tools.h"
 
 namespace talus {
@@ -34,31 +35,48 @@ std::vector<double> heights_of_columns(const TileShape& shape, int tiles, TileSi
   return heights;
 }
 
-// The opaque pixels of the images of some tiles side by side, column by column.
+// The opaque pixels of the pictures of some tiles side by side, column by column: of a sheet in true colour
+// those that are at least half opaque, else those of the images that are not colour 0. Heights are in parts
+// of a tile, kCartTileSize of them, whatever its size is.
 struct Columns {
-  std::vector<int> from_bottom,
-      from_top;  // px of the image, how far the opaque pixels reach; 0: the column is clear
+  std::vector<double> from_bottom, from_top;  // how far the opaque pixels reach; 0: the column is clear
+  double pixel = 1;                           // height of a pixel
   int opaque = 0;
 
   Columns(const Level& level, int tile, int tiles) {
-    const auto& images = level.sheet(SheetId::tiles).images;
-    for (int x = 0; x < tiles * kCartTileSize; ++x) {
+    constexpr std::uint8_t kHalfOpaque = 128;
+    const Sheet& sheet = level.sheet(SheetId::tiles);
+    const bool is_true_color = sheet.picture != nullptr;
+    const TileSize size = is_true_color ? level.map.tile_size() : TileSize{kCartTileSize, kCartTileSize};
+    pixel = 1.0 * kCartTileSize / size.height;
+    for (int i = 0; i < tiles; ++i) {
+      const std::vector<std::uint8_t> rgba =
+          is_true_color ? shown_rgba(level, tile + i) : std::vector<std::uint8_t>();
+      const TileImage& image = sheet.images[tile + i];
+      add(size, [&](int at) { return is_true_color ? rgba[4 * at + 3] >= kHalfOpaque : image[at] != 0; });
+    }
+  }
+
+ private:
+  template <class IsOpaque>
+  void add(TileSize size, IsOpaque is_opaque) {
+    for (int x = 0; x < size.width; ++x) {
       int top = 0, bottom = 0;
-      for (int y = 0; y < kCartTileSize; ++y) {
-        if (images[tile + x / kCartTileSize][y * kCartTileSize + x % kCartTileSize] == 0) continue;
+      for (int y = 0; y < size.height; ++y) {
+        if (!is_opaque(y * size.width + x)) continue;
         ++opaque;
         top = y + 1;
-        if (bottom == 0) bottom = kCartTileSize - y;
+        if (bottom == 0) bottom = size.height - y;
       }
-      from_top.push_back(top);
-      from_bottom.push_back(bottom);
+      from_top.push_back(top * pixel);
+      from_bottom.push_back(bottom * pixel);
     }
   }
 };
 
-int sum(const std::vector<int>& numbers) {
-  int total = 0;
-  for (const int number : numbers) total += number;
+double sum(const std::vector<double>& numbers) {
+  double total = 0;
+  for (const double number : numbers) total += number;
   return total;
 }
 
@@ -73,7 +91,7 @@ struct Line {
   double left, right;
 };
 
-// How far a column's topmost edge may be above the line in the middle of the column, px of the image.
+// How far a column's topmost edge may be above the line in the middle of the column, in pixels.
 struct Tolerance {
   double least, most;
 };
@@ -81,9 +99,9 @@ constexpr Tolerance kNear{-0.5, 0.5};
 constexpr Tolerance kThroughPixels{0, 1};  // in stairs, the line runs through the last pixels
 constexpr Tolerance kBeyondPixels{-1, 0};  // or through the first clear ones
 
-// The plainest line whose ends are multiples of `step` px and that keeps the tolerance at all columns; of
-// equally plain ones, the nearest.
-std::optional<Line> fit_line(const std::vector<int>& columns, double step, Tolerance tolerance) {
+// The plainest line whose ends are multiples of `step` parts of a tile and that keeps the tolerance at all
+// columns; of equally plain ones, the nearest.
+std::optional<Line> fit_line(const std::vector<double>& columns, double step, Tolerance tolerance) {
   constexpr double kRounding = 1e-9;
   const double count = static_cast<double>(columns.size());
   std::optional<Line> best;
@@ -106,17 +124,18 @@ std::optional<Line> fit_line(const std::vector<int>& columns, double step, Toler
   return best;
 }
 
-std::optional<Line> fit_line(const std::vector<int>& columns) {
+std::optional<Line> fit_line(const std::vector<double>& columns, double pixel) {
   for (double step = 1; step >= 0.25; step /= 2) {
     for (const Tolerance& tolerance : {kNear, kThroughPixels, kBeyondPixels})
-      if (const auto line = fit_line(columns, step, tolerance)) return line;
+      if (const auto line = fit_line(columns, step, {tolerance.least * pixel, tolerance.most * pixel}))
+        return line;
   }
   return std::nullopt;
 }
 
 // Heights at the column lines: the mean of the two columns beside it.
-std::vector<double> profile_of(const std::vector<int>& columns) {
-  std::vector<double> heights = {static_cast<double>(columns.front())};
+std::vector<double> profile_of(const std::vector<double>& columns) {
+  std::vector<double> heights = {columns.front()};
   for (std::size_t i = 1; i < columns.size(); ++i) heights.push_back((columns[i - 1] + columns[i]) / 2.0);
   heights.push_back(columns.back());
   return heights;
@@ -262,11 +281,11 @@ std::optional<TileShape> suggest_shape(const Level& level, int tile, int tiles) 
   TileShape shape;
   const bool hangs = sum(columns.from_top) < sum(columns.from_bottom);
   shape.side = hangs ? Side::ceiling : Side::floor;
-  const std::vector<int>& heights = hangs ? columns.from_top : columns.from_bottom;
-  if (std::all_of(heights.begin(), heights.end(), [](int height) { return height == kCartTileSize; }))
+  const std::vector<double>& heights = hangs ? columns.from_top : columns.from_bottom;
+  if (std::all_of(heights.begin(), heights.end(), [](double height) { return height == kCartTileSize; }))
     return TileShape{.kind = Kind::solid};
   shape.tiles = tiles;
-  if (const auto line = fit_line(heights)) {
+  if (const auto line = fit_line(heights, columns.pixel)) {
     shape.kind = Kind::slope;
     shape.heights = {line->left, line->right};
   } else {

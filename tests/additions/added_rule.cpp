@@ -7,7 +7,10 @@ namespace {
 
 LintFix fix_name;
 
-constexpr LintRule kUnnamed{.code = "spawn-unnamed", .label = "body without a name", .fix = fix_name};
+constexpr LintRule kUnnamed{.code = "spawn-unnamed",
+                            .label = "body without a name",
+                            .by_hand = "Give the body a name in the inspector.",
+                            .fix = fix_name};
 
 void check_names(const LintContext& context, std::vector<Problem>& out) {
   for (int i = 0; i < static_cast<int>(context.level.spawns.size()); ++i) {

@@ -389,7 +389,8 @@ TEST_F(UiEdit, SlopeToolDrawsTilesAlongADraggedLine) {
   const TileNumber low = tile_at({2, 4}), high = tile_at({3, 4});
   EXPECT_EQ(level().tile_shapes[low], (TileShape{.kind = TileShape::Kind::slope, .heights = {0, 4}}));
   EXPECT_EQ(level().tile_shapes[high], (TileShape{.kind = TileShape::Kind::slope, .heights = {4, 8}}));
-  EXPECT_EQ(describe(session().history().edits().back()), "Lay a slope: 2 tiles at (2, 4)");
+  EXPECT_EQ(describe(session().history().edits().back()), "Lay a slope: 24 tiles at (2, 4)");
+  for (int y = 5; y < 16; ++y) EXPECT_EQ(tile_at({3, y}), 1) << "filled down to the floor";
   EXPECT_EQ(session().history().edits().size(), 1u);
   key(ctrl('z'));
   EXPECT_FALSE(session().modified());

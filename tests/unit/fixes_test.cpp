@@ -43,8 +43,11 @@ TEST(Fixes, SlopesGetTheirOtherHalf) {
               ElementsAre("Take tile 9 away from (4, 1), where the map cuts it off"));
   EXPECT_THAT(labels_of(slope_level({"o....", "./#..", "#####"}), "slope-overlap"),
               ElementsAre("Put tile 10, the slope's right half, in the place of tile 1 at (2, 1)"));
-  EXPECT_THAT(labels_of(slope_level({"o....", "..-..", "#####"}), "slope-left-missing"),
+  EXPECT_THAT(labels_of(slope_level({"o....", "..-##", "#####"}), "slope-left-missing"),
               ElementsAre("Place tile 9, the slope's left half, at (1, 1)", "Take tile 10 away from (2, 1)"));
+  EXPECT_THAT(labels_of(slope_level({"o....", "..-..", "#####"}), "slope-left-missing"),
+              ElementsAre("Take tile 10 away from (2, 1)"))
+      << "the slope would end at a wall";
 }
 
 TEST(Fixes, ShapesGetTheTilesThatDrawTheRest) {
@@ -68,7 +71,7 @@ TEST(Fixes, ShapesGetTheTilesThatDrawTheRest) {
 }
 
 TEST(Fixes, FlagsOfSlopes) {
-  Level level = slope_level({"o....", "./-..", "#####"});
+  Level level = slope_level({"o....", "./-##", "#####"});
   level.sheet(SheetId::tiles).flags[kFlaggedHalf] = 4;
   Level fixed = level;
   const std::vector<Edit> edits = fixes_for(level, level, {}, first_of(level, "slope-overlap"));
@@ -77,7 +80,7 @@ TEST(Fixes, FlagsOfSlopes) {
   apply_edit(fixed, edits[0]);
   EXPECT_THAT(lint_lines(fixed), IsEmpty());
 
-  level = slope_level({"o......", "./-.a..", "#######"});
+  level = slope_level({"o......", "./-.a-#", "#######"});
   level.tile_shapes[kSlopeA] = {};
   level.sheet(SheetId::tiles).images[kSlopeA] = level.sheet(SheetId::tiles).images[kFlaggedSlope];
   const auto flag = fixes_for(level, level, {}, first_of(level, "slope-unflagged"));
@@ -105,6 +108,27 @@ TEST(Fixes, AFixThatBreaksAnotherJoinIsNotOffered) {
   // Raising tile 2 to the wall would make a step to tile 3 beside it.
   const Level level = slope_level({"o........", ".a#..ab#.", "#########"});
   EXPECT_THAT(fixes_for(level, level, {}, first_of(level, "seam")), IsEmpty());
+}
+
+TEST(Fixes, NoTileIsLaidOverAir) {
+  // Tile 3 goes on at the same height, but would hang over tile 6.
+  const Level level = slope_level({"o........", "...a.....", "..##e....", "#########"});
+  EXPECT_THAT(fixes_for(level, level, {}, first_of(level, "seam")),
+              testing::Each(testing::Field(&Edit::label, testing::Not(testing::StartsWith("Place")))));
+}
+
+TEST(Fixes, NoWallIsMadeElsewhere) {
+  // Tile 2 at the wall would fit if it rose to 8 px. At the other place, its end would become a wall.
+  const Level level = slope_level({"o........", ".a#...a..", "#########"});
+  for (const Problem& problem : lint(level))
+    EXPECT_THAT(fixes_for(level, level, {}, problem), IsEmpty()) << problem.message;
+}
+
+TEST(Fixes, EveryRuleSaysWhatToDoByHand) {
+  for (const LintRule* rule : lint_rules()) {
+    EXPECT_THAT(std::string(rule->by_hand), testing::EndsWith(".")) << rule->code;
+    EXPECT_LE(rule->by_hand.size(), 100u) << rule->code;
+  }
 }
 
 TEST(Fixes, SteepFloorsAreLowered) {

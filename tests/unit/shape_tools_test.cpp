@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "edit/snap.h"
+#include "level/lint/lint.h"
+
 namespace talus::shape_tools_test {
 
 // Tile 1 is solid; 3 and 4 are the halves of the article's up-slope.
@@ -58,6 +61,100 @@ TEST(ShapeTools, SlopeStaysInsideTheSelection) {
   EXPECT_LE(shaped, placed);
   const Edit nothing = lay_slope(level, {0, 48}, {64, 16}, {1, 1, {1}}, 12, CellRect{20, 0, 2, 2}).value();
   EXPECT_TRUE(nothing.empty());
+}
+
+int drawn_tiles(const Level& level) {
+  int count = 0;
+  for (const TileImage& image : level.sheet(SheetId::tiles).images) count += image != TileImage{} ? 1 : 0;
+  return count;
+}
+
+// A floor of full tiles from row 12 down.
+Level level_with_floor() {
+  Level level = level_with_slopes();
+  level.spawns.push_back({"hero", {4, 4}, {}, "", BodyKind::player, {8, 8}});
+  for (int y = 12; y < 17; ++y)
+    for (int x = 0; x < 30; ++x) level.map.set({x, y}, 1);
+  return level;
+}
+
+TEST(ShapeTools, AHillOfTwoDragsIsFilled) {
+  Level level = level_with_floor();
+  const int before = drawn_tiles(level);
+  // Ends near the floor, near the top of the first slope, and near the floor again.
+  const Vec2 foot = snap_slope_end(level, {33, 95}, 2), top = snap_slope_end(level, {97.2, 64.4}, 2);
+  level = after(level, lay_slope(level, foot, top, {}, 12));
+  const Vec2 same_top = snap_slope_end(level, {95.6, 62.5}, 2), end = snap_slope_end(level, {159, 97.4}, 2);
+  EXPECT_EQ(foot, (Vec2{32, 96}));
+  EXPECT_EQ(same_top, top);
+  EXPECT_EQ(end, (Vec2{160, 96}));
+  level = after(level, lay_slope(level, same_top, end, {}, 12));
+  EXPECT_TRUE(lint(level).empty()) << lint(level)[0].message;
+  for (int x = 4; x < 20; ++x) {
+    int y = 0;
+    while (shape_of_tile(level, level.map.tile_at({x, y})).kind == TileShape::Kind::none) ++y;
+    EXPECT_LT(y, 12) << x;
+    for (++y; y < 17; ++y) EXPECT_EQ(level.map.at({x, y}), 1) << x << " " << y;
+  }
+  EXPECT_EQ(drawn_tiles(level), before + 4) << "two tiles up and two down";
+}
+
+TEST(ShapeTools, SlopesThatMeetInATileAreOneFloor) {
+  Level level = level_with_floor();
+  level = after(level, lay_slope(level, {32, 96}, {77, 75}, {}, 12));
+  level = after(level, lay_slope(level, {77, 75}, {120, 60}, {}, 12));
+  for (const Problem& problem : lint(level))
+    EXPECT_GE(problem.cell->x, 14) << problem.message << ", but not at the end in the air";
+  const TileShape shape = level.tile_shapes[level.map.tile_at({9, 9})];
+  ASSERT_EQ(shape.kind, TileShape::Kind::profile);
+  EXPECT_NEAR(shape.heights.front(), 80 - (96 - 40.0 * 21 / 45), kSlopeTileGrain);
+  EXPECT_NEAR(shape.heights.back(), 80 - (75 - 3.0 * 15 / 43), kSlopeTileGrain);
+}
+
+TEST(ShapeTools, SlopesMakeNoProblem) {
+  for (int i = 0; i < 40; ++i) {  // lines of all kinds between snapped ends
+    Level level = level_with_floor();
+    Vec2 from = snap_slope_end(level, {i * 3.7, 96}, 2);
+    for (int drag = 0; drag < 3; ++drag) {
+      const Vec2 to = snap_slope_end(
+          level, {from.x + 24 + (i * 7 + drag * 13) % 30, drag == 2 ? 95 : 96.0 - (i * 11 + drag * 29) % 40},
+          2);
+      const auto edit = lay_slope(level, from, to, {}, static_cast<std::uint8_t>(i % 16));
+      if (!edit) continue;
+      level = after(level, edit);
+      from = to;
+    }
+    for (const Problem& problem : lint(level)) ADD_FAILURE() << i << ": " << problem.message;
+  }
+}
+
+TEST(ShapeTools, SlopesUseTilesWithTheSameShapeAgain) {
+  Level level = level_with_floor();
+  TileImage image{};
+  for (int x = 0; x < 8; ++x)
+    for (int y = 7 - x; y < 8; ++y) image[static_cast<std::size_t>(y * 8 + x)] = 7;
+  level.sheet(SheetId::tiles).images[20] = image;
+  level.tile_shapes[20] = {.kind = TileShape::Kind::slope, .heights = {0, 8}};
+  const Level laid = after(level, lay_slope(level, {32, 96}, {64, 64}, {}, 12));
+  EXPECT_EQ(laid.map.at({4, 11}), 20);
+  EXPECT_EQ(laid.map.at({7, 8}), 20);
+  EXPECT_TRUE(laid.sheets == level.sheets) << "in the user's colours";
+}
+
+TEST(ShapeTools, SlopeIsNotFilledIfTheUserWantsNone) {
+  const Level level = level_with_floor();
+  const Level laid = after(level, lay_slope(level, {32, 96}, {64, 64}, {}, 12, {}, false));
+  EXPECT_EQ(laid.map.at({7, 10}), 0);
+}
+
+TEST(ShapeTools, SlopeTooSteepToStandOnIsRefused) {
+  Level level = level_with_floor();
+  level.tuning.solver = SolverKind::exact;
+  level.tuning.exact.steepest = 2;
+  EXPECT_EQ(
+      lay_slope(level, {32, 96}, {40, 72}, {}, 12).error(),
+      "the slope is too steep to stand on: it may rise by 2 px for each px (steepest floor, in Tuning)");
+  EXPECT_TRUE(lay_slope(level, {32, 96}, {40, 80}, {}, 12));
 }
 
 TEST(ShapeTools, SlopeThatCannotBeLaidSaysWhy) {

@@ -5,6 +5,8 @@
 
 #include <string_view>
 
+#include "edit/auto_tile.h"
+
 namespace talus::tile_shapes_test {
 
 using Kind = TileShape::Kind;
@@ -242,6 +244,41 @@ TEST(TileShapes, CopySaysWhatItReplaces) {
   EXPECT_EQ(replaced(10), std::vector<int>());
   EXPECT_EQ(replaced(3), std::vector<int>()) << "turned in its place";
   EXPECT_EQ(replaced(15), std::vector<int>()) << "no room";
+}
+
+// A sheet of two tiles of 16x16 px in true colour. Black is a colour as any other, and so is what is opaque.
+Level level_in_true_color(FunctionRef<bool(int x, int y)> is_opaque) {
+  Level level;
+  level.map = TileMap(4, 4, {16, 16});
+  level.set_tile_layout({2, 2});
+  SheetPicture picture{32, 16, std::vector<std::uint8_t>(32 * 16 * 4)};
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 32; ++x)
+      picture.rgba[static_cast<std::size_t>(4 * (y * 32 + x) + 3)] = is_opaque(x, y) ? 255 : 0;
+  level.sheet(SheetId::tiles).picture = std::make_shared<const SheetPicture>(std::move(picture));
+  return level;
+}
+
+TEST(TileShapes, SuggestionsInTrueColourLookAtOpacity) {
+  const Level block = level_in_true_color([](int, int) { return true; });
+  EXPECT_EQ(suggest_shape(block, 1), TileShape{.kind = Kind::solid});
+  Level half = block;  // its black lower half is colour 0 of the image
+  for (std::size_t i = 0; i < 32; ++i) half.sheet(SheetId::tiles).images[1][i] = 3;
+  EXPECT_EQ(suggest_shape(half, 1), TileShape{.kind = Kind::solid});
+  const Level ramp = level_in_true_color([](int x, int y) { return x >= 16 && y >= 15 - (x - 16) / 2; });
+  EXPECT_EQ(suggest_shape(ramp, 0), std::nullopt);
+  EXPECT_EQ(suggest_shape(ramp, 1), (TileShape{.kind = Kind::slope, .heights = {0, 8}}));
+}
+
+TEST(TileShapes, OpaqueTilesInTrueColourBecomeGround) {
+  const Level level = level_in_true_color([](int x, int y) { return x >= 16 || y < 3; });
+  constexpr std::array<TileNumber, 2> kBoth = {0, 1};
+  EXPECT_EQ(proposed_auto_tiles(level, kBoth).of(GroundPart::inside), 1);
+  Level proposed = level;
+  apply_edit(proposed, propose_auto_tiles(level, kBoth));
+  EXPECT_EQ(proposed.auto_tiles.of(GroundPart::inside), 1);
+  EXPECT_EQ(proposed.tile_shapes[1].kind, Kind::solid);
+  EXPECT_EQ(proposed.tile_shapes[0].kind, Kind::none);
 }
 
 }  // namespace talus::tile_shapes_test

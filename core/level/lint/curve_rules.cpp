@@ -12,10 +12,15 @@ namespace {
 
 LintFix fix_curve;
 
-constexpr LintRule kBadCurve{
-    .code = "bad-curve", .label = "curve that cannot be used", .severity = Severity::error, .fix = fix_curve};
-constexpr LintRule kCurveLeavesMap{
-    .code = "curve-leaves-map", .label = "curve that leaves the map", .fix = fix_curve};
+constexpr LintRule kBadCurve{.code = "bad-curve",
+                             .label = "curve that cannot be used",
+                             .by_hand = "Drag the ends of the curve, or delete it.",
+                             .severity = Severity::error,
+                             .fix = fix_curve};
+constexpr LintRule kCurveLeavesMap{.code = "curve-leaves-map",
+                                   .label = "curve that leaves the map",
+                                   .by_hand = "Drag the handles of the curve until all of it is on the map.",
+                                   .fix = fix_curve};
 
 std::string curve_name(const Level& level, int index) {
   const std::string& name = level.curves[static_cast<std::size_t>(index)].name;

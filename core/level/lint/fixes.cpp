@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "../ground_level.h"
+#include "fix_trial.h"
 #include "rule_group.h"
 
 namespace talus {
@@ -37,21 +38,6 @@ std::vector<Edit> fixes_with(const LintContext& context, const Problem& problem)
   return edits;
 }
 
-// Counts the problems of the cells around.
-std::size_t problems_around(const LintContext& context, const Problem& problem) {
-  const TileMap& map = context.level.map;
-  std::vector<Problem> found;
-  if (problem.cell && map.contains(*problem.cell)) {
-    const int reach = context.tiles.reach();
-    const Cell cell = *problem.cell;
-    check_area(context,
-               {Cell{std::max(cell.x - reach, 0), std::max(cell.y - reach, 0)},
-                Cell{std::min(cell.x + reach, map.width() - 1), std::min(cell.y + reach, map.height() - 1)}},
-               found);
-  }
-  return found.size();
-}
-
 bool is_of_cells_alone(const Edit& edit) {
   return std::all_of(edit.changes.begin(), edit.changes.end(),
                      [](const Change& change) { return std::holds_alternative<CellChange>(change); });
@@ -65,6 +51,9 @@ std::vector<Edit> fixes_for(const Level& level, const Level& ground, const LintO
   std::vector<Edit> fixes = fixes_with({ground, tiles}, problem);
   if (!has_plain_ground(level))
     std::erase_if(fixes, [&](const Edit& edit) { return !fits_layers(level, edit); });
+  if (fixes.empty()) return fixes;
+  Level trial = ground;
+  std::erase_if(fixes, [&](const Edit& edit) { return !is_good_fix(trial, tiles, options, edit); });
   return fixes;
 }
 
@@ -82,17 +71,12 @@ Edit fix_all(const Level& level, const Level& ground, const LintOptions& options
     if (problem.rule != &rule) continue;
     for (const Edit& edit : fixes_with({trial, *tiles}, problem)) {
       if (!is_plain && !fits_layers(level, edit)) continue;
-      const std::size_t before = problems_around({trial, *tiles}, problem);
+      if (!is_good_fix(trial, *tiles, options, edit)) continue;
       apply_edit(trial, edit);
-      auto changed = is_of_cells_alone(edit) ? nullptr : std::make_unique<LintTiles>(trial, options);
-      const LintTiles& now = changed ? *changed : *tiles;
-      if (!is_there({trial, now}, problem) && problems_around({trial, now}, problem) <= before) {
-        if (changed) tiles = std::move(changed);
-        merger.merge(all, edit);
-        ++count;
-        break;
-      }
-      revert_edit(trial, edit);
+      if (!is_of_cells_alone(edit)) tiles = std::make_unique<LintTiles>(trial, options);
+      merger.merge(all, edit);
+      ++count;
+      break;
     }
   }
   all.label =

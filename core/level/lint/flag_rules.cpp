@@ -10,11 +10,16 @@ LintFix fix_conflict, fix_idle_flag, fix_shared_flag;
 
 constexpr LintRule kConflict{.code = "flags-conflict",
                              .label = "flags that contradict each other",
+                             .by_hand = "Clear all but one of these flags in the flags panel.",
                              .severity = Severity::error,
                              .fix = fix_conflict};
-constexpr LintRule kIdle{.code = "flag-idle", .label = "flag that changes nothing", .fix = fix_idle_flag};
+constexpr LintRule kIdle{.code = "flag-idle",
+                         .label = "flag that changes nothing",
+                         .by_hand = "Clear the flag in the flags panel, or give the tile a shape.",
+                         .fix = fix_idle_flag};
 constexpr LintRule kShared{.code = "shared-flag",
                            .label = "flag with two meanings",
+                           .by_hand = "Give one of the two meanings another flag in the flags panel.",
                            .severity = Severity::error,
                            .fix = fix_shared_flag};
 

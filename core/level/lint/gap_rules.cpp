@@ -7,7 +7,10 @@
 namespace talus {
 namespace {
 
-constexpr LintRule kGap{.code = "gap-too-small", .label = "gap too small for a player"};
+constexpr LintRule kGap{
+    .code = "gap-too-small",
+    .label = "gap too small for a player",
+    .by_hand = "Take tiles away until the player fits, or close the gap with full tiles."};
 
 // Looks at the map as it is, or with rows and columns exchanged: then the code for the height of tunnels also
 // checks the width of shafts.

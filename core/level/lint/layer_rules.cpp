@@ -10,7 +10,10 @@
 namespace talus {
 namespace {
 
-constexpr LintRule kMovedGround{.code = "ground-not-where-drawn", .label = "ground that is drawn elsewhere"};
+constexpr LintRule kMovedGround{
+    .code = "ground-not-where-drawn",
+    .label = "ground that is drawn elsewhere",
+    .by_hand = "Set the layer's offset to 0 in the Layers tab, or paint its ground where its picture is."};
 
 bool has_ground(const Level& level, const MapCells& cells) {
   std::vector<bool> is_ground(static_cast<std::size_t>(level.tile_count()));

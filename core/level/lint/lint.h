@@ -22,8 +22,9 @@ using LintFix = void(const LintContext& context, const Problem& problem, std::ve
 
 // A kind of problem. There is one object for each kind, and problems point to it; see rule_group.h.
 struct LintRule {
-  std::string_view code;   // stable name, such as "slope-half-missing"; `talus check` writes it
-  std::string_view label;  // on screen: "floor that jumps"
+  std::string_view code;     // stable name, such as "slope-half-missing"; `talus check` writes it
+  std::string_view label;    // on screen: "floor that jumps"
+  std::string_view by_hand;  // a sentence: what to do if there is no fix
   Severity severity = Severity::warning;  // of most of its problems
   LintFix* fix = nullptr;                 // null: only the user can know what was intended
   bool has_seam = false;                  // LintOptions::seam decides which jumps are problems

@@ -11,7 +11,9 @@
 namespace talus {
 namespace {
 
-constexpr LintRule kMore{.code = "more", .label = "problems that are not listed"};
+constexpr LintRule kMore{.code = "more",
+                         .label = "problems that are not listed",
+                         .by_hand = "Mend some of the listed problems: the list goes on then."};
 
 // A block full of slopes takes a fraction of a ms. Large maps have larger blocks, as each block may hold
 // kMaxProblems.

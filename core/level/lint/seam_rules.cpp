@@ -14,10 +14,22 @@ namespace {
 LintFix fix_floor, fix_ceiling;
 
 constexpr LintRule kFloorSeam{
-    .code = "seam", .label = "floor that jumps", .fix = fix_floor, .has_seam = true};
+    .code = "seam",
+    .label = "floor that jumps",
+    .by_hand =
+        "Place tiles side by side whose floors end at one height, or lay the slope again from end to end.",
+    .fix = fix_floor,
+    .has_seam = true};
 constexpr LintRule kCeilingSeam{
-    .code = "seam-ceiling", .label = "ceiling that jumps", .fix = fix_ceiling, .has_seam = true};
-constexpr LintRule kInteriorEdge{.code = "interior-edge", .label = "edge inside the ground"};
+    .code = "seam-ceiling",
+    .label = "ceiling that jumps",
+    .by_hand = "Place tiles side by side whose ceilings end at one height, or change one in the Shape tab.",
+    .fix = fix_ceiling,
+    .has_seam = true};
+constexpr LintRule kInteriorEdge{
+    .code = "interior-edge",
+    .label = "edge inside the ground",
+    .by_hand = "Fill the cell with a full tile, or make the opening high enough for a body."};
 
 void check_seams(const LintContext& context, std::array<Cell, 2> area, std::vector<Problem>& out) {
   const auto [seams, cracks] = find_seams(context.level, context.tiles, area);

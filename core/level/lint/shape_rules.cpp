@@ -14,11 +14,21 @@ namespace {
 
 LintFix fix_steepness, fix_picture, fix_bad_shape;
 
-constexpr LintRule kTooSteep{.code = "too-steep", .label = "floor too steep", .fix = fix_steepness};
-constexpr LintRule kInvisible{.code = "invisible", .label = "tile without a picture", .fix = fix_picture};
-constexpr LintRule kLeavesMap{.code = "shape-leaves-map", .label = "shape over the map's edge"};
+constexpr LintRule kTooSteep{.code = "too-steep",
+                             .label = "floor too steep",
+                             .by_hand = "Lay the slope over more tiles, or allow steeper floors in Tuning.",
+                             .fix = fix_steepness};
+constexpr LintRule kInvisible{.code = "invisible",
+                              .label = "tile without a picture",
+                              .by_hand = "Draw the tile, or clear its flags and its shape.",
+                              .fix = fix_picture};
+constexpr LintRule kLeavesMap{
+    .code = "shape-leaves-map",
+    .label = "shape over the map's edge",
+    .by_hand = "Place the tile farther from the map's edge, or make its shape smaller."};
 constexpr LintRule kBadShape{.code = "bad-shape",
                              .label = "shape that cannot be used",
+                             .by_hand = "Choose another shape, or none, in the Shape tab.",
                              .severity = Severity::error,
                              .fix = fix_bad_shape};
 

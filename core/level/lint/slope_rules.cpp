@@ -9,18 +9,29 @@ namespace {
 
 LintFix fix_missing_half, fix_missing_left, fix_overlap, fix_unflagged;
 
-constexpr LintRule kHalfMissing{.code = "slope-half-missing",
-                                .label = "slope without its right half",
-                                .severity = Severity::error,
-                                .fix = fix_missing_half};
+constexpr LintRule kHalfMissing{
+    .code = "slope-half-missing",
+    .label = "slope without its right half",
+    .by_hand = "Place the tile that shows the rest of the slope beside it, or take the slope away.",
+    .severity = Severity::error,
+    .fix = fix_missing_half};
 constexpr LintRule kLeftMissing{
-    .code = "slope-left-missing", .label = "slope without its left half", .fix = fix_missing_left};
-constexpr LintRule kOverlap{.code = "slope-overlap",
-                            .label = "slope and tile in one place",
-                            .severity = Severity::error,
-                            .fix = fix_overlap};
+    .code = "slope-left-missing",
+    .label = "slope without its left half",
+    .by_hand = "Place the slope's left half at its left and ground at its right, or take the tile away.",
+    .fix = fix_missing_left};
+constexpr LintRule kOverlap{
+    .code = "slope-overlap",
+    .label = "slope and tile in one place",
+    .by_hand =
+        "Put the slope's right half, without a slope's flag, in the place of that tile, or move the slope.",
+    .severity = Severity::error,
+    .fix = fix_overlap};
 constexpr LintRule kUnflagged{
-    .code = "slope-unflagged", .label = "slope without a flag", .fix = fix_unflagged};
+    .code = "slope-unflagged",
+    .label = "slope without a flag",
+    .by_hand = "Set the slope's flag in the flags panel, and lay ground where the slope ends.",
+    .fix = fix_unflagged};
 
 std::string tile_at_text(const LintTiles& tiles, int tile, Cell cell) {
   return tiles.text_of(tile) + " at " + cell_text(cell);

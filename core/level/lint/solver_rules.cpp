@@ -12,13 +12,22 @@ namespace {
 
 LintFix fix_solver;
 
-constexpr LintRule kCurvesNeedExact{
-    .code = "curves-need-exact", .label = "curves without their solver", .fix = fix_solver};
-constexpr LintRule kNotInArticle{.code = "ground-not-in-article",
-                                 .label = "ground that the article does not know"};
-constexpr LintRule kNotInBump{.code = "ground-not-in-bump", .label = "ground that bump does not know"};
-constexpr LintRule kTooMuchGround{
-    .code = "too-much-ground", .label = "too much ground for its solver", .severity = Severity::error};
+constexpr LintRule kCurvesNeedExact{.code = "curves-need-exact",
+                                    .label = "curves without their solver",
+                                    .by_hand = "Choose the solver exact in Tuning, or delete the curves.",
+                                    .fix = fix_solver};
+constexpr LintRule kNotInArticle{
+    .code = "ground-not-in-article",
+    .label = "ground that the article does not know",
+    .by_hand = "Choose the solver exact or bump in Tuning, or give the tiles other shapes."};
+constexpr LintRule kNotInBump{
+    .code = "ground-not-in-bump",
+    .label = "ground that bump does not know",
+    .by_hand = "Choose the solver exact in Tuning, or give the tiles other shapes."};
+constexpr LintRule kTooMuchGround{.code = "too-much-ground",
+                                  .label = "too much ground for its solver",
+                                  .by_hand = "Take ground away, or choose another solver in Tuning.",
+                                  .severity = Severity::error};
 
 bool is_unknown_to_article(const TileShape& shape, TileSize tile) {
   if (has_parts(shape)) return !article_takes_all_of(shape, tile);

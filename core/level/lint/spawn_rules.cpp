@@ -13,13 +13,26 @@ namespace {
 
 LintFix fix_inside, fix_outside;
 
-constexpr LintRule kInSolid{
-    .code = "spawn-in-solid", .label = "body inside a tile", .severity = Severity::error, .fix = fix_inside};
-constexpr LintRule kInSlope{
-    .code = "spawn-in-slope", .label = "body inside a slope", .severity = Severity::error, .fix = fix_inside};
-constexpr LintRule kOutside{.code = "spawn-outside", .label = "body off the map", .fix = fix_outside};
-constexpr LintRule kTooFast{.code = "spawn-too-fast", .label = "body that is too fast"};
-constexpr LintRule kNoBalls{.code = "no-balls", .label = "nothing to move"};
+constexpr LintRule kInSolid{.code = "spawn-in-solid",
+                            .label = "body inside a tile",
+                            .by_hand = "Move the body to a free place, or take the ground there away.",
+                            .severity = Severity::error,
+                            .fix = fix_inside};
+constexpr LintRule kInSlope{.code = "spawn-in-slope",
+                            .label = "body inside a slope",
+                            .by_hand = "Move the body to a free place, or take the ground there away.",
+                            .severity = Severity::error,
+                            .fix = fix_inside};
+constexpr LintRule kOutside{.code = "spawn-outside",
+                            .label = "body off the map",
+                            .by_hand = "Move the body onto the map.",
+                            .fix = fix_outside};
+constexpr LintRule kTooFast{.code = "spawn-too-fast",
+                            .label = "body that is too fast",
+                            .by_hand = "Give the body a lower speed in the inspector."};
+constexpr LintRule kNoBalls{.code = "no-balls",
+                            .label = "nothing to move",
+                            .by_hand = "Place a body with the body tool, or a ball tile."};
 
 constexpr double kFastest = 4096;  // px/frame; the solvers limit speeds to this after a step
 constexpr int kMostUp = 16;        // cells

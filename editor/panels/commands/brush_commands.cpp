@@ -42,15 +42,14 @@ void propose_ground(S session, A actions, U ui) {
     among.resize(static_cast<std::size_t>(session.level().tile_count()));
     std::iota(among.begin(), among.end(), TileNumber{0});
   }
-  const AutoTiles tiles = proposed_auto_tiles(session.level(), among);
   ui.ask(request::ShowTab(panel_id::kBrushes));
-  if (tiles.empty()) {
+  if (proposed_auto_tiles(session.level(), among).empty()) {
     actions.push_back(action::ShowMessage{
         "None of these tiles is solid: give one the solid flag, so that it can be the inside of the ground.",
         true});
     return;
   }
-  emit_edit(actions, set_auto_tiles(session.level(), tiles));
+  emit_edit(actions, propose_auto_tiles(session.level(), among));
 }
 
 void clear_ground(S session, A actions, U) {

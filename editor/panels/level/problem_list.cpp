@@ -77,7 +77,8 @@ void fix_problem(const Problem& problem, const Session& session, Actions& action
   if (!fixes.empty()) {
     actions.push_back(action::EditLevel{fixes.front()});
   } else {
-    actions.push_back(action::ShowMessage{"Only you can know what is intended here: nothing was changed."});
+    actions.push_back(action::ShowMessage{"There is no safe fix here: nothing was changed. " +
+                                          std::string(problem.rule->by_hand)});
   }
 }
 

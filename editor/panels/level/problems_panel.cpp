@@ -29,6 +29,10 @@ std::string looking_text(const Session& session) {
   return "Looking at the level: " + std::to_string(static_cast<int>(session.lint_progress() * 100)) + " %.";
 }
 
+std::string key_of(const Problem& problem) {
+  return std::string(problem.rule->code) + ": " + problem.message;
+}
+
 float width_of(const std::string& text) { return size_of_text(text).x; }
 
 }  // namespace
@@ -165,7 +169,8 @@ void ProblemsPanel::draw_row(std::size_t index, const Session& session, Actions&
                  ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap, {0, height}))
     go_to_problem(index, session, actions, ui);
   ImGui::PopStyleColor();
-  const std::string help(problem.message.size() > kMostLine ? problem.message : problem.rule->label);
+  std::string help(problem.message.size() > kMostLine ? problem.message : problem.rule->label);
+  if (has_no_fix(problem, session)) help += "\n" + std::string(problem.rule->by_hand);
   ui.item("problems/row" + row, help, "click to go there");
   if (is_chosen && ui.view.requests.take<request::ShowProblem>()) ImGui::SetScrollHereY(0.5f);
   if (ImGui::IsItemVisible()) {
@@ -192,7 +197,7 @@ void ProblemsPanel::draw_menu(const Problem& problem, const Remedy& remedy, cons
     }
     ui.item("problems/choice" + std::to_string(i));
   }
-  if (remedy.fixes.empty()) ImGui::TextUnformatted("Only you can know what is intended here.");
+  if (remedy.fixes.empty()) draw_text(problem.rule->by_hand);
   ImGui::Separator();
   if (ImGui::MenuItem("Fix all of this kind")) fix_all_problems(*problem.rule, session, actions, ui);
   ui.item("problems/choice_all");
@@ -201,9 +206,16 @@ void ProblemsPanel::draw_menu(const Problem& problem, const Remedy& remedy, cons
   ImGui::EndPopup();
 }
 
+// Whether it is known by now that no fix is good.
+bool ProblemsPanel::has_no_fix(const Problem& problem, const Session& session) const {
+  const auto known = remedies_.find(key_of(problem));
+  return known != remedies_.end() && known->second.revision == session.revision() + 1 &&
+         known->second.fixes.empty();
+}
+
 // During a drag the last result is used.
 const ProblemsPanel::Remedy& ProblemsPanel::remedy_of(const Problem& problem, const Session& session) {
-  Remedy& remedy = remedies_[std::string(problem.rule->code) + ": " + problem.message];
+  Remedy& remedy = remedies_[key_of(problem)];
   const std::uint64_t now = session.revision() + 1;  // 0: not computed yet
   if (remedy.revision == now || looked_for_ == kRemediesAFrame || ImGui::IsAnyMouseDown()) return remedy;
   ++looked_for_;

@@ -30,6 +30,7 @@ class ProblemsPanel : public Panel {
   void draw_row(std::size_t index, const Session& session, Actions& actions, Ui& ui);
   void draw_menu(const Problem& problem, const Remedy& remedy, const Session& session, Actions& actions,
                  Ui& ui);
+  bool has_no_fix(const Problem& problem, const Session& session) const;
   const Remedy& remedy_of(const Problem& problem, const Session& session);
 
   std::map<std::string, Remedy> remedies_;  // by the text of the problem

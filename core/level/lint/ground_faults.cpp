@@ -1,0 +1,95 @@
+// Compiles the outline of each area, and sorts its pieces by the way that they face.
+#include "ground_faults.h"
+
+#include <algorithm>
+
+#include "collision/outline_compiler.h"
+
+namespace talus {
+namespace {
+
+constexpr double kGrain = 1.5 / kWeldParts;  // px; heights that differ by less are the same
+
+// Returns how far each height is below the highest ones at its left and its right. heights: px, down.
+std::vector<double> depths_of(const std::vector<double>& heights) {
+  std::vector<double> rims(heights.size());
+  double highest = heights.empty() ? 0 : heights.front();
+  for (std::size_t i = 0; i < heights.size(); ++i) rims[i] = highest = std::min(highest, heights[i]);
+  highest = heights.empty() ? 0 : heights.back();
+  for (std::size_t i = heights.size(); i-- > 0;) {
+    highest = std::min(highest, heights[i]);
+    rims[i] = heights[i] - std::max(rims[i], highest);
+  }
+  return rims;
+}
+
+}  // namespace
+
+GroundFaults::GroundFaults(const Level& level, const LintTiles& tiles,
+                           std::span<const std::array<Cell, 2>> areas) {
+  for (const std::array<Cell, 2>& area : areas) look_at(level, tiles, area);
+}
+
+void GroundFaults::look_at(const Level& level, const LintTiles& tiles, const std::array<Cell, 2>& area) {
+  const TileMap& map = level.map;
+  OutlineCompiler compiler(map.width(), tiles.outlines(), {}, tiles.curves().ends,
+                           [&](Cell from, std::span<const TileOutline*> row) {
+                             static const TileOutline kNothing;
+                             for (const TileOutline*& outline : row) {
+                               outline =
+                                   map.contains(from) ? &tiles.outlines()[map.tile_at(from)] : &kNothing;
+                               ++from.x;
+                             }
+                           });
+  compiler.enter(area);
+  const int left = area[0].x * map.tile_size().width, right = (area[1].x + 1) * map.tile_size().width;
+  std::vector<double> floors(static_cast<std::size_t>(right - left), map.y_of(area[1].y + 1));
+  std::vector<Piece<double>> pieces;
+  for (Cell c = area[0]; c.y <= area[1].y; ++c.y)
+    for (c.x = area[0].x; c.x <= area[1].x; ++c.x) compiler.compile(c, {}, pieces);
+  for (const Piece<double>& piece : pieces) {
+    if (piece.is_wall()) {
+      walls_[{static_cast<int>(piece.facing), piece.x0}].push_back(
+          {std::min(piece.y0, piece.y1), std::max(piece.y0, piece.y1)});
+      continue;
+    }
+    for (int x = std::max(left, static_cast<int>(piece.x0)); x < right && x + 0.5 < piece.x1; ++x) {
+      if (x + 0.5 < piece.x0) continue;
+      const double y = piece.line_at(x + 0.5);
+      double& floor = floors[static_cast<std::size_t>(x - left)];
+      if (piece.facing == Facing::up)
+        floor = std::min(floor, y);
+      else
+        ceilings_[x].insert(weld(y));
+    }
+  }
+  const std::vector<double> depths = depths_of(floors);
+  pits_.insert(pits_.end(), depths.begin(), depths.end());
+}
+
+bool GroundFaults::has_more_than(const GroundFaults& before) const {
+  for (const auto& [place, walls] : walls_) {
+    const auto known = before.walls_.find(place);
+    for (const Interval& wall : walls) {
+      double y = wall.from;  // the wall is known down to here
+      for (bool goes_on = known != before.walls_.end(); goes_on;) {
+        goes_on = false;
+        for (const Interval& part : known->second) {
+          if (part.from > y + kGrain || part.to <= y) continue;
+          y = part.to;
+          goes_on = true;
+        }
+      }
+      if (y < wall.to - kGrain) return true;
+    }
+  }
+  for (const auto& [column, ceilings] : ceilings_) {
+    const auto known = before.ceilings_.find(column);
+    if (known == before.ceilings_.end() || ceilings.size() > known->second.size()) return true;
+  }
+  for (std::size_t i = 0; i < pits_.size(); ++i)
+    if (pits_[i] > before.pits_[i] + kGrain) return true;
+  return false;
+}
+
+}  // namespace talus
