@@ -36,7 +36,7 @@ class Flattener {
     const auto count = static_cast<std::size_t>(level.tile_count());
     for (std::size_t tile = 0; tile < count; ++tile) {
       const auto number = static_cast<TileNumber>(tile);
-      is_blank_.push_back(is_blank(number));
+      is_blank_.push_back(is_blank(level_, number));
       counts_.push_back(shape_of_tile(level, number).kind != TileShape::Kind::none ||
                         is_ball_tile(level, number));
     }
@@ -66,15 +66,6 @@ class Flattener {
 
  private:
   const TileLayer& layer(int index) const { return level_.layers.list[static_cast<std::size_t>(index)]; }
-
-  bool is_blank(TileNumber tile) const {
-    const Sheet& sheet = level_.sheet(SheetId::tiles);
-    if (sheet.picture == nullptr) {
-      const TileImage& image = sheet.images[tile];
-      return std::all_of(image.begin(), image.end(), [](std::uint8_t color) { return color == 0; });
-    }
-    return is_clear(*sheet.picture, sheet.layout(), tile, level_.map.tile_size());
-  }
 
   void take(int index, std::size_t cell, LayerTiles& tiles) const {
     const auto [tile, turn] = level_.cells_of(index)[cell];

@@ -17,6 +17,7 @@
 #include "../formats/pictures/png_sheet.h"
 #include "../formats/text/append_number.h"
 #include "../formats/text/json_text.h"
+#include "../level/tile_color.h"
 #include "export_targets.h"
 #include "ldtk_shapes.h"
 #include "ldtk_skeleton.h"
@@ -182,12 +183,6 @@ std::string& begin_member(std::string& object, const char* key) {
   return object.append(",\n\"").append(key).append("\":");
 }
 
-// A tile without pixels and flags is invisible, such as the empty tile 0.
-bool is_blank(const Level& level, TileNumber tile) {
-  const TileImage& image = level.sheet(SheetId::tiles).images[tile];
-  return level.tile_flags(tile) == 0 && image == TileImage{};
-}
-
 void put_int_grid(const Level& level, const LdtkShapes::Grid& grid, std::string& text) {
   text += '[';
   const auto width = static_cast<std::size_t>(level.map.width());
@@ -209,9 +204,10 @@ int flip_bits(TileTurn turn) {
 void put_grid_tiles(const Level& level, const Progress& progress, std::string& text) {
   const SheetLayout sheet = level.sheet(SheetId::tiles).layout();
   std::vector<bool> blank(static_cast<std::size_t>(sheet.count));
-  for (int tile = 0; tile < sheet.count; ++tile)
-    blank[static_cast<std::size_t>(tile)] =
-        is_blank(level, static_cast<TileNumber>(tile)) || is_ball_tile(level, static_cast<TileNumber>(tile));
+  for (int i = 0; i < sheet.count; ++i) {  // an empty tile without flags, such as tile 0, is invisible
+    const auto tile = static_cast<TileNumber>(i);
+    blank[tile] = (level.tile_flags(tile) == 0 && is_blank(level, tile)) || is_ball_tile(level, tile);
+  }
   const int side = level.map.tile_size().width;
   const auto put_place = [&text, side](Cell place) {
     append_number(text += '[', place.x * side);

@@ -8,6 +8,7 @@
 #include "../formats/tiled/tiled_objects.h"
 #include "../formats/tiled/tiled_properties.h"
 #include "../level/placed_picture.h"
+#include "../level/tile_color.h"
 #include "export_layers.h"
 
 namespace talus {
@@ -127,10 +128,8 @@ TiledProperties tiled_properties(const TileLayer& looks) {
 }
 
 bool is_tile_0_blank(const Level& level) {
-  const TileImage& image = level.sheet(SheetId::tiles).images[0];
-  const bool is_drawn =
-      std::any_of(image.begin(), image.end(), [](std::uint8_t color) { return color != 0; });
-  return !is_drawn && level.tile_flags(0) == 0 && shape_of_tile(level, 0).kind == TileShape::Kind::none;
+  return is_blank(level, 0) && level.tile_flags(0) == 0 &&
+         shape_of_tile(level, 0).kind == TileShape::Kind::none;
 }
 
 Exported tiled_files(const ExportRequest& request, std::string text, std::vector<ExportedFile> pictures,

@@ -1,6 +1,8 @@
 // Colours of tiles.
 #include "tile_color.h"
 
+#include <algorithm>
+
 namespace talus {
 
 std::uint8_t color_at(const TileImage& image, TileSize tile, int x, int y) {
@@ -29,6 +31,13 @@ Rgb color_on_map(const Level& level, TileNumber tile, int x, int y) {
   };
   const Rgb under = level.palette[0];
   return {mixed(over[0], under.r), mixed(over[1], under.g), mixed(over[2], under.b)};
+}
+
+bool is_blank(const Level& level, TileNumber tile) {
+  const Sheet& sheet = level.sheet(SheetId::tiles);
+  if (sheet.picture != nullptr) return is_clear(*sheet.picture, sheet.layout(), tile, level.map.tile_size());
+  const TileImage& image = sheet.images[tile];
+  return std::all_of(image.begin(), image.end(), [](std::uint8_t color) { return color == 0; });
 }
 
 }  // namespace talus

@@ -10,6 +10,8 @@ std::uint8_t color_at(const TileImage& image, TileSize tile, int x, int y);
 
 // Whether a picture of tiles of that size shows nothing of a tile.
 bool is_clear(const SheetPicture& picture, const SheetLayout& layout, TileNumber tile, TileSize size);
+// Whether nothing is seen of a tile of the level: in true colour, if its sheet has it.
+bool is_blank(const Level& level, TileNumber tile);
 
 // The colour of a pixel of a tile, as the map shows it: what is not opaque lies over colour 0. x, y: px of
 // the map from the corner of the cell.

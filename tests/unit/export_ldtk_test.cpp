@@ -148,6 +148,17 @@ TEST(ExportLdtk, TilesAreAtTheirPlacesOnTheMap) {
   EXPECT_EQ(tiles[2]["src"], LdtkJson({120, 120}));
 }
 
+// In 16 colours it is all of colour 0, which is the nearest to its own.
+TEST(ExportLdtk, ADarkTileInTrueColourIsNotEmpty) {
+  Level level = small_level();
+  SheetPicture picture{128, 128, std::vector<std::uint8_t>(std::size_t{4} * 128 * 128)};
+  picture.rgba[4 * 16 + 3] = 255;  // a black pixel of tile 2
+  level.sheet(SheetId::tiles).picture = std::make_shared<const SheetPicture>(picture);
+  const LdtkJson tiles = project(level)["levels"][0]["layerInstances"][2]["gridTiles"];
+  ASSERT_EQ(tiles.size(), 2U);
+  EXPECT_EQ(tiles[1]["t"], 2);
+}
+
 TEST(ExportLdtk, CustomDataHoldFlagsAndHeights) {
   const LdtkJson json = project(small_level());
   const LdtkJson& data = json["defs"]["tilesets"][0]["customData"];

@@ -141,4 +141,14 @@ TEST(ExportTmj, ADrawnTile0IsNotEmpty) {
   EXPECT_EQ(map["layers"][0]["data"][0], 1);
 }
 
+// In 16 colours it is all of colour 0, which is the nearest to its own.
+TEST(ExportTmj, ADarkTile0InTrueColourIsNotEmpty) {
+  Level level = level_for_tiled();
+  SheetPicture picture{128, 128, std::vector<std::uint8_t>(std::size_t{4} * 128 * 128)};
+  picture.rgba[3] = 255;  // a black pixel
+  level.sheet(SheetId::tiles).picture = std::make_shared<const SheetPicture>(picture);
+  const Json map = Json::parse(tiled_export_of(level, "tmj", "a.tmj").files[0].bytes);
+  EXPECT_EQ(map["layers"][0]["data"][0], 1);
+}
+
 }  // namespace talus::export_tmj_test

@@ -249,6 +249,13 @@ std::vector<std::vector<TileNumber>> cells_of_layers(const Level& level) {
   return all;
 }
 
+// By layer, from the back, whether it is ground.
+std::vector<bool> ground_of_layers(const Level& level) {
+  std::vector<bool> all;
+  for (const TileLayer& layer : level.layers.list) all.push_back(layer.is_ground);
+  return all;
+}
+
 TEST_F(SaveTiled, SwappedNamesOfLayersAreNames) {
   put("a.tmx", two_layers("1,2,0,1,1,1", "0,0,0,3,3,3"));
   const auto change = [](Level& level) {
@@ -317,6 +324,33 @@ TEST_F(SaveTiled, RemovedLayersTakeTheirText) {
   EXPECT_EQ(edit("a.tmx", [](Level& level) { level.layers.list.pop_back(); }), "");
   EXPECT_EQ(bytes_of("a.tmx"), map_with("<data encoding=\"csv\">1,2,0,1,1,1</data>"));
   EXPECT_FALSE(exists("a.tmx.talus.json"));
+}
+
+// The name of the only named layer made the others drawn alone. Once it is no ground, they say so themselves.
+TEST_F(SaveTiled, AnyLayerCanBeGroundOrNot) {
+  const std::string text = two_layers("1,2,0,1,1,1", "0,0,0,3,3,3");
+  ASSERT_NE(text.find("name=\"front\""), text.npos);
+  for (const bool is_removed : {false, true}) {
+    for (int ground = 0; ground < 8; ++ground) {
+      std::string map = text;
+      map.insert(map.find("<group"),
+                 "<layer name=\"sky\" width=\"3\" height=\"2\"><data encoding=\"csv\">"
+                 "3,0,0,0,0,0</data></layer>");
+      put("a.tmx", map);
+      std::vector<bool> wanted;
+      const auto change = [&](Level& level) {
+        ASSERT_EQ(level.layers.count(), 3);
+        for (std::size_t i = 0; i < 3; ++i) level.layers.list[i].is_ground = (ground >> i & 1) != 0;
+        level.choose_layer(0);
+        if (is_removed) level.layers.list.erase(level.layers.list.begin() + 1);
+        tidy_groups(level.layers, level.objects);
+        wanted = ground_of_layers(level);
+      };
+      EXPECT_EQ(edit("a.tmx", change), "") << ground;
+      EXPECT_EQ(ground_of_layers(level_of("a.tmx")), wanted) << ground;
+      EXPECT_FALSE(exists("a.tmx.talus.json"));
+    }
+  }
 }
 
 TEST_F(SaveTiled, LooksOfLayersAreAttributes) {

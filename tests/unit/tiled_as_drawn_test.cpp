@@ -7,6 +7,7 @@
 #include "cli_answer.h"
 #include "folder_test.h"
 #include "formats/pictures/png_picture.h"
+#include "tiled_files.h"
 
 namespace talus::tiled_as_drawn_test {
 
@@ -189,6 +190,23 @@ TEST_F(TiledAsDrawn, WideTilesetsAndLongOnesGoTogether) {
   const std::string text = bytes_of("m.tmx");
   ASSERT_TRUE(save_level(loaded.level, *loaded.format, path("m.tmx"), loaded.companion));
   EXPECT_EQ(bytes_of("m.tmx"), text);
+}
+
+// The palette is fitted to the few colours of the tiles when either map is read.
+TEST_F(TiledAsDrawn, AnExportHasTheBackgroundOfTheMap) {
+  std::vector<std::uint8_t> pixels;
+  for (int i = 0; i < 8 * 4; ++i)
+    pixels.insert(pixels.end(), {250, static_cast<std::uint8_t>(i % 8 < 4 ? 240 : 0), 50, 255});
+  put("t.png", encode_png(8, 4, 4, pixels.data()));
+  put_map(tileset(kSize, kPicture), "2,0,1", "", " backgroundcolor=\"#102030\"");
+  const Level level = load("m.tmx").level;
+  EXPECT_EQ(level.palette[0], (Rgb{0x10, 0x20, 0x30}));
+  for (const ExportedFile& file : tiled_export_of(level, "tmx", "x.tmx").files)
+    put(file.name.empty() ? "x.tmx" : file.name, file.bytes);
+  const LoadedLevel again = load("x.tmx");
+  EXPECT_EQ(again.level.palette[0], (Rgb{0x10, 0x20, 0x30}));
+  EXPECT_THAT(again.dropped, Not(Contains(HasSubstr("backgroundcolor"))));
+  EXPECT_EQ(corner_of(again.level, again.level.map.tile_at({2, 0})), (std::array<int, 2>{250, 240}));
 }
 
 TEST_F(TiledAsDrawn, ColoursHaveThreeSixOrEightDigits) {

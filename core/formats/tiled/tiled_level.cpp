@@ -270,6 +270,7 @@ void TiledLevelMaker::forget_numbers() {
 // As pixels of 16 colours, which carts and tools take, and as a picture if these do not show all of it.
 void TiledLevelMaker::take_pixels() {
   const bool has_one = map_.tilesets.size() == 1 && pictures_[0] && pictures_[0]->file && !is_own_;
+  const Palette before = level_.palette;
   put_images(picture_of_tiles(tiles_, map_, pictures_, TileSize()),
              has_one ? pictures_[0]->file->palette : std::vector<Rgb>(), level_);
   const auto [width, height] = map_.tile_size;
@@ -282,10 +283,12 @@ void TiledLevelMaker::take_pixels() {
     return;
   }
   auto picture = std::make_shared<SheetPicture>(picture_of_tiles(tiles_, map_, pictures_, map_.tile_size));
-  const bool is_needed = !images_show(*picture, level_) || (!is_own_ && has_opaque_color_0(*picture, level_));
+  const bool is_fitted = !is_own_ || level_.palette != before;  // to the pictures
+  const bool is_needed =
+      !images_show(*picture, level_) || (is_fitted && has_opaque_color_0(*picture, level_));
   if (is_needed) level_.sheet(SheetId::tiles).picture = std::move(picture);
   // What is seen where nothing is drawn. No pixel that is drawn needs it.
-  if (!is_own_) level_.palette[0] = background_of(map_);
+  if (is_fitted) level_.palette[0] = background_of(map_);
 }
 
 void TiledLevelMaker::name_flags() {

@@ -352,15 +352,29 @@ TileLayer looks_of(const Layer& layer) {
   return looks;
 }
 
-// The new names of layers of tiles may say which of them are ground. tiles: gets what is ground then.
+// The new names of layers of tiles may say which of them are ground, and a named layer that is no ground any
+// more no longer speaks for the others. tiles: gets the opposite for layers that have to say it.
 void TiledSaver::take_ground_by_name(TiledMap& map, std::vector<TileLayer>& tiles) const {
   std::vector<TiledLayer*> layers;
   for (TiledLayer& layer : map.layers)
     if (layer.has_tiles) layers.push_back(&layer);
   const std::size_t count = std::min({layers.size(), tiles.size(), level_.layers.list.size()});
-  for (std::size_t i = 0; i < count; ++i) layers[i]->name = level_.layers.list[i].name;
-  choose_tile_ground(map);
-  for (std::size_t i = 0; i < count; ++i) tiles[i].is_ground = layers[i]->looks.is_ground;
+  for (std::size_t i = 0; i < count; ++i) {
+    layers[i]->name = level_.layers.list[i].name;
+    tiles[i].is_ground = level_.layers.list[i].is_ground;
+  }
+  bool is_settled = false;
+  while (!is_settled) {  // each turn but the last makes one more layer say it
+    is_settled = true;
+    choose_tile_ground(map);
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool is_ground = level_.layers.list[i].is_ground;
+      if (layers[i]->looks.is_ground == is_ground) continue;
+      layers[i]->says_ground = is_ground;
+      tiles[i].is_ground = !is_ground;
+      is_settled = false;
+    }
+  }
 }
 
 // What the text says of the layers is read from it if they have moved.
@@ -370,8 +384,10 @@ FormatResult<std::string> TiledSaver::with_looks(std::string text, const TiledOb
   std::vector<TileLayer> tiles = origin_.opened->layers.list;
   std::vector<TiledLayer> others;
   LayerGroups groups;
-  const bool has_same_tile_names = has_same_names(tiles, level_.layers.list);
-  if (arranged.is_new || !objects.layers.empty() || !arranged.groups.empty() || !has_same_tile_names) {
+  const bool has_same_ground = std::equal(
+      tiles.begin(), tiles.end(), level_.layers.list.begin(), level_.layers.list.end(),
+      [](const TileLayer& a, const TileLayer& b) { return a.name == b.name && a.is_ground == b.is_ground; });
+  if (arranged.is_new || !objects.layers.empty() || !arranged.groups.empty() || !has_same_ground) {
     auto content = read_tiled_content(text, context_again(), origin_.tilesets);
     if (!content) return tl::unexpected(content.error());
     groups = content->map.groups;
