@@ -379,7 +379,7 @@ local function cast_box(terrain, x, y, w, h, motion_x, motion_y, is_centre, othe
   begin_cast(terrain, x, y, w, h, motion_x, motion_y, is_centre, without)
   if others then World.against_others(others) end
   sunk, other = sunk_by or 0.0, nil
-  against_terrain()
+  if sunk == 0 or sunk < h then against_terrain() end
   local contact = end_cast()
   if not is_centre then return contact end
   return terrain:with_middle(contact, x, y, w, h, motion_x, motion_y, without)

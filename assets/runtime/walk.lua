@@ -7,9 +7,11 @@ Walk.__index = Walk
 
 local AHEAD = 0.001953125  -- px; how far ahead the next piece of floor is looked for
 local LIP = 0.00390625  -- px; the end of a curve may be so far off the end that it ought to meet
+local HALVINGS = 16  -- how often the way along a curve to what stops the body is halved: to less than 1/1000 px
 local UNDER = 16  -- the floor under a body is followed over so many pieces to a corner of the body
 
--- The column of the solid tile in a row that is nearest to the middle of the box. There is one under it.
+-- The column of the solid tile in a row that is nearest to the middle of the box; if there is none under the box,
+-- another one.
 function Walk:solid_column(x, w, y)
   local terrain, middle = self.terrain, x + w / 2
   local left = floor(middle / TILE_W)
@@ -28,6 +30,7 @@ function Walk:end_of_tiles(contact, x, w, is_centre)
   local terrain, step, y = self.terrain, self.direction, contact.row
   local far = x + step * (w + SHORT)
   local at = self:solid_column(x, w, y)
+  if not terrain:is_solid(at, y) then return x end  -- it met the last corner of the row
   while terrain:is_open(at + step, y, 0, -1) and ((at + step) * TILE_W - far) * step < 0 do at = at + step end
   local next_to = at + step
   local leads_on = is_centre and terrain:is_solid(next_to, y) and terrain:is_detailed(next_to, y)
@@ -59,13 +62,19 @@ function Walk:floor_of(contact, x, w, is_centre)
 end
 
 -- The floor a little further on, so that of two pieces that meet at the foot the next one is found.
-function Walk:look_ahead(x, y, w, h, is_centre, reach, sunk_by)
+function Walk:look_ahead(x, y, w, h, is_centre, reach)
   local forgiven = rounding_slack(x, y, w, h, 0.0, 0.0)
   local step = max(AHEAD, 2 * forgiven)
   local rise = min(step * self.steepest, 1.0) + LIP + 2 * forgiven
   local there = moved_x(x, w, self.direction * step)
   local found = cast_box(self.terrain, there, y - rise, w, h, 0.0, rise + reach, is_centre, self.others, nil,
-                         sunk_by > 0 and sunk_by + rise or 0.0)
+                         self.sunk > 0 and self.sunk + rise or 0.0)
+  -- The floor may go on to the foot of something too steep, which is met on the way then.
+  if found and found.piece and found.nx * self.direction < 0 and not is_level(found, self.steepest) then
+    found = cast_box(self.terrain, there, y - rise, w, h, 0.0, rise + reach, is_centre, self.others,
+                     found.piece.source or found.piece, self.sunk > 0 and self.sunk + rise or 0.0)
+    if found and found.y - y > rise then return nil end
+  end
   if not found or not is_level(found, self.steepest) then return nil end
   if found.nx == 0 and found.y - y > reach then return nil end
   local on = self:floor_of(found, there, w, is_centre)
@@ -91,12 +100,41 @@ function Walk:goal_on(on, x, w, h, is_centre, way)
   return Walk.place_on(on, there, w, h, is_centre)
 end
 
+-- Whether a way along it is the straight one that is cast.
+function Walk.is_straight(on) return not on.on_line or on.contact.piece.form.straight end
+
+-- How far a place is from what the body has met, px; less than 0: it is in that.
+function Walk.room_at(x, y, contact) return (x - contact.x) * contact.nx + (y - contact.y) * contact.ny end
+
+-- The place of the body on that floor where something has stopped it that it met on its way from x. Along a curve
+-- it went along the chord, and on the curve itself it may meet that sooner.
+function Walk.stop_on(on, box, from, contact)
+  local x, y = Walk.place_on(on, contact.x, box.w, box.h, box.centre)
+  if Walk.is_straight(on) then return x, y end
+  if contact.t == 0 then return contact.x, contact.y end
+  if Walk.room_at(x, y, contact) >= 0 then return x, y end
+  local free, blocked = from, contact.x
+  for _ = 1, HALVINGS do
+    local middle = (free + blocked) / 2
+    local _, middle_y = Walk.place_on(on, middle, box.w, box.h, box.centre)
+    if Walk.room_at(middle, middle_y, contact) >= 0 then free = middle else blocked = middle end
+  end
+  return Walk.place_on(on, free, box.w, box.h, box.centre)
+end
+
+-- Whether the body has come to the place that it was cast to, but for rounding, when it meets something.
+function Walk.arrives(contact, box, x, y)
+  local left_x, left_y = x - contact.x, y - contact.y
+  local forgiven = SETTLED * rounding_slack(box.x, box.y, box.w, box.h, left_x, left_y)
+  return abs(left_x) <= forgiven and abs(left_y) <= forgiven
+end
+
 -- What the body meets first on its way to a place on the floor.
 function Walk:cast_to(on, box, x, y)
   local line = on.on_line and on.contact.piece or nil
   local way_x, way_y = x - box.x, y - box.y
   -- A ceiling that is parallel to the floor must not come nearer by the rounding of the two places.
-  local straight = not line or line.form.straight
+  local straight = Walk.is_straight(on)
   local parallel = line and straight and line.form.along(line, way_x) or 0.0
   if straight and abs(way_y - parallel) <= SETTLED * rounding_slack(box.x, box.y, box.w, box.h, way_x, way_y) then
     way_y = parallel
@@ -126,13 +164,18 @@ end
 function Walk:floor_leads_over(box, spot_x, spot_y)
   local x, y, h = box.x + box.w / 2, box.y, box.h
   local direction = spot_x < x and -1 or 1
-  local under = setmetatable({terrain = self.terrain, direction = direction, steepest = self.steepest}, Walk)
+  local under = setmetatable({terrain = self.terrain, direction = direction, steepest = self.steepest, sunk = 0.0},
+                             Walk)
   for _ = 1, UNDER do
     if x == spot_x then break end
-    local on = under:look_ahead(x, y, 0.0, h, false, 1.0, 0.0)
+    local on = under:look_ahead(x, y, 0.0, h, false, 1.0)
     if not on then return false end
     local goal_x, goal_y = under:goal_on(on, x, 0.0, h, false, spot_x - x)
     if goal_x == x then return false end
+    -- Another floor may cross it.
+    local point = {x = x, y = y, w = 0.0, h = h, centre = false}
+    local met = under:cast_to(on, point, goal_x, goal_y)
+    if met and met.facing == UP and met.x ~= x then goal_x, goal_y = met.x, met.y end
     x = (goal_x - spot_x) * direction < 0 and goal_x or spot_x
     y = goal_y
   end
@@ -141,24 +184,22 @@ function Walk:floor_leads_over(box, spot_x, spot_y)
 end
 
 -- Whether what the body met lies below the floor that its foot walks on. From then on the lowest part of its
--- corners meets nothing.
-function Walk:sinks(box, contact)
+-- corners meets nothing. goal_y: of the place to which it was going.
+function Walk:sinks(box, contact, goal_y)
   if not box.centre or contact.other or not self.terrain:has_pieces() then return false end
   local spot_x, spot_y = self:corner_met(box, contact)
   if not spot_x then return false end
-  local by_px = max(box.y + box.h - spot_y, AHEAD)
-  if not (by_px > self.sunk and by_px < box.h) or not self:floor_leads_over(box, spot_x, spot_y) then
-    return false
-  end
+  local by_px = min(max(max(box.y, goal_y) + box.h - spot_y, AHEAD), box.h)
+  if not (by_px > self.sunk) or not self:floor_leads_over(box, spot_x, spot_y) then return false end
   self.sunk = by_px
   return true
 end
 
 -- The floor on which the body goes on, up to `reach` px below it; nil if there is none, or if it is too steep.
 function Walk:floor_ahead(box, reach)
-  local on = self:look_ahead(box.x, box.y, box.w, box.h, box.centre, reach, self.sunk)
-  if on and not on.on_line and self:sinks(box, on.contact) then
-    on = self:look_ahead(box.x, box.y, box.w, box.h, box.centre, reach, self.sunk)
+  local on = self:look_ahead(box.x, box.y, box.w, box.h, box.centre, reach)
+  if on and not on.on_line and self:sinks(box, on.contact, box.y) then
+    on = self:look_ahead(box.x, box.y, box.w, box.h, box.centre, reach)
   end
   return on
 end
@@ -181,22 +222,29 @@ local function go_along_floor(world, body, box, reach, motion_on, stop_at)
     local goal_x, goal_y = walk:goal_on(on, box.x, box.w, box.h, box.centre, x * rest)
     if goal_x - box.x == 0 then return true end
     local contact = walk:cast_to(on, box, goal_x, goal_y)
-    local at_x, at_y = goal_x, goal_y
-    if contact then contacts, at_x, at_y = contacts + 1, contact.x, contact.y end
+    local at_x, at_y, from = goal_x, goal_y, box.x
+    if contact then at_x, at_y = contact.x, contact.y end
     rest = rest - (at_x - box.x) / x
     box.x, box.y = at_x, at_y
-    if not contact then
+    -- What it has just come to does not stop it if the next piece leads past it.
+    local at_end = not contact or Walk.arrives(contact, box, goal_x, goal_y)
+    if not at_end then contacts = contacts + 1 end
+    if at_end then
       if not (rest > 0) or goal_x ~= on.stop then return true end
       on = nil
-    elseif walk:sinks(box, contact) then
+    elseif walk:sinks(box, contact, goal_y) then
       on = nil
     elseif contact.ny < 0 and is_level(contact, n.steepest) then
       on = walk:floor_met(box, contact)
     else
-      local _, floor_y = Walk.place_on(on, box.x, box.w, box.h, box.centre)
-      box.y = floor_y
-      stop_at(box, contact)
-      return true
+      -- It may pass the last corner of a ceiling, and go on along a curve that is not where its chord is.
+      box.x, box.y = Walk.stop_on(on, box, from, contact)
+      local goes_on = contact.facing == DOWN
+      if not Walk.is_straight(on) then goes_on = Walk.room_at(box.x, box.y, contact) > AHEAD end
+      if not goes_on or contact.t == 0 then
+        stop_at(box, contact)
+        return true
+      end
     end
   end
   return true

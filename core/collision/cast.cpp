@@ -588,7 +588,8 @@ template <bool kSunk = false, class Real>
   if (budget != nullptr) budget->seen = 1;
   Caster<Real, kSunk> caster(terrain, cast, ignored, budget, with_curves);
   for (std::size_t i = 0; i < others.size(); ++i) caster.against(others[i], static_cast<std::int32_t>(i));
-  caster.against_terrain();
+  const bool meets_ground = !kSunk || cast.sunk < cast.box.h;
+  if (meets_ground) caster.against_terrain();
   if (budget != nullptr) budget->left -= caster.work() + static_cast<std::int64_t>(others.size()) + 1;
   return caster.contact();
 }

@@ -188,10 +188,14 @@ class ExactSolver final : public Solver {
       }
       if (contact && record_ != nullptr) note(state.bodies[index], contact, goal - moving.box.position());
       const Vec at = contact ? contact.position : goal;
+      const Real from = moving.box.x;
       rest -= (at.x - moving.box.x) / motion.x;
       moving.box.x = at.x;
       moving.box.y = at.y;
-      at_end = !contact;
+      // What it has just come to does not stop it if the next piece leads past it.
+      const bool arrives = contact && way.arrives(contact, moving, goal);
+      at_end = !contact || arrives;
+      if (arrives) note_after(motion * std::max<Real>(rest, 0));
       if (at_end) {
         if (!(rest > 0) || goal.x != floor->end) return true;
         floor.reset();
@@ -199,18 +203,33 @@ class ExactSolver final : public Solver {
       }
       ++contacts;
       note_after({});
-      if (way.sinks(moving, contact)) {
-        floor.reset();
-      } else if (contact.normal.y < 0 && is_level(contact, numbers_.steepest)) {
-        floor = way.floor_met(moving, contact);
-      } else {
-        moving.box.y = way.place_on(*floor, moving.box, at.x, moving.foot).y;
-        rule.stop_at(contact);
-        return true;
-      }
+      if (!passes(way, floor, moving, from, goal.y, contact, rule)) return true;
     }
     if (record_ != nullptr) record_->paths.back().capped = true;
     return true;
+  }
+
+  // What a walking body does that went from x and met something. Returns whether it goes on; `floor` is then
+  // the one that it goes on along, or nothing if it has to look for it.
+  bool passes(FloorWalk<Real>& way, std::optional<FloorAhead<Real>>& floor, Moving<Real>& moving, Real from,
+              Real goal_y, const Contact<Real>& contact, PlayerRule<Real>& rule) {
+    if (way.sinks(moving, contact, goal_y)) {
+      floor.reset();
+      return true;
+    }
+    if (contact.normal.y < 0 && is_level(contact, numbers_.steepest)) {
+      floor = way.floor_met(moving, contact);
+      return true;
+    }
+    const Vec place = way.stop_on(*floor, moving.box, from, contact, moving.foot);
+    moving.box.x = place.x;
+    moving.box.y = place.y;
+    // It may pass the last corner of a ceiling, or go on along a curve that is not where its chord is.
+    const bool has_room = way.is_straight(*floor) ? contact.facing == Facing::down
+                                                  : way.room_at(place, contact) > Real(kFloorStep);
+    if (has_room && contact.t > 0) return true;
+    rule.stop_at(contact);
+    return false;
   }
 
   // The level ground straight below, within `reach`.

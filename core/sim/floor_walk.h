@@ -21,6 +21,8 @@ static_assert(kFloorStep * 2 * kWeldParts == 1);
 // px; the end of a curve may be so far off the end that it ought to meet, as ends are rounded to it.
 inline constexpr double kMostLip = 0.00390625;
 static_assert(kMostLip * kWeldParts == 1);
+// How often the way along a curve to what stops the body is halved: to less than 1/1000 px.
+inline constexpr int kHalvings = 16;
 // The floor under a body is followed over so many pieces to a corner of the body.
 inline constexpr int kMostPiecesUnder = 16;
 
@@ -46,8 +48,8 @@ class FloorWalk {
   // The floor on which the body goes on, up to `reach` px below it. Nothing: there is none, or it is too
   // steep.
   std::optional<FloorAhead<Real>> floor_ahead(const Moving<Real>& body, Real reach) {
-    auto floor = look_ahead(body, reach, sunk_);
-    if (floor && !floor->on_line && sinks(body, floor->contact)) floor = look_ahead(body, reach, sunk_);
+    auto floor = look_ahead(body, reach);
+    if (floor && !floor->on_line && sinks(body, floor->contact, body.box.y)) floor = look_ahead(body, reach);
     return floor;
   }
 
@@ -70,27 +72,58 @@ class FloorWalk {
     return {x, rest_on(*floor.contact.piece, ground_.stretches(), there, foot)};
   }
 
+  // Whether a way along it is the straight one that is cast.
+  static bool is_straight(const FloorAhead<Real>& floor) {
+    return !floor.on_line || floor.contact.piece->stretch == 0;
+  }
+  // The place of the body on that floor where something has stopped it that it met on its way from x. Along a
+  // curve it went along the chord, and on the curve itself it may meet that sooner.
+  Vec stop_on(const FloorAhead<Real>& floor, const BasicRect<Real>& box, Real from,
+              const Contact<Real>& contact, Foot foot) const {
+    const Vec place = place_on(floor, box, contact.position.x, foot);
+    if (is_straight(floor)) return place;
+    if (contact.t == 0) return contact.position;
+    if (room_at(place, contact) >= 0) return place;
+    Real free = from, blocked = contact.position.x;
+    for (int i = 0; i < kHalvings; ++i) {
+      const Real x = (free + blocked) / 2;
+      (room_at(place_on(floor, box, x, foot), contact) >= 0 ? free : blocked) = x;
+    }
+    return place_on(floor, box, free, foot);
+  }
+  // How far a place is from what the body has met, px; less than 0: it is in that.
+  static Real room_at(Vec place, const Contact<Real>& contact) {
+    return dot(place - contact.position, contact.normal);
+  }
+
   // What the body meets first on its way to a place on the floor.
   Contact<Real> cast_to(const FloorAhead<Real>& floor, const Moving<Real>& body, Vec goal) const {
     const Piece<Real>* line = floor.on_line ? floor.contact.piece : nullptr;
     Cast<Real> cast{body.box, goal - body.box.position(), body.foot, sunk_};
     // A ceiling that is parallel to the floor must not come nearer by the rounding of the two places.
     const Real along = line != nullptr ? cast.motion.x * line->slope : 0;
-    const bool is_straight = line == nullptr || line->stretch == 0;
-    if (is_straight && std::abs(cast.motion.y - along) <= kSettledSlacks * rounding_slack(cast))
+    if (is_straight(floor) && std::abs(cast.motion.y - along) <= kSettledSlacks * rounding_slack(cast))
       cast.motion.y = along;
-    return cast_box(ground_, cast, others_, is_straight ? nullptr : line, budget_);
+    return cast_box(ground_, cast, others_, is_straight(floor) ? nullptr : line, budget_);
+  }
+
+  // Whether the body has come to the place that it was cast to, but for rounding, when it meets something.
+  bool arrives(const Contact<Real>& contact, const Moving<Real>& body, Vec goal) const {
+    const Vec left = goal - contact.position;
+    const Real slack = kSettledSlacks * rounding_slack<Real>({body.box, left, body.foot});
+    return std::abs(left.x) <= slack && std::abs(left.y) <= slack;
   }
 
   // Whether what the body met lies below the floor that its foot walks on, as the side of the tile below the
   // next piece does. From then on the lowest part of the body's corners meets nothing. `body` is at the
-  // contact.
-  bool sinks(const Moving<Real>& body, const Contact<Real>& contact) {
+  // contact; goal_y: px, of the place to which it was going.
+  bool sinks(const Moving<Real>& body, const Contact<Real>& contact, Real goal_y) {
     if (body.foot != Foot::centre || contact.is_other || !ground_.has_pieces()) return false;
     const auto spot = corner_met(body, contact);
     if (!spot) return false;
-    const Real sunk = std::max(body.box.y + body.box.h - spot->y, Real(kFloorStep));
-    if (!(sunk > sunk_ && sunk < body.box.h) || !floor_leads_over(body, *spot)) return false;
+    const Real depth = std::max(std::max(body.box.y, goal_y) + body.box.h - spot->y, Real(kFloorStep));
+    const Real sunk = std::min(depth, body.box.h);
+    if (!(sunk > sunk_) || !floor_leads_over(body, *spot)) return false;
     sunk_ = sunk;
     return true;
   }
@@ -98,15 +131,21 @@ class FloorWalk {
  private:
   // The floor is looked for a little further on, so that of two pieces that meet at the foot the next one is
   // found.
-  std::optional<FloorAhead<Real>> look_ahead(const Moving<Real>& body, Real reach, Real sunk) const {
+  std::optional<FloorAhead<Real>> look_ahead(const Moving<Real>& body, Real reach) const {
     const Real slack = rounding_slack<Real>({body.box, {}, body.foot});
     const Real step = std::max<Real>(Real(kFloorStep), 2 * slack);
     const Real rise = std::min<Real>(step * steepest_, 1) + Real(kMostLip) + 2 * slack;
     BasicRect<Real> there = body.box;
     there.x = moved_x(body.box, direction_ * step);
     there.y -= rise;
-    const Cast<Real> down{there, {0, rise + reach}, body.foot, sunk > 0 ? sunk + rise : 0};
-    const Contact<Real> contact = cast_box<Real>(ground_, down, others_, nullptr, budget_);
+    const Cast<Real> down{there, {0, rise + reach}, body.foot, sunk_ > 0 ? sunk_ + rise : 0};
+    Contact<Real> contact = cast_box<Real>(ground_, down, others_, nullptr, budget_);
+    // The floor may go on to the foot of something too steep, which is met on the way then.
+    const bool rises = contact && contact.piece != nullptr && contact.normal.x * direction_ < 0;
+    if (rises && !is_level(contact, steepest_)) {
+      contact = cast_box<Real>(ground_, down, others_, contact.piece, budget_);
+      if (contact.position.y - body.box.y > rise) return std::nullopt;
+    }
     if (!contact || !is_level(contact, steepest_)) return std::nullopt;
     if (contact.normal.x == 0 && contact.position.y - body.box.y > reach) return std::nullopt;
     FloorAhead<Real> floor = floor_of(contact, there, body.foot);
@@ -142,7 +181,8 @@ class FloorWalk {
     return right ? end : end - box.w;
   }
 
-  // The column of the solid tile in a row that is nearest to the middle of the box. There is one under it.
+  // The column of the solid tile in a row that is nearest to the middle of the box; if there is none under
+  // the box, another one.
   int solid_column(const BasicRect<Real>& box, int row) const {
     const Real middle = box.x + box.w / 2;
     int left = static_cast<int>(std::floor(middle / Real(ground_.tile_size().width))), right = left;
@@ -160,6 +200,7 @@ class FloorWalk {
     const int step = direction_ > 0 ? 1 : -1;
     const int row = contact.origin / ground_.width();
     Cell cell{solid_column(box, row), row};
+    if (!ground_.is_solid(cell)) return box.x;  // it met the last corner of the row
     const auto is_floor = [&](Cell c) {
       return ground_.is_solid(c) && !ground_.is_detailed(c) && !ground_.is_solid({c.x, c.y - 1});
     };
@@ -197,10 +238,13 @@ class FloorWalk {
     const Real direction = spot.x < middle ? -1 : 1;
     FloorWalk walk(ground_, {}, direction, steepest_, budget_);
     for (int i = 0; i < kMostPiecesUnder && point.box.x != spot.x; ++i) {
-      const auto floor = walk.look_ahead(point, 1, 0);
+      const auto floor = walk.look_ahead(point, 1);
       if (!floor) return false;
-      const Vec goal = walk.goal_on(*floor, point.box, spot.x - point.box.x, point.foot);
+      Vec goal = walk.goal_on(*floor, point.box, spot.x - point.box.x, point.foot);
       if (goal.x == point.box.x) return false;
+      // Another floor may cross it.
+      const Contact<Real> met = walk.cast_to(*floor, point, goal);
+      if (met && met.facing == Facing::up && met.position.x != point.box.x) goal = met.position;
       point.box.x = (goal.x - spot.x) * direction < 0 ? goal.x : spot.x;
       point.box.y = goal.y;
     }
