@@ -18,9 +18,10 @@
 namespace talus {
 namespace {
 
-constexpr std::array kAddCommands = {
-    add_edit_command,   add_sim_command,   add_replay_command, add_new_command,   add_import_command,
-    add_export_command, add_check_command, add_shot_command,   add_bench_command, add_report_command};
+constexpr std::array kAddCommands = {add_edit_command,  add_sim_command,    add_replay_command,
+                                     add_new_command,   add_import_command, add_export_command,
+                                     add_check_command, add_prove_command,  add_shot_command,
+                                     add_bench_command, add_report_command};
 
 // `talus FILE` and `talus` alone mean `talus edit`.
 std::vector<std::string> with_command(const CLI::App& program, std::vector<std::string> arguments) {

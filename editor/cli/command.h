@@ -33,6 +33,7 @@ void add_import_command(CLI::App& program, CommandContext& context);
 void add_new_command(CLI::App& program, CommandContext& context);
 void add_export_command(CLI::App& program, CommandContext& context);
 void add_check_command(CLI::App& program, CommandContext& context);
+void add_prove_command(CLI::App& program, CommandContext& context);
 void add_shot_command(CLI::App& program, CommandContext& context);
 void add_bench_command(CLI::App& program, CommandContext& context);
 void add_report_command(CLI::App& program, CommandContext& context);

@@ -1,0 +1,54 @@
+#include "finding.h"
+
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "level/level_text.h"
+
+namespace talus {
+namespace {
+
+constexpr std::array<FindingInfo, 10> kInfos = {{
+    {"stops", "stops, though the way is free", false},
+    {"slows", "loses speed, though nothing is in the way", false},
+    {"leaves-floor", "leaves the floor, though it goes on", false},
+    {"jumps", "moves further than its floor leads", false},
+    {"floats", "stands where no floor is at its foot", false},
+    {"inside", "comes into the ground", false},
+    {"falls-through", "falls through a floor", false},
+    {"ghost", "is stopped by something that is not there", false},
+    {"lip", "is stopped by a low edge", true},
+    {"wedged", "is wedged, and no key frees it", true},
+}};
+
+// "a player of 8x8 px that runs to the right"
+std::string subject_of(const Trial& trial) {
+  const BodyTraits& traits = traits_of(trial.body.kind);
+  std::string text = "a " + std::string(traits.word) + " of " + px_text(trial.body.box.w) + "x" +
+                     px_text(trial.body.box.h) + " px";
+  if (trial.body.foot == Foot::centre) text += " on its centre";
+  if (trial.direction == 0) return text;
+  const bool runs = traits.takes_keys && trial.jump_frames == 0;
+  text += trial.jump_frames > 0 ? " that jumps" : runs ? " that runs" : " that rolls";
+  return text + (trial.direction < 0 ? " to the left" : " to the right");
+}
+
+}  // namespace
+
+const FindingInfo& info_of(FindingKind kind) {
+  const auto index = static_cast<std::size_t>(kind);
+  assert(index < kInfos.size());
+  return kInfos[index];
+}
+
+std::string message_of(const Finding& finding) {
+  std::string text = subject_of(finding.trial) + " " + std::string(info_of(finding.kind).label);
+  if (finding.kind == FindingKind::lip)
+    text += " of " + px_text(std::round(finding.amount * kWeldParts) / kWeldParts) + " px";
+  text += " at " + px_text(finding.place.x) + ", " + px_text(finding.place.y) + " px";
+  if (!info_of(finding.kind).of_level) text += " (solver " + std::string(solver_name(finding.solver)) + ")";
+  return text;
+}
+
+}  // namespace talus

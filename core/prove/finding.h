@@ -1,0 +1,60 @@
+// Finding: something that a body did in a trial, and that the geometry of the ground does not explain.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <talus/sim/solver.h>
+
+namespace talus {
+
+enum class FindingKind : std::uint8_t {
+  stops,          // it stopped, though it could have gone on
+  slows,          // it lost speed, though nothing is in its way
+  leaves_floor,   // it left the floor, though it goes on
+  jumps,          // it rose more than its floor does
+  floats,         // it is said to stand, where no floor is at its feet
+  inside,         // it came into the ground
+  falls_through,  // it came through a floor from above
+  ghost,          // it was stopped by something that is not there
+  lip,            // an edge stopped it that is too low to be meant
+  wedged          // it hangs between two grounds, stands on nothing, and no key frees it
+};
+
+struct FindingInfo {
+  std::string_view word;   // in JSON: "leaves-floor"
+  std::string_view label;  // on screen: "leaves the floor"
+  bool of_level;           // a fault of the level; else of the solver
+};
+// The row of a kind.
+const FindingInfo& info_of(FindingKind kind);
+
+// One run of one body: how it starts, and which keys are held.
+struct Trial {
+  Body body;            // at its start, alone in the level
+  double speed = 1.5;   // px/frame, the run_speed of its tuning
+  int direction = 0;    // key that is held: -1 left, 1 right, 0 none
+  int jump_frames = 0;  // frames, from the start, in which the jump key is held
+  int frames = 0;       // the most steps that it takes
+};
+
+struct Finding {
+  FindingKind kind = FindingKind::stops;
+  SolverKind solver = SolverKind::exact;
+  Trial trial;        // plays it again
+  int frame = 0;      // step of the trial, from 1, after which it was found
+  Cell cell;          // of the body's foot then; on the map
+  Vec2 place;         // px, the middle of the body's bottom then
+  double amount = 0;  // px: of a lip its height, of jumps, floats and slows how much
+  Obstacle met;       // what stopped it; of other kinds what it met last
+  int count = 1;      // trials of this body, direction and kind with a finding in this cell
+};
+
+// A sentence without a full stop: "a player of 8x8 px stops at the place 12.5, 40 px, though its way is
+// free".
+std::string message_of(const Finding& finding);
+
+}  // namespace talus

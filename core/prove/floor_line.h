@@ -1,0 +1,41 @@
+// FloorLine: the floor that goes on, without an edge, from the place where a body stands to both of its
+// sides.
+#pragma once
+
+#include <vector>
+
+#include "raw_ground.h"
+
+namespace talus {
+
+class FloorLine {
+ public:
+  // From (x, y) to both sides, as far as x0 and x1. steepest: the largest |dy/dx| of a floor. slack: ends of
+  // floors that are so near to one another count as one.
+  FloorLine(const RawGround& ground, Fine x, Fine y, Fine x0, Fine x1, double steepest, Fine slack);
+
+  // Whether no point of the part's top, between two x, is above the line. Beyond its ends there is no line.
+  bool covers(const RawPart& part, Fine x0, Fine x1) const;
+  // Whether it goes from one x to another.
+  bool reaches(Fine x0, Fine x1) const {
+    return !points_.empty() && points_.front().x <= std::min(x0, x1) && points_.back().x >= std::max(x0, x1);
+  }
+  // Its y at an x, which it must reach.
+  Fine at(Fine x) const;
+  // The y of its left (direction < 0) or right end; if there is no floor, `y`.
+  Fine at_end(int direction, Fine y) const {
+    if (points_.empty()) return y;
+    return direction < 0 ? points_.front().y : points_.back().y;
+  }
+
+ private:
+  struct Point {
+    Fine x, y;
+  };
+  void follow(const RawGround& ground, Point from, Fine until, double steepest);
+
+  std::vector<Point> points_;  // from left to right; empty: there is no floor at the place
+  Fine slack_;
+};
+
+}  // namespace talus

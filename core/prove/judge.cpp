@@ -1,0 +1,325 @@
+#include "judge.h"
+
+#include <array>
+#include <cmath>
+
+namespace talus {
+namespace {
+
+// px; how far ahead it is looked whether a body could go on.
+constexpr Fine kAhead = kFinePx / 32, kAheadOnCurve = kFinePx / 4;
+// px; rounding of a place on a map, far more than doubles lose, and about what floats do.
+constexpr Fine kSlack = kFinePx >> 14, kFloatSlack = kFinePx >> 7;
+constexpr Fine kChord = kFinePx / 64;  // a curve may be so far from the chord along which a step goes
+constexpr double kSteepGround = 4;     // |dy/dx| of slopes down which bodies on their centre slide
+constexpr Fine kDeep = 16;             // a middle that is less than so many roundings in a slope touches it
+constexpr int kMostRises = 16;         // parts that a body is lifted over, one after the other
+constexpr double kSameSpeed = 1e-6;
+
+Fine scaled(Fine length, double factor) { return std::llround(static_cast<double>(length) * factor); }
+
+// The x in which a part and a box meet; both must share some.
+std::array<Fine, 2> shared_x(const RawPart& part, const FineBox& box) {
+  return {std::clamp(part.top.x0, box.x0, box.x1), std::clamp(part.top.x1, box.x0, box.x1)};
+}
+
+}  // namespace
+
+Judge::Judge(const RawGround& ground, const Tuning& tuning, double lip)
+    : ground_(ground),
+      tuning_(tuning),
+      slack_(tuning.solver == SolverKind::exact && tuning.exact.single_precision != 0 ? kFloatSlack : kSlack),
+      weld_(kFinePx / kWeldParts + slack_),
+      lip_(fine(lip)) {}
+
+std::optional<Verdict> Judge::judge(const Body& before, const Body& after, const Input& input,
+                                    const StepRecord& record) const {
+  if (!is_free(after.box, after.foot, Corners::in_any_floor) &&
+      is_free(before.box, before.foot, Corners::in_any_floor))
+    return Verdict{FindingKind::inside};
+  if (falls_through(before, after)) return Verdict{FindingKind::falls_through};
+  const bool walks = tuning_.solver == SolverKind::exact && traits_of(after.kind).takes_keys;
+  if (walks && after.gait.grounded && !has_floor_at_foot(after)) return Verdict{FindingKind::floats};
+  const bool jumps = input.jump && !before.gait.jump_held;
+  if (walks && before.gait.grounded && !jumps) {
+    const PlayerTuning& player = tuning_.player;
+    const int direction = (input.right ? 1 : 0) - (input.left ? 1 : 0);
+    const double target = player.run_speed * direction, v = before.velocity.x;
+    const double gain = direction == 0 ? player.run_loss : player.run_gain;
+    return judge_walk(before, after, v < target ? std::min(v + gain, target) : std::max(v - gain, target),
+                      record);
+  }
+  return judge_contacts(before, record);
+}
+
+std::optional<Verdict> Judge::judge_walk(const Body& before, const Body& after, double speed,
+                                         const StepRecord& record) const {
+  if (speed == 0) return std::nullopt;
+  const int direction = speed < 0 ? -1 : 1;
+  const double steepest = tuning_.exact.steepest, most = std::abs(speed), slack = px_of(weld_);
+  const double least = tuning_.player.surface_speed != 0 ? most / std::hypot(1.0, steepest) : most;
+  const double moved = (after.box.x - before.box.x) * direction, rise = before.box.y - after.box.y;
+  if (moved > most + slack) return Verdict{FindingKind::jumps, moved - most};
+  // A curve may get steeper within the step.
+  if (rise > most * steepest + slack && !ground_.has_curve_in(fine_box(after.box)))
+    return Verdict{FindingKind::jumps, rise - most * steepest};
+  if (!after.gait.grounded) {
+    if (floor_goes_on(before, after, direction)) return Verdict{FindingKind::leaves_floor};
+    return std::nullopt;
+  }
+  const bool slows = std::abs(after.velocity.x - speed) > kSameSpeed;
+  if (moved >= least - slack && !slows) return std::nullopt;
+  if (is_stopped_before(before, after, direction, record)) return std::nullopt;
+  const Ahead ahead = ahead_of(after, direction);
+  if (ahead.way == Way::blocked) return std::nullopt;
+  if (ahead.way == Way::lip) return Verdict{FindingKind::lip, ahead.lip};
+  if (moved >= least - slack) return Verdict{FindingKind::slows, most - after.velocity.x * direction};
+  return Verdict{FindingKind::stops, least - moved};
+}
+
+// Whether it met something that is there, and that explains a stop: a slope that is too steep, or something
+// beside the place from which it was put on a floor.
+bool Judge::is_stopped_before(const Body& before, const Body& after, int direction,
+                              const StepRecord& record) const {
+  return std::any_of(record.contacts.begin(), record.contacts.end(), [&](const ContactRecord& contact) {
+    const Vec2 n = contact.normal;
+    const bool is_steep = n.y < 0 && n.x != 0 && std::abs(n.x) > tuning_.exact.steepest * std::abs(n.y);
+    const bool was_put = std::abs(contact.touch.y - after.box.y) > px_of(weld_);
+    return n.x * direction < 0 && (is_steep || was_put) && is_there(contact, before);
+  });
+}
+
+std::optional<Verdict> Judge::judge_contacts(const Body& before, const StepRecord& record) const {
+  for (const ContactRecord& contact : record.contacts) {
+    const bool is_ground = contact.handled && !contact.overlaps && contact.other.body == 0;
+    const bool is_placed = tuning_.solver == SolverKind::article && contact.slope.has_value();
+    if (is_ground && !is_placed && !is_there(contact, before)) return Verdict{FindingKind::ghost};
+  }
+  return std::nullopt;
+}
+
+bool Judge::is_free(const Rect& box, Foot foot, Corners corners) const {
+  const FineBox whole = fine_box(box), inner = whole.shrunk(slack_), middle = inner.middle_line();
+  // Beside the middle, corners are in the tiles that slopes lead to, and in slopes of any height.
+  const Fine sunk = scaled((whole.x1 - whole.x0) / 2, std::max(tuning_.exact.steepest, kSteepGround));
+  const FineBox between{inner.x0, inner.y0 + sunk, inner.x1, inner.y1 - sunk};
+  std::optional<FloorLine> line;
+  return ground_.for_parts(inner, [&](const RawPart& part) {
+    if (part.kind != RawPart::Kind::solid || !part.meets(inner)) return true;
+    const bool has_middle = part.meets(middle.moved(-slack_, -kDeep * slack_)) &&
+                            part.meets(middle.moved(slack_, -kDeep * slack_));
+    if (foot == Foot::box || has_middle) return false;
+    const bool is_deep = between.y0 < between.y1 && !part.is_sloped() && part.meets(between);
+    if (corners == Corners::in_any_floor && !is_deep) return true;
+    if (!line) line = floor_line(whole);
+    const auto [from, to] = shared_x(part, whole);
+    return line->covers(part, from, to);
+  });
+}
+
+// The floor that is the highest under the foot, from `up` above to `down` below the bottom of the box.
+std::optional<Fine> Judge::floor_near(const FineBox& box, Foot foot, Fine up, Fine down) const {
+  const FineBox under = foot == Foot::box ? box : box.middle_line();
+  std::optional<Fine> best;
+  ground_.for_parts({under.x0, box.y1 - up, under.x1, box.y1 + down}, [&](const RawPart& part) {
+    if (!part.is_floor() || part.top.x1 <= under.x0 || part.top.x0 >= under.x1) return true;
+    const auto [from, to] = shared_x(part, under);
+    const Fine at = foot == Foot::centre ? box.middle() : part.top.at(from) < part.top.at(to) ? from : to;
+    const Fine y = part.top.at(at);
+    const bool is_near = y >= box.y1 - up && y <= box.y1 + down;
+    if (is_near && !part.top.is_steeper_than(tuning_.exact.steepest, at) && (!best || y < *best)) best = y;
+    return true;
+  });
+  return best;
+}
+
+std::optional<double> Judge::standing_place(const Rect& box, Foot foot, double rise, double drop) const {
+  const auto floor = floor_near(fine_box(box), foot, fine(rise), fine(drop));
+  if (!floor) return std::nullopt;
+  Rect there = box;
+  there.y = px_of(*floor) - box.h;
+  if (!is_free(there, foot, Corners::in_its_floor)) return std::nullopt;
+  return there.y;
+}
+
+bool Judge::is_across_line(const Body& body) const {
+  if (body.foot == Foot::centre) return false;
+  const FineBox inner = fine_box(body.box).shrunk(slack_);
+  return !ground_.for_parts(
+      inner, [&](const RawPart& part) { return part.kind != RawPart::Kind::floor || !part.meets(inner); });
+}
+
+// Whether a floor, level or steep, is above the bottom of a box, by as much as a body can rise on a way of
+// this length.
+bool Judge::has_floor_above(const FineBox& box, Foot foot, Fine way) const {
+  const FineBox under = foot == Foot::box ? box : box.middle_line();
+  const Fine highest = box.y1 - scaled(way, 2 * tuning_.exact.steepest), lowest = box.y1 - weld_;
+  return !ground_.for_parts({under.x0, highest, under.x1, lowest}, [&](const RawPart& part) {
+    const auto [from, to] = shared_x(part, under);
+    const Fine y = part.top.highest(from, to);
+    return !(part.is_floor() && y >= highest && y <= lowest);
+  });
+}
+
+// Whether the floor on which the body stood leads on, without an edge, to where it is after the step.
+bool Judge::floor_goes_on(const Body& before, const Body& after, int direction) const {
+  const FineBox from = fine_box(before.box), to = fine_box(after.box);
+  // At the very end of a floor a corner is off it.
+  const Fine on = direction * 4 * slack_;
+  const auto leads = [&](Fine x, Fine at) {
+    const Fine goal = at + on;
+    const FloorLine line(ground_, x, from.y1, std::min(x, goal), std::max(x, goal), tuning_.exact.steepest,
+                         weld_);
+    if (!line.reaches(x, goal)) return false;
+    const FineBox there = to.moved(0, line.at_end(direction, to.y1) - to.y1);
+    return !has_floor_above(there, after.foot, kFinePx + std::abs(to.x0 - from.x0));
+  };
+  if (before.foot == Foot::centre) return leads(from.middle(), to.middle());
+  return leads(from.x0, to.x0) || leads(from.x1, to.x1);
+}
+
+bool Judge::has_floor_at_foot(const Body& body) const {
+  const FineBox box = fine_box(body.box);
+  return !ground_.for_parts({box.x0, box.y1 - weld_, box.x1, box.y1 + weld_}, [&](const RawPart& part) {
+    if (!part.is_floor()) return true;
+    const auto [from, to] = shared_x(part, box);
+    return !(part.top.highest(from, to) <= box.y1 + weld_ && part.top.lowest(from, to) >= box.y1 - weld_);
+  });
+}
+
+// The middle of the body was above a floor, and is below it. A box that was in the floor already does not
+// count.
+bool Judge::falls_through(const Body& before, const Body& after) const {
+  const FineBox from = fine_box(before.box), to = fine_box(after.box);
+  if (to.y1 <= from.y1 + weld_) return false;
+  const Fine left = std::min(from.middle(), to.middle()), right = std::max(from.middle(), to.middle());
+  return !ground_.for_parts({left, from.y1 - slack_, right, to.y1}, [&](const RawPart& part) {
+    if (!part.is_floor() || part.top.x0 + slack_ > left || part.top.x1 - slack_ < right) return true;
+    const Fine through = part.top.curve != nullptr ? kChord : weld_;
+    return !(part.top.at(from.middle()) >= from.y1 - slack_ && part.top.at(to.middle()) < to.y1 - through);
+  });
+}
+
+// Whether anything stops a body that goes from one place to another one close by.
+bool Judge::passes(const FineBox& from, const FineBox& to, Foot foot) const {
+  const FineBox inner = from.shrunk(slack_), goal = to.shrunk(slack_);
+  std::optional<FloorLine> line;
+  return ground_.for_parts(hull(inner, goal), [&](const RawPart& part) {
+    // Only the middle of a body on its centre meets a line that it may stand on.
+    if (foot == Foot::centre && part.kind == RawPart::Kind::floor)
+      return !part.stops(inner.middle_line(), goal.middle_line());
+    if (foot == Foot::centre && part.stops(inner.middle_line(), goal.middle_line())) return false;
+    if (!part.stops(inner, goal)) return true;
+    if (foot == Foot::box) return false;
+    if (!line) line = floor_line(to);
+    const auto [x0, x1] = shared_x(part, to);
+    return line->covers(part, x0, x1);
+  });
+}
+
+// Along a curve a body stops a little before it has no room, as a step goes along its chord.
+Judge::Ahead Judge::ahead_of(const Body& body, int direction) const {
+  const Ahead ahead = ahead_of(body, direction, kAhead);
+  const bool is_on_curve = ahead.way == Way::free && ground_.has_curve_in(fine_box(body.box));
+  return is_on_curve ? ahead_of(body, direction, kAheadOnCurve) : ahead;
+}
+
+Judge::Ahead Judge::ahead_of(const Body& body, int direction, Fine way) const {
+  const FineBox box = fine_box(body.box), next = box.moved(direction * way, 0);
+  if (passes(box, next, body.foot)) return {Way::free};
+  const double steepest = tuning_.exact.steepest;
+  const auto edge = edge_at(box, body.foot, direction, 4 * slack_);
+  if (edge && *edge > scaled(4 * slack_, steepest) + slack_)
+    return *edge > lip_ ? Ahead{Way::blocked} : Ahead{Way::lip, px_of(*edge)};
+  const Fine slope = scaled(way, steepest) + slack_;
+  const auto floor = floor_near(next, body.foot, slope, slope);
+  if (floor && passes(box, next.moved(0, *floor - box.y1), body.foot)) return {Way::free};
+  const auto rise = edge_at(box, body.foot, direction, way);
+  return {rise && *rise <= slope ? Way::free : Way::blocked};
+}
+
+// How much higher than its floor a body must be lifted to go on by that way.
+std::optional<Fine> Judge::edge_at(const FineBox& box, Foot foot, int direction, Fine way) const {
+  const FineBox next = box.moved(direction * way, 0);
+  const auto rise = rise_onto(box, next, foot);
+  if (!rise || foot == Foot::box) return rise;
+  // Corners beside the middle may be in the floor, above which an edge begins.
+  const Fine middle = box.middle(), front = direction > 0 ? box.x1 : box.x0;
+  const FloorLine line(ground_, middle, box.y1, std::min(middle, front), std::max(middle, front),
+                       tuning_.exact.steepest, weld_);
+  if (!line.reaches(middle, front) || stops_middle(box, next.moved(0, line.at(next.middle()) - box.y1)))
+    return rise;
+  return *rise - (box.y1 - line.at_end(direction, box.y1));
+}
+
+// How far a body must be lifted to go on to a place, at most as far as an edge and a floor may rise.
+std::optional<Fine> Judge::rise_onto(const FineBox& from, FineBox to, Foot foot) const {
+  const Fine in_floor = foot == Foot::centre ? scaled((to.x1 - to.x0) / 2, tuning_.exact.steepest) : 0;
+  const Fine most = std::max(lip_, scaled(kAheadOnCurve, 2 * tuning_.exact.steepest)) + in_floor + weld_;
+  const Fine start = to.y1;
+  for (int i = 0; i < kMostRises; ++i) {
+    if (passes(from, to, foot)) return start - to.y1;
+    Fine top = to.y1;
+    ground_.for_parts(to, [&](const RawPart& part) {
+      if (!part.is_floor() || !part.stops(from.shrunk(slack_), to.shrunk(slack_))) return true;
+      const auto [x0, x1] = shared_x(part, to);
+      top = std::min(top, part.top.highest(x0, x1));
+      return true;
+    });
+    if (top == to.y1 || start - top > most) return std::nullopt;
+    to = to.moved(0, top - to.y1);
+  }
+  return std::nullopt;
+}
+
+// Whether anything stops a box, or its middle, that goes from one place to another one close by.
+bool Judge::stops_at(const FineBox& from, const FineBox& to) const {
+  const FineBox inner = from.shrunk(slack_), goal = to.shrunk(slack_);
+  return stops_middle(from, to) ||
+         !ground_.for_parts(hull(inner, goal), [&](const RawPart& part) { return !part.stops(inner, goal); });
+}
+
+bool Judge::stops_middle(const FineBox& from, const FineBox& to) const {
+  const FineBox inner = from.shrunk(slack_).middle_line(), goal = to.shrunk(slack_).middle_line();
+  return !ground_.for_parts(hull(inner, goal), [&](const RawPart& part) { return !part.stops(inner, goal); });
+}
+
+// Whether the bottom (or top) of a box is on an end of a sloped floor (or ceiling). A body on its centre may
+// be on an end of a level one, too.
+bool Judge::is_on_end(const FineBox& box, Foot foot, bool bottom) const {
+  const Fine at = bottom ? box.y1 : box.y0;
+  const auto is_on = [&](Fine x, Fine y) {
+    return x >= box.x0 - slack_ && x <= box.x1 + slack_ && std::abs(y - at) <= weld_;
+  };
+  const FineBox side{box.x0 - slack_, at - weld_, box.x1 + slack_, at + weld_};
+  return !ground_.for_parts(side, [&](const RawPart& part) {
+    const bool faces =
+        bottom ? part.is_floor() : part.kind == RawPart::Kind::solid || part.kind == RawPart::Kind::ceiling;
+    if (!faces || (part.kind == RawPart::Kind::solid && !part.is_sloped() && foot == Foot::box)) return true;
+    const RawLine& line = bottom ? part.top : part.bottom;
+    return !is_on(line.x0, line.y0) && !is_on(line.x1, line.y1);
+  });
+}
+
+// Behind what a body meets there is ground. A body that meets a corner exactly finds it a little to the side
+// to which it moves, or from which it came.
+bool Judge::is_there(const ContactRecord& contact, const Body& body) const {
+  const FineBox box = fine_box({contact.touch.x, contact.touch.y, body.box.w, body.box.h});
+  const Vec2 n = contact.normal;
+  const FineBox into = box.moved(scaled(kAhead, -n.x), scaled(kAhead, -n.y));
+  const bool is_sloped = n.x != 0 && n.y != 0;
+  if (is_sloped && stops_at(box, box.moved(0, n.y < 0 ? kAhead : -kAhead))) return true;
+  if (stops_at(box, into) || (n.y != 0 && is_on_end(box, body.foot, n.y < 0))) return true;
+  const Vec2 side = contact.move - n * dot(contact.move, n);
+  const double length = std::sqrt(dot(side, side));
+  if (!(length > 0)) return false;
+  const Fine x = scaled(4 * slack_, side.x / length), y = scaled(4 * slack_, side.y / length);
+  if (stops_at(box, into.moved(-x, -y))) return true;
+  // Unless a wall goes on beside the corner.
+  FineBox strip = box;
+  if (n.y != 0) (n.y < 0 ? strip.y0 : strip.y1) = n.y < 0 ? box.y1 - kAhead : box.y0 + kAhead;
+  if (n.x != 0) (n.x < 0 ? strip.x0 : strip.x1) = n.x < 0 ? box.x1 - kAhead : box.x0 + kAhead;
+  return stops_at(box, into.moved(x, y)) && !stops_at(strip, strip.moved(x, y));
+}
+
+}  // namespace talus

@@ -1,0 +1,76 @@
+// Judge: says whether the geometry of the ground explains what a body did in a step.
+#pragma once
+
+#include <optional>
+
+#include <talus/sim/solver.h>
+#include "finding.h"
+#include "floor_line.h"
+
+namespace talus {
+
+struct Verdict {
+  FindingKind kind;
+  double amount = 0;  // px, as Finding::amount
+};
+
+class Judge {
+ public:
+  // lip: px; higher edges are walls that are meant. Refers to both.
+  Judge(const RawGround& ground, const Tuning& tuning, double lip);
+
+  // Of a step of a body alone in the ground; nothing: all of it is explained. record: of the step.
+  std::optional<Verdict> judge(const Body& before, const Body& after, const Input& input,
+                               const StepRecord& record) const;
+
+  // The ground in which the corners of a body on its centre may be, beside its middle.
+  enum class Corners {
+    in_its_floor,  // the floor that its middle stands on, and what is below that
+    in_any_floor   // as deep as such a floor can reach into it
+  };
+  // Whether a body may be there: it is not in the ground.
+  bool is_free(const Rect& box, Foot foot, Corners corners) const;
+  // Whether a line that stops bodies from above is in the box of a body that stands on all of its bottom.
+  // Such a body is behind the line, and comes out by either side: nothing is said about that.
+  bool is_across_line(const Body& body) const;
+  // The y of the body's top at which it stands at that x, at most `rise` px higher than it is or `drop` px
+  // lower; nothing: there is no floor, or it is too steep.
+  std::optional<double> standing_place(const Rect& box, Foot foot, double rise, double drop) const;
+
+ private:
+  enum class Way { free, blocked, lip };
+  struct Ahead {
+    Way way;
+    double lip = 0;  // px
+  };
+  std::optional<Verdict> judge_walk(const Body& before, const Body& after, double speed,
+                                    const StepRecord& record) const;
+  bool is_stopped_before(const Body& before, const Body& after, int direction,
+                         const StepRecord& record) const;
+  std::optional<Verdict> judge_contacts(const Body& before, const StepRecord& record) const;
+  Ahead ahead_of(const Body& body, int direction) const;
+  Ahead ahead_of(const Body& body, int direction, Fine way) const;
+  bool passes(const FineBox& from, const FineBox& to, Foot foot) const;
+  bool stops_at(const FineBox& from, const FineBox& to) const;
+  bool stops_middle(const FineBox& from, const FineBox& to) const;
+  bool falls_through(const Body& before, const Body& after) const;
+  bool has_floor_above(const FineBox& box, Foot foot, Fine way) const;
+  bool floor_goes_on(const Body& before, const Body& after, int direction) const;
+  bool is_on_end(const FineBox& box, Foot foot, bool bottom) const;
+  bool has_floor_at_foot(const Body& body) const;
+  bool is_there(const ContactRecord& contact, const Body& body) const;
+  std::optional<Fine> floor_near(const FineBox& box, Foot foot, Fine up, Fine down) const;
+  std::optional<Fine> edge_at(const FineBox& box, Foot foot, int direction, Fine way) const;
+  std::optional<Fine> rise_onto(const FineBox& from, FineBox box, Foot foot) const;
+  FloorLine floor_line(const FineBox& box) const {
+    return {ground_, box.middle(), box.y1, box.x0, box.x1, tuning_.exact.steepest, weld_};
+  }
+
+  const RawGround& ground_;
+  const Tuning& tuning_;
+  const Fine slack_;  // how far off a place may be by the solver's rounding
+  const Fine weld_;   // how far apart two ends may be that count as one
+  const Fine lip_;
+};
+
+}  // namespace talus

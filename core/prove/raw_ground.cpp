@@ -1,0 +1,209 @@
+#include "raw_ground.h"
+
+#include <cmath>
+
+#include "collision/outline_compiler.h"
+
+namespace talus {
+namespace {
+
+__extension__ using Wide = __int128;  // products of two lengths
+
+constexpr Fine kFineWeld = kFinePx / kWeldParts;
+
+Fine welded(double px) { return fine(weld(px)); }
+
+// The sign of y minus the height of a straight line at x; the line goes on beyond its ends.
+int side_of(const RawLine& line, Fine x, Fine y) {
+  const Wide left = Wide{y - line.y0} * (line.x1 - line.x0), right = Wide{x - line.x0} * (line.y1 - line.y0);
+  return left < right ? -1 : left > right ? 1 : 0;
+}
+
+RawLine line_from(Fine x0, Fine y0, Fine x1, Fine y1) { return {x0, y0, x1, y1}; }
+
+void add(std::vector<RawPart>& out, const TileShape& shape, const RawLine& top, const RawLine& bottom) {
+  const bool is_floor = shape.side == TileShape::Side::floor;
+  if (!shape.one_way) {
+    out.push_back({RawPart::Kind::solid, top, bottom});
+  } else {
+    const RawLine& line = is_floor ? top : bottom;
+    out.push_back({is_floor ? RawPart::Kind::floor : RawPart::Kind::ceiling, line, line});
+  }
+}
+
+void add_full(std::vector<RawPart>& out, const TileShape& shape, TileSize tile) {
+  const Fine w = tile.width * kFinePx, h = tile.height * kFinePx;
+  add(out, shape, line_from(0, 0, w, 0), line_from(0, h, w, h));
+}
+
+void add_heights(std::vector<RawPart>& out, const TileShape& shape, TileSize tile) {
+  const bool is_floor = shape.side == TileShape::Side::floor;
+  const Fine base = is_floor ? tile.height * kFinePx : 0;
+  const double width = 1.0 * shape.tiles * tile.width, parts = static_cast<double>(shape.heights.size() - 1);
+  for (std::size_t i = 0; i + 1 < shape.heights.size(); ++i) {
+    const Fine x0 = welded(width * static_cast<double>(i) / parts);
+    const Fine x1 = welded(width * static_cast<double>(i + 1) / parts);
+    const Fine h0 = welded(shape.heights[i]), h1 = welded(shape.heights[i + 1]);
+    if (x0 == x1 || (h0 == 0 && h1 == 0 && !shape.one_way)) continue;
+    const RawLine line = is_floor ? line_from(x0, base - h0, x1, base - h1) : line_from(x0, h0, x1, h1);
+    const RawLine flat = line_from(x0, base, x1, base);
+    add(out, shape, is_floor ? line : flat, is_floor ? flat : line);
+  }
+}
+
+// Cuts a polygon at the x of its points. Between two of them its sides do not meet, so every other space
+// between two sides, from the top, is ground.
+void add_polygon(std::vector<RawPart>& out, const TileShape& shape) {
+  std::vector<RawLine> sides;
+  std::vector<Fine> cuts;
+  for (std::size_t i = 0; i < shape.points.size(); ++i) {
+    const Vec2 a = weld(shape.points[i]), b = weld(shape.points[(i + 1) % shape.points.size()]);
+    cuts.push_back(fine(a.x));
+    if (a.x == b.x) continue;
+    const Vec2 &first = a.x < b.x ? a : b, &second = a.x < b.x ? b : a;
+    sides.push_back(line_from(fine(first.x), fine(first.y), fine(second.x), fine(second.y)));
+  }
+  std::sort(cuts.begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const Fine from = cuts[i], to = cuts[i + 1], middle = from + (to - from) / 2;
+    std::vector<RawLine> here;
+    for (const RawLine& side : sides)
+      if (side.x0 <= from && side.x1 >= to) here.push_back(side);
+    std::sort(here.begin(), here.end(), [&](const RawLine& a, const RawLine& b) {
+      return a.at(middle) != b.at(middle) ? a.at(middle) < b.at(middle)
+                                          : a.at(from) + a.at(to) < b.at(from) + b.at(to);
+    });
+    for (std::size_t side = 0; side + 1 < here.size(); side += 2) {
+      const auto cut = [&](const RawLine& line) { return line_from(from, line.at(from), to, line.at(to)); };
+      add(out, shape, cut(here[side]), cut(here[side + 1]));
+    }
+  }
+}
+
+int cells_beyond(Fine length, Fine tile) {
+  return length <= 0 ? 0 : static_cast<int>((length + tile - 1) / tile);
+}
+
+}  // namespace
+
+Fine fine(double px) { return std::llround(px * static_cast<double>(kFinePx)); }
+
+FineBox fine_box(const Rect& box) {
+  const Fine x = fine(box.x), y = fine(box.y);
+  return {x, y, x + fine(box.w), y + fine(box.h)};
+}
+
+Fine RawLine::at(Fine x) const {
+  if (x <= x0) return y0;
+  if (x >= x1) return y1;
+  if (curve != nullptr) return std::clamp(fine(curve->y_at(px_of(x))), std::min(y0, y1), std::max(y0, y1));
+  const Wide product = Wide{x - x0} * (y1 - y0), width = x1 - x0;
+  return y0 + static_cast<Fine>(product >= 0 ? product / width : -((-product + width - 1) / width));
+}
+
+bool RawLine::is_steeper_than(double limit, Fine x) const {
+  if (x0 == x1) return true;
+  if (curve == nullptr) return std::abs(static_cast<double>(y1 - y0)) > limit * static_cast<double>(x1 - x0);
+  const Vec2 along = curve->tangent_at(px_of(std::clamp(x, x0, x1)));
+  return std::abs(along.y) > limit * std::abs(along.x);
+}
+
+bool RawPart::meets(const FineBox& box) const {
+  const bool is_wall = top.x0 == top.x1;
+  const bool is_beside =
+      is_wall ? top.x0 <= box.x0 || top.x0 >= box.x1 : top.x0 >= box.x1 || top.x1 <= box.x0;
+  if (is_beside || std::min(top.y0, top.y1) >= box.y1 || std::max(bottom.y0, bottom.y1) <= box.y0)
+    return false;
+  if (is_wall) return true;
+  const Fine from = std::max(top.x0, box.x0), to = std::min(top.x1, box.x1);
+  if (top.curve != nullptr) return top.highest(from, to) < box.y1 && top.lowest(from, to) > box.y0;
+  // Two convex figures are apart only if a side of one of them has the other one behind it.
+  const bool below_top = side_of(top, top.y1 > top.y0 ? box.x0 : box.x1, box.y1) > 0;
+  return below_top && side_of(bottom, bottom.y1 > bottom.y0 ? box.x1 : box.x0, box.y0) < 0;
+}
+
+bool RawPart::stops(const FineBox& from, const FineBox& to) const {
+  if (!meets(to)) return false;
+  if (kind == Kind::solid) return true;
+  if (meets(from)) return false;
+  const Wide dx = to.x0 - from.x0, dy = to.y0 - from.y0;
+  if (kind == Kind::left) return dx > 0;
+  if (kind == Kind::right) return dx < 0;
+  // Against the normal, which points up from a floor, or against an end.
+  const Wide into = dy * (top.x1 - top.x0) - dx * (top.y1 - top.y0);
+  return kind == Kind::floor ? into > 0 || dy > 0 : into < 0 || dy < 0;
+}
+
+RawGround::RawGround(const TerrainSource& source)
+    : width_(source.width),
+      height_(source.height),
+      tile_(source.tile),
+      tile_width_(source.tile.width * kFinePx),
+      tile_height_(source.tile.height * kFinePx),
+      cells_(source.cells.begin(), source.cells.end()) {
+  first_.push_back(0);
+  for (const TileShape& shape : source.shapes) {
+    add_shape(shape);
+    first_.push_back(static_cast<std::uint32_t>(parts_.size()));
+  }
+  for (const RawPart& part : parts_) {
+    left_ = std::max(left_, cells_beyond(-part.top.x0, tile_width_));
+    right_ = std::max(right_, cells_beyond(part.top.x1 - tile_width_, tile_width_));
+    up_ = std::max(up_, cells_beyond(-std::min(part.top.y0, part.top.y1), tile_height_));
+    down_ =
+        std::max(down_, cells_beyond(std::max(part.bottom.y0, part.bottom.y1) - tile_height_, tile_height_));
+  }
+  add_curves(source.curves);
+}
+
+void RawGround::add_shape(const TileShape& shape) {
+  switch (shape.kind) {
+    case TileShape::Kind::none:
+      break;
+    case TileShape::Kind::solid:
+      add_full(parts_, shape, tile_);
+      break;
+    case TileShape::Kind::slope:
+    case TileShape::Kind::profile:
+      add_heights(parts_, shape, tile_);
+      break;
+    case TileShape::Kind::polygon:
+      add_polygon(parts_, shape);
+      break;
+    case TileShape::Kind::group:
+      for (const TileShape& part : shape.parts) add_shape(part);
+      break;
+  }
+}
+
+// Where a curve runs at an x is computed as the solvers do; everything else about it is not.
+void RawGround::add_curves(std::span<const Curve> curves) {
+  if (curves.empty()) return;
+  CurveOutline outline = cut_curves(curves);
+  stretches_ = std::make_shared<const std::vector<CurveStretch<double>>>(std::move(outline.stretches));
+  curves_in_.resize(static_cast<std::size_t>(width_));
+  for (const Piece<double>& piece : outline.pieces) {
+    const RawLine line{fine(piece.x0), fine(piece.y0), fine(piece.x1), fine(piece.y1),
+                       piece.stretch == 0 ? nullptr : &(*stretches_)[piece.stretch - 1]};
+    constexpr RawPart::Kind kinds[] = {RawPart::Kind::floor, RawPart::Kind::ceiling, RawPart::Kind::left,
+                                       RawPart::Kind::right};
+    const int from = std::clamp(column_of(line.x0), 0, width_ - 1);
+    const int to = std::clamp(column_of(line.x1), 0, width_ - 1);
+    for (int column = from; column <= to; ++column)
+      curves_in_[static_cast<std::size_t>(column)].push_back(static_cast<std::uint32_t>(curves_.size()));
+    curves_.push_back({kinds[static_cast<int>(piece.facing)], line, line});
+  }
+}
+
+int RawGround::column_of(Fine x) const {
+  const Fine column = x < 0 ? -1 : x / tile_width_;
+  return static_cast<int>(std::min<Fine>(column, width_));
+}
+
+int RawGround::row_of(Fine y) const {
+  const Fine row = y < 0 ? -1 : y / tile_height_;
+  return static_cast<int>(std::min<Fine>(row, height_));
+}
+
+}  // namespace talus

@@ -1,0 +1,153 @@
+// RawGround: the ground as a level gives it, one tile beside the other, for questions with exact answers. It
+// shares nothing with the outline that the solvers use, so that it can judge them.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <talus/collision/terrain.h>
+
+namespace talus {
+
+// A length in 2^-24 px. Ends of lines are multiples of 1/256 px, and so are whole numbers of these; places of
+// bodies are rounded to them. All comparisons with straight lines are exact.
+using Fine = std::int64_t;
+inline constexpr Fine kFinePx = Fine{1} << 24;
+Fine fine(double px);  // rounded to the nearest; px: finite, within kMaxCastReach
+inline double px_of(Fine length) { return static_cast<double>(length) / static_cast<double>(kFinePx); }
+
+struct FineBox {
+  Fine x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  Fine middle() const { return x0 + (x1 - x0) / 2; }
+  FineBox middle_line() const { return {middle() - 1, y0, middle() + 1, y1}; }
+  FineBox moved(Fine dx, Fine dy) const { return {x0 + dx, y0 + dy, x1 + dx, y1 + dy}; }
+  FineBox shrunk(Fine by) const { return {x0 + by, y0 + by, x1 - by, y1 - by}; }
+};
+FineBox fine_box(const Rect& box);
+// The smallest box around two others.
+inline FineBox hull(const FineBox& a, const FineBox& b) {
+  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
+}
+
+// A straight line, or a stretch of a curve that rises or falls throughout; x0 <= x1.
+struct RawLine {
+  Fine x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  const CurveStretch<double>* curve = nullptr;  // null: a straight line
+
+  RawLine moved(Fine dx, Fine dy) const { return {x0 + dx, y0 + dy, x1 + dx, y1 + dy, curve}; }
+  Fine at(Fine x) const;  // its y, rounded down (upwards on the screen); beyond its ends that of the end
+  // Its highest or lowest y between two x, which meet it.
+  Fine highest(Fine from, Fine to) const { return std::min(at(from), at(to)); }
+  Fine lowest(Fine from, Fine to) const { return std::max(at(from), at(to)); }
+  bool is_steeper_than(double limit, Fine x) const;  // |dy/dx| at x
+  friend bool operator==(const RawLine&, const RawLine&) = default;
+};
+
+// A part of the ground.
+struct RawPart {
+  enum class Kind : std::uint8_t {
+    solid,    // what is between `top` and `bottom`
+    floor,    // `top` alone, which stops what comes from above
+    ceiling,  // the same from below
+    left,     // a vertical line that stops what comes from the left
+    right     // the same from the right
+  };
+  Kind kind = Kind::solid;
+  RawLine top, bottom;  // with the same x; of a line alone both are the line
+
+  // Whether its upper or its lower side is not level.
+  bool is_sloped() const { return top.y0 != top.y1 || bottom.y0 != bottom.y1; }
+  bool is_floor() const { return kind == Kind::solid || kind == Kind::floor; }
+  RawPart moved(Fine dx, Fine dy) const { return {kind, top.moved(dx, dy), bottom.moved(dx, dy)}; }
+  // Whether its inside, or for a line a point of it, is inside of the box.
+  bool meets(const FineBox& box) const;
+  // Whether a box that goes straight from one place to another is stopped by it. What it is in already does
+  // not stop it if it is a line.
+  bool stops(const FineBox& from, const FineBox& to) const;
+  friend bool operator==(const RawPart&, const RawPart&) = default;
+};
+
+class RawGround {
+ public:
+  // Copies what it needs.
+  explicit RawGround(const TerrainSource& source);
+
+  int columns() const { return width_; }
+  int rows() const { return height_; }
+  TileSize tile_size() const { return tile_; }
+  // The number of the shape in a cell; 0 outside of the map.
+  TileNumber number_at(Cell cell) const {
+    const bool is_inside = cell.x >= 0 && cell.y >= 0 && cell.x < width_ && cell.y < height_;
+    return is_inside ? cells_[static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(width_) +
+                              static_cast<std::size_t>(cell.x)]
+                     : TileNumber{0};
+  }
+  // Whether a line that is free of the grid may meet the area.
+  bool has_curve_in(const FineBox& area) const {
+    return !curves_.empty() && !for_curves(area, [&](const RawPart& part) { return !touches(part, area); });
+  }
+
+  // Calls use(part) for each part that may meet the area, or touch it. use returns false to end the search;
+  // then for_parts() does.
+  template <class Use>
+  bool for_parts(const FineBox& area, Use use) const {
+    // What ends at the border of a cell touches the next one.
+    const int first_column = column_of(area.x0 - 1) - right_, last_column = column_of(area.x1) + left_;
+    const int first_row = row_of(area.y0 - 1) - down_, last_row = row_of(area.y1) + up_;
+    for (int y = std::max(first_row, 0); y <= std::min(last_row, height_ - 1); ++y) {
+      for (int x = std::max(first_column, 0); x <= std::min(last_column, width_ - 1); ++x) {
+        const std::span<const RawPart> parts = parts_of({x, y});
+        for (const RawPart& part : parts) {
+          const RawPart here = part.moved(x * tile_width_, y * tile_height_);
+          if (touches(here, area) && !use(here)) return false;
+        }
+      }
+    }
+    return curves_.empty() ||
+           for_curves(area, [&](const RawPart& part) { return !touches(part, area) || use(part); });
+  }
+
+ private:
+  static bool touches(const RawPart& part, const FineBox& area) {
+    return part.top.x0 <= area.x1 && part.top.x1 >= area.x0 &&
+           std::min(part.top.y0, part.top.y1) <= area.y1 &&
+           std::max(part.bottom.y0, part.bottom.y1) >= area.y0;
+  }
+  int column_of(Fine x) const;  // of the cells, or -2 or columns() + 1 for all outside
+  int row_of(Fine y) const;
+  std::span<const RawPart> parts_of(Cell cell) const {
+    const TileNumber number = number_at(cell);
+    return {parts_.data() + first_[number], parts_.data() + first_[number + 1]};
+  }
+  template <class Use>
+  bool for_curves(const FineBox& area, Use use) const {
+    const int from = std::clamp(column_of(area.x0), 0, width_ - 1);
+    const int to = std::clamp(column_of(area.x1), 0, width_ - 1);
+    for (int column = from; column <= to; ++column) {
+      for (const std::uint32_t index : curves_in_[static_cast<std::size_t>(column)]) {
+        const RawPart& part = curves_[index];
+        const int its_first = std::clamp(column_of(part.top.x0), 0, width_ - 1);
+        if (column == std::max(from, its_first) && !use(part)) return false;
+      }
+    }
+    return true;
+  }
+  void add_shape(const TileShape& shape);
+  void add_curves(std::span<const Curve> curves);
+
+  int width_, height_;  // cells
+  TileSize tile_;
+  Fine tile_width_, tile_height_;
+  int left_ = 0, right_ = 0, up_ = 0, down_ = 0;  // cells by which shapes reach beyond their own
+  std::vector<TileNumber> cells_;
+  std::vector<RawPart> parts_;        // of all shapes, from the corner of their own cell
+  std::vector<std::uint32_t> first_;  // by number, its first part; and the end
+  std::vector<RawPart> curves_;
+  std::vector<std::vector<std::uint32_t>> curves_in_;  // by column
+  std::shared_ptr<const std::vector<CurveStretch<double>>> stretches_;
+};
+
+}  // namespace talus

@@ -1,0 +1,314 @@
+#include "trial_runner.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace talus {
+namespace {
+
+constexpr int kMostSteps = 240;   // of one trial
+constexpr int kJumpHeld = 12;     // frames
+constexpr int kStillFrames = 20;  // after so many frames without a motion a body rests
+constexpr double kStill = 1e-3;   // px; a smaller motion is none
+constexpr int kMostReach = 16;    // cells; a trial ends further away
+constexpr double kLift =
+    1.0 / (1 << 20);                 // px; bodies start so much above their floor, as its height is rounded
+constexpr double kPhaseOfPx = 0.37;  // px; one of the places of a body between two pixels
+
+int cells_of(double px, int tile) { return std::min(kMostReach, 1 + static_cast<int>(std::ceil(px / tile))); }
+
+Input keys_of(const Trial& trial, int frame) {
+  Input input;
+  input.left = trial.direction < 0;
+  input.right = trial.direction > 0;
+  input.jump = frame <= trial.jump_frames;
+  return input;
+}
+
+Cell cell_below(const Rect& box, const RawGround& ground) {
+  const TileSize tile = ground.tile_size();
+  const auto cell = [](double px, int side, int cells) {
+    return static_cast<int>(std::clamp(std::floor(px / side), 0.0, cells - 1.0));
+  };
+  return {cell(box.x + box.w / 2, tile.width, ground.columns()),
+          cell(box.bottom(), tile.height, ground.rows())};
+}
+
+// Ground ends at the sides of the map, wherever the shapes of its tiles reach.
+bool leaves_map(const Rect& box, const RawGround& ground) {
+  const TileSize tile = ground.tile_size();
+  return box.x < 0 || box.right() > 1.0 * ground.columns() * tile.width || box.bottom() < 0 ||
+         box.bottom() > 1.0 * ground.rows() * tile.height;
+}
+
+}  // namespace
+
+void ProveCounts::add(const ProveCounts& other) {
+  places += other.places;
+  alike += other.alike;
+  trials += other.trials;
+  steps += other.steps;
+}
+
+TrialRunner::TrialRunner(const ProveScene& scene) : scene_(scene) {
+  for (const ProveScene::Speed& speed : scene.speeds()) solvers_.push_back(make_solver(speed.scene));
+}
+
+BlockProof TrialRunner::prove(int block) {
+  proof_ = {};
+  found_.clear();
+  surroundings_.clear();
+  const Cell first = scene_.first_cell(block);
+  const int last_x = std::min(first.x + kProveBlock, scene_.ground().columns());
+  const int last_y = std::min(first.y + kProveBlock, scene_.ground().rows());
+  for (int y = first.y; y < last_y; ++y) {
+    for (int x = first.x; x < last_x; ++x) {
+      for (std::size_t body = 0; body < scene_.bodies().size(); ++body) try_cell({x, y}, body);
+    }
+  }
+  return std::move(proof_);
+}
+
+TrialRunner::Reach TrialRunner::reach_of(const ProveBody& body) const {
+  const TileSize tile = scene_.ground().tile_size();
+  const Tuning& tuning = scene_.speeds().front().scene->tuning;
+  const PlayerTuning& player = tuning.player;
+  const double jump = player.gravity > 0 ? player.jump_speed * player.jump_speed / (2 * player.gravity) : 0;
+  return {cells_of(2.0 * tile.width + body.size.x, tile.width), cells_of(jump + body.size.y, tile.height), 3};
+}
+
+// Places whose surroundings are the same have the same findings. Lines that are free of the grid are no part
+// of that comparison, so cells near one are not compared.
+bool TrialRunner::is_known(Cell cell, std::size_t body) {
+  const RawGround& ground = scene_.ground();
+  const Reach reach = reach_of(scene_.bodies()[body]);
+  std::string around(1, static_cast<char>(body));
+  for (int y = cell.y - reach.up; y <= cell.y + reach.down; ++y) {
+    for (int x = cell.x - reach.columns; x <= cell.x + reach.columns; ++x) {
+      const TileNumber number = ground.number_at({x, y});
+      around.push_back(static_cast<char>(number & 255));
+      around.push_back(static_cast<char>(number >> 8));
+    }
+  }
+  const TileSize tile = ground.tile_size();
+  const Rect area{1.0 * (cell.x - reach.columns) * tile.width, 1.0 * (cell.y - reach.up) * tile.height,
+                  (2.0 * reach.columns + 1) * tile.width, (1.0 + reach.up + reach.down) * tile.height};
+  if (ground.has_curve_in(fine_box(area))) return false;
+  return !surroundings_.insert(std::move(around)).second;
+}
+
+// px: y of the floors that begin in a cell, at an x within it.
+std::vector<double> TrialRunner::floors_at(Cell cell, double x) const {
+  const TileSize tile = scene_.ground().tile_size();
+  const double steepest = scene_.speeds().front().scene->tuning.exact.steepest;
+  const Fine at = fine(x), top = fine(1.0 * cell.y * tile.height),
+             bottom = fine((cell.y + 1.0) * tile.height);
+  std::vector<double> floors;
+  scene_.ground().for_parts({at, top, at, bottom}, [&](const RawPart& part) {
+    const Fine y = part.top.at(at);
+    if (part.is_floor() && y >= top && y < bottom && !part.top.is_steeper_than(steepest, at))
+      floors.push_back(px_of(y));
+    return true;
+  });
+  std::sort(floors.begin(), floors.end());
+  floors.erase(std::unique(floors.begin(), floors.end()), floors.end());
+  return floors;
+}
+
+void TrialRunner::try_cell(Cell cell, std::size_t body) {
+  const int width = scene_.ground().tile_size().width;
+  const double half = width / 2.0;
+  std::int64_t before = proof_.counts.places;
+  bool has_floor = false;
+  for (const double phase : {0.0, kPhaseOfPx, half, half + 2 * kPhaseOfPx})
+    has_floor = has_floor || !floors_at(cell, 1.0 * cell.x * width + phase).empty();
+  if (!has_floor) return;
+  if (is_known(cell, body)) {
+    ++proof_.counts.places, ++proof_.counts.alike;
+    return;
+  }
+  for (const double phase : {0.0, kPhaseOfPx, half, half + 2 * kPhaseOfPx}) try_phase(cell, body, phase);
+  if (proof_.counts.places == before) return;
+  proof_.counts.places = before + 1;
+}
+
+void TrialRunner::try_phase(Cell cell, std::size_t body, double phase) {
+  const ProveBody& tried = scene_.bodies()[body];
+  const ProveScene::Speed& speed = scene_.speeds().front();
+  const double x = 1.0 * cell.x * scene_.ground().tile_size().width + phase;
+  for (const double floor : floors_at(cell, x)) {
+    Rect box{x - tried.size.x / 2, floor - tried.size.y, tried.size.x, tried.size.y};
+    const double rise = tried.foot == Foot::box ? tried.size.x / 2 * speed.scene->tuning.exact.steepest : 0;
+    const auto y = speed.judge->standing_place(box, tried.foot, rise + 1.0 / kWeldParts, 1.0 / kWeldParts);
+    if (!y) continue;
+    box.y = *y - kLift;
+    ++proof_.counts.places;
+    try_place({cell, body, phase, box});
+  }
+}
+
+void TrialRunner::try_place(const Place& place) {
+  const bool takes_keys =
+      traits_of(scene_.bodies()[place.body].kind).takes_keys && scene_.solver() == SolverKind::exact;
+  for (const int direction : {1, -1}) {
+    for (std::size_t speed = 0; speed < solvers_.size(); ++speed) walk(place, speed, direction, false);
+    if (takes_keys && place.phase == 0) walk(place, 0, direction, true);
+  }
+  if (place.phase != 0 && place.phase != kPhaseOfPx) return;
+  drop(place);
+  if (!takes_keys) return;
+  for (const int direction : {0, 1, -1}) jump(place, direction);
+}
+
+Trial start_at(const ProveBody& body, const Rect& box) {
+  Trial trial;
+  trial.body.id = 1;
+  trial.body.origin.spawn = 0;
+  trial.body.box = box;
+  trial.body.previous = box.position();
+  trial.body.kind = body.kind;
+  trial.body.foot = body.foot;
+  return trial;
+}
+
+// Puts a body on the floor just below, as the solver exact puts players on it. Returns whether it stands
+// there.
+bool TrialRunner::stand(Body& body) {
+  if (scene_.solver() != SolverKind::exact) return true;
+  state_ = {.frame = 0, .bodies = {body}, .grabbed = 0, .next_id = 2};
+  Body& standing = state_.bodies.front();
+  standing.kind = BodyKind::player;
+  standing.gait.grounded = true;
+  solvers_.front()->step(state_, {});
+  ++proof_.counts.steps;
+  const bool stands = standing.gait.grounded && standing.box.x == body.box.x &&
+                      std::abs(standing.box.y - body.box.y) < kStill;
+  body.box = standing.box;
+  body.is_clear = standing.is_clear;
+  body.gait.grounded = traits_of(body.kind).takes_keys;
+  return stands;
+}
+
+void TrialRunner::walk(const Place& place, std::size_t speed, int direction, bool at_rest) {
+  const ProveBody& body = scene_.bodies()[place.body];
+  const Scene& scene = *scene_.speeds()[speed].scene;
+  Trial trial = start_at(body, place.box);
+  const bool takes_keys = traits_of(body.kind).takes_keys && scene_.solver() == SolverKind::exact;
+  trial.direction = direction;
+  trial.speed = takes_keys ? scene.tuning.player.run_speed : body.speed * scene_.speeds()[speed].share;
+  if (!stand(trial.body)) return;
+  if (!at_rest) trial.body.velocity.x = direction * trial.speed;
+  const double way = scene_.ground().tile_size().width + 2.0;
+  trial.frames = std::min(kMostSteps, 2 + static_cast<int>(way / std::max(trial.speed, 0.01)));
+  run(trial, place, speed);
+}
+
+void TrialRunner::jump(const Place& place, int direction) {
+  Trial trial = start_at(scene_.bodies()[place.body], place.box);
+  trial.direction = direction;
+  trial.speed = scene_.speeds().front().scene->tuning.player.run_speed;
+  if (!stand(trial.body)) return;
+  trial.jump_frames = kJumpHeld;
+  trial.frames = kMostSteps;
+  run(trial, place, 0);
+}
+
+// From as high above its floor as a jump gets, or as there is room.
+void TrialRunner::drop(const Place& place) {
+  const ProveBody& body = scene_.bodies()[place.body];
+  Trial trial = start_at(body, place.box);
+  const int tile = scene_.ground().tile_size().height;
+  for (int rows = 2; rows > 0; --rows) {
+    Rect box = place.box;
+    box.y -= rows * tile + kPhaseOfPx;
+    if (!scene_.speeds().front().judge->is_free(box, body.foot, Judge::Corners::in_its_floor)) continue;
+    trial.body.box = box;
+    trial.body.previous = box.position();
+    break;
+  }
+  trial.speed = scene_.speeds().front().scene->tuning.player.run_speed;
+  trial.frames = kMostSteps / 2;
+  run(trial, place, 0);
+}
+
+void TrialRunner::run(Trial trial, const Place& place, std::size_t speed) {
+  ++proof_.counts.trials;
+  const auto finding = play(trial, speed, &place);
+  if (!finding) return;
+  const auto [known, is_new] = found_.try_emplace(
+      {finding->cell.y, finding->cell.x, finding->kind, place.body, trial.direction}, proof_.findings.size());
+  if (is_new) {
+    proof_.findings.push_back(*finding);
+  } else {
+    ++proof_.findings[known->second].count;
+  }
+}
+
+std::optional<Finding> TrialRunner::play(const Trial& trial) {
+  std::size_t speed = 0;
+  for (std::size_t i = 0; i < solvers_.size(); ++i)
+    if (scene_.speeds()[i].scene->tuning.player.run_speed == trial.speed) speed = i;
+  return play(trial, speed, nullptr);
+}
+
+std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, const Place* place) {
+  const Judge& judge = *scene_.speeds()[speed].judge;
+  state_ = {.frame = 0, .bodies = {trial.body}, .grabbed = 0, .next_id = 2};
+  const Body& body = state_.bodies.front();
+  const bool walks = trial.body.gait.grounded && trial.jump_frames == 0;
+  int still = 0;
+  for (int frame = 1; frame <= trial.frames; ++frame) {
+    if (judge.is_across_line(body) || leaves_map(body.box, scene_.ground())) break;
+    const Body before = body;
+    const Input input = keys_of(trial, frame);
+    solvers_[speed]->step(state_, input, &record_);
+    ++proof_.counts.steps;
+    std::optional<Verdict> verdict = judge.judge(before, body, input, record_);
+    still =
+        std::abs(body.box.x - before.box.x) + std::abs(body.box.y - before.box.y) < kStill ? still + 1 : 0;
+    const bool takes_keys = traits_of(body.kind).takes_keys;
+    if (!verdict && takes_keys && still == kStillFrames && !body.gait.grounded && is_wedged(state_, speed))
+      verdict = Verdict{FindingKind::wedged};
+    if (verdict) {
+      Finding finding;
+      finding.kind = verdict->kind;
+      finding.solver = scene_.solver();
+      finding.trial = trial;
+      finding.frame = frame;
+      finding.cell = cell_below(body.box, scene_.ground());
+      finding.place = {body.box.x + body.box.w / 2, body.box.bottom()};
+      finding.amount = verdict->amount;
+      if (!record_.contacts.empty()) finding.met = record_.contacts.back().other;
+      return finding;
+    }
+    if (walks && (!body.gait.grounded || (trial.direction != 0 && body.velocity.x == 0))) break;
+    if (!walks && (still > kStillFrames || (takes_keys && body.gait.grounded && frame > trial.jump_frames)))
+      break;
+    if (place == nullptr) continue;
+    const Reach reach = reach_of(scene_.bodies()[place->body]);
+    const Cell at = cell_below(body.box, scene_.ground());
+    if (std::abs(at.x - place->cell.x) >= reach.columns || at.y - place->cell.y >= reach.down) break;
+  }
+  return std::nullopt;
+}
+
+// Whether neither key moves it.
+bool TrialRunner::is_wedged(State state, std::size_t speed) {
+  const Rect start = state.bodies.front().box;
+  for (const bool right : {false, true}) {
+    Input input;
+    input.left = !right;
+    input.right = right;
+    for (int i = 0; i < kStillFrames; ++i) {
+      input.jump = i % 2 == 0;
+      solvers_[speed]->step(state, input);
+    }
+    const Body& body = state.bodies.front();
+    if (body.gait.grounded || std::abs(body.box.x - start.x) + std::abs(body.box.y - start.y) > 1)
+      return false;
+  }
+  return true;
+}
+
+}  // namespace talus

@@ -1,0 +1,76 @@
+// TrialRunner: tries how bodies move over a block of a level, with the solver itself.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <tuple>
+#include <unordered_set>
+#include <vector>
+
+#include "prove_scene.h"
+
+namespace talus {
+
+// What was tried.
+struct ProveCounts {
+  std::int64_t places = 0;  // where a body can stand
+  std::int64_t alike =
+      0;  // of those: whose surroundings are those of another one in its block, which was tried
+  std::int64_t trials = 0;
+  std::int64_t steps = 0;  // of the solver
+  void add(const ProveCounts& other);
+};
+
+// What was found in one block: of each kind of finding, body and direction the first one in a cell.
+struct BlockProof {
+  ProveCounts counts;
+  std::vector<Finding> findings;
+};
+
+// Keeps solvers, so each thread needs its own.
+class TrialRunner {
+ public:
+  explicit TrialRunner(const ProveScene& scene);  // refers to it
+  BlockProof prove(int block);
+
+  // Plays a trial until something is found, or nothing more can be.
+  std::optional<Finding> play(const Trial& trial);
+
+ private:
+  // A place where a body stands, in the cell in which its floor is.
+  struct Place {
+    Cell cell;
+    std::size_t body;  // index
+    double phase;      // px, of its middle from the left side of the cell
+    Rect box;          // px
+  };
+  // By which columns and rows trials may go away from their cell.
+  struct Reach {
+    int columns, up, down;
+  };
+
+  void try_cell(Cell cell, std::size_t body);
+  void try_phase(Cell cell, std::size_t body, double phase);
+  void try_place(const Place& place);
+  bool stand(Body& body);
+  void walk(const Place& place, std::size_t speed, int direction, bool at_rest);
+  void jump(const Place& place, int direction);
+  void drop(const Place& place);
+  void run(Trial trial, const Place& place, std::size_t speed);
+  std::optional<Finding> play(const Trial& trial, std::size_t speed, const Place* place);
+  bool is_wedged(State state, std::size_t speed);
+  std::vector<double> floors_at(Cell cell, double x) const;
+  bool is_known(Cell cell, std::size_t body);
+  Reach reach_of(const ProveBody& body) const;
+
+  const ProveScene& scene_;
+  std::vector<std::unique_ptr<Solver>> solvers_;  // by speed
+  State state_;                                   // working storage
+  StepRecord record_;
+  BlockProof proof_;  // of the block under trial
+  std::map<std::tuple<int, int, FindingKind, std::size_t, int>, std::size_t> found_;  // indices of findings
+  std::unordered_set<std::string> surroundings_;  // that were tried in this block
+};
+
+}  // namespace talus

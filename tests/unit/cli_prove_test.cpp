@@ -1,0 +1,64 @@
+// talus prove
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli_answer.h"
+#include "paths.h"
+
+namespace talus::cli_prove_test {
+
+using testing::HasSubstr;
+
+const std::string kStep = source_path("assets/hard_cases/03-step-with-a-slope.talus.json");
+const std::string kMeadow = source_path("assets/platformer/meadow.tmx");
+
+TEST(CliProve, SaysWhatItTried) {
+  const CliAnswer answer = cli_answer({"prove", kStep});
+  EXPECT_EQ(answer.status, kExitGood) << answer.out;
+  EXPECT_THAT(answer.out, HasSubstr(" places, "));
+  EXPECT_THAT(answer.out, HasSubstr("steps of the solver exact, no finding"));
+}
+
+TEST(CliProve, ListsFindingsAndFails) {
+  const CliAnswer answer = cli_answer({"prove", kMeadow});
+  EXPECT_EQ(answer.status, kExitBad);
+  EXPECT_THAT(
+      answer.out,
+      HasSubstr(":cell 47,18: a player of 10x15 px on its centre that runs to the right is stopped by a "
+                "low edge of 0.5"));
+  EXPECT_THAT(answer.out, HasSubstr("6 findings: 6 of the level, 0 of the solver"));
+}
+
+TEST(CliProve, PrintsJson) {
+  const CliAnswer answer = cli_answer({"prove", kMeadow, "--json", "--threads", "2"});
+  EXPECT_EQ(answer.status, kExitBad);
+  const auto proof = nlohmann::json::parse(answer.out);
+  EXPECT_EQ(proof["solver"], "exact");
+  ASSERT_EQ(proof["findings"].size(), 6u);
+  const auto& first = proof["findings"][0];
+  EXPECT_EQ(first["kind"], "lip");
+  EXPECT_EQ(first["of"], "level");
+  EXPECT_EQ(first["body"]["foot"], "centre");
+  EXPECT_GT(first["start"]["velocity"][0], 0);
+}
+
+TEST(CliProve, TriesTheBodiesThatAreNamed) {
+  const CliAnswer answer = cli_answer({"prove", kMeadow, "--json", "--body", "player:6x6:box", "ball:4x4"});
+  const auto proof = nlohmann::json::parse(answer.out);
+  ASSERT_EQ(proof["bodies"].size(), 2u);
+  EXPECT_EQ(proof["bodies"][0]["size"], nlohmann::json({6, 6}));
+  EXPECT_EQ(proof["bodies"][1]["kind"], "ball");
+}
+
+TEST(CliProve, RefusesBodiesThatAreNone) {
+  for (const char* body :
+       {"player", "player:8", "player:8x", "player:0x8", "player:8x8:toe", "dog:8x8", "player:8x8x"}) {
+    const CliAnswer answer = cli_answer({"prove", kStep, "--body", body});
+    EXPECT_EQ(answer.status, 2) << body;
+    EXPECT_THAT(answer.err, HasSubstr("must be KIND:WxH")) << body;
+  }
+}
+
+}  // namespace talus::cli_prove_test

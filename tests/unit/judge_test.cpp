@@ -1,0 +1,150 @@
+// Steps that no geometry explains are found, and nothing is found in steps that are as they should be.
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include <talus/level/ground.h>
+#include "prove/judge.h"
+
+namespace talus::judge_test {
+
+constexpr int kFloor = 96;  // px, y of the floor's top
+
+struct Case {
+  Case() {
+    level.map = TileMap(20, 14);
+    level.tile_shapes[1].kind = TileShape::Kind::solid;
+    level.tile_shapes[2] = {.kind = TileShape::Kind::solid, .one_way = true};
+    for (int x = 0; x < 20; ++x) level.map.set({x, 12}, 1);
+    before.kind = BodyKind::player;
+    before.box = {50, kFloor - 8, 8, 8};
+    before.velocity = {level.tuning.player.run_speed, 0};
+    before.gait.grounded = true;
+    after = before;
+    after.box.x += level.tuning.player.run_speed;
+  }
+  std::optional<Verdict> verdict(bool right = true) const {
+    const RawGround ground(ground_of(level));
+    Input input;
+    input.right = right;
+    return Judge(ground, level.tuning, 2).judge(before, after, input, record);
+  }
+  std::optional<FindingKind> kind(bool right = true) const {
+    const auto found = verdict(right);
+    if (!found) return std::nullopt;
+    return found->kind;
+  }
+  Level level;
+  Body before, after;
+  StepRecord record;
+};
+
+TEST(Judge, AStepAlongTheFloorIsExplained) { EXPECT_EQ(Case().kind(), std::nullopt); }
+
+TEST(Judge, FindsABodyThatStopsForNothing) {
+  Case c;
+  c.after.box.x = c.before.box.x + 0.25;
+  c.after.velocity.x = 0;
+  EXPECT_EQ(c.kind(), FindingKind::stops);
+  c.level.map.set({7, 11}, 1);  // a wall, 56 px from the left
+  c.before.box.x = 46.5;
+  c.after.box.x = 48;
+  EXPECT_EQ(c.kind(), std::nullopt);
+}
+
+TEST(Judge, FindsABodyThatLosesSpeed) {
+  Case c;
+  c.after.velocity.x = 1;
+  const auto found = c.verdict();
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->kind, FindingKind::slows);
+  EXPECT_DOUBLE_EQ(found->amount, 0.5);
+}
+
+TEST(Judge, FindsABodyThatLeavesItsFloor) {
+  Case c;
+  c.after.gait.grounded = false;
+  EXPECT_EQ(c.kind(), FindingKind::leaves_floor);
+  c.level.map = TileMap(20, 14);
+  for (int x = 0; x < 7; ++x) c.level.map.set({x, 12}, 1);  // ends 56 px from the left
+  c.before.box.x = 55, c.after.box.x = 56.5;
+  EXPECT_EQ(c.kind(), std::nullopt);
+}
+
+TEST(Judge, FindsABodyThatIsPutHigher) {
+  Case c;
+  c.after.box.y -= 8;
+  c.level.map.set({7, 11}, 1);  // on which it stands then
+  EXPECT_EQ(c.kind(), FindingKind::jumps);
+}
+
+TEST(Judge, FindsABodyThatStandsOnAir) {
+  Case c;
+  c.before.gait.grounded = false;
+  c.after.box.y -= 2;
+  EXPECT_EQ(c.kind(), FindingKind::floats);
+}
+
+TEST(Judge, FindsABodyInTheGround) {
+  Case c;
+  c.after.box.y += 1;
+  EXPECT_EQ(c.kind(), FindingKind::inside);
+}
+
+TEST(Judge, FindsABodyThatFallsThroughAOneWayFloor) {
+  Case c;
+  for (int x = 0; x < 20; ++x) c.level.map.set({x, 8}, 2);  // 64 px from the top
+  c.before.gait.grounded = c.after.gait.grounded = false;
+  c.before.box.y = 55, c.after.box.y = 58;
+  EXPECT_EQ(c.kind(), FindingKind::falls_through);
+  c.before.box.y = 58, c.after.box.y = 60;
+  EXPECT_EQ(c.kind(), std::nullopt) << "it comes from below";
+}
+
+TEST(Judge, FindsABodyThatMeetsNothing) {
+  Case c;
+  c.before.gait.grounded = c.after.gait.grounded = false;
+  c.before.box.y = c.after.box.y = 40;
+  ContactRecord contact;
+  contact.handled = true;
+  contact.move = {1.5, 1};
+  contact.normal = {0, -1};
+  contact.touch = {50, 40};
+  c.record.contacts = {contact};
+  EXPECT_EQ(c.kind(), FindingKind::ghost);
+  c.record.contacts[0].touch.y = kFloor - 8;
+  EXPECT_EQ(c.kind(), std::nullopt);
+}
+
+// A body that falls along a wall of two tiles may not land on the upper side of the lower one.
+TEST(Judge, ASeamOfAWallIsNoFloor) {
+  Case c;
+  for (int y = 4; y < 12; ++y) c.level.map.set({8, y}, 1);  // a wall, 64 px from the left
+  c.before.gait.grounded = c.after.gait.grounded = false;
+  c.before.box = c.after.box = {56, 52, 8, 8};
+  ContactRecord contact;
+  contact.handled = true;
+  contact.move = {1, 2};
+  contact.normal = {0, -1};
+  contact.touch = {56, 56};
+  c.record.contacts = {contact};
+  EXPECT_EQ(c.kind(), FindingKind::ghost);
+  c.record.contacts[0].normal = {-1, 0};
+  EXPECT_EQ(c.kind(), std::nullopt);
+}
+
+TEST(Judge, SaysHowHighTheEdgeIsThatStopsABody) {
+  Case c;
+  c.level.tile_shapes[3] = {.kind = TileShape::Kind::slope, .heights = {0.5, 0.5}};
+  c.level.map.set({8, 11}, 3);  // 64 px from the left
+  c.before.box.x = 55, c.after.box.x = 56;
+  c.after.velocity.x = 0;
+  const auto found = c.verdict();
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->kind, FindingKind::lip);
+  EXPECT_NEAR(found->amount, 0.5, 0.001);
+  c.level.tile_shapes[3].heights = {4, 4};
+  EXPECT_EQ(c.kind(), std::nullopt) << "a step that is meant";
+}
+
+}  // namespace talus::judge_test

@@ -1,0 +1,184 @@
+// Proofs of whole levels: faults that are planted are found, and nothing else is.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include <talus/formats/format.h>
+#include "paths.h"
+#include "prove/proof.h"
+
+namespace talus::prove_test {
+
+// A floor in row 12, and a player of 8x8 px.
+struct Scenery {
+  explicit Scenery(Foot foot = Foot::centre) {
+    level.map = TileMap(24, 14);
+    level.tile_shapes[1].kind = TileShape::Kind::solid;
+    for (int x = 0; x < 24; ++x) level.map.set({x, 12}, 1);
+    Spawn player;
+    player.kind = BodyKind::player;
+    player.foot = foot;
+    player.position = {16, 80};
+    level.spawns = {player};
+  }
+  void put(Cell cell, TileShape shape) {
+    level.tile_shapes[next] = std::move(shape);
+    level.map.set(cell, next++);
+  }
+  Proof proof(int threads = 1) const { return *prove(ProveScene(level, {}), threads); }
+  Level level;
+  TileNumber next = 2;
+};
+
+TileShape slope(double left, double right, bool one_way = false) {
+  return {.kind = TileShape::Kind::slope, .one_way = one_way, .heights = {left, right}};
+}
+
+std::set<std::string> kinds_of(const Proof& proof) {
+  std::set<std::string> kinds;
+  for (const Finding& finding : proof.findings) kinds.insert(std::string(info_of(finding.kind).word));
+  return kinds;
+}
+
+std::string text_of(const Proof& proof) {
+  std::string text;
+  for (const Finding& finding : proof.findings) text += message_of(finding) + "\n";
+  return text;
+}
+
+TEST(Prove, FindsNothingOnAGoodHill) {
+  for (const Foot foot : {Foot::box, Foot::centre}) {
+    Scenery good(foot);
+    good.put({8, 11}, slope(0, 4));
+    good.put({9, 11}, slope(4, 8, true));
+    good.level.map.set({10, 11}, 1);
+    good.put({11, 11}, slope(8, 0));
+    const Proof proof = good.proof();
+    EXPECT_EQ(text_of(proof), "");
+    EXPECT_GT(proof.counts.places, 20);
+    EXPECT_GT(proof.counts.steps, 1000);
+    EXPECT_THAT(summary_of(proof), testing::HasSubstr("no finding"));
+  }
+}
+
+struct Planted {
+  const char* what;
+  std::vector<TileShape> shapes;  // in row 11, from column 8 on
+  const char* found;
+};
+
+TEST(Prove, FindsPlantedEdges) {
+  const Planted all[] = {
+      {"two slopes that do not meet", {slope(0, 4), slope(4.5, 8)}, "lip"},
+      {"a one-way slope below a block", {slope(0, 7, true), slope(8, 8)}, "lip"},
+      {"a plate on the floor", {slope(0.25, 0.25)}, "lip"},
+      {"a profile with a jump", {{.kind = TileShape::Kind::profile, .heights = {1, 1, 1}}}, "lip"},
+      {"a polygon with an edge",
+       {{.kind = TileShape::Kind::polygon, .points = {{0, 7}, {8, 3}, {8, 8}, {0, 8}}}},
+       "lip"},
+  };
+  for (const Planted& planted : all) {
+    SCOPED_TRACE(planted.what);
+    Scenery scenery;
+    for (std::size_t i = 0; i < planted.shapes.size(); ++i)
+      scenery.put({8 + static_cast<int>(i), 11}, planted.shapes[i]);
+    const Proof proof = scenery.proof();
+    EXPECT_EQ(kinds_of(proof), std::set<std::string>{planted.found}) << text_of(proof);
+    for (const Finding& finding : proof.findings) {
+      EXPECT_GE(finding.cell.x, 6);
+      EXPECT_LE(finding.cell.x, 11);
+    }
+  }
+}
+
+TEST(Prove, FindsWhereABodyIsWedged) {
+  Scenery scenery;
+  scenery.level.tuning.exact.steepest = 1;
+  scenery.put({8, 11}, slope(24, 0));
+  scenery.put({9, 11}, slope(0, 24));
+  EXPECT_EQ(kinds_of(scenery.proof()), std::set<std::string>{"wedged"}) << text_of(scenery.proof());
+}
+
+TEST(Prove, FindsWhatTheArticleDoes) {
+  Scenery scenery;
+  scenery.level.tuning.solver = SolverKind::article;
+  scenery.level.spawns[0].kind = BodyKind::ball;
+  scenery.level.spawns[0].foot = Foot::box;
+  scenery.put({8, 11}, slope(0, 8));
+  const Proof proof = scenery.proof();
+  EXPECT_GT(proof.of_solver(), 0u) << "it rounds floors, and sinks into slopes";
+  EXPECT_EQ(proof.of_solver(), proof.findings.size());
+}
+
+TEST(Prove, AFindingCanBePlayedAgain) {
+  Scenery scenery;
+  scenery.put({8, 11}, slope(0.5, 0.5));
+  const ProveScene scene(scenery.level, {});
+  const Proof proof = *prove(scene, 1);
+  ASSERT_FALSE(proof.findings.empty());
+  for (const Finding& finding : proof.findings) {
+    const auto again = TrialRunner(scene).play(finding.trial);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->frame, finding.frame);
+    EXPECT_EQ(message_of(*again), message_of(finding));
+  }
+}
+
+TEST(Prove, ThreadsDoNotChangeTheAnswer) {
+  Scenery scenery;
+  scenery.level.map = TileMap(80, 70);
+  for (int x = 0; x < 80; ++x) scenery.level.map.set({x, 60}, 1);
+  scenery.put({20, 59}, slope(0.5, 0.5));
+  scenery.put({50, 59}, slope(0.5, 0.5));
+  const Proof one = scenery.proof(1), three = scenery.proof(3);
+  EXPECT_GT(one.findings.size(), 2u);
+  EXPECT_EQ(text_of(one), text_of(three));
+  EXPECT_EQ(one.counts.steps, three.counts.steps);
+}
+
+TEST(Prove, EndsWhenItIsTold) {
+  const ProveScene scene(Scenery().level, {});
+  EXPECT_FALSE(prove(scene, 1, [](double) { return false; }));
+}
+
+TEST(Prove, TriesAFewKindsOfBodiesAlone) {
+  Scenery scenery;
+  for (int i = 0; i < 20; ++i) {
+    Spawn spawn = scenery.level.spawns[0];
+    spawn.size.x = 2 + i;
+    scenery.level.spawns.push_back(spawn);
+  }
+  const Proof proof = scenery.proof();
+  EXPECT_EQ(proof.bodies.size(), kMostBodies);
+  EXPECT_EQ(proof.left_out, 21 - 1 - kMostBodies) << "one has the size of the first";
+}
+
+// What Talus comes with keeps its promise.
+TEST(Prove, TheHardCasesHaveNoFindingOfTheExactSolver) {
+  int cases = 0;
+  for (const auto& file : std::filesystem::directory_iterator(source_path("assets/hard_cases"))) {
+    if (file.path().extension() != ".json") continue;
+    const auto level = load_level(file.path().string());
+    ASSERT_TRUE(level);
+    if (level->level.tuning.solver != SolverKind::exact) continue;
+    const Proof proof = *prove(ProveScene(level->level, {}), 1);
+    EXPECT_EQ(proof.of_solver(), 0u) << file.path() << "\n" << text_of(proof);
+    ++cases;
+  }
+  EXPECT_GT(cases, 20);
+}
+
+TEST(Prove, TheMeadowHasItsSixSeams) {
+  const auto level = load_level(source_path("assets/platformer/meadow.tmx"));
+  ASSERT_TRUE(level);
+  const Proof proof = *prove(ProveScene(level->level, {}), 1);
+  EXPECT_EQ(proof.findings.size(), 6u) << text_of(proof);
+  for (const Finding& finding : proof.findings) {
+    EXPECT_EQ(finding.kind, FindingKind::lip);
+    EXPECT_NEAR(finding.amount, 0.5, 0.001);
+  }
+}
+
+}  // namespace talus::prove_test
