@@ -10,12 +10,12 @@ namespace {
 using reference::Exact;
 using reference::ExactPoint;
 using reference::Part;
-using Kind = TileShape::Kind;
-using Side = TileShape::Side;
+using ShapeKind = TileShape::Kind;
+using ShapeSide = TileShape::Side;
 
 TileShape polygon_of(std::vector<Vec2> points) {
   TileShape shape;
-  shape.kind = Kind::polygon;
+  shape.kind = ShapeKind::polygon;
   shape.points = std::move(points);
   return shape;
 }
@@ -103,22 +103,22 @@ TileShape random_polygon(Dice& dice, TileSize tile, bool one_way) {
   }
   if (dice.one_in(2)) std::reverse(shape.points.begin(), shape.points.end());
   shape.one_way = one_way && dice.one_in(3);
-  shape.side = dice.one_in(3) ? Side::ceiling : Side::floor;
+  shape.side = dice.one_in(3) ? ShapeSide::ceiling : ShapeSide::floor;
   return shape;
 }
 
 TileShape random_group(Dice& dice, TileSize tile, bool one_way) {
   TileShape group;
-  group.kind = Kind::group;
+  group.kind = ShapeKind::group;
   for (int count = 1 + dice.up_to(3); count > 0; --count) {
     if (dice.one_in(8)) {
-      group.parts.push_back({.kind = Kind::solid, .one_way = one_way && dice.one_in(2)});
+      group.parts.push_back({.kind = ShapeKind::solid, .one_way = one_way && dice.one_in(2)});
     } else if (dice.one_in(4)) {
       TileShape part;
-      part.kind = dice.one_in(2) ? Kind::profile : Kind::slope;
-      part.side = dice.one_in(2) ? Side::ceiling : Side::floor;
+      part.kind = dice.one_in(2) ? ShapeKind::profile : ShapeKind::slope;
+      part.side = dice.one_in(2) ? ShapeSide::ceiling : ShapeSide::floor;
       part.one_way = one_way && dice.one_in(3);
-      for (int n = part.kind == Kind::slope ? 2 : 3; n > 0; --n)
+      for (int n = part.kind == ShapeKind::slope ? 2 : 3; n > 0; --n)
         part.heights.push_back(std::max(dice.step(0, tile.height, 1), part.one_way ? 1.0 : 0.0));
       group.parts.push_back(part);
     } else {
@@ -169,7 +169,7 @@ void add_polygon(const TileShape& polygon, TileSize tile, int column, int row, s
     const ExactPoint &a = points[i], &b = points[(i + 1) % points.size()];
     area += a.x * b.y - b.x * a.y;
   }
-  const bool is_floor = polygon.side == Side::floor;
+  const bool is_floor = polygon.side == ShapeSide::floor;
   for (std::size_t i = 0; i < points.size(); ++i) {
     ExactPoint a = points[i], b = points[(i + 1) % points.size()];
     if (area < 0) std::swap(a, b);
@@ -180,15 +180,15 @@ void add_polygon(const TileShape& polygon, TileSize tile, int column, int row, s
 }
 
 bool is_inside(const TileShape& shape, TileSize tile, double x, double y) {
-  if (shape.kind == Kind::group)
+  if (shape.kind == ShapeKind::group)
     return std::any_of(shape.parts.begin(), shape.parts.end(),
                        [&](const TileShape& part) { return is_inside(part, tile, x, y); });
-  if (shape.one_way || shape.kind == Kind::none) return false;
-  if (shape.kind == Kind::polygon) return is_in_polygon(shape.points, x, y);
+  if (shape.one_way || shape.kind == ShapeKind::none) return false;
+  if (shape.kind == ShapeKind::polygon) return is_in_polygon(shape.points, x, y);
   if (x <= 0 || x >= shape.tiles * tile.width) return false;
-  const bool floor = shape.side == Side::floor || shape.kind == Kind::solid;
+  const bool floor = shape.side == ShapeSide::floor || shape.kind == ShapeKind::solid;
   const double from_base = floor ? tile.height - y : y;
-  if (shape.kind == Kind::solid) return from_base > 0 && from_base < tile.height;
+  if (shape.kind == ShapeKind::solid) return from_base > 0 && from_base < tile.height;
   const double step = shape.tiles * tile.width / static_cast<double>(shape.heights.size() - 1);
   std::size_t i = 0;
   while (i + 2 < shape.heights.size() && x > weld(step * static_cast<double>(i + 1))) ++i;
