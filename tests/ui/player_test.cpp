@@ -34,6 +34,18 @@ class UiPlayer : public UiTest {
   }
 };
 
+TEST_F(UiPlayer, KeysOfAPausedPlayerSayHowToPlay) {
+  click(on_canvas("play", {84, 20}));
+  EXPECT_EQ(find("play/paused"), nullptr);
+  hold(kKeyRight);
+  frames(2);
+  EXPECT_NE(find("play/paused"), nullptr);
+  key(kKeyF5);
+  frames(2);
+  EXPECT_EQ(find("play/paused"), nullptr);
+  let_go(kKeyRight);
+}
+
 TEST_F(UiPlayer, ArrowsRunAndJumpWhileItPlays) {
   const ImVec2 corner = on_map({8, 8});
   key(kKeyF5);

@@ -124,7 +124,7 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
   if (paints && session.choices().selection) draw_selection(list, *session.choices().selection, view, ui);
   if (paints && !panning_ && !camera_.shows_whole() && !sheet_overlay_.has_mouse())
     hand_.draw(list, use(session, view, ui));
-  if (holding_ && !session.playback().running) draw_held(session, view, ui);
+  if (is_play() && !session.playback().running) draw_paused(session, view, ui);
   draw_captions(session, view, ui);
   sheet_overlay_.draw(list, session, view, ui);
   if (has_minimap(ui)) minimap_.draw(list, session.level(), view, ui, name_ + "/overview");
@@ -378,8 +378,21 @@ void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, co
   if (shows_input_roll(ui.view)) draw_mouse_mark(list, session, view, ui);
 }
 
-// A held ball moves only with the steps: without steps, a line shows where it is pulled to.
-void LevelCanvas::draw_held(const Session& session, const CanvasView& view, const Ui& ui) const {
+// A held ball moves only with the steps, and so does a player whose keys are pressed: without steps, a plate
+// says which keys play.
+void LevelCanvas::draw_paused(const Session& session, const CanvasView& view, Ui& ui) const {
+  const Input& keys = session.playback().input;
+  if (holding_) draw_pull(session, view, ui);
+  if (!holding_ && !keys.left && !keys.right && !keys.jump) return;
+  const std::string text = "paused: step (" + keys_of("play/step"_command, ui) + ") or play (" +
+                           keys_of("play/toggle"_command, ui) + ") to move it";
+  const ImVec2 at{view.min.x + ui.px(4), view.max.y - ImGui::GetTextLineHeight() - ui.px(32)};
+  draw_plate(*ImGui::GetWindowDrawList(), at, text, theme::color(theme::kText), ui);
+  ui.place(name_ + "/paused", at, {at.x + size_of_text(text).x, at.y + ImGui::GetTextLineHeight()});
+}
+
+// A line to where a held ball is pulled.
+void LevelCanvas::draw_pull(const Session& session, const CanvasView& view, const Ui& ui) const {
   const Body* body = session.state().find(session.state().grabbed);
   if (body == nullptr) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -388,10 +401,6 @@ void LevelCanvas::draw_held(const Session& session, const CanvasView& view, cons
   list.AddLine(from, to, theme::color(theme::kDark, 200), ui.px(2) + 2);
   list.AddLine(from, to, theme::color(theme::kAccent), ui.px(2));
   list.AddCircleFilled(to, ui.px(3), theme::color(theme::kAccent));
-  const std::string text = "paused: step (" + keys_of("play/step"_command, ui) + ") or play (" +
-                           keys_of("play/toggle"_command, ui) + ") to move it";
-  draw_plate(list, {view.min.x + ui.px(4), view.max.y - ImGui::GetTextLineHeight() - ui.px(32)}, text,
-             theme::color(theme::kText), ui);
 }
 
 // Plates below one another in the top left corner; in the world view in the bottom left one, where they hide
