@@ -57,6 +57,8 @@ struct FitMap {};
 struct FitFirstScreen {};
 // To the problems panel: scrolls to the chosen problem.
 struct ShowProblem {};
+// To the same: scrolls to the proof of the level.
+struct ShowProof {};
 // To the panel of layers: begins to rename a layer.
 struct RenameLayer {
   int layer = 0;  // index in Level::layers
@@ -80,10 +82,11 @@ struct OpenProgram {
 
 }  // namespace request
 
-using Request = std::variant<request::ShowTab, request::FocusField, request::FocusPanel, request::ShowCell,
-                             request::Scroll, request::Zoom, request::FitMap, request::FitFirstScreen,
-                             request::ShowProblem, request::RenameLayer, request::RenameGroup,
-                             request::PutBreakpointAt, request::ShowFileDialog, request::OpenProgram>;
+using Request =
+    std::variant<request::ShowTab, request::FocusField, request::FocusPanel, request::ShowCell,
+                 request::Scroll, request::Zoom, request::FitMap, request::FitFirstScreen,
+                 request::ShowProblem, request::ShowProof, request::RenameLayer, request::RenameGroup,
+                 request::PutBreakpointAt, request::ShowFileDialog, request::OpenProgram>;
 
 class Requests {
  public:

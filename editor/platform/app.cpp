@@ -258,7 +258,8 @@ bool App::wait() {
   const bool works = session_->playback().running || session_->timeline().behind() ||
                      session_->is_on_the_way() || session_->debugger().is_busy() ||
                      session_->compile_progress().has_value() || session_->is_linting() ||
-                     session_->reach().running() || session_->exporting().is_busy() || session_->reading();
+                     session_->reach().running() || session_->prover().running() ||
+                     session_->exporting().is_busy() || session_->reading();
   const double now = options_.clock();
   if (works) last_event_ = now;  // its dialog closes, and its message is measured, in later frames
   if (works || ui_.wants_frames() || has_waiting_events() || last_time_ - last_event_ < kLivelyAfterEvent) {

@@ -95,6 +95,7 @@ double Session::lint_progress() const { return impl_->checks.lint_cache().progre
 const Level& Session::linted_level() const { return impl_->checks.linted(); }
 const LintOptions& Session::lint_options() const { return impl_->checks.lint_options(); }
 const ReachFinder& Session::reach() const { return impl_->checks.reach(); }
+const Prover& Session::prover() const { return impl_->checks.prover(); }
 const std::optional<HardCase>& Session::hard_case() const { return impl_->run.hard_case(); }
 const Scene& Session::scene() const { return timeline().scene(); }
 void Session::take_time() {

@@ -15,6 +15,7 @@
 #include "level/hard_case.h"
 #include "level/lint/lint.h"
 #include "overlay/overlay_table.h"
+#include "session/checks/prover.h"
 #include "session/checks/reach_finder.h"
 #include "session/choices/choices.h"
 #include "session/debugger/debugger.h"
@@ -119,6 +120,7 @@ class Session {
   const std::vector<TrailPoint>& other_trail(int body, std::int64_t first, std::int64_t last) const;
   const StepTimes& step_times() const;
   const ReachFinder& reach() const;                  // where a player of the level gets to
+  const Prover& prover() const;                      // whether bodies move over the level as its ground says
   const Exporting& exporting() const;                // what exports do, and the last preview of one
   ExportTask export_task(std::size_t preset) const;  // index of one of the level's presets
   // Whether it may be written without a question: see ExportPermissions.

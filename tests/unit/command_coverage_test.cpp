@@ -101,6 +101,8 @@ const std::map<std::string, std::string> kCommandOfAction = {
     {"FindReach", "reach/find"},
     {"CancelReach", "reach/cancel"},
     {"ShowWay", "reach/show_way"},
+    {"Prove", "problems/prove"},
+    {"CancelProof", "problems/cancel_proof"},
     {"SetLintOptions", "problems/type_seam"},
     {"SetGrid", "canvas/grid"},
     {"SetScreenBorders", "canvas/borders"},

@@ -1,4 +1,4 @@
-// The commands of the problems, and of the cells that a player can get to.
+// The commands of the problems, of proofs, and of the cells that a player can get to.
 #include "command_table.h"
 #include "panels/level/problem_list.h"
 
@@ -22,6 +22,12 @@ void find_reach(S, A actions, U ui) {
   actions.push_back(action::FindReach{});
   ui.view.window.dock_open = true;
   ui.ask(request::ShowTab(panel_id::kReach));
+}
+
+void prove_level(S, A actions, U ui) {
+  actions.push_back(action::Prove{});
+  ui.ask(request::ShowTab(panel_id::kProblems));
+  ui.ask(request::ShowProof{});
 }
 
 }  // namespace
@@ -59,6 +65,19 @@ std::vector<Command> problem_commands() {
        .run = [](S session, A actions,
                  U ui) { fix_all_problems(*chosen_problem(ui)->rule, session, actions, ui); },
        .enabled = has_chosen},
+      {.id = "problems/prove",
+       .label = "Prove the level",
+       .help = "Lets the solver walk, jump and drop the bodies at every place of the level, and lists where "
+               "one does what the ground does not explain.",
+       .menu = menus::kEditProblems,
+       .run = prove_level,
+       .words = "proof verify check stuck edge"},
+      {.id = "problems/cancel_proof",
+       .label = "Stop proving the level",
+       .help = "Keeps the last proof.",
+       .menu = menus::kEditProblems,
+       .run = emit<action::CancelProof>,
+       .enabled = [](S session, const Ui&) { return session.prover().running(); }},
       {.id = "reach/find",
        .label = "Find where the player gets to",
        .help = "Lets the solver play every combination of keys from the player's start, and marks the cells "

@@ -28,6 +28,16 @@ std::vector<std::size_t> listed_rows(const Ui& ui) {
   return rows;
 }
 
+std::string short_cell_text(Cell cell) {
+  return std::string("(").append(std::to_string(cell.x) + "," + std::to_string(cell.y) + ")");
+}
+
+void show_cell(Cell cell, View& view) {
+  view.show_on_map(cell);
+  view.window.focus = Focus::map;
+  view.canvas.show_map();
+}
+
 void go_to_problem(std::size_t index, const Session& session, Actions& actions, Ui& ui) {
   const Problem& problem = (*ui.problems)[index];
   View& view = ui.view;
@@ -37,9 +47,7 @@ void go_to_problem(std::size_t index, const Session& session, Actions& actions, 
   view.level.problems.row =
       static_cast<std::size_t>(std::find(rows.begin(), rows.end(), index) - rows.begin());
   if (problem.cell) {
-    view.show_on_map(*problem.cell);
-    view.window.focus = Focus::map;
-    view.canvas.show_map();
+    show_cell(*problem.cell, view);
   } else if (problem.tile >= 0 && problem.tile < session.level().tile_count()) {
     const CellRect tile = ui.place_on_sheet(problem.tile);
     if (tile != session.choices().area.tiles) actions.push_back(action::SelectTiles{{SheetId::tiles, tile}});

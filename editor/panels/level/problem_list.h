@@ -15,6 +15,10 @@ std::string problems_text(const Session& session, const Ui& ui);
 // Indices into Ui::problems of the listed ones.
 std::vector<std::size_t> listed_rows(const Ui& ui);
 
+// "(3,14)", for a narrow column.
+std::string short_cell_text(Cell cell);
+// Brings a cell into sight on the map, and gives the keys to the map.
+void show_cell(Cell cell, View& view);
 // Shows the place of a problem, and chooses the problem.
 void go_to_problem(std::size_t index, const Session& session, Actions& actions, Ui& ui);
 // Goes to the listed problem after the chosen one, or before it, around the ends of the list. If the chosen

@@ -7,6 +7,7 @@
 #include "level/lint/fixes.h"
 #include "panels/commands/commands.h"
 #include "problem_list.h"
+#include "proof_rows.h"
 
 namespace talus {
 namespace {
@@ -19,9 +20,7 @@ constexpr float kFix = 32,
 
 // tile_count: of the level; problems of the ground have other tiles, too.
 std::string place_of(const Problem& problem, int tile_count) {
-  if (problem.cell)
-    return std::string("(").append(std::to_string(problem.cell->x) + "," + std::to_string(problem.cell->y) +
-                                   ")");
+  if (problem.cell) return short_cell_text(*problem.cell);
   return problem.tile >= 0 && problem.tile < tile_count ? "#" + std::to_string(problem.tile) : "level";
 }
 
@@ -43,14 +42,12 @@ void ProblemsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (ui.problems->empty()) {
     ui.hint(session.is_linting() ? looking_text(session) : "No problem found in this level.");
     ui.view.level.problems.kind = nullptr;
-    return;
+  } else {
+    draw_bar(session, actions, ui);
   }
-  draw_bar(session, actions, ui);
   const std::vector<std::size_t> rows = listed_rows(ui);
-  if (rows.empty()) {
+  if (rows.empty() && !ui.problems->empty())
     ui.hint(session.is_linting() ? looking_text(session) : "No problem of this kind is left.");
-    return;
-  }
   draw_rows(rows, session, actions, ui);
 }
 
@@ -124,7 +121,7 @@ void ProblemsPanel::draw_rows(const std::vector<std::size_t>& rows, const Sessio
   if (!ImGui::BeginTable("problems", 3, kFlags, ImGui::GetContentRegionAvail())) return;
   const std::size_t shown = std::min(rows.size(), kMostRows);
   const int tiles = session.level().tile_count();
-  float place = ui.px(40);
+  float place = std::max(ui.px(40), width_of_places(session));
   for (std::size_t i = 0; i < shown; ++i)
     place = std::max(place, width_of(place_of((*ui.problems)[rows[i]], tiles)));
   const bool is_wide = place > ui.px(kWidePlace);  // the place is above the message
@@ -137,11 +134,12 @@ void ProblemsPanel::draw_rows(const std::vector<std::size_t>& rows, const Sessio
     ImGui::TableSetColumnIndex(1);
     ui.hint("... and " + std::to_string(rows.size() - shown) + " more.");
   }
-  if (session.is_linting()) {  // below the rows, which do not move
+  if (session.is_linting() && !rows.empty()) {  // below the rows, which do not move
     ImGui::TableNextRow();
     ImGui::TableSetColumnIndex(1);
     ui.hint(looking_text(session));
   }
+  draw_proof_rows(is_wide, session, actions, ui);
   ImGui::EndTable();
 }
 

@@ -1,5 +1,5 @@
 // The likely problems of the level. A click shows the place; a button, or the menu of the right button, fixes
-// the problem.
+// the problem. Below them is the proof of the level.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// Finds problems, and where a player gets to.
+// Finds problems, and where a player gets to, and proves the level.
 #include "check_handler.h"
 
 #include <algorithm>
@@ -26,10 +26,7 @@ void CheckHandler::carry_out(const action::SetLintOptions& a) {
 
 template <>
 void CheckHandler::carry_out(const action::FindReach&) {
-  run_.refresh_scene();
-  follow_scene();
-  if (run_.compile_progress())
-    return messages_.tell_error("The level is still being compiled: try again when that is done.");
+  if (!is_compiled()) return;
   const Body* chosen = run_.simulation().state().find(choices_.choices().body);
   const auto origin = chosen != nullptr ? std::optional(chosen->origin) : std::nullopt;
   if (const auto problem = reach_.start(*run_.timeline().level_scene(), origin))
@@ -49,8 +46,26 @@ void CheckHandler::carry_out(const action::ShowWay& a) {
   if (const std::vector<Input> way = reach_.found()->way_to(a.cell); !way.empty()) run_.play_new(way);
 }
 
+template <>
+void CheckHandler::carry_out(const action::Prove&) {
+  if (is_compiled()) prover_.start(open_.level);
+}
+
+template <>
+void CheckHandler::carry_out(const action::CancelProof&) {
+  prover_.cancel();
+}
+
 void CheckHandler::apply(const CheckAction& action) {
   std::visit([this](const auto& a) { carry_out(a); }, action);
+}
+
+bool CheckHandler::is_compiled() {
+  run_.refresh_scene();
+  follow_scene();
+  if (!run_.compile_progress()) return true;
+  messages_.tell_error("The level is still being compiled: try again when that is done.");
+  return false;
 }
 
 const std::vector<Problem>& CheckHandler::problems() {
@@ -107,16 +122,20 @@ void CheckHandler::forget_level() {
   ground_.reset();
   lint_cache_.note_map();
   reach_.forget();
+  prover_.forget();
 }
 
 void CheckHandler::follow_scene() {
-  if (std::exchange(scene_, run_.scenes()) != run_.scenes()) reach_.note_change();
+  if (std::exchange(scene_, run_.scenes()) == run_.scenes()) return;
+  reach_.note_change();
+  prover_.note_change();
 }
 
 void CheckHandler::advance() {
   lint_some();
   follow_scene();
   reach_.advance(kReachSeconds);
+  if (const auto problem = prover_.advance()) messages_.tell_error(*problem);
 }
 
 void CheckHandler::lint_some() {

@@ -1,0 +1,101 @@
+// The rows of the proof.
+#include "proof_rows.h"
+
+#include <algorithm>
+#include <span>
+#include <string>
+
+#include "panels/commands/commands.h"
+#include "problem_list.h"
+
+namespace talus {
+namespace {
+
+constexpr std::size_t kMostFindingRows = 500;
+
+std::span<const Finding> shown_findings(const Session& session) {
+  const Proof* proof = session.prover().found();
+  if (proof == nullptr) return {};
+  return std::span(proof->findings).first(std::min(proof->findings.size(), kMostFindingRows));
+}
+
+void begin_message() {
+  ImGui::TableNextRow();
+  ImGui::TableSetColumnIndex(1);
+}
+
+void draw_button(const Session& session, Actions& actions, Ui& ui) {
+  const Prover& prover = session.prover();
+  begin_message();
+  if (!prover.running()) {
+    command_text_button("problems/prove"_command, session, actions, ui, {.label = "Prove"});
+  } else {
+    command_text_button("problems/cancel_proof"_command, session, actions, ui, {.label = "Cancel"});
+    ImGui::SameLine();
+    ui.label(std::to_string(static_cast<int>(prover.progress() * 100)) + " %");
+  }
+  if (ui.view.requests.take<request::ShowProof>()) ImGui::SetScrollHereY(0);
+}
+
+void draw_summary(const Proof& proof, bool is_stale, Ui& ui) {
+  begin_message();
+  draw_wrapped_text("Proof: " + summary_of(proof) + ".");
+  ui.item("proof/summary");
+  if (proof.left_out > 0)
+    ui.hint(std::to_string(proof.left_out) +
+            (proof.left_out == 1 ? " kind of body was" : " kinds of bodies were") + " not tried.");
+  if (!is_stale) return;
+  draw_wrapped_text("The level has changed since: prove it again.", theme::tone(theme::kWarning));
+  ui.item("proof/stale");
+}
+
+void draw_finding(const Finding& finding, std::size_t index, bool is_wide, Ui& ui) {
+  const std::string message = message_of(finding), place = short_cell_text(finding.cell);
+  std::string& chosen = ui.view.level.problems.chosen_finding;
+  ImGui::PushID(static_cast<int>(index));
+  begin_message();
+  const bool of_level = info_of(finding.kind).of_level;
+  const ImU32 color = theme::tone(of_level ? theme::kWarning : theme::kError);
+  const float top = ImGui::GetCursorPosY();
+  if (is_wide) draw_text(place, color);
+  draw_wrapped_text(message);
+  const float height = std::max(ImGui::GetCursorPosY() - top - ImGui::GetStyle().ItemSpacing.y, ui.px(20));
+  ImGui::TableSetColumnIndex(0);
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  if (selectable(is_wide ? "" : place, "finding", chosen == message, ImGuiSelectableFlags_SpanAllColumns,
+                 {0, height})) {
+    chosen = message;
+    show_cell(finding.cell, ui.view);
+  }
+  ImGui::PopStyleColor();
+  ui.item("proof/row" + std::to_string(index),
+          of_level ? "A fault of the level." : "A fault of the solver: the ground does not explain it.",
+          "click to go there");
+  ImGui::PopID();
+}
+
+}  // namespace
+
+float width_of_places(const Session& session) {
+  float widest = 0;
+  for (const Finding& finding : shown_findings(session))
+    widest = std::max(widest, size_of_text(short_cell_text(finding.cell)).x);
+  return widest;
+}
+
+void draw_proof_rows(bool is_wide, const Session& session, Actions& actions, Ui& ui) {
+  draw_button(session, actions, ui);
+  const Proof* proof = session.prover().found();
+  if (proof == nullptr) return;
+  draw_summary(*proof, session.prover().is_stale(), ui);
+  const std::span<const Finding> shown = shown_findings(session);
+  ImGui::PushID("proof");
+  for (std::size_t i = 0; i < shown.size(); ++i) draw_finding(shown[i], i, is_wide, ui);
+  ImGui::PopID();
+  const std::size_t all = proof->findings.size() + proof->more;
+  if (all == shown.size()) return;
+  begin_message();
+  ui.hint("... and " + std::to_string(all - shown.size()) + " more.");
+}
+
+}  // namespace talus

@@ -1,0 +1,17 @@
+// The proof of the level, as rows below the list of problems.
+#pragma once
+
+#include "panels/ui/ui.h"
+#include "session/session.h"
+
+namespace talus {
+
+// px of the screen, of the widest place of a row.
+float width_of_places(const Session& session);
+
+// Draws the button that begins or ends a proof, what was proved, and a row for each finding. A click on one
+// shows its place. Call it within a table with the columns place, message and button. is_wide: places have a
+// line of their own, above the message.
+void draw_proof_rows(bool is_wide, const Session& session, Actions& actions, Ui& ui);
+
+}  // namespace talus

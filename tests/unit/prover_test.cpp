@@ -1,0 +1,120 @@
+// Proofs of the open level, which a thread makes while the session goes on.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <talus/level/ground.h>
+#include "session/session.h"
+#include "waiting.h"
+
+namespace talus::prover_test {
+
+// A floor in row 5 with a plate of half a px on it, and a player.
+Level lipped_level() {
+  Level level;
+  level.map = TileMap(16, 8);
+  level.tile_shapes[1].kind = TileShape::Kind::solid;
+  level.tile_shapes[2] = {.kind = TileShape::Kind::slope, .heights = {0.5, 0.5}};
+  for (int x = 0; x < 16; ++x) level.map.set({x, 5}, 1);
+  level.map.set({8, 4}, 2);
+  Spawn player;
+  player.kind = BodyKind::player;
+  player.position = {16, 24};
+  level.spawns = {player};
+  return level;
+}
+
+bool proof_ends(Session& session) {
+  return comes_true([&] {
+    session.advance(0);
+    return !session.prover().running();
+  });
+}
+
+action::EditLevel paint(Cell cell, TileNumber before, TileNumber after) {
+  return {Edit{"Paint", {CellChange{cell, before, after}}}};
+}
+
+TEST(Prover, FindsALipOfTheOpenLevel) {
+  Session session(lipped_level());
+  EXPECT_EQ(session.prover().found(), nullptr);
+  session.apply(action::Prove{});
+  EXPECT_TRUE(session.prover().running());
+  ASSERT_TRUE(proof_ends(session));
+  ASSERT_NE(session.prover().found(), nullptr);
+  const Proof& proof = *session.prover().found();
+  ASSERT_FALSE(proof.findings.empty());
+  EXPECT_EQ(proof.findings[0].kind, FindingKind::lip);
+  EXPECT_NEAR(proof.findings[0].amount, 0.5, 0.001);
+  EXPECT_FALSE(session.prover().is_stale());
+  EXPECT_FALSE(session.message());
+}
+
+TEST(Prover, AnEditMakesTheProofOutOfDate) {
+  Session session(lipped_level());
+  session.apply(action::Prove{});
+  ASSERT_TRUE(proof_ends(session));
+  session.apply(
+      action::EditLevel{Edit{"Colour", {ColorChange{3, session.level().palette[3], Rgb{1, 2, 3}}}}});
+  EXPECT_FALSE(session.prover().is_stale()) << "no body meets a colour";
+  session.apply(paint({8, 4}, 2, 0));
+  EXPECT_TRUE(session.prover().is_stale());
+  EXPECT_FALSE(session.prover().found()->findings.empty()) << "they stay until the next proof";
+  session.apply(action::Prove{});
+  ASSERT_TRUE(proof_ends(session));
+  EXPECT_FALSE(session.prover().is_stale());
+  EXPECT_TRUE(session.prover().found()->findings.empty());
+}
+
+TEST(Prover, AnEditDuringTheProofMakesItOutOfDate) {
+  Session session(lipped_level());
+  session.apply({action::Prove{}, paint({8, 4}, 2, 0)});
+  EXPECT_TRUE(session.prover().running());
+  ASSERT_TRUE(proof_ends(session));
+  ASSERT_NE(session.prover().found(), nullptr);
+  EXPECT_TRUE(session.prover().is_stale());
+  EXPECT_FALSE(session.prover().found()->findings.empty()) << "of the level as it was";
+}
+
+TEST(Prover, CanBeCancelledAndKeepsTheLastProof) {
+  Session session(lipped_level());
+  session.apply({action::Prove{}, action::CancelProof{}});
+  EXPECT_FALSE(session.prover().running());
+  session.advance(0);
+  EXPECT_EQ(session.prover().found(), nullptr);
+  session.apply(action::Prove{});
+  ASSERT_TRUE(proof_ends(session));
+  for (int i = 0; i < 3; ++i) session.apply({action::Prove{}, action::Prove{}, action::CancelProof{}});
+  EXPECT_FALSE(session.prover().running());
+  session.advance(0);
+  ASSERT_NE(session.prover().found(), nullptr);
+  EXPECT_FALSE(session.prover().found()->findings.empty());
+}
+
+TEST(Prover, BelongsToOneLevelAndEndsWithIt) {
+  Session session(lipped_level());
+  session.apply(action::Prove{});
+  ASSERT_TRUE(proof_ends(session));
+  session.apply(action::Prove{});
+  session.apply(action::NewLevel{});
+  EXPECT_FALSE(session.prover().running());
+  EXPECT_EQ(session.prover().found(), nullptr);
+  session.apply(action::Prove{});  // which nobody waits for
+}
+
+TEST(Prover, ALevelWithTooMuchGroundSaysSo) {
+  Level level = lipped_level();
+  MapObject star{.form = MapObject::Form::polygon, .points = {}};
+  for (int i = 0; i < 2000; ++i) star.points.push_back({64 + 20 * std::cos(i * 0.00314), 30 + i % 7 * 1.0});
+  level.objects = {{.name = "walls", .is_ground = true, .objects = {star}}};
+  ASSERT_TRUE(ground_problem(level));
+  Session session(level);
+  session.apply(action::Prove{});
+  ASSERT_TRUE(proof_ends(session));
+  EXPECT_EQ(session.prover().found(), nullptr);
+  ASSERT_TRUE(session.message());
+  EXPECT_TRUE(session.message()->is_error);
+  EXPECT_EQ(session.message()->text.find("The level has "), 0u) << session.message()->text;
+}
+
+}  // namespace talus::prover_test
