@@ -11,6 +11,7 @@
 #include "../formats/files/atomic_file.h"
 #include "../formats/files/real_path.h"
 #include "../formats/native/companion.h"
+#include "../level/with_commas.h"
 
 namespace talus {
 namespace {
@@ -55,12 +56,6 @@ PlannedFile plan_file(const std::string& path, const ExportedFile& file) {
   planned.old = content_hash(*bytes);
   if (*bytes == file.bytes) planned.place = PlannedFile::Place::same;
   return planned;
-}
-
-std::string with_commas(std::size_t number) {
-  std::string text = std::to_string(number);
-  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
-  return text;
 }
 
 }  // namespace

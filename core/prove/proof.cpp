@@ -5,14 +5,10 @@
 #include <thread>
 #include <tuple>
 
+#include "level/with_commas.h"
+
 namespace talus {
 namespace {
-
-std::string with_commas(std::int64_t number) {
-  std::string text = std::to_string(number);
-  for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, ",");
-  return text;
-}
 
 // Findings of one kind in one cell, which two blocks may have found.
 auto key_of(const Finding& finding) {
@@ -30,15 +26,15 @@ std::size_t Proof::of_solver() const {
 }
 
 std::string summary_of(const Proof& proof) {
-  std::string text = with_commas(proof.counts.places) + " places, " + with_commas(proof.counts.steps) +
+  const auto count = [](std::int64_t number) { return with_commas(static_cast<std::size_t>(number)); };
+  std::string text = count(proof.counts.places) + " places, " + count(proof.counts.steps) +
                      " steps of the solver " + std::string(solver_name(proof.solver)) + ", ";
   if (proof.findings.empty()) return text + "no finding";
-  const std::size_t all = proof.findings.size() + proof.more;
-  text += with_commas(static_cast<std::int64_t>(all)) + (all == 1 ? " finding" : " findings");
-  const std::size_t of_solver = proof.of_solver();
+  const std::size_t all = proof.findings.size() + proof.more, of_solver = proof.of_solver();
+  text += with_commas(all) + (all == 1 ? " finding" : " findings");
   if (proof.more == 0)
-    text += ": " + with_commas(static_cast<std::int64_t>(proof.findings.size() - of_solver)) +
-            " of the level, " + with_commas(static_cast<std::int64_t>(of_solver)) + " of the solver";
+    text += ": " + with_commas(proof.findings.size() - of_solver) + " of the level, " +
+            with_commas(of_solver) + " of the solver";
   return text;
 }
 
