@@ -42,6 +42,22 @@ bool leaves_map(const Rect& box, const RawGround& ground) {
          box.bottom() > 1.0 * ground.rows() * tile.height;
 }
 
+Trial start_at(const ProveBody& body, const Rect& box) {
+  Trial trial;
+  trial.body.id = 1;
+  trial.body.origin.spawn = 0;
+  trial.body.box = box;
+  trial.body.previous = box.position();
+  trial.body.kind = body.kind;
+  trial.body.foot = body.foot;
+  return trial;
+}
+
+// Whether a trial of the body is steered by keys: the other solvers move players as balls.
+bool is_steered(const ProveBody& body, SolverKind solver) {
+  return traits_of(body.kind).takes_keys && solver == SolverKind::exact;
+}
+
 }  // namespace
 
 void ProveCounts::add(const ProveCounts& other) {
@@ -119,18 +135,18 @@ std::vector<double> TrialRunner::floors_at(Cell cell, double x) const {
 void TrialRunner::try_cell(Cell cell, std::size_t body) {
   const int width = scene_.ground().tile_size().width;
   const double half = width / 2.0;
-  std::int64_t before = proof_.counts.places;
-  bool has_floor = false;
-  for (const double phase : {0.0, kPhaseOfPx, half, half + 2 * kPhaseOfPx})
-    has_floor = has_floor || !floors_at(cell, 1.0 * cell.x * width + phase).empty();
+  const std::array phases{0.0, kPhaseOfPx, half, half + 2 * kPhaseOfPx};
+  const bool has_floor = std::any_of(phases.begin(), phases.end(), [&](double phase) {
+    return !floors_at(cell, 1.0 * cell.x * width + phase).empty();
+  });
   if (!has_floor) return;
   if (is_known(cell, body)) {
     ++proof_.counts.places, ++proof_.counts.alike;
     return;
   }
-  for (const double phase : {0.0, kPhaseOfPx, half, half + 2 * kPhaseOfPx}) try_phase(cell, body, phase);
-  if (proof_.counts.places == before) return;
-  proof_.counts.places = before + 1;
+  const std::int64_t most = proof_.counts.places + 1;  // a cell counts once
+  for (const double phase : phases) try_phase(cell, body, phase);
+  proof_.counts.places = std::min(proof_.counts.places, most);
 }
 
 void TrialRunner::try_phase(Cell cell, std::size_t body, double phase) {
@@ -149,8 +165,7 @@ void TrialRunner::try_phase(Cell cell, std::size_t body, double phase) {
 }
 
 void TrialRunner::try_place(const Place& place) {
-  const bool takes_keys =
-      traits_of(scene_.bodies()[place.body].kind).takes_keys && scene_.solver() == SolverKind::exact;
+  const bool takes_keys = is_steered(scene_.bodies()[place.body], scene_.solver());
   for (const int direction : {1, -1}) {
     for (std::size_t speed = 0; speed < solvers_.size(); ++speed) walk(place, speed, direction, false);
     if (takes_keys && place.phase == 0) walk(place, 0, direction, true);
@@ -159,17 +174,6 @@ void TrialRunner::try_place(const Place& place) {
   drop(place);
   if (!takes_keys) return;
   for (const int direction : {0, 1, -1}) jump(place, direction);
-}
-
-Trial start_at(const ProveBody& body, const Rect& box) {
-  Trial trial;
-  trial.body.id = 1;
-  trial.body.origin.spawn = 0;
-  trial.body.box = box;
-  trial.body.previous = box.position();
-  trial.body.kind = body.kind;
-  trial.body.foot = body.foot;
-  return trial;
 }
 
 // Puts a body on the floor just below, as the solver exact puts players on it. Returns whether it stands
@@ -194,7 +198,7 @@ void TrialRunner::walk(const Place& place, std::size_t speed, int direction, boo
   const ProveBody& body = scene_.bodies()[place.body];
   const Scene& scene = *scene_.speeds()[speed].scene;
   Trial trial = start_at(body, place.box);
-  const bool takes_keys = traits_of(body.kind).takes_keys && scene_.solver() == SolverKind::exact;
+  const bool takes_keys = is_steered(body, scene_.solver());
   trial.direction = direction;
   trial.speed = takes_keys ? scene.tuning.player.run_speed : body.speed * scene_.speeds()[speed].share;
   if (!stand(trial.body)) return;
@@ -214,7 +218,7 @@ void TrialRunner::jump(const Place& place, int direction) {
   run(trial, place, 0);
 }
 
-// From as high above its floor as a jump gets, or as there is room.
+// From two cells above its floor, or as high as there is room.
 void TrialRunner::drop(const Place& place) {
   const ProveBody& body = scene_.bodies()[place.body];
   Trial trial = start_at(body, place.box);
