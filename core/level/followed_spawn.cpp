@@ -14,7 +14,7 @@ std::optional<int> followed_spawn(const std::vector<Spawn>& before, const std::v
   const auto same_at_end =
       std::mismatch(before.rbegin(), before.rend(), after.rbegin(), after.rend()).first - before.rbegin();
   const auto last = std::min(same_at_end, std::min(size, size + grown) - first);  // equal ones count once
-  if (index < first || grown == 0) return index;
+  if (index < first || index >= size || grown == 0) return index;
   if (index >= size - last) return static_cast<int>(index + grown);
   return {};
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,17 @@ struct Mark {
   friend bool operator==(const Mark&, const Mark&) = default;
 };
 
+// A body that plays alone in the ground of a level, instead of the level's bodies.
+struct LoneBody {
+  Spawn spawn;             // its start
+  bool stands = false;     // whether it stands on a floor at the start, as after a step
+  double run_speed = 1.5;  // px/frame, of a player: PlayerTuning::run_speed instead of the level's
+  friend bool operator==(const LoneBody&, const LoneBody&) = default;
+};
+
 struct Recording {
   Level level;                        // of frame 0
+  std::optional<LoneBody> alone;      // nothing: the bodies of the level play
   std::int64_t frames = 0;            // steps
   std::vector<RecordedInput> input;   // by frame, each once, 1..frames; nothing is held before the first
   std::vector<RecordedEdit> edits;    // by frame, 1..frames; those of one frame in the order of the edits

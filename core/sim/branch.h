@@ -35,6 +35,7 @@ struct Branch {
   bool played_on = false;  // frames were played since it became a draft
   int compared = 0;        // id of the branch that it is shown with; 0: no branch
 
+  LoneBodyPtr alone;                  // the body that plays alone; null: the bodies of the level play
   std::vector<Chapter> chapters;      // by first frame; at least one
   SharedLog<Input> inputs;            // of the steps that lead to frames 1, 2...
   SharedLog<std::uint64_t> hashes;    // of frames 0, 1... up to the last one that was run; never empty

@@ -29,10 +29,11 @@ State edited_state(State state, const LevelVersion& before, const LevelVersion& 
   return carry_over(state, scene);
 }
 
-void Runner::use(const VersionPtr& version) {
-  if (version == version_) return;
+void Runner::use(const VersionPtr& version, const LoneBodyPtr& alone) {
+  if (version == version_ && alone == alone_) return;
   version_ = version;
-  scene_ = scenes_.scene_of(version);
+  alone_ = alone;
+  scene_ = scenes_.scene_of(version, alone);
   solver_.reset();
 }
 
@@ -48,11 +49,11 @@ void Runner::start(const Branch& branch, std::int64_t frame) {
   const Keyframe* keyframe = branch.keyframes.before(frame);
   const std::int64_t begin = keyframe != nullptr ? keyframe->frame : 0;
   branch_ = branch.id;
-  use(branch.chapters[branch.chapter_at(begin)].version);
+  use(branch.chapters[branch.chapter_at(begin)].version, branch.alone);
   if (keyframe != nullptr) {
     state_ = *keyframe->state;
   } else {
-    state_ = initial_state(*scene_);
+    state_ = start_state(*scene_, alone_.get());
   }
 }
 
@@ -82,8 +83,9 @@ void Runner::step_by(const Input& input, StepRecord* record) {
 
 bool Runner::edit(const VersionPtr& version) {
   const VersionPtr before = version_;
-  use(version);
-  State next = edited_state(state_, *before, *version, *scene_);
+  use(version, alone_);
+  State next =
+      alone_ != nullptr ? carry_over(state_, *scene_) : edited_state(state_, *before, *version, *scene_);
   const bool same_bodies =
       std::equal(state_.bodies.begin(), state_.bodies.end(), next.bodies.begin(), next.bodies.end(),
                  [](const Body& a, const Body& b) { return a.id == b.id; });

@@ -45,14 +45,15 @@ class Runner {
   std::int64_t steps_again() const { return steps_again_; }  // steps made by go_to() and step() so far
 
  private:
-  void use(const VersionPtr& version);
+  void use(const VersionPtr& version, const LoneBodyPtr& alone);
   void start(const Branch& branch, std::int64_t frame);
 
   SceneCache& scenes_;
   int branch_ = 0;  // the branch of the current state; 0: no branch
   State state_;
   VersionPtr version_;
-  ScenePtr scene_;                  // the scene of version_
+  LoneBodyPtr alone_;               // as Branch::alone
+  ScenePtr scene_;                  // of both
   std::shared_ptr<Solver> solver_;  // null until a step needs it: painting while paused must not pay for it
   std::int64_t steps_again_ = 0;
 };

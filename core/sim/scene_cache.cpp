@@ -6,15 +6,27 @@
 
 namespace talus {
 
+ScenePtr SceneCache::known(const VersionPtr& version, const LoneBodyPtr& alone) {
+  const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+    return entry.version == version && entry.alone == alone;
+  });
+  if (found == entries_.end()) return nullptr;
+  std::rotate(entries_.begin(), found, found + 1);
+  return entries_.front().scene;
+}
+
+ScenePtr SceneCache::scene_of(const VersionPtr& version, const LoneBodyPtr& alone) {
+  if (alone == nullptr) return scene_of(version);
+  if (ScenePtr scene = known(version, alone)) return scene;
+  put({version, alone, std::make_shared<const Scene>(scene_for(*alone, *scene_of(version))), {}});
+  return entries_.front().scene;
+}
+
 ScenePtr SceneCache::scene_of(const VersionPtr& version) {
-  const auto known = std::find_if(entries_.begin(), entries_.end(),
-                                  [&](const Entry& entry) { return entry.version == version; });
-  if (known != entries_.end()) {
-    std::rotate(entries_.begin(), known, known + 1);
-    return entries_.front().scene;
-  }
+  if (ScenePtr scene = known(version, nullptr)) return scene;
   const Level level = level_of(*version);
   for (const Entry& entry : entries_) {
+    if (entry.alone != nullptr) continue;
     const auto cells = changed_cells(*entry.version, *version, kMostCells);
     if (!cells) continue;
     put(version, std::make_shared<const Scene>(recompile_scene(*entry.scene, level, *cells)));
@@ -25,7 +37,11 @@ ScenePtr SceneCache::scene_of(const VersionPtr& version) {
 }
 
 void SceneCache::put(VersionPtr version, ScenePtr scene) {
-  entries_.insert(entries_.begin(), {std::move(version), std::move(scene), {}});
+  put({std::move(version), nullptr, std::move(scene), {}});
+}
+
+void SceneCache::put(Entry entry) {
+  entries_.insert(entries_.begin(), std::move(entry));
   if (entries_.size() > kMost) entries_.pop_back();
 }
 

@@ -87,7 +87,9 @@ class Timeline {
   // Returns false if the branch's levels would have taken too much memory: then the branch is gone, and
   // another one begins at frame 0 of the edited level.
   bool edit(const Level& level, const std::vector<Cell>* cells = nullptr, ScenePtr compiled = nullptr);
-  void restart();  // makes a new branch from frame 0 of the current level
+  void restart();  // makes a new branch from frame 0 of the current level, with its bodies
+  // The same with a body alone in the current level.
+  void restart(const LoneBody& alone);
 
   // --- Running again; `from` is clamped to the branch
   // Runs again on the edited level, from a frame on; edits recorded after that frame are left out.
@@ -172,6 +174,7 @@ class Timeline {
   void begin_chapter();
   bool has_room() const;  // whether the current level fits in memory
   void start_over();
+  void begin_with(LoneBodyPtr alone);
   Branch& draft(Draft kind, std::int64_t kept);
   void change_inputs(std::int64_t first, std::int64_t last, FunctionRef<void(Input&)> change);
   void renumber_grabs(Branch& branch);

@@ -31,6 +31,7 @@ Recording unhashed_recording(const Branch& branch, const Level& pictures, std::i
   Recording recording;
   recording.level = pictures;
   put_version(*branch.chapters.front().version, recording.level);
+  if (branch.alone != nullptr) recording.alone = *branch.alone;
   recording.frames = frames;
   for (std::int64_t frame = 1; frame <= frames; ++frame) {
     const Input& input = branch.input(frame);
@@ -80,6 +81,7 @@ int Timeline::add(const Recording& recording) {
 }
 
 void Timeline::take(const Recording& recording, const ScenePtr& last) {
+  if (recording.alone) begin_with(std::make_shared<const LoneBody>(*recording.alone));
   Branch& branch = now();
   for (const RecordedEdit& edit : recording.edits)
     branch.chapters.push_back({edit.frame, edit.version, false});
@@ -158,6 +160,17 @@ void Timeline::fork_at(std::int64_t frame) {
 
 void Timeline::restart() {
   if (last_frame() > 0) fork_at(0);
+  begin_with(nullptr);
+}
+
+void Timeline::restart(const LoneBody& alone) {
+  if (last_frame() > 0) fork_at(0);
+  begin_with(std::make_shared<const LoneBody>(alone));
+}
+
+// The current branch begins anew, with the bodies of the level or with one alone.
+void Timeline::begin_with(LoneBodyPtr alone) {
+  now().alone = std::move(alone);
   wanted_ = 0;
   start_over();
 }

@@ -16,7 +16,7 @@ void Timeline::rerun(std::int64_t from) {
   from = std::clamp<std::int64_t>(from, 0, last_frame());
   if (last_frame() == 0) return start_over();
   Branch& branch = draft(Draft::level, from);
-  if (from == 0) renumber_grabs(branch);
+  if (from == 0 && branch.alone == nullptr) renumber_grabs(branch);
   std::erase_if(branch.chapters, [&](const Chapter& chapter) { return chapter.first >= from; });
   branch.chapters.push_back({from, version_, false});
   run_again_after(branch, from - 1);
@@ -101,8 +101,8 @@ void Timeline::run_again_after(Branch& branch, std::int64_t frame) {
   forget_positions();
   run_from_ = std::max<std::int64_t>(frame, 0);
   if (frame >= 0) return;
-  const State start = initial_state(*scenes_.scene_of(branch.chapters.front().version));
-  branch.hashes.push_back(frame_hash(start));
+  const ScenePtr scene = scenes_.scene_of(branch.chapters.front().version, branch.alone);
+  branch.hashes.push_back(frame_hash(start_state(*scene, branch.alone.get())));
 }
 
 double Timeline::progress() const {

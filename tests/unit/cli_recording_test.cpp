@@ -96,7 +96,7 @@ TEST_F(CliRecording, RefusesOtherInputAndBadFiles) {
   const CliAnswer input = sim({file, "--input", "x.jsonl"});
   EXPECT_EQ(input.status, kExitBad);
   EXPECT_THAT(input.err, HasSubstr("has its own input"));
-  const std::string bad = put("bad.talusrec", "{\"talus_recording\": 2}");
+  const std::string bad = put("bad.talusrec", "{\"talus_recording\": 3}");
   const CliAnswer answer = sim({bad, "--verify"});
   EXPECT_EQ(answer.status, kExitBad);
   EXPECT_THAT(answer.err,

@@ -121,8 +121,8 @@ TEST(RecordingFile, NamesTheWrongKey) {
   expect(": is JSON, but not a recording", [](json& d) { d = 5; });
   expect("key talus_recording: is missing, so this is not a recording",
          [](json& d) { d.erase("talus_recording"); });
-  expect("key talus_recording: is newer than what this Talus reads, version 1",
-         [](json& d) { d["talus_recording"] = 2; });
+  expect("key talus_recording: is newer than what this Talus reads, version 2",
+         [](json& d) { d["talus_recording"] = 3; });
   expect("key speed: is not a key of recordings", [](json& d) { d["speed"] = 2; });
   expect("key frames: must be a whole number from 0 to 100663296", [](json& d) { d["frames"] = -1; });
   expect("key frames: must be a whole number from 0 to 100663296", [](json& d) { d["frames"] = 1e18; });
@@ -204,6 +204,47 @@ TEST_F(SavedRecording, CanBeLoadedAgain) {
   ASSERT_TRUE(loaded);
   EXPECT_EQ(loaded->hashes, sample().hashes);
   EXPECT_FALSE(save_recording(sample(), path("no/such/folder.talusrec")));
+}
+
+Recording with_lone_body() {
+  Recording recording = sample();
+  recording.alone.emplace();
+  recording.alone->spawn = {.name = "",
+                            .position = {12.3, 1.0 / 3},
+                            .velocity = {-0.55, 0},
+                            .extra = "",
+                            .kind = BodyKind::player,
+                            .size = {6, 11},
+                            .foot = Foot::box};
+  recording.alone->stands = true;
+  recording.alone->run_speed = 0.55;
+  return recording;
+}
+
+TEST(RecordingFile, KeepsALoneBody) {
+  const Recording before = with_lone_body();
+  const auto after = read_recording(text_of(before));
+  ASSERT_TRUE(after) << to_string(after.error(), "file");
+  EXPECT_EQ(after->alone, before.alone);
+  EXPECT_EQ(text_of(*after), text_of(before));
+  EXPECT_THAT(text_of(before), HasSubstr("\"talus_recording\": 2"));
+  EXPECT_THAT(text_of(sample()), HasSubstr("\"talus_recording\": 1")) << "older programs read it";
+}
+
+TEST(RecordingFile, RefusesAWrongLoneBody) {
+  const auto problem_with = [](const char* key, const json& value) {
+    json document = json::parse(text_of(with_lone_body()));
+    document["alone"][key] = value;
+    const auto read = read_recording(document.dump());
+    return read ? std::string() : to_string(read.error(), "file");
+  };
+  EXPECT_EQ(problem_with("run_speed", 65),
+            "file:key alone.run_speed: error: must be a number from 0 to 64 px/frame");
+  EXPECT_EQ(problem_with("stands", 1), "file:key alone.stands: error: must be true or false");
+  EXPECT_EQ(problem_with("mass", 1), "file:key alone.mass: error: is not a key of recordings");
+  EXPECT_EQ(problem_with("x", "left"),
+            "file:key alone.x: error: must be a number from -100000000 to 100000000");
+  EXPECT_EQ(problem_with("x", 3), "");
 }
 
 }  // namespace talus::recording_test

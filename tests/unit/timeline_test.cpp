@@ -667,4 +667,84 @@ TEST(Timeline, ATamperedHashIsNamedByItsFrame) {
   EXPECT_EQ(again.unexpected_frame(again.current()), 61);
 }
 
+// A level with a ball of its own, and a player that is to run alone over its floor.
+LoneBody runner() {
+  LoneBody body;
+  body.spawn.kind = BodyKind::player;
+  body.spawn.position = {20, 40};
+  body.spawn.velocity = {1.25, 0};
+  body.spawn.foot = Foot::centre;
+  body.stands = true;
+  body.run_speed = 1.25;
+  return body;
+}
+
+Level floor_with_ball() {
+  Level level =
+      level_of({"......o.", "........", "........", "........", "........", "........", "########"});
+  level.tuning.solver = SolverKind::exact;
+  return level;
+}
+
+TEST(LoneBody, PlaysInsteadOfTheBodiesOfTheLevel) {
+  Timeline timeline(floor_with_ball());
+  timeline.restart(runner());
+  ASSERT_EQ(timeline.state().bodies.size(), 1u);
+  EXPECT_EQ(timeline.state().bodies[0].box, (Rect{20, 40, 8, 8}));
+  EXPECT_TRUE(timeline.state().bodies[0].gait.grounded);
+  EXPECT_EQ(timeline.scene().tuning.player.run_speed, 1.25);
+  Input input;
+  input.right = true;
+  for (int i = 0; i < 10; ++i) timeline.step(input);
+  EXPECT_EQ(timeline.state().bodies[0].box.x, 32.5);
+  const State last = timeline.state();
+  timeline.seek(0);
+  timeline.seek(10);
+  EXPECT_EQ(timeline.state(), last) << "from a keyframe";
+}
+
+TEST(LoneBody, StaysAloneWhenTheLevelIsEdited) {
+  Level level = floor_with_ball();
+  Timeline timeline(level);
+  timeline.step({});
+  const int own = timeline.current().id;
+  timeline.restart(runner());
+  Input input;
+  input.right = true;
+  for (int i = 0; i < 20; ++i) timeline.step(input);
+  level.map.set({5, 5}, 1);  // a wall in its way
+  timeline.edit_and_rerun(level, nullptr, 0);
+  while (timeline.behind()) timeline.catch_up(100);
+  timeline.seek(20);
+  ASSERT_EQ(timeline.state().bodies.size(), 1u);
+  EXPECT_EQ(timeline.state().bodies[0].box.right(), 40);
+  timeline.edit(level = with_tile(level, {5, 5}, 0));
+  EXPECT_EQ(timeline.state().bodies.size(), 1u);
+  for (int i = 0; i < 4; ++i) timeline.step(input);
+  EXPECT_GT(timeline.state().bodies[0].box.right(), 40);
+
+  timeline.switch_to(own);
+  timeline.seek(1);
+  timeline.step({});
+  EXPECT_EQ(timeline.state().bodies[0].kind, BodyKind::ball) << "other branches have the bodies of the level";
+  timeline.restart();
+  EXPECT_EQ(timeline.state().bodies[0].kind, BodyKind::ball);
+}
+
+TEST(LoneBody, IsKeptByRecordings) {
+  Timeline timeline(floor_with_ball());
+  timeline.restart(runner());
+  Input input;
+  input.right = true;
+  for (int i = 0; i < 10; ++i) timeline.step(input);
+  const Recording recording = timeline.recording(timeline.current(), floor_with_ball());
+  EXPECT_EQ(recording.alone, runner());
+  EXPECT_EQ(recording.level, floor_with_ball());
+  Timeline again(recording);
+  while (again.behind()) again.catch_up(100);
+  EXPECT_FALSE(again.unexpected_frame(again.current()));
+  again.seek(10);
+  EXPECT_EQ(again.state(), timeline.state());
+}
+
 }  // namespace talus::timeline_test

@@ -113,34 +113,6 @@ constexpr std::array<SpawnNumber, 4> kSpawnNumbers = {{{"x", &Spawn::position, &
                                                        {"vx", &Spawn::velocity, &Vec2::x},
                                                        {"vy", &Spawn::velocity, &Vec2::y}}};
 
-FormatResult<Spawn> take_spawn(Json& json, const std::string& path) {
-  MemberTaker take(json, path);
-  Spawn spawn;
-  take.optional("name", spawn.name);
-  for (const SpawnNumber& n : kSpawnNumbers)
-    take.ranged(n.key, -kMaxSpawnNumber, kMaxSpawnNumber, "", spawn.*n.vector.*n.part);
-  take.choice("kind", body_words(), spawn.kind);
-  spawn.size = traits_of(spawn.kind).size;
-  take.size("size", spawn.size);
-  Foot foot = Foot::box;
-  if (take.choice("foot", kFeet, foot)) spawn.foot = foot;
-  spawn.extra = take.rest();
-  return take.result(std::move(spawn));
-}
-
-FormatResult<Json> json_of(const Spawn& spawn, const std::string& path) {
-  auto json = parse_extra(spawn.extra);
-  if (!json) return json;
-  (*json)["name"] = spawn.name;
-  for (const SpawnNumber& n : kSpawnNumbers) (*json)[n.key] = json_number(spawn.*n.vector.*n.part);
-  if (spawn.kind != Spawn().kind) (*json)["kind"] = traits_of(spawn.kind).word;
-  if (spawn.size != traits_of(spawn.kind).size) MemberPutter{*json}("size", spawn.size);
-  if (spawn.foot) (*json)["foot"] = kFeet[static_cast<std::size_t>(*spawn.foot)];
-  Json copy = *json;  // what a reader would refuse is not written
-  if (const auto good = take_spawn(copy, path); !good) return tl::unexpected(good.error());
-  return json;
-}
-
 // All but the parts of a group.
 TileShape take_simple_shape(MemberTaker& take) {
   TileShape shape;
@@ -210,6 +182,34 @@ FormatResult<Json> json_of(const std::vector<LevelCurve>& curves, const std::str
   return put_list(curves, path, [&](const LevelCurve& curve, const std::string& entry) {
     return json_of(curve, entry, map);
   });
+}
+
+FormatResult<Spawn> take_spawn(Json& json, const std::string& path) {
+  MemberTaker take(json, path);
+  Spawn spawn;
+  take.optional("name", spawn.name);
+  for (const SpawnNumber& n : kSpawnNumbers)
+    take.ranged(n.key, -kMaxSpawnNumber, kMaxSpawnNumber, "", spawn.*n.vector.*n.part);
+  take.choice("kind", body_words(), spawn.kind);
+  spawn.size = traits_of(spawn.kind).size;
+  take.size("size", spawn.size);
+  Foot foot = Foot::box;
+  if (take.choice("foot", kFeet, foot)) spawn.foot = foot;
+  spawn.extra = take.rest();
+  return take.result(std::move(spawn));
+}
+
+FormatResult<Json> json_of(const Spawn& spawn, const std::string& path) {
+  auto json = parse_extra(spawn.extra);
+  if (!json) return json;
+  (*json)["name"] = spawn.name;
+  for (const SpawnNumber& n : kSpawnNumbers) (*json)[n.key] = json_number(spawn.*n.vector.*n.part);
+  if (spawn.kind != Spawn().kind) (*json)["kind"] = traits_of(spawn.kind).word;
+  if (spawn.size != traits_of(spawn.kind).size) MemberPutter{*json}("size", spawn.size);
+  if (spawn.foot) (*json)["foot"] = kFeet[static_cast<std::size_t>(*spawn.foot)];
+  Json copy = *json;  // what a reader would refuse is not written
+  if (const auto good = take_spawn(copy, path); !good) return tl::unexpected(good.error());
+  return json;
 }
 
 FormatResult<std::vector<Spawn>> take_spawns(Json& list, const std::string& path) {

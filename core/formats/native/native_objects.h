@@ -18,6 +18,8 @@ FormatResult<void> put_shape(const TileShape& shape, const std::string& path, Ti
 FormatResult<std::vector<LevelCurve>> take_curves(Json& list, const std::string& path, const TileMap& map);
 FormatResult<Json> json_of(const std::vector<LevelCurve>& curves, const std::string& path,
                            const TileMap& map);
+FormatResult<Spawn> take_spawn(Json& json, const std::string& path);
+FormatResult<Json> json_of(const Spawn& spawn, const std::string& path);
 FormatResult<std::vector<Spawn>> take_spawns(Json& list, const std::string& path);
 FormatResult<Json> json_of(const std::vector<Spawn>& spawns, const std::string& path);
 

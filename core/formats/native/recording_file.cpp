@@ -12,6 +12,8 @@
 #include "input_entry.h"
 #include "native.h"
 #include "native_document.h"
+#include "native_members.h"
+#include "native_objects.h"
 
 namespace talus {
 namespace {
@@ -84,6 +86,12 @@ Level level_without_cart_in(Json& json, const std::string& path) {
   return level;
 }
 
+const TuningField& run_speed_field() {
+  const auto fields = tuning_fields();
+  return *std::find_if(fields.begin(), fields.end(),
+                       [](const TuningField& field) { return field.path() == "player.run_speed"; });
+}
+
 // Measures what the edits of a recording take together, in the same way for reading and writing.
 class EditAmounts {
  public:
@@ -105,6 +113,16 @@ FormatError too_many_edits() {
   return {"key edits", "has more than " + std::to_string(kMaxRecordedEdits) + " edits of the level"};
 }
 
+// The body that plays alone; null: there is none.
+FormatResult<Json> alone_of(const std::optional<LoneBody>& alone) {
+  if (!alone) return Json();
+  auto json = json_of(alone->spawn, "alone");
+  if (!json) return json;
+  (*json)["stands"] = alone->stands;
+  (*json)["run_speed"] = json_number(alone->run_speed);
+  return json;
+}
+
 // ---- Reading ----
 
 class RecordingReader {
@@ -117,13 +135,15 @@ class RecordingReader {
     if (!document.contains(version_key)) fail(version_key, "is missing, so this is not a recording");
     if (whole(document, "", version_key.c_str(), 1, 1'000'000) > kRecordingVersion)
       fail(version_key, "is newer than what this Talus reads, version " + std::to_string(kRecordingVersion));
-    check_keys(document, "", {kRecordingKey, "frames", "marks", "level", "edits", "input", "hashes"});
+    check_keys(document, "",
+               {kRecordingKey, "frames", "marks", "level", "alone", "edits", "input", "hashes"});
     read_hashes(document);
     read_marks(list_in(document, "marks"));
     read_input(list_in(document, "input"));
     if (!document.contains("level")) fail("level", "is missing");
     if (depth_of(document["level"]) > kMaxJsonDepth) fail("level", too_deep());
     recording_.level = level_in(document["level"], "level");
+    if (document.contains("alone")) read_alone(document["alone"]);
     const Json& edits = list_in(document, "edits");
     if (edits.size() > kMaxRecordedEdits) throw Wrong{too_many_edits()};
     read_edits(edits, document["level"]);
@@ -190,6 +210,24 @@ class RecordingReader {
       if (held.frame > recording_.frames) fail(path + ".frame", "is after the last frame");
       recording_.input.push_back(held);
     }
+  }
+
+  void read_alone(Json json) {
+    const std::string path = "alone";
+    LoneBody body;
+    body.run_speed = recording_.level.tuning.player.run_speed;
+    MemberTaker take(json, path);
+    take.optional("stands", body.stands);
+    take.optional("run_speed", body.run_speed);
+    const TuningField& speed = run_speed_field();
+    if (!speed.accepts(body.run_speed)) take.fail("run_speed", range_text(speed.min, speed.max, speed.unit));
+    const auto taken = take.result(true);
+    if (!taken) throw Wrong{taken.error()};
+    auto spawn = take_spawn(json, path);
+    if (!spawn) throw Wrong{spawn.error()};
+    if (!json.empty()) fail(path + "." + json.begin().key(), "is not a key of recordings");
+    body.spawn = *std::move(spawn);
+    recording_.alone = std::move(body);
   }
 
   void read_edits(const Json& edits, Json level) {
@@ -386,6 +424,8 @@ FormatResult<Recording> read_recording(std::string_view bytes, const Progress& p
 FormatResult<std::string> write_recording(const Recording& recording) {
   const auto level = write_native(recording.level, {});
   if (!level) return tl::unexpected(level.error());
+  const auto alone = alone_of(recording.alone);
+  if (!alone) return tl::unexpected(alone.error());
   const auto edits = edits_of(recording);
   if (!edits) return tl::unexpected(edits.error());
   constexpr std::array<std::string_view, 2> kOrder = {"frame", "op"};
@@ -394,10 +434,11 @@ FormatResult<std::string> write_recording(const Recording& recording) {
     text.append(text.size() > 1 ? ",\n  \"" : "\n  \"").append(key).append("\": ").append(indented(printed));
   };
   try {
-    add(kRecordingKey, print_json(kRecordingVersion, kOrder));
+    add(kRecordingKey, print_json(alone->is_null() ? 1 : kRecordingVersion, kOrder));
     add("frames", print_json(recording.frames, kOrder));
     add("marks", print_json(marks_of(recording.marks), kOrder));
     add("level", level->bytes);
+    if (!alone->is_null()) add("alone", print_json(*alone, kOrder));
     add("edits", print_json(*edits, kOrder));
     add("input", input_text(recording.input));
     add("hashes", print_json(hash_texts(recording.hashes), kOrder));

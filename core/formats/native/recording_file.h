@@ -1,11 +1,14 @@
 // Recordings together with their level in one file, `.talusrec`: JSON that version control can compare row by
 // row.
 //
-//   "talus_recording"  version of the file, 1. A newer version is refused.
+//   "talus_recording"  version of the file: 2 if it has "alone", else 1. A newer version is refused.
 //   "frames"  number of steps, from 0.
 //   "marks"   objects with "frame", 0..frames, and "name" (""); by frame, each frame once. Default: no
 //             marks.
 //   "level"   a native level (see native.h): that of frame 0.
+//   "alone"   a body that plays in the level instead of its bodies: the members of a native level's body,
+//             "stands", whether it stands on a floor at the start (false), and "run_speed" in px/frame, of a
+//             player (that of the level's tuning). Default: the bodies of the level play.
 //   "edits"   objects with "frame", 1..frames, the step after which the level was edited, and "patch", a
 //             JSON patch (RFC 6902) that only has "add", "remove" and "replace" and leads from the native
 //             level before to the one after; by frame. Only what the physics sees is written; what a patch
@@ -29,7 +32,7 @@
 
 namespace talus {
 
-inline constexpr int kRecordingVersion = 1;
+inline constexpr int kRecordingVersion = 2;
 inline constexpr std::string_view kRecordingExtension = "talusrec";
 inline constexpr std::string_view kRecordingKey = "talus_recording";  // of the version
 
