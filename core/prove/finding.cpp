@@ -42,6 +42,27 @@ const FindingInfo& info_of(FindingKind kind) {
   return kInfos[index];
 }
 
+Input input_of(const Trial& trial, int frame) {
+  Input input;
+  input.left = trial.direction < 0;
+  input.right = trial.direction > 0;
+  input.jump = frame <= trial.jump_frames;
+  return input;
+}
+
+LoneBody lone_body_of(const Trial& trial) {
+  const Body& body = trial.body;
+  LoneBody alone;
+  alone.spawn.position = body.box.position();
+  alone.spawn.velocity = body.velocity;
+  alone.spawn.kind = body.kind;
+  alone.spawn.size = {body.box.w, body.box.h};
+  alone.spawn.foot = body.foot;
+  alone.stands = body.gait.grounded;
+  alone.run_speed = trial.speed;
+  return alone;
+}
+
 std::string message_of(const Finding& finding) {
   std::string text = subject_of(finding.trial) + " " + std::string(info_of(finding.kind).label);
   if (finding.kind == FindingKind::lip)

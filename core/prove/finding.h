@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <talus/sim/solver.h>
+#include "level/recording.h"
 
 namespace talus {
 
@@ -40,6 +41,11 @@ struct Trial {
   int jump_frames = 0;  // frames, from the start, in which the jump key is held
   int frames = 0;       // the most steps that it takes
 };
+
+// What is held down in the step to a frame of a trial, from 1.
+Input input_of(const Trial& trial, int frame);
+// The start of a trial, to play it again.
+LoneBody lone_body_of(const Trial& trial);
 
 struct Finding {
   FindingKind kind = FindingKind::stops;

@@ -1,9 +1,9 @@
 #include "proof.h"
 
 #include <algorithm>
-#include <atomic>
 #include <thread>
 #include <tuple>
+#include <utility>
 
 #include "level/with_commas.h"
 
@@ -38,14 +38,62 @@ std::string summary_of(const Proof& proof) {
   return text;
 }
 
-Proof join(const ProveScene& scene, std::span<const BlockProof> blocks) {
+ProofRun::ProofRun(std::shared_ptr<const ProveScene> scene, const ProofRun* before, Cell near)
+    : scene_(std::move(scene)), blocks_(static_cast<std::size_t>(scene_->blocks())) {
+  for (const int block : scene_->blocks_around(near)) {
+    const auto at = static_cast<std::size_t>(block);
+    const bool is_known = before != nullptr && at < before->blocks_.size() && before->blocks_[at] &&
+                          scene_->is_same_in(*before->scene_, block);
+    if (is_known) {
+      blocks_[at] = before->blocks_[at];
+      ++done_;
+    } else {
+      order_.push_back(block);
+    }
+  }
+}
+
+bool ProofRun::run(int threads, const std::function<bool(double)>& progress) {
+  {
+    std::vector<std::jthread> others;
+    for (int i = 1; i < threads; ++i) others.emplace_back([this] { work({}); });
+    work(progress);
+  }
+  if (problem_) std::rethrow_exception(problem_);
+  return done_ == blocks_.size();
+}
+
+// An exception of any thread ends all of them.
+void ProofRun::work(const std::function<bool(double)>& progress) try {
+  TrialRunner runner(*scene_);
+  for (std::size_t i = next_++; i < order_.size() && !stopped_; i = next_++) {
+    const int block = order_[i];
+    if (progress && !progress(static_cast<double>(i) / static_cast<double>(order_.size()))) stopped_ = true;
+    if (stopped_) return;
+    BlockProof proof = runner.prove(block);
+    const std::scoped_lock lock(mutex_);
+    blocks_[static_cast<std::size_t>(block)] = std::move(proof);
+    ++done_;
+  }
+} catch (...) {
+  stopped_ = true;
+  const std::scoped_lock lock(mutex_);
+  if (!problem_) problem_ = std::current_exception();
+}
+
+Proof ProofRun::proof() const {
   Proof proof;
-  proof.solver = scene.solver();
-  proof.bodies = scene.bodies();
-  proof.left_out = scene.left_out();
-  for (const BlockProof& block : blocks) {
-    proof.counts.add(block.counts);
-    proof.findings.insert(proof.findings.end(), block.findings.begin(), block.findings.end());
+  proof.solver = scene_->solver();
+  proof.bodies = scene_->bodies();
+  proof.left_out = scene_->left_out();
+  {
+    const std::scoped_lock lock(mutex_);
+    proof.share = static_cast<double>(done_) / static_cast<double>(blocks_.size());
+    for (const auto& block : blocks_) {
+      if (!block) continue;
+      proof.counts.add(block->counts);
+      proof.findings.insert(proof.findings.end(), block->findings.begin(), block->findings.end());
+    }
   }
   std::stable_sort(proof.findings.begin(), proof.findings.end(),
                    [](const Finding& a, const Finding& b) { return key_of(a) < key_of(b); });
@@ -65,23 +113,8 @@ Proof join(const ProveScene& scene, std::span<const BlockProof> blocks) {
 
 std::optional<Proof> prove(const ProveScene& scene, int threads,
                            const std::function<bool(double)>& progress) {
-  std::vector<BlockProof> blocks(static_cast<std::size_t>(scene.blocks()));
-  std::atomic<int> next = 0;
-  std::atomic<bool> stopped = false;
-  const auto work = [&](bool is_first) {
-    TrialRunner runner(scene);
-    for (int block = next++; block < scene.blocks() && !stopped; block = next++) {
-      if (is_first && progress && !progress(static_cast<double>(block) / scene.blocks())) stopped = true;
-      if (!stopped) blocks[static_cast<std::size_t>(block)] = runner.prove(block);
-    }
-  };
-  {
-    std::vector<std::jthread> others;
-    for (int i = 1; i < threads; ++i) others.emplace_back(work, false);
-    work(true);
-  }
-  if (stopped) return std::nullopt;
-  return join(scene, blocks);
+  ProofRun run(std::shared_ptr<const ProveScene>(std::shared_ptr<const void>(), &scene));  // does not own it
+  return run.run(threads, progress) ? std::optional(run.proof()) : std::nullopt;
 }
 
 }  // namespace talus

@@ -1,9 +1,12 @@
 // Proof: what was tried on a level, and what was found.
 #pragma once
 
+#include <atomic>
+#include <exception>
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -22,6 +25,7 @@ struct Proof {
   ProveCounts counts;
   std::vector<Finding> findings;  // by row, column, kind, body and direction; at most kMostFindings
   std::size_t more = 0;           // findings that are not listed
+  double share = 1;               // of the level that is proved, 0..1
   std::size_t of_solver() const;  // how many of the listed ones are faults of the solver
 };
 
@@ -29,11 +33,36 @@ struct Proof {
 // finding".
 std::string summary_of(const Proof& proof);
 
-// blocks: of all blocks of the scene.
-Proof join(const ProveScene& scene, std::span<const BlockProof> blocks);
+// Proves a level, block by block.
+class ProofRun {
+ public:
+  // before: a run of a level that is much the same, which has ended; what it found in blocks that are the
+  // same is taken over. Null: there is none. near: blocks near this cell are proved first. Neither changes
+  // the proof.
+  explicit ProofRun(std::shared_ptr<const ProveScene> scene, const ProofRun* before = nullptr,
+                    Cell near = {});
 
-// Proves all blocks. threads: at least 1; the result is the same for every number. progress: called by this
-// thread with the share that is done, 0..1; if it returns false, the work ends, and there is no proof.
+  // Proves the blocks that are left. threads: at least 1; the result is the same for every number. progress:
+  // called by this thread with the share that is done, 0..1; if it returns false, the work ends. Returns
+  // whether all is done.
+  bool run(int threads, const std::function<bool(double)>& progress = {});
+  // Of the blocks that are done. May be called by another thread.
+  Proof proof() const;
+
+ private:
+  void work(const std::function<bool(double)>& progress);
+
+  std::shared_ptr<const ProveScene> scene_;
+  std::vector<int> order_;             // the blocks that are left
+  std::atomic<std::size_t> next_ = 0;  // index into it
+  std::atomic<bool> stopped_ = false;
+  mutable std::mutex mutex_;                       // guards the rest
+  std::vector<std::optional<BlockProof>> blocks_;  // nothing: it is not done
+  std::size_t done_ = 0;
+  std::exception_ptr problem_;  // of a thread
+};
+
+// The proof of a level; nothing if `progress` stopped it. See ProofRun::run.
 std::optional<Proof> prove(const ProveScene& scene, int threads,
                            const std::function<bool(double)>& progress = {});
 

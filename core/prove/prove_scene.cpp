@@ -4,10 +4,13 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstdlib>
+#include <numeric>
 
 #include <talus/level/ground.h>
 #include "level/ground_cells.h"
 #include "level/object_ground.h"
+#include "sim/lone_body.h"
 
 namespace talus {
 namespace {
@@ -52,27 +55,45 @@ std::vector<ProveBody> bodies_of(const Scene& scene, TileSize tile) {
 
 ProveScene::ProveScene(const Level& level, const ProveOptions& options) : ground_(ground_of_any(level)) {
   assert(!ground_problem(level));
-  Scene scene = compile_scene(level);
-  scene.features.pairs = false;
+  const Scene scene = compile_scene(level);
   bodies_ = options.bodies.empty() ? bodies_of(scene, level.map.tile_size()) : options.bodies;
   if (bodies_.size() > kMostBodies) {
     left_out_ = bodies_.size() - kMostBodies;
     bodies_.resize(kMostBodies);
   }
-  std::erase_if(scene.items, [](const SceneItem& item) { return item.role == TileRole::ball; });
-  // The solvers on World know bodies by what they start from: that of every trial is the first spawn.
-  scene.items.push_back({.role = TileRole::ball,
-                         .box = {0, 0, bodies_[0].size.x, bodies_[0].size.y},
-                         .cell = {},
-                         .velocity = {},
-                         .spawn = 0});
-  const double lip = options.lip > 0 ? options.lip : level.map.tile_size().height / 4.0;
+  LoneBody tried;
+  tried.spawn.size = bodies_[0].size;
+  lip_ = options.lip > 0 ? options.lip : level.map.tile_size().height / 4.0;
   for (const double share : kShares) {
-    auto slower = std::make_shared<Scene>(scene);
-    slower->tuning.player.run_speed *= share;
-    auto judge = std::make_unique<const Judge>(ground_, slower->tuning, lip);
+    tried.run_speed = scene.tuning.player.run_speed * share;
+    auto slower = std::make_shared<const Scene>(scene_for(tried, scene));
+    auto judge = std::make_unique<const Judge>(ground_, slower->tuning, lip_);
     speeds_.push_back({share, std::move(slower), std::move(judge)});
   }
+}
+
+bool ProveScene::is_same_in(const ProveScene& other, int block) const {
+  const RawGround& old = other.ground_;
+  if (ground_.columns() != old.columns() || ground_.rows() != old.rows()) return false;
+  if (ground_.tile_size() != old.tile_size() || bodies_ != other.bodies_ || lip_ != other.lip_) return false;
+  if (speeds_.front().scene->tuning != other.speeds_.front().scene->tuning) return false;
+  // Trials end before they are so far away.
+  const Cell first = first_cell(block);
+  const int beyond = 2 * kProveBlock - 1;
+  return ground_.is_same_in(old, {first.x - kProveBlock, first.y - kProveBlock},
+                            {first.x + beyond, first.y + beyond});
+}
+
+std::vector<int> ProveScene::blocks_around(Cell cell) const {
+  std::vector<int> all(static_cast<std::size_t>(blocks()));
+  std::iota(all.begin(), all.end(), 0);
+  const auto distance = [&](int block) {
+    const Cell first = first_cell(block);
+    return std::max(std::abs(first.x + kProveBlock / 2 - cell.x),
+                    std::abs(first.y + kProveBlock / 2 - cell.y));
+  };
+  std::stable_sort(all.begin(), all.end(), [&](int a, int b) { return distance(a) < distance(b); });
+  return all;
 }
 
 }  // namespace talus

@@ -38,6 +38,9 @@ class ProveScene {
   // The level must have no ground_problem() (asserted).
   ProveScene(const Level& level, const ProveOptions& options);
 
+  // Whether what is found in a block is the same as in another scene: all that matters is the same there.
+  bool is_same_in(const ProveScene& other, int block) const;
+
   const RawGround& ground() const { return ground_; }
   const std::vector<ProveBody>& bodies() const { return bodies_; }
   std::size_t left_out() const { return left_out_; }  // kinds of bodies of the level that are not tried
@@ -54,6 +57,8 @@ class ProveScene {
   int block_columns() const { return (ground_.columns() + kProveBlock - 1) / kProveBlock; }
   int block_rows() const { return (ground_.rows() + kProveBlock - 1) / kProveBlock; }
   int blocks() const { return block_columns() * block_rows(); }
+  // All blocks, those near a cell first.
+  std::vector<int> blocks_around(Cell cell) const;
   Cell first_cell(int block) const {
     return {block % block_columns() * kProveBlock, block / block_columns() * kProveBlock};
   }
@@ -62,6 +67,7 @@ class ProveScene {
   RawGround ground_;
   std::vector<ProveBody> bodies_;
   std::size_t left_out_ = 0;
+  double lip_;  // px
   std::vector<Speed> speeds_;
 };
 

@@ -157,6 +157,29 @@ RawGround::RawGround(const TerrainSource& source)
   add_curves(source.curves);
 }
 
+bool RawGround::is_same_in(const RawGround& other, Cell first, Cell last) const {
+  first = {std::max(first.x, 0), std::max(first.y, 0)};
+  last = {std::min(last.x, width_ - 1), std::min(last.y, height_ - 1)};
+  for (int y = first.y; y <= last.y; ++y) {
+    for (int x = first.x; x <= last.x; ++x) {
+      const std::span<const RawPart> here = parts_of({x, y}), there = other.parts_of({x, y});
+      if (!std::equal(here.begin(), here.end(), there.begin(), there.end())) return false;
+    }
+  }
+  const FineBox area{first.x * tile_width_, first.y * tile_height_, (last.x + 1) * tile_width_,
+                     (last.y + 1) * tile_height_};
+  const auto curves_of = [&](const RawGround& ground) {
+    std::vector<RawPart> curves;
+    if (ground.curves_.empty()) return curves;
+    ground.for_curves(area, [&](const RawPart& part) {
+      if (touches(part, area)) curves.push_back(part);
+      return true;
+    });
+    return curves;
+  };
+  return curves_of(*this) == curves_of(other);
+}
+
 void RawGround::add_shape(const TileShape& shape) {
   switch (shape.kind) {
     case TileShape::Kind::none:

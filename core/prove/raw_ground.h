@@ -110,6 +110,10 @@ class RawGround {
            for_curves(area, [&](const RawPart& part) { return !touches(part, area) || use(part); });
   }
 
+  // Whether a ground of the same size is the same in these cells, which are clamped to the map. Round curves
+  // are never the same.
+  bool is_same_in(const RawGround& other, Cell first, Cell last) const;
+
  private:
   static bool touches(const RawPart& part, const FineBox& area) {
     return part.top.x0 <= area.x1 && part.top.x1 >= area.x0 &&

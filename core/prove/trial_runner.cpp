@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "sim/lone_body.h"
+
 namespace talus {
 namespace {
 
@@ -17,14 +19,6 @@ constexpr double kLift =
 constexpr double kPhaseOfPx = 0.37;  // px; one of the places of a body between two pixels
 
 int cells_of(double px, int tile) { return std::min(kMostReach, 1 + static_cast<int>(std::ceil(px / tile))); }
-
-Input keys_of(const Trial& trial, int frame) {
-  Input input;
-  input.left = trial.direction < 0;
-  input.right = trial.direction > 0;
-  input.jump = frame <= trial.jump_frames;
-  return input;
-}
 
 Cell cell_below(const Rect& box, const RawGround& ground) {
   const TileSize tile = ground.tile_size();
@@ -45,7 +39,7 @@ bool leaves_map(const Rect& box, const RawGround& ground) {
 Trial start_at(const ProveBody& body, const Rect& box) {
   Trial trial;
   trial.body.id = 1;
-  trial.body.origin.spawn = 0;
+  trial.body.origin.spawn = kLoneSpawn;
   trial.body.box = box;
   trial.body.previous = box.position();
   trial.body.kind = body.kind;
@@ -265,7 +259,7 @@ std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, 
   for (int frame = 1; frame <= trial.frames; ++frame) {
     if (judge.is_across_line(body) || leaves_map(body.box, scene_.ground())) break;
     const Body before = body;
-    const Input input = keys_of(trial, frame);
+    const Input input = input_of(trial, frame);
     solvers_[speed]->step(state_, input, &record_);
     ++proof_.counts.steps;
     std::optional<Verdict> verdict = judge.judge(before, body, input, record_);

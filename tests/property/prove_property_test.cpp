@@ -2,6 +2,7 @@
 // the number of levels, at least kLevels.
 #include <gtest/gtest.h>
 
+#include "level/resize.h"
 #include "prove/proof.h"
 #include "random_levels.h"
 #include "tries.h"
@@ -22,6 +23,35 @@ TEST_P(ProveProperty, RandomLevelsHaveNoFindingOfTheSolver) {
       EXPECT_TRUE(info_of(finding.kind).of_level) << "level " << seed << ": " << message_of(finding);
   }
 }
+
+std::string text_of(const Proof& proof) {
+  std::string text = summary_of(proof);
+  for (const Finding& finding : proof.findings)
+    text += "\n" + message_of(finding) + " x" + std::to_string(finding.count);
+  return text;
+}
+
+// What is taken over from the proof before an edit is what would be found anew.
+TEST(ProveAgain, AfterAnEditTheProofIsThatOfTheEditedLevel) {
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    Dice dice(seed);
+    Level level = random_level(dice);
+    ResizedMap wide = resized(level, {.width = 100, .height = level.map.height()});
+    level.map = wide.map;
+    level.layers = wide.layers;
+    const auto scene_of = [&] { return std::make_shared<const ProveScene>(level, ProveOptions()); };
+    ProofRun before(scene_of());
+    ASSERT_TRUE(before.run(1));
+    level.map.set({80, 9}, 1);
+    level.map.set({81, 10}, 1);
+    ProofRun after(scene_of(), &before, {80, 9});
+    ASSERT_TRUE(after.run(2));
+    ProofRun anew(scene_of());
+    ASSERT_TRUE(anew.run(1));
+    EXPECT_EQ(text_of(after.proof()), text_of(anew.proof())) << seed;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(, ProveProperty, testing::Range(0, kShares));
 
 }  // namespace talus::prove_property_test
