@@ -15,6 +15,7 @@
 #include "output_file.h"
 #include "platform/shot.h"
 #include "progress_line.h"
+#include "session/checks/prover.h"
 
 namespace talus {
 namespace {
@@ -95,6 +96,11 @@ void shoot(CommandContext& context, ShotCommandOptions& options) {
     session.apply(action::FindReach{});
     if (session.message()) return fail(context, options.file, "", session.message()->text);
     while (session.reach().running()) session.advance(0);
+  }
+  if (options.shot.overlays.any(&Overlay::needs_proof)) {
+    session.apply(action::Prove{});
+    while (session.prover().running()) session.advance(0);
+    if (session.message()) return fail(context, options.file, "", session.message()->text);
   }
   line.wipe();
   const auto written = write_shot(session, options.shot, options.output);

@@ -108,6 +108,7 @@ class ManyBodies {
             .hard_case = whole_.hard_case,
             .reach = whole_.reach,
             .reach_is_stale = whole_.reach_is_stale,
+            .proof = whole_.proof,
             .trails = whole_.trails,
             .stages = whole_.stages};
   }

@@ -17,6 +17,8 @@
 
 namespace talus {
 
+struct Proof;
+
 inline constexpr double kPixelsPerVelocity = 4;  // length in px of a velocity's arrow for each px/frame
 inline constexpr std::size_t kMostDrawnLines = 262'144;  // of the ground; as many as tiles may have
 inline constexpr std::size_t kMostDrawnBodies = 2000;    // of a picture
@@ -34,6 +36,7 @@ struct OverlayBox {
   const Overlay* overlay;
   Rect box;
   bool filled = false;  // filled with a light tint; false: an outline
+  double strength = 1;  // of a tint, 0 to 2: fainter or stronger
 };
 struct OverlayMark {  // a small cross
   const Overlay* overlay;
@@ -82,6 +85,7 @@ struct OverlaySource {
   const HardCase* hard_case = nullptr;  // of `level`, which is not null then; null: the level is no hard case
   const ReachSearch* reach = nullptr;   // in `level`, which is not null then; null: no search was made
   bool reach_is_stale = false;          // the level has changed since the search
+  const Proof* proof = nullptr;         // of `level`, which is not null then; null: it was not proved
   // Called only by overlays that draw trails; empty: there are no trails.
   std::function<std::vector<ColoredTrails>()> trails = {};
   std::function<std::vector<Stage>()> stages = {};  // of the chosen body's step; empty: there are no stages

@@ -25,8 +25,8 @@ class OverlayPen {
   void line(Vec2 from, Vec2 to, bool arrow = false, double strength = 1, bool detail = false) {
     if (meets(from, to, visible_)) out_.lines.push_back({&overlay_, from, to, arrow, strength, detail});
   }
-  void box(const Rect& r, bool filled = false) {
-    if (sees(r)) out_.boxes.push_back({&overlay_, r, filled});
+  void box(const Rect& r, bool filled = false, double strength = 1) {
+    if (sees(r)) out_.boxes.push_back({&overlay_, r, filled, strength});
   }
   void mark(Vec2 at) {
     if (sees({at.x, at.y, 0, 0})) out_.marks.push_back({&overlay_, at});

@@ -33,6 +33,7 @@ struct Overlay {
   // What the drawing needs.
   bool needs_ground = false;  // OverlaySource::ground; it is compiled for the overlay if the solver has none
   bool needs_reach = false;   // OverlaySource::reach; `talus shot` searches it then
+  bool needs_proof = false;   // OverlaySource::proof; `talus shot` proves the level then
   bool near_only = false;     // left out at low zoom, where there would be millions of lines
 
   // How it is drawn.
@@ -61,7 +62,7 @@ const Overlay* find_overlay(std::string_view key);  // null: there is none
 // Overlays that other code names.
 namespace overlay {
 extern const Overlay boxes, normals, touch_points, velocity, slope_delta, floor_height, tested_tiles, answer,
-    outline, removed_edges, one_way, swept_path, trails, penetration, shapes, reach;
+    outline, removed_edges, one_way, swept_path, trails, penetration, shapes, reach, findings;
 }
 
 class OverlaySet {

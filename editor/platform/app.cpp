@@ -22,6 +22,7 @@
 #include "panels/ui/dialog.h"
 #include "picture.h"
 #include "sdl_keys.h"
+#include "session/checks/prover.h"
 #include "session/files/read_permissions.h"
 #include "session/files/unsaved_mappings.h"
 #include "session/run/work_share.h"

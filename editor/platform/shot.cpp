@@ -11,6 +11,7 @@
 #include "panels/window/panel_list.h"
 #include "picture.h"
 #include "picture_texture_cache.h"
+#include "session/checks/prover.h"
 
 namespace talus {
 namespace {
@@ -38,6 +39,7 @@ bool prepare(const WindowShotOptions& options, Session& session, View& view) {
     session.apply(action::SetBreakpoint{{.condition = condition, .body = options.body}});
   if (options.runs_back) session.apply(action::RunToBreakpoint{SearchDirection::backwards});
   if (options.overlays.any(&Overlay::needs_reach)) session.apply(action::FindReach{});
+  if (options.overlays.any(&Overlay::needs_proof)) session.apply(action::Prove{});
   if (options.compared) session.apply(action::CompareVariant{Variant{*options.compared}});
   view.window.tabs = options.panels;
   view.window.dock_open = !options.panels.empty();
@@ -117,7 +119,7 @@ tl::expected<void, std::string> write_window_shot(const WindowShotOptions& optio
   do {
     for (int i = 0; i < kFramesToSettle; ++i) (*app)->frame();
   } while (session.debugger().is_busy() || session.is_on_the_way() || session.compile_progress() ||
-           session.is_linting() || session.reach().running());
+           session.is_linting() || session.reach().running() || session.prover().running());
   if (cost != nullptr) *cost = measure(**app);
   if (session.message() && !session.message()->is_error) {  // it would hide what it is about
     session.apply(action::DismissMessage{});

@@ -15,7 +15,6 @@
 #include "level/hard_case.h"
 #include "level/lint/lint.h"
 #include "overlay/overlay_table.h"
-#include "session/checks/prover.h"
 #include "session/checks/reach_finder.h"
 #include "session/choices/choices.h"
 #include "session/debugger/debugger.h"
@@ -32,6 +31,8 @@
 #include "session/run/trail.h"
 
 namespace talus {
+
+class Prover;
 
 // The session records whatever plays (see sim/timeline.h). At the end of the recording, playing and stepping
 // append to it. At an earlier frame they show the next recorded frames, and append when they come to the end.

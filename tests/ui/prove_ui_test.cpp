@@ -1,5 +1,6 @@
 // Proofs in the panel of problems: the button, the rows, and what an edit does.
 #include "harness.h"
+#include "session/checks/prover.h"
 
 namespace talus::prove_ui_test {
 
@@ -43,18 +44,53 @@ TEST_F(UiProve, AClickOnARowShowsTheCell) {
   EXPECT_TRUE(session().history().edits().empty());
 }
 
-TEST_F(UiProve, AnEditIsToldAndTheLevelCanBeProvedAgain) {
+TEST_F(UiProve, AClickOnARowPlaysTheFinding) {
   start_lipped();
   click("problems/prove");
   ASSERT_TRUE(proof_ends());
+  frames(2);
+  click("proof/row0");
+  frames(2);
+  EXPECT_EQ(session().state().bodies.size(), 1u);
+  EXPECT_EQ(session().state().frame, session().prover().found()->findings[0].frame);
+  EXPECT_NE(find("problems/prove"), nullptr) << "it can be proved again";
+}
+
+TEST_F(UiProve, AnEditIsProvedAndAfterwardsAFindingIsGone) {
+  start_lipped();
+  click("problems/prove");
+  ASSERT_TRUE(proof_ends());
+  frames(2);
+  EXPECT_NE(find("proof/row0"), nullptr);
   session().apply(action::EditLevel{Edit{"Paint", {CellChange{{20, 15}, 7, 0}}}});
   frames(2);
-  EXPECT_NE(find("proof/stale"), nullptr);
-  click("problems/prove");
   ASSERT_TRUE(proof_ends());
   frames(2);
   EXPECT_EQ(find("proof/stale"), nullptr);
   EXPECT_EQ(find("proof/row0"), nullptr);
+}
+
+TEST_F(UiProve, AFindingOffersTheFixOfItsProblem) {
+  Level level = test_level();
+  level.tuning.solver = SolverKind::exact;
+  level.map.set({5, 10}, 0);
+  level.tile_shapes[7] = {.kind = TileShape::Kind::slope, .heights = {0, 7.5}};
+  level.map.set({20, 15}, 7);
+  for (int x = 21; x < 26; ++x) level.map.set({x, 15}, 1);
+  const std::string file = path("seam.talus.json");
+  ASSERT_TRUE(save_level(level, *format_for_file(file), file));
+  start(file, 1280, 1000);
+  app().ui().view.requests.ask(request::ShowTab("problems"));
+  frames(8);
+  click("problems/prove");
+  ASSERT_TRUE(proof_ends());
+  ASSERT_FALSE(session().prover().found()->findings.empty());
+  ASSERT_TRUE(frames_until([&] { return find("proof/fix0") != nullptr; }));
+  click("proof/fix0");
+  frames(2);
+  ASSERT_TRUE(proof_ends());
+  frames(2);
+  EXPECT_TRUE(session().prover().found()->findings.empty());
 }
 
 }  // namespace talus::prove_ui_test

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <talus/level/ground.h>
+#include "session/checks/prover.h"
 #include "session/session.h"
 #include "waiting.h"
 
@@ -60,20 +61,69 @@ TEST(Prover, AnEditMakesTheProofOutOfDate) {
   session.apply(paint({8, 4}, 2, 0));
   EXPECT_TRUE(session.prover().is_stale());
   EXPECT_FALSE(session.prover().found()->findings.empty()) << "they stay until the next proof";
-  session.apply(action::Prove{});
+  session.advance(0);
+  EXPECT_TRUE(session.prover().running()) << "the edit is proved";
   ASSERT_TRUE(proof_ends(session));
   EXPECT_FALSE(session.prover().is_stale());
   EXPECT_TRUE(session.prover().found()->findings.empty());
 }
 
-TEST(Prover, AnEditDuringTheProofMakesItOutOfDate) {
+TEST(Prover, DoesNotFollowEditsAfterItIsStopped) {
+  Session session(lipped_level());
+  session.apply(action::Prove{});
+  ASSERT_TRUE(proof_ends(session));
+  session.apply({action::CancelProof{}, paint({8, 4}, 2, 0)});
+  session.advance(0);
+  EXPECT_FALSE(session.prover().running());
+  EXPECT_TRUE(session.prover().is_stale());
+  EXPECT_FALSE(session.prover().found()->findings.empty());
+}
+
+TEST(Prover, PlaysAFindingAsARecording) {
+  Session session(lipped_level());
+  session.apply(action::PlayFinding{0});  // there is none yet
+  session.apply(action::StepFrame{});
+  const int own = session.timeline().current().id;
+  session.apply(action::Prove{});
+  ASSERT_TRUE(proof_ends(session));
+  EXPECT_TRUE(session.choices().overlays.has(overlay::findings));
+  for (std::size_t i = 0; i < session.prover().found()->findings.size(); ++i) {
+    const Finding finding = session.prover().found()->findings[i];
+    session.apply(action::PlayFinding{i});
+    EXPECT_EQ(session.state().frame, finding.frame);
+    ASSERT_EQ(session.state().bodies.size(), 1u);
+    const Body& body = session.state().bodies[0];
+    EXPECT_EQ(session.choices().body, body.id);
+    EXPECT_EQ(body.box.x + body.box.w / 2, finding.place.x) << "the same bits as in the proof";
+    EXPECT_EQ(body.box.bottom(), finding.place.y);
+    EXPECT_FALSE(session.stages().empty()) << "Why explains the step";
+    EXPECT_EQ(session.timeline().branches().size(), 2u) << "the finding before is gone";
+  }
+  session.apply(action::SwitchBranch{own});
+  EXPECT_EQ(session.state().frame, 1);
+  EXPECT_EQ(session.state().bodies.size(), session.scene().items.size());
+  session.apply(action::PlayFinding{1000});  // there is none
+  EXPECT_EQ(session.timeline().current().id, own);
+}
+
+TEST(Prover, AFindingThatWasPlayedOnStays) {
+  Session session(lipped_level());
+  session.apply(action::Prove{});
+  ASSERT_TRUE(proof_ends(session));
+  session.apply(action::PlayFinding{0});
+  session.apply(action::StepFrame{});
+  session.apply(action::PlayFinding{0});
+  EXPECT_EQ(session.timeline().branches().size(), 2u);
+}
+
+TEST(Prover, AnEditDuringTheProofIsProvedAfterIt) {
   Session session(lipped_level());
   session.apply({action::Prove{}, paint({8, 4}, 2, 0)});
   EXPECT_TRUE(session.prover().running());
   ASSERT_TRUE(proof_ends(session));
   ASSERT_NE(session.prover().found(), nullptr);
-  EXPECT_TRUE(session.prover().is_stale());
-  EXPECT_FALSE(session.prover().found()->findings.empty()) << "of the level as it was";
+  EXPECT_FALSE(session.prover().is_stale());
+  EXPECT_TRUE(session.prover().found()->findings.empty()) << "of the level as it is";
 }
 
 TEST(Prover, CanBeCancelledAndKeepsTheLastProof) {

@@ -11,6 +11,7 @@
 #include "overlay/visible.h"
 #include "overlay/visible_items.h"
 #include "overlay_painter.h"
+#include "session/checks/prover.h"
 #include "session/run/scene_compiler.h"
 #include "tile_drawing.h"
 #include "turned_tile.h"
@@ -283,6 +284,7 @@ OverlaySource with_level(OverlaySource source, const Session& session) {
   source.hard_case = session.hard_case() ? &*session.hard_case() : nullptr;
   source.reach = session.reach().found();
   source.reach_is_stale = session.reach().is_stale();
+  source.proof = session.prover().found();
   return source;
 }
 

@@ -34,6 +34,7 @@ struct CanvasesView {
   // clears it.
   std::optional<Cell> marked_cell;
   std::optional<Cell> clicked_cell;  // the last cell of the map that was clicked with the left button
+  Cell middle;                       // of what the canvas that was drawn last shows; it may be off the map
   int level_number = 0;              // grows when another file is opened: the canvases start afresh
   Hover hover;                       // of this frame, as far as it is drawn
   Hover hover_before;                // of the whole frame before: for panels that are drawn before the canvas

@@ -114,6 +114,7 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
   camera_.clamp(size_in_pixels(session.level().map), size);
 
   const CanvasView view = view_at(min, size, session);
+  ui.view.canvas.middle = view.to_cell({(view.min.x + view.max.x) / 2, (view.min.y + view.max.y) / 2});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(view.min, view.max, true);
   draw_layers(session, view, ui);

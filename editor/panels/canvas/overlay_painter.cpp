@@ -65,8 +65,8 @@ class Painter {
     const ImVec2 from = view_.to_screen({box.box.x, box.box.y});
     const ImVec2 to = view_.to_screen({box.box.right(), box.box.bottom()});
     if (box.filled) {
-      list_.AddRectFilled(from, to, color_of(box.overlay, 70));
-      list_.AddRect(from, to, color_of(box.overlay, 150));
+      list_.AddRectFilled(from, to, color_of(box.overlay, static_cast<int>(70 * box.strength)));
+      list_.AddRect(from, to, color_of(box.overlay, static_cast<int>(std::min(150 * box.strength, 255.0))));
       return;
     }
     if (!is_low_) list_.AddRect(from, to, outline(), 0, 0, width_ + 2 * rim());

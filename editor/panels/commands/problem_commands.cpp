@@ -1,6 +1,7 @@
 // The commands of the problems, of proofs, and of the cells that a player can get to.
 #include "command_table.h"
 #include "panels/level/problem_list.h"
+#include "session/checks/prover.h"
 
 namespace talus {
 namespace {
@@ -25,7 +26,7 @@ void find_reach(S, A actions, U ui) {
 }
 
 void prove_level(S, A actions, U ui) {
-  actions.push_back(action::Prove{});
+  actions.push_back(action::Prove{ui.view.canvas.middle});
   ui.ask(request::ShowTab(panel_id::kProblems));
   ui.ask(request::ShowProof{});
 }
@@ -67,14 +68,16 @@ std::vector<Command> problem_commands() {
        .enabled = has_chosen},
       {.id = "problems/prove",
        .label = "Prove the level",
-       .help = "Lets the solver walk, jump and drop the bodies at every place of the level, and lists where "
-               "one does what the ground does not explain.",
+       .help =
+           "Lets the solver walk, jump and drop the bodies at every place of the level, first in view, and "
+           "lists where one does what the ground does not explain. Later edits are proved, too, until it "
+           "is stopped.",
        .menu = menus::kEditProblems,
        .run = prove_level,
        .words = "proof verify check stuck edge"},
       {.id = "problems/cancel_proof",
        .label = "Stop proving the level",
-       .help = "Keeps the last proof.",
+       .help = "Keeps what is found so far, and does not follow edits.",
        .menu = menus::kEditProblems,
        .run = emit<action::CancelProof>,
        .enabled = [](S session, const Ui&) { return session.prover().running(); }},

@@ -235,8 +235,9 @@ void InspectorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   }
   std::string name = "Body " + std::to_string(body->id);
   const int spawn = chosen_spawn(session);
-  name += spawn >= 0                ? "  (" + title_of_spawn(session.level(), spawn) + ")"
-          : body->origin.spawn >= 0 ? "  (" + std::string(traits_of(body->kind).word) + " " +
+  name += spawn >= 0                         ? "  (" + title_of_spawn(session.level(), spawn) + ")"
+          : body->origin.spawn == kLoneSpawn ? std::string("  (plays alone)")
+          : body->origin.spawn >= 0          ? "  (" + std::string(traits_of(body->kind).word) + " " +
                                           std::to_string(body->origin.spawn + 1) + ")"
                                     : "  (from cell " + std::to_string(body->origin.cell.x) + "," +
                                           std::to_string(body->origin.cell.y) + ")";

@@ -2,6 +2,7 @@
 #include "problems_panel.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include "level/lint/fixes.h"
@@ -39,6 +40,7 @@ float width_of(const std::string& text) { return size_of_text(text).x; }
 void ProblemsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   looked_for_ = 0;
   if (remedies_.size() > kMostRemedies) remedies_.clear();
+  draw_proof_button(session, actions, ui);
   if (ui.problems->empty()) {
     ui.hint(session.is_linting() ? looking_text(session) : "No problem found in this level.");
     ui.view.level.problems.kind = nullptr;
@@ -139,8 +141,25 @@ void ProblemsPanel::draw_rows(const std::vector<std::size_t>& rows, const Sessio
     ImGui::TableSetColumnIndex(1);
     ui.hint(looking_text(session));
   }
-  draw_proof_rows(is_wide, session, actions, ui);
+  draw_proof_rows(is_wide, session, actions, ui,
+                  [&](Cell cell, std::size_t row) { draw_fix_near(cell, row, session, actions, ui); });
   ImGui::EndTable();
+}
+
+// The fix of a finding is that of a floor that jumps in its cell or beside it.
+void ProblemsPanel::draw_fix_near(Cell cell, std::size_t row, const Session& session, Actions& actions,
+                                  Ui& ui) {
+  if (!ImGui::IsItemVisible()) return;
+  for (const Problem& problem : *ui.problems) {
+    const bool is_near = problem.rule->has_seam && problem.cell && std::abs(problem.cell->x - cell.x) <= 1 &&
+                         std::abs(problem.cell->y - cell.y) <= 1;
+    if (!is_near) continue;
+    const Remedy& remedy = remedy_of(problem, session);
+    if (remedy.fixes.empty()) continue;
+    if (ImGui::SmallButton("Fix")) fix_problem(problem, session, actions);
+    ui.item("proof/fix" + std::to_string(row), remedy.fixes.front() + ".");
+    return;
+  }
 }
 
 void ProblemsPanel::draw_row(std::size_t index, const Session& session, Actions& actions, Ui& ui) {

@@ -28,6 +28,7 @@ class ProblemsPanel : public Panel {
   void draw_seam(const Session& session, Actions& actions, Ui& ui);
   void draw_rows(const std::vector<std::size_t>& rows, const Session& session, Actions& actions, Ui& ui);
   void draw_row(std::size_t index, const Session& session, Actions& actions, Ui& ui);
+  void draw_fix_near(Cell cell, std::size_t row, const Session& session, Actions& actions, Ui& ui);
   void draw_menu(const Problem& problem, const Remedy& remedy, const Session& session, Actions& actions,
                  Ui& ui);
   bool has_no_fix(const Problem& problem, const Session& session) const;

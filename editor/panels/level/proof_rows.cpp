@@ -7,6 +7,7 @@
 
 #include "panels/commands/commands.h"
 #include "problem_list.h"
+#include "session/checks/prover.h"
 
 namespace talus {
 namespace {
@@ -24,22 +25,12 @@ void begin_message() {
   ImGui::TableSetColumnIndex(1);
 }
 
-void draw_button(const Session& session, Actions& actions, Ui& ui) {
-  const Prover& prover = session.prover();
-  begin_message();
-  if (!prover.running()) {
-    command_text_button("problems/prove"_command, session, actions, ui, {.label = "Prove"});
-  } else {
-    command_text_button("problems/cancel_proof"_command, session, actions, ui, {.label = "Cancel"});
-    ImGui::SameLine();
-    ui.label(std::to_string(static_cast<int>(prover.progress() * 100)) + " %");
-  }
-  if (ui.view.requests.take<request::ShowProof>()) ImGui::SetScrollHereY(0);
-}
-
 void draw_summary(const Proof& proof, bool is_stale, Ui& ui) {
   begin_message();
-  draw_wrapped_text("Proof: " + summary_of(proof) + ".");
+  const int percent = static_cast<int>(proof.share * 100);
+  draw_wrapped_text((proof.share < 1 ? "Proof of " + std::to_string(percent) + " %: " : "Proof: ") +
+                    summary_of(proof) + ".");
+  if (ui.view.requests.take<request::ShowProof>()) ImGui::SetScrollHereY(0);
   ui.item("proof/summary");
   if (proof.left_out > 0)
     ui.hint(std::to_string(proof.left_out) +
@@ -49,7 +40,8 @@ void draw_summary(const Proof& proof, bool is_stale, Ui& ui) {
   ui.item("proof/stale");
 }
 
-void draw_finding(const Finding& finding, std::size_t index, bool is_wide, Ui& ui) {
+void draw_finding(const Finding& finding, std::size_t index, bool is_wide, Actions& actions, Ui& ui,
+                  DrawFix draw_fix) {
   const std::string message = message_of(finding), place = short_cell_text(finding.cell);
   std::string& chosen = ui.view.level.problems.chosen_finding;
   ImGui::PushID(static_cast<int>(index));
@@ -62,15 +54,18 @@ void draw_finding(const Finding& finding, std::size_t index, bool is_wide, Ui& u
   const float height = std::max(ImGui::GetCursorPosY() - top - ImGui::GetStyle().ItemSpacing.y, ui.px(20));
   ImGui::TableSetColumnIndex(0);
   ImGui::PushStyleColor(ImGuiCol_Text, color);
-  if (selectable(is_wide ? "" : place, "finding", chosen == message, ImGuiSelectableFlags_SpanAllColumns,
-                 {0, height})) {
+  if (selectable(is_wide ? "" : place, "finding", chosen == message,
+                 ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap, {0, height})) {
     chosen = message;
     show_cell(finding.cell, ui.view);
+    actions.push_back(action::PlayFinding{index});
   }
   ImGui::PopStyleColor();
   ui.item("proof/row" + std::to_string(index),
           of_level ? "A fault of the level." : "A fault of the solver: the ground does not explain it.",
-          "click to go there");
+          "click to go there and to play it");
+  ImGui::TableSetColumnIndex(2);
+  draw_fix(finding.cell, index);
   ImGui::PopID();
 }
 
@@ -83,14 +78,24 @@ float width_of_places(const Session& session) {
   return widest;
 }
 
-void draw_proof_rows(bool is_wide, const Session& session, Actions& actions, Ui& ui) {
-  draw_button(session, actions, ui);
+void draw_proof_button(const Session& session, Actions& actions, Ui& ui) {
+  const Prover& prover = session.prover();
+  if (!prover.running()) {
+    command_text_button("problems/prove"_command, session, actions, ui, {.label = "Prove"});
+    return;
+  }
+  command_text_button("problems/cancel_proof"_command, session, actions, ui, {.label = "Stop"});
+  ImGui::SameLine();
+  ui.label("proved: " + std::to_string(static_cast<int>(prover.progress() * 100)) + " %");
+}
+
+void draw_proof_rows(bool is_wide, const Session& session, Actions& actions, Ui& ui, DrawFix draw_fix) {
   const Proof* proof = session.prover().found();
   if (proof == nullptr) return;
-  draw_summary(*proof, session.prover().is_stale(), ui);
+  draw_summary(*proof, session.prover().is_stale() && !session.prover().running(), ui);
   const std::span<const Finding> shown = shown_findings(session);
   ImGui::PushID("proof");
-  for (std::size_t i = 0; i < shown.size(); ++i) draw_finding(shown[i], i, is_wide, ui);
+  for (std::size_t i = 0; i < shown.size(); ++i) draw_finding(shown[i], i, is_wide, actions, ui, draw_fix);
   ImGui::PopID();
   const std::size_t all = proof->findings.size() + proof->more;
   if (all == shown.size()) return;

@@ -47,13 +47,26 @@ void CheckHandler::carry_out(const action::ShowWay& a) {
 }
 
 template <>
-void CheckHandler::carry_out(const action::Prove&) {
-  if (is_compiled()) prover_.start(open_.level);
+void CheckHandler::carry_out(const action::Prove& a) {
+  if (!is_compiled()) return;
+  prover_.start(open_.level, a.near);
+  choices_.show_overlay(overlay::findings, true);
 }
 
 template <>
 void CheckHandler::carry_out(const action::CancelProof&) {
   prover_.cancel();
+}
+
+template <>
+void CheckHandler::carry_out(const action::PlayFinding& a) {
+  if (!is_compiled()) return;
+  const Proof* proof = prover_.found();
+  if (proof == nullptr || a.index >= proof->findings.size()) return;
+  const Finding& finding = proof->findings[a.index];
+  std::vector<Input> inputs;
+  for (int frame = 1; frame <= finding.frame; ++frame) inputs.push_back(input_of(finding.trial, frame));
+  run_.play_alone(lone_body_of(finding.trial), inputs, std::string(info_of(finding.kind).label));
 }
 
 void CheckHandler::apply(const CheckAction& action) {
@@ -135,7 +148,9 @@ void CheckHandler::advance() {
   lint_some();
   follow_scene();
   reach_.advance(kReachSeconds);
-  if (const auto problem = prover_.advance()) messages_.tell_error(*problem);
+  const bool may_prove = !run_.compile_progress();
+  if (const auto problem = prover_.advance(may_prove ? &open_.level : nullptr))
+    messages_.tell_error(*problem);
 }
 
 void CheckHandler::lint_some() {

@@ -11,10 +11,19 @@
 
 namespace talus {
 
+namespace {
+
+constexpr double kShownStep = 0.05;  // of the level; after so much more the findings are listed
+
+}  // namespace
+
 struct Prover::Job {
-  // before: a job that was given up; this one waits for its end.
-  Job(const Level& copied, std::unique_ptr<Job> before)
-      : level(std::make_shared<const Level>(copied)), older(std::move(before)) {
+  // before: a job that was given up; this one waits for its end. ended: see ProofRun.
+  Job(const Level& copied, Cell its_near, std::unique_ptr<Job> before, std::shared_ptr<const ProofRun> ended)
+      : level(std::make_shared<const Level>(copied)),
+        near(its_near),
+        older(std::move(before)),
+        last(std::move(ended)) {
     thread = std::thread([this] {
       older.reset();
       try {
@@ -32,12 +41,14 @@ struct Prover::Job {
   void work();
 
   std::shared_ptr<const Level> level;
+  Cell near;
   std::unique_ptr<Job> older;
+  std::shared_ptr<const ProofRun> last;
   bool is_stale = false;  // the level has changed since the start
   std::atomic<double> progress = 0;
-  std::atomic<bool> wanted = true, done = false;
-  std::optional<Proof> proof;  // written before `done`, like:
-  std::string problem;         // a sentence; empty: no problem
+  std::atomic<bool> wanted = true, begun = false, done = false;
+  std::shared_ptr<ProofRun> run;  // written before `begun`
+  std::string problem;            // a sentence; empty: no problem; written before `done`
   std::thread thread;
 };
 
@@ -47,10 +58,12 @@ void Prover::Job::work() {
     problem = "The level " + *too_much + ".";
     return;
   }
-  const ProveScene scene(*level, {});
+  run = std::make_shared<ProofRun>(std::make_shared<const ProveScene>(*level, ProveOptions()), last.get(),
+                                   near);
+  begun = true;
   // The window keeps a processor, if there are several.
   const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
-  proof = prove(scene, threads, [this](double share) {
+  run->run(threads, [this](double share) {
     progress = share;
     return wanted.load();
   });
@@ -59,13 +72,17 @@ void Prover::Job::work() {
 Prover::Prover() = default;
 Prover::~Prover() = default;
 
-void Prover::start(const Level& level) {
+void Prover::start(const Level& level, Cell near) {
   cancel();
-  job_ = std::make_unique<Job>(level, std::move(given_up_));
+  near_ = near;
+  follows_ = true;
+  shown_ = 0;
+  job_ = std::make_unique<Job>(level, near, std::move(given_up_), last_);
 }
 
 // A job looks only now and then whether it is wanted, so nobody waits for it here.
 void Prover::cancel() {
+  follows_ = false;
   if (!job_) return;
   job_->wanted = false;
   given_up_ = std::move(job_);
@@ -78,17 +95,26 @@ void Prover::note_change() {
 
 void Prover::forget() {
   cancel();
+  last_.reset();
   proof_.reset();
   is_stale_ = false;
 }
 
-std::optional<std::string> Prover::advance() {
+std::optional<std::string> Prover::advance(const Level* level) {
   if (given_up_ && given_up_->done) given_up_.reset();
-  if (!job_ || !job_->done) return std::nullopt;
-  const std::unique_ptr<Job> job = std::move(job_);
-  if (!job->problem.empty()) return job->problem;
-  proof_ = std::move(job->proof);
-  is_stale_ = job->is_stale;
+  if (job_ && job_->begun && job_->progress >= shown_ + kShownStep) {
+    shown_ = job_->progress;
+    proof_ = job_->run->proof();
+    is_stale_ = job_->is_stale;
+  }
+  if (job_ && job_->done) {
+    const std::unique_ptr<Job> job = std::move(job_);
+    if (!job->problem.empty()) return job->problem;
+    last_ = job->run;
+    proof_ = job->run->proof();
+    is_stale_ = job->is_stale;
+  }
+  if (!job_ && is_stale_ && follows_ && level != nullptr) start(*level, near_);
   return std::nullopt;
 }
 

@@ -17,14 +17,15 @@ class Prover {
   Prover(const Prover&) = delete;
   Prover& operator=(const Prover&) = delete;
 
-  // Proves a copy of the level, instead of what is being proved. The last proof stays until this one is
-  // there.
-  void start(const Level& level);
-  void cancel();       // keeps the last proof
+  // Proves a copy of the level, instead of what is being proved; near a cell first. Blocks that are as in the
+  // last proof are taken over from it.
+  void start(const Level& level, Cell near);
+  void cancel();       // keeps what is found so far
   void note_change();  // the level has changed: what is found, or will be, is out of date
   void forget();       // another level is open
-  // Takes the proof if it is there. Returns an error in one sentence if there is none.
-  std::optional<std::string> advance();
+  // Takes what is found so far. After a change it proves the level again, unless it was cancelled. level: the
+  // current one; null: it is not to be proved now. Returns an error in one sentence if there is no proof.
+  std::optional<std::string> advance(const Level* level);
 
   const Proof* found() const { return proof_ ? &*proof_ : nullptr; }  // null: there is none
   bool is_stale() const { return is_stale_; }  // whether the level has changed since found() was begun
@@ -34,9 +35,13 @@ class Prover {
  private:
   struct Job;
   std::unique_ptr<Job> job_;
-  std::unique_ptr<Job> given_up_;  // ends soon
+  std::unique_ptr<Job> given_up_;         // ends soon
+  std::shared_ptr<const ProofRun> last_;  // the last one that was ended; null: there is none
   std::optional<Proof> proof_;
+  double shown_ = 0;  // share of the job that proof_ holds
   bool is_stale_ = false;
+  bool follows_ = false;  // whether a change is proved, too
+  Cell near_;
 };
 
 }  // namespace talus

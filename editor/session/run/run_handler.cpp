@@ -230,10 +230,30 @@ void RunHandler::play_new(const std::vector<Input>& inputs) {
   keep_chosen_body([&] {
     simulation_.set_running(false);
     simulation_.reset();
-    for (std::size_t i = 0; i < inputs.size(); ++i)
-      simulation_.timeline().step(inputs[i], i + 1 == inputs.size());
-    simulation_.show();
+    make_steps(inputs);
   });
+}
+
+void RunHandler::make_steps(const std::vector<Input>& inputs) {
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    simulation_.timeline().step(inputs[i], i + 1 == inputs.size());
+  simulation_.show();
+}
+
+void RunHandler::play_alone(const LoneBody& body, const std::vector<Input>& inputs, const std::string& mark) {
+  Timeline& timeline = simulation_.timeline();
+  simulation_.set_running(false);
+  timeline.restart(body);
+  make_steps(inputs);
+  timeline.set_mark(timeline.last_frame(), mark);
+  const auto kept = handmade_branches_.all();
+  const Branch* const before = timeline.find(alone_);
+  const bool is_used = before == nullptr || alone_ == timeline.current().id || before->marks.size() != 1 ||
+                       before->marks.front().frame != before->last_frame() ||
+                       std::find(kept.begin(), kept.end(), alone_) != kept.end();
+  if (!is_used) timeline.drop(alone_);
+  alone_ = timeline.current().id;
+  choices_.choose_body(timeline.state().bodies.front().id);
 }
 
 void RunHandler::advance(double seconds, FunctionRef<bool()> may_step, FunctionRef<bool()> stops) {
@@ -320,6 +340,7 @@ void RunHandler::load_level() {
   read_hard_case();
   load_simulation();
   handmade_branches_.clear();
+  alone_ = 0;
   trails_ = other_trails_ = {};
   scene_changes_ = {};
 }
@@ -332,6 +353,7 @@ void RunHandler::read_hard_case() {
 
 void RunHandler::load(const Recording& recording, const EndScenes& scenes) {
   leave_compiler();
+  alone_ = 0;
   simulation_.load(recording, scenes);
 }
 

@@ -58,6 +58,9 @@ class RunHandler {
   void show_frame(std::int64_t frame) { simulation_.seek(frame); }  // of the current scene
   void switch_to(int branch);
   void play_new(const std::vector<Input>& inputs);  // as a new branch, which ends there, paused
+  // Plays a body alone as a new branch, which ends there, paused, with a mark of that name. Chooses the body.
+  // The last such branch goes, unless the user went on with it.
+  void play_alone(const LoneBody& body, const std::vector<Input>& inputs, const std::string& mark);
   void note_saved(int branch) { handmade_branches_.note_saved(branch); }
   void give_up(int branch) { handmade_branches_.note_gone(branch); }  // it is not worth keeping any more
 
@@ -72,6 +75,7 @@ class RunHandler {
   void keep_chosen_body(FunctionRef<void()> renumber);  // across a change that may give bodies other ids
   void load_simulation();
   void leave_compiler();  // the timeline brings a scene of its own
+  void make_steps(const std::vector<Input>& inputs);
   bool can_change(const Scene& scene, std::span<const Cell> cells) const;
 
   const OpenLevel& open_;
@@ -83,6 +87,7 @@ class RunHandler {
   SceneCompiler compiler_;
   bool is_opening_ = false;  // the compiler works on the first scene of the level
   int scenes_ = 0;
+  int alone_ = 0;  // id of the last branch of play_alone()
   std::optional<HardCase> hard_case_;
   HandmadeBranches handmade_branches_;
 };
