@@ -8,6 +8,8 @@
 #include <random>
 
 #include "collision/tile_outlines.h"
+#include "property/tries.h"
+#include "prove/proof.h"
 #include "slope_level.h"
 
 namespace talus::fix_property_test {
@@ -182,6 +184,36 @@ TEST(FixProperty, FixingOneByOneEnds) {
       }
     }
   }
+}
+
+// What the solver finds when it moves a player over the ground, by kind.
+std::map<FindingKind, int> proof_of(Level level) {
+  level.tuning.solver = SolverKind::exact;
+  const Proof proof = *prove(ProveScene(level, {.bodies = {{.speed = 1}}}), 1);
+  std::map<FindingKind, int> counts;
+  for (const Finding& finding : proof.findings) ++counts[finding.kind];
+  return counts;
+}
+
+// TALUS_FIXED_LEVELS: the number of levels, at least kFixedLevels.
+TEST(FixProperty, AllFixesTogetherNeverAddAFindingOfTheProof) {
+  constexpr double kFixedLevels = 40;
+  const auto last = static_cast<unsigned>(tries("TALUS_FIXED_LEVELS", kFixedLevels));
+  int better = 0;
+  for (unsigned seed = 1; seed <= last; ++seed) {
+    const Level level = faulty_level(seed);
+    Level fixed = level;
+    for (const LintRule* rule : lint_rules())
+      apply_edit(fixed, fix_all(fixed, fixed, {}, lint(fixed), *rule));
+    const auto before = proof_of(level), after = proof_of(fixed);
+    for (const auto& [kind, count] : after) {
+      const auto old = before.find(kind);
+      EXPECT_LE(count, old == before.end() ? 0 : old->second)
+          << "level " << seed << " " << info_of(kind).label;
+    }
+    better += after != before ? 1 : 0;
+  }
+  EXPECT_GT(better, 0) << "the levels have faults that a proof finds, and that can be fixed";
 }
 
 }  // namespace talus::fix_property_test

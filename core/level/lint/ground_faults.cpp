@@ -26,7 +26,8 @@ std::vector<double> depths_of(const std::vector<double>& heights) {
 }  // namespace
 
 GroundFaults::GroundFaults(const Level& level, const LintTiles& tiles,
-                           std::span<const std::array<Cell, 2>> areas) {
+                           std::span<const std::array<Cell, 2>> areas)
+    : lip_(level.map.tile_size().height / 4.0) {
   for (const std::array<Cell, 2>& area : areas) look_at(level, tiles, area);
 }
 
@@ -67,21 +68,35 @@ void GroundFaults::look_at(const Level& level, const LintTiles& tiles, const std
   pits_.insert(pits_.end(), depths.begin(), depths.end());
 }
 
+// Joins walls of one side and column that touch.
+std::vector<GroundFaults::Interval> GroundFaults::joined(std::vector<Interval> walls) {
+  std::sort(walls.begin(), walls.end(), [](const Interval& a, const Interval& b) { return a.from < b.from; });
+  std::vector<Interval> all;
+  for (const Interval& wall : walls) {
+    if (!all.empty() && wall.from <= all.back().to + kGrain)
+      all.back().to = std::max(all.back().to, wall.to);
+    else
+      all.push_back(wall);
+  }
+  return all;
+}
+
+// Whether a wall is more than what was there: it was not, or it is so low now that nobody sees it.
+bool GroundFaults::is_worse(const Interval& wall, std::span<const Interval> before) const {
+  const bool is_lip = wall.to - wall.from <= lip_;
+  return std::none_of(before.begin(), before.end(), [&](const Interval& old) {
+    const bool was_lip = old.to - old.from <= lip_;
+    return old.from <= wall.from + kGrain && old.to >= wall.to - kGrain && (was_lip || !is_lip);
+  });
+}
+
 bool GroundFaults::has_more_than(const GroundFaults& before) const {
   for (const auto& [place, walls] : walls_) {
     const auto known = before.walls_.find(place);
-    for (const Interval& wall : walls) {
-      double y = wall.from;  // the wall is known down to here
-      for (bool goes_on = known != before.walls_.end(); goes_on;) {
-        goes_on = false;
-        for (const Interval& part : known->second) {
-          if (part.from > y + kGrain || part.to <= y) continue;
-          y = part.to;
-          goes_on = true;
-        }
-      }
-      if (y < wall.to - kGrain) return true;
-    }
+    const std::vector<Interval> old =
+        known != before.walls_.end() ? joined(known->second) : std::vector<Interval>();
+    for (const Interval& wall : joined(walls))
+      if (wall.to - wall.from > kGrain && is_worse(wall, old)) return true;
   }
   for (const auto& [column, ceilings] : ceilings_) {
     const auto known = before.ceilings_.find(column);
