@@ -1,5 +1,6 @@
 // Proofs in the panel of problems: the button, the rows, and what an edit does.
 #include "harness.h"
+#include "panels/canvas/fix_preview.h"
 #include "session/checks/prover.h"
 
 namespace talus::prove_ui_test {
@@ -86,6 +87,14 @@ TEST_F(UiProve, AFindingOffersTheFixOfItsProblem) {
   ASSERT_TRUE(proof_ends());
   ASSERT_FALSE(session().prover().found()->findings.empty());
   ASSERT_TRUE(frames_until([&] { return find("proof/fix0") != nullptr; }));
+  EXPECT_EQ(app().ui().view.canvas.fix_preview, nullptr);
+  move(centre("proof/fix0"));
+  frames(2);
+  const auto preview = app().ui().view.canvas.fix_preview;
+  ASSERT_NE(preview, nullptr);
+  EXPECT_EQ(preview->cells, (std::vector<Cell>{{20, 15}}));
+  EXPECT_EQ(preview->level.tile_shapes[7].heights.back(), 8);
+  EXPECT_EQ(session().level().tile_shapes[7].heights.back(), 7.5) << "nothing is changed yet";
   click("proof/fix0");
   frames(2);
   ASSERT_TRUE(proof_ends());

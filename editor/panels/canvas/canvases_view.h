@@ -1,12 +1,15 @@
 // What the canvases of the level show: the map, the play view, and the second map.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include <talus/collision/geometry.h>
 #include "key_cursor.h"
 
 namespace talus {
+
+struct FixPreview;
 
 // What the middle of the window shows.
 enum class CanvasMode { map, play, both, two_maps };
@@ -35,9 +38,10 @@ struct CanvasesView {
   std::optional<Cell> marked_cell;
   std::optional<Cell> clicked_cell;  // the last cell of the map that was clicked with the left button
   Cell middle;                       // of what the canvas that was drawn last shows; it may be off the map
-  int level_number = 0;              // grows when another file is opened: the canvases start afresh
-  Hover hover;                       // of this frame, as far as it is drawn
-  Hover hover_before;                // of the whole frame before: for panels that are drawn before the canvas
+  std::shared_ptr<const FixPreview> fix_preview;  // of the fix under the mouse; null: there is none
+  int level_number = 0;  // grows when another file is opened: the canvases start afresh
+  Hover hover;           // of this frame, as far as it is drawn
+  Hover hover_before;    // of the whole frame before: for panels that are drawn before the canvas
 
   // The cell from which a search on the map continues.
   std::optional<Cell> search_start() const { return marked_cell ? marked_cell : hover.cell; }

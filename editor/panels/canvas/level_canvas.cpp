@@ -7,6 +7,7 @@
 
 #include "canvas_layers.h"
 #include "case_note.h"
+#include "fix_preview.h"
 #include "mouse_mark.h"
 #include "object_drawing.h"
 #include "other_side.h"
@@ -97,6 +98,15 @@ Rgb rgb_of(ImU32 color) {
   return {channel(IM_COL32_R_SHIFT), channel(IM_COL32_G_SHIFT), channel(IM_COL32_B_SHIFT)};
 }
 
+// What the fix under the mouse would make of the ground.
+void draw_fix_preview(ImDrawList& list, const CanvasView& view, const Ui& ui) {
+  const auto& preview = ui.view.canvas.fix_preview;
+  if (preview == nullptr) return;
+  for (const Cell cell : preview->cells)
+    draw_cell_frame(list, {cell.x, cell.y, 1, 1}, view, theme::color(theme::kAccent), ui.px(1));
+  draw_shapes_of(preview->cells, list, preview->level, view, theme::kAccent, ui);
+}
+
 }  // namespace
 
 void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 size) {
@@ -121,6 +131,7 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
   if (ui.view.canvas.marked_cell)
     draw_cell_frame(list, {ui.view.canvas.marked_cell->x, ui.view.canvas.marked_cell->y, 1, 1}, view,
                     theme::color(theme::kWarning), ui.px(2));
+  draw_fix_preview(list, view, ui);
   const bool paints = !is_play() || ui.view.canvas.paint_in_play;
   if (paints && session.choices().selection) draw_selection(list, *session.choices().selection, view, ui);
   if (paints && !panning_ && !camera_.shows_whole() && !sheet_overlay_.has_mouse())

@@ -109,33 +109,64 @@ void draw_tile_shape(ImDrawList& list, const TileShape& shape, TileSize tile, Im
   list.AddPolyline(points.data(), count, bright, ImDrawFlags_None, width);
 }
 
-void draw_shapes(ImDrawList& list, const Level& level, const CanvasView& view, std::uint32_t color,
-                 const Ui& ui) {
-  const TileMap& map = level.map;
-  const TileSize tile = map.tile_size();
-  const ImVec2 cell{view.zoom * static_cast<float>(tile.width), view.zoom * static_cast<float>(tile.height)};
-  if (std::min(cell.x, cell.y) < kLeastCell) return;
-  const std::vector<TileShape> shapes = usable_shapes(level);
-  const int reach = reach_of(shapes, tile);
-  const std::vector<LayerCells> layers = ground_layers(level);
-  std::map<MapCell, TileShape> turned_shapes;
-  const Cell first = view.to_cell(view.min), last = view.to_cell(view.max);
-  for (Cell at{0, std::max(0, first.y - reach)}; at.y <= std::min(map.height() - 1, last.y + reach); ++at.y) {
-    for (at.x = std::max(0, first.x - reach); at.x <= std::min(map.width() - 1, last.x + reach); ++at.x) {
-      const auto index = static_cast<std::size_t>(at.y) * map.width() + at.x;
-      for (auto layer = layers.begin(); layer != layers.end(); ++layer) {
-        const MapCell content = (**layer)[index];
-        const auto is_it = [&](LayerCells behind) { return (*behind)[index] == content; };
-        const TileShape& its = shapes[content.tile];
-        if (its.kind == TileShape::Kind::none || std::any_of(layers.begin(), layer, is_it)) continue;
-        const TileShape& shown =
-            content.turn == TileTurn::none
-                ? its
-                : turned_shapes.try_emplace(content, turned(its, content.turn, tile)).first->second;
-        draw_tile_shape(list, shown, tile, view.corner_of(at), cell, color, ui);
-      }
+namespace {
+
+// Draws the shapes of cells of a level, in all of its layers that are ground.
+class CellShapes {
+ public:
+  CellShapes(ImDrawList& list, const Level& level, const CanvasView& view, std::uint32_t color, const Ui& ui)
+      : list_(list), level_(level), view_(view), color_(color), ui_(ui), layers_(ground_layers(level)) {}
+
+  const std::vector<TileShape>& shapes() const { return shapes_; }
+  bool are_too_small() const { return std::min(size_.x, size_.y) < kLeastCell; }
+
+  void draw(Cell at) {
+    const auto index = static_cast<std::size_t>(at.y) * level_.map.width() + at.x;
+    for (auto layer = layers_.begin(); layer != layers_.end(); ++layer) {
+      const MapCell content = (**layer)[index];
+      const auto is_it = [&](LayerCells behind) { return (*behind)[index] == content; };
+      const TileShape& its = shapes_[content.tile];
+      if (its.kind == TileShape::Kind::none || std::any_of(layers_.begin(), layer, is_it)) continue;
+      const TileShape& shown =
+          content.turn == TileTurn::none
+              ? its
+              : turned_.try_emplace(content, turned(its, content.turn, tile_)).first->second;
+      draw_tile_shape(list_, shown, tile_, view_.corner_of(at), size_, color_, ui_);
     }
   }
+
+ private:
+  ImDrawList& list_;
+  const Level& level_;
+  const CanvasView& view_;
+  std::uint32_t color_;
+  const Ui& ui_;
+  TileSize tile_ = level_.map.tile_size();
+  ImVec2 size_{view_.zoom * static_cast<float>(tile_.width), view_.zoom* static_cast<float>(tile_.height)};
+  std::vector<TileShape> shapes_ = usable_shapes(level_);
+  std::vector<LayerCells> layers_;
+  std::map<MapCell, TileShape> turned_;
+};
+
+}  // namespace
+
+void draw_shapes(ImDrawList& list, const Level& level, const CanvasView& view, std::uint32_t color,
+                 const Ui& ui) {
+  CellShapes cells(list, level, view, color, ui);
+  if (cells.are_too_small()) return;
+  const TileMap& map = level.map;
+  const int reach = reach_of(cells.shapes(), map.tile_size());
+  const Cell first = view.to_cell(view.min), last = view.to_cell(view.max);
+  for (Cell at{0, std::max(0, first.y - reach)}; at.y <= std::min(map.height() - 1, last.y + reach); ++at.y) {
+    for (at.x = std::max(0, first.x - reach); at.x <= std::min(map.width() - 1, last.x + reach); ++at.x)
+      cells.draw(at);
+  }
+}
+
+void draw_shapes_of(std::span<const Cell> cells, ImDrawList& list, const Level& level, const CanvasView& view,
+                    std::uint32_t color, const Ui& ui) {
+  CellShapes shapes(list, level, view, color, ui);
+  for (const Cell cell : cells) shapes.draw(cell);
 }
 
 void draw_sheet_shapes(ImDrawList& list, const Level& level, ImVec2 corner, float cell, std::uint32_t color,

@@ -1,6 +1,7 @@
 // The shapes of tiles as the overlay "shapes" shows them, on the map and on the sheet.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <talus/level/level.h>
@@ -20,6 +21,9 @@ void draw_tile_shape(ImDrawList& list, const TileShape& shape, TileSize tile, Im
 // shape.
 void draw_shapes(ImDrawList& list, const Level& level, const CanvasView& view, std::uint32_t color,
                  const Ui& ui);
+// The same for these cells, which must be on the map, however small they are.
+void draw_shapes_of(std::span<const Cell> cells, ImDrawList& list, const Level& level, const CanvasView& view,
+                    std::uint32_t color, const Ui& ui);
 // The shapes of the tiles of the sheet, whose tile 0 is at `corner`.
 void draw_sheet_shapes(ImDrawList& list, const Level& level, ImVec2 corner, float cell, std::uint32_t color,
                        const Ui& ui);

@@ -15,6 +15,7 @@ struct ProblemsView {
   const LintRule* kind = nullptr;  // the only listed rule; null: all rules
   std::optional<Problem> chosen;   // the problem that was gone to last
   std::size_t row = 0;             // its place in the list at that time
+  std::string previewed;           // the fix that CanvasesView::fix_preview shows, of which revision
   std::string chosen_finding;      // message_of() the finding of a proof that was gone to last
 };
 

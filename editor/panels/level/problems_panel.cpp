@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "level/lint/fixes.h"
+#include "panels/canvas/fix_preview.h"
 #include "panels/commands/commands.h"
 #include "problem_list.h"
 #include "proof_rows.h"
@@ -39,6 +40,7 @@ float width_of(const std::string& text) { return size_of_text(text).x; }
 
 void ProblemsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   looked_for_ = 0;
+  is_previewed_ = false;
   if (remedies_.size() > kMostRemedies) remedies_.clear();
   draw_proof_button(session, actions, ui);
   if (ui.problems->empty()) {
@@ -51,6 +53,7 @@ void ProblemsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (rows.empty() && !ui.problems->empty())
     ui.hint(session.is_linting() ? looking_text(session) : "No problem of this kind is left.");
   draw_rows(rows, session, actions, ui);
+  if (!is_previewed_) ui.view.canvas.fix_preview.reset();
 }
 
 void ProblemsPanel::draw_bar(const Session& session, Actions& actions, Ui& ui) {
@@ -157,6 +160,7 @@ void ProblemsPanel::draw_fix_near(Cell cell, std::size_t row, const Session& ses
     const Remedy& remedy = remedy_of(problem, session);
     if (remedy.fixes.empty()) continue;
     if (ImGui::SmallButton("Fix")) fix_problem(problem, session, actions);
+    preview(problem, 0, session, ui);
     ui.item("proof/fix" + std::to_string(row), remedy.fixes.front() + ".");
     return;
   }
@@ -194,10 +198,12 @@ void ProblemsPanel::draw_row(std::size_t index, const Session& session, Actions&
     const Remedy& remedy = remedy_of(problem, session);
     draw_menu(problem, remedy, session, actions, ui);
     ImGui::TableSetColumnIndex(2);
-    if (!remedy.fixes.empty() && ImGui::SmallButton("Fix")) fix_problem(problem, session, actions);
-    if (!remedy.fixes.empty())
+    if (!remedy.fixes.empty()) {
+      if (ImGui::SmallButton("Fix")) fix_problem(problem, session, actions);
+      preview(problem, 0, session, ui);
       ui.item("problems/fix" + row, remedy.fixes.front() + ".",
               is_chosen ? keys_of("problems/fix"_command, ui) : "");
+    }
   }
   ImGui::PopID();
 }
@@ -212,6 +218,7 @@ void ProblemsPanel::draw_menu(const Problem& problem, const Remedy& remedy, cons
           fixes_for(session.level(), session.linted_level(), session.lint_options(), problem);
       if (i < fixes.size()) actions.push_back(action::EditLevel{std::move(fixes[i])});
     }
+    preview(problem, i, session, ui);
     ui.item("problems/choice" + std::to_string(i));
   }
   if (remedy.fixes.empty()) draw_text(problem.rule->by_hand);
@@ -221,6 +228,21 @@ void ProblemsPanel::draw_menu(const Problem& problem, const Remedy& remedy, cons
   if (ImGui::MenuItem("List only this kind")) ui.view.level.problems.kind = problem.rule;
   ui.item("problems/choice_kind");
   ImGui::EndPopup();
+}
+
+// If the mouse is over ImGui's last item, which makes a fix, the map shows what the fix would make.
+void ProblemsPanel::preview(const Problem& problem, std::size_t fix, const Session& session, Ui& ui) {
+  if (!ImGui::IsItemHovered()) return;
+  is_previewed_ = true;
+  std::shared_ptr<const FixPreview>& shown = ui.view.canvas.fix_preview;
+  std::string& previewed = ui.view.level.problems.previewed;
+  std::string key = std::to_string(session.revision()) + "/" + std::to_string(fix) + "/" + key_of(problem);
+  if (shown != nullptr && previewed == key) return;
+  previewed = std::move(key);
+  const std::vector<Edit> fixes =
+      fixes_for(session.level(), session.linted_level(), session.lint_options(), problem);
+  shown.reset();
+  if (fix < fixes.size()) shown = std::make_shared<const FixPreview>(preview_of(session.level(), fixes[fix]));
 }
 
 // Whether it is known by now that no fix is good.

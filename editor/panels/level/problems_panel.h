@@ -31,10 +31,12 @@ class ProblemsPanel : public Panel {
   void draw_fix_near(Cell cell, std::size_t row, const Session& session, Actions& actions, Ui& ui);
   void draw_menu(const Problem& problem, const Remedy& remedy, const Session& session, Actions& actions,
                  Ui& ui);
+  void preview(const Problem& problem, std::size_t fix, const Session& session, Ui& ui);
   bool has_no_fix(const Problem& problem, const Session& session) const;
   const Remedy& remedy_of(const Problem& problem, const Session& session);
 
   std::map<std::string, Remedy> remedies_;  // by the text of the problem
+  bool is_previewed_ = false;               // in this frame, a fix
   int looked_for_ = 0;                      // number of remedies found in this frame
 };
 
