@@ -63,7 +63,7 @@ TEST_F(PlaceTaken, ADamagedCompanionOfLdtkIsKeptAside) {
   put("g.ldtk", text);
   for (const char* const damaged :
        {R"({"talus":5,"companion":{)", R"({"talus":5,"companion":{"project":"p"},"levels":[]})",
-        R"({"talus":999,"companion":{"project":"p"}})"}) {
+        R"({"talus":999,"companion":{"project":"p"}})", R"({"talus":5,"compan)", "{", "", "\xff", "[]"}) {
     put("g.talus.json", damaged);
     auto loaded = load_level(path("g.ldtk"));
     ASSERT_TRUE(loaded);

@@ -104,11 +104,11 @@ FormatResult<JoinedLevel> joined_with(Json additions, const Level& held, const s
 
 }  // namespace
 
+// A text that was cut need not have the key any more.
 bool is_damaged_ldtk_companion(std::string_view text) {
-  constexpr std::array<std::string_view, 1> kKey = {"companion"};
-  if (const auto document = parse_json(text); document)
-    return document->is_object() && document->contains("companion") && problem_of_companion(*document);
-  return has_key(text, kKey);
+  const auto document = parse_json(text);
+  if (!document || !document->is_object()) return true;
+  return document->contains("companion") && problem_of_companion(*document);
 }
 
 Json json_of_mapping(const LdtkMapping& mapping) {

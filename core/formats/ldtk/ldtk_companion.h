@@ -28,8 +28,8 @@ Json json_of_mapping(const LdtkMapping& mapping);  // the list
 // Of a level; empty: unknown.
 std::vector<std::string> ldtk_tiles_of_companion(std::string_view companion, const std::string& level);
 
-// Whether the text in the place of a companion is one that is damaged, or that this version cannot read, and
-// no file of its own.
+// Whether the text in the place of a companion is one that is damaged, or that this version cannot read: not
+// an object in JSON, or one with the member "companion" and a fault. Others are files of their own.
 bool is_damaged_ldtk_companion(std::string_view text);
 
 // before: what is in the place of the companion; empty: nothing. A file of another project, or that is no
