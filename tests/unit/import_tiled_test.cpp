@@ -531,7 +531,7 @@ TEST(ImportTiled, SaysWhatIsNeitherXmlNorJson) {
   EXPECT_EQ(error_of("[1]", "tmx"), "map: error: is not XML, which begins with \"<\"");
   EXPECT_EQ(error_of("{", "tmx"), "map:line 1, column 2: error: this is not valid JSON, and not XML either");
   EXPECT_EQ(error_of("{", "tmj"), "map:line 1, column 2: error: this is not valid JSON");
-  for (const std::string& text : {"\xff\xfe<\0m\0"s, "\xfe\xff\0<\0m"s, "<\0m\0"s, "\0<\0m"s})
+  for (const std::string& text : {"\xff\xfe{\0"s, "\xfe\xff\0{"s})
     EXPECT_EQ(error_of(text, "tmx"), "map: error: is text in UTF-16, but must be UTF-8");
 }
 

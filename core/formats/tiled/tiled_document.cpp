@@ -2,10 +2,14 @@
 #include "tiled_document.h"
 
 #include "../import/hex_color.h"
+#include "../text/xml_encoding.h"
 
 namespace talus {
 
 FormatResult<std::unique_ptr<TiledDocument>> tiled_document(std::string_view bytes) {
+  auto converted = xml_in_utf8(bytes);
+  if (!converted) return tl::unexpected(converted.error());
+  if (*converted) return tiled_xml_document(bytes, **std::move(converted));
   const std::size_t first = bytes.find_first_not_of("\xef\xbb\xbf \t\r\n");
   const bool is_xml = first != bytes.npos && bytes[first] == '<';
   return is_xml ? tiled_xml_document(bytes) : tiled_json_document(bytes);

@@ -54,7 +54,8 @@ class TiledDocument {
   // tileset's own file 0. What has no place in the text is left out. Call it once for a tileset.
   virtual void edit_tiles(int tileset, const TiledTileEdits& edits) = 0;
 
-  virtual std::string text() const = 0;  // with all changes
+  // With all changes, in UTF-8; without any, the bytes that were read.
+  virtual std::string text() const = 0;
 };
 
 // Which of two values that Tiled mixes are to be written.
@@ -65,7 +66,9 @@ struct TintEdits {
 TintEdits tint_edits(const TileLayer& before, const TileLayer& now, std::string_view tint);
 
 // bytes: a file that read_tiled() has read. They must live as long as the document.
-FormatResult<std::unique_ptr<TiledDocument>> tiled_xml_document(std::string_view bytes);
+// text: the same in UTF-8; empty if the bytes are that.
+FormatResult<std::unique_ptr<TiledDocument>> tiled_xml_document(std::string_view bytes,
+                                                                std::string text = {});
 FormatResult<std::unique_ptr<TiledDocument>> tiled_json_document(std::string_view bytes);
 FormatResult<std::unique_ptr<TiledDocument>> tiled_document(std::string_view bytes);
 

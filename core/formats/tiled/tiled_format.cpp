@@ -12,6 +12,7 @@
 #include "../import/linked_files.h"
 #include "../last_catch.h"
 #include "../text/utf8_text.h"
+#include "../text/xml_encoding.h"
 #include "tiled_content.h"
 #include "tiled_json.h"
 #include "tiled_level.h"
@@ -34,19 +35,16 @@ char first_character(std::string_view bytes) {
 
 bool is_xml_name(const std::string& extension) { return extension == "tmx" || extension == "tsx"; }
 
-bool is_utf16(std::string_view bytes) {
-  using namespace std::string_view_literals;
-  const std::string_view start = bytes.substr(0, 2);
-  return start == "\xff\xfe"sv || start == "\xfe\xff"sv || start == "<\0"sv || start == "\0<"sv;
-}
-
 // A file of either form may have either extension.
 FormatResult<Json> tiled_json_of(std::string_view bytes, const std::string& extension,
                                  const Progress& progress) {
   const auto wrong = [](std::string message) { return tl::unexpected(FormatError{"", std::move(message)}); };
   if (bytes.empty()) return wrong("is empty");
+  const auto converted = xml_in_utf8(bytes);
+  if (!converted) return tl::unexpected(converted.error());
+  const std::string_view text = *converted ? std::string_view(**converted) : bytes;
+  if (first_character(text) == '<') return tiled_json_of_xml(text, progress);
   if (is_utf16(bytes)) return wrong("is text in UTF-16, but must be UTF-8");
-  if (first_character(bytes) == '<') return tiled_json_of_xml(bytes, progress);
   if (is_xml_name(extension) && first_character(bytes) != '{')
     return wrong("is not XML, which begins with \"<\"");
   auto json = parse_json(bytes, progress);

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <optional>
 #include <pugixml.hpp>
+#include <utility>
 
 #include "../import/hex_color.h"
 #include "../text/append_number.h"
@@ -32,7 +33,8 @@ std::uint32_t number_of_tile(const pugi::xml_node& tile) { return tile.attribute
 
 class TiledXmlDocument : public TiledDocument {
  public:
-  explicit TiledXmlDocument(std::string_view text) : text_(text), places_(text) {}
+  TiledXmlDocument(std::string_view bytes, std::string text)
+      : bytes_(bytes), own_(std::move(text)), text_(own_.empty() ? bytes : own_), places_(text_) {}
 
   bool read() {
     constexpr unsigned kParts = pugi::parse_default | pugi::parse_fragment;  // as tiled_xml.cpp
@@ -87,6 +89,8 @@ class TiledXmlDocument : public TiledDocument {
   void put_tiles(const XmlCells& at, const TiledBlock& content);
   std::string new_content(const XmlCells& like, const TiledBlock& content) const;
 
+  std::string_view bytes_;
+  std::string own_;  // the same in UTF-8; empty if the bytes are that
   std::string_view text_;
   XmlPlaces places_;
   pugi::xml_document document_;
@@ -296,7 +300,8 @@ std::string TiledXmlDocument::text() const {
   };
   put("nextobjectid", object_ids_);
   put("nextlayerid", layer_ids_);
-  return all.applied_to(text_);
+  std::string now = all.applied_to(text_);
+  return now == text_ ? std::string(bytes_) : now;
 }
 
 std::string xml_attribute(const char* name, std::string_view value) {
@@ -418,8 +423,8 @@ void TiledXmlDocument::edit_tiles(int tileset, const TiledTileEdits& edits) {
 
 }  // namespace
 
-FormatResult<std::unique_ptr<TiledDocument>> tiled_xml_document(std::string_view bytes) {
-  auto document = std::make_unique<TiledXmlDocument>(bytes);
+FormatResult<std::unique_ptr<TiledDocument>> tiled_xml_document(std::string_view bytes, std::string text) {
+  auto document = std::make_unique<TiledXmlDocument>(bytes, std::move(text));
   if (!document->read()) return tl::unexpected(FormatError{"", "is not valid XML"});
   return document;
 }
