@@ -83,6 +83,27 @@ void put_chunk(const TiledChunk& chunk, const CellBounds& bounds, std::vector<st
 
 }  // namespace
 
+bool has_tiles_off(const std::vector<TiledChunk>& chunks, const TiledMap& map) {
+  return std::any_of(chunks.begin(), chunks.end(), [&](const TiledChunk& chunk) {
+    const bool may_be = chunk.x < 0 || chunk.y < 0 || std::int64_t{chunk.x} + chunk.width > map.width ||
+                        std::int64_t{chunk.y} + chunk.height > map.height;
+    if (!may_be) return false;
+    const CellBounds bounds = bounds_of_tiles(chunk);
+    return bounds.x0 < 0 || bounds.y0 < 0 || bounds.x1 > map.width || bounds.y1 > map.height;
+  });
+}
+
+std::vector<std::uint32_t> cells_of_chunks(std::vector<TiledChunk> chunks, const TiledMap& map) {
+  const auto is_whole = [&](const TiledChunk& chunk) {
+    return chunk.x == 0 && chunk.y == 0 && chunk.width == map.width && chunk.height == map.height;
+  };
+  if (chunks.size() == 1 && is_whole(chunks[0])) return std::move(chunks[0].cells);
+  std::vector<std::uint32_t> cells(static_cast<std::size_t>(map.width) *
+                                   static_cast<std::size_t>(map.height));
+  for (const TiledChunk& chunk : chunks) put_chunk(chunk, {0, 0, map.width, map.height}, cells);
+  return cells;
+}
+
 std::optional<std::string> join_chunks(TiledChunks chunks, const TiledFrame* frame, TiledMap& map) {
   const CellBounds bounds = bounds_of(chunks, map, frame);
   const std::string size = std::to_string(bounds.width()) + "x" + std::to_string(bounds.height());

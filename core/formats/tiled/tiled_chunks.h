@@ -1,4 +1,4 @@
-// The parts of infinite maps, and the map that they are together.
+// The parts of maps, which infinite ones have, and the map that they are together.
 #pragma once
 
 #include <optional>
@@ -25,5 +25,10 @@ using TiledChunks = std::vector<std::vector<TiledChunk>>;
 // is wrong, as the end of a sentence, if that map would be too large: then it is as it was. frame: how the
 // map was numbered before, whose rectangle stays in it; null: it was not read before.
 std::optional<std::string> join_chunks(TiledChunks chunks, const TiledFrame* frame, TiledMap& map);
+
+// Of a layer of a finite map, whose chunks have their places on it: whether one has a tile off the map, and
+// the cells of those on it, the last one above all others.
+bool has_tiles_off(const std::vector<TiledChunk>& chunks, const TiledMap& map);
+std::vector<std::uint32_t> cells_of_chunks(std::vector<TiledChunk> chunks, const TiledMap& map);
 
 }  // namespace talus

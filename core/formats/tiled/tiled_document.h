@@ -17,7 +17,7 @@ namespace talus {
 struct TiledBlock {
   int x = 0, y = 0, width = 0, height = 0;  // cells
   std::vector<std::uint32_t> cells;         // row by row, as in TiledLayer
-  bool is_chunk = false;                    // whether the map is infinite
+  bool is_chunk = false;                    // whether it has a place of its own; always in infinite maps
 };
 
 class TiledDocument {
@@ -25,10 +25,13 @@ class TiledDocument {
   virtual ~TiledDocument() = default;
 
   virtual bool is_map() const = 0;  // else it is a tileset
+  virtual bool is_infinite() const = 0;
   // Of a map with as many tile layers; groups do not count. layer: from 0, in the order of the file.
   virtual int layer_count() const = 0;
   // The same of all other layers: of objects, and of pictures.
   virtual int object_layer_count() const = 0;
+  // In the order of the file: of those that overlap, the last one counts. A layer of a finite map has one at
+  // least, also if the file has no cells of it.
   virtual FormatResult<std::vector<TiledBlock>> blocks(int layer) const = 0;
   // Puts other cells into a block, by its place in blocks(). A block that is no chunk may get another size.
   virtual void put_cells(int layer, std::size_t block, const TiledBlock& content) = 0;
@@ -47,6 +50,8 @@ class TiledDocument {
   // Gives the map these layers and groups; those that it lacks go. Moved ones keep their text. New layers of
   // tiles are empty, in the encoding of the first layer. Call nothing else for the same document.
   virtual void arrange(const TiledLayerTree& tree) = 0;
+  // Sets the size of a layer of tiles, cells. Call it beside put_cells().
+  virtual void set_layer_size(int layer, int width, int height) = 0;
   // Sets the size of the map and of its tile layers.
   virtual void set_size(int width, int height) = 0;
 

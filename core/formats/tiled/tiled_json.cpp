@@ -25,6 +25,7 @@ std::string long_path() {
 
 // Whether the data of a layer has no cells, which Tiled takes for empty ones.
 bool has_no_cells(const Json& data) {
+  if (data.is_null()) return true;
   if (!data.is_string()) return data.is_array() && data.empty();
   return data.get_ref<const std::string&>().find_first_not_of(" \t\r\n") == std::string::npos;
 }
@@ -79,8 +80,8 @@ class TiledReader : private TiledNodeReader {
              TiledMap& map);
   void take_looks(const JsonNode& node, const Inside& inside, TiledLayer& layer);
   void tile_layer(const JsonNode& node, const TiledMap& map, TiledLayer& layer);
-  std::vector<TiledChunk> chunks_of(const JsonNode& node);
-  std::optional<TiledChunk> chunk(const JsonNode& layer, const JsonNode& node);
+  std::vector<TiledChunk> chunks_of(const JsonNode& node, TileSize usual);
+  std::optional<TiledChunk> chunk(const JsonNode& layer, const JsonNode& node, TileSize usual);
   // The data of a layer or a chunk, in the encoding of the layer.
   std::vector<std::uint32_t> cells(const JsonNode& node, const JsonNode& layer, std::size_t count);
   TiledImage image(const JsonNode& node);
@@ -271,36 +272,38 @@ void TiledReader::layers(const JsonNode& node, const Inside& inside, const Progr
 
 void TiledReader::tile_layer(const JsonNode& node, const TiledMap& map, TiledLayer& layer) {
   layer.has_tiles = true;
+  std::vector<TiledChunk> chunks = chunks_of(node, {map.width, map.height});
+  if (error_) return;
   if (is_infinite_) {
     chunks_.resize(map.layers.size());
-    chunks_.push_back(chunks_of(node));
-  } else if (number(node, "width", map.width) != map.width ||
-             number(node, "height", map.height) != map.height) {
-    fail(node, "width", "must have the size of the map");
-  } else {
-    layer.cells =
-        cells(node, node, static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height));
+    chunks_.push_back(std::move(chunks));
+    return;
   }
+  if (has_tiles_off(chunks, map)) drops_.add("the tiles off the map in the layer " + quoted_name(layer.name));
+  layer.cells = cells_of_chunks(std::move(chunks), map);
 }
 
-std::vector<TiledChunk> TiledReader::chunks_of(const JsonNode& node) {
+// usual: the size of a layer that does not say it, cells.
+std::vector<TiledChunk> TiledReader::chunks_of(const JsonNode& node, TileSize usual) {
   std::vector<TiledChunk> chunks;
   const auto take = [&](std::optional<TiledChunk> chunk) {
     if (chunk) chunks.push_back(*std::move(chunk));
   };
   const Json* data = node.find("data");
-  if (data != nullptr && !has_no_cells(*data)) take(chunk(node, node));  // a layer without chunks is one
-  for_each(node, "chunks", [&](const JsonNode& entry) { take(chunk(node, entry)); });
+  if (data != nullptr && !has_no_cells(*data)) take(chunk(node, node, usual));  // a layer is one, too
+  for_each(node, "chunks", [&](const JsonNode& entry) { take(chunk(node, entry, {1, 1})); });
   return chunks;
 }
 
 // node: a chunk of the layer, or the layer itself.
-std::optional<TiledChunk> TiledReader::chunk(const JsonNode& layer, const JsonNode& node) {
+std::optional<TiledChunk> TiledReader::chunk(const JsonNode& layer, const JsonNode& node, TileSize usual) {
   TiledChunk chunk;
-  chunk.x = whole(node, "x", -kMaxTiledChunkPlace, kMaxTiledChunkPlace, 0);
-  chunk.y = whole(node, "y", -kMaxTiledChunkPlace, kMaxTiledChunkPlace, 0);
-  chunk.width = whole(node, "width", 1, kMaxTerrainSide, 1);
-  chunk.height = whole(node, "height", 1, kMaxTerrainSide, 1);
+  if (is_infinite_ || &layer.json != &node.json) {  // layers of finite maps are at (0, 0)
+    chunk.x = whole(node, "x", -kMaxTiledChunkPlace, kMaxTiledChunkPlace, 0);
+    chunk.y = whole(node, "y", -kMaxTiledChunkPlace, kMaxTiledChunkPlace, 0);
+  }
+  chunk.width = whole(node, "width", 1, kMaxTerrainSide, usual.width);
+  chunk.height = whole(node, "height", 1, kMaxTerrainSide, usual.height);
   const auto count = static_cast<std::size_t>(chunk.width) * static_cast<std::size_t>(chunk.height);
   chunk_cells_ += count;
   if (chunk_cells_ > kMaxTiledCells) {
@@ -318,9 +321,7 @@ std::vector<std::uint32_t> TiledReader::cells(const JsonNode& node, const JsonNo
                                               std::size_t count) {
   const Json* data = node.find("data");
   std::vector<std::uint32_t> cells;
-  if (data == nullptr) {
-    fail(node, "data", "is a tile layer without data");
-  } else if (has_no_cells(*data)) {
+  if (data == nullptr || has_no_cells(*data)) {
     cells.assign(count, 0);
   } else if (data->is_string()) {
     auto decoded = decode_tiled_cells(data->get_ref<const std::string&>(), text(layer, "encoding"),

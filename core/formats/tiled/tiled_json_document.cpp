@@ -23,6 +23,10 @@ class TiledJsonDocument : public TiledDocument {
   }
 
   bool is_map() const override { return places_.text_of(root_, "type", "map") != "tileset"; }
+  bool is_infinite() const override {
+    const auto infinite = places_.member(root_, "infinite");
+    return infinite && (infinite->in(text_) == "true" || places_.number_of(root_, "infinite") != 0);
+  }
   int layer_count() const override { return static_cast<int>(layers_.size()); }
   int object_layer_count() const override { return static_cast<int>(object_layers_.size()); }
   FormatResult<std::vector<TiledBlock>> blocks(int layer) const override;
@@ -36,6 +40,7 @@ class TiledJsonDocument : public TiledDocument {
   void edit_objects(int layer, const std::vector<TiledObjectEdit>& edits) override;
   TiledLayerTree layer_tree() const override { return tree_; }
   void arrange(const TiledLayerTree& tree) override { arrange_in(root_, tree, edits_); }
+  void set_layer_size(int layer, int width, int height) override;
   void set_size(int width, int height) override;
   void edit_tiles(int tileset, const TiledTileEdits& edits) override;
   std::string text() const override;
@@ -58,14 +63,11 @@ class TiledJsonDocument : public TiledDocument {
   TiledIds& layer_ids();
   TiledLayerTree find_layers(TextSpan node, int depth);
   TextSpan layer_at(int layer) const { return layers_[static_cast<std::size_t>(layer)]; }
-  // The objects that have the cells: chunks, or the layer itself.
+  // The objects that have the cells: the layer itself, or chunks, or both.
   std::vector<TextSpan> holders(int layer) const;
   TiledEncoding encoding_of(int layer) const;
-  bool is_infinite() const {
-    const auto infinite = places_.member(root_, "infinite");
-    return infinite && infinite->in(text_) == "true";
-  }
   std::string value_for(std::string_view old, const TiledEncoding& how, const TiledBlock& content) const;
+  std::string new_value(const TiledEncoding& how, const TiledBlock& content) const;
 
   std::string_view text_;
   JsonPlaces places_;
@@ -101,10 +103,12 @@ TiledLayerTree TiledJsonDocument::find_layers(TextSpan node, int depth) {
 
 std::vector<TextSpan> TiledJsonDocument::holders(int layer) const {
   const TextSpan node = layer_at(layer);
-  const auto chunks = places_.member(node, "chunks");
-  if (chunks && is_infinite()) return places_.values(*chunks);
-  if (places_.member(node, "data")) return {node};
-  return {};
+  const auto data = places_.member(node, "data"), chunks = places_.member(node, "chunks");
+  const std::string_view cells = data ? data->in(text_) : "null";
+  const bool has_cells = cells != "null" && cells.find_first_not_of("\"[] \t\r\n") != cells.npos;
+  std::vector<TextSpan> all = chunks ? places_.values(*chunks) : std::vector<TextSpan>();
+  if (has_cells || (all.empty() && !is_infinite())) all.insert(all.begin(), node);
+  return all;
 }
 
 TiledEncoding TiledJsonDocument::encoding_of(int layer) const {
@@ -116,14 +120,15 @@ FormatResult<std::vector<TiledBlock>> TiledJsonDocument::blocks(int layer) const
   std::vector<TiledBlock> all;
   for (const TextSpan holder : holders(layer)) {
     TiledBlock block;
-    block.is_chunk = is_infinite();
+    block.is_chunk = is_infinite() || holder.begin != layer_at(layer).begin;
     block.x = block.is_chunk ? places_.number_of(holder, "x") : 0;
     block.y = block.is_chunk ? places_.number_of(holder, "y") : 0;
     block.width = places_.number_of(holder, "width", places_.number_of(root_, "width"));
     block.height = places_.number_of(holder, "height", places_.number_of(root_, "height"));
     const auto count = static_cast<std::size_t>(std::max(block.width, 0)) *
                        static_cast<std::size_t>(std::max(block.height, 0));
-    const Json data = json_part(places_.member(holder, "data").value_or(TextSpan()).in(text_));
+    const auto place = places_.member(holder, "data");
+    const Json data = place ? json_part(place->in(text_)) : Json();
     if (data.is_string() &&
         data.get_ref<const std::string&>().find_first_not_of(" \t\r\n") != std::string::npos) {
       auto cells =
@@ -144,7 +149,7 @@ FormatResult<std::vector<TiledBlock>> TiledJsonDocument::blocks(int layer) const
 
 std::string TiledJsonDocument::value_for(std::string_view old, const TiledEncoding& how,
                                          const TiledBlock& content) const {
-  const bool is_text = !old.empty() && old.front() == '"';
+  const bool is_text = !old.empty() && old.front() == '"' && !how.encoding.empty();
   const std::string_view inside = old.empty() ? old : old.substr(1, old.size() - 2);
   const std::string cells = recode_tiled_cells(is_text && how.encoding == "csv" ? "0" : inside,
                                                is_text || how.encoding == "base64" ? how : TiledEncoding(),
@@ -155,16 +160,21 @@ std::string TiledJsonDocument::value_for(std::string_view old, const TiledEncodi
 
 void TiledJsonDocument::put_cells(int layer, std::size_t block, const TiledBlock& content) {
   const TextSpan holder = holders(layer)[block];
-  const TextSpan old = *places_.member(holder, "data");
-  edits_.replace(old, value_for(old.in(text_), encoding_of(layer), content));
+  const TiledEncoding how = encoding_of(layer);
+  if (const auto old = places_.member(holder, "data"))
+    return edits_.replace(*old, value_for(old->in(text_), how, content));
+  set_json_member(places_, holder, "data", new_value(how, content), edits_);
+}
+
+std::string TiledJsonDocument::new_value(const TiledEncoding& how, const TiledBlock& content) const {
+  return value_for(how.encoding == "base64" ? "\"\"" : "[0]", how, content);
 }
 
 void TiledJsonDocument::add_chunks(int layer, const std::vector<TiledBlock>& chunks) {
   const TiledEncoding how = encoding_of(layer);
   std::vector<std::string> texts;
   for (const TiledBlock& chunk : chunks) {
-    const std::string data = value_for(how.encoding == "base64" ? "\"\"" : "[0]", how, chunk);
-    texts.push_back("{\"data\":" + data + ", \"height\":" + std::to_string(chunk.height) +
+    texts.push_back("{\"data\":" + new_value(how, chunk) + ", \"height\":" + std::to_string(chunk.height) +
                     ", \"width\":" + std::to_string(chunk.width) + ", \"x\":" + std::to_string(chunk.x) +
                     ", \"y\":" + std::to_string(chunk.y) + "}");
   }
@@ -314,6 +324,13 @@ void TiledJsonDocument::arrange_in(TextSpan parent, const TiledLayerTree& inside
   for (std::size_t i = 0; i < old.size(); ++i)
     if (!is_kept[i]) change.removed.push_back(i);
   if (!change.empty()) change_json_list(places_, *list, change, edits);
+}
+
+void TiledJsonDocument::set_layer_size(int layer, int width, int height) {
+  std::vector<JsonMemberEdit> sides;
+  sides.push_back({"width", std::to_string(width)});
+  sides.push_back({"height", std::to_string(height)});
+  change_json_members(places_, layer_at(layer), sides, edits_);
 }
 
 void TiledJsonDocument::set_size(int width, int height) {

@@ -41,11 +41,15 @@ class TiledSaver {
   FormatResult<void> read_origin();
   FormatResult<void> write_layers(TiledDocument& document);
   FormatResult<void> write_layer(int layer, TiledDocument& document);
-  TiledBlock resized(const TiledBlock& before) const;
+  void write_block(int layer, bool must_put, TiledBlock& block, TiledDocument& document) const;
+  // Whether a layer of the level has no cells in the file yet.
+  bool is_new(int layer) const { return arranges_ && pairs_[static_cast<std::size_t>(layer)] < 0; }
+  TiledBlock with_size(const TiledBlock& before, int width, int height) const;
   bool is_resized() const;
-  bool takes_cells(TiledBlock& block) const;
-  std::vector<bool> covered_by(const std::vector<TiledBlock>& blocks) const;
-  std::vector<TiledBlock> new_chunks(const std::vector<TiledBlock>& blocks) const;
+  bool takes_cells(TiledBlock& block, std::vector<bool>& covered) const;
+  bool was_off(Cell cell) const;
+  bool has_hidden_tiles(const std::vector<TiledBlock>& blocks) const;
+  std::vector<TiledBlock> new_chunks(TileSize size, const std::vector<bool>& covered) const;
   // What a cell of the level holds if one of the file has this number.
   MapCell content_of(std::uint32_t cell) const;
   // The number of a cell of the file that holds this.
@@ -101,6 +105,7 @@ class TiledSaver {
   const MapCells* cells_ = nullptr;  // of the layer that is being written
   std::unordered_map<std::uint32_t, TileNumber> tiles_;  // by the number in cells
   bool has_cells_ = false;                               // whether the file has layers of tiles
+  bool is_infinite_ = false;                             // whether it is an infinite map
 };
 
 constexpr std::uint32_t kTileBits = kTiledIdBits | kTiledFlipX | kTiledFlipY | kTiledFlipXY;
@@ -156,12 +161,40 @@ FormatResult<void> TiledSaver::check_tiles() const {
   return {};
 }
 
-// Puts the level's tiles into a block. Returns whether that changed a cell.
-bool TiledSaver::takes_cells(TiledBlock& block) const {
+// Whether a cell was off the map when the level was opened.
+bool TiledSaver::was_off(Cell cell) const {
+  return cell.x < 0 || cell.x >= origin_.frame.width || cell.y < 0 || cell.y >= origin_.frame.height;
+}
+
+bool TiledSaver::has_hidden_tiles(const std::vector<TiledBlock>& blocks) const {
+  const auto has_one = [this](const TiledBlock& block) {
+    for (std::size_t i = 0; i < block.cells.size(); ++i) {
+      const auto x = static_cast<int>(i % static_cast<std::size_t>(block.width));
+      const auto y = static_cast<int>(i / static_cast<std::size_t>(block.width));
+      if (block.cells[i] != 0 && was_off({block.x + x - origin_.frame.x, block.y + y - origin_.frame.y}))
+        return true;
+    }
+    return false;
+  };
+  return std::any_of(blocks.begin(), blocks.end(), has_one);
+}
+
+// Puts the level's tiles into a block. Returns whether that changed a cell. covered: by cell of the level,
+// whether a block above this one has it, so that this one keeps its own; gets the cells of this block, too.
+bool TiledSaver::takes_cells(TiledBlock& block, std::vector<bool>& covered) const {
   bool has_changed = false;
   std::size_t i = 0;
   for (int y = block.y; y < block.y + block.height; ++y) {
     for (int x = block.x; x < block.x + block.width; ++x, ++i) {
+      const Cell cell{x - origin_.frame.x, y - origin_.frame.y};
+      if (level_.map.contains(cell)) {
+        const auto place = static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(level_.map.width()) +
+                           static_cast<std::size_t>(cell.x);
+        if (covered[place]) continue;
+        covered[place] = true;
+      } else if (!is_infinite_ && was_off(cell)) {
+        continue;  // nobody has seen it
+      }
       const MapCell wanted = at(x, y);
       if (content_of(block.cells[i]) == wanted) continue;
       block.cells[i] = number_of(wanted);
@@ -171,29 +204,10 @@ bool TiledSaver::takes_cells(TiledBlock& block) const {
   return has_changed;
 }
 
-// By cell of the level, whether a block has it.
-std::vector<bool> TiledSaver::covered_by(const std::vector<TiledBlock>& blocks) const {
-  const int left = origin_.frame.x, top = origin_.frame.y;
-  const int width = level_.map.width(), height = level_.map.height();
-  std::vector<bool> covered(cells_->size());
-  for (const TiledBlock& block : blocks) {
-    const int from = std::max(block.x - left, 0), to = std::min(block.x + block.width - left, width);
-    for (int y = std::max(block.y - top, 0); y < std::min(block.y + block.height - top, height); ++y) {
-      for (int x = from; x < to; ++x)
-        covered[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] =
-            true;
-    }
-  }
-  return covered;
-}
-
-// Chunks for the tiles that no block has, at places of their size.
-std::vector<TiledBlock> TiledSaver::new_chunks(const std::vector<TiledBlock>& blocks) const {
-  constexpr int kUsualSide = 16;
-  const int wide = blocks.empty() ? kUsualSide : blocks.front().width;
-  const int high = blocks.empty() ? kUsualSide : blocks.front().height;
+// Chunks of that size, in cells, for the tiles that no block has.
+std::vector<TiledBlock> TiledSaver::new_chunks(TileSize size, const std::vector<bool>& covered) const {
   const auto chunk_at = [](int place, int side) { return place - ((place % side) + side) % side; };
-  const std::vector<bool> covered = covered_by(blocks);
+  const auto [wide, high] = size;
   std::set<std::pair<int, int>> places;  // y, x
   for (std::size_t i = 0; i < covered.size(); ++i) {
     if (covered[i] || cells_->tiles()[i] == 0) continue;
@@ -202,18 +216,19 @@ std::vector<TiledBlock> TiledSaver::new_chunks(const std::vector<TiledBlock>& bl
                    chunk_at(origin_.frame.x + static_cast<int>(i % width), wide));
   }
   std::vector<TiledBlock> chunks;
+  std::vector<bool> by_chunks(covered.size());
   for (const auto& [y, x] : places) {
     TiledBlock chunk{x, y, wide, high, {}, true};
     chunk.cells.assign(static_cast<std::size_t>(wide) * static_cast<std::size_t>(high), 0);
-    takes_cells(chunk);
+    takes_cells(chunk, by_chunks);
     chunks.push_back(std::move(chunk));
   }
   return chunks;
 }
 
-// The cells of a layer of a finite map with the size that the level has now.
-TiledBlock TiledSaver::resized(const TiledBlock& before) const {
-  TiledBlock block{0, 0, level_.map.width(), level_.map.height(), {}, false};
+// The cells of a layer of a finite map with another size; new ones are empty.
+TiledBlock TiledSaver::with_size(const TiledBlock& before, int width, int height) const {
+  TiledBlock block{0, 0, width, height, {}, false};
   for (int y = 0; y < block.height; ++y) {
     for (int x = 0; x < block.width; ++x) {
       const bool was_there = x < before.width && y < before.height;
@@ -231,32 +246,63 @@ bool TiledSaver::is_resized() const {
 
 // layer: of the level.
 FormatResult<void> TiledSaver::write_layer(int layer, TiledDocument& document) {
+  constexpr int kUsualSide = 16;  // cells, of a chunk
   const int number = arranges_ ? layer : origin_.layers[static_cast<std::size_t>(layer)];
   cells_ = &level_.cells_of(layer);
-  auto blocks = document.blocks(number);
-  if (!blocks) return tl::unexpected(blocks.error());
-  const bool is_infinite = blocks->empty() || blocks->front().is_chunk;
-  if (!is_infinite && is_resized()) {
+  auto read = document.blocks(number);
+  if (!read) return tl::unexpected(read.error());
+  std::vector<TiledBlock>& blocks = *read;
+  if (!is_infinite_ && is_resized()) {
     if (document.layer_count() != level_.layers.count())
       return cannot("has another size than the map, whose other layers would have to be cut with it");
-    TiledBlock block = resized(blocks->front());
-    takes_cells(block);
-    document.put_cells(number, 0, block);
-    if (layer == 0) document.set_size(block.width, block.height);
+    if (has_hidden_tiles(blocks))
+      return cannot("has another size than the map, which has tiles off it that would be lost",
+                    "take back the new size, or save the level as .talus.json");
+    if (layer == 0) document.set_size(level_.map.width(), level_.map.height());
+  }
+  const bool has_chunks =
+      std::any_of(blocks.begin(), blocks.end(), [](auto& block) { return block.is_chunk; });
+  if (!is_infinite_ && !has_chunks) {
+    write_block(number, is_new(layer), blocks.front(), document);
     return {};
   }
-  const bool is_new = arranges_ && pairs_[static_cast<std::size_t>(layer)] < 0;  // it has no cells yet
-  for (std::size_t i = 0; i < blocks->size(); ++i) {
-    if (takes_cells((*blocks)[i]) || is_new) document.put_cells(number, i, (*blocks)[i]);
+  std::vector<bool> covered(cells_->size()), has_changed(blocks.size());
+  for (std::size_t i = blocks.size(); i-- > 0;) has_changed[i] = takes_cells(blocks[i], covered);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (has_changed[i] || is_new(layer)) document.put_cells(number, i, blocks[i]);
   }
-  if (!is_infinite) return {};
-  if (const std::vector<TiledBlock> chunks = new_chunks(*blocks); !chunks.empty())
+  TileSize side{kUsualSide, kUsualSide};
+  if (!blocks.empty() && !blocks.back().cells.empty()) side = {blocks.back().width, blocks.back().height};
+  if (const std::vector<TiledBlock> chunks = new_chunks(side, covered); !chunks.empty())
     document.add_chunks(number, chunks);
   return {};
 }
 
+// The cells of a layer of a finite map, whose size may be another one than the map's. layer: of the file.
+void TiledSaver::write_block(int layer, bool must_put, TiledBlock& block, TiledDocument& document) const {
+  const int width = level_.map.width(), height = level_.map.height();
+  std::vector<bool> covered(cells_->size());
+  if (is_resized()) {
+    block = with_size(block, width, height);
+    takes_cells(block, covered);
+    return document.put_cells(layer, 0, block);
+  }
+  const bool has_changed = takes_cells(block, covered);
+  bool is_short = false;  // whether it lacks cells that have tiles
+  for (std::size_t i = 0; i < covered.size() && !is_short; ++i)
+    is_short = !covered[i] && (*cells_)[i] != MapCell();
+  if (is_short) {
+    block = with_size(block, std::max(block.width, width), std::max(block.height, height));
+    covered.assign(covered.size(), false);
+    takes_cells(block, covered);
+    document.set_layer_size(layer, block.width, block.height);
+  }
+  if (has_changed || is_short || must_put) document.put_cells(layer, 0, block);
+}
+
 FormatResult<void> TiledSaver::write_layers(TiledDocument& document) {
   has_cells_ = document.layer_count() > 0;
+  is_infinite_ = document.is_infinite();
   if (!has_cells_) return {};  // a tileset, or a map of objects alone
   for (std::size_t n = origin_.frame.tiles.size(); n-- > 0;) {
     if (origin_.frame.tiles[n] != 0) tiles_[origin_.frame.tiles[n]] = static_cast<TileNumber>(n);

@@ -31,6 +31,10 @@ struct XmlCells {
 
 std::uint32_t number_of_tile(const pugi::xml_node& tile) { return tile.attribute("gid").as_uint(); }
 
+std::string xml_attribute(const char* name, std::string_view value) {
+  return value.empty() ? "" : " " + std::string(name) + "=\"" + xml_attribute_text(value) + "\"";
+}
+
 class TiledXmlDocument : public TiledDocument {
  public:
   TiledXmlDocument(std::string_view bytes, std::string text)
@@ -45,6 +49,7 @@ class TiledXmlDocument : public TiledDocument {
   }
 
   bool is_map() const override { return std::string_view(root_.name()) == "map"; }
+  bool is_infinite() const override { return root_.attribute("infinite").as_int() != 0; }
   int layer_count() const override { return static_cast<int>(layers_.size()); }
   int object_layer_count() const override { return static_cast<int>(object_layers_.size()); }
   FormatResult<std::vector<TiledBlock>> blocks(int layer) const override;
@@ -58,6 +63,7 @@ class TiledXmlDocument : public TiledDocument {
   void edit_objects(int layer, const std::vector<TiledObjectEdit>& edits) override;
   TiledLayerTree layer_tree() const override { return tree_; }
   void arrange(const TiledLayerTree& tree) override { arrange_in(root_, tree, edits_); }
+  void set_layer_size(int layer, int width, int height) override;
   void set_size(int width, int height) override;
   void edit_tiles(int tileset, const TiledTileEdits& edits) override;
   std::string text() const override;
@@ -87,6 +93,8 @@ class TiledXmlDocument : public TiledDocument {
   std::vector<XmlCells> cells_of(int layer) const;
   FormatResult<std::vector<std::uint32_t>> read_cells(const XmlCells& at, std::size_t count) const;
   void put_tiles(const XmlCells& at, const TiledBlock& content);
+  TiledEncoding usual_encoding() const;
+  void add_data(int layer, const std::string& content);
   std::string new_content(const XmlCells& like, const TiledBlock& content) const;
 
   std::string_view bytes_;
@@ -140,9 +148,11 @@ std::vector<XmlCells> TiledXmlDocument::cells_of(int layer) const {
 FormatResult<std::vector<TiledBlock>> TiledXmlDocument::blocks(int layer) const {
   std::vector<TiledBlock> all;
   const pugi::xml_node node = layers_[static_cast<std::size_t>(layer)];
-  for (const XmlCells& at : cells_of(layer)) {
+  std::vector<XmlCells> all_cells = cells_of(layer);
+  if (all_cells.empty() && !is_infinite()) all_cells.push_back({node, {}});  // a layer without data
+  for (const XmlCells& at : all_cells) {
     TiledBlock block;
-    block.is_chunk = root_.attribute("infinite").as_int() != 0;
+    block.is_chunk = is_infinite() || std::string_view(at.element.name()) == "chunk";
     const bool has_own = at.element.attribute("width");
     const pugi::xml_node sized = has_own ? at.element : node.attribute("width") ? node : root_;
     block.width = sized.attribute("width").as_int();
@@ -179,7 +189,11 @@ FormatResult<std::vector<std::uint32_t>> TiledXmlDocument::read_cells(const XmlC
 }
 
 void TiledXmlDocument::put_cells(int layer, std::size_t block, const TiledBlock& content) {
-  const XmlCells at = cells_of(layer)[block];
+  const std::vector<XmlCells> all = cells_of(layer);
+  if (all.empty())
+    return add_data(layer,
+                    new_content({layers_[static_cast<std::size_t>(layer)], usual_encoding()}, content));
+  const XmlCells& at = all[block];
   if (at.how.encoding.empty() && !at.tiles().empty()) return put_tiles(at, content);
   const TextSpan inside = places_.inside(at.element);
   if (!places_.has_inside(at.element))
@@ -219,10 +233,10 @@ std::string TiledXmlDocument::new_content(const XmlCells& like, const TiledBlock
 }
 
 void TiledXmlDocument::add_chunks(int layer, const std::vector<TiledBlock>& chunks) {
-  const pugi::xml_node data = layers_[static_cast<std::size_t>(layer)].child("data");
-  const XmlCells like = cells_of(layer).back();
-  const bool has_chunks = like.element != data;
-  const std::string data_break = places_.break_before(data);
+  const pugi::xml_node node = layers_[static_cast<std::size_t>(layer)], data = node.child("data");
+  const XmlCells like = data ? cells_of(layer).back() : XmlCells{node, usual_encoding()};
+  const bool has_chunks = data && like.element != data;
+  const std::string data_break = places_.break_before(data ? data : node);
   const std::string chunk_break = has_chunks           ? places_.break_before(like.element)
                                   : data_break.empty() ? ""
                                                        : data_break + " ";
@@ -236,8 +250,26 @@ void TiledXmlDocument::add_chunks(int layer, const std::vector<TiledBlock>& chun
             "</chunk>";
   }
   if (has_chunks) return edits_.insert(places_.whole(like.element).end, text);
+  if (!data) return add_data(layer, text + data_break);
   if (places_.has_inside(data)) return edits_.replace(places_.inside(data), text + data_break);
   append_xml_inside(places_, data, text + data_break, edits_);
+}
+
+// That of the first layer with cells.
+TiledEncoding TiledXmlDocument::usual_encoding() const {
+  for (const pugi::xml_node& layer : layers_) {
+    const pugi::xml_node data = layer.child("data");
+    if (data) return {data.attribute("encoding").value(), data.attribute("compression").value()};
+  }
+  return {"csv", ""};
+}
+
+// content: that of the new element, in the usual encoding.
+void TiledXmlDocument::add_data(int layer, const std::string& content) {
+  const TiledEncoding how = usual_encoding();
+  const std::string tag =
+      "<data" + xml_attribute("encoding", how.encoding) + xml_attribute("compression", how.compression) + ">";
+  append_xml_inside(places_, layers_[static_cast<std::size_t>(layer)], tag + content + "</data>", edits_);
 }
 
 void TiledXmlDocument::set_looks(TiledLayerKind kind, int layer, const TileLayer& before,
@@ -304,10 +336,6 @@ std::string TiledXmlDocument::text() const {
   return now == text_ ? std::string(bytes_) : now;
 }
 
-std::string xml_attribute(const char* name, std::string_view value) {
-  return value.empty() ? "" : " " + std::string(name) + "=\"" + xml_attribute_text(value) + "\"";
-}
-
 std::string TiledXmlDocument::new_layer(const TiledLayerNode& node, const std::string& line) {
   const auto attribute = xml_attribute;
   std::string head =
@@ -316,12 +344,9 @@ std::string TiledXmlDocument::new_layer(const TiledLayerNode& node, const std::s
   if (node.kind == TiledLayerKind::objects) return "<objectgroup draworder=\"index\"" + head + "/>";
   head += attribute("width", root_.attribute("width").value()) +
           attribute("height", root_.attribute("height").value());
-  const pugi::xml_node like = layers_.empty() ? pugi::xml_node() : layers_.front().child("data");
-  const std::string data = "<data" +
-                           (like ? attribute("encoding", like.attribute("encoding").value()) +
-                                       attribute("compression", like.attribute("compression").value())
-                                 : attribute("encoding", "csv")) +
-                           "/>";
+  const TiledEncoding how = usual_encoding();
+  const std::string data =
+      "<data" + attribute("encoding", how.encoding) + attribute("compression", how.compression) + "/>";
   const std::string inner = line.empty() ? "" : line + TiledXmlEditor(text_, places_, root_, edits_).unit();
   return "<layer" + head + ">" + inner + data + line + "</layer>";
 }
@@ -400,6 +425,12 @@ void TiledXmlDocument::arrange_in(const pugi::xml_node& parent, const TiledLayer
     const TextSpan whole = places_.whole(old[i]);
     edits.replace({whole.begin - places_.break_before(old[i]).size(), whole.end}, "");
   }
+}
+
+void TiledXmlDocument::set_layer_size(int layer, int width, int height) {
+  const pugi::xml_node node = layers_[static_cast<std::size_t>(layer)];
+  set_xml_attribute(places_, node, "width", std::to_string(width), edits_);
+  set_xml_attribute(places_, node, "height", std::to_string(height), edits_);
 }
 
 void TiledXmlDocument::set_size(int width, int height) {
