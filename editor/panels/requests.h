@@ -54,7 +54,7 @@ struct Zoom {
 // To the same canvas: shows the whole map, or goes back.
 struct FitMap {};
 // To the same canvas: shows what it showed when the level was opened.
-struct FitFirstScreen {};
+struct ShowOpening {};
 // To the problems panel: scrolls to the chosen problem.
 struct ShowProblem {};
 // To the same: scrolls to the proof of the level.
@@ -84,9 +84,9 @@ struct OpenProgram {
 
 using Request =
     std::variant<request::ShowTab, request::FocusField, request::FocusPanel, request::ShowCell,
-                 request::Scroll, request::Zoom, request::FitMap, request::FitFirstScreen,
-                 request::ShowProblem, request::ShowProof, request::RenameLayer, request::RenameGroup,
-                 request::PutBreakpointAt, request::ShowFileDialog, request::OpenProgram>;
+                 request::Scroll, request::Zoom, request::FitMap, request::ShowOpening, request::ShowProblem,
+                 request::ShowProof, request::RenameLayer, request::RenameGroup, request::PutBreakpointAt,
+                 request::ShowFileDialog, request::OpenProgram>;
 
 class Requests {
  public:

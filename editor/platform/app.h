@@ -39,6 +39,8 @@ struct AppOptions {
   std::function<void(double seconds)> pause = {};
   Patience patience{std::chrono::milliseconds(2000), std::chrono::milliseconds(100)};
   std::vector<std::string> others = {};  // maps that are listed with `file`
+  // A level opens at its first screen, not at what matters of it: for tests that measure on the map.
+  bool at_first_screen = false;
 };
 
 class App {

@@ -37,12 +37,21 @@ constexpr std::array<float, 25> kZooms = {1.0f / 32768,
 constexpr int kQuarter = 13;         // the step of 1/4
 constexpr double kKeptInSight = 48;  // px of the screen
 constexpr float kLeastFitted = 96;   // px of the screen: in a smaller canvas nothing can be seen
+constexpr double kClose = 0.8;       // the share of a zoom that is as good as the whole
 
 int step_that_fits(Vec2 level, ImVec2 canvas) {
   int step = 0;
   for (std::size_t i = 0; i < kZooms.size(); ++i)
     if (level.x * kZooms[i] <= canvas.x && level.y * kZooms[i] <= canvas.y) step = static_cast<int>(i);
   return step;
+}
+
+// A canvas in which something can be seen.
+ImVec2 fitted(ImVec2 canvas) { return {std::max(canvas.x, kLeastFitted), std::max(canvas.y, kLeastFitted)}; }
+
+// A map that is smaller than the canvas lies in its middle; else nothing beside the map is shown.
+double kept_on_map(double offset, double map, double canvas) {
+  return map <= canvas ? std::round((canvas - map) / 2) : std::clamp(offset, std::round(canvas - map), 0.0);
 }
 
 }  // namespace
@@ -57,14 +66,16 @@ Rect CanvasView::visible() const {
   return {from.x, from.y, to.x - from.x, to.y - from.y};
 }
 
-float Camera::zoom() const { return kZooms[static_cast<std::size_t>(step_)]; }
+float Camera::zoom() const { return between_.value_or(kZooms[static_cast<std::size_t>(step_)]); }
 
 void Camera::zoom_at(ImVec2 at, int steps) {
   untouched_ = false;
   const double before = zoom();
-  const int step = std::clamp(step_ + steps, least_, static_cast<int>(kZooms.size()) - 1);
-  if (step == step_) return;
+  const int from = between_ && steps < 0 ? step_ + 1 : step_;
+  const int step = std::clamp(from + steps, least_, static_cast<int>(kZooms.size()) - 1);
+  if (step == step_ && !between_) return;
   step_ = step;
+  between_.reset();
   before_.reset();
   const double ratio = zoom() / before;
   offset_ = {std::round(at.x - (at.x - offset_.x) * ratio), std::round(at.y - (at.y - offset_.y) * ratio)};
@@ -98,25 +109,53 @@ void Camera::keep_in_sight(Vec2 point, ImVec2 canvas) {
 }
 
 void Camera::fit(Vec2 level, ImVec2 canvas) {
-  step_ = step_that_fits(level, {std::max(canvas.x, kLeastFitted), std::max(canvas.y, kLeastFitted)});
+  step_ = step_that_fits(level, fitted(canvas));
+  between_.reset();
   centre(level * 0.5, canvas);
   untouched_ = true;
+}
+
+void Camera::show(const Rect& area, bool may_be_cut, Vec2 map, ImVec2 canvas) {
+  before_.reset();
+  between_.reset();
+  const ImVec2 room = fitted(canvas);
+  const double exact = std::min(room.x / area.w, room.y / area.h);
+  step_ = step_that_fits({area.w, area.h}, room);
+  const auto above = static_cast<std::size_t>(step_) + 1;
+  if (above < kZooms.size() && zoom() < exact * kClose) {
+    if (may_be_cut && kZooms[above] * kClose <= exact)
+      ++step_;
+    else
+      between_ = static_cast<float>(exact);
+  }
+  centre(area.center(), canvas);
+  stay_on_map(map, canvas);
+  untouched_ = true;
+}
+
+void Camera::stay_on_map(Vec2 map, ImVec2 canvas) {
+  offset_ = {kept_on_map(offset_.x, map.x * zoom(), canvas.x),
+             kept_on_map(offset_.y, map.y * zoom(), canvas.y)};
 }
 
 void Camera::toggle_whole(Vec2 map, ImVec2 canvas) {
   if (before_) {
     step_ = before_->step;
+    between_ = before_->between;
     offset_ = before_->offset;
     before_.reset();
   } else {
-    before_ = Place{step_, offset_};
+    before_ = Place{step_, between_, offset_};
     fit(map, canvas);
     untouched_ = false;
   }
 }
 
 void Camera::leave_whole(Vec2 point, ImVec2 canvas) {
-  if (before_) step_ = before_->step;
+  if (before_) {
+    step_ = before_->step;
+    between_ = before_->between;
+  }
   before_.reset();
   centre(point, canvas);
 }

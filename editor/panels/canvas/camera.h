@@ -1,5 +1,5 @@
-// Camera: which part of the level a canvas shows. Zoom is in whole steps and the level's origin on a whole
-// pixel, so pixel art stays sharp.
+// Camera: which part of the level a canvas shows. The level's origin is on a whole pixel, and so is each zoom
+// that the user chooses, so that pixel art stays sharp.
 #pragma once
 
 #include <imgui.h>
@@ -33,7 +33,8 @@ struct CanvasView {
 class Camera {
  public:
   float zoom() const;
-  bool is_untouched() const { return untouched_; }  // whether fit() set it last
+  // Whether fit() or show() set it last; follow() does not count.
+  bool is_untouched() const { return untouched_; }
   // Zooms by `steps` (> 0: in) and keeps what lies at `at` in place; px from the canvas's corner.
   void zoom_at(ImVec2 at, int steps);
   void scroll(Vec2 pixels);  // px of the screen
@@ -45,6 +46,9 @@ class Camera {
   void keep_in_sight(Vec2 point, ImVec2 canvas);
   // Sets the largest zoom at which a level of this size, in px, fits, and centres it.
   void fit(Vec2 level, ImVec2 canvas);
+  // Shows an area of the map, px of the level, as large as it fits. The zoom is a step if one is close: the
+  // lower one, or, if the area may be cut at its edges, the upper one. `map` is the map's size.
+  void show(const Rect& area, bool may_be_cut, Vec2 map, ImVec2 canvas);
   // The world view: shows the whole map, or goes back.
   void toggle_whole(Vec2 map, ImVec2 canvas);
   // True after toggle_whole() until another zoom is chosen.
@@ -61,13 +65,16 @@ class Camera {
  private:
   struct Place {
     int step;
+    std::optional<float> between;
     Vec2 offset;
   };
   Vec2 missing(Vec2 point, ImVec2 canvas) const;  // px of the screen to scroll by until the point is in sight
+  void stay_on_map(Vec2 map, ImVec2 canvas);
 
-  int step_ = 16;   // 2x
-  int least_ = 13;  // the lowest step
-  Vec2 offset_;     // px of the screen, from the canvas's corner to the level's
+  int step_ = 16;                 // 2x
+  std::optional<float> between_;  // the zoom, if it is one between step_ and the next
+  int least_ = 13;                // the lowest step
+  Vec2 offset_;                   // px of the screen, from the canvas's corner to the level's
   bool untouched_ = true;
   std::optional<Place> before_;  // the view before the world view
 };

@@ -30,6 +30,7 @@ struct CanvasesView {
   bool split_compared = false;  // the other side of a comparison has a view of its own
   bool follow_body = false;     // the play view scrolls with the chosen body
   bool legend_folded = false;   // the legend of the overlays has no names
+  bool opens_on_player = true;  // a level is shown at what matters of it first; else at its first screen
   bool minimap = false;         // the whole map in a corner of the map, to go elsewhere
   bool play_active = false;     // of the two canvases, the play view was used last
   bool second_map = false;      // of two maps, the second was used last

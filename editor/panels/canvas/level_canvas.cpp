@@ -10,7 +10,9 @@
 #include "fix_preview.h"
 #include "mouse_mark.h"
 #include "object_drawing.h"
+#include "opening_area.h"
 #include "other_side.h"
+#include "overlay/number_label.h"
 #include "overlay_painter.h"
 #include "panels/commands/commands.h"
 #include "panels/debugger/compare_choice.h"
@@ -59,8 +61,9 @@ std::vector<std::string> plate_lines(const std::string& text, const CanvasView& 
 }
 
 std::string zoom_text(float zoom) {
-  if (zoom >= 1) return std::to_string(static_cast<int>(zoom)) + "x";
-  return "1/" + std::to_string(static_cast<int>(1 / zoom)) + "x";
+  const float factor = zoom >= 1 ? zoom : 1 / zoom;
+  if (factor != std::floor(factor)) return small_too(zoom) + "x";
+  return (zoom >= 1 ? "" : "1/") + std::to_string(static_cast<int>(factor)) + "x";
 }
 
 // What the keyboard's cursor can do now.
@@ -179,21 +182,26 @@ LevelToolUse LevelCanvas::use(const Session& session, const CanvasView& view, Ui
   return {session, ui, view, view.to_level(mouse), view.to_cell(mouse), ImGui::IsItemHovered()};
 }
 
-// Shows the first screen of another level, as large as a changed window allows, until the user has chosen a
-// view.
+// Shows what matters of another level, as large as a changed window allows, until the user has chosen a view.
 void LevelCanvas::start_afresh(const Session& session, const Ui& ui, ImVec2 size) {
   const bool another = level_number_ != ui.view.canvas.level_number;
   const bool resized = size.x != size_.x || size.y != size_.y;
+  const bool was_compiling = std::exchange(compiling_, session.compile_progress().has_value());
+  const bool has_bodies_now = was_compiling && !compiling_ && session.history().edits().empty();
   level_number_ = ui.view.canvas.level_number;
   size_ = size;
-  if (!another && !(resized && camera_.is_untouched())) return;
-  fit_first_screen(session.level().map, size);
+  if (another || ((resized || has_bodies_now) && camera_.is_untouched())) show_opening(session, ui, size);
 }
 
-void LevelCanvas::fit_first_screen(const TileMap& map, ImVec2 size) {
+void LevelCanvas::show_opening(const Session& session, const Ui& ui, ImVec2 size) {
+  const TileMap& map = session.level().map;
   camera_ = Camera();
   const Vec2 whole = size_in_pixels(map);
-  camera_.fit({std::min(whole.x, map.x_of(kScreenColumns)), std::min(whole.y, map.y_of(kScreenRows))}, size);
+  if (!ui.view.canvas.opens_on_player)
+    return camera_.fit(
+        {std::min(whole.x, map.x_of(kScreenColumns)), std::min(whole.y, map.y_of(kScreenRows))}, size);
+  const OpeningArea shown = opening_area(session.level(), session.state());
+  camera_.show(shown.area, shown.may_be_cut, whole, size);
 }
 
 // Whether the requests of the view are for this canvas, of the two that may be shown.
@@ -218,7 +226,7 @@ void LevelCanvas::take_requests(const Session& session, Ui& ui, ImVec2 size) {
     camera_.zoom_at({size.x / 2, size.y / 2}, zoom->steps);
   if (const auto scroll = v.requests.take<request::Scroll>()) camera_.scroll(scroll->by);
   if (v.requests.take<request::FitMap>()) camera_.toggle_whole(map, size);
-  if (v.requests.take<request::FitFirstScreen>()) fit_first_screen(session.level().map, size);
+  if (v.requests.take<request::ShowOpening>()) show_opening(session, ui, size);
 }
 
 void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui, const CanvasView& view) {

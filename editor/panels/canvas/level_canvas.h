@@ -36,7 +36,7 @@ class LevelCanvas {
   LevelToolUse use(const Session& session, const CanvasView& view, Ui& ui) const;
   bool is_play() const { return kind_ == Kind::play; }
   void start_afresh(const Session& session, const Ui& ui, ImVec2 size);
-  void fit_first_screen(const TileMap& map, ImVec2 size);
+  void show_opening(const Session& session, const Ui& ui, ImVec2 size);
   void take_requests(const Session& session, Ui& ui, ImVec2 size);
   void handle_mouse(const Session& session, Actions& actions, Ui& ui, const CanvasView& view);
   void follow_cursor(const Session& session, Ui& ui, const CanvasView& view);
@@ -78,9 +78,10 @@ class LevelCanvas {
   Minimap minimap_;
   // In the play view: the level as it was at the shown frame, on this side and on the other one.
   LevelAtFrame level_at_frame_, other_level_at_frame_;
-  int level_number_ = -1;  // number of the level that the camera was set for
-  float wheel_ = 0;        // clicks of the wheel that do not make a whole step yet
-  ImVec2 size_;            // px, of the canvas in the last frame
+  int level_number_ = -1;   // number of the level that the camera was set for
+  bool compiling_ = false;  // whether its bodies were not all there then
+  float wheel_ = 0;         // clicks of the wheel that do not make a whole step yet
+  ImVec2 size_;             // px, of the canvas in the last frame
   bool panning_ = false;
   bool holding_ = false;  // whether the left button went down on the play view
 };

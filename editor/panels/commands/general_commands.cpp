@@ -320,12 +320,12 @@ std::vector<Command> zoom_commands() {
                        .run = [](S, A, U ui) { ui.ask(request::Zoom{-1}); },
                        .repeats = true},
                       {.id = "canvas/fit",
-                       .label = "Fit the first screen",
-                       .help = "Shows the level as when it was opened: its first screen, as large "
-                               "as there is room for.",
+                       .label = "Show the player",
+                       .help = "Shows the player, as when the level was opened; of a level without one, its "
+                               "bodies, or its ground.",
                        .key = alt(kKeyHome),
-                       .run = [](S, A, U ui) { ui.ask(request::FitFirstScreen{}); },
-                       .words = "home reset view zoom level"},
+                       .run = [](S, A, U ui) { ui.ask(request::ShowOpening{}); },
+                       .words = "fit first screen home reset view zoom level bodies"},
                   });
 }
 

@@ -1,0 +1,113 @@
+// Looks for a player, for bodies and for ground.
+#include "opening_area.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "tile_drawing.h"
+
+namespace talus {
+namespace {
+
+constexpr double kLeastOfScreen = 0.8;  // of a screen's width and height, that are shown at least
+constexpr double kMostScreens = 2;      // that a view shows of what is spread out
+
+Vec2 size_of_map(const TileMap& map) { return {map.px_width(), map.px_height()}; }
+
+// At most the map.
+Vec2 size_of_screen(const TileMap& map) {
+  return {std::min(map.px_width(), map.x_of(kScreenColumns)),
+          std::min(map.px_height(), map.y_of(kScreenRows))};
+}
+
+// An area of this size about a point, moved onto the map. At most as large as the map.
+Rect area_about(Vec2 centre, Vec2 size, const TileMap& map) {
+  const Vec2 whole = size_of_map(map);
+  size = {std::min(size.x, whole.x), std::min(size.y, whole.y)};
+  return {std::clamp(centre.x - size.x / 2, 0.0, whole.x - size.x),
+          std::clamp(centre.y - size.y / 2, 0.0, whole.y - size.y), size.x, size.y};
+}
+
+Rect joined(const Rect& a, const Rect& b) {
+  const double x = std::min(a.x, b.x), y = std::min(a.y, b.y);
+  return {x, y, std::max(a.right(), b.right()) - x, std::max(a.bottom(), b.bottom()) - y};
+}
+
+// With some room around it, and not so small that the place cannot be told.
+Rect with_room(const Rect& bounds, double room, const TileMap& map) {
+  const Vec2 least = size_of_screen(map) * kLeastOfScreen;
+  return area_about(bounds.center(),
+                    {std::max(bounds.w + 2 * room, least.x), std::max(bounds.h + 2 * room, least.y)}, map);
+}
+
+bool is_spread(const Rect& bounds, const TileMap& map) {
+  const Vec2 most = size_of_screen(map) * kMostScreens;
+  return bounds.w > most.x || bounds.h > most.y;
+}
+
+// The cells of a part of the map in which a layer of ground has a tile, from the first to the last.
+std::optional<Rect> tiles_within(const std::vector<LayerCells>& layers, CellSpan part, const TileMap& map) {
+  std::optional<Rect> found;
+  for (const LayerCells cells : layers) {
+    for (int y = part.y0; y < part.y1; ++y) {
+      const auto row = cells->tiles().begin() + static_cast<std::ptrdiff_t>(y) * map.width();
+      const auto has_tile = [](TileNumber tile) { return tile != 0; };
+      const auto first = std::find_if(row + part.x0, row + part.x1, has_tile);
+      if (first == row + part.x1) continue;
+      const auto last =
+          std::find_if(std::reverse_iterator(row + part.x1), std::reverse_iterator(first), has_tile);
+      const Rect ends = joined(map.box_of({static_cast<int>(first - row), y}),
+                               map.box_of({static_cast<int>(last.base() - row) - 1, y}));
+      found = found ? joined(*found, ends) : ends;
+    }
+  }
+  return found;
+}
+
+// By rows of screens.
+std::optional<Rect> first_screen_with_tiles(const std::vector<LayerCells>& layers, const TileMap& map) {
+  for (int y = 0; y < map.height(); y += kScreenRows) {
+    for (int x = 0; x < map.width(); x += kScreenColumns) {
+      const CellSpan screen{x, y, std::min(x + kScreenColumns, map.width()),
+                            std::min(y + kScreenRows, map.height())};
+      if (!tiles_within(layers, screen, map)) continue;
+      const Vec2 at = map.corner_of({x, y}), size = size_of_screen(map);
+      return area_about(at + size * 0.5, size, map);
+    }
+  }
+  return std::nullopt;
+}
+
+Rect area_of_ground(const Level& level) {
+  const TileMap& map = level.map;
+  const std::vector<LayerCells> layers = ground_layers(level);
+  const auto first = first_screen_with_tiles(layers, map);
+  if (!first) return area_about({}, size_of_screen(map), map);
+  if (is_spread({0, 0, map.px_width(), map.px_height()}, map)) return *first;
+  return with_room(*tiles_within(layers, {0, 0, map.width(), map.height()}, map), map.tile_size().height,
+                   map);
+}
+
+}  // namespace
+
+const Body* followed_body(const State& state, int chosen) {
+  if (const Body* body = state.find(chosen)) return body;
+  const auto steered = std::find_if(state.bodies.begin(), state.bodies.end(),
+                                    [](const Body& body) { return traits_of(body.kind).takes_keys; });
+  return steered != state.bodies.end() ? &*steered : nullptr;
+}
+
+OpeningArea opening_area(const Level& level, const State& state) {
+  const TileMap& map = level.map;
+  if (const Body* player = followed_body(state, 0))
+    return {area_about(player->box.center(), size_of_screen(map), map), true};
+  if (state.bodies.empty()) return {area_of_ground(level)};
+  Rect bounds = state.bodies.front().box;
+  for (const Body& body : state.bodies) bounds = joined(bounds, body.box);
+  if (is_spread(bounds, map))
+    return {area_about(state.bodies.front().box.center(), size_of_screen(map), map), true};
+  return {with_room(bounds, 2.0 * map.tile_size().height, map)};
+}
+
+}  // namespace talus

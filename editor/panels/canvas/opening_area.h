@@ -1,0 +1,24 @@
+// What of a level is shown first.
+#pragma once
+
+#include <talus/collision/geometry.h>
+#include <talus/level/level.h>
+#include <talus/sim/state.h>
+
+namespace talus {
+
+// A part of the level that should be seen at once.
+struct OpeningArea {
+  Rect area;                // px of the level, on the map
+  bool may_be_cut = false;  // whether whole pixels are worth more than its edges
+};
+
+// The body that the view goes with: the chosen one, else the first that the keys steer; null if there is
+// none.
+const Body* followed_body(const State& state, int chosen);
+// A screen around the body that the keys steer; else what the bodies take, or a screen around the first one
+// if they are far from each other; else what the tiles of ground take, or the first screen that has some;
+// else the first screen. Screens are as large as TIC-80's in cells.
+OpeningArea opening_area(const Level& level, const State& state);
+
+}  // namespace talus
