@@ -13,7 +13,8 @@ enum class ThemeKind { dark, light };
 
 struct Preferences {
   ThemeKind theme = ThemeKind::dark;
-  double font_size = 14;  // px at scale 1; kMinFontSize to kMaxFontSize
+  double font_size = 14;     // px at scale 1; kMinFontSize to kMaxFontSize
+  bool plays_opened = true;  // whether a level with bodies plays as soon as it is open
   KeyBindings keys;
   ProgramCommands programs = default_program_commands();
   friend bool operator==(const Preferences&, const Preferences&) = default;

@@ -100,9 +100,10 @@ tl::expected<std::unique_ptr<App>, std::string> App::start(AppOptions options) {
   const std::string error = app->open_window(settings);
   if (!error.empty()) return tl::unexpected(error);
   app->last_time_ = app->last_event_ = app->options_.clock();
-  app->ui_.view.canvas.opens_on_player = !app->options_.at_first_screen;
+  app->ui_.view.canvas.opens_on_player = !app->options_.paused_at_first_screen;
   app->open_first_level();
   app->take_settings(settings);
+  if (app->options_.file.empty()) app->play_opened_level();
   if (app->options_.remember) {
     app->guard_.emplace((std::filesystem::path(state_folder()) / "autosave").string(),
                         app->options_.patience);
@@ -159,10 +160,14 @@ void App::open_first_level() {
   auto demo = load_level(asset_path("demo.talus.json"));
   session_ = demo ? std::make_unique<Session>(std::move(demo->level), "", "demo (copy)", tools)
                   : std::make_unique<Session>(Level(), "", kUnnamed, tools);
-  if (demo)
+  if (!demo) session_->apply(action::ShowMessage{"The demo level is missing: " + demo.error().message, true});
+}
+
+// A level without bodies is painted first, and a recording is looked at.
+void App::play_opened_level() {
+  const bool has_bodies = !session_->state().bodies.empty() || session_->compile_progress();
+  if (ui_.view.preferences.plays_opened && has_bodies && session_->timeline().last_frame() == 0)
     session_->apply(action::Play{});
-  else
-    session_->apply(action::ShowMessage{"The demo level is missing: " + demo.error().message, true});
 }
 
 void App::take_settings(const Settings& settings) {
@@ -508,6 +513,7 @@ void App::note_changes() {
       session_->history().edits().empty()) {
     copies_.forget();
     ui_.view.forget_level();
+    if (!options_.paused_at_first_screen) play_opened_level();
   }
   if (ui_.view.preferences != noted_preferences_) {
     noted_preferences_ = ui_.view.preferences;

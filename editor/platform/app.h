@@ -30,7 +30,7 @@
 namespace talus {
 
 struct AppOptions {
-  std::string file;                    // file to open; empty: the demo level, playing
+  std::string file;                    // file to open; empty: the demo level
   int width = 0, height = 0;           // px, of the window; 0: as in the settings
   bool offscreen = false;              // without a display
   bool remember = true;                // reads and writes settings, and saves automatically
@@ -39,8 +39,9 @@ struct AppOptions {
   std::function<void(double seconds)> pause = {};
   Patience patience{std::chrono::milliseconds(2000), std::chrono::milliseconds(100)};
   std::vector<std::string> others = {};  // maps that are listed with `file`
-  // A level opens at its first screen, not at what matters of it: for tests that measure on the map.
-  bool at_first_screen = false;
+  // A level of a file opens paused at its first screen, and not as the preferences say at what matters of it:
+  // for tests that measure on the map.
+  bool paused_at_first_screen = false;
 };
 
 class App {
@@ -70,6 +71,7 @@ class App {
   std::string remember() const;  // returns what went wrong, or an empty text
   void remember_changes();
   void open_first_level();
+  void play_opened_level();
 
   void hold_keys_while_dialogs_change();
   void hold_keys_until_field_focused();

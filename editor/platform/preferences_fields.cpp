@@ -55,7 +55,8 @@ Field<Preferences> programs_field(const char* key) {
 Fields<Preferences> preferences_fields() {
   return {choice("theme", &Preferences::theme, ThemeKind::dark, {"dark", "light"}),
           number("font_size", &Preferences::font_size, Preferences().font_size, kMinFontSize, kMaxFontSize),
-          keys_field("keys"), programs_field("programs")};
+          toggle("plays_opened", &Preferences::plays_opened, Preferences().plays_opened), keys_field("keys"),
+          programs_field("programs")};
 }
 
 }  // namespace talus

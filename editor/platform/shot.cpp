@@ -111,6 +111,7 @@ tl::expected<void, std::string> write_window_shot(const WindowShotOptions& optio
   auto app = App::start(std::move(start));
   if (!app) return tl::unexpected(app.error());
   Session& session = (*app)->session();
+  (*app)->ui().view.preferences.plays_opened = false;
   session.finish_reading();
   session.apply(action::Pause{});
   for (const Overlay* overlay : all_overlays())

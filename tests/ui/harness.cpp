@@ -39,7 +39,7 @@ void UiTest::start(const std::string& file, int width, int height) {
   options.clock = [this] { return clock_; };
   options.pause = [this](double seconds) { clock_ += std::min(seconds, turns_end_ - clock_); };
   options.patience = Patience();
-  options.at_first_screen = opens_at_first_screen_;
+  options.paused_at_first_screen = opens_paused_;
   auto app = App::start(std::move(options));
   ASSERT_TRUE(app) << app.error();
   app_ = std::move(*app);

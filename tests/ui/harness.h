@@ -34,9 +34,9 @@ class UiTest : public ::testing::Test {
     key(kKeyF3);
   }
   void stop() { app_.reset(); }
-  // From the next start on, levels open as they do for a user, at what matters of them. Else they open at
-  // their first screen.
-  void open_as_users_do() { opens_at_first_screen_ = false; }
+  // From the next start on, levels open as they do for a user: at what matters of them, and playing. Else
+  // they open paused at their first screen.
+  void open_as_users_do() { opens_paused_ = false; }
   // Lets that time pass, in which the window draws a frame only if there is a reason.
   void turn_for(double seconds);
 
@@ -101,7 +101,7 @@ class UiTest : public ::testing::Test {
   const EnvironmentVariable state_folder_{"TALUS_STATE_DIR", path("state")};
   double clock_ = 100;    // s
   double turns_end_ = 0;  // s
-  bool opens_at_first_screen_ = true;
+  bool opens_paused_ = true;
   ImVec2 mouse_{0, 0};
   std::unique_ptr<App> app_;
 };

@@ -3,6 +3,7 @@
 
 #include <talus/formats/format.h>
 #include "harness.h"
+#include "panels/canvas/opening_area.h"
 #include "paths.h"
 
 namespace talus::opening_test {
@@ -37,6 +38,110 @@ class UiOpening : public UiTest {
            place.y < widget->max.y;
   }
 };
+
+// Of which nothing was asked but to open it.
+TEST_F(UiOpening, AMapOfTiledPlaysAndItsPlayerRuns) {
+  std::filesystem::copy(source_path("assets/platformer"), path("platformer"));
+  start(path("platformer/meadow.tmx"));
+  ASSERT_TRUE(session().playback().running);
+  const Body& player = *followed_body(session().state(), 0);
+  EXPECT_TRUE(is_in_sight("play", player.box.center()));
+  frames(60);
+  const double x = followed_body(session().state(), 0)->box.x;
+  hold(kKeyRight);
+  frames(30);
+  EXPECT_GT(followed_body(session().state(), 0)->box.x, x + 10);
+}
+
+TEST_F(UiOpening, PlaysHoweverItIsOpened) {
+  const std::string file = save(far_level(), "far.talus.json");
+  start(file);
+  EXPECT_TRUE(session().playback().running) << "from the command line";
+  session().apply(action::Pause{});
+  drop(save_test_level("other.talus.json"));
+  EXPECT_TRUE(session().playback().running) << "dropped";
+  EXPECT_LT(session().state().frame, 10) << "from its start";
+  session().apply(action::Pause{});
+  session().apply(action::OpenFile{file});
+  frames(2);
+  EXPECT_TRUE(session().playback().running) << "from a dialog or a list";
+}
+
+TEST_F(UiOpening, ASettingTurnsPlayingOff) {
+  start(save_test_level("level.talus.json"));
+  key(ctrl(','));
+  frames(3);
+  click("settings/plays_opened");
+  stop();
+  start(path("level.talus.json"));
+  EXPECT_FALSE(session().playback().running) << "it is remembered";
+  EXPECT_EQ(session().state().frame, 0);
+  start("");
+  EXPECT_FALSE(session().playback().running) << "the demo level is no exception";
+}
+
+TEST_F(UiOpening, ALevelWithoutBodiesWaits) {
+  Level level = test_level();
+  level.map.set({5, 10}, 0);
+  start(save(level, "ground.talus.json"));
+  EXPECT_FALSE(session().playback().running);
+}
+
+TEST_F(UiOpening, ARecordingWaits) {
+  start(save_test_level("level.talus.json"));
+  frames(20);
+  session().apply(action::SaveRecording{path("level.talusrec")});
+  drop(path("level.talusrec"));
+  EXPECT_GT(session().timeline().last_frame(), 0);
+  EXPECT_FALSE(session().playback().running);
+}
+
+TEST_F(UiOpening, EditsGoOnWhileItPlays) {
+  start(save_test_level("level.talus.json"));
+  const std::int64_t frame = session().state().frame;
+  click(on_sheet(1));
+  click(on_map({12, 9}));
+  EXPECT_EQ(tile_at({12, 9}), 1);
+  frames(2);
+  EXPECT_TRUE(session().playback().running);
+  EXPECT_GT(session().state().frame, frame);
+}
+
+TEST_F(UiOpening, ALevelThatIsReadAgainKeepsItsViewAndStaysPaused) {
+  const std::string file = save(far_level(), "far.talus.json");
+  start(file);
+  key(kKeyF5);
+  app().ui().view.requests.ask(request::Scroll{{-300, -40}});
+  frames(2);
+  const ImVec2 before = on_canvas("play", {1000, 700}), map_before = on_canvas("map", {1000, 700});
+  const std::int64_t frame = session().state().frame;
+  Level other = far_level();
+  other.map.set({3, 3}, 1);
+  save(other, "far.talus.json");
+  session().apply(action::CheckFile{});
+  session().finish_reading();
+  frames(3);
+  ASSERT_EQ(tile_at({3, 3}), 1);
+  EXPECT_FALSE(session().playback().running);
+  EXPECT_EQ(session().state().frame, frame);
+  EXPECT_EQ(on_canvas("play", {1000, 700}).x, before.x);
+  EXPECT_EQ(on_canvas("map", {1000, 700}).x, map_before.x);
+}
+
+TEST_F(UiOpening, ARecoveredLevelStaysPaused) {
+  start(save_test_level("level.talus.json"));
+  click(on_sheet(1));
+  click(on_map({12, 9}));
+  turn_for(6);
+  stop();
+  start(path("level.talus.json"));
+  frames(2);
+  ASSERT_NE(find("recovery/recover0"), nullptr);
+  click("recovery/recover0");
+  frames(2);
+  ASSERT_EQ(tile_at({12, 9}), 1);
+  EXPECT_FALSE(session().playback().running);
+}
 
 TEST_F(UiOpening, ShowsThePlayerHoweverItIsOpened) {
   const std::string file = save(far_level(), "far.talus.json");

@@ -67,6 +67,7 @@ TEST_F(UiSettings, EverySettingIsTakenAndStoredAgain) {
       {"preferences",
        {{"theme", "light"},
         {"font_size", 16},
+        {"plays_opened", false},
         {"keys", {{"canvas/grid", {"Ctrl+Shift+J", ""}}}},
         {"programs", programs}}}};
   for (const auto& [key, value] : standard.items()) {

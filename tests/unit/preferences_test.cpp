@@ -64,6 +64,7 @@ TEST(PreferencesJson, IsReadAsItWasWritten) {
   Preferences preferences;
   preferences.theme = ThemeKind::light;
   preferences.font_size = 16;
+  preferences.plays_opened = false;
   preferences.programs[1] = "\"/opt/my love\" {folder}";
   preferences.keys.changed["file/save"] = {ctrl_shift('x'), KeyChord{}};
   preferences.keys.changed["no/such/command"] = {KeyChord{}, alt(kKeyF12)};

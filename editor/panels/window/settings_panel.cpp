@@ -68,6 +68,12 @@ void draw_looks(const Session& session, Actions& actions, Ui& ui) {
   ImGui::NewLine();
 }
 
+void draw_opening(Ui& ui) {
+  setting_row("Opening", ui);
+  checkbox("Play a level when it opens", "plays_opened", ui.view.preferences.plays_opened);
+  ui.item("settings/plays_opened", "A level with bodies plays as soon as it is open. A recording waits.");
+}
+
 void draw_layouts(const Session& session, Actions& actions, Ui& ui) {
   setting_row("Layout", ui);
   command_text_button("view/layout_draw"_command, session, actions, ui,
@@ -118,6 +124,7 @@ void SettingsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     ui.begin_row();
     draw_looks(session, actions, ui);
     ImGui::Separator();
+    draw_opening(ui);
     draw_layouts(session, actions, ui);
     ImGui::Separator();
     draw_programs(ui);
