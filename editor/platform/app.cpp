@@ -100,7 +100,8 @@ tl::expected<std::unique_ptr<App>, std::string> App::start(AppOptions options) {
   const std::string error = app->open_window(settings);
   if (!error.empty()) return tl::unexpected(error);
   app->last_time_ = app->last_event_ = app->options_.clock();
-  app->ui_.view.canvas.opens_on_player = !app->options_.paused_at_first_screen;
+  CanvasesView& canvas = app->ui_.view.canvas;
+  canvas.opens_on_player = canvas.follow_body = !app->options_.paused_at_first_screen;
   app->open_first_level();
   app->take_settings(settings);
   if (app->options_.file.empty()) app->play_opened_level();

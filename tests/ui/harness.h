@@ -34,8 +34,8 @@ class UiTest : public ::testing::Test {
     key(kKeyF3);
   }
   void stop() { app_.reset(); }
-  // From the next start on, levels open as they do for a user: at what matters of them, and playing. Else
-  // they open paused at their first screen.
+  // From the next start on, levels open as they do for a user: at what matters of them, playing, and
+  // followed. Else they open paused at their first screen.
   void open_as_users_do() { opens_paused_ = false; }
   // Lets that time pass, in which the window draws a frame only if there is a reason.
   void turn_for(double seconds);

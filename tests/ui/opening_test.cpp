@@ -157,6 +157,35 @@ TEST_F(UiOpening, ShowsThePlayerHoweverItIsOpened) {
   EXPECT_TRUE(is_in_sight("play", player().box.center())) << "from a dialog or a list";
 }
 
+TEST_F(UiOpening, TheViewFollowsThePlayer) {
+  start(save(far_level(), "far.talus.json"));
+  const float map_before = on_canvas("map", {1000, 700}).x, play_before = on_canvas("play", {1000, 700}).x;
+  hold(kKeyRight);
+  frames(200);
+  ASSERT_GT(player().box.x, 1200);
+  EXPECT_TRUE(is_in_sight("play", player().box.center()));
+  EXPECT_LT(on_canvas("play", {1000, 700}).x, play_before - 100);
+  EXPECT_EQ(on_canvas("map", {1000, 700}).x, map_before) << "the map stays where one paints";
+}
+
+TEST_F(UiOpening, PanningLetsGoAndTheButtonFollowsAgain) {
+  start(save(far_level(), "far.talus.json"));
+  const ImVec2 from = centre("play/canvas");
+  drag(from, {from.x + 40, from.y}, kRight);
+  const float before = on_canvas("play", {1000, 700}).x;
+  hold(kKeyRight);
+  frames(200);
+  let_go(kKeyRight);
+  EXPECT_EQ(on_canvas("play", {1000, 700}).x, before);
+  EXPECT_FALSE(is_in_sight("play", player().box.center()));
+  click("canvas/follow");
+  frames(2);
+  EXPECT_TRUE(is_in_sight("play", player().box.center()));
+  drag(from, {from.x + 40, from.y}, kRight);
+  drop(save_test_level("other.talus.json"));
+  EXPECT_TRUE(app().ui().view.canvas.follow_body) << "another level is followed from the start";
+}
+
 TEST_F(UiOpening, AKeyGoesBackToThePlayer) {
   start(save(far_level(), "far.talus.json"));
   click(on_canvas("play", player().box.center() + Vec2{0, -40}));

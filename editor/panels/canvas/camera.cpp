@@ -49,6 +49,11 @@ int step_that_fits(Vec2 level, ImVec2 canvas) {
 // A canvas in which something can be seen.
 ImVec2 fitted(ImVec2 canvas) { return {std::max(canvas.x, kLeastFitted), std::max(canvas.y, kLeastFitted)}; }
 
+// Around a point in sight.
+Vec2 room_in_sight(ImVec2 canvas) {
+  return {std::min<double>(kKeptInSight, canvas.x / 4), std::min<double>(kKeptInSight, canvas.y / 4)};
+}
+
 // A map that is smaller than the canvas lies in its middle; else nothing beside the map is shown.
 double kept_on_map(double offset, double map, double canvas) {
   return map <= canvas ? std::round((canvas - map) / 2) : std::clamp(offset, std::round(canvas - map), 0.0);
@@ -92,20 +97,28 @@ void Camera::centre(Vec2 point, ImVec2 canvas) {
   offset_ = {std::round(canvas.x / 2 - point.x * zoom()), std::round(canvas.y / 2 - point.y * zoom())};
 }
 
-Vec2 Camera::missing(Vec2 point, ImVec2 canvas) const {
-  const auto along = [](double at, double size) {
-    const double room = std::min(kKeptInSight, size / 4);
-    return std::round(at - std::clamp(at, room, size - room));
+Vec2 Camera::missing(Vec2 point, Vec2 room, ImVec2 canvas) const {
+  const auto along = [](double at, double beside, double size) {
+    return std::round(at - std::clamp(at, beside, size - beside));
   };
-  return {along(offset_.x + point.x * zoom(), canvas.x), along(offset_.y + point.y * zoom(), canvas.y)};
+  return {along(offset_.x + point.x * zoom(), room.x, canvas.x),
+          along(offset_.y + point.y * zoom(), room.y, canvas.y)};
 }
 
 bool Camera::is_in_sight(Vec2 point, ImVec2 canvas) const {
-  return !shows_whole() && missing(point, canvas) == Vec2{};
+  return !shows_whole() && missing(point, room_in_sight(canvas), canvas) == Vec2{};
 }
 
 void Camera::keep_in_sight(Vec2 point, ImVec2 canvas) {
-  if (!shows_whole()) scroll(missing(point, canvas));
+  if (!shows_whole()) scroll(missing(point, room_in_sight(canvas), canvas));
+}
+
+void Camera::follow(Vec2 point, Vec2 map, ImVec2 canvas) {
+  if (shows_whole()) return;
+  const Vec2 by = missing(point, {canvas.x / 3, canvas.y / 3}, canvas);
+  if (by == Vec2{}) return;
+  offset_ = offset_ - by;
+  stay_on_map(map, canvas);
 }
 
 void Camera::fit(Vec2 level, ImVec2 canvas) {

@@ -44,6 +44,9 @@ class Camera {
   bool is_in_sight(Vec2 point, ImVec2 canvas) const;
   // Scrolls as little as needed to show the point with some room around it; the world view shows it anyway.
   void keep_in_sight(Vec2 point, ImVec2 canvas);
+  // Scrolls as little as needed to have the point in the middle third of the canvas, as far as the map goes;
+  // the world view stays. `map` is the map's size.
+  void follow(Vec2 point, Vec2 map, ImVec2 canvas);
   // Sets the largest zoom at which a level of this size, in px, fits, and centres it.
   void fit(Vec2 level, ImVec2 canvas);
   // Shows an area of the map, px of the level, as large as it fits. The zoom is a step if one is close: the
@@ -68,7 +71,8 @@ class Camera {
     std::optional<float> between;
     Vec2 offset;
   };
-  Vec2 missing(Vec2 point, ImVec2 canvas) const;  // px of the screen to scroll by until the point is in sight
+  // px of the screen to scroll by until the point has so much room around it.
+  Vec2 missing(Vec2 point, Vec2 room, ImVec2 canvas) const;
   void stay_on_map(Vec2 map, ImVec2 canvas);
 
   int step_ = 16;                 // 2x

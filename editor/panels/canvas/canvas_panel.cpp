@@ -82,13 +82,14 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
     ui.same_line_if_fits(button, &tool == kTools ? ui.px(8) : 0);
     command_button(tool, session, actions, ui);
   }
-  constexpr CommandId kView[] = {"canvas/zoom_out"_command,     "canvas/zoom_in"_command,
-                                 "map/random"_command,          "map/minimap"_command,
-                                 "canvas/grid"_command,         "canvas/borders"_command,
-                                 "canvas/paint_in_play"_command};
+  constexpr CommandId kView[] = {"canvas/zoom_out"_command,      "canvas/zoom_in"_command,
+                                 "map/random"_command,           "map/minimap"_command,
+                                 "canvas/grid"_command,          "canvas/borders"_command,
+                                 "canvas/paint_in_play"_command, "canvas/follow"_command};
   for (const CommandId& tool : kView) {
     const bool has_play = ui.view.canvas.mode == CanvasMode::play || ui.view.canvas.mode == CanvasMode::both;
-    if (tool == "canvas/paint_in_play"_command && !has_play) continue;
+    const bool is_of_play = tool == "canvas/paint_in_play"_command || tool == "canvas/follow"_command;
+    if (is_of_play && !has_play) continue;
     ui.same_line_if_fits(button, &tool == kView ? ui.px(8) : 0);
     command_button(tool, session, actions, ui);
   }

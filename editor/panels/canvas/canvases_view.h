@@ -28,9 +28,9 @@ struct CanvasesView {
   KeyCursor cursor;             // a pointer for the keyboard
   bool paint_in_play = false;   // the left button paints in the play view, instead of holding balls
   bool split_compared = false;  // the other side of a comparison has a view of its own
-  bool follow_body = false;     // the play view scrolls with the chosen body
+  bool follow_body = true;      // the play view scrolls with the chosen body, else with the player
   bool legend_folded = false;   // the legend of the overlays has no names
-  bool opens_on_player = true;  // a level is shown at what matters of it first; else at its first screen
+  bool opens_on_player = true;  // a level is shown at what matters of it first, and followed; else not
   bool minimap = false;         // the whole map in a corner of the map, to go elsewhere
   bool play_active = false;     // of the two canvases, the play view was used last
   bool second_map = false;      // of two maps, the second was used last
@@ -52,6 +52,7 @@ struct CanvasesView {
   }
   void forget_level() {  // another level is open
     ++level_number;
+    follow_body = opens_on_player;
     marked_cell.reset();
     clicked_cell.reset();
   }

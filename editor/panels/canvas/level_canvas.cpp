@@ -219,14 +219,23 @@ void LevelCanvas::take_requests(const Session& session, Ui& ui, ImVec2 size) {
       v.canvas.mode == CanvasMode::two_maps ? mine : !is_play() || v.canvas.mode == CanvasMode::play;
   if (const auto shown = centres ? v.requests.take<request::ShowCell>() : std::nullopt) {
     const Vec2 place = session.level().map.box_of(shown->cell).center();
-    if (!camera_.is_in_sight(place, size)) camera_.leave_whole(place, size);
+    if (!camera_.is_in_sight(place, size)) {
+      camera_.leave_whole(place, size);
+      let_go(ui);
+    }
   }
   if (!mine) return;
   if (const auto zoom = v.requests.take<request::Zoom>())
     camera_.zoom_at({size.x / 2, size.y / 2}, zoom->steps);
-  if (const auto scroll = v.requests.take<request::Scroll>()) camera_.scroll(scroll->by);
+  if (const auto scroll = v.requests.take<request::Scroll>()) {
+    camera_.scroll(scroll->by);
+    let_go(ui);
+  }
   if (v.requests.take<request::FitMap>()) camera_.toggle_whole(map, size);
-  if (v.requests.take<request::ShowOpening>()) show_opening(session, ui, size);
+  if (v.requests.take<request::ShowOpening>()) {
+    show_opening(session, ui, size);
+    v.canvas.follow_body = v.canvas.opens_on_player;
+  }
 }
 
 void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui, const CanvasView& view) {
@@ -257,7 +266,7 @@ void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui,
   if (paints && sheet_overlay_.update(session, actions, ui, view, hovered, is_editing() || panning_)) return;
   if (handle_minimap(session, view, ui, hovered)) return;
   if (handle_panning(session, ui, paints, hovered)) return;
-  if (handle_world_view(session, hovered)) return;
+  if (handle_world_view(session, ui, hovered)) return;
   if (paints || is_editing())
     hand_.update(use(session, view, ui), actions, hovered ? pressed_button() : LevelToolHand::kNoButton);
   else
@@ -275,11 +284,19 @@ bool LevelCanvas::pick_cell(const Session& session, Ui& ui, Cell cell, bool hove
   return true;
 }
 
-// The chosen body stays in sight, unless the user moves the view.
+// Only as the body moves on: in a pause the user may zoom in elsewhere.
 void LevelCanvas::follow_body(const Session& session, const Ui& ui) {
-  const Body* body = session.state().find(session.choices().body);
-  if (is_play() && ui.view.canvas.follow_body && body != nullptr && !panning_ && !holding_)
-    camera_.keep_in_sight(body->box.center(), size_);
+  const Body* body = followed_body(session.state(), session.choices().body);
+  if (!is_play() || !ui.view.canvas.follow_body || body == nullptr) return followed_.reset();
+  const std::pair now(session.state().frame, body->id);
+  if (holding_ || followed_ == now) return;
+  followed_ = now;
+  camera_.follow(body->box.center(), size_in_pixels(session.level().map), size_);
+}
+
+// The user has moved the view by hand.
+void LevelCanvas::let_go(Ui& ui) const {
+  if (is_play()) ui.view.canvas.follow_body = false;
 }
 
 // For tools that draw lines the keyboard's cursor moves from corner to corner.
@@ -294,13 +311,14 @@ void LevelCanvas::follow_cursor(const Session& session, Ui& ui, const CanvasView
 }
 
 // In the world view a click goes to its place, as in TIC-80.
-bool LevelCanvas::handle_world_view(const Session& session, bool hovered) {
+bool LevelCanvas::handle_world_view(const Session& session, Ui& ui, bool hovered) {
   if (!camera_.shows_whole() || is_editing()) return false;
   if (hovered && ImGui::IsMouseClicked(0)) {
     const ImVec2 mouse = ImGui::GetIO().MousePos, min = ImGui::GetItemRectMin();
     const Vec2 map = size_in_pixels(session.level().map);
     const Vec2 at = view_at(min, size_, session).to_level(mouse);
     camera_.leave_whole({std::clamp(at.x, 0.0, map.x), std::clamp(at.y, 0.0, map.y)}, size_);
+    let_go(ui);
   }
   return true;
 }
@@ -322,7 +340,7 @@ void LevelCanvas::zoom_by_wheel(ImVec2 at) {
   if (steps != 0) camera_.zoom_at(at, steps);
 }
 
-bool LevelCanvas::handle_panning(const Session& session, const Ui& ui, bool paints, bool hovered) {
+bool LevelCanvas::handle_panning(const Session& session, Ui& ui, bool paints, bool hovered) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool space = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space)) && !keys_steer(session, ui.view) &&
                      !ui.view.canvas.cursor.on();
@@ -331,6 +349,7 @@ bool LevelCanvas::handle_panning(const Session& session, const Ui& ui, bool pain
   if (hovered && (ImGui::IsMouseClicked(1) || middle || (hand && ImGui::IsMouseClicked(0)))) panning_ = true;
   if (!io.MouseDown[0] && !io.MouseDown[1] && !io.MouseDown[2]) panning_ = false;
   if (panning_) camera_.scroll({-io.MouseDelta.x, -io.MouseDelta.y});
+  if (panning_ && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) let_go(ui);
   if (panning_) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   return panning_;
 }

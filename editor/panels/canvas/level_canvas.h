@@ -2,6 +2,8 @@
 // are two of them.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -44,14 +46,14 @@ class LevelCanvas {
   CanvasView view_at(ImVec2 min, ImVec2 size, const Session& session) const {
     return camera_.view(min, size, session.level().map.tile_size());
   }
-  bool handle_world_view(const Session& session, bool hovered);
+  bool handle_world_view(const Session& session, Ui& ui, bool hovered);
   bool handle_minimap(const Session& session, const CanvasView& view, const Ui& ui, bool hovered);
   bool has_minimap(const Ui& ui) const {
     return !is_play() && ui.view.canvas.minimap && !camera_.shows_whole();
   }
   bool has_requests(const View& view) const;
   void zoom_by_wheel(ImVec2 at);
-  bool handle_panning(const Session& session, const Ui& ui, bool paints, bool hovered);
+  bool handle_panning(const Session& session, Ui& ui, bool paints, bool hovered);
   void handle_play_mouse(const Session& session, Actions& actions, const CanvasView& view, bool hovered);
   void draw_layers(const Session& session, const CanvasView& view, const Ui& ui);
   void draw_ground(const Session& session, const LevelAtFrame* then, int place, const CanvasView& view,
@@ -67,6 +69,7 @@ class LevelCanvas {
   OverlayLegend legend(const Session& session, const CanvasView& view, const Ui& ui) const;
   bool pick_cell(const Session& session, Ui& ui, Cell cell, bool hovered) const;
   void follow_body(const Session& session, const Ui& ui);
+  void let_go(Ui& ui) const;
   void draw_captions(const Session& session, const CanvasView& view, Ui& ui) const;
 
   Kind kind_;
@@ -80,8 +83,10 @@ class LevelCanvas {
   LevelAtFrame level_at_frame_, other_level_at_frame_;
   int level_number_ = -1;   // number of the level that the camera was set for
   bool compiling_ = false;  // whether its bodies were not all there then
-  float wheel_ = 0;         // clicks of the wheel that do not make a whole step yet
-  ImVec2 size_;             // px, of the canvas in the last frame
+  // Frame and body to which the view has gone; nothing if it follows none.
+  std::optional<std::pair<std::int64_t, int>> followed_;
+  float wheel_ = 0;  // clicks of the wheel that do not make a whole step yet
+  ImVec2 size_;      // px, of the canvas in the last frame
   bool panning_ = false;
   bool holding_ = false;  // whether the left button went down on the play view
 };

@@ -139,7 +139,8 @@ constexpr Glyph kGlyphs[] = {
     {Icon::zoom_out, 0xf010, "-"},     {Icon::eye, 0xf06e, "o"},         {Icon::eye_closed, 0xf070, "-"},
     {Icon::lock, 0xf023, "L"},         {Icon::unlock, 0xf09c, "U"},      {Icon::plus, 0xf067, "+"},
     {Icon::copy, 0xf24d, "++"},        {Icon::arrow_up, 0xf062, "^"},    {Icon::arrow_down, 0xf063, "v"},
-    {Icon::merge_down, 0xf103, "_"},   {Icon::close, 0xf00d, "x"},       {Icon::folder, 0xf07b, "G"},
+    {Icon::merge_down, 0xf103, "_"},   {Icon::follow, 0xf05b, "+"},      {Icon::close, 0xf00d, "x"},
+    {Icon::folder, 0xf07b, "G"},
 };
 
 const Glyph* find_glyph(Icon icon) {

@@ -57,6 +57,7 @@ enum class Icon {
   arrow_up,
   arrow_down,
   merge_down,
+  follow,
   close,
   folder,
 };
