@@ -398,7 +398,7 @@ void App::handle_key(const SDL_KeyboardEvent& key, Actions& actions) {
   run_key(chord, key.repeat != 0, *session_, actions, ui_);
 }
 
-// Closes the error that covers the view; else, if there is none, the window about the program that was opened
+// Closes the error that is shown; else, if there is none, the window about the program that was opened
 // last; else the mark on the map. Returns true if the key does only that, and no selection is lost.
 bool App::close_window(Actions& actions) {
   if (ImGui::GetIO().WantTextInput || is_popup_open()) return false;

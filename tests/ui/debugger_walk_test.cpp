@@ -244,19 +244,6 @@ TEST_F(UiDebuggerWalk, TheWheelZoomsTheTimelineAroundTheMouse) {
   EXPECT_NEAR(view().frames.first + view().frames.count, 200, 1) << "the shown frame stays in sight";
 }
 
-TEST_F(UiDebuggerWalk, MessagesAreShownOverTheCanvas) {
-  open_tab("compare");
-  session().apply(action::ShowMessage{"A message."});
-  frames(3);
-  const Widget* dismiss = find("message/dismiss");
-  ASSERT_NE(dismiss, nullptr);
-  const Ui& ui = app().ui();
-  EXPECT_GT(dismiss->min.x, ui.canvas_min.x);
-  EXPECT_LT(dismiss->max.x, ui.canvas_max.x);
-  EXPECT_LT(dismiss->max.y, ui.canvas_max.y);
-  EXPECT_LT(dismiss->max.y, find("tabs/compare")->min.y);
-}
-
 TEST_F(UiDebuggerWalk, TuningIsChangedByKeys) {
   const TuningField& first = tuning_fields()[0];
   const double before = first.of(level().tuning);

@@ -102,7 +102,7 @@ void draw_control_keys(Ui& ui) {
   draw_help_row("Underlined letters", "Press a button", "While a text is typed, with Alt.", ui);
   draw_help_row(
       "Esc", "Cancel, close, end",
-      "An open dialog or menu first; then an error over the view, or the mark of a found cell; then "
+      "An open dialog or menu first; then a message about an error, or the mark of a found cell; then "
       "the selection.",
       ui);
   ImGui::EndTable();

@@ -1,10 +1,10 @@
-// A strip over the bottom of the canvas, or in a place without other windows.
+// A box at the bottom of the right column, whose panels make room for it.
 #include "message_panel.h"
 
 #include <imgui_internal.h>
 
 #include <algorithm>
-#include <array>
+#include <string>
 #include <string_view>
 
 #include "edit/layer_ground.h"
@@ -16,7 +16,10 @@ namespace talus {
 namespace {
 
 constexpr const char* kMessageWindow = "message";
-constexpr float kMostLines = 10;  // of a message before it scrolls
+constexpr float kFoldedLines = 4;      // of a message whose details are not shown
+constexpr float kMostLines = 10;       // of a message before it scrolls
+constexpr std::size_t kMostName = 24;  // bytes, of a layer on a button
+constexpr float kGap = 8;              // px at scale 1
 
 // Whether another window lies there, apart from the window of all panels, which never comes to the front.
 bool is_under_window(const ImRect& rect) {
@@ -30,24 +33,37 @@ bool is_under_window(const ImRect& rect) {
   });
 }
 
-// The middle of the message's lower side: at the canvas's bottom, else at its top, else at the screen's
-// bottom.
-ImVec2 place_of_message(const Ui& ui) {
-  const ImVec2 min = ui.canvas_min, max = ui.canvas_max;
+// y of the message's lower side: at the bottom of the right column, else at the screen's.
+float bottom_of_message(const Ui& ui) {
+  const ImVec2 min = ui.side_min, max = ui.side_max;
   const ImGuiWindow* window = ImGui::FindWindowByName(kMessageWindow);
   const float height = window != nullptr ? window->Size.y : ImGui::GetFrameHeight() + ui.px(16);
-  const float half = (window != nullptr ? window->Size.x : ui.px(240)) / 2;
-  const float x = (min.x + max.x) / 2, gap = ui.px(8);
-  const std::array bottoms = {max.y - gap, min.y + gap + height, ImGui::GetIO().DisplaySize.y - gap};
-  const auto free = std::find_if(bottoms.begin(), bottoms.end(), [&](float y) {
-    return !is_under_window({x - half, y - height, x + half, y});
-  });
-  return {x, free != bottoms.end() ? *free : bottoms.front()};
+  const bool is_free = !is_under_window({min.x, max.y - height, max.x, max.y});
+  return is_free ? max.y : ImGui::GetIO().DisplaySize.y - ui.px(kGap);
+}
+
+float height_of_text(std::string_view text, float width) {
+  const std::string shown = shown_text(text);
+  return ImGui::CalcTextSize(shown.data(), shown.data() + shown.size(), false, width).y;
+}
+
+// The sentences at the start that take few lines; at least the first.
+std::string_view first_sentences(std::string_view text, float width) {
+  const float most = kFoldedLines * ImGui::GetTextLineHeight();
+  std::size_t end = 0;
+  while (end < text.size()) {
+    const std::size_t line = text.find('\n', end), stop = text.find(". ", end);
+    const std::size_t next = std::min({line, stop == std::string_view::npos ? stop : stop + 1, text.size()});
+    if (end > 0 && height_of_text(text.substr(0, next), width) > most) break;
+    end = next;
+    while (end < text.size() && (text[end] == ' ' || text[end] == '\n')) ++end;
+  }
+  return text.substr(0, end);
 }
 
 void draw_ground_button(const Session& session, Actions& actions, Ui& ui) {
   const Level& level = session.level();
-  const std::string name = shown_line(layer_name(level, level.layers.chosen), kMostLabel);
+  const std::string name = shown_line(layer_name(level, level.layers.chosen), kMostName);
   if (!ui.text_button("message/ground", "Make \"" + name + "\" ground", false,
                       "Makes all tiles of the chosen layer solid, which undo takes back. Layers chooses "
                       "another one."))
@@ -63,14 +79,29 @@ void draw_ground_button(const Session& session, Actions& actions, Ui& ui) {
 
 }  // namespace
 
+void MessagePanel::draw_text_of(const Message& message, float width, float most_height, Ui& ui) {
+  const bool is_open = message.text == opened_;
+  const std::string_view first = first_sentences(message.text, width);
+  const std::string_view shown = is_open ? std::string_view(message.text) : first;
+  const float lines = is_open ? kMostLines : kFoldedLines;
+  draw_scrolled_text("text", shown, {width, std::min(lines * ImGui::GetTextLineHeight(), most_height)},
+                     theme::tone(theme::kText));
+  ui.item("message/text");
+  if (first.size() == message.text.size()) return;
+  if (ui.text_button("message/details", is_open ? "Less" : "Details", is_open,
+                     "Shows all that the message says, or its first sentences alone."))
+    opened_ = is_open ? std::string() : message.text;
+}
+
 void MessagePanel::draw(const Session& session, Actions& actions, Ui& ui) {
-  if (!session.message()) return;
+  ui.messages_height = 0;
+  if (!session.message()) return opened_.clear();
   const Message message = *session.message();
-  // Over the canvas it covers no field and no table.
-  const ImVec2 min = ui.canvas_min, max = ui.canvas_max;
-  const float width = max.x - min.x - ui.px(16);
-  ImGui::SetNextWindowPos(place_of_message(ui), ImGuiCond_Always, {0.5f, 1});
-  ImGui::SetNextWindowSizeConstraints({std::min(ui.px(240), width), 0}, {width, max.y - min.y});
+  const ImVec2 min = ui.side_min, max = ui.side_max;
+  const float bottom = bottom_of_message(ui), width = max.x - min.x - 2 * ui.px(kGap);
+  const float most = (max.y - min.y) / 2 - ui.px(kGap);
+  ImGui::SetNextWindowPos({min.x + ui.px(kGap), bottom}, ImGuiCond_Always, {0, 1});
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, most});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::tone(message.is_error ? theme::kErrorNote : theme::kNote));
   ImGui::PushStyleColor(ImGuiCol_Border, theme::tone(message.is_error ? theme::kError : theme::kAccent));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
@@ -82,14 +113,11 @@ void MessagePanel::draw(const Session& session, Actions& actions, Ui& ui) {
     actions.push_back(action::DismissMessage{});
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
-  const float least_left = max.y - min.y - ui.px(16 + theme::kButton);
-  draw_scrolled_text("text", message.text,
-                     {width - ImGui::GetCursorPosX() - ui.px(8),
-                      std::min(kMostLines * ImGui::GetTextLineHeight(), least_left)},
-                     theme::tone(theme::kText));
-  ui.item("message/text");
+  draw_text_of(message, width - ImGui::GetCursorPosX() - ui.px(kGap), most - ui.px(2 * theme::kButton + 32),
+               ui);
   draw_copy_all("message/copy_all", message.text, ui);
   if (message.offers_ground) draw_ground_button(session, actions, ui);
+  if (bottom == max.y) ui.messages_height = ImGui::GetWindowHeight();
   ImGui::End();
   ImGui::PopStyleVar();
   ImGui::PopStyleColor(2);

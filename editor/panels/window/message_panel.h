@@ -1,5 +1,8 @@
-// The message bar: says what went wrong or was done. An error stays until it is dismissed.
+// The message: says what went wrong or was done, in a few sentences, with the others behind a button. An
+// error stays until it is dismissed.
 #pragma once
+
+#include <string>
 
 #include "panels/panel.h"
 
@@ -10,6 +13,11 @@ class MessagePanel : public Panel {
   std::string_view id() const override { return "message"; }
   std::string_view title() const override { return "Message"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
+
+ private:
+  void draw_text_of(const Message& message, float width, float most_height, Ui& ui);
+
+  std::string opened_;  // the message that is shown with its details; empty: none
 };
 
 }  // namespace talus

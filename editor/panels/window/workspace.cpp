@@ -124,8 +124,8 @@ void Workspace::draw(const Session& session, Actions& actions, Ui& ui) {
   const float middle = window.x - left - right - 2 * bar;
   const float above = draw_enlarged_pixels(frame, {left + bar, top}, {middle, height});
   draw_region(frame, Region::canvas, {left + bar, top + above}, {middle, height - above});
-  ui.canvas_min = {left + bar, top + above};
-  ui.canvas_max = {left + bar + middle, top + height};
+  ui.side_min = {window.x - right, top};
+  ui.side_max = {window.x, top + height};
   ImGui::SetCursorScreenPos({window.x - right - bar, top});
   const float moved_right = splitter("layout/right", {bar, height}, SplitterAxis::horizontal, ui);
   if (moved_right != 0) layout.right = (right - moved_right) / window.x;
@@ -208,13 +208,16 @@ float Workspace::draw_enlarged_pixels(Frame& frame, ImVec2 at, ImVec2 room) {
 void Workspace::draw_right(Frame& frame, ImVec2 at, ImVec2 size) {
   Ui& ui = frame.ui;
   const float bar = ui.px(kSplitterWidth);
-  const float upper =
-      part(ui.view.window.layout.right_split, size.y, ui.px(kRightTopLeast), ui.px(kRightBottomLeast) + bar);
+  const float least = ui.px(kRightBottomLeast) + bar;
+  float upper = part(ui.view.window.layout.right_split, size.y, ui.px(kRightTopLeast), least);
+  // The lower panel makes room for messages, and keeps its place as long as it can.
+  const float room = size.y - std::min(ui.messages_height, size.y / 2);
+  upper = std::min(upper, std::max(room - least, room / 2));
   draw_region(frame, Region::right_top, at, {size.x, upper});
   ImGui::SetCursorScreenPos({at.x, at.y + upper});
   const float moved = splitter("layout/right_split", {size.x, bar}, SplitterAxis::vertical, ui);
   if (moved != 0) ui.view.window.layout.right_split = (upper + moved) / size.y;
-  draw_region(frame, Region::right_bottom, {at.x, at.y + upper + bar}, {size.x, size.y - upper - bar});
+  draw_region(frame, Region::right_bottom, {at.x, at.y + upper + bar}, {size.x, room - upper - bar});
 }
 
 float Workspace::draw_dock(Frame& frame, ImVec2 at, ImVec2 room) {
