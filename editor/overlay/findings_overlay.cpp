@@ -39,6 +39,8 @@ const Overlay findings{
         "trials, the hotter.",
     .color = 0xff5a3c,
     .safe_color = 0xb02020,
+    .digit = '8',
+    .shift = true,
     .needs_proof = true,
     .layer = 2,
     .draw = draw_findings,

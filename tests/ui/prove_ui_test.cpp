@@ -1,6 +1,7 @@
 // Proofs in the panel of problems: the button, the rows, and what an edit does.
 #include "harness.h"
 #include "panels/canvas/fix_preview.h"
+#include "panels/commands/commands.h"
 #include "session/checks/prover.h"
 
 namespace talus::prove_ui_test {
@@ -55,6 +56,14 @@ TEST_F(UiProve, AClickOnARowPlaysTheFinding) {
   EXPECT_EQ(session().state().bodies.size(), 1u);
   EXPECT_EQ(session().state().frame, session().prover().found()->findings[0].frame);
   EXPECT_NE(find("problems/prove"), nullptr) << "it can be proved again";
+  const std::size_t count = session().prover().found()->findings.size();
+  for (std::size_t i = 1; i <= count; ++i) {  // after the last one the first
+    Actions actions;
+    find_command("problems/next_finding"_command).run(session(), actions, app().ui());
+    session().apply(actions);
+    frames(2);
+    EXPECT_EQ(session().state().frame, session().prover().found()->findings[i % count].frame);
+  }
 }
 
 TEST_F(UiProve, AnEditIsProvedAndAfterwardsAFindingIsGone) {

@@ -103,6 +103,7 @@ const std::map<std::string, std::string> kCommandOfAction = {
     {"ShowWay", "reach/show_way"},
     {"Prove", "problems/prove"},
     {"CancelProof", "problems/cancel_proof"},
+    {"PlayFinding", "problems/next_finding"},
     {"SetLintOptions", "problems/type_seam"},
     {"SetGrid", "canvas/grid"},
     {"SetScreenBorders", "canvas/borders"},

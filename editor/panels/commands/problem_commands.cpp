@@ -1,6 +1,7 @@
 // The commands of the problems, of proofs, and of the cells that a player can get to.
 #include "command_table.h"
 #include "panels/level/problem_list.h"
+#include "panels/level/proof_rows.h"
 #include "session/checks/prover.h"
 
 namespace talus {
@@ -81,6 +82,16 @@ std::vector<Command> problem_commands() {
        .menu = menus::kEditProblems,
        .run = emit<action::CancelProof>,
        .enabled = [](S session, const Ui&) { return session.prover().running(); }},
+      {.id = "problems/next_finding",
+       .label = "Play the next finding of the proof",
+       .help = "Goes to the place of the next finding, and plays it in a branch of its own.",
+       .menu = menus::kEditProblems,
+       .run = [](S session, A actions, U ui) { go_to_next_finding(session, actions, ui); },
+       .enabled =
+           [](S session, const Ui&) {
+             const Proof* proof = session.prover().found();
+             return proof != nullptr && !proof->findings.empty();
+           }},
       {.id = "reach/find",
        .label = "Find where the player gets to",
        .help = "Lets the solver play every combination of keys from the player's start, and marks the cells "

@@ -10,6 +10,7 @@
 #include "panels/commands/commands.h"
 #include "problem_list.h"
 #include "proof_rows.h"
+#include "session/checks/prover.h"
 
 namespace talus {
 namespace {
@@ -43,6 +44,7 @@ void ProblemsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   is_previewed_ = false;
   if (remedies_.size() > kMostRemedies) remedies_.clear();
   draw_proof_button(session, actions, ui);
+  if (!ui.problems->empty() && !session.prover().running()) ImGui::SameLine();
   if (ui.problems->empty()) {
     ui.hint(session.is_linting() ? looking_text(session) : "No problem found in this level.");
     ui.view.level.problems.kind = nullptr;

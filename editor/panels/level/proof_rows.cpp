@@ -40,10 +40,16 @@ void draw_summary(const Proof& proof, bool is_stale, Ui& ui) {
   ui.item("proof/stale");
 }
 
+void go_to_finding(const Finding& finding, std::size_t index, Actions& actions, View& view) {
+  view.level.problems.chosen_finding = message_of(finding);
+  show_cell(finding.cell, view);
+  actions.push_back(action::PlayFinding{index});
+}
+
 void draw_finding(const Finding& finding, std::size_t index, bool is_wide, Actions& actions, Ui& ui,
                   DrawFix draw_fix) {
   const std::string message = message_of(finding), place = short_cell_text(finding.cell);
-  std::string& chosen = ui.view.level.problems.chosen_finding;
+  const std::string& chosen = ui.view.level.problems.chosen_finding;
   ImGui::PushID(static_cast<int>(index));
   begin_message();
   const bool of_level = info_of(finding.kind).of_level;
@@ -56,9 +62,7 @@ void draw_finding(const Finding& finding, std::size_t index, bool is_wide, Actio
   ImGui::PushStyleColor(ImGuiCol_Text, color);
   if (selectable(is_wide ? "" : place, "finding", chosen == message,
                  ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap, {0, height})) {
-    chosen = message;
-    show_cell(finding.cell, ui.view);
-    actions.push_back(action::PlayFinding{index});
+    go_to_finding(finding, index, actions, ui.view);
   }
   ImGui::PopStyleColor();
   ui.item("proof/row" + std::to_string(index),
@@ -76,6 +80,17 @@ float width_of_places(const Session& session) {
   for (const Finding& finding : shown_findings(session))
     widest = std::max(widest, size_of_text(short_cell_text(finding.cell)).x);
   return widest;
+}
+
+void go_to_next_finding(const Session& session, Actions& actions, Ui& ui) {
+  const std::span<const Finding> shown = shown_findings(session);
+  if (shown.empty()) return;
+  const auto now = std::find_if(shown.begin(), shown.end(), [&](const Finding& finding) {
+    return message_of(finding) == ui.view.level.problems.chosen_finding;
+  });
+  const auto next = static_cast<std::size_t>(now - shown.begin()) + 1;
+  const std::size_t index = now == shown.end() || next == shown.size() ? 0 : next;
+  go_to_finding(shown[index], index, actions, ui.view);
 }
 
 void draw_proof_button(const Session& session, Actions& actions, Ui& ui) {

@@ -10,6 +10,9 @@ namespace talus {
 // px of the screen, of the widest place of a row.
 float width_of_places(const Session& session);
 
+// Shows and plays the finding after the one that was gone to last, or the first.
+void go_to_next_finding(const Session& session, Actions& actions, Ui& ui);
+
 // Draws the button that begins or ends a proof.
 void draw_proof_button(const Session& session, Actions& actions, Ui& ui);
 
