@@ -38,6 +38,15 @@ local function normal_of(t, facing, flat_end, piece)
   return piece.form.normal(piece, sign, t)
 end
 
+-- Whether the box only just comes to the end of a floor or ceiling. A wall that it meets at the same time keeps it
+-- from getting over it, or under it. A corner of a box on its centre may be behind that wall.
+local function is_at_border(t, facing, first, last)
+  if facing >= LEFT or dx == 0 or bw == 0 or centre then return false end
+  local x = bx + t * dx
+  if dx > 0 then return x <= first + slack end
+  return x >= last - slack
+end
+
 -- Between contacts at the same time the most opposing one counts, then the one more level; two mirror images
 -- count as one that faces straight up or down. flat_end: a flat side of the box met the end of a piece; at: a
 -- wall's x, a flat one's y; first, last: where the box may be.
@@ -49,7 +58,14 @@ local function offer(t, facing, flat_end, piece, at, first, last)
     local x, y = normal_of(t, facing, flat_end, piece)
     local best_x, best_y = normal_of(best_t, best_facing, best_flat_end, best_piece)
     local a, b = x * dx + y * dy, best_x * dx + best_y * dy
-    if not (a < b or (a == b and abs(y) > abs(best_y))) then
+    local is_wall, is_corner, is_first = facing >= LEFT, false, a < b or (a == b and abs(y) > abs(best_y))
+    if is_wall then
+      is_corner = is_at_border(best_t, best_facing, best_first, best_last)
+    elseif best_facing >= LEFT then
+      is_corner = is_at_border(t, facing, first, last)
+    end
+    if is_corner then is_first = is_wall end
+    if not is_first then
       if a == b and x == -best_x and x ~= 0 and facing == best_facing then best_mirrored = true end
       return
     end

@@ -41,6 +41,8 @@ local function meet(world, body, box, contact, x, y)
   end
   if contact.t == 1 then return 0.0, 0.0 end
   if body.grounded or box.landed then
+    -- A ceiling that does not come down holds it from rising alone.
+    if ny > 0 and nx * rest_x >= 0 then return rest_x, 0.0 end
     stop_at(box, contact)
     return 0.0, 0.0
   end

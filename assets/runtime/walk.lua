@@ -106,12 +106,11 @@ function Walk.is_straight(on) return not on.on_line or on.contact.piece.form.str
 -- How far a place is from what the body has met, px; less than 0: it is in that.
 function Walk.room_at(x, y, contact) return (x - contact.x) * contact.nx + (y - contact.y) * contact.ny end
 
--- The place of the body on that floor where something has stopped it that it met on its way from x. Along a curve
--- it went along the chord, and on the curve itself it may meet that sooner.
+-- The place of the body on that curve where something has stopped it that it met on its way from x. It went along
+-- the chord, and on the curve itself it may meet that sooner.
 function Walk.stop_on(on, box, from, contact)
-  local x, y = Walk.place_on(on, contact.x, box.w, box.h, box.centre)
-  if Walk.is_straight(on) then return x, y end
   if contact.t == 0 then return contact.x, contact.y end
+  local x, y = Walk.place_on(on, contact.x, box.w, box.h, box.centre)
   if Walk.room_at(x, y, contact) >= 0 then return x, y end
   local free, blocked = from, contact.x
   for _ = 1, HALVINGS do
@@ -120,6 +119,38 @@ function Walk.stop_on(on, box, from, contact)
     if Walk.room_at(middle, middle_y, contact) >= 0 then free = middle else blocked = middle end
   end
   return Walk.place_on(on, free, box.w, box.h, box.centre)
+end
+
+-- px; a body so near to a floor is on it.
+function Walk.settled(box) return SETTLED * rounding_slack(box.x, box.y, box.w, box.h, 0.0, 0.0) end
+
+-- Whether the floor is a curve that goes on above what the body has met below it, on the chord of its way.
+function Walk.leads_above(on, box, contact, goal_x)
+  if Walk.is_straight(on) then return false end
+  local moved = contact.t > 0
+  local x, y = Walk.place_on(on, moved and contact.x or (contact.x + goal_x) / 2, box.w, box.h, box.centre)
+  return Walk.room_at(x, y, contact) > (moved and AHEAD or Walk.settled(box))
+end
+
+-- Puts a body that has come below a curve, on the chord of its way, on the curve.
+function Walk.lift_onto(on, box)
+  if Walk.is_straight(on) then return end
+  local _, y = Walk.place_on(on, box.x, box.w, box.h, box.centre)
+  box.y = min(box.y, y)
+end
+
+-- Puts a body that has met something on that straight floor, which may be a little higher or lower than the one
+-- that it came from. Returns whether that moved it by more than rounding does, so that it may pass.
+function Walk:joins(on, box)
+  local _, y = Walk.place_on(on, box.x, box.w, box.h, box.centre)
+  local way, settled = y - box.y, Walk.settled(box)
+  local is_off = abs(way) > settled
+  if is_off then
+    local met = cast_box(self.terrain, box.x, box.y, box.w, box.h, 0.0, way, box.centre, self.others, nil, self.sunk)
+    if met and abs(met.y - y) > settled then return false end
+  end
+  box.y = y
+  return is_off
 end
 
 -- Whether the body has come to the place that it was cast to, but for rounding, when it meets something.
@@ -143,18 +174,19 @@ function Walk:cast_to(on, box, x, y)
                   not straight and line.source or nil, self.sunk)
 end
 
--- The upper end of what a corner of the body met; nil if its middle met it, or if it is a ceiling.
+-- The upper end of what a corner of the body met, or the nearer end of a ceiling; nil if its middle met it.
 function Walk:corner_met(box, contact)
   local piece = contact.piece
   if contact.facing >= LEFT then
     if piece then return piece.x0, piece.y0 end
     return (contact.column + (contact.facing == LEFT and 0 or 1)) * TILE_W, contact.row * TILE_H
   end
-  if contact.facing == DOWN or (piece and not contact.on_end) then return nil end
+  local is_ceiling = contact.facing == DOWN
+  if piece and not contact.on_end and not (is_ceiling and piece.y0 == piece.y1) then return nil end
   local at = piece and 0 or self:solid_column(box.x, box.w, contact.row)
   local x0, x1 = at * TILE_W, (at + 1) * TILE_W
   if piece then x0, x1 = piece.x0, piece.x1 end
-  local middle, y = box.x + box.w / 2, contact.y + box.h
+  local middle, y = box.x + box.w / 2, contact.y + (is_ceiling and 0.0 or box.h)
   if middle < x0 then return x0, y end
   if middle > x1 then return x1, y end
   return nil
@@ -172,10 +204,17 @@ function Walk:floor_leads_over(box, spot_x, spot_y)
     if not on then return false end
     local goal_x, goal_y = under:goal_on(on, x, 0.0, h, false, spot_x - x)
     if goal_x == x then return false end
-    -- Another floor may cross it.
+    -- Another floor may cross it, further on or just here.
     local point = {x = x, y = y, w = 0.0, h = h, centre = false}
     local met = under:cast_to(on, point, goal_x, goal_y)
-    if met and met.facing == UP and met.x ~= x then goal_x, goal_y = met.x, met.y end
+    if met and met.facing == UP then
+      local crossing = met.t == 0 and under:floor_met(point, met) or nil
+      if crossing then
+        goal_x, goal_y = under:goal_on(crossing, x, 0.0, h, false, spot_x - x)
+      elseif met.x ~= x then
+        goal_x, goal_y = met.x, met.y
+      end
+    end
     x = (goal_x - spot_x) * direction < 0 and goal_x or spot_x
     y = goal_y
   end
@@ -204,6 +243,32 @@ function Walk:floor_ahead(box, reach)
   return on
 end
 
+-- What a walking body does that went from x to a goal and met something. Returns how it goes on, and the floor that
+-- it goes on along, or nil if it has to look for it. "shortens": along its curve, of which it takes half of that part
+-- in one go; "leaves": the floor has ended.
+function Walk:passes(on, box, from, goal_x, goal_y, contact)
+  local straight = Walk.is_straight(on)
+  if self:sinks(box, contact, goal_y) then
+    Walk.lift_onto(on, box)
+    return "goes on", nil
+  end
+  if contact.ny < 0 and Walk.leads_above(on, box, contact, goal_x) then
+    Walk.lift_onto(on, box)
+    return "shortens", on
+  end
+  if contact.ny < 0 and is_level(contact, self.steepest) then return "goes on", self:floor_met(box, contact) end
+  if not straight then
+    box.x, box.y = Walk.stop_on(on, box, from, contact)
+  elseif self:joins(on, box) then
+    return "goes on", on
+  end
+  if contact.ny < 0 and contact.nx * box.vx > 0 then return "leaves", on end
+  -- It may pass the last corner of a ceiling, or go on along a curve that is not where its chord is.
+  local has_room = contact.facing == DOWN
+  if not straight then has_room = Walk.room_at(box.x, box.y, contact) > AHEAD end
+  return has_room and contact.t > 0 and "goes on" or "stops", on
+end
+
 -- Takes a body along the floor that it stands on. motion_on(n, box, nx, ny): its motion in a whole step on a floor
 -- with this normal. stop_at(box, contact): what happens where it cannot go on. Returns true if it is on a floor
 -- afterwards; else false and the rest of its way.
@@ -213,13 +278,13 @@ local function go_along_floor(world, body, box, reach, motion_on, stop_at)
   local walk = setmetatable({terrain = world.terrain, direction = speed < 0 and -1 or 1, steepest = n.steepest,
                              sunk = 0.0, others = world:others(body, box, speed, abs(speed) * n.steepest + reach + 1)},
                             Walk)
-  local on, rest, x, y = nil, 1.0, speed, 0.0
+  local on, rest, part, x, y = nil, 1.0, 1.0, speed, 0.0
   local contacts = 0
   while contacts < n.max_passes do
     on = on or walk:floor_ahead(box, reach)
     if not on then return false, x * rest, y * rest end
     x, y = motion_on(n, box, on.contact.nx, on.contact.ny)
-    local goal_x, goal_y = walk:goal_on(on, box.x, box.w, box.h, box.centre, x * rest)
+    local goal_x, goal_y = walk:goal_on(on, box.x, box.w, box.h, box.centre, x * rest * part)
     if goal_x - box.x == 0 then return true end
     local contact = walk:cast_to(on, box, goal_x, goal_y)
     local at_x, at_y, from = goal_x, goal_y, box.x
@@ -227,21 +292,17 @@ local function go_along_floor(world, body, box, reach, motion_on, stop_at)
     rest = rest - (at_x - box.x) / x
     box.x, box.y = at_x, at_y
     -- What it has just come to does not stop it if the next piece leads past it.
-    local at_end = not contact or Walk.arrives(contact, box, goal_x, goal_y)
-    if not at_end then contacts = contacts + 1 end
-    if at_end then
-      if not (rest > 0) or goal_x ~= on.stop then return true end
-      on = nil
-    elseif walk:sinks(box, contact, goal_y) then
-      on = nil
-    elseif contact.ny < 0 and is_level(contact, n.steepest) then
-      on = walk:floor_met(box, contact)
+    if not contact or Walk.arrives(contact, box, goal_x, goal_y) then
+      if not (rest > 0) or (goal_x ~= on.stop and part == 1) then return true end
+      if goal_x == on.stop then on = nil end
+      part = 1.0
     else
-      -- It may pass the last corner of a ceiling, and go on along a curve that is not where its chord is.
-      box.x, box.y = Walk.stop_on(on, box, from, contact)
-      local goes_on = contact.facing == DOWN
-      if not Walk.is_straight(on) then goes_on = Walk.room_at(box.x, box.y, contact) > AHEAD end
-      if not goes_on or contact.t == 0 then
+      local after
+      contacts = contacts + 1
+      after, on = walk:passes(on, box, from, goal_x, goal_y, contact)
+      if after == "shortens" then part = part / 2 end
+      if after == "leaves" then return false, x * rest, 0.0 end
+      if after == "stops" then
         stop_at(box, contact)
         return true
       end

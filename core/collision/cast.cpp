@@ -116,14 +116,14 @@ class Caster {
     Real at = 0;                   // a wall's x, a flat piece's y
     Real first_x = 0, last_x = 0;  // of a floor or ceiling: the range of x where the box may be
     bool is_level() const { return cap || piece == nullptr; }
+    bool is_wall() const { return facing == Facing::left || facing == Facing::right; }
   };
 
   // The box's place at that time, on the surface that it hit. Along the surface the place is exact to the
   // rounding of the result, however flat the angle between the surface and the motion is.
   BasicVec2<Real> position() const {
-    const bool is_wall = best_.facing == Facing::left || best_.facing == Facing::right;
     const Twofold<Real> t = time_of_best();
-    if (is_wall) return {limit(best_.facing, best_.at), (box_.y + t * dy_).rounded()};
+    if (best_.is_wall()) return {limit(best_.facing, best_.at), (box_.y + t * dy_).rounded()};
     // A box that falls straight down keeps its x. On a steep line y determines the place, as one rounding of
     // x there moves y by many roundings.
     const bool by_y = dx_ != 0 && !best_.is_level() && is_steep(*best_.piece);
@@ -144,8 +144,7 @@ class Caster {
 
   // The time at which the box meets the line, or the side, that it hit.
   Twofold<Real> exact_time(const Hit& hit) const {
-    const bool is_wall = hit.facing == Facing::left || hit.facing == Facing::right;
-    if (is_wall) return wall_time(hit.facing, hit.at);
+    if (hit.is_wall()) return wall_time(hit.facing, hit.at);
     const bool up = hit.facing == Facing::up;
     return hit.is_level() ? level_time(up, hit.at) : line_time(up, *hit.piece);
   }
@@ -540,12 +539,21 @@ class Caster {
     best_ = hit;
   }
 
+  // Whether the box only just comes to the end of a floor or ceiling. A wall that it meets at the same time
+  // keeps it from getting over it, or under it. A corner of a box on its centre may be behind that wall.
+  bool is_at_border(const Hit& hit) const {
+    if (hit.is_wall() || dx_ == 0 || box_.w == 0 || foot_ == Foot::centre) return false;
+    const Real x = box_.x + hit.t * dx_;
+    return dx_ > 0 ? x <= hit.first_x + slack_ : x >= hit.last_x - slack_;
+  }
+
   // Seldom called, and so kept out of what is inlined.
   [[gnu::noinline]] void offer_at_the_same_time(const Hit& hit) {
     if (hit.is_level() && best_.is_level() && hit.facing == best_.facing) return;
+    const bool is_corner = hit.is_wall() ? is_at_border(best_) : best_.is_wall() && is_at_border(hit);
     const BasicVec2<Real> ours = normal(hit), theirs = normal(best_), d{dx_, dy_};
     const Real a = dot(ours, d), b = dot(theirs, d);
-    if (a < b || (a == b && std::abs(ours.y) > std::abs(theirs.y))) {
+    if (is_corner ? hit.is_wall() : a < b || (a == b && std::abs(ours.y) > std::abs(theirs.y))) {
       log_.is_first();
       best_ = hit;
     } else if (a == b && ours.x == -theirs.x && ours.x != 0 && hit.facing == best_.facing) {

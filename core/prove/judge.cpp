@@ -100,14 +100,14 @@ std::optional<Verdict> Judge::judge_contacts(const Body& before, const StepRecor
 
 bool Judge::is_free(const Rect& box, Foot foot, Corners corners) const {
   const FineBox whole = fine_box(box), inner = whole.shrunk(slack_), middle = inner.middle_line();
+  const FineBox core{middle.x0, middle.y0 + kDeep * slack_, middle.x1, middle.y1 - kDeep * slack_};
   // Beside the middle, corners are in the tiles that slopes lead to, and in slopes of any height.
   const Fine sunk = scaled((whole.x1 - whole.x0) / 2, std::max(tuning_.exact.steepest, kSteepGround));
   const FineBox between{inner.x0, inner.y0 + sunk, inner.x1, inner.y1 - sunk};
   std::optional<FloorLine> line;
   return ground_.for_parts(inner, [&](const RawPart& part) {
     if (part.kind != RawPart::Kind::solid || !part.meets(inner)) return true;
-    const bool has_middle = part.meets(middle.moved(-slack_, -kDeep * slack_)) &&
-                            part.meets(middle.moved(slack_, -kDeep * slack_));
+    const bool has_middle = part.meets(core.moved(-slack_, 0)) && part.meets(core.moved(slack_, 0));
     if (foot == Foot::box || has_middle) return false;
     const bool is_deep = between.y0 < between.y1 && !part.is_sloped() && part.meets(between);
     if (corners == Corners::in_any_floor && !is_deep) return true;
@@ -220,6 +220,11 @@ bool Judge::passes(const FineBox& from, const FineBox& to, Foot foot) const {
 // Along a curve a body stops a little before it has no room, as a step goes along its chord.
 Judge::Ahead Judge::ahead_of(const Body& body, int direction) const {
   const Ahead ahead = ahead_of(body, direction, kAhead);
+  // A corner of the ground may be in the way between the two places.
+  for (Fine way = kAhead / 2; ahead.way == Way::free && way >= 4 * slack_; way /= 2) {
+    const Ahead nearer = ahead_of(body, direction, way);
+    if (nearer.way == Way::blocked) return nearer;
+  }
   const bool is_on_curve = ahead.way == Way::free && ground_.has_curve_in(fine_box(body.box));
   return is_on_curve ? ahead_of(body, direction, kAheadOnCurve) : ahead;
 }
@@ -258,7 +263,9 @@ std::optional<Fine> Judge::rise_onto(const FineBox& from, FineBox to, Foot foot)
   const Fine most = std::max(lip_, scaled(kAheadOnCurve, 2 * tuning_.exact.steepest)) + in_floor + weld_;
   const Fine start = to.y1;
   for (int i = 0; i < kMostRises; ++i) {
-    if (passes(from, to, foot)) return start - to.y1;
+    // A body that is lifted by more than its height must not pass a ceiling in between.
+    const FineBox lifted{to.x0, to.y0, to.x1, std::max(to.y1, from.y0 + 2 * slack_)};
+    if (passes(from, lifted, foot)) return start - to.y1;
     Fine top = to.y1;
     ground_.for_parts(to, [&](const RawPart& part) {
       if (!part.is_floor() || !part.stops(from.shrunk(slack_), to.shrunk(slack_))) return true;

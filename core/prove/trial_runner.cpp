@@ -30,6 +30,12 @@ Cell cell_below(const Rect& box, const RawGround& ground) {
 }
 
 // Ground ends at the sides of the map, wherever the shapes of its tiles reach.
+bool meets_ground_above_map(const Rect& box, const RawGround& ground) {
+  return box.y < 0 && !ground.for_parts(fine_box(box), [](const RawPart& part) {
+    return std::min(part.top.y0, part.top.y1) >= 0;
+  });
+}
+
 bool leaves_map(const Rect& box, const RawGround& ground) {
   const TileSize tile = ground.tile_size();
   return box.x < 0 || box.right() > 1.0 * ground.columns() * tile.width || box.bottom() < 0 ||
@@ -262,6 +268,7 @@ std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, 
     const Input input = input_of(trial, frame);
     solvers_[speed]->step(state_, input, &record_);
     ++proof_.counts.steps;
+    if (meets_ground_above_map(body.box, scene_.ground())) break;
     std::optional<Verdict> verdict = judge.judge(before, body, input, record_);
     still =
         std::abs(body.box.x - before.box.x) + std::abs(body.box.y - before.box.y) < kStill ? still + 1 : 0;

@@ -173,6 +173,8 @@ class PlayerRule {
     }
     if (contact.t == 1) return {};
     if (gait_.grounded || landed_) {
+      // A ceiling that does not come down holds it from rising alone.
+      if (normal.y > 0 && normal.x * rest.x >= 0) return {rest.x, 0};
       stop_at(contact);
       return {};
     }

@@ -163,6 +163,7 @@ class ExactSolver final : public Solver {
     FloorWalk<Real> way(ground_, others_, speed < 0 ? -1 : 1, numbers_.steepest, &budget_);
     std::optional<FloorAhead<Real>> floor;
     Real rest = 1;        // of the step
+    Real part = 1;        // of the rest, that is taken in one go along a curve
     bool at_end = false;  // of a piece, where the next one begins
     for (int contacts = 0; contacts < max_passes_;) {
       if (!floor) floor = way.floor_ahead(moving, reach);
@@ -179,7 +180,7 @@ class ExactSolver final : public Solver {
       if (rest == 1) note_goal(moving, motion);
       if (at_end) note_turn(state.bodies[index], moving, floor->contact, before * rest);
       if (at_end || contacts > 0) note_after(motion * rest);
-      const Vec goal = way.goal_on(*floor, moving.box, motion.x * rest, moving.foot);
+      const Vec goal = way.goal_on(*floor, moving.box, motion.x * rest * part, moving.foot);
       if (goal.x == moving.box.x) return true;
       const auto contact = way.cast_to(*floor, moving, goal);
       if (!contact && budget_.seen < 1) {
@@ -190,46 +191,76 @@ class ExactSolver final : public Solver {
       const Vec at = contact ? contact.position : goal;
       const Real from = moving.box.x;
       rest -= (at.x - moving.box.x) / motion.x;
-      moving.box.x = at.x;
-      moving.box.y = at.y;
+      put(moving, at);
       // What it has just come to does not stop it if the next piece leads past it.
       const bool arrives = contact && way.arrives(contact, moving, goal);
       at_end = !contact || arrives;
       if (arrives) note_after(motion * std::max<Real>(rest, 0));
       if (at_end) {
-        if (!(rest > 0) || goal.x != floor->end) return true;
-        floor.reset();
+        if (!(rest > 0) || (goal.x != floor->end && part == 1)) return true;
+        at_end = goal.x == floor->end;
+        if (at_end) floor.reset();
+        part = 1;
         continue;
       }
       ++contacts;
       note_after({});
-      if (!passes(way, floor, moving, from, goal.y, contact, rule)) return true;
+      const auto after = passes(way, floor, moving, from, goal, contact);
+      if (after == AfterContact::shortens) part /= 2;
+      if (after == AfterContact::leaves) {
+        motion = {motion.x * rest, 0};
+        return false;
+      }
+      if (after == AfterContact::stops) {
+        rule.stop_at(contact);
+        return true;
+      }
     }
     if (record_ != nullptr) record_->paths.back().capped = true;
     return true;
   }
 
-  // What a walking body does that went from x and met something. Returns whether it goes on; `floor` is then
-  // the one that it goes on along, or nothing if it has to look for it.
-  bool passes(FloorWalk<Real>& way, std::optional<FloorAhead<Real>>& floor, Moving<Real>& moving, Real from,
-              Real goal_y, const Contact<Real>& contact, PlayerRule<Real>& rule) {
-    if (way.sinks(moving, contact, goal_y)) {
+  // What a walking body does that has met something.
+  enum class AfterContact : std::uint8_t {
+    goes_on,
+    shortens,  // goes on along its curve, of which it takes half of that part in one go
+    leaves,    // the floor has ended
+    stops
+  };
+
+  // What a walking body does that went from x to a goal and met something. If it goes on, `floor` is the one
+  // that it goes on along, or nothing if it has to look for it.
+  AfterContact passes(FloorWalk<Real>& way, std::optional<FloorAhead<Real>>& floor, Moving<Real>& moving,
+                      Real from, Vec goal, const Contact<Real>& contact) {
+    if (way.sinks(moving, contact, goal.y)) {
+      way.lift_onto(*floor, moving);
       floor.reset();
-      return true;
+      return AfterContact::goes_on;
+    }
+    if (contact.normal.y < 0 && way.leads_above(*floor, moving, contact, goal.x)) {
+      way.lift_onto(*floor, moving);
+      return AfterContact::shortens;
     }
     if (contact.normal.y < 0 && is_level(contact, numbers_.steepest)) {
       floor = way.floor_met(moving, contact);
-      return true;
+      return AfterContact::goes_on;
     }
-    const Vec place = way.stop_on(*floor, moving.box, from, contact, moving.foot);
+    if (way.is_straight(*floor)) {
+      if (way.joins(*floor, moving)) return AfterContact::goes_on;
+    } else {
+      put(moving, way.stop_on(*floor, moving.box, from, contact, moving.foot));
+    }
+    if (contact.normal.y < 0 && contact.normal.x * moving.velocity.x > 0) return AfterContact::leaves;
+    // It may pass the last corner of a ceiling, or go on along a curve that is not where its chord is.
+    const bool has_room = way.is_straight(*floor)
+                              ? contact.facing == Facing::down
+                              : way.room_at(moving.box.position(), contact) > Real(kFloorStep);
+    return has_room && contact.t > 0 ? AfterContact::goes_on : AfterContact::stops;
+  }
+
+  static void put(Moving<Real>& moving, Vec place) {
     moving.box.x = place.x;
     moving.box.y = place.y;
-    // It may pass the last corner of a ceiling, or go on along a curve that is not where its chord is.
-    const bool has_room = way.is_straight(*floor) ? contact.facing == Facing::down
-                                                  : way.room_at(place, contact) > Real(kFloorStep);
-    if (has_room && contact.t > 0) return true;
-    rule.stop_at(contact);
-    return false;
   }
 
   // The level ground straight below, within `reach`.

@@ -76,13 +76,12 @@ class FloorWalk {
   static bool is_straight(const FloorAhead<Real>& floor) {
     return !floor.on_line || floor.contact.piece->stretch == 0;
   }
-  // The place of the body on that floor where something has stopped it that it met on its way from x. Along a
-  // curve it went along the chord, and on the curve itself it may meet that sooner.
+  // The place of the body on that curve where something has stopped it that it met on its way from x. It went
+  // along the chord, and on the curve itself it may meet that sooner.
   Vec stop_on(const FloorAhead<Real>& floor, const BasicRect<Real>& box, Real from,
               const Contact<Real>& contact, Foot foot) const {
-    const Vec place = place_on(floor, box, contact.position.x, foot);
-    if (is_straight(floor)) return place;
     if (contact.t == 0) return contact.position;
+    const Vec place = place_on(floor, box, contact.position.x, foot);
     if (room_at(place, contact) >= 0) return place;
     Real free = from, blocked = contact.position.x;
     for (int i = 0; i < kHalvings; ++i) {
@@ -90,6 +89,33 @@ class FloorWalk {
       (room_at(place_on(floor, box, x, foot), contact) >= 0 ? free : blocked) = x;
     }
     return place_on(floor, box, free, foot);
+  }
+  // Whether the floor is a curve that goes on above what the body has met below it, on the chord of its way.
+  bool leads_above(const FloorAhead<Real>& floor, const Moving<Real>& body, const Contact<Real>& contact,
+                   Real goal_x) const {
+    if (is_straight(floor)) return false;
+    const bool moved = contact.t > 0;
+    const Real x = moved ? contact.position.x : (contact.position.x + goal_x) / 2;
+    return room_at(place_on(floor, body.box, x, body.foot), contact) >
+           (moved ? Real(kFloorStep) : settled(body));
+  }
+  // Puts a body that has come below a curve, on the chord of its way, on the curve.
+  void lift_onto(const FloorAhead<Real>& floor, Moving<Real>& body) const {
+    if (!is_straight(floor))
+      body.box.y = std::min(body.box.y, place_on(floor, body.box, body.box.x, body.foot).y);
+  }
+  // Puts a body that has met something on that straight floor, which may be a little higher or lower than the
+  // one that it came from. Returns whether that moved it by more than rounding does, so that it may pass.
+  bool joins(const FloorAhead<Real>& floor, Moving<Real>& body) const {
+    const Real y = place_on(floor, body.box, body.box.x, body.foot).y, way = y - body.box.y;
+    const bool is_off = std::abs(way) > settled(body);
+    if (is_off) {
+      const Cast<Real> upright{body.box, {0, way}, body.foot, sunk_};
+      const Contact<Real> met = cast_box<Real>(ground_, upright, others_, nullptr, budget_);
+      if (met && std::abs(met.position.y - y) > settled(body)) return false;
+    }
+    body.box.y = y;
+    return is_off;
   }
   // How far a place is from what the body has met, px; less than 0: it is in that.
   static Real room_at(Vec place, const Contact<Real>& contact) {
@@ -129,6 +155,11 @@ class FloorWalk {
   }
 
  private:
+  // px; a body so near to a floor is on it.
+  static Real settled(const Moving<Real>& body) {
+    return kSettledSlacks * rounding_slack<Real>({body.box, {}, body.foot});
+  }
+
   // The floor is looked for a little further on, so that of two pieces that meet at the foot the next one is
   // found.
   std::optional<FloorAhead<Real>> look_ahead(const Moving<Real>& body, Real reach) const {
@@ -213,7 +244,8 @@ class FloorWalk {
     return step > 0 ? ground_.x_of(next.x) - rest : ground_.x_of(cell.x) - box.w + rest;
   }
 
-  // The upper end of what a corner of the body met. Nothing: its middle met it, or it is a ceiling.
+  // The upper end of what a corner of the body met, or the nearer end of a ceiling. Nothing: its middle met
+  // it.
   std::optional<Vec> corner_met(const Moving<Real>& body, const Contact<Real>& contact) const {
     const Piece<Real>* piece = contact.piece;
     const Cell cell{contact.origin % ground_.width(), contact.origin / ground_.width()};
@@ -221,11 +253,14 @@ class FloorWalk {
       if (piece != nullptr) return Vec{piece->x0, piece->y0};
       return Vec{ground_.x_of(cell.x + (contact.facing == Facing::left ? 0 : 1)), ground_.y_of(cell.y)};
     }
-    if (contact.facing == Facing::down || (piece != nullptr && !contact.on_end)) return std::nullopt;
+    const bool is_level_ceiling =
+        piece != nullptr && contact.facing == Facing::down && piece->y0 == piece->y1;
+    if (piece != nullptr && !contact.on_end && !is_level_ceiling) return std::nullopt;
     const int column = piece != nullptr ? 0 : solid_column(body.box, cell.y);
     const Real x0 = piece != nullptr ? piece->x0 : ground_.x_of(column);
     const Real x1 = piece != nullptr ? piece->x1 : ground_.x_of(column + 1);
-    const Real middle = body.box.x + body.box.w / 2, y = contact.position.y + body.box.h;
+    const Real middle = body.box.x + body.box.w / 2;
+    const Real y = contact.position.y + (contact.facing == Facing::down ? 0 : body.box.h);
     if (middle < x0) return Vec{x0, y};
     if (middle > x1) return Vec{x1, y};
     return std::nullopt;
@@ -242,9 +277,15 @@ class FloorWalk {
       if (!floor) return false;
       Vec goal = walk.goal_on(*floor, point.box, spot.x - point.box.x, point.foot);
       if (goal.x == point.box.x) return false;
-      // Another floor may cross it.
+      // Another floor may cross it, further on or just here.
       const Contact<Real> met = walk.cast_to(*floor, point, goal);
-      if (met && met.facing == Facing::up && met.position.x != point.box.x) goal = met.position;
+      if (met && met.facing == Facing::up) {
+        const auto crossing = met.t == 0 ? walk.floor_met(point, met) : std::nullopt;
+        if (crossing)
+          goal = walk.goal_on(*crossing, point.box, spot.x - point.box.x, point.foot);
+        else if (met.position.x != point.box.x)
+          goal = met.position;
+      }
       point.box.x = (goal.x - spot.x) * direction < 0 ? goal.x : spot.x;
       point.box.y = goal.y;
     }

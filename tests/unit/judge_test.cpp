@@ -147,4 +147,35 @@ TEST(Judge, SaysHowHighTheEdgeIsThatStopsABody) {
   EXPECT_EQ(c.kind(), std::nullopt) << "a step that is meant";
 }
 
+TEST(Judge, ABodyThatFitsIntoAMouthIsNotInTheGround) {
+  Case c;  // a slope up, and a ceiling that comes down to it
+  c.level.tile_shapes[3] = {.kind = TileShape::Kind::slope, .heights = {0, 8}};
+  c.level.tile_shapes[4] = {
+      .kind = TileShape::Kind::slope, .side = TileShape::Side::ceiling, .heights = {0, 16}};
+  c.level.map.set({8, 11}, 3);
+  c.level.map.set({8, 10}, 4);
+  c.before.foot = c.after.foot = Foot::centre;
+  c.before.gait.grounded = c.after.gait.grounded = false;
+  c.before.box = {60, 80, 2, 7};
+  c.after.box = {66, 86, 2, 7};  // from the ceiling, at 86 px, to the slope, at 93
+  EXPECT_EQ(c.kind(), std::nullopt);
+  c.after.box.y -= 0.01;
+  EXPECT_EQ(c.kind(), FindingKind::inside);
+}
+
+TEST(Judge, ACornerOnTheWayExplainsAStop) {
+  Case c;  // a way down, on which the corner of a ceiling is in the way for a hundredth of a pixel
+  c.level.tile_shapes[3] = {.kind = TileShape::Kind::slope, .heights = {8, 0}};
+  c.level.map.set({8, 11}, 3);
+  c.level.map.set({9, 9}, 1);  // from 72 px on, and down to 80
+  const double corner = 0.01;
+  c.after.box = {66, 80 - corner, 6, 10 + corner};
+  c.before.box = c.after.box;
+  c.before.box.x -= 0.5, c.before.box.y -= 0.5;
+  c.after.velocity.x = 0;
+  EXPECT_EQ(c.kind(), std::nullopt);
+  c.level.map.set({9, 9}, 0);
+  EXPECT_EQ(c.kind(), FindingKind::stops);
+}
+
 }  // namespace talus::judge_test

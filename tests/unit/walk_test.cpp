@@ -1,6 +1,7 @@
 // Walks of the exact solver: where a player goes on along the floor, and where it is stopped.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 
 #include <talus/sim/solver.h>
@@ -142,6 +143,124 @@ TEST(Walk, GoesAsFastOverEachPiece) {
   const Body body = walked(scenery.level, 1, 106);
   const double ramp = 0.25 + 0.5 + 0.75 + 1 + 1.25;  // while run_gain makes it faster
   EXPECT_DOUBLE_EQ(body.box.x, 20 + ramp + 1.5 * 101);
+}
+
+// ---- Rare meetings: a player that stands at a place takes one step ----
+
+struct Meeting : Scenery {
+  explicit Meeting(TileSize tile = {8, 8}, double speed = 1.5) {
+    level.map = TileMap(24, 14, tile);
+    level.tuning.player.run_speed = speed;
+  }
+  void sine(double x0, double x1, double middle, double amplitude, double wavelength) {
+    level.curves.push_back({"", {.form = Sine{x0, x1, middle, amplitude, wavelength, x0}}, ""});
+  }
+  Body step(Rect box, Foot foot, int direction) {
+    player(box.x, box.bottom(), foot, {box.w, box.h});
+    const auto scene = std::make_shared<const Scene>(compile_scene(level));
+    State state = initial_state(*scene);
+    Body& body = state.bodies[0];
+    body.box = box;
+    body.velocity = {direction * level.tuning.player.run_speed, 0};
+    body.gait.grounded = true;
+    Input input;
+    input.left = direction < 0;
+    input.right = direction > 0;
+    make_solver(scene)->step(state, input, nullptr);
+    return body;
+  }
+};
+
+TEST(Walk, LeadsDownIntoACorridorFromJustBeforeASlopeEnds) {
+  Meeting meeting;
+  for (int x = 0; x < 24; ++x) meeting.level.map.set({x, 12}, 1);
+  meeting.put({8, 11}, slope(8, 0));
+  meeting.fill(10, 20, 10);
+  const Body body = meeting.step({64.4995, kFloor - 8.0005, 15, 8}, Foot::centre, 1);
+  EXPECT_NEAR(body.box.x, 65.9995, 1e-9);
+  EXPECT_EQ(body.box.bottom(), kFloor);
+}
+
+TEST(Walk, LeadsOntoASlopeThatIsALipHigher) {
+  Meeting meeting;
+  meeting.put({8, 11}, slope(8, 4));  // its right side ends at 92 px
+  meeting.level.curves.push_back({"", {.form = Segment{{71, 92}, {82, 92.03125}}}, ""});
+  const Body body = meeting.step({72, 84 + 0.03125 / 11, 8, 8}, Foot::box, -1);
+  EXPECT_NEAR(body.box.x, 70.5, 1e-9);
+  EXPECT_NEAR(body.box.bottom(), 92 - 0.75, 1e-9);
+}
+
+TEST(Walk, StaysOnItsFloorWhereACeilingKeepsItFromTheNextOne) {
+  Meeting meeting;
+  for (int x = 0; x < 24; ++x) meeting.level.map.set({x, 12}, 1);
+  meeting.fill(8, 20, 10);
+  meeting.level.curves.push_back({"", {.form = Segment{{60, 100}, {84, 92}}}, ""});
+  const Body body = meeting.step({63.9985, kFloor - 8, 8, 8}, Foot::box, 1);
+  EXPECT_EQ(body.box.bottom(), kFloor);
+}
+
+TEST(Walk, FollowsTheHigherOneOfTwoFloorsThatCross) {
+  Meeting meeting({16, 16}, 3);
+  meeting.put({17, 7}, slope(8, 4));
+  meeting.sine(237, 349, 130, 8, 56);
+  const Body body = meeting.step({280.37, 106.0925, 16, 16}, Foot::box, 1);
+  EXPECT_GT(body.box.x, 283);
+}
+
+TEST(Walk, StaysOnACurveAboveAnotherFloor) {
+  Meeting meeting({24, 24}, 4.5);
+  meeting.put({11, 3}, {.kind = TileShape::Kind::profile, .heights = {12, 18.75, 0}});
+  meeting.sine(237, 343, 89, 12, 53);
+  const Body body = meeting.step({270.74, 53.0000084, 12, 24}, Foot::centre, -1);
+  const double turns = (body.box.x + 6 - 237) / 53;
+  EXPECT_NEAR(body.box.bottom(), 89 + 12 * std::sin(turns * 2 * std::acos(-1)), 1e-6);
+  EXPECT_LT(body.box.x, 268);
+}
+
+TEST(Walk, PassesAWallBelowOneOfTwoFloorsThatCrossAtItsFoot) {
+  Meeting meeting({16, 16}, 3);
+  meeting.put({18, 6}, slope(12, 12));
+  meeting.put({19, 6}, slope(12, 4, true));
+  meeting.put({20, 6}, slope(4, 4));
+  meeting.sine(265, 350, 110, 8, 74);  // its line is 0.005 px above the foot
+  const Body body = meeting.step({304, 88, 16, 16}, Foot::centre, -1);
+  EXPECT_NEAR(body.box.x, 301, 1e-9);
+  EXPECT_NEAR(body.box.bottom(), 104 - 1.5, 1e-9);
+}
+
+TEST(Walk, FliesOnBelowACeilingFromTheEndOfARamp) {
+  Meeting meeting;
+  meeting.level.tuning.exact.steepest = 0.75;
+  meeting.put({8, 11}, slope(0, 4));
+  meeting.put({9, 11}, {.kind = TileShape::Kind::profile, .heights = {4, 0, 0}});
+  for (int x = 8; x < 12; ++x)
+    meeting.put({x, 10},
+                {.kind = TileShape::Kind::slope, .side = TileShape::Side::ceiling, .heights = {4, 4}});
+  EXPECT_NEAR(meeting.step({67, 84.5, 8, 8}, Foot::centre, 1).box.x, 68.5, 1e-9);
+}
+
+TEST(Walk, PassesTheUndersideOfTheHillThatItWalksOn) {
+  Meeting meeting;
+  meeting.put({9, 11}, slope(8, 0, true));
+  meeting.put({8, 10}, slope(8, 0));
+  EXPECT_NEAR(meeting.step({69, 88, 14, 4}, Foot::centre, -1).box.x, 67.5, 1e-9);
+}
+
+TEST(Walk, DoesNotStandOnASeamOfAWall) {
+  Meeting meeting;
+  meeting.put({9, 10}, {.kind = TileShape::Kind::slope, .side = TileShape::Side::ceiling, .heights = {8, 5}});
+  meeting.fill(9, 9, 11);
+  meeting.player(64, 88, Foot::box);
+  const auto scene = std::make_shared<const Scene>(compile_scene(meeting.level));
+  State state = initial_state(*scene);
+  Body& body = state.bodies[0];
+  body.box.y = 80;
+  body.velocity = {0, 2.5};
+  Input input;
+  input.right = true;
+  make_solver(scene)->step(state, input, nullptr);
+  EXPECT_FALSE(body.gait.grounded);
+  EXPECT_GT(body.box.y, 82);
 }
 
 }  // namespace talus::walk_test
