@@ -21,8 +21,8 @@ struct MergedLevel {
 
 // What only one side changed since `base` is taken from that side: cell by cell, tile by tile, body by body.
 // side: whose state those places get that both changed. The origin of the level is theirs, its chosen layer
-// mine. If the ground of `theirs` lies elsewhere in its map (see moved_ground.h), what was changed in `mine`
-// moves with it.
+// mine. Where the ground lies in its map (see moved_ground.h) is merged in the same way: if only one side
+// moved it, what the other one changed moves with it.
 MergedLevel merge_levels(const Level& base, const Level& mine, const Level& theirs, MergeSide side);
 // The same where all three count cells and px from the same corner.
 MergedLevel merge_in_place(const Level& base, const Level& mine, const Level& theirs, MergeSide side);

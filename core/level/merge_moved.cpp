@@ -1,9 +1,13 @@
 // Levels are brought to the place of their ground before they are merged.
 #include "merge.h"
+#include "merge_groups.h"
 #include "moved_ground.h"
 
 namespace talus {
 namespace {
+
+constexpr const char* kPlace = "the place of the ground";
+constexpr const char* kApart = "the ground lies elsewhere there, and no level has room for both";
 
 // Cells that were changed here and are not on the map any more after a shift.
 int changed_cells_cut_off(const Level& base, const Level& mine, Cell by) {
@@ -34,19 +38,49 @@ Level shifted(const Level& level, Cell by) {
   return with_moved_ground(level, by, level.map.width() + by.x, level.map.height() + by.y);
 }
 
-}  // namespace
+// Whether a level has other columns or rows of its map of Tiled than the base, as after an undone reading:
+// it is not the user who moved its ground.
+bool begins_elsewhere(const Level& base, const Level& mine) {
+  return base.tiled && mine.tiled &&
+         (base.tiled->frame.x != mine.tiled->frame.x || base.tiled->frame.y != mine.tiled->frame.y);
+}
 
-MergedLevel merge_levels(const Level& base, const Level& mine, const Level& theirs, MergeSide side) {
-  const bool is_same_grid = base.map.tile_size() == theirs.map.tile_size();
-  const Cell by = is_same_grid ? ground_shift(ground_place(base), theirs) : Cell{0, 0};
-  if (by == Cell{0, 0}) return merge_in_place(base, mine, theirs, side);
-  if (!(mine.map.tile_size() == theirs.map.tile_size()) || !can_shift(base, by) || !can_shift(mine, by))
-    return {theirs, {"the place of the ground"}};
-  MergedLevel merged = merge_in_place(shifted(base, by), shifted(mine, by), theirs, side);
-  if (const int count = changed_cells_cut_off(base, mine, by); count > 0) {
+Cell difference(Cell a, Cell b) { return {a.x - b.x, a.y - b.y}; }
+
+void note_lost_cells(const Level& base, const Level& changed, Cell by, MergedLevel& merged) {
+  if (const int count = changed_cells_cut_off(base, changed, by); count > 0) {
     merged.conflicts.push_back(std::to_string(count) + (count == 1 ? " cell" : " cells") +
                                " that the map no longer has");
   }
+}
+
+}  // namespace
+
+// The place of the ground is merged first, as the other parts are; then all three levels go there.
+MergedLevel merge_levels(const Level& base, const Level& mine, const Level& theirs, MergeSide side) {
+  const TileSize grid = base.map.tile_size();
+  if (!(mine.map.tile_size() == grid) || !(theirs.map.tile_size() == grid))
+    return merge_in_place(base, mine, theirs, side);
+  const GroundPlace before = ground_place(base);
+  const Cell here = ground_shift(before, mine), there = ground_shift(before, theirs);
+  int conflicts = 0;
+  const Cell place = begins_elsewhere(base, mine) ? there : pick_side({0, 0}, here, there, side, conflicts);
+  const Cell of_mine = difference(place, here), of_theirs = difference(place, there);
+  if (!can_shift(base, place) || !can_shift(mine, of_mine) || !can_shift(theirs, of_theirs)) {
+    MergedLevel whole{side == MergeSide::mine ? mine : theirs, {kPlace}, kApart};
+    whole.level.cart = theirs.cart;
+    whole.level.tiled = theirs.tiled;
+    whole.level.ldtk = theirs.ldtk;
+    return whole;
+  }
+  const auto moved_level = [](const Level& level, Cell by) {
+    return by == Cell{0, 0} ? level : shifted(level, by);
+  };
+  MergedLevel merged = merge_in_place(moved_level(base, place), moved_level(mine, of_mine),
+                                      moved_level(theirs, of_theirs), side);
+  if (conflicts > 0) merged.conflicts.emplace_back(kPlace);
+  note_lost_cells(base, mine, place, merged);
+  note_lost_cells(base, theirs, place, merged);
   return merged;
 }
 

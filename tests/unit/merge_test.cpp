@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "level/merge.h"
+#include "level/moved_ground.h"
 
 namespace talus::merge_test {
 
@@ -231,6 +232,90 @@ TEST(Merge, OfOtherTileNumbersTakesOneSideAsAWhole) {
   EXPECT_THAT(merged.conflicts, ElementsAre("the numbers of the tiles"));
   EXPECT_EQ(merged.apart, "the numbers of the tiles are others there than here");
   EXPECT_EQ(merged.level, mine);
+}
+
+// A level with ground by which its place is found again.
+Level level_with_ground() {
+  Level level = small_level();
+  level.map.cells().tiles() = {0, 1, 2, 0, 3, 4, 5, 0, 6, 7, 8, 9, 1, 2, 3, 4};
+  return level;
+}
+Level with_columns_at_left(const Level& level, int count) {
+  return with_moved_ground(level, {count, 0}, level.map.width() + count, level.map.height());
+}
+
+TEST(Merge, GroundThatWasMovedHereTakesTheirChangesAlong) {
+  const Level base = level_with_ground();
+  Level theirs = base;
+  theirs.map.set({3, 0}, 7);
+  theirs.spawns[0].position = {3, 3};
+  const Level wide = with_columns_at_left(base, 2);
+  for (const MergeSide side : {MergeSide::mine, MergeSide::theirs}) {
+    const MergedLevel merged = merge_levels(base, wide, theirs, side);
+    EXPECT_THAT(merged.conflicts, IsEmpty());
+    EXPECT_EQ(merged.level, with_columns_at_left(theirs, 2));
+  }
+  EXPECT_EQ(merge_levels(base, wide, wide, MergeSide::mine).level, wide);
+}
+
+TEST(Merge, GroundThatWasMovedHereLosesNoChangeInSilence) {
+  const Level base = with_columns_at_left(level_with_ground(), 1);
+  Level theirs = base;
+  theirs.map.set({0, 0}, 7);
+  const Level narrow = level_with_ground();
+  const MergedLevel merged = merge_levels(base, narrow, theirs, MergeSide::mine);
+  EXPECT_THAT(merged.conflicts, ElementsAre("1 cell that the map no longer has"));
+  EXPECT_EQ(merged.level, narrow);
+}
+
+TEST(Merge, GroundThatBothMovedIsAskedAbout) {
+  const Level base = level_with_ground();
+  Level mine = base, theirs = base;
+  mine.map.set({3, 0}, 7);
+  theirs.map.set({3, 1}, 8);
+  Level both = mine;
+  both.map.set({3, 1}, 8);
+  mine = with_columns_at_left(mine, 1);
+  theirs = with_columns_at_left(theirs, 2);
+  const MergedLevel kept = merge_levels(base, mine, theirs, MergeSide::mine);
+  EXPECT_THAT(kept.conflicts, ElementsAre("the place of the ground"));
+  EXPECT_EQ(kept.level, with_columns_at_left(both, 1));
+  EXPECT_EQ(merge_levels(base, mine, theirs, MergeSide::theirs).level, with_columns_at_left(both, 2));
+}
+
+// A map may have 65,536 tiles of this size side by side.
+TEST(Merge, GroundWithoutRoomForBothIsThatOfTheSide) {
+  constexpr int kMost = 65536;
+  constexpr TileSize kWide{256, 8};
+  Level base;
+  base.map = TileMap(kMost - 1, 1, kWide);
+  for (int x = 0; x < 9; ++x) base.map.set({x, 0}, static_cast<TileNumber>(x + 1));
+  Level mine = base;
+  mine.map = TileMap(kMost, 1, kWide);
+  for (int x = 0; x < 9; ++x) mine.map.set({x, 0}, base.map.tile_at({x, 0}));
+  mine.map.set({kMost - 1, 0}, 3);
+  const Level theirs = with_moved_ground(base, {1, 0}, kMost, 1);
+  const MergedLevel kept = merge_levels(base, mine, theirs, MergeSide::mine);
+  EXPECT_THAT(kept.conflicts, ElementsAre("the place of the ground"));
+  EXPECT_NE(kept.apart, "");
+  EXPECT_EQ(kept.level, mine);
+  EXPECT_EQ(merge_levels(base, mine, theirs, MergeSide::theirs).level, theirs);
+}
+
+TEST(Merge, LayersThatAreGroundAreThoseOfEitherSide) {
+  Level base = small_level();
+  base.layers.list.push_back(base.layers.list[0]);
+  base.layers.list[1].name = "b";
+  base.layers.list[1].cells = std::make_shared<const MapCells>(base.map.cells());
+  Level mine = base, theirs = base;
+  mine.layers.list[0].is_ground = !base.layers.list[0].is_ground;
+  theirs.layers.list[1].is_ground = !base.layers.list[1].is_ground;
+  for (const MergeSide side : {MergeSide::mine, MergeSide::theirs}) {
+    const MergedLevel merged = merge_levels(base, mine, theirs, side);
+    EXPECT_THAT(merged.conflicts, IsEmpty());
+    EXPECT_EQ(merged.level.layers.list[0].is_ground, mine.layers.list[0].is_ground);
+    EXPECT_EQ(merged.level.layers.list[1].is_ground, theirs.layers.list[1].is_ground);
+  }
 }
 
 }  // namespace talus::merge_test
