@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <talus/formats/format.h>
+#include "folder_test.h"
 #include "formats/ldtk/ldtk_tiles.h"
 #include "ldtk_text.h"
 
@@ -34,6 +35,40 @@ TEST(ImportLdtkLimits, PartsAndPixelsAreCounted) {
       error_of(project_of(1, 1, 256, 256, times(4096, ldtk_tile(0, 0, 0, 0, "0.5")))),
       "file: error: shows too many different tiles: their parts in cells may have up to 268435456 pixels "
       "together");
+}
+
+class LdtkTileStacks : public FolderTest {};
+
+TEST_F(LdtkTileStacks, OfThousandsAreOpenedAndSaved) {
+  const std::string file = put(
+      "g.ldtk", project_of(2, 1, 8, 8, times(5000, ldtk_tile(0, 0, 3, 0, "0.5")) + "," + ldtk_tile(8, 0, 1)));
+  auto loaded = load_level(file);
+  ASSERT_TRUE(loaded) << to_string(loaded.error(), "g.ldtk");
+  const TileNumber stack = loaded->level.map.tile_at({0, 0});
+  EXPECT_NE(stack, loaded->level.map.tile_at({1, 0}));
+  loaded->level.map.set({1, 0}, stack);
+  ASSERT_TRUE(save_level(loaded->level, *loaded->format, file, loaded->companion));
+  const auto again = load_level(file);
+  ASSERT_TRUE(again) << to_string(again.error(), "g.ldtk");
+  EXPECT_EQ(again->level, loaded->level);
+  EXPECT_EQ(again->level.map.tile_at({0, 0}), stack);
+}
+
+TEST_F(LdtkTileStacks, OfTooManyAreRefused) {
+  EXPECT_EQ(error_of(project_of(1, 1, 1, 1, times(kMaxLdtkCellParts + 1, ldtk_tile(0, 0, 0, 0, "0.5")))),
+            "file: error: shows too many tiles over one another: a cell may show 65536");
+}
+
+// A project may be made to take long by the data of one tile that is shown often.
+TEST_F(LdtkTileStacks, ReadTheDataOfATileOnce) {
+  const std::string data =
+      R"("customData":[{"tileId":0,"data":"{\"a\":1,\"b\":1}"},{"tileId":1,"data":"{\"a\":2}"}])";
+  const std::string layer =
+      ldtk_tiles(1, 1, times(3000, ldtk_tile(0, 0, 0, 0, "0.5")) + "," + ldtk_tile(0, 0, 1, 0, "0.5"));
+  const auto loaded = read_level(ldtk_project(ldtk_level(layer), "", ldtk_tileset(data)), {"ldtk"});
+  ASSERT_TRUE(loaded) << to_string(loaded.error(), "file");
+  const TileNumber tile = loaded->level.map.tile_at({0, 0});
+  EXPECT_EQ(note_of(loaded->level.tile_notes, tile).properties, R"({"a":2,"b":1})");
 }
 
 TEST(ImportLdtkLimits, LayersAreCountedBeforeTheyAreMade) {

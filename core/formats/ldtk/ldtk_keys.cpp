@@ -8,7 +8,6 @@ namespace talus {
 namespace {
 
 constexpr std::size_t kKeyHead = 2, kPartNumbers = 11;
-constexpr std::size_t kMostKeyParts = 4096;
 
 // Nothing for other texts, and for too many numbers.
 std::optional<std::vector<int>> numbers_of(const std::string& text) {
@@ -19,7 +18,7 @@ std::optional<std::vector<int>> numbers_of(const std::string& text) {
     if (!numbers.empty() && *at++ != ' ') return std::nullopt;
     int number = 0;
     const auto [stopped, problem] = std::from_chars(at, end, number);
-    if (problem != std::errc() || numbers.size() == kKeyHead + kMostKeyParts * kPartNumbers)
+    if (problem != std::errc() || numbers.size() == kKeyHead + kMaxLdtkCellParts * kPartNumbers)
       return std::nullopt;
     numbers.push_back(number);
     at = stopped;

@@ -38,6 +38,7 @@ class LdtkLevelMaker {
   void find_ground();
   void name_flags();
   void take_tiles();
+  std::vector<const std::string*> data_of(const LdtkCell& cell) const;
   void take_notes();
   void take_entities(const LdtkLayer& layer);
   void take_body(const LdtkEntity& entity, BodyKind kind, Vec2 offset);
@@ -199,30 +200,44 @@ void LdtkLevelMaker::take_tiles() {
   }
 }
 
-// The custom data of the tiles that a tile of the level shows in their places, the upper ones before the
-// lower.
+// The custom data of the tiles that a cell shows in their places, from the lowest; of a tile that it shows
+// several times, the uppermost counts.
+std::vector<const std::string*> LdtkLevelMaker::data_of(const LdtkCell& cell) const {
+  std::vector<const std::string*> all;
+  std::set<const std::string*> seen;
+  for (auto part = cell.parts.rbegin(); part != cell.parts.rend(); ++part) {
+    const LdtkSource& source = tiles_.sources[part->source];
+    if (source.tileset < 0 || !is_in_place(*part, source, tiles_.map.tile_size())) continue;
+    const auto& data = project_.tilesets[static_cast<std::size_t>(source.tileset)].data;
+    const auto found = data.find(source.id);
+    if (found != data.end() && seen.insert(&found->second).second) all.push_back(&found->second);
+  }
+  std::reverse(all.begin(), all.end());
+  return all;
+}
+
+// The upper ones go before the lower.
 void LdtkLevelMaker::take_notes() {
-  std::size_t bytes = 0;
+  constexpr std::size_t kMostRead = 16 * kMaxNoteBytes;
+  std::size_t bytes = 0, read = 0;
   for (std::size_t tile = 0; tile < tiles_.cells.size(); ++tile) {
     Json properties = Json::object();
-    for (const LdtkPart& part : tiles_.cells[tile].parts) {
-      const LdtkSource& source = tiles_.sources[part.source];
-      if (source.tileset < 0 || !is_in_place(part, source, tiles_.map.tile_size())) continue;
-      const auto& data = project_.tilesets[static_cast<std::size_t>(source.tileset)].data;
-      const auto found = data.find(source.id);
-      if (found == data.end()) continue;
+    for (const std::string* data : data_of(tiles_.cells[tile])) {
       constexpr int kDeepest = 16;  // far below what a level may nest
-      const auto json = parse_json(found->second);
+      read += data->size();
+      if (read > kMostRead) break;
+      const auto json = parse_json(*data);
       if (json && json->is_object() && depth_of(*json) <= kDeepest)
         properties.update(*json);
       else
-        properties["data"] = found->second;
+        properties["data"] = *data;
     }
-    if (properties.empty()) continue;
+    if (properties.empty() && read <= kMostRead) continue;
     TileNote note;
     note.properties = properties.dump(-1, ' ', false, Json::error_handler_t::replace);
     bytes += note.properties.size();
-    if (bytes > kMaxNoteBytes) return drops_.add("the custom data of tiles beyond 16 MiB");
+    if (bytes > kMaxNoteBytes || read > kMostRead)
+      return drops_.add("the custom data of tiles beyond 16 MiB");
     put_note(level_.tile_notes, static_cast<TileNumber>(tile), std::move(note));
   }
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "../text/utf8_text.h"
 #include "ldtk_names.h"
@@ -113,11 +115,18 @@ class LdtkTileReader {
 
   LdtkTileMeaning meaning_of(const LdtkCell& cell) {
     LdtkTileMeaning meaning;
-    std::optional<TileShape> shape;  // of tags
+    std::optional<TileShape> shape;      // of tags
+    std::set<std::pair<int, int>> seen;  // by tileset and tile: a cell may show one many times
     for (auto part = cell.parts.rbegin(); part != cell.parts.rend(); ++part) {
       const LdtkSource& source = tiles_.sources[part->source];
       if (!is_in_place(*part, source, tiles_.map.tile_size())) continue;
+      if (!seen.insert({source.tileset, source.id}).second) continue;
       const std::vector<LdtkMeaning>& tags = tags_of(source);
+      if (tags.size() > kMostTagsRead - tags_read_) {
+        drops_.add("tags of tiles beyond " + std::to_string(kMostTagsRead));
+        continue;
+      }
+      tags_read_ += tags.size();
       const bool had_shape = shape.has_value();
       for (const LdtkMeaning& tag : tags) {
         add_flags(tag, meaning);
@@ -141,7 +150,9 @@ class LdtkTileReader {
       const auto at = std::lower_bound(meaning.flags.begin(), meaning.flags.end(), of.flag);
       if (at == meaning.flags.end() || *at != of.flag) meaning.flags.insert(at, of.flag);
     }
-    if (of.role != nullptr) meaning.roles.push_back(of.role);
+    const bool has_role =
+        std::find(meaning.roles.begin(), meaning.roles.end(), of.role) != meaning.roles.end();
+    if (of.role != nullptr && !has_role) meaning.roles.push_back(of.role);
   }
   const LdtkMeaning& value_of(LdtkCellValue value) {
     const auto [known, is_new] = values_.try_emplace(value);
@@ -171,6 +182,8 @@ class LdtkTileReader {
   ImportDrops& drops_;
   std::map<LdtkCellValue, LdtkMeaning> values_;
   std::map<std::pair<int, int>, std::vector<LdtkMeaning>> tags_;  // by tileset and tile
+  static constexpr std::size_t kMostTagsRead = std::size_t{1} << 24;
+  std::size_t tags_read_ = 0;  // of the tiles in all cells
 };
 
 std::string usual_text(const LdtkMeaning& meaning) {

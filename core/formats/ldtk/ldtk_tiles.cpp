@@ -262,6 +262,10 @@ FormatResult<LdtkCell> LdtkNumberer::cell_of(LdtkCellValue value, std::span<cons
     if (!part.is_hidden || is_tagged) cell.parts.push_back(part);
     is_covered = is_covered || cover->is_opaque;
   }
+  if (cell.parts.size() > kMaxLdtkCellParts) {
+    return ldtk_error("shows too many tiles over one another: a cell may show " +
+                      std::to_string(kMaxLdtkCellParts));
+  }
   std::reverse(cell.parts.begin(), cell.parts.end());
   return cell;
 }

@@ -21,6 +21,7 @@ using LdtkPictures = std::vector<std::shared_ptr<const LinkedPicture>>;
 
 // Limits for the level that is read.
 inline constexpr std::size_t kMaxLdtkParts = std::size_t{1} << 22;  // parts of tiles in all cells together
+inline constexpr std::size_t kMaxLdtkCellParts = std::size_t{1} << 16;  // of one cell
 inline constexpr std::size_t kMaxLdtkPixels =
     std::size_t{1} << 28;  // of different parts, and of the parts of different cells
 
