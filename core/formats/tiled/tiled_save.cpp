@@ -11,6 +11,7 @@
 #include "tiled_format.h"
 #include "tiled_layer_pairs.h"
 #include "tiled_layer_tree.h"
+#include "tiled_limits.h"
 #include "tiled_lost_layer.h"
 #include "tiled_map.h"
 #include "tiled_object_layers.h"
@@ -21,10 +22,9 @@
 namespace talus {
 namespace {
 
-constexpr const char* kSaveNative = "save the level as .talus.json";
-
-tl::unexpected<FormatError> cannot(std::string why, std::string remedy = kSaveNative) {
-  return tl::unexpected(FormatError{"", std::move(why), std::move(remedy)});
+template <class... Remedy>
+tl::unexpected<FormatError> cannot(std::string why, Remedy... remedy) {
+  return tl::unexpected(not_in_tiled(std::move(why), remedy...));
 }
 
 class TiledSaver {
@@ -36,7 +36,6 @@ class TiledSaver {
 
  private:
   FormatResult<void> check_place() const;
-  FormatResult<void> check_tiles() const;
   FormatResult<void> find_layers();
   FormatResult<void> read_origin();
   FormatResult<void> write_layers(TiledDocument& document);
@@ -45,10 +44,7 @@ class TiledSaver {
   // Whether a layer of the level has no cells in the file yet.
   bool is_new(int layer) const { return arranges_ && pairs_[static_cast<std::size_t>(layer)] < 0; }
   TiledBlock with_size(const TiledBlock& before, int width, int height) const;
-  bool is_resized() const;
   bool takes_cells(TiledBlock& block, std::vector<bool>& covered) const;
-  bool was_off(Cell cell) const;
-  bool has_hidden_tiles(const std::vector<TiledBlock>& blocks) const;
   std::vector<TiledBlock> new_chunks(TileSize size, const std::vector<bool>& covered) const;
   // What a cell of the level holds if one of the file has this number.
   MapCell content_of(std::uint32_t cell) const;
@@ -147,38 +143,6 @@ FormatResult<void> TiledSaver::check_place() const {
   return {};
 }
 
-FormatResult<void> TiledSaver::check_tiles() const {
-  const Sheet &now = level_.sheet(SheetId::tiles), &then = origin_.opened->sheet(SheetId::tiles);
-  if (now.layout() != then.layout()) return cannot("has tiles that no tileset of the map has");
-  if (level_.map.tile_size() != origin_.opened->map.tile_size())
-    return cannot("has tiles of another size than the map");
-  for (int layer = 0; layer < level_.layers.count(); ++layer) {
-    for (const TileNumber tile : level_.cells_of(layer).tiles()) {
-      if (tile != 0 && origin_.frame.tiles[tile] == 0)
-        return cannot("shows tile " + std::to_string(tile) + ", which no tileset of the map has");
-    }
-  }
-  return {};
-}
-
-// Whether a cell was off the map when the level was opened.
-bool TiledSaver::was_off(Cell cell) const {
-  return cell.x < 0 || cell.x >= origin_.frame.width || cell.y < 0 || cell.y >= origin_.frame.height;
-}
-
-bool TiledSaver::has_hidden_tiles(const std::vector<TiledBlock>& blocks) const {
-  const auto has_one = [this](const TiledBlock& block) {
-    for (std::size_t i = 0; i < block.cells.size(); ++i) {
-      const auto x = static_cast<int>(i % static_cast<std::size_t>(block.width));
-      const auto y = static_cast<int>(i / static_cast<std::size_t>(block.width));
-      if (block.cells[i] != 0 && was_off({block.x + x - origin_.frame.x, block.y + y - origin_.frame.y}))
-        return true;
-    }
-    return false;
-  };
-  return std::any_of(blocks.begin(), blocks.end(), has_one);
-}
-
 // Puts the level's tiles into a block. Returns whether that changed a cell. covered: by cell of the level,
 // whether a block above this one has it, so that this one keeps its own; gets the cells of this block, too.
 bool TiledSaver::takes_cells(TiledBlock& block, std::vector<bool>& covered) const {
@@ -192,7 +156,7 @@ bool TiledSaver::takes_cells(TiledBlock& block, std::vector<bool>& covered) cons
                            static_cast<std::size_t>(cell.x);
         if (covered[place]) continue;
         covered[place] = true;
-      } else if (!is_infinite_ && was_off(cell)) {
+      } else if (!is_infinite_ && was_off_map(cell, origin_.frame)) {
         continue;  // nobody has seen it
       }
       const MapCell wanted = at(x, y);
@@ -240,10 +204,6 @@ TiledBlock TiledSaver::with_size(const TiledBlock& before, int width, int height
   return block;
 }
 
-bool TiledSaver::is_resized() const {
-  return level_.map.width() != origin_.frame.width || level_.map.height() != origin_.frame.height;
-}
-
 // layer: of the level.
 FormatResult<void> TiledSaver::write_layer(int layer, TiledDocument& document) {
   constexpr int kUsualSide = 16;  // cells, of a chunk
@@ -252,14 +212,8 @@ FormatResult<void> TiledSaver::write_layer(int layer, TiledDocument& document) {
   auto read = document.blocks(number);
   if (!read) return tl::unexpected(read.error());
   std::vector<TiledBlock>& blocks = *read;
-  if (!is_infinite_ && is_resized()) {
-    if (document.layer_count() != level_.layers.count())
-      return cannot("has another size than the map, whose other layers would have to be cut with it");
-    if (has_hidden_tiles(blocks))
-      return cannot("has another size than the map, which has tiles off it that would be lost",
-                    "take back the new size, or save the level as .talus.json");
-    if (layer == 0) document.set_size(level_.map.width(), level_.map.height());
-  }
+  if (layer == 0 && !is_infinite_ && is_resized(level_))
+    document.set_size(level_.map.width(), level_.map.height());
   const bool has_chunks =
       std::any_of(blocks.begin(), blocks.end(), [](auto& block) { return block.is_chunk; });
   if (!is_infinite_ && !has_chunks) {
@@ -282,7 +236,7 @@ FormatResult<void> TiledSaver::write_layer(int layer, TiledDocument& document) {
 void TiledSaver::write_block(int layer, bool must_put, TiledBlock& block, TiledDocument& document) const {
   const int width = level_.map.width(), height = level_.map.height();
   std::vector<bool> covered(cells_->size());
-  if (is_resized()) {
+  if (is_resized(level_)) {
     block = with_size(block, width, height);
     takes_cells(block, covered);
     return document.put_cells(layer, 0, block);
@@ -337,7 +291,11 @@ FormatResult<void> TiledSaver::find_layers() {
   if (!document) return tl::unexpected(document.error());
   const int in_file = (*document)->layer_count();
   is_map_ = (*document)->is_map();
-  is_one_of_many_ = in_file > 0 && static_cast<int>(origin_.layers.size()) != in_file;
+  is_one_of_many_ = is_one_of_many(origin_, **document);
+  if (auto beyond = layers_beyond_tiled(level_, **document)) return tl::unexpected(*std::move(beyond));
+  auto beyond = size_beyond_tiled(level_, **document);
+  if (!beyond) return tl::unexpected(beyond.error());
+  if (*beyond) return tl::unexpected(**std::move(beyond));
   if (is_map_ && in_file == 0) {  // the level's only layer stands for none; it is made once it has tiles
     const std::vector<TileNumber>& tiles = level_.map.cells().tiles();
     arranges_ = level_.layers.count() > 1 ||
@@ -350,9 +308,7 @@ FormatResult<void> TiledSaver::find_layers() {
     for (int i = 0; i < level_.layers.count(); ++i) pairs_.push_back(i);
     return {};
   }
-  if (is_one_of_many_ || in_file == 0)
-    return level_.layers.list.size() == before.size() ? FormatResult<void>()
-                                                      : cannot("has other layers of tiles than the map");
+  if (is_one_of_many_ || in_file == 0) return {};
   if (const auto read = read_origin(); !read) return read;
   pairs_ = pairs_of_tile_layers(model_->level, level_);
   arranges_ = level_.layers.list.size() != before.size();
@@ -639,7 +595,7 @@ FormatResult<TiledSaver::Attempt> TiledSaver::attempt(const Plan& plan) {
 
 FormatResult<WrittenLevel> TiledSaver::write() {
   if (const auto checked = check_place(); !checked) return tl::unexpected(checked.error());
-  if (const auto checked = check_tiles(); !checked) return tl::unexpected(checked.error());
+  if (auto beyond = tiles_beyond_tiled(level_)) return tl::unexpected(*std::move(beyond));
   if (const auto found = find_layers(); !found) return tl::unexpected(found.error());
   if (has_other_tiles()) {
     if (const auto read = read_origin(); !read) return tl::unexpected(read.error());

@@ -70,6 +70,13 @@ constexpr std::array<AnswerChoice, 2> kPaintAnswers = {
       action::Answer::allow, 'P'},
      {"question/cancel", "Cancel", "Leaves the picture as it is.", action::Answer::cancel, 'C'}}};
 
+constexpr std::array<AnswerChoice, 3> kBeyondAnswers = {
+    {{"question/save", "Save as...", "Makes the edit, and asks for a name for a level of Talus.",
+      action::Answer::save, 'S'},
+     {"question/edit", "Edit anyway", "Makes the edit; the file cannot be saved until Undo takes it back.",
+      action::Answer::allow, 'E'},
+     {"question/cancel", "Cancel", "Leaves the level as it is.", action::Answer::cancel, 'C'}}};
+
 constexpr std::array<AnswerChoice, 2> kReadAnswers = {
     {{"question/do_not_read", "Do not read",
       "Opens the map without them: numbered boxes stand for its tiles.", action::Answer::cancel, 'D'},
@@ -82,7 +89,7 @@ struct QuestionDialog {
   const char* title;
   std::span<const AnswerChoice> choices;
 };
-constexpr std::array<QuestionDialog, 10> kQuestionDialogs = {
+constexpr std::array<QuestionDialog, 11> kQuestionDialogs = {
     {{"Unsaved changes", kUnsavedAnswers},
      {"Changed by another program", kChangedAnswers},
      {"Drop a branch", kDropAnswers},
@@ -92,7 +99,8 @@ constexpr std::array<QuestionDialog, 10> kQuestionDialogs = {
      {"Exports of this file", kAllowAnswers},
      {"Changed in both places", kMergeAnswers},
      {"Files outside of the map's folder", kReadAnswers},
-     {"Paint a file", kPaintAnswers}}};
+     {"Paint a file", kPaintAnswers},
+     {"More than the file can hold", kBeyondAnswers}}};
 
 bool leaves_all_as_it_is(action::Answer answer, Question::Kind kind) {
   if (kind == Question::Kind::merge) return answer == action::Answer::cancel;

@@ -99,8 +99,30 @@ void LevelHandler::edit_by_user(const Edit& wanted, int stroke) {
       open_.permissions.note_edit(presets->before, presets->after);
   }
   if (const auto problem = problem_of_painting(open_.level, wanted)) return messages_.tell_error(*problem);
+  if (asks_about_file(wanted, stroke)) return;
   if (!paints_tiles(wanted)) return edit(wanted, stroke);
   edit_pictures(*picture_tiles_of(open_.level), wanted, stroke);
+}
+
+bool LevelHandler::asks_about_file(const Edit& wanted, int stroke) {
+  if (open_.format == nullptr || !open_.format->writes_back) return false;
+  const std::vector<BeyondTiled> all = beyond_tiled_after(open_.level, wanted);
+  const auto beyond = std::find_if(
+      all.begin(), all.end(), [this](const BeyondTiled& each) { return !exceeded_.contains(each.limit); });
+  if (beyond == all.end()) return false;
+  if (messages_.question()) return true;  // the stroke goes on while it is asked
+  const std::string text = wanted.label + ": the level then " + beyond->error.message +
+                           ", and cannot be saved into " + last_name(open_.path) +
+                           ".\nA level of Talus, .talus.json, holds it. Make the edit?";
+  messages_.ask(Question{text, Question::Kind::beyond_file},
+                [this, limit = beyond->limit, wanted, stroke](action::Answer answer) {
+                  const bool saves = answer == action::Answer::save;
+                  if (!saves && answer != action::Answer::allow) return;
+                  exceeded_.insert(limit);
+                  edit_by_user(wanted, stroke);
+                  open_.wants_save_as = open_.wants_save_as || saves;
+                });
+  return true;
 }
 
 void LevelHandler::edit_pictures(const PictureTiles& pictures, const Edit& wanted, int stroke) {
@@ -179,6 +201,7 @@ void LevelHandler::note_step_of_history() {
 void LevelHandler::replace(Level opened) {
   open_.level = std::move(opened);
   painted_files_.clear();
+  exceeded_.clear();
   open_.history.clear();
   open_.sheet_changes.note_all(++open_.revision);
   choices_.forget_level();

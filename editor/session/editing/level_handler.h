@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "file_limits.h"
 #include "level/picture_tiles.h"
 #include "level_actions.h"
 #include "open_level.h"
@@ -26,7 +27,7 @@ class LevelHandler {
   void apply(const LevelAction& action);
 
   // As EditLevel. Exports that the user changes become allowed. What paints on a locked or hidden layer is
-  // refused with a message.
+  // refused with a message. What the open file cannot hold is asked about, once for each limit of it.
   void edit_by_user(const Edit& wanted, int stroke = 0);
   void edit(const Edit& wanted, int stroke = 0);  // by any part of the program
   void replace(Level opened);                     // opens another level, without a history
@@ -41,6 +42,8 @@ class LevelHandler {
   template <class A>
   void carry_out(const A& action) = delete;
 
+  // Whether it asks before the edit is made, since the open file cannot hold it.
+  bool asks_about_file(const Edit& wanted, int stroke);
   // Edits tiles whose pixels come from files, after a question for each of these.
   void edit_pictures(const PictureTiles& pictures, const Edit& wanted, int stroke);
   void ask_to_paint(const std::string& file, const Edit& wanted, int stroke);
@@ -60,6 +63,7 @@ class LevelHandler {
   ChoiceHandler& choices_;
   MessageHandler& messages_;
   std::set<std::string> painted_files_;  // paths of the pictures that the user allows to paint
+  std::set<TiledLimit> exceeded_;        // limits of the map that the user knows to be exceeded
   int pixel_stroke_ = 0;                 // for the moves of the selected pixels, while they float
 };
 

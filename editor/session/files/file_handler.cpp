@@ -73,8 +73,8 @@ FileHandler::FileHandler(const Parts& parts, ExportTools tools, std::string name
       mappings_(tools.mappings),
       pictures_(open_, reading_, level_, parts.choices, messages_),
       exports_(open_, level_, messages_, std::move(tools)),
-      name_(std::move(name)),
-      format_(open_.path.empty() ? nullptr : format_for_file(open_.path)) {
+      name_(std::move(name)) {
+  open_.format = open_.path.empty() ? nullptr : format_for_file(open_.path);
   open_.permissions.open(open_.path);
   source_.path = open_.path;
   base_ = std::make_shared<const Level>(open_.level);
@@ -171,8 +171,8 @@ void FileHandler::carry_out(const action::SaveFile&) {
 
 template <>
 void FileHandler::carry_out(const action::SaveFileAs& a) {
-  if (format_ != nullptr && format_->keeps_beside && a.path == companion_path(open_.path)) {
-    wants_save_as_ = false;
+  if (open_.format != nullptr && open_.format->keeps_beside && a.path == companion_path(open_.path)) {
+    open_.wants_save_as = false;
     if (save()) go_on_when_stored();
     return;
   }
@@ -183,14 +183,14 @@ void FileHandler::carry_out(const action::SaveFileAs& a) {
   }
   if (a.path == open_.path && asks_about_link([this, a] { carry_out(a); })) return;
   if (!save_to(a.path, *chosen)) return;
-  wants_save_as_ = false;
+  open_.wants_save_as = false;
   go_on_when_stored();
 }
 
 void FileHandler::answer_about_changes(action::Answer answer) {
   if (answer == action::Answer::discard) return continue_pending();
   if (answer == action::Answer::save && save()) return go_on_when_stored();
-  if (!wants_save_as_) pending_.reset();
+  if (!open_.wants_save_as) pending_.reset();
 }
 
 void FileHandler::answer_about_branch(action::Answer answer) {
@@ -206,7 +206,7 @@ void FileHandler::answer_about_branch(action::Answer answer) {
 
 template <>
 void FileHandler::carry_out(const action::CancelSaveAs&) {
-  wants_save_as_ = wants_save_recording_ = false;
+  open_.wants_save_as = wants_save_recording_ = false;
   pending_.reset();
 }
 
@@ -220,7 +220,7 @@ void FileHandler::ask_before_discarding(DiscardingAction discarding) {
   reading_.cancel();
   messages_.take_back_question();
   pending_.reset();
-  wants_save_as_ = wants_save_recording_ = false;
+  open_.wants_save_as = wants_save_recording_ = false;
   if (is_stored()) return ask_about_branch(std::move(discarding));
   pending_ = std::move(discarding);
   if (open_.history.is_saved()) return ask_about_unstored();
@@ -234,7 +234,7 @@ void FileHandler::ask_about_unstored() {
                          Question::Kind::unstored},
                 [this](action::Answer answer) {
                   if (answer != action::Answer::save) return answer_about_changes(answer);
-                  wants_save_as_ = true;  // only another format can hold it
+                  open_.wants_save_as = true;  // only another format can hold it
                 });
 }
 
@@ -355,10 +355,11 @@ void FileHandler::carry_out(const action::SetLevelImport& a) {
 
 template <>
 void FileHandler::carry_out(const action::AskLdtkMapping&) {
-  if (!open_.level.ldtk || format_ == nullptr || !format_->keeps_beside || reading_.reader().is_busy())
+  if (!open_.level.ldtk || open_.format == nullptr || !open_.format->keeps_beside ||
+      reading_.reader().is_busy())
     return;
   level_import_ =
-      LevelImport{open_.path, {}, {}, choices_of(open_.level), LoadedLevel{open_.level, format_}, true};
+      LevelImport{open_.path, {}, {}, choices_of(open_.level), LoadedLevel{open_.level, open_.format}, true};
 }
 
 // What was added to the level stays.
@@ -445,7 +446,7 @@ void FileHandler::carry_out(const action::CancelLevelImport&) {
 
 template <>
 void FileHandler::carry_out(const action::CheckFile&) {
-  if (!stamp_ || messages_.question() || wants_save_as_ || level_import_ || reading_.reader().is_busy())
+  if (!stamp_ || messages_.question() || open_.wants_save_as || level_import_ || reading_.reader().is_busy())
     return;
   if (may_have_changed(source_.path, declined_ ? *declined_ : *stamp_)) look_at_files();
 }
@@ -465,14 +466,14 @@ void FileHandler::carry_out(const action::SaveRecording& a) {
 void FileHandler::replace_level(Level opened, std::string opened_path, const Format* opened_format,
                                 CompanionFile opened_companion) {
   open_.path = std::move(opened_path);
-  format_ = opened_format;
+  open_.format = opened_format;
   companion_ = std::move(opened_companion);
   unstored_.clear();
   // Without a file of its own, so that it does not overwrite the one that was read.
-  if (format_ && !format_->can_save()) {
+  if (open_.format && !open_.format->can_save()) {
     name_ = last_name(open_.path);
     open_.path.clear();
-    format_ = nullptr;
+    open_.format = nullptr;
   }
   source_ = Source{open_.path, {}, {}};
   has_given_up_ = is_saving_ = saves_when_read_ = false;
@@ -492,8 +493,8 @@ void FileHandler::replace_level(Level opened, std::string opened_path, const For
 bool FileHandler::save() {
   if (reading_.reader().is_busy())
     return false;  // another level, or another state of this one, is being read
-  if (open_.path.empty() || format_ == nullptr) {
-    wants_save_as_ = true;
+  if (open_.path.empty() || open_.format == nullptr) {
+    open_.wants_save_as = true;
     return false;
   }
   const auto found = [&] { return stamp_ ? level_change(source_.path, *stamp_) : FilesChange(); };
@@ -509,7 +510,7 @@ bool FileHandler::save() {
     if (save()) go_on_when_stored();
   };
   if (asks_about_link(go_on)) return false;
-  return save_to(open_.path, *format_);
+  return save_to(open_.path, *open_.format);
 }
 
 bool FileHandler::save_to(const std::string& saved_path, const Format& saved_format) {
@@ -529,7 +530,7 @@ bool FileHandler::save_to(const std::string& saved_path, const Format& saved_for
   declined_.reset();
   has_given_up_ = false;
   open_.path = saved_path;
-  format_ = &saved_format;
+  open_.format = &saved_format;
   companion_ = std::move(saved->companion);
   unstored_ = std::move(saved->dropped);
   if (const std::string place = places_.elsewhere(open_.path); !place.empty())

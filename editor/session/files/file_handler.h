@@ -60,7 +60,7 @@ class FileHandler {
   const std::optional<TileImport>& tile_import() const { return tile_import_; }
   // The maps to go through.
   const MapList& maps() const { return maps_; }
-  bool wants_save_as() const { return wants_save_as_; }
+  bool wants_save_as() const { return open_.wants_save_as; }
   bool wants_save_recording() const { return wants_save_recording_; }
   bool wants_quit() const { return wants_quit_; }
 
@@ -180,7 +180,6 @@ class FileHandler {
   KnownPlaces places_;                 // of the files that saving writes
   CompanionFile companion_;            // the companion that the level was last read or written with
   std::vector<std::string> unstored_;  // the parts of the saved level that the file lacks, one phrase each
-  const Format* format_ = nullptr;     // of the file; null: it has none, or an unknown one
 
   std::string unread_for_;  // the file for which the user has declined to read files outside; empty: none
   std::optional<LevelImport> level_import_;
@@ -188,7 +187,6 @@ class FileHandler {
   MapList maps_;
   std::optional<DiscardingAction>
       pending_;  // waits for the question's answer, or for the saving that it led to
-  bool wants_save_as_ = false;
   bool wants_save_recording_ = false;
   bool wants_quit_ = false;
 

@@ -23,7 +23,8 @@ struct Question {
     allow_exports,
     merge,
     read_outside,
-    paint_file
+    paint_file,
+    beyond_file
   };
   std::string text;  // "Save the changes to demo.talus.json?"
   Kind kind = Kind::unsaved_changes;

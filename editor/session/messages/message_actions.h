@@ -15,9 +15,9 @@ struct DismissMessage {};
 // Which answers fit: to "unsaved changes" save, discard or cancel; to "the file was changed" reload or keep,
 // and if both changed the same, cancel, too; to "drop this branch" discard or cancel; to "replace these
 // files" replace or cancel; to "keep the recording", and to "the file cannot hold all of this level", save
-// (as), discard or cancel; to "these exports came with the file", "the map names files elsewhere" and "this
-// picture is a file of its own"
-// allow or cancel.
+// (as), discard or cancel; to "the file cannot hold this edit" save (as), allow or cancel; to "these exports
+// came with the file", "the map names files elsewhere" and "this picture is a file of its own" allow or
+// cancel.
 enum class Answer { save, discard, cancel, reload, keep, replace, allow };
 struct AnswerQuestion {  // to Session::question()
   Answer answer = Answer::cancel;
