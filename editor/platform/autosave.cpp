@@ -1,6 +1,6 @@
-// One file for each process: a line of JSON about the level, then the recordings, whose size the line says,
-// then the level in the native format. Beside it is a file that is locked as long as the process lives; the
-// system releases the lock however the process ends.
+// One file for each process: a line of JSON about the level, then the recordings, and the level as its own
+// file had it, whose sizes the line says, then the level, both in the native format. Beside it is a file that
+// is locked as long as the process lives; the system releases the lock however the process ends.
 #include "autosave.h"
 
 #include <fcntl.h>
@@ -21,6 +21,7 @@
 #include "formats/files/held_file.h"
 #include "formats/last_catch.h"
 #include "formats/native/recording_file.h"
+#include "formats/reading_choices.h"
 #include "formats/text/json_text.h"
 #include "formats/text/utf8_text.h"
 
@@ -107,9 +108,18 @@ tl::expected<SavedWork, std::string> read_parts(const std::string& file, const j
   }
   FormatContext context{kNativeExtension};
   context.progress = progress;
+  if (const json size = about.value("base_bytes", json()); size.is_number_unsigned()) {
+    if (size.get<std::size_t>() > rest.size()) return damaged("its level is missing");
+    const std::string_view text = rest.substr(0, size.get<std::size_t>());
+    rest.remove_prefix(text.size());
+    if (auto base = read_guarded([&] { return find_format("native")->read(text, context); }))
+      work.base = std::make_shared<const Level>(std::move(*base));
+  }
   auto level = read_guarded([&] { return find_format("native")->read(rest, context); });
   if (!level) return damaged("its level " + to_text(level.error()));
   work.level = std::make_shared<const Level>(std::move(*level));
+  if (about.contains("choices") && about["choices"].is_string())
+    work.choices = choices_in(about["choices"].get<std::string>());
   if (about.contains("path") && about["path"].is_string()) work.path = about["path"];
   if (about.contains("name") && about["name"].is_string()) work.name = about["name"];
   if (about.contains("time") && is_whole(about["time"], 0, std::numeric_limits<std::int64_t>::max()))
@@ -134,10 +144,15 @@ tl::expected<void, std::string> write_saved_work(const SavedWork& work) {
     sizes.push_back(recording->size());
     recordings += *recording;
   }
-  const json about = {
-      {"path", work.path}, {"name", work.name}, {"time", work.time}, {"recording_bytes", sizes}};
+  json about = {{"path", work.path}, {"name", work.name}, {"time", work.time}, {"recording_bytes", sizes}};
+  std::string base;
+  if (work.base) {
+    if (auto its = native.write(*work.base, {kNativeExtension})) base = std::move(its->bytes);
+    about["base_bytes"] = base.size();
+    about["choices"] = text_of_choices(work.choices);
+  }
   const std::string text =
-      about.dump(-1, ' ', true, json::error_handler_t::replace) + "\n" + recordings + written->bytes;
+      about.dump(-1, ' ', true, json::error_handler_t::replace) + "\n" + recordings + base + written->bytes;
   if (const auto saved = write_file_atomic(work.file, text, InPlace::follow_links, Readers::owner); !saved)
     return tl::unexpected("the file " + saved.error().message);
   if (!problem.empty()) return tl::unexpected(std::move(problem));
@@ -229,6 +244,10 @@ tl::expected<void, std::string> Autosave::save_now(const Session& session) {
 SavedWork Autosave::work_of(const Session& session) const {
   SavedWork work{file_, session.path(), session.file_name(), seconds_since_1970(),
                  std::make_shared<const Level>(session.level())};
+  if (!work.path.empty()) {
+    work.base = session.stored_level();
+    work.choices = session.stored_choices();
+  }
   for (const Branch* branch : session.unsaved_branches())
     work.recordings.push_back(
         std::make_shared<const Recording>(session.timeline().whole_recording(*branch, session.level())));

@@ -28,7 +28,10 @@ struct SavedWork {
   // Why recordings with it could not be read, a text each: "key frames: is missing". They are in `file`
   // alone.
   std::vector<std::string> unread_recordings = {};
-  std::string problem = {};  // "is damaged: of its level line 3: ..."; empty: it was read
+  // The level as its own file had it, and how that was read; null: it has none, or this is unknown.
+  std::shared_ptr<const Level> base = {};
+  ImportChoices choices = {};  // for `base`
+  std::string problem = {};    // "is damaged: of its level line 3: ..."; empty: it was read
 };
 
 // The error says what could not be written, and why: "the file cannot be written: No space left on device". A

@@ -116,7 +116,7 @@ void WorkGuard::recover(std::size_t index, Session& session, View& view) {
   drop(index);
   view.window.recovery_open = false;
   session.apply(action::RecoverLevel{recovering_->level, recovering_->path, recovering_->name,
-                                     recovering_->recordings});
+                                     recovering_->recordings, recovering_->base, recovering_->choices});
   if (!session.reading()) finish_recovery(session, view);
 }
 

@@ -86,6 +86,8 @@ const std::string& Session::path() const { return impl_->open.path; }
 std::string Session::file_name() const { return impl_->files.file_name(); }
 std::string Session::file_names() const { return impl_->files.file_names(); }
 bool Session::modified() const { return !impl_->files.is_stored(); }
+const std::shared_ptr<const Level>& Session::stored_level() const { return impl_->files.stored_level(); }
+ImportChoices Session::stored_choices() const { return impl_->files.stored_choices(); }
 int Session::saves() const { return impl_->files.saves(); }
 
 const std::vector<Problem>& Session::problems() const { return impl_->checks.problems(); }

@@ -70,10 +70,13 @@ class Session {
   std::uint64_t revision() const;  // grows with every change of the level, also by undo and opening
   const SheetChanges& sheet_changes() const;
   const UndoStack& history() const;
-  const std::string& path() const;               // empty when it has none
-  std::string file_name() const;                 // for titles: "demo.talus.json"
-  std::string file_names() const;                // with its companion: "game.tic + game.tic.talus.json"
-  bool modified() const;                         // whether the level differs from its files
+  const std::string& path() const;  // empty when it has none
+  std::string file_name() const;    // for titles: "demo.talus.json"
+  std::string file_names() const;   // with its companion: "game.tic + game.tic.talus.json"
+  bool modified() const;            // whether the level differs from its files
+  // The level as its file had it when it was last read or written, never null, and how to read it so again.
+  const std::shared_ptr<const Level>& stored_level() const;
+  ImportChoices stored_choices() const;
   int saves() const;                             // how often a level has been written to its file
   const std::vector<Problem>& problems() const;  // lint of the current level
   // The same, as far as advance() has checked since the last change, with the old problems of the rest: for

@@ -61,13 +61,16 @@ struct SaveRecording {  // of the current branch; not while it is run again
   std::string path;
 };
 // Recovers a level that was saved automatically before the program was killed: opens its file, if it has one,
-// and makes the level an edit of it that can be undone. Asks as OpenFile does.
+// and makes the level an edit of it that can be undone. What another program has changed in the file since is
+// kept, if `base` tells it. Asks as OpenFile does.
 struct RecoverLevel {
   std::shared_ptr<const Level> level;  // never null
   std::string path;                    // empty: it has none
   std::string name;                    // for titles, without a path
   // The branches that were saved with it, never null; the last one is shown.
   std::vector<std::shared_ptr<const Recording>> recordings = {};
+  std::shared_ptr<const Level> base = {};  // the level as its file had it then; null: unknown
+  ImportChoices choices = {};              // how that was read
 };
 // Checks whether another program has changed the level's file; see Session::question().
 struct CheckFile {};

@@ -411,7 +411,7 @@ void FileHandler::open_recording(const std::string& file, const Recording& recor
 }
 
 void FileHandler::recover(const action::RecoverLevel& saved) {
-  const ImportChoices choices = with_permissions(saved.path, {});
+  const ImportChoices choices = with_permissions(saved.path, saved.choices);
   const auto read = [this, saved, choices](const Progress& progress) {
     auto file = std::make_shared<FormatResult<LoadedLevel>>(tl::unexpected(FormatError{}));
     if (!saved.path.empty()) *file = load_level(saved.path, choices, progress.part(0, 0.5));
@@ -424,6 +424,26 @@ void FileHandler::recover(const action::RecoverLevel& saved) {
   reading_.read(saved.path.empty() ? saved.name : saved.path, read, SceneCompiler::is_large(*saved.level));
 }
 
+// The files gave neither level their origin, but where a map of Tiled began is known.
+std::pair<Level, std::string> FileHandler::joined_with_file(const action::RecoverLevel& saved) const {
+  Level base = *saved.base, mine = *saved.level;
+  if (saved.choices.frame) {
+    auto origin = std::make_shared<TiledOrigin>();
+    origin->frame = *saved.choices.frame;
+    base.tiled = mine.tiled = origin;
+  }
+  MergedLevel merged = merge_levels(base, mine, open_.level, MergeSide::mine);
+  if (!merged.apart.empty())
+    return {std::move(merged.level),
+            "Another program changed the file since, which is not in it, as " + merged.apart + "."};
+  if (!merged.conflicts.empty())
+    return {std::move(merged.level), "Another program changed the file since. Both changed " +
+                                         joined(merged.conflicts, "") + ": they are as you had them."};
+  const bool is_mine = merged.level == mine;
+  return {std::move(merged.level),
+          is_mine ? "" : "It has what another program changed in the file since, too."};
+}
+
 void FileHandler::take_recovered(const action::RecoverLevel& saved, FormatResult<LoadedLevel> file,
                                  const EndScenes& scenes) {
   ++recoveries_;
@@ -432,11 +452,19 @@ void FileHandler::take_recovered(const action::RecoverLevel& saved, FormatResult
   else
     replace_level(Level(), saved.path, saved.path.empty() ? nullptr : format_for_file(saved.path));
   name_ = saved.name;
-  level_.edit(replace_by(open_.level, saved.level, "Recover what was not saved"));
+  std::shared_ptr<const Level> recovered = saved.level;
+  std::string note;
+  if (file && saved.base) {
+    auto [level, about] = joined_with_file(saved);
+    recovered = std::make_shared<const Level>(std::move(level));
+    note = about.empty() ? about : " " + about;
+  }
+  level_.edit(replace_by(open_.level, recovered, "Recover what was not saved"));
   run_.read_hard_case();
   level_.forget_saved();
   if (!saved.recordings.empty()) run_.recover(saved.recordings, scenes);
-  messages_.tell("Recovered " + file_name() + ". It is not saved yet; undo goes back to what the file has.");
+  messages_.tell("Recovered " + file_name() + ". It is not saved yet; undo goes back to what the file has." +
+                 note);
 }
 
 template <>

@@ -52,6 +52,9 @@ class FileHandler {
   std::string file_names() const;  // with its companion
   // Whether the file, with its companion, holds everything of the level.
   bool is_stored() const { return open_.history.is_saved() && unstored_.empty(); }
+  // See Session.
+  const std::shared_ptr<const Level>& stored_level() const { return base_; }
+  ImportChoices stored_choices() const { return choices_of(*base_, source_.choices); }
   int saves() const { return saves_; }
   int recoveries() const { return recoveries_; }
   // Waits for ApplyLevelImport or CancelLevelImport.
@@ -99,6 +102,9 @@ class FileHandler {
                      CompanionFile opened_companion = {});
   void recover(const action::RecoverLevel& saved);
   // file: the level as its own file has it. scenes: of the first recording.
+  // The level with what another program has changed in its file since; the note is a sentence about that, or
+  // empty.
+  std::pair<Level, std::string> joined_with_file(const action::RecoverLevel& saved) const;
   void take_recovered(const action::RecoverLevel& saved, FormatResult<LoadedLevel> file,
                       const EndScenes& scenes);
 
