@@ -74,7 +74,6 @@ const Overlay velocity{
     .color = 0x009e73,
     .safe_color = 0x6ec88c,
     .digit = '4',
-    .is_default = true,
     .labels_outside = true,  // an arrow inside its body needs no label
     .draw_body = draw_velocity,
     .draw_swatch =

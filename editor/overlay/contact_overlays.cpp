@@ -55,7 +55,6 @@ const Overlay normals{
     .color = 0xe69f00,
     .safe_color = 0x8c8c00,
     .digit = '2',
-    .is_default = true,
     .is_short_from_far = true,
     .draw_contact = draw_contact_normal,
     .draw_probe = draw_floor_normal,

@@ -88,7 +88,6 @@ const Overlay slope_delta{
     .color = 0xcc79a7,
     .safe_color = 0x8c6ec8,
     .digit = '5',
-    .is_default = true,
     .label_rank = 1,
     .labels_above = true,  // above its bar
     .draw_probe = draw_delta,

@@ -16,4 +16,22 @@ std::span<const Overlay* const> all_overlays() {
   return kAll;
 }
 
+std::span<const OverlayPreset> overlay_presets() {
+  static constexpr const Overlay* kArticle[] = {&overlay::boxes, &overlay::normals, &overlay::slope_delta,
+                                                &overlay::floor_height};
+  static constexpr const Overlay* kStuck[] = {&overlay::boxes,    &overlay::normals, &overlay::touch_points,
+                                              &overlay::velocity, &overlay::outline, &overlay::one_way};
+  static const OverlayPreset kAll[] = {
+      {"article", "What the article draws",
+       "Shows boxes, contact normals, slope delta and floor height, and no other overlay.", kArticle},
+      {"stuck", "Why does it stick?",
+       "Shows boxes, contacts with their normals, velocities, the outline of the ground and one-way sides, "
+       "and no other overlay.",
+       kStuck},
+      {"all", "All overlays", "Shows every overlay.", all_overlays()},
+      {"none", "No overlay", "Hides every overlay.", {}},
+  };
+  return kAll;
+}
+
 }  // namespace talus

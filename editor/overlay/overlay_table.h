@@ -65,6 +65,15 @@ extern const Overlay boxes, normals, touch_points, velocity, slope_delta, floor_
     outline, removed_edges, one_way, swept_path, trails, penetration, shapes, reach, findings;
 }
 
+// Overlays that answer one question together.
+struct OverlayPreset {
+  std::string_view key;    // in its command's id: "article"
+  std::string_view label;  // on screen
+  std::string_view help;   // a sentence
+  std::span<const Overlay* const> overlays;
+};
+std::span<const OverlayPreset> overlay_presets();
+
 class OverlaySet {
  public:
   static constexpr std::size_t kMost = 64;

@@ -183,6 +183,7 @@ void App::take_settings(const Settings& settings) {
   ui_.view.window.tabs = settings.tabs;
   ui_.view.window.dock_open = settings.dock_open;
   ui_.view.canvas.legend_folded = settings.legend_folded;
+  ui_.view.canvas.labels_all = settings.labels_all;
   ui_.view.preferences = noted_preferences_ = settings.preferences;
   session_->apply(action::SetOverlayPalette{settings.overlay_palette});
   for (const Breakpoint& breakpoint : settings.breakpoints)
@@ -211,6 +212,7 @@ Settings App::current_settings() const {
   settings.tabs = ui_.view.window.tabs;
   settings.dock_open = ui_.view.window.dock_open;
   settings.legend_folded = ui_.view.canvas.legend_folded;
+  settings.labels_all = ui_.view.canvas.labels_all;
   settings.preferences = ui_.view.preferences;
   settings.overlay_palette = session_->choices().overlay_palette;
   settings.breakpoints = session_->debugger().breakpoints().all();

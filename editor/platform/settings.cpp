@@ -74,6 +74,7 @@ const Fields<Settings>& settings_fields() {
       texts("tabs", &Settings::tabs, kMaxTabs),
       toggle("debugger", &Settings::dock_open, false),
       toggle("legend_folded", &Settings::legend_folded, false),
+      toggle("labels_all", &Settings::labels_all, false),
       objects("breakpoints", &Settings::breakpoints, breakpoint_fields(), "condition", kMaxBreakpoints),
       texts("plots", &Settings::plots, kMaxPlots),
       choice("overlay_palette", &Settings::overlay_palette, OverlayPalette::standard,

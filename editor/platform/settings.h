@@ -26,6 +26,7 @@ struct Settings {
   std::vector<std::string> tabs;          // ids of panels; at most kMaxTabs, unknown ones do nothing
   bool dock_open{};                       // the debugger's panels
   bool legend_folded{};                   // the overlays' legend has no names
+  bool labels_all{};                      // the overlays label every body
   std::vector<Breakpoint> breakpoints;    // at most kMaxBreakpoints
   std::vector<std::string> plots;         // expressions; at most kMaxPlots
   OverlayPalette overlay_palette{};

@@ -153,6 +153,36 @@ TEST_F(UiPlay, OverlaysAreSwitched) {
   }
 }
 
+TEST_F(UiPlay, SetsOfOverlaysAnswerOneQuestion) {
+  EXPECT_TRUE(session().choices().overlays.has(overlay::floor_height));
+  EXPECT_FALSE(session().choices().overlays.has(overlay::velocity)) << "one overlay at first";
+  const auto choose = [&](const std::string& name) {
+    click("overlay/presets");
+    frames(2);
+    click(name);
+    frames(2);
+    return session().choices().overlays;
+  };
+  OverlaySet article;
+  for (const Overlay* each :
+       {&overlay::boxes, &overlay::normals, &overlay::slope_delta, &overlay::floor_height})
+    article.set(*each, true);
+  EXPECT_EQ(choose("overlays/article"), article);
+  EXPECT_TRUE(choose("overlays/none").empty());
+  for (const Overlay* each : all_overlays()) article.set(*each, true);
+  EXPECT_EQ(choose("overlays/all"), article);
+  const OverlaySet stuck = choose("overlays/stuck");
+  EXPECT_TRUE(stuck.has(overlay::outline) && stuck.has(overlay::normals) && !stuck.has(overlay::reach));
+}
+
+TEST_F(UiPlay, TheLabelsOfEveryBodyAreAChoice) {
+  EXPECT_FALSE(app().ui().view.canvas.labels_all);
+  click("overlay/presets");
+  frames(2);
+  click("canvas/labels");
+  EXPECT_TRUE(app().ui().view.canvas.labels_all);
+}
+
 TEST_F(UiPlay, WheelZoomsAtTheMouse) {
   const ImVec2 at = on_map({20, 5});
   move(at);

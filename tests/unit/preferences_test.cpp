@@ -126,7 +126,7 @@ TEST_F(SettingsFile, IsReadAsItWasWritten) {
   settings.overlays.set(overlay::answer, true);
   settings.recent_files = {"/a.tic", "/b.tic"};
   settings.tabs = {"plots"};
-  settings.dock_open = settings.legend_folded = true;
+  settings.dock_open = settings.legend_folded = settings.labels_all = true;
   settings.breakpoints = {
       {.condition = "x > 3", .body = 2, .count = 4, .each_frame = true, .enabled = false}};
   settings.plots = {"vy"};
@@ -145,7 +145,7 @@ TEST_F(SettingsFile, IsReadAsItWasWritten) {
     EXPECT_EQ(again.overlays.has(*overlay), overlay == &overlay::answer) << overlay->key;
   EXPECT_EQ(again.recent_files, settings.recent_files);
   EXPECT_EQ(again.tabs, settings.tabs);
-  EXPECT_TRUE(again.dock_open && again.legend_folded);
+  EXPECT_TRUE(again.dock_open && again.legend_folded && again.labels_all);
   EXPECT_EQ(again.breakpoints, settings.breakpoints);
   EXPECT_EQ(again.plots, settings.plots);
   EXPECT_EQ(again.overlay_palette, OverlayPalette::colour_blind);

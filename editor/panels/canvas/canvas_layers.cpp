@@ -288,9 +288,23 @@ OverlaySource with_level(OverlaySource source, const Session& session) {
   return source;
 }
 
+namespace {
+
+constexpr std::size_t kFewBodies = 2;  // so many have room for all of their labels
+
+// Labels that belong to no body stay.
+void keep_labels_of(int chosen, int pointed_at, OverlayDrawing& drawing) {
+  std::erase_if(drawing.labels, [&](const OverlayLabel& label) {
+    return label.body != 0 && label.body != chosen && label.body != pointed_at;
+  });
+}
+
+}  // namespace
+
 void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays, const CanvasView& view,
-                   float scale, int pointed_at, int stage, std::span<const ScreenBox> covered) {
-  const bool has_stage = stage >= 0 && static_cast<std::size_t>(stage) < session.stages().size();
+                   float scale, const OverlayOptions& options) {
+  const auto stage = static_cast<std::size_t>(options.stage);
+  const bool has_stage = options.stage >= 0 && stage < session.stages().size();
   overlays = drawable_overlays(overlays, view);
   if (overlays.empty() && !has_stage) return;
   const std::shared_ptr<const Terrain> ground = ground_for(session, overlays);
@@ -305,10 +319,12 @@ void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays
                                          overlays, view.visible());
   drawing.palette = session.choices().overlay_palette;
   if (has_stage)
-    add_stage(session.stages()[static_cast<std::size_t>(stage)], session.choices().body, session.record(),
-              view.tile, view.visible(), drawing);
-  paint_overlays(list, drawing, label_obstacles(session.scene(), session.state(), view, covered), view, scale,
-                 pointed_at);
+    add_stage(session.stages()[stage], session.choices().body, session.record(), view.tile, view.visible(),
+              drawing);
+  if (!options.labels_all && session.state().bodies.size() > kFewBodies)
+    keep_labels_of(session.choices().body, options.pointed_at, drawing);
+  paint_overlays(list, drawing, label_obstacles(session.scene(), session.state(), view, options.covered),
+                 view, scale, options.pointed_at);
 }
 
 void draw_stamp(ImDrawList& list, const Stamp& stamp, CellRect cells, const CanvasView& view, const Ui& ui,

@@ -29,11 +29,17 @@ void draw_ghosts(ImDrawList& list, const Session& session, const CanvasView& vie
 // The bodies of any state; the one with this id is framed, 0: no body.
 void draw_state(ImDrawList& list, const State& state, int chosen_body, const Level& level,
                 const CanvasView& view, const Ui& ui, int alpha);
-// The overlays of the last step. `pointed_at`: id of the body under the mouse; 0: no body. `stage`: stage of
-// the chosen body's step to draw with them; -1: no stage. `covered`: px of the screen that no label may
-// cover.
+// How the overlays are drawn, besides which.
+struct OverlayOptions {
+  int pointed_at = 0;  // id of the body under the mouse; 0: no body
+  // Whether every body has labels. Else the chosen one and that under the mouse; all, if they are only two.
+  bool labels_all = true;
+  int stage = -1;                           // of the chosen body's step, to draw with them; -1: no stage
+  std::span<const ScreenBox> covered = {};  // px of the screen that no label may cover
+};
+// The overlays of the last step.
 void draw_overlays(ImDrawList& list, const Session& session, OverlaySet overlays, const CanvasView& view,
-                   float scale, int pointed_at = 0, int stage = -1, std::span<const ScreenBox> covered = {});
+                   float scale, const OverlayOptions& options = {});
 // The sources of the overlays of any branch; see draw_overlays(). Only those that can be seen at this zoom:
 OverlaySet drawable_overlays(OverlaySet overlays, const CanvasView& view);
 // px of the level that labels avoid: the bodies, the ramps that they are on, and covered parts.

@@ -413,7 +413,8 @@ void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, co
   if (!ui.view.canvas.split_compared) draw_ghosts(list, session, view, ui.scale);
   std::vector<ScreenBox> covered{captions_box(session, view, ui)};
   if (const auto legend = this->legend(session, view, ui).box()) covered.push_back(*legend);
-  draw_overlays(list, session, choices.overlays, view, ui.scale, pointed_at, ui.view.debugger.stage, covered);
+  draw_overlays(list, session, choices.overlays, view, ui.scale,
+                {pointed_at, ui.view.canvas.labels_all, ui.view.debugger.stage, covered});
   if (shows_input_roll(ui.view)) draw_mouse_mark(list, session, view, ui);
 }
 

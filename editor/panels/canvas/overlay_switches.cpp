@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kSwatch = 14;                    // px at scale 1
 constexpr float kPad = 4, kTextGap = 6;          // px at scale 1
-constexpr float kFirstGap = 8, kControls = 372;  // px at scale 1: width without the switches on their line
+constexpr float kFirstGap = 8, kControls = 402;  // px at scale 1: width without the switches on their line
 
 float text_width(std::string_view text) { return size_of_text(text).x; }
 
@@ -22,7 +22,7 @@ void draw_switch(const Overlay& overlay, bool named, const Session& session, Act
   const bool on = session.choices().overlays.has(overlay);
   const float height = ui.px(theme::kButton), swatch = ui.px(kSwatch), pad = ui.px(kPad);
   const float width = swatch + 2 * pad + (named ? text_width(label) + ui.px(kTextGap) : 0);
-  ui.same_line_if_fits(width, &overlay == all_overlays().front() ? ui.px(kFirstGap) : 0);
+  ui.same_line_if_fits(width);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushStyleColor(ImGuiCol_Button, theme::tone(on ? theme::kControlHot : theme::kPanel));
   if (button("", id, {width, height})) command.run(session, actions, ui);
@@ -40,6 +40,25 @@ void draw_switch(const Overlay& overlay, bool named, const Session& session, Act
                        theme::tone(theme::kAccent));
 }
 
+void draw_item(const std::string& id, const Session& session, Actions& actions, Ui& ui) {
+  const Command& command = find_command(CommandId{id});
+  if (menu_item(command.label, id, keys_of(command, ui), command.checked(session, ui)))
+    command.run(session, actions, ui);
+  ui.item(id, command.help, keys_of(command, ui));
+}
+
+void draw_presets(const Session& session, Actions& actions, Ui& ui) {
+  ui.same_line_if_fits(ui.px(theme::kButton), ui.px(kFirstGap));
+  if (ui.icon_button("overlay/presets", Icon::eye, false, "Overlays that answer one question together.", ""))
+    ImGui::OpenPopup("presets");
+  if (!ImGui::BeginPopup("presets")) return;
+  for (const OverlayPreset& preset : overlay_presets())
+    draw_item("overlays/" + std::string(preset.key), session, actions, ui);
+  ImGui::Separator();
+  draw_item("canvas/labels", session, actions, ui);
+  ImGui::EndPopup();
+}
+
 }  // namespace
 
 bool overlay_names_fit(const Ui& ui) {
@@ -52,6 +71,7 @@ bool overlay_names_fit(const Ui& ui) {
 
 void draw_overlay_switches(const Session& session, Actions& actions, Ui& ui) {
   const bool named = overlay_names_fit(ui);
+  draw_presets(session, actions, ui);
   for (const Overlay* overlay : all_overlays()) draw_switch(*overlay, named, session, actions, ui);
 }
 

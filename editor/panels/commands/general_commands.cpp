@@ -280,6 +280,14 @@ std::vector<Command> canvas_commands() {
        .menu = menus::kPlayOverlays,
        .run = toggle<&View::canvas, &CanvasesView::legend_folded>,
        .checked = [](S, const Ui& ui) { return !ui.view.canvas.legend_folded; }},
+      {.id = "canvas/labels",
+       .label = "Labels of every body",
+       .help =
+           "Lets the overlays label every body. Else they label the chosen one and the one under the mouse.",
+       .menu = menus::kPlayOverlays,
+       .run = toggle<&View::canvas, &CanvasesView::labels_all>,
+       .checked = is_on<&View::canvas, &CanvasesView::labels_all>,
+       .words = "numbers text"},
       {.id = "canvas/follow",
        .label = "Follow the player",
        .help = "Lets the play view go with the chosen body, or else with the player. Moving the view by hand "
@@ -392,6 +400,10 @@ std::vector<Command> play_commands() {
   };
 }
 
+bool has(const OverlayPreset& preset, const Overlay& overlay) {
+  return std::find(preset.overlays.begin(), preset.overlays.end(), &overlay) != preset.overlays.end();
+}
+
 std::vector<Command> overlay_commands() {
   std::vector<Command> all;
   for (const Overlay* overlay : all_overlays()) {
@@ -404,6 +416,25 @@ std::vector<Command> overlay_commands() {
                    .menu = menus::kPlayOverlays,
                    .run = toggle_overlay(*overlay),
                    .checked = has_overlay(*overlay)});
+  }
+  for (const OverlayPreset& preset : overlay_presets()) {
+    all.push_back({.id = "overlays/" + std::string(preset.key),
+                   .label = std::string(preset.label),
+                   .help = std::string(preset.help),
+                   .menu = menus::kPlayOverlays,
+                   .run =
+                       [&preset](S, A actions, U) {
+                         for (const Overlay* overlay : all_overlays())
+                           actions.push_back(action::SetOverlay{overlay, has(preset, *overlay)});
+                       },
+                   .checked =
+                       [&preset](S s, const Ui&) {
+                         const auto all = all_overlays();
+                         return std::all_of(all.begin(), all.end(), [&](const Overlay* overlay) {
+                           return s.choices().overlays.has(*overlay) == has(preset, *overlay);
+                         });
+                       },
+                   .words = "preset overlays show hide"});
   }
   return all;
 }
