@@ -198,6 +198,7 @@ void ExportPanel::draw_preset_buttons(const Session& session, Actions& actions, 
   const float bars_top = std::exchange(ui.bars_top, ImGui::GetCursorScreenPos().y);
   const Level& level = session.level();
   const bool has_one = !level.exports.empty(), has_room = level.exports.size() < kMaxExports;
+  const std::size_t chosen = ui.view.files.exports.preset;  // several buttons may be pressed in one frame
   const float gap = ImGui::GetStyle().ItemSpacing.x, width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
   const auto add = [&](ExportPreset preset) {
     push_export_edit(add_export(level, std::move(preset)), actions);
@@ -208,13 +209,13 @@ void ExportPanel::draw_preset_buttons(const Session& session, Actions& actions, 
   ImGui::SameLine();
   if (ui.text_button("export/duplicate", "Copy", false, "Adds a preset like the chosen one.", {},
                      has_one && has_room, width)) {
-    add(copied_preset(session, chosen_preset(session, ui)));
+    add(copied_preset(session, level.exports[chosen]));
   }
   ImGui::SameLine();
   if (ui.text_button("export/remove", "Remove", false,
                      "Removes the preset, but not the files that it wrote; Undo brings it back.", {}, has_one,
                      width))
-    push_export_edit(remove_export(level, ui.view.files.exports.preset), actions);
+    push_export_edit(remove_export(level, chosen), actions);
   command_text_button("file/export_all"_command, session, actions, ui,
                       {.label = "Export all",
                        .widget = "export/all",

@@ -94,7 +94,7 @@ bool Ui::icon_button(std::string_view name, Icon icon, bool lit, std::string_vie
   draw_icon(*ImGui::GetWindowDrawList(), icon, {at.x + inset, at.y + inset}, side - 2 * inset,
             theme::tone(enabled ? theme::kText : theme::kMuted, enabled ? 255 : 110));
   item(name, help, key, enabled);
-  return pressed;
+  return pressed && enabled;  // the focused item may be pressed by a key though it is disabled
 }
 
 bool Ui::text_button(std::string_view name, std::string_view label, bool lit, std::string_view help,
@@ -106,7 +106,7 @@ bool Ui::text_button(std::string_view name, std::string_view label, bool lit, st
   if (lit) ImGui::PopStyleColor(kLitColors);
   ImGui::EndDisabled();
   item(name, help, key, enabled);
-  return pressed;
+  return pressed && enabled;  // the focused item may be pressed by a key though it is disabled
 }
 
 bool Ui::begin_combo(std::string_view name, const std::string& shown, float width, std::string_view help,
