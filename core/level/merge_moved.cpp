@@ -9,8 +9,9 @@ namespace {
 constexpr const char* kPlace = "the place of the ground";
 constexpr const char* kApart = "the ground lies elsewhere there, and no level has room for both";
 
-// Cells that were changed here and are not on the map any more after a shift.
-int changed_cells_cut_off(const Level& base, const Level& mine, Cell by) {
+// Cells that were changed here and are not on the map any more after a shift. moved: cells, by which the
+// ground lies elsewhere here than in the base.
+int changed_cells_cut_off(const Level& base, const Level& mine, Cell moved, Cell by) {
   if (by.x >= 0 && by.y >= 0) return 0;
   int count = 0;
   for (int layer = 0; layer < mine.layers.count(); ++layer) {
@@ -19,9 +20,10 @@ int changed_cells_cut_off(const Level& base, const Level& mine, Cell by) {
     for (Cell c{0, 0}; c.y < mine.map.height(); ++c.y) {
       for (c.x = 0; c.x < mine.map.width(); ++c.x, ++i) {
         if (c.x + by.x >= 0 && c.y + by.y >= 0) continue;
-        const bool was = before >= 0 && base.map.contains(c);
-        const auto at = static_cast<std::size_t>(c.y) * static_cast<std::size_t>(base.map.width()) +
-                        static_cast<std::size_t>(c.x);
+        const Cell old{c.x - moved.x, c.y - moved.y};
+        const bool was = before >= 0 && base.map.contains(old);
+        const auto at = static_cast<std::size_t>(old.y) * static_cast<std::size_t>(base.map.width()) +
+                        static_cast<std::size_t>(old.x);
         if (mine.cells_of(layer)[i] != (was ? base.cells_of(before)[at] : MapCell())) ++count;
       }
     }
@@ -47,8 +49,8 @@ bool begins_elsewhere(const Level& base, const Level& mine) {
 
 Cell difference(Cell a, Cell b) { return {a.x - b.x, a.y - b.y}; }
 
-void note_lost_cells(const Level& base, const Level& changed, Cell by, MergedLevel& merged) {
-  if (const int count = changed_cells_cut_off(base, changed, by); count > 0) {
+void note_lost_cells(const Level& base, const Level& changed, Cell moved, Cell by, MergedLevel& merged) {
+  if (const int count = changed_cells_cut_off(base, changed, moved, by); count > 0) {
     merged.conflicts.push_back(std::to_string(count) + (count == 1 ? " cell" : " cells") +
                                " that the map no longer has");
   }
@@ -79,8 +81,8 @@ MergedLevel merge_levels(const Level& base, const Level& mine, const Level& thei
   MergedLevel merged = merge_in_place(moved_level(base, place), moved_level(mine, of_mine),
                                       moved_level(theirs, of_theirs), side);
   if (conflicts > 0) merged.conflicts.emplace_back(kPlace);
-  note_lost_cells(base, mine, place, merged);
-  note_lost_cells(base, theirs, place, merged);
+  note_lost_cells(base, mine, here, of_mine, merged);
+  note_lost_cells(base, theirs, there, of_theirs, merged);
   return merged;
 }
 
