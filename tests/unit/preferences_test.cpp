@@ -156,7 +156,7 @@ TEST(SettingsText, MissingAndWrongValuesGetTheirDefaults) {
   const Settings defaults = default_settings();
   EXPECT_EQ(defaults.width, 0);
   EXPECT_EQ(defaults.canvas, CanvasMode::both);
-  EXPECT_TRUE(defaults.grid && defaults.screen_borders && defaults.overlays.has(overlay::normals));
+  EXPECT_TRUE(defaults.grid && defaults.screen_borders && defaults.overlays.has(overlay::floor_height));
   const Settings wrong =
       settings_of_text(R"({"width": 100, "height": "tall", "layout": {"left": 0.99, "dock": 0.4},
       "canvas": "all", "ui_scale": 9, "grid": 1, "overlays": 5, "tabs": {}, "recent_files": ["a", 7, "b"],
