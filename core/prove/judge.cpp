@@ -18,6 +18,9 @@ constexpr double kSameSpeed = 1e-6;
 
 Fine scaled(Fine length, double factor) { return std::llround(static_cast<double>(length) * factor); }
 
+// px, to 1/1024: edges are measured a little beside the body.
+double rounded_lip(Fine edge) { return std::round(px_of(edge) * 1024) / 1024; }
+
 // The x in which a part and a box meet; both must share some.
 std::array<Fine, 2> shared_x(const RawPart& part, const FineBox& box) {
   return {std::clamp(part.top.x0, box.x0, box.x1), std::clamp(part.top.x1, box.x0, box.x1)};
@@ -94,6 +97,8 @@ std::optional<Verdict> Judge::judge_contacts(const Body& before, const StepRecor
     const bool is_ground = contact.handled && !contact.overlaps && contact.other.body == 0;
     const bool is_placed = tuning_.solver == SolverKind::article && contact.slope.has_value();
     if (is_ground && !is_placed && !is_there(contact, before)) return Verdict{FindingKind::ghost};
+    if (is_ground && contact.normal.y == 0)
+      if (const auto lip = lip_met(before, contact)) return lip;
   }
   return std::nullopt;
 }
@@ -189,6 +194,17 @@ bool Judge::has_floor_at_foot(const Body& body) const {
 
 // The middle of the body was above a floor, and is below it. A box that was in the floor already does not
 // count.
+// A body that rolls on a floor, and is stopped by a low edge.
+std::optional<Verdict> Judge::lip_met(const Body& before, const ContactRecord& contact) const {
+  Body body = before;
+  if (!has_floor_at_foot(body)) return std::nullopt;
+  body.box.x = contact.touch.x;
+  body.box.y = contact.touch.y;
+  const Ahead ahead = ahead_of(body, contact.normal.x > 0 ? -1 : 1);
+  if (ahead.way != Way::lip) return std::nullopt;
+  return Verdict{FindingKind::lip, ahead.lip};
+}
+
 bool Judge::falls_through(const Body& before, const Body& after) const {
   const FineBox from = fine_box(before.box), to = fine_box(after.box);
   if (to.y1 <= from.y1 + weld_) return false;
@@ -234,8 +250,9 @@ Judge::Ahead Judge::ahead_of(const Body& body, int direction, Fine way) const {
   if (passes(box, next, body.foot)) return {Way::free};
   const double steepest = tuning_.exact.steepest;
   const auto edge = edge_at(box, body.foot, direction, 4 * slack_);
-  if (edge && *edge > scaled(4 * slack_, steepest) + slack_)
-    return *edge > lip_ ? Ahead{Way::blocked} : Ahead{Way::lip, px_of(*edge)};
+  const Fine rounding = scaled(4 * slack_, steepest) + slack_;
+  if (edge && *edge > rounding)
+    return *edge > lip_ + rounding ? Ahead{Way::blocked} : Ahead{Way::lip, rounded_lip(*edge)};
   const Fine slope = scaled(way, steepest) + slack_;
   const auto floor = floor_near(next, body.foot, slope, slope);
   if (floor && passes(box, next.moved(0, *floor - box.y1), body.foot)) return {Way::free};
@@ -248,13 +265,15 @@ std::optional<Fine> Judge::edge_at(const FineBox& box, Foot foot, int direction,
   const FineBox next = box.moved(direction * way, 0);
   const auto rise = rise_onto(box, next, foot);
   if (!rise || foot == Foot::box) return rise;
-  // Corners beside the middle may be in the floor, above which an edge begins.
+  // Corners beside the middle may be in the floor, and an edge begins where that ends, or above it.
   const Fine middle = box.middle(), front = direction > 0 ? box.x1 : box.x0;
   const FloorLine line(ground_, middle, box.y1, std::min(middle, front), std::max(middle, front),
                        tuning_.exact.steepest, weld_);
-  if (!line.reaches(middle, front) || stops_middle(box, next.moved(0, line.at(next.middle()) - box.y1)))
+  if (!line.reaches(middle, next.middle()) ||
+      stops_middle(box, next.moved(0, line.at(next.middle()) - box.y1)))
     return rise;
-  return *rise - (box.y1 - line.at_end(direction, box.y1));
+  const Fine above = *rise - (box.y1 - line.at_end(direction, box.y1));
+  return above > weld_ || line.reaches(middle, front) ? above : *rise;
 }
 
 // How far a body must be lifted to go on to a place, at most as far as an edge and a floor may rise.

@@ -48,6 +48,7 @@ class Judge {
   bool is_stopped_before(const Body& before, const Body& after, int direction,
                          const StepRecord& record) const;
   std::optional<Verdict> judge_contacts(const Body& before, const StepRecord& record) const;
+  std::optional<Verdict> lip_met(const Body& before, const ContactRecord& contact) const;
   Ahead ahead_of(const Body& body, int direction) const;
   Ahead ahead_of(const Body& body, int direction, Fine way) const;
   bool passes(const FineBox& from, const FineBox& to, Foot foot) const;

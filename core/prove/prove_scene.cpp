@@ -37,7 +37,7 @@ void add_body(std::vector<ProveBody>& bodies, const ProveBody& body) {
   }
 }
 
-std::vector<ProveBody> bodies_of(const Scene& scene, TileSize tile) {
+std::vector<ProveBody> bodies_of(const Scene& scene) {
   std::vector<ProveBody> bodies;
   const double drift = std::max(kLeastSpeed, std::abs(scene.tuning.shared.drift_speed));
   for (const SceneItem& item : scene.items) {
@@ -45,9 +45,6 @@ std::vector<ProveBody> bodies_of(const Scene& scene, TileSize tile) {
     const double speed = std::max(drift, std::abs(item.velocity.x));
     add_body(bodies, {item.kind, {item.box.w, item.box.h}, item.foot, speed});
   }
-  if (bodies.empty())
-    bodies.push_back(
-        {BodyKind::player, new_body_size(BodyKind::player, tile), traits_of(BodyKind::player).foot});
   return bodies;
 }
 
@@ -56,7 +53,12 @@ std::vector<ProveBody> bodies_of(const Scene& scene, TileSize tile) {
 ProveScene::ProveScene(const Level& level, const ProveOptions& options) : ground_(ground_of_any(level)) {
   assert(!ground_problem(level));
   const Scene scene = compile_scene(level);
-  bodies_ = options.bodies.empty() ? bodies_of(scene, level.map.tile_size()) : options.bodies;
+  bodies_ = options.bodies.empty() ? bodies_of(scene) : options.bodies;
+  assumes_body_ = bodies_.empty();
+  if (assumes_body_) {
+    const Vec2 size = new_body_size(BodyKind::player, level.map.tile_size());
+    bodies_.push_back({BodyKind::player, size, traits_of(BodyKind::player).foot});
+  }
   if (bodies_.size() > kMostBodies) {
     left_out_ = bodies_.size() - kMostBodies;
     bodies_.resize(kMostBodies);

@@ -43,7 +43,8 @@ class ProveScene {
 
   const RawGround& ground() const { return ground_; }
   const std::vector<ProveBody>& bodies() const { return bodies_; }
-  std::size_t left_out() const { return left_out_; }  // kinds of bodies of the level that are not tried
+  std::size_t left_out() const { return left_out_; }   // kinds of bodies of the level that are not tried
+  bool assumes_body() const { return assumes_body_; }  // whether the level has none, and a player is tried
   SolverKind solver() const { return speeds_.front().scene->tuning.solver; }
 
   // The same level for players of several speeds; the first one is that of the level.
@@ -67,6 +68,7 @@ class ProveScene {
   RawGround ground_;
   std::vector<ProveBody> bodies_;
   std::size_t left_out_ = 0;
+  bool assumes_body_ = false;
   double lip_;  // px
   std::vector<Speed> speeds_;
 };

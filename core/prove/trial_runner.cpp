@@ -272,7 +272,7 @@ std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, 
     std::optional<Verdict> verdict = judge.judge(before, body, input, record_);
     still =
         std::abs(body.box.x - before.box.x) + std::abs(body.box.y - before.box.y) < kStill ? still + 1 : 0;
-    const bool takes_keys = traits_of(body.kind).takes_keys;
+    const bool takes_keys = is_steered({body.kind, {body.box.w, body.box.h}, body.foot, 0}, scene_.solver());
     if (!verdict && takes_keys && still == kStillFrames && !body.gait.grounded && is_wedged(state_, speed))
       verdict = Verdict{FindingKind::wedged};
     if (verdict) {

@@ -7,6 +7,7 @@
 #include <talus/level/ground.h>
 #include <nlohmann/json.hpp>
 #include "command.h"
+#include "level/level_text.h"
 #include "progress_line.h"
 #include "prove/proof.h"
 
@@ -102,6 +103,11 @@ void print(CommandContext& context, const std::string& file, const Proof& proof)
   if (proof.left_out > 0)
     say(context.out, file + ": " + std::to_string(proof.left_out) +
                          " kinds of bodies were not tried: name them by --body");
+  if (proof.assumes_body) {
+    const Vec2 size = proof.bodies.front().size;
+    say(context.out, file + ": the level has no bodies, so a player of " + px_text(size.x) + "x" +
+                         px_text(size.y) + " px was tried");
+  }
   say(context.out, file + ": " + summary_of(proof));
 }
 

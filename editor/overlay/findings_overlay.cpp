@@ -9,7 +9,7 @@
 namespace talus {
 namespace {
 
-constexpr double kLeastHeat = 0.7, kMostHeat = 2.4;  // of the tint
+constexpr double kLeastHeat = 1.5, kMostHeat = 3;  // of the tint
 
 // More trials with a finding make a cell hotter, by their logarithm.
 double heat_of(int count) { return std::min(kLeastHeat + 0.25 * std::log2(count), kMostHeat); }

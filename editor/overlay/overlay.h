@@ -36,7 +36,7 @@ struct OverlayBox {
   const Overlay* overlay;
   Rect box;
   bool filled = false;  // filled with a light tint; false: an outline
-  double strength = 1;  // of a tint, 0 to 2: fainter or stronger
+  double strength = 1;  // of a tint, 0 to 3: fainter or stronger
 };
 struct OverlayMark {  // a small cross
   const Overlay* overlay;

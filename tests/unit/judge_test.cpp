@@ -178,4 +178,54 @@ TEST(Judge, ACornerOnTheWayExplainsAStop) {
   EXPECT_EQ(c.kind(), FindingKind::stops);
 }
 
+// Two halves of a ramp with a gap of a px between them, behind which the ramp goes on half a px higher.
+TEST(Judge, FindsALowEdgeBehindAGapUnderAWideBody) {
+  Case c;
+  c.level.map = TileMap(20, 14, {16, 16});
+  for (int x = 0; x < 20; ++x) c.level.map.set({x, 12}, 1);
+  c.level.tile_shapes[3] = {
+      .kind = TileShape::Kind::polygon, .points = {{0, 16}, {15, 8.5}, {15, 16}}, .parts = {}};
+  c.level.tile_shapes[4] = {.kind = TileShape::Kind::slope, .heights = {8.5, 16}};
+  c.level.map.set({8, 11}, 3);
+  c.level.map.set({9, 11}, 4);
+  for (const double width : {8.0, 12.0, 20.0}) {
+    Body& body = c.after;
+    body.foot = Foot::centre;
+    body.box = {144 - width, 0, width, 12};  // its right side at the second half
+    const double foot = 192 - 0.5 * (144 - width / 2 - 128);
+    body.box.y = foot - 12;
+    body.velocity = {};
+    c.before = body;
+    c.before.velocity.x = 1.5;
+    const auto found = c.verdict();
+    ASSERT_TRUE(found) << width;
+    EXPECT_EQ(found->kind, FindingKind::lip) << width;
+    EXPECT_NEAR(found->amount, 1, 0.01) << width;
+  }
+}
+
+TEST(Judge, FindsALowEdgeThatTurnsABallBack) {
+  Case c;
+  c.level.tuning.solver = SolverKind::exact;
+  c.level.tile_shapes[3] = {.kind = TileShape::Kind::slope, .heights = {1, 1}};
+  c.level.map.set({8, 11}, 3);  // 64 px from the left
+  for (Body* body : {&c.before, &c.after}) {
+    body->kind = BodyKind::ball;
+    body->gait = {};
+    body->box = {55, kFloor - 8, 8, 8};
+  }
+  ContactRecord contact;
+  contact.handled = true;
+  contact.normal = {-1, 0};
+  contact.touch = {56, kFloor - 8};
+  contact.move = {2, 0};
+  c.record.contacts = {contact};
+  const auto found = c.verdict(false);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->kind, FindingKind::lip);
+  EXPECT_EQ(found->amount, 1);
+  c.level.tile_shapes[3].heights = {4, 4};
+  EXPECT_FALSE(c.verdict(false)) << "a wall";
+}
+
 }  // namespace talus::judge_test

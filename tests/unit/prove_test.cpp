@@ -181,4 +181,17 @@ TEST(Prove, TheMeadowHasItsSixSeams) {
   }
 }
 
+TEST(Prove, SaysWhatItAssumesAndWhenThereWasNothingToTry) {
+  Level level;
+  level.map = TileMap(8, 4);
+  level.tuning.solver = SolverKind::exact;
+  Proof proof = *prove(ProveScene(level, {}), 1);
+  EXPECT_EQ(summary_of(proof), "no place where a body can stand, so nothing was tried");
+  EXPECT_TRUE(proof.assumes_body);
+  Spawn ball;
+  ball.position = {8, 8};
+  level.spawns = {ball};
+  EXPECT_FALSE(prove(ProveScene(level, {}), 1)->assumes_body);
+}
+
 }  // namespace talus::prove_test

@@ -35,6 +35,7 @@ void draw_summary(const Proof& proof, bool is_stale, Ui& ui) {
   if (proof.left_out > 0)
     ui.hint(std::to_string(proof.left_out) +
             (proof.left_out == 1 ? " kind of body was" : " kinds of bodies were") + " not tried.");
+  if (proof.assumes_body) ui.hint("The level has no bodies, so a player was tried.");
   if (!is_stale) return;
   draw_wrapped_text("The level has changed since: prove it again.", theme::tone(theme::kWarning));
   ui.item("proof/stale");
