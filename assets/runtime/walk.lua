@@ -208,7 +208,8 @@ function Walk:floor_leads_over(box, spot_x, spot_y)
     local point = {x = x, y = y, w = 0.0, h = h, centre = false}
     local met = under:cast_to(on, point, goal_x, goal_y)
     if met and met.facing == UP then
-      local crossing = met.t == 0 and under:floor_met(point, met) or nil
+      local is_here = met.t == 0 and is_level(met, self.steepest)
+      local crossing = is_here and under:floor_met(point, met) or nil
       if crossing then
         goal_x, goal_y = under:goal_on(crossing, x, 0.0, h, false, spot_x - x)
       elseif met.x ~= x then

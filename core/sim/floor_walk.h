@@ -280,7 +280,8 @@ class FloorWalk {
       // Another floor may cross it, further on or just here.
       const Contact<Real> met = walk.cast_to(*floor, point, goal);
       if (met && met.facing == Facing::up) {
-        const auto crossing = met.t == 0 ? walk.floor_met(point, met) : std::nullopt;
+        const bool is_here = met.t == 0 && is_level(met, steepest_);
+        const auto crossing = is_here ? walk.floor_met(point, met) : std::nullopt;
         if (crossing)
           goal = walk.goal_on(*crossing, point.box, spot.x - point.box.x, point.foot);
         else if (met.position.x != point.box.x)
