@@ -192,8 +192,6 @@ bool Judge::has_floor_at_foot(const Body& body) const {
   });
 }
 
-// The middle of the body was above a floor, and is below it. A box that was in the floor already does not
-// count.
 // A body that rolls on a floor, and is stopped by a low edge.
 std::optional<Verdict> Judge::lip_met(const Body& before, const ContactRecord& contact) const {
   Body body = before;
@@ -205,6 +203,8 @@ std::optional<Verdict> Judge::lip_met(const Body& before, const ContactRecord& c
   return Verdict{FindingKind::lip, ahead.lip};
 }
 
+// The middle of the body was above a floor, and is below it. A box that was in the floor already does not
+// count.
 bool Judge::falls_through(const Body& before, const Body& after) const {
   const FineBox from = fine_box(before.box), to = fine_box(after.box);
   if (to.y1 <= from.y1 + weld_) return false;

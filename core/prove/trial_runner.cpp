@@ -53,9 +53,9 @@ Trial start_at(const ProveBody& body, const Rect& box) {
   return trial;
 }
 
-// Whether a trial of the body is steered by keys: the other solvers move players as balls.
-bool is_steered(const ProveBody& body, SolverKind solver) {
-  return traits_of(body.kind).takes_keys && solver == SolverKind::exact;
+// Whether a trial of such a body is steered by keys: the other solvers move players as balls.
+bool is_steered(BodyKind kind, SolverKind solver) {
+  return traits_of(kind).takes_keys && solver == SolverKind::exact;
 }
 
 }  // namespace
@@ -165,7 +165,7 @@ void TrialRunner::try_phase(Cell cell, std::size_t body, double phase) {
 }
 
 void TrialRunner::try_place(const Place& place) {
-  const bool takes_keys = is_steered(scene_.bodies()[place.body], scene_.solver());
+  const bool takes_keys = is_steered(scene_.bodies()[place.body].kind, scene_.solver());
   for (const int direction : {1, -1}) {
     for (std::size_t speed = 0; speed < solvers_.size(); ++speed) walk(place, speed, direction, false);
     if (takes_keys && place.phase == 0) walk(place, 0, direction, true);
@@ -198,7 +198,7 @@ void TrialRunner::walk(const Place& place, std::size_t speed, int direction, boo
   const ProveBody& body = scene_.bodies()[place.body];
   const Scene& scene = *scene_.speeds()[speed].scene;
   Trial trial = start_at(body, place.box);
-  const bool takes_keys = is_steered(body, scene_.solver());
+  const bool takes_keys = is_steered(body.kind, scene_.solver());
   trial.direction = direction;
   trial.speed = takes_keys ? scene.tuning.player.run_speed : body.speed * scene_.speeds()[speed].share;
   if (!stand(trial.body)) return;
@@ -261,6 +261,7 @@ std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, 
   state_ = {.frame = 0, .bodies = {trial.body}, .grabbed = 0, .next_id = 2};
   const Body& body = state_.bodies.front();
   const bool walks = trial.body.gait.grounded && trial.jump_frames == 0;
+  const bool takes_keys = is_steered(body.kind, scene_.solver());
   int still = 0;
   for (int frame = 1; frame <= trial.frames; ++frame) {
     if (judge.is_across_line(body) || leaves_map(body.box, scene_.ground())) break;
@@ -272,7 +273,6 @@ std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, 
     std::optional<Verdict> verdict = judge.judge(before, body, input, record_);
     still =
         std::abs(body.box.x - before.box.x) + std::abs(body.box.y - before.box.y) < kStill ? still + 1 : 0;
-    const bool takes_keys = is_steered({body.kind, {body.box.w, body.box.h}, body.foot, 0}, scene_.solver());
     if (!verdict && takes_keys && still == kStillFrames && !body.gait.grounded && is_wedged(state_, speed))
       verdict = Verdict{FindingKind::wedged};
     if (verdict) {
