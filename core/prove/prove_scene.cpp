@@ -9,6 +9,7 @@
 
 #include <talus/level/ground.h>
 #include "level/ground_cells.h"
+#include "level/lip.h"
 #include "level/object_ground.h"
 #include "sim/lone_body.h"
 
@@ -65,7 +66,7 @@ ProveScene::ProveScene(const Level& level, const ProveOptions& options) : ground
   }
   LoneBody tried;
   tried.spawn.size = bodies_[0].size;
-  lip_ = options.lip > 0 ? options.lip : level.map.tile_size().height / 4.0;
+  lip_ = options.lip > 0 ? options.lip : highest_lip(level.map.tile_size());
   for (const double share : kShares) {
     tried.run_speed = scene.tuning.player.run_speed * share;
     auto slower = std::make_shared<const Scene>(scene_for(tried, scene));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "../lip.h"
 #include "collision/outline_compiler.h"
 
 namespace talus {
@@ -27,7 +28,7 @@ std::vector<double> depths_of(const std::vector<double>& heights) {
 
 GroundFaults::GroundFaults(const Level& level, const LintTiles& tiles,
                            std::span<const std::array<Cell, 2>> areas)
-    : lip_(level.map.tile_size().height / 4.0) {
+    : lip_(highest_lip(level.map.tile_size())) {
   for (const std::array<Cell, 2>& area : areas) look_at(level, tiles, area);
 }
 
