@@ -28,8 +28,6 @@
 namespace talus {
 namespace {
 
-Vec2 size_in_pixels(const TileMap& map) { return {map.px_width(), map.px_height()}; }
-
 // The topmost body at a point, with some tolerance for the hand; 0 if there is none.
 int body_at(const State& state, Vec2 p, double tolerance) {
   int found = 0;
@@ -197,9 +195,7 @@ void LevelCanvas::show_opening(const Session& session, const Ui& ui, ImVec2 size
   const TileMap& map = session.level().map;
   camera_ = Camera();
   const Vec2 whole = size_in_pixels(map);
-  if (!ui.view.canvas.opens_on_player)
-    return camera_.fit(
-        {std::min(whole.x, map.x_of(kScreenColumns)), std::min(whole.y, map.y_of(kScreenRows))}, size);
+  if (!ui.view.canvas.opens_on_player) return camera_.fit(size_of_screen(map), size);
   const OpeningArea shown = opening_area(session.level(), session.state());
   camera_.show(shown.area, shown.may_be_cut, whole, size);
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "overlay/visible.h"
 #include "tile_drawing.h"
 
 namespace talus {
@@ -13,25 +14,12 @@ namespace {
 constexpr double kLeastOfScreen = 0.8;  // of a screen's width and height, that are shown at least
 constexpr double kMostScreens = 2;      // that a view shows of what is spread out
 
-Vec2 size_of_map(const TileMap& map) { return {map.px_width(), map.px_height()}; }
-
-// At most the map.
-Vec2 size_of_screen(const TileMap& map) {
-  return {std::min(map.px_width(), map.x_of(kScreenColumns)),
-          std::min(map.px_height(), map.y_of(kScreenRows))};
-}
-
 // An area of this size about a point, moved onto the map. At most as large as the map.
 Rect area_about(Vec2 centre, Vec2 size, const TileMap& map) {
-  const Vec2 whole = size_of_map(map);
+  const Vec2 whole = size_in_pixels(map);
   size = {std::min(size.x, whole.x), std::min(size.y, whole.y)};
   return {std::clamp(centre.x - size.x / 2, 0.0, whole.x - size.x),
           std::clamp(centre.y - size.y / 2, 0.0, whole.y - size.y), size.x, size.y};
-}
-
-Rect joined(const Rect& a, const Rect& b) {
-  const double x = std::min(a.x, b.x), y = std::min(a.y, b.y);
-  return {x, y, std::max(a.right(), b.right()) - x, std::max(a.bottom(), b.bottom()) - y};
 }
 
 // With some room around it, and not so small that the place cannot be told.
@@ -57,9 +45,9 @@ std::optional<Rect> tiles_within(const std::vector<LayerCells>& layers, CellSpan
       if (first == row + part.x1) continue;
       const auto last =
           std::find_if(std::reverse_iterator(row + part.x1), std::reverse_iterator(first), has_tile);
-      const Rect ends = joined(map.box_of({static_cast<int>(first - row), y}),
-                               map.box_of({static_cast<int>(last.base() - row) - 1, y}));
-      found = found ? joined(*found, ends) : ends;
+      const Rect ends = joined_rect(map.box_of({static_cast<int>(first - row), y}),
+                                    map.box_of({static_cast<int>(last.base() - row) - 1, y}));
+      found = found ? joined_rect(*found, ends) : ends;
     }
   }
   return found;
@@ -91,6 +79,11 @@ Rect area_of_ground(const Level& level) {
 
 }  // namespace
 
+Vec2 size_of_screen(const TileMap& map) {
+  return {std::min(map.px_width(), map.x_of(kScreenColumns)),
+          std::min(map.px_height(), map.y_of(kScreenRows))};
+}
+
 const Body* followed_body(const State& state, int chosen) {
   if (const Body* body = state.find(chosen)) return body;
   const auto steered = std::find_if(state.bodies.begin(), state.bodies.end(),
@@ -104,7 +97,7 @@ OpeningArea opening_area(const Level& level, const State& state) {
     return {area_about(player->box.center(), size_of_screen(map), map), true};
   if (state.bodies.empty()) return {area_of_ground(level)};
   Rect bounds = state.bodies.front().box;
-  for (const Body& body : state.bodies) bounds = joined(bounds, body.box);
+  for (const Body& body : state.bodies) bounds = joined_rect(bounds, body.box);
   if (is_spread(bounds, map))
     return {area_about(state.bodies.front().box.center(), size_of_screen(map), map), true};
   return {with_room(bounds, 2.0 * map.tile_size().height, map)};

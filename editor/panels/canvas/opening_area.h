@@ -7,6 +7,10 @@
 
 namespace talus {
 
+inline Vec2 size_in_pixels(const TileMap& map) { return {map.px_width(), map.px_height()}; }
+// px of the level: as large as TIC-80's in cells, and at most the map.
+Vec2 size_of_screen(const TileMap& map);
+
 // A part of the level that should be seen at once.
 struct OpeningArea {
   Rect area;                // px of the level, on the map
@@ -18,7 +22,7 @@ struct OpeningArea {
 const Body* followed_body(const State& state, int chosen);
 // A screen around the body that the keys steer; else what the bodies take, or a screen around the first one
 // if they are far from each other; else what the tiles of ground take, or the first screen that has some;
-// else the first screen. Screens are as large as TIC-80's in cells.
+// else the first screen.
 OpeningArea opening_area(const Level& level, const State& state);
 
 }  // namespace talus

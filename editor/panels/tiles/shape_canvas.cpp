@@ -8,6 +8,7 @@
 
 #include "canvas_note.h"
 #include "debug/number_text.h"
+#include "overlay/visible.h"
 #include "panels/canvas/drag_cancel.h"
 #include "panels/canvas/shape_drawing.h"
 
@@ -34,11 +35,6 @@ float whole_zoom(float fits, bool halves, float most) {
 int rows_of(const TileShape& line, TileSize size) {
   const double highest = *std::max_element(line.heights.begin(), line.heights.end());
   return std::max(1, static_cast<int>(std::ceil(highest / size.height)));
-}
-
-Rect joined_rect(const Rect& a, const Rect& b) {
-  const double x = std::min(a.x, b.x), y = std::min(a.y, b.y);
-  return {x, y, std::max(a.right(), b.right()) - x, std::max(a.bottom(), b.bottom()) - y};
 }
 
 // The tiles that a slope or a profile reaches over, and the box around a polygon; px of the tile.
