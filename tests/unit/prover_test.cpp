@@ -152,11 +152,31 @@ TEST(Prover, BelongsToOneLevelAndEndsWithIt) {
   session.apply(action::Prove{});  // which nobody waits for
 }
 
-TEST(Prover, ALevelWithTooMuchGroundSaysSo) {
+// A level that no solver can have the ground of.
+Level overfull_level() {
   Level level = lipped_level();
   MapObject star{.form = MapObject::Form::polygon, .points = {}};
   for (int i = 0; i < 2000; ++i) star.points.push_back({64 + 20 * std::cos(i * 0.00314), 30 + i % 7 * 1.0});
   level.objects = {{.name = "walls", .is_ground = true, .objects = {star}}};
+  return level;
+}
+
+TEST(Prover, AnEditThatCannotBeProvedIsSaidOnce) {
+  Session session(lipped_level());
+  session.apply(action::Prove{});
+  ASSERT_TRUE(proof_ends(session));
+  session.apply(action::EditLevel{
+      replace_by(session.level(), std::make_shared<const Level>(overfull_level()), "Fill")});
+  ASSERT_TRUE(proof_ends(session));
+  ASSERT_TRUE(session.message());
+  session.apply(action::DismissMessage{});
+  for (int i = 0; i < 3; ++i) session.advance(0);
+  EXPECT_FALSE(session.prover().running());
+  EXPECT_FALSE(session.message());
+}
+
+TEST(Prover, ALevelWithTooMuchGroundSaysSo) {
+  const Level level = overfull_level();
   ASSERT_TRUE(ground_problem(level));
   Session session(level);
   session.apply(action::Prove{});

@@ -20,10 +20,7 @@ constexpr double kShownStep = 0.05;  // of the level; after so much more the fin
 struct Prover::Job {
   // before: a job that was given up; this one waits for its end. ended: see ProofRun.
   Job(const Level& copied, Cell its_near, std::unique_ptr<Job> before, std::shared_ptr<const ProofRun> ended)
-      : level(std::make_shared<const Level>(copied)),
-        near(its_near),
-        older(std::move(before)),
-        last(std::move(ended)) {
+      : level(copied), near(its_near), older(std::move(before)), last(std::move(ended)) {
     thread = std::thread([this] {
       older.reset();
       try {
@@ -40,7 +37,7 @@ struct Prover::Job {
   }
   void work();
 
-  std::shared_ptr<const Level> level;
+  const Level level;
   Cell near;
   std::unique_ptr<Job> older;
   std::shared_ptr<const ProofRun> last;
@@ -54,12 +51,12 @@ struct Prover::Job {
 
 void Prover::Job::work() {
   if (!wanted) return;
-  if (const auto too_much = ground_problem(*level)) {
+  if (const auto too_much = ground_problem(level)) {
     problem = "The level " + *too_much + ".";
     return;
   }
-  run = std::make_shared<ProofRun>(std::make_shared<const ProveScene>(*level, ProveOptions()), last.get(),
-                                   near);
+  run =
+      std::make_shared<ProofRun>(std::make_shared<const ProveScene>(level, ProveOptions()), last.get(), near);
   begun = true;
   // The window keeps a processor, if there are several.
   const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
@@ -109,7 +106,10 @@ std::optional<std::string> Prover::advance(const Level* level) {
   }
   if (job_ && job_->done) {
     const std::unique_ptr<Job> job = std::move(job_);
-    if (!job->problem.empty()) return job->problem;
+    if (!job->problem.empty()) {
+      follows_ = false;  // it would be said again and again
+      return job->problem;
+    }
     last_ = job->run;
     proof_ = job->run->proof();
     is_stale_ = job->is_stale;
