@@ -400,8 +400,10 @@ std::vector<Command> play_commands() {
   };
 }
 
-bool has(const OverlayPreset& preset, const Overlay& overlay) {
-  return std::find(preset.overlays.begin(), preset.overlays.end(), &overlay) != preset.overlays.end();
+OverlaySet set_of(const OverlayPreset& preset) {
+  OverlaySet set;
+  for (const Overlay* overlay : preset.overlays) set.set(*overlay, true);
+  return set;
 }
 
 std::vector<Command> overlay_commands() {
@@ -423,17 +425,11 @@ std::vector<Command> overlay_commands() {
                    .help = std::string(preset.help),
                    .menu = menus::kPlayOverlays,
                    .run =
-                       [&preset](S, A actions, U) {
+                       [set = set_of(preset)](S, A actions, U) {
                          for (const Overlay* overlay : all_overlays())
-                           actions.push_back(action::SetOverlay{overlay, has(preset, *overlay)});
+                           actions.push_back(action::SetOverlay{overlay, set.has(*overlay)});
                        },
-                   .checked =
-                       [&preset](S s, const Ui&) {
-                         const auto all = all_overlays();
-                         return std::all_of(all.begin(), all.end(), [&](const Overlay* overlay) {
-                           return s.choices().overlays.has(*overlay) == has(preset, *overlay);
-                         });
-                       },
+                   .checked = [set = set_of(preset)](S s, const Ui&) { return s.choices().overlays == set; },
                    .words = "preset overlays show hide"});
   }
   return all;
