@@ -8,6 +8,7 @@
 
 #include <talus/formats/format.h>
 #include <talus/level/level.h>
+#include "edit/new_level.h"
 #include "sim/timeline.h"
 
 namespace talus {
@@ -17,6 +18,7 @@ struct NewLevel {
   TileSize tile = {};          // px
   int width = kTicMapWidth;    // cells
   int height = kTicMapHeight;  // cells; is_terrain_size must allow them (asserted)
+  NewContent content = {};
 };
 struct OpenTiles {  // a PNG of tiles: see Session::tile_import()
   std::string path;

@@ -267,10 +267,7 @@ void FileHandler::discard_and_do(const DiscardingAction& discarding) {
   } else if (const auto* saved = std::get_if<action::RecoverLevel>(&discarding)) {
     recover(*saved);
   } else if (const auto* fresh = std::get_if<action::NewLevel>(&discarding)) {
-    Level level;
-    level.map = TileMap(fresh->width, fresh->height, fresh->tile);
-    level.tuning = new_tuning(fresh->tile);
-    replace_level(std::move(level), {}, nullptr);
+    replace_level(new_level(fresh->tile, fresh->width, fresh->height, fresh->content), {}, nullptr);
     name_ = kUnnamed;
   } else if (const auto* chosen = std::get_if<TakeImport>(&discarding)) {
     open_import(std::move(*chosen->import));

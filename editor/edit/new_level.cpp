@@ -1,0 +1,117 @@
+// An empty level, and a first scene in it.
+#include "new_level.h"
+
+#include <cstdlib>
+#include <memory>
+
+#include "level/tile_color.h"
+
+namespace talus {
+namespace {
+
+enum FirstTile : TileNumber { kGrass = 1, kEarth, kUpSlope, kDownSlope, kBall };
+// Of the usual palette.
+constexpr std::uint8_t kLightGreen = 5, kGreen = 6, kTeal = 7, kOrange = 3, kYellow = 4;
+constexpr int kFloor = 13;  // row of the grass
+
+// depth: px under the surface, negative above it.
+std::uint8_t color_of_ground(int depth) {
+  return depth < 0 ? 0 : depth == 0 ? kLightGreen : depth == 1 ? kGreen : kTeal;
+}
+
+TileImage image_of_first_tile(FirstTile tile) {
+  TileImage image{};
+  for (int y = 0; y < kCartTileSize; ++y) {
+    for (int x = 0; x < kCartTileSize; ++x) {
+      std::uint8_t& pixel = image[static_cast<std::size_t>(y * kCartTileSize + x)];
+      const int from_middle = (2 * x - 7) * (2 * x - 7) + (2 * y - 7) * (2 * y - 7);
+      if (tile == kGrass) pixel = color_of_ground(y);
+      if (tile == kEarth) pixel = (x + 3 * y) % 11 == 0 ? kGreen : kTeal;
+      if (tile == kUpSlope) pixel = color_of_ground(y - (kCartTileSize - 1 - x));
+      if (tile == kDownSlope) pixel = color_of_ground(y - x);
+      if (tile == kBall && from_middle <= 58) pixel = from_middle <= 18 ? kYellow : kOrange;
+    }
+  }
+  return image;
+}
+
+void put_first_tiles(Level& level) {
+  Sheet& sheet = level.sheet(SheetId::tiles);
+  for (const FirstTile tile : {kGrass, kEarth, kUpSlope, kDownSlope, kBall})
+    sheet.images[tile] = image_of_first_tile(tile);
+  for (const FirstTile tile : {kGrass, kEarth}) sheet.flags[tile] = FlagSet{1} << level.roles.solid;
+  sheet.flags[kUpSlope] = FlagSet{1} << level.roles.up_slope;
+  sheet.flags[kDownSlope] = FlagSet{1} << level.roles.down_slope;
+  sheet.flags[kBall] = FlagSet{1} << level.roles.ball;
+}
+
+void put_if_inside(Level& level, Cell cell, TileNumber tile) {
+  if (level.map.contains(cell)) level.map.set(cell, tile);
+}
+
+// A hill of so many cells of height, from a column on: up, a level top, and down, or a cliff.
+void put_hill(Level& level, int x, int height, int top, bool ends_in_a_cliff) {
+  for (int step = 0; step < height; ++step) {
+    const int y = kFloor - 1 - step, right = x + 2 * height + top - 1 - step;
+    put_if_inside(level, {x + step, y}, kUpSlope);
+    for (int inner = x + step + 1; inner < right; ++inner)
+      put_if_inside(level, {inner, y}, step == height - 1 ? kGrass : kEarth);
+    if (!ends_in_a_cliff) put_if_inside(level, {right, y}, kDownSlope);
+  }
+}
+
+void put_first_scene(Level& level) {
+  for (int y = kFloor; y < level.map.height(); ++y)
+    for (int x = 0; x < level.map.width(); ++x) level.map.set({x, y}, y == kFloor ? kGrass : kEarth);
+  put_hill(level, 9, 1, 2, false);
+  put_hill(level, 17, 2, 3, false);
+  for (int x = 25; x < 29; ++x) put_if_inside(level, {x, kFloor - 5}, kGrass);
+  put_if_inside(level, {20, kFloor - 8}, kBall);
+  const TileSize tile = level.map.tile_size();
+  level.tuning.shared.slope_width = tile.width;  // else a slope is two tiles wide
+  level.tuning.shared.slope_height = tile.height;
+  Spawn& player = level.spawns.emplace_back();
+  player.kind = BodyKind::player;
+  player.size = {1.0 * tile.width, 1.0 * tile.height};
+  player.position = {4.0 * tile.width, (kFloor - 1.0) * tile.height};
+}
+
+// The images at the size of the map's tiles; colour 0 is clear.
+std::shared_ptr<const SheetPicture> picture_of_first_tiles(const Level& level) {
+  const Sheet& sheet = level.sheet(SheetId::tiles);
+  const SheetLayout layout = sheet.layout();
+  const TileSize tile = level.map.tile_size();
+  SheetPicture picture{layout.columns * tile.width, layout.rows() * tile.height, {}};
+  picture.rgba.resize(4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
+  for (const FirstTile number : {kGrass, kEarth, kUpSlope, kDownSlope, kBall}) {
+    const Cell place = layout.place_of(number);
+    for (int y = 0; y < tile.height; ++y) {
+      for (int x = 0; x < tile.width; ++x) {
+        const std::uint8_t index = color_at(sheet.images[number], tile, x, y);
+        const Rgb color = level.palette[index];
+        const auto at = 4 * (static_cast<std::size_t>(place.y * tile.height + y) * picture.width +
+                             static_cast<std::size_t>(place.x * tile.width + x));
+        if (index == 0) continue;
+        picture.rgba[at] = color.r, picture.rgba[at + 1] = color.g, picture.rgba[at + 2] = color.b;
+        picture.rgba[at + 3] = 255;
+      }
+    }
+  }
+  return std::make_shared<const SheetPicture>(std::move(picture));
+}
+
+}  // namespace
+
+Level new_level(TileSize tile, int width, int height, NewContent content) {
+  Level level;
+  level.map = TileMap(width, height, tile);
+  level.tuning = new_tuning(tile);
+  if (content.plays) {
+    put_first_tiles(level);
+    put_first_scene(level);
+  }
+  if (content.in_true_colour) level.sheet(SheetId::tiles).picture = picture_of_first_tiles(level);
+  return level;
+}
+
+}  // namespace talus
