@@ -26,7 +26,7 @@ void UiTest::TearDown() {
     std::cout << (taken ? "See " + picture.string() : "No picture: " + taken.error()) << '\n';
   }
   stop();
-  fs::remove_all(folder_);
+  remove_folder(folder_);
 }
 
 void UiTest::start(const std::string& file, int width, int height) {

@@ -11,6 +11,7 @@
 
 #include "environment.h"
 #include "formats/files/atomic_file.h"
+#include "waiting.h"
 
 namespace talus {
 
@@ -21,9 +22,18 @@ inline std::filesystem::path new_folder(const std::string& beginning) {
   return name;
 }
 
+// Removes a folder, into which a program that the test started may still write.
+inline void remove_folder(const std::filesystem::path& folder) {
+  EXPECT_TRUE(comes_true([&] {
+    std::error_code error;
+    std::filesystem::remove_all(folder, error);
+    return !std::filesystem::exists(folder);
+  }));
+}
+
 class FolderTest : public ::testing::Test {
  protected:
-  ~FolderTest() override { std::filesystem::remove_all(folder_); }
+  ~FolderTest() override { remove_folder(folder_); }
 
   // The path of a file in the folder.
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
