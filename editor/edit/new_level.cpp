@@ -65,8 +65,8 @@ void put_first_scene(Level& level) {
     for (int x = 0; x < level.map.width(); ++x) level.map.set({x, y}, y == kFloor ? kGrass : kEarth);
   put_hill(level, 9, 1, 2, false);
   put_hill(level, 17, 2, 3, false);
-  for (int x = 25; x < 29; ++x) put_if_inside(level, {x, kFloor - 5}, kGrass);
-  put_if_inside(level, {20, kFloor - 8}, kBall);
+  for (int x = 25; x < 30; ++x) put_if_inside(level, {x, kFloor - 5}, kGrass);
+  put_if_inside(level, {26, kFloor - 10}, kBall);  // it stays on the ledge, out of the player's way
   const TileSize tile = level.map.tile_size();
   level.tuning.shared.slope_width = tile.width;  // else a slope is two tiles wide
   level.tuning.shared.slope_height = tile.height;
