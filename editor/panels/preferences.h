@@ -10,11 +10,15 @@
 namespace talus {
 
 enum class ThemeKind { dark, light };
+// What is shown first without a file: the welcome page over the demo level, the file that was open last (the
+// demo level if there is none), or the demo level.
+enum class StartsWith { welcome, last_level, demo };
 
 struct Preferences {
   ThemeKind theme = ThemeKind::dark;
   double font_size = 14;     // px at scale 1; kMinFontSize to kMaxFontSize
   bool plays_opened = true;  // whether a level with bodies plays as soon as it is open
+  StartsWith starts_with = StartsWith::welcome;
   KeyBindings keys;
   ProgramCommands programs = default_program_commands();
   friend bool operator==(const Preferences&, const Preferences&) = default;

@@ -102,6 +102,8 @@ tl::expected<std::unique_ptr<App>, std::string> App::start(AppOptions options) {
   app->last_time_ = app->last_event_ = app->options_.clock();
   CanvasesView& canvas = app->ui_.view.canvas;
   canvas.opens_on_player = canvas.follow_body = !app->options_.paused_at_first_screen;
+  const bool is_asked_for = !app->options_.file.empty();
+  if (!is_asked_for) app->options_.file = first_file(settings);
   app->open_first_level();
   app->take_settings(settings);
   if (app->options_.file.empty()) app->play_opened_level();
@@ -112,6 +114,8 @@ tl::expected<std::unique_ptr<App>, std::string> App::start(AppOptions options) {
   }
   if (!problem.empty()) app->session_->apply(action::ShowMessage{problem, true});
   app->note_changes();
+  app->ui_.view.window.welcome_open =
+      !is_asked_for && settings.preferences.starts_with == StartsWith::welcome;
   return app;
 }
 
@@ -179,6 +183,7 @@ void App::take_settings(const Settings& settings) {
   ui_.view.files.recent_files = settings.recent_files;
   for (const std::string& file : settings.recent_files)
     if (auto picture = recent_pictures_.find(file)) ui_.view.files.recent_pictures[file] = std::move(picture);
+  ui_.view.files.scenes = scene_paths();
   ui_.view.files.hard_cases = hard_case_paths();
   ui_.view.window.tabs = settings.tabs;
   ui_.view.window.dock_open = settings.dock_open;
@@ -411,7 +416,8 @@ bool App::close_window(Actions& actions) {
   }
   for (bool* open :
        {&ui_.view.window.help_open, &ui_.view.window.settings_open, &ui_.view.window.metrics_open,
-        &ui_.view.files.exports.open, &ui_.view.level.find_tiles_open, &ui_.view.debugger.picks_cell}) {
+        &ui_.view.files.exports.open, &ui_.view.level.find_tiles_open, &ui_.view.window.welcome_open,
+        &ui_.view.debugger.picks_cell}) {
     if (std::exchange(*open, false)) return false;
   }
   return std::exchange(ui_.view.canvas.marked_cell, std::nullopt).has_value();
@@ -455,7 +461,10 @@ void App::release(const SDL_Event& event, Actions& actions) {
   if (event.type == SDL_KEYUP) {
     ui_.view.canvas.cursor.release(chord_of(event.key.keysym).key);
     if (play_keys_.release(chord_of(event.key.keysym).key)) actions.push_back(play_keys_.held());
+  } else if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_FOCUS_GAINED) {
+    ui_.view.window.is_in_front = true;
   } else if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) {
+    ui_.view.window.is_in_front = false;
     play_keys_.release_all();
     ui_.view.canvas.cursor.lift();
     actions.push_back(play_keys_.held());
@@ -516,6 +525,7 @@ void App::note_changes() {
       session_->history().edits().empty()) {
     copies_.forget();
     ui_.view.forget_level();
+    ui_.view.window.welcome_open = false;
     if (!options_.paused_at_first_screen) play_opened_level();
   }
   if (ui_.view.preferences != noted_preferences_) {

@@ -30,7 +30,7 @@
 namespace talus {
 
 struct AppOptions {
-  std::string file;                    // file to open; empty: the demo level
+  std::string file;                    // file to open; empty: as the settings say
   int width = 0, height = 0;           // px, of the window; 0: as in the settings
   bool offscreen = false;              // without a display
   bool remember = true;                // reads and writes settings, and saves automatically
@@ -133,7 +133,8 @@ class App {
   int drawn_frames_ = 0;
 };
 
-// Runs the editor on these files, of which the first in the order of names is opened; none: the demo level.
+// Runs the editor on these files, of which the first in the order of names is opened; none: as the
+// settings say.
 // Returns the exit status.
 int run_editor(const std::vector<std::string>& files);
 

@@ -17,6 +17,10 @@ std::string asset_path(std::string_view name) {
   return (fs::path(TALUS_ASSET_DIR) / name).string();
 }
 
+std::vector<std::string> scene_paths() {
+  return {asset_path("demo.talus.json"), asset_path("platformer/meadow.tmx"), asset_path("cave.talus.json")};
+}
+
 std::vector<std::string> hard_case_paths() {
   std::vector<std::string> paths;
   std::error_code error;

@@ -55,7 +55,10 @@ Field<Preferences> programs_field(const char* key) {
 Fields<Preferences> preferences_fields() {
   return {choice("theme", &Preferences::theme, ThemeKind::dark, {"dark", "light"}),
           number("font_size", &Preferences::font_size, Preferences().font_size, kMinFontSize, kMaxFontSize),
-          toggle("plays_opened", &Preferences::plays_opened, Preferences().plays_opened), keys_field("keys"),
+          toggle("plays_opened", &Preferences::plays_opened, Preferences().plays_opened),
+          choice("starts_with", &Preferences::starts_with, StartsWith::welcome,
+                 {"welcome", "last_level", "demo"}),
+          keys_field("keys"),
           programs_field("programs")};
 }
 

@@ -92,6 +92,13 @@ Settings default_settings() {
   return settings;
 }
 
+std::string first_file(const Settings& settings) {
+  if (settings.preferences.starts_with != StartsWith::last_level || settings.recent_files.empty()) return "";
+  std::error_code error;
+  const std::string& last = settings.recent_files.front();
+  return fs::exists(last, error) ? last : "";
+}
+
 std::string settings_path() { return (fs::path(config_folder()) / "settings.json").string(); }
 
 FormatResult<Settings> settings_of_text(std::string_view text) {

@@ -37,6 +37,9 @@ inline constexpr std::size_t kMaxRecentFiles = 10, kMaxTabs = 16, kMaxBreakpoint
 // What a first start shows.
 Settings default_settings();
 
+// The file that a start without one opens; empty: the demo level.
+std::string first_file(const Settings& settings);
+
 // "settings.json" in config_folder().
 std::string settings_path();
 

@@ -68,6 +68,7 @@ TEST_F(UiSettings, EverySettingIsTakenAndStoredAgain) {
        {{"theme", "light"},
         {"font_size", 16},
         {"plays_opened", false},
+        {"starts_with", "last_level"},
         {"keys", {{"canvas/grid", {"Ctrl+Shift+J", ""}}}},
         {"programs", programs}}}};
   for (const auto& [key, value] : standard.items()) {

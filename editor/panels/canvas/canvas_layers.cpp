@@ -47,20 +47,6 @@ int image_of(const BodyImages& images, const Body& body) {
   return first_ball;
 }
 
-// A box with a face, and its foot: the whole bottom side, or the middle of it.
-void draw_figure(ImDrawList& list, ImVec2 from, ImVec2 to, Foot foot, int alpha) {
-  const float w = to.x - from.x, h = to.y - from.y;
-  const ImU32 dark = theme::color(theme::kDark, alpha);
-  list.AddRectFilled(from, to, theme::color(theme::kAccent, alpha));
-  list.AddRect(from, to, dark);
-  for (const float x : {0.3f, 0.6f})
-    list.AddRectFilled({from.x + w * x, from.y + h * 0.2f}, {from.x + w * (x + 0.12f), from.y + h * 0.45f},
-                       dark);
-  const float inset = foot == Foot::centre ? w * 0.38f : 0;
-  list.AddRectFilled({from.x + inset, to.y - std::max(1.0f, h * 0.15f)}, {to.x - inset, to.y},
-                     theme::color(theme::kText, alpha));
-}
-
 void draw_body(ImDrawList& list, const BodyImages& images, const Body& body, const CanvasView& view,
                const Ui& ui, int alpha) {
   const ImVec2 from = view.to_screen({body.box.x, body.box.y});
@@ -77,6 +63,21 @@ void draw_body(ImDrawList& list, const BodyImages& images, const Body& body, con
 }
 
 }  // namespace
+
+int tile_of_body(const Level& level, const Body& body) { return image_of(BodyImages(level), body); }
+
+void draw_figure(ImDrawList& list, ImVec2 from, ImVec2 to, Foot foot, int alpha) {
+  const float w = to.x - from.x, h = to.y - from.y;
+  const ImU32 dark = theme::color(theme::kDark, alpha);
+  list.AddRectFilled(from, to, theme::color(theme::kAccent, alpha));
+  list.AddRect(from, to, dark);
+  for (const float x : {0.3f, 0.6f})
+    list.AddRectFilled({from.x + w * x, from.y + h * 0.2f}, {from.x + w * (x + 0.12f), from.y + h * 0.45f},
+                       dark);
+  const float inset = foot == Foot::centre ? w * 0.38f : 0;
+  list.AddRectFilled({from.x + inset, to.y - std::max(1.0f, h * 0.15f)}, {to.x - inset, to.y},
+                     theme::color(theme::kText, alpha));
+}
 
 void draw_curves(ImDrawList& list, const Level& level, const CanvasView& view, float scale) {
   if (level.curves.empty()) return;

@@ -24,6 +24,12 @@ void draw_spawns(ImDrawList& list, const Level& level, const CanvasView& view, c
 // The bodies at the shown frame, with the images of a level; the chosen one is framed. `alpha`: 0 to 255.
 void draw_bodies(ImDrawList& list, const Session& session, const Level& level, const CanvasView& view,
                  const Ui& ui, int alpha);
+// The tile whose image a body has: its own, of the layer in front, or the first ball tile; -1 if there is
+// none.
+int tile_of_body(const Level& level, const Body& body);
+// A box with a face, and its foot: the whole bottom side, or the middle of it. from, to: px of the screen.
+// `alpha`: 0 to 255.
+void draw_figure(ImDrawList& list, ImVec2 from, ImVec2 to, Foot foot, int alpha);
 // The bodies of the other side of a comparison, if they are elsewhere.
 void draw_ghosts(ImDrawList& list, const Session& session, const CanvasView& view, float scale);
 // The bodies of any state; the one with this id is framed, 0: no body.

@@ -201,6 +201,13 @@ std::vector<Command> view_commands() {
              ui.view.sprites.pixels.enlarged = false;
              ui.view.canvas.mode = CanvasMode::both;
            }},
+      {.id = "help/welcome",
+       .label = "Welcome page",
+       .help = "Shows recent levels, new ones, and examples that move.",
+       .menu = menus::kHelp,
+       .run = toggle<&View::window, &WindowView::welcome_open>,
+       .checked = is_on<&View::window, &WindowView::welcome_open>,
+       .words = "start recent examples gallery home"},
       {.id = "help/keys",
        .label = "Keys and mouse",
        .help = "Shows every key.",

@@ -22,7 +22,8 @@ struct FilesView {
   std::vector<std::string> recent_files;  // absolute paths, the latest first
   // Small pictures of their levels, by path; some may be missing.
   std::map<std::string, std::shared_ptr<const SheetPicture>> recent_pictures;
-  std::vector<std::string> hard_cases;  // paths of the levels that come with the program, in order
+  std::vector<std::string> scenes;      // paths of the demo and other levels that come with the program
+  std::vector<std::string> hard_cases;  // paths of the hard cases, in order
 };
 
 }  // namespace talus

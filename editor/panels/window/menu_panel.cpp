@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "panels/commands/commands.h"
+#include "panels/files/picture_in_list.h"
 
 namespace talus {
 namespace {
@@ -77,20 +78,10 @@ std::vector<std::string> menus_of_menu(std::string_view path) {
 }
 
 // Before the row of a file: the picture of its level, or a dark field if none is known.
-void draw_level_picture(const std::string& file, Ui& ui) {
+void draw_picture_of_row(const std::string& file, Ui& ui) {
   const ImVec2 room{ui.px(64), ui.px(36)}, at = ImGui::GetCursorScreenPos();
   ImGui::Dummy(room);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, {at.x + room.x, at.y + room.y}, theme::color(theme::kDark));
-  const auto& pictures = ui.view.files.recent_pictures;
-  if (const auto found = pictures.find(file); found != pictures.end()) {
-    const auto width = static_cast<float>(found->second->width);
-    const auto height = static_cast<float>(found->second->height);
-    const float zoom = std::min(room.x / width, room.y / height);
-    const ImVec2 from{at.x + (room.x - zoom * width) / 2, at.y + (room.y - zoom * height) / 2};
-    list.AddImage(ui.small_pictures->texture(found->second), from,
-                  {from.x + zoom * width, from.y + zoom * height});
-  }
+  draw_recent_picture(file, at, {at.x + room.x, at.y + room.y}, ui);
   ImGui::SameLine();
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (room.y - ImGui::GetTextLineHeight()) / 2);
 }
@@ -185,7 +176,7 @@ void MenuPanel::draw_maps(const Session& session, Actions& actions, Ui& ui) {
   if (!open) return;
   for (std::size_t i = 0; i < std::min(files.size(), kMostShown); ++i) {
     const std::string name = std::filesystem::path(files[i]).filename().string();
-    draw_level_picture(files[i], ui);
+    draw_picture_of_row(files[i], ui);
     if (menu_item(name, std::to_string(i), {}, maps.current() == i))
       actions.push_back(action::OpenFile{files[i]});
     ui.item("menu/maps" + std::to_string(i), files[i]);
@@ -200,7 +191,7 @@ void MenuPanel::draw_recent_files(const Session&, Actions& actions, Ui& ui) {
   if (!open) return;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string name = std::filesystem::path(files[i]).filename().string();
-    draw_level_picture(files[i], ui);
+    draw_picture_of_row(files[i], ui);
     if (menu_item(name, std::to_string(i))) actions.push_back(action::OpenFile{files[i]});
     ui.item("menu/recent" + std::to_string(i), files[i]);
   }
@@ -214,10 +205,7 @@ void MenuPanel::draw_hard_cases(const Session&, Actions& actions, Ui& ui) {
           "Scenes that break slope code, each with its own input, and the right answer drawn over it.");
   if (!open) return;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    std::string name = std::filesystem::path(files[i]).filename().string();
-    name.erase(std::min(name.find('.'), name.size()));
-    std::replace(name.begin(), name.end(), '-', ' ');
-    if (menu_item(name, {})) actions.push_back(action::OpenFile{files[i], true});
+    if (menu_item(example_name(files[i]), {})) actions.push_back(action::OpenFile{files[i], true});
     ui.item("menu/hard_case" + std::to_string(i), files[i]);
   }
   ImGui::EndMenu();

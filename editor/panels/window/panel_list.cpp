@@ -44,6 +44,7 @@
 #include "question_panel.h"
 #include "settings_panel.h"
 #include "status_panel.h"
+#include "welcome_panel.h"
 
 namespace talus {
 namespace {
@@ -82,6 +83,7 @@ std::vector<PanelPlace> make_panels() {
   panels.push_back(place<TimelinePanel>(Region::timeline));
   panels.push_back(place<TransportPanel>(Region::transport));
   panels.push_back(place<StatusPanel>(Region::status));
+  panels.push_back(place<WelcomePanel>(Region::floating));
   panels.push_back(place<HelpPanel>(Region::floating));
   panels.push_back(place<MetricsPanel>(Region::floating));
   panels.push_back(place<SettingsPanel>(Region::floating));

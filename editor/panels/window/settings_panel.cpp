@@ -5,6 +5,7 @@
 
 #include "panels/canvas/overlay_painter.h"
 #include "panels/commands/commands.h"
+#include "start_choice.h"
 
 namespace talus {
 namespace {
@@ -69,6 +70,8 @@ void draw_looks(const Session& session, Actions& actions, Ui& ui) {
 }
 
 void draw_opening(Ui& ui) {
+  setting_row("Start", ui);
+  draw_start_choice("settings/start", ui.px(kSettingWidth), ui);
   setting_row("Opening", ui);
   checkbox("Play a level when it opens", "plays_opened", ui.view.preferences.plays_opened);
   ui.item("settings/plays_opened", "A level with bodies plays as soon as it is open. A recording waits.");

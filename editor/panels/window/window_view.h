@@ -33,6 +33,7 @@ struct WindowView {
   double ui_scale = 0;            // 0: by the window's height; else 1 to 4
   bool keys_in_panel = false;     // the arrows, Tab, Space and Enter go from control to control
   bool help_open = false;
+  bool welcome_open = false;  // the welcome page, over the level
   bool settings_open = false;
   bool metrics_open = false;
   bool recovery_open = false;  // the dialog with work that was saved automatically before a crash
@@ -40,6 +41,7 @@ struct WindowView {
   // device"; empty if it is.
   std::string autosave_problem;
   KeyChord dialog_key;  // the key that went down in this frame while a dialog was open, except by repetition
+  bool is_in_front = true;  // the display's keys go to the program; else nothing moves that need not
   FrameMetrics metrics;
 };
 

@@ -1,0 +1,173 @@
+// Reads examples, plays them, and draws them by textures of their own.
+#include "level_preview.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <talus/formats/format.h>
+#include "export/map_png.h"
+#include "formats/native/hard_case_file.h"
+#include "formats/pictures/png_picture.h"
+#include "level/resize.h"
+#include "level/tile_color.h"
+#include "overlay/visible.h"
+#include "panels/canvas/canvas_layers.h"
+#include "panels/canvas/opening_area.h"
+#include "panels/files/picture_in_list.h"
+#include "sim/case_input.h"
+
+namespace talus {
+namespace {
+
+constexpr std::int64_t kLeastPreviewFrames = 90, kMostPreviewFrames = 600;  // of a run
+
+// The cells that an area touches, px of the level.
+Rect area_of_cells(const Rect& area, const TileMap& map) {
+  const Cell from = map.cell_at({area.x, area.y});
+  const TileSize tile = map.tile_size();
+  const double left = std::max(0, from.x) * tile.width, top = std::max(0, from.y) * tile.height;
+  const auto up = [](double length, int side) { return std::ceil(length / side) * side; };
+  return {left, top, std::min(up(area.right() - left, tile.width), map.px_width() - left),
+          std::min(up(area.bottom() - top, tile.height), map.px_height() - top)};
+}
+
+// The level without its bodies, and nothing but an area of whole cells.
+Level cut_to_area(const Level& level, const Rect& area) {
+  const TileSize tile = level.map.tile_size();
+  const auto cells = [](double length, int side) { return static_cast<int>(std::lround(length / side)); };
+  ResizedMap part = resized(level, {.width = cells(area.w, tile.width),
+                                    .height = cells(area.h, tile.height),
+                                    .shift = {-cells(area.x, tile.width), -cells(area.y, tile.height)}});
+  Level cut = level;
+  cut.map = std::move(part.map);
+  cut.layers = std::move(part.layers);
+  cut.objects = std::move(part.objects);
+  cut.spawns.clear();
+  cut.curves.clear();
+  Sheet& sheet = cut.sheet(SheetId::tiles);
+  for (int number = 0; number < sheet.count(); ++number)
+    if (is_ball_tile(level, static_cast<TileNumber>(number)))
+      sheet.images[static_cast<std::size_t>(number)].fill(0);
+  return cut;
+}
+
+std::shared_ptr<const SheetPicture> picture_of_area(const Level& level, const Rect& area) {
+  const auto png = map_png(cut_to_area(level, area), {}, kMaxPictureInside);
+  if (!png) return nullptr;
+  const auto picture = read_rgba(*png, kMaxSheetPictureSide);
+  return picture ? shared_picture(*picture) : nullptr;
+}
+
+// Colour 0 is clear.
+std::shared_ptr<const SheetPicture> picture_of_ball(const Level& level, int number) {
+  const TileSize tile = level.map.tile_size();
+  SheetPicture picture{tile.width, tile.height, {}};
+  const TileImage& image = level.sheet(SheetId::tiles).images[static_cast<std::size_t>(number)];
+  for (int y = 0; y < tile.height; ++y) {
+    for (int x = 0; x < tile.width; ++x) {
+      const std::uint8_t index = color_at(image, tile, x, y);
+      const Rgb color = level.palette[index];
+      picture.rgba.insert(picture.rgba.end(),
+                          {color.r, color.g, color.b, static_cast<std::uint8_t>(index == 0 ? 0 : 255)});
+    }
+  }
+  return std::make_shared<const SheetPicture>(std::move(picture));
+}
+
+}  // namespace
+
+LevelPreview::LevelPreview(const std::string& path) {
+  auto loaded = load_level(path);
+  if (!loaded) return;
+  level_ = std::move(loaded->level);
+  if (auto hard = hard_case_of(level_); hard && *hard) case_ = std::move(**hard);
+  const auto scene = std::make_shared<const Scene>(compile_scene(level_));
+  start_ = state_ = initial_state(*scene);
+  solver_ = make_solver(scene);
+  area_ = area_of_cells(opening_area(level_, state_).area, level_.map);
+  picture_ = picture_of_area(level_, area_);
+  for (const Body& body : state_.bodies) {
+    const int tile = tile_of_body(level_, body);
+    images_.push_back(tile >= 0 ? picture_of_ball(level_, tile) : nullptr);
+  }
+}
+
+Input LevelPreview::input() const {
+  constexpr std::int64_t kRun = 150, kBetweenJumps = 50, kJump = 12;  // frames
+  if (!case_.input.empty()) return case_input(case_.input, state_.frame + 1);
+  if (case_.frames > 0) return {};
+  Input held;
+  held.right = state_.frame / kRun % 2 == 0;
+  held.left = !held.right;
+  held.jump = state_.frame % kBetweenJumps >= kBetweenJumps - kJump;
+  return held;
+}
+
+bool LevelPreview::is_over() const {
+  const std::int64_t frames = case_.frames > 0
+                                  ? std::clamp(case_.frames, kLeastPreviewFrames, kMostPreviewFrames)
+                                  : kMostPreviewFrames;
+  const Body* player = followed_body(state_, 0);
+  return state_.frame >= frames || (player != nullptr && !meet(player->box, area_));
+}
+
+void LevelPreview::step() {
+  if (!solver_) return;
+  if (is_over()) state_ = start_;
+  solver_->step(state_, input());
+}
+
+void LevelPreview::draw_body(const Body& body, ImVec2 from, ImVec2 to, Ui& ui) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const auto& image = images_[static_cast<std::size_t>(body.id - 1)];
+  if (traits_of(body.kind).look == BodyLook::figure)
+    draw_figure(list, from, to, body.foot, 255);
+  else if (image != nullptr)
+    list.AddImage(ui.small_pictures->texture(image), from, to);
+  else
+    list.AddCircleFilled({(from.x + to.x) / 2, (from.y + to.y) / 2}, (to.x - from.x) / 2,
+                         theme::color(theme::kText));
+}
+
+void LevelPreview::draw(ImVec2 min, ImVec2 max, Ui& ui) const {
+  draw_picture_in(picture_, min, max, ui);
+  if (!picture_) return;
+  const double zoom = std::min((max.x - min.x) / area_.w, (max.y - min.y) / area_.h);
+  const Vec2 corner{min.x + (max.x - min.x - zoom * area_.w) / 2,
+                    min.y + (max.y - min.y - zoom * area_.h) / 2};
+  const CanvasView view{min,
+                        max,
+                        {corner.x - zoom * area_.x, corner.y - zoom * area_.y},
+                        static_cast<float>(zoom),
+                        level_.map.tile_size()};
+  ImGui::PushClipRect(view.to_screen({area_.x, area_.y}), view.to_screen({area_.right(), area_.bottom()}),
+                      true);
+  draw_curves(*ImGui::GetWindowDrawList(), level_, view, ui.scale / 2);
+  for (const Body& body : state_.bodies)
+    if (meet(body.box, area_))
+      draw_body(body, view.to_screen({body.box.x, body.box.y}),
+                view.to_screen({body.box.right(), body.box.bottom()}), ui);
+  ImGui::PopClipRect();
+}
+
+void LevelPreviews::begin_frame(double time, bool moves) {
+  constexpr double kStep = 1.0 / 60;  // s
+  may_read_ = true;
+  steps_ = moves ? std::clamp(static_cast<int>((time - time_) / kStep), 0, kMostSteps) : 0;
+  time_ = steps_ == kMostSteps || !moves ? time : time_ + steps_ * kStep;
+}
+
+void LevelPreviews::draw(const std::string& path, ImVec2 min, ImVec2 max, Ui& ui) {
+  auto preview = previews_.find(path);
+  if (preview == previews_.end() && may_read_) {
+    may_read_ = false;
+    preview = previews_.try_emplace(path, path).first;
+  }
+  if (preview == previews_.end()) return draw_picture_in(nullptr, min, max, ui);
+  for (int i = 0; i < steps_; ++i) preview->second.step();
+  preview->second.draw(min, max, ui);
+}
+
+void LevelPreviews::clear() { previews_.clear(); }
+
+}  // namespace talus
