@@ -130,7 +130,28 @@ ImVec2 UiTest::on_pixels(int x, int y) {
                               static_cast<float>(area.height())};
 }
 
+// Moves the sheet with the middle button if the tile is not in sight.
 ImVec2 UiTest::on_sheet(int tile) {
+  const Widget* canvas = find("sheet/canvas");
+  if (!canvas) return {0, 0};
+  const ImVec2 from = canvas->min, to = canvas->max;
+  // More than a hand trembles.
+  const auto missing = [](float at, float least, float most) {
+    return at < least ? at - least - 16 : at > most ? at - most + 16 : 0;
+  };
+  ImVec2 at = place_on_sheet(tile);
+  for (int drags = 0; drags < 100; ++drags, at = place_on_sheet(tile)) {
+    const ImVec2 by{missing(at.x, from.x + 8, to.x - 8), missing(at.y, from.y + 8, to.y - 8)};
+    if (by.x == 0 && by.y == 0) break;
+    const ImVec2 grip{by.x > 0 ? to.x - 4 : from.x + 4, by.y > 0 ? to.y - 4 : from.y + 4};
+    const ImVec2 end{std::clamp(grip.x - by.x, from.x + 2, to.x - 2),
+                     std::clamp(grip.y - by.y, from.y + 2, to.y - 2)};
+    drag(grip, end, kMiddle);
+  }
+  return at;
+}
+
+ImVec2 UiTest::place_on_sheet(int tile) {
   const Widget* sheet = find("sheet/tiles") ? find("sheet/tiles") : find("sheet/sprites");
   if (!sheet) return {0, 0};
   const SheetLayout layout = level().sheet(session().choices().area.sheet).layout();

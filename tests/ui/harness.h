@@ -64,7 +64,7 @@ class UiTest : public ::testing::Test {
   ImVec2 on_canvas(const std::string& canvas, Vec2 level);
   ImVec2 on_map(Cell cell) { return on_canvas("map", level().map.box_of(cell).center()); }
   ImVec2 on_pixels(int x, int y);  // on the pixel canvas
-  ImVec2 on_sheet(int tile);
+  ImVec2 on_sheet(int tile);       // which is brought into sight
 
   void move(ImVec2 to);
   void press(int button = kLeft);
@@ -90,6 +90,7 @@ class UiTest : public ::testing::Test {
   void drop_all(const std::vector<std::string>& files);  // in one gesture
 
  private:
+  ImVec2 place_on_sheet(int tile);
   void push(SDL_Event event);
   void push_key(SDL_Keysym sym, bool down);
   void push_motion(ImVec2 to);

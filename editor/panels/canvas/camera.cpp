@@ -146,6 +146,17 @@ void Camera::show(const Rect& area, bool may_be_cut, Vec2 map, ImVec2 canvas) {
   untouched_ = true;
 }
 
+void Camera::show_corner(float least, float most, Vec2 map, ImVec2 canvas) {
+  step_ = step_that_fits({map.x, 0}, fitted(canvas));
+  between_.reset();
+  before_.reset();
+  while (step_ > 0 && zoom() > most) --step_;
+  while (step_ + 1 < static_cast<int>(kZooms.size()) && zoom() < least) ++step_;
+  offset_ = {};
+  stay_on_map(map, canvas);
+  untouched_ = true;
+}
+
 void Camera::stay_on_map(Vec2 map, ImVec2 canvas) {
   offset_ = {kept_on_map(offset_.x, map.x * zoom(), canvas.x),
              kept_on_map(offset_.y, map.y * zoom(), canvas.y)};

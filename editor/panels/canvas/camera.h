@@ -52,6 +52,9 @@ class Camera {
   // Shows an area of the map, px of the level, as large as it fits. The zoom is a step if one is close: the
   // lower one, or, if the area may be cut at its edges, the upper one. `map` is the map's size.
   void show(const Rect& area, bool may_be_cut, Vec2 map, ImVec2 canvas);
+  // Shows the map from its top left corner, at the largest step at which its width fits; but not below
+  // `least` and else not above `most`, screen px per px of the level.
+  void show_corner(float least, float most, Vec2 map, ImVec2 canvas);
   // The world view: shows the whole map, or goes back.
   void toggle_whole(Vec2 map, ImVec2 canvas);
   // True after toggle_whole() until another zoom is chosen.
@@ -62,6 +65,8 @@ class Camera {
   void limit(Vec2 map, ImVec2 canvas);
   // Keeps a part of the map in sight.
   void clamp(Vec2 map, ImVec2 canvas);
+  // Shows nothing beside the map; one that is smaller than the canvas lies in its middle.
+  void stay_on_map(Vec2 map, ImVec2 canvas);
   // tile: px of the level, of a cell.
   CanvasView view(ImVec2 min, ImVec2 size, TileSize tile) const;
 
@@ -73,7 +78,6 @@ class Camera {
   };
   // px of the screen to scroll by until the point has so much room around it.
   Vec2 missing(Vec2 point, Vec2 room, ImVec2 canvas) const;
-  void stay_on_map(Vec2 map, ImVec2 canvas);
 
   int step_ = 16;                 // 2x
   std::optional<float> between_;  // the zoom, if it is one between step_ and the next

@@ -135,7 +135,7 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
   draw_fix_preview(list, view, ui);
   const bool paints = !is_play() || ui.view.canvas.paint_in_play;
   if (paints && session.choices().selection) draw_selection(list, *session.choices().selection, view, ui);
-  if (paints && !panning_ && !camera_.shows_whole() && !sheet_overlay_.has_mouse())
+  if (paints && !camera_hand_.is_moving() && !camera_.shows_whole() && !sheet_overlay_.has_mouse())
     hand_.draw(list, use(session, view, ui));
   if (is_play() && !session.playback().running) draw_paused(session, view, ui);
   draw_captions(session, view, ui);
@@ -244,7 +244,7 @@ void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui,
       ui.view.canvas.hover.cell = cell;
       ui.view.sprites.tile_places[session.level().map.tile_at(cell)] = cell;
     }
-    zoom_by_wheel({io.MousePos.x - view.min.x, io.MousePos.y - view.min.y});
+    camera_hand_.zoom(camera_, {io.MousePos.x - view.min.x, io.MousePos.y - view.min.y});
     if (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2) ||
         io.MouseWheel != 0) {
       ui.view.canvas.play_active = is_play();
@@ -255,11 +255,13 @@ void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui,
     ui.view.canvas.marked_cell.reset();
     if (ui.view.canvas.hover.cell) ui.view.canvas.clicked_cell = cell;
   }
-  const bool is_held = panning_ || holding_ || is_editing();
+  const bool is_held = camera_hand_.is_moving() || holding_ || is_editing();
   if (is_play() && !is_held && legend(session, view, ui).take_mouse(ui)) return;
   if (pick_cell(session, ui, cell, hovered)) return;
   const bool paints = !is_play() || ui.view.canvas.paint_in_play;
-  if (paints && sheet_overlay_.update(session, actions, ui, view, hovered, is_editing() || panning_)) return;
+  if (paints &&
+      sheet_overlay_.update(session, actions, ui, view, hovered, is_editing() || camera_hand_.is_moving()))
+    return;
   if (handle_minimap(session, view, ui, hovered)) return;
   if (handle_panning(session, ui, paints, hovered)) return;
   if (handle_world_view(session, ui, hovered)) return;
@@ -322,32 +324,20 @@ bool LevelCanvas::handle_world_view(const Session& session, Ui& ui, bool hovered
 bool LevelCanvas::handle_minimap(const Session& session, const CanvasView& view, const Ui& ui, bool hovered) {
   if (!has_minimap(ui) || is_editing()) return false;
   std::optional<Vec2> centre;
-  const bool taken = minimap_.update(session.level().map, view, ui,
-                                     hovered && !panning_ && !ui.view.canvas.cursor.on(), centre);
+  const bool taken =
+      minimap_.update(session.level().map, view, ui,
+                      hovered && !camera_hand_.is_moving() && !ui.view.canvas.cursor.on(), centre);
   if (centre) camera_.centre(*centre, size_);
   return taken;
 }
 
-// Touch pads turn the wheel by fractions, which add up.
-void LevelCanvas::zoom_by_wheel(ImVec2 at) {
-  wheel_ += ImGui::GetIO().MouseWheel;
-  const int steps = static_cast<int>(wheel_);
-  wheel_ -= static_cast<float>(steps);
-  if (steps != 0) camera_.zoom_at(at, steps);
-}
-
 bool LevelCanvas::handle_panning(const Session& session, Ui& ui, bool paints, bool hovered) {
-  const ImGuiIO& io = ImGui::GetIO();
-  const bool space = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space)) && !keys_steer(session, ui.view) &&
-                     !ui.view.canvas.cursor.on();
-  const bool hand = space || (session.choices().map_tool == MapTool::pan && paints);
+  const bool hand =
+      space_moves_view(session, ui.view) || (session.choices().map_tool == MapTool::pan && paints);
   const bool middle = ImGui::IsMouseClicked(2) && !paints;  // where tools paint, it picks tiles
-  if (hovered && (ImGui::IsMouseClicked(1) || middle || (hand && ImGui::IsMouseClicked(0)))) panning_ = true;
-  if (!io.MouseDown[0] && !io.MouseDown[1] && !io.MouseDown[2]) panning_ = false;
-  if (panning_) camera_.scroll({-io.MouseDelta.x, -io.MouseDelta.y});
-  if (panning_ && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) let_go(ui);
-  if (panning_) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-  return panning_;
+  const bool starts = ImGui::IsMouseClicked(1) || middle || (hand && ImGui::IsMouseClicked(0));
+  if (camera_hand_.move(camera_, hovered && starts)) let_go(ui);
+  return camera_hand_.is_moving();
 }
 
 void LevelCanvas::handle_play_mouse(const Session& session, Actions& actions, const CanvasView& view,

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "camera.h"
+#include "camera_hand.h"
 #include "level_at_frame.h"
 #include "minimap.h"
 #include "overlay_legend.h"
@@ -52,7 +53,6 @@ class LevelCanvas {
     return !is_play() && ui.view.canvas.minimap && !camera_.shows_whole();
   }
   bool has_requests(const View& view) const;
-  void zoom_by_wheel(ImVec2 at);
   bool handle_panning(const Session& session, Ui& ui, bool paints, bool hovered);
   void handle_play_mouse(const Session& session, Actions& actions, const CanvasView& view, bool hovered);
   void draw_layers(const Session& session, const CanvasView& view, const Ui& ui);
@@ -76,6 +76,7 @@ class LevelCanvas {
   bool is_second_;
   std::string name_;
   Camera camera_;
+  CameraHand camera_hand_;
   LevelToolHand hand_;
   SheetOverlay sheet_overlay_;
   Minimap minimap_;
@@ -85,9 +86,7 @@ class LevelCanvas {
   bool compiling_ = false;  // whether its bodies were not all there then
   // Frame and body to which the view has gone; nothing if it follows none.
   std::optional<std::pair<std::int64_t, int>> followed_;
-  float wheel_ = 0;  // clicks of the wheel that do not make a whole step yet
-  ImVec2 size_;      // px, of the canvas in the last frame
-  bool panning_ = false;
+  ImVec2 size_;           // px, of the canvas in the last frame
   bool holding_ = false;  // whether the left button went down on the play view
 };
 

@@ -1,4 +1,4 @@
-// The sheet, at the largest whole zoom that fits.
+// Draws the sheet and takes its mouse.
 #include "sheet_panel.h"
 
 #include <algorithm>
@@ -20,8 +20,6 @@
 
 namespace talus {
 namespace {
-
-constexpr float kMostZoom = 32;  // px of the screen for a pixel
 
 void draw_frame(ImDrawList& list, CellRect tiles, ImVec2 at, float cell, ImU32 color, const Ui& ui) {
   const ImVec2 from{at.x + static_cast<float>(tiles.x) * cell, at.y + static_cast<float>(tiles.y) * cell};
@@ -59,11 +57,14 @@ CellRect shown_part(const Session& session, const Ui& ui) {
 template <class Use>
 void for_each_visible(ImDrawList& list, const SheetLayout& sheet, CellRect part, ImVec2 at, float cell,
                       Use use) {
-  const float top = list.GetClipRectMin().y, bottom = list.GetClipRectMax().y;
-  const int from = std::max(part.y, static_cast<int>(std::floor((top - at.y) / cell)));
-  const int to = std::min(part.y + part.h - 1, static_cast<int>(std::floor((bottom - at.y) / cell)));
+  const ImVec2 top_left = list.GetClipRectMin(), bottom_right = list.GetClipRectMax();
+  const auto index = [cell](float pixels) { return static_cast<int>(std::floor(pixels / cell)); };
+  const int left = std::max(part.x, index(top_left.x - at.x));
+  const int right = std::min(part.x + part.w - 1, index(bottom_right.x - at.x));
+  const int from = std::max(part.y, index(top_left.y - at.y));
+  const int to = std::min(part.y + part.h - 1, index(bottom_right.y - at.y));
   for (int y = from; y <= to; ++y)
-    for (int x = part.x; x < part.x + part.w; ++x)
+    for (int x = left; x <= right; ++x)
       if (sheet.contains({x, y}))
         use(sheet.tile_at({x, y}),
             ImVec2{at.x + static_cast<float>(x) * cell, at.y + static_cast<float>(y) * cell});
@@ -111,79 +112,78 @@ void SheetPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     draw_tabs(session, actions, ui);
     finder_.draw(session, actions, ui);
   }
-  ImGui::BeginChild("scrolled", ImGui::GetContentRegionAvail(), false,
-                    ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoBackground);
   draw_sheet(session, actions, ui);
-  ImGui::EndChild();
-}
-
-// The zoom at which the sheet fits, if it does at 1 px a pixel; else that at which its width fits, but not
-// less than 1. The user's zoom comes on top.
-float SheetPanel::zoom_of(CellRect part, ImVec2 room, const Ui& ui) const {
-  const float width = static_cast<float>(part.w * kCartTileSize);
-  const float height = static_cast<float>(part.h * kCartTileSize);
-  const float fits = std::floor(std::min(room.x / width, room.y / height));
-  const float bar = ImGui::GetStyle().ScrollbarSize;
-  const float zoom = fits >= 1 ? fits : std::max(1.0f, std::floor((room.x - bar) / width));
-  return std::clamp(zoom + static_cast<float>(ui.view.sprites.sheet_zoom), 1.0f, kMostZoom);
 }
 
 void SheetPanel::draw_sheet(const Session& session, Actions& actions, Ui& ui) {
-  const SpriteArea& area = session.choices().area;
-  const SheetLayout& sheet = ui.layout(area.sheet);
-  const CellRect part = shown_part(session, ui);
-  const ImVec2 room = ImGui::GetContentRegionAvail();
-  const float zoom = zoom_of(part, room, ui), cell = zoom * kCartTileSize;
-  const float width = cell * static_cast<float>(part.w), height = cell * static_cast<float>(part.h);
-  ImVec2 min = ImGui::GetCursorScreenPos();
-  min.x = std::floor(min.x + std::max(0.0f, (room.x - width) / 2));
-  const ImVec2 max{min.x + width, min.y + height};
-  if (const int tile = std::exchange(ui.view.sprites.shown_tile, -1); tile >= 0 && tile < sheet.count) {
-    const Cell place = sheet.place_of(tile);
-    ImGui::SetScrollFromPosY(ImGui::GetCursorPosY() - ImGui::GetScrollY() +
-                             (static_cast<float>(place.y - part.y) + 0.5f) * cell);
-    ImGui::SetScrollFromPosX((static_cast<float>(place.x - part.x) + 0.5f) * cell - ImGui::GetScrollX());
-  }
-  // Where tile 0 of the whole sheet would be.
-  const ImVec2 at{min.x - static_cast<float>(part.x) * cell, min.y - static_cast<float>(part.y) * cell};
-  ImGui::SetCursorScreenPos(min);
-  ImGui::InvisibleButton("sheet", {width, height},
-                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
-  ui.item(area.sheet == SheetId::tiles ? "sheet/tiles" : "sheet/sprites");
-  handle_mouse(session, actions, ui, part, at, cell);
-
+  const SheetId sheet = session.choices().area.sheet;
+  const ImVec2 left = ImGui::GetContentRegionAvail();
+  const ImVec2 room{std::max(1.0f, std::floor(left.x)), std::max(1.0f, std::floor(left.y))};
+  camera_.begin(session, ui, shown_part(session, ui), room);
+  follow_choice(session, ui);
+  const ImVec2 at = ImGui::GetCursorScreenPos(), corner{std::floor(at.x), std::floor(at.y)};
+  ImGui::SetCursorScreenPos(corner);
+  ImGui::InvisibleButton("sheet", room,
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                             ImGuiButtonFlags_MouseButtonMiddle);
+  ui.item("sheet/canvas");
+  if (camera_.take_mouse(session, ui, corner))
+    drag_from_.reset();
+  else
+    handle_mouse(session, actions, ui, camera_.view(corner));
+  const CellRect tiles = camera_.view(corner).tiles;
+  const int side = session.level().map.tile_size().width;
+  const CursorGround ground{{0, 0, tiles.w * side, tiles.h * side}, {side, side}};
+  if (const auto moved =
+          ui.view.canvas.cursor.visit("sheet", camera_.view(corner).canvas, ground, ImGui::GetIO().MousePos))
+    camera_.show(*moved);
+  const SheetView view = camera_.view(corner);
+  ui.place(sheet == SheetId::tiles ? "sheet/tiles" : "sheet/sprites", view.min(), view.max());
   ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(view.canvas.min, view.canvas.max, true);
+  draw_layers(list, session, view, ui);
+  ui.view.canvas.cursor.draw("sheet", list, view.canvas, ui.scale);
+  list.PopClipRect();
+}
+
+// A choice that was not made here comes into sight.
+void SheetPanel::follow_choice(const Session& session, Ui& ui) {
+  const SpriteArea& area = session.choices().area;
+  const int asked = std::exchange(ui.view.sprites.shown_tile, -1);
+  const bool is_new = asked >= 0 || area.tiles != shown_choice_;
+  shown_choice_ = area.tiles;
+  const CellRect part = shown_part(session, ui);
+  if (is_new && !drag_from_ && part.contains({area.tiles.x, area.tiles.y})) camera_.show(area.tiles);
+}
+
+void SheetPanel::draw_layers(ImDrawList& list, const Session& session, const SheetView& view, const Ui& ui) {
+  const SpriteArea& area = session.choices().area;
+  const CellRect part = view.tiles;
+  const ImVec2 at = view.first();
+  const float cell = view.cell();
   const UvRect uv = ui.uv_of(area.sheet, part);
-  list.AddImage(ui.sheet(area.sheet), min, max, uv.from, uv.to);
-  list.PushClipRect({min.x - ui.px(2), min.y - ui.px(2)}, {max.x + ui.px(2), max.y + ui.px(2)}, true);
+  list.AddImage(ui.sheet(area.sheet), view.min(), view.max(), uv.from, uv.to);
   if (area.sheet == SheetId::tiles && session.choices().overlays.has(overlay::shapes)) {
     const std::uint32_t color = overlay_color(overlay::shapes, session.choices().overlay_palette);
     draw_sheet_shapes(list, session.level(), at, cell, color, ui);
   }
-  if (session.choices().grid) draw_grid(list, part, min, cell);
+  if (session.choices().grid) draw_grid(list, part, view.min(), cell);
   if (const auto pattern = session.choices().flag_overlay)
     tint_tiles(list, session.level().sheet(area.sheet), *pattern, part, at, cell);
-  if (area.sheet == SheetId::tiles) draw_marks(session, part, at, cell, ui);
+  if (area.sheet == SheetId::tiles) draw_marks(list, session, view, ui);
   mark_stamp(list, session.choices(), at, cell, ui);
   draw_frame(list, area.tiles, at, cell, theme::color(theme::kText), ui);
-  list.PopClipRect();
-  const CanvasView view{min, max, {at.x, at.y}, zoom};
-  const CellRect pixels{part.x * kCartTileSize, part.y * kCartTileSize, part.w * kCartTileSize,
-                        part.h * kCartTileSize};
-  ui.view.canvas.cursor.visit("sheet", view, {pixels, {kCartTileSize, kCartTileSize}},
-                              ImGui::GetIO().MousePos);
-  ui.view.canvas.cursor.draw("sheet", list, view, ui.scale);
 }
 
 // Dims what is not found or not used, and gives used tiles a corner.
-void SheetPanel::draw_marks(const Session& session, CellRect tiles, ImVec2 at, float cell, const Ui& ui) {
+void SheetPanel::draw_marks(ImDrawList& list, const Session& session, const SheetView& view, const Ui& ui) {
   const bool marks = ui.view.sprites.marks_used;
   if (!marks && !finder_.is_searching()) return;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float cell = view.cell();
   const SheetLayout& sheet = ui.layout(SheetId::tiles);
   const ImU32 dim = theme::color(theme::kDark, 190), color = theme::color(theme::kAccent);
   const float corner = std::max(3.0f, cell / 4);
-  for_each_visible(list, sheet, tiles, at, cell, [&](int tile, ImVec2 from) {
+  for_each_visible(list, sheet, view.tiles, view.first(), cell, [&](int tile, ImVec2 from) {
     const bool is_used = marks && finder_.uses_of(session, tile) > 0;
     if ((marks && !is_used) || (finder_.is_searching() && !finder_.is_found(tile)))
       list.AddRectFilled(from, {from.x + cell, from.y + cell}, dim);
@@ -276,30 +276,27 @@ void SheetPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
     }
     ImGui::SameLine();
   }
-  command_button("pixels/enlarge"_command, session, actions, ui);
-  ImGui::SameLine();
+  for (const CommandId id : {"sheet/zoom_out"_command, "sheet/zoom_in"_command, "pixels/enlarge"_command}) {
+    command_button(id, session, actions, ui);
+    ImGui::SameLine();
+  }
   ui.right_aligned(selection_text(session.level(), area), theme::color(theme::kMuted));
   ui.tooltip("The selected tile, and how many tiles wide and high the selection is.");
 }
 
-void SheetPanel::handle_mouse(const Session& session, Actions& actions, Ui& ui, CellRect part, ImVec2 at,
-                              float cell) {
+void SheetPanel::handle_mouse(const Session& session, Actions& actions, Ui& ui, const SheetView& view) {
   const SheetId sheet = session.choices().area.sheet;
   const ImGuiIO& io = ImGui::GetIO();
-  const ImVec2 mouse = io.MousePos;
   const SheetLayout layout = session.level().sheet(sheet).layout();
-  const auto clamped = [&](float from, float to, int first, int count) {
-    return std::clamp(static_cast<int>(std::floor((to - from) / cell)), first, first + count - 1);
-  };
-  const Cell tile =
-      layout.nearest({clamped(at.x, mouse.x, part.x, part.w), clamped(at.y, mouse.y, part.y, part.h)});
+  const CellRect part = view.tiles;
+  const Cell pointed = view.place_at(io.MousePos);
+  const Cell tile = layout.nearest({std::clamp(pointed.x, part.x, part.x + part.w - 1),
+                                    std::clamp(pointed.y, part.y, part.y + part.h - 1)});
   const int number = layout.tile_at(tile);
   const bool paints = session.choices().map_tool == MapTool::flag;
-  if (ImGui::IsItemHovered()) {
-    ui.view.canvas.hover.tile = number;
-    if (io.KeyCtrl && io.MouseWheel != 0) ui.view.sprites.sheet_zoom += io.MouseWheel > 0 ? 1 : -1;
-  }
-  if (ImGui::IsItemActivated()) drag_from_ = tile;
+  const bool hovered = ImGui::IsItemHovered() && part.contains(pointed);
+  if (hovered) ui.view.canvas.hover.tile = number;
+  if (hovered && (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1))) drag_from_ = tile;
   const bool selects = !paints || io.MouseDown[1];
   if (drag_from_ && selects) actions.push_back(action::SelectTiles{{sheet, spanned(*drag_from_, tile)}});
   if (paints) {
@@ -307,9 +304,9 @@ void SheetPanel::handle_mouse(const Session& session, Actions& actions, Ui& ui, 
     flag_brush_.update(
         session, actions, sheet, tile,
         [&](Cell c) { return layout.contains(c) ? std::optional(layout.tile_at(c)) : std::nullopt; },
-        ImGui::IsItemHovered() && ImGui::IsMouseClicked(0), io.MouseDown[0]);
+        hovered && ImGui::IsMouseClicked(0), io.MouseDown[0]);
     ui.tooltip(flag_brush_.text(session, sheet, number), "the right button selects");
-  } else if (sheet == SheetId::tiles && ImGui::IsItemHovered() && !io.MouseDown[0]) {
+  } else if (sheet == SheetId::tiles && hovered && !io.MouseDown[0]) {
     ui.tooltip(finder_.text_of(session, number));
   }
   if (!ImGui::IsItemActive()) drag_from_.reset();

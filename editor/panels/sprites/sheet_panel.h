@@ -1,5 +1,5 @@
-// The sheet: all tiles, those of a tileset, or sprites; a large one scrolls, and Ctrl with the wheel zooms
-// it. A click or a drag selects what the other panels work on, or paints flags.
+// The sheet: all tiles, those of a tileset, or sprites. The wheel zooms it, and the middle button, or Space
+// and the left one, move it. A click or a drag selects what the other panels work on, or paints flags.
 #pragma once
 
 #include <optional>
@@ -7,6 +7,7 @@
 
 #include "panels/panel.h"
 #include "panels/tiles/flag_brush.h"
+#include "sheet_camera.h"
 #include "sheet_finder.h"
 
 namespace talus {
@@ -19,12 +20,15 @@ class SheetPanel : public Panel {
 
  private:
   void draw_sheet(const Session& session, Actions& actions, Ui& ui);
-  float zoom_of(CellRect part, ImVec2 room, const Ui& ui) const;
+  void follow_choice(const Session& session, Ui& ui);
+  void draw_layers(ImDrawList& list, const Session& session, const SheetView& view, const Ui& ui);
   void draw_header(const Session& session, Actions& actions, Ui& ui);
   void draw_tabs(const Session& session, Actions& actions, Ui& ui);
   void draw_tileset_menu(const Session& session, int index, Actions& actions, Ui& ui);
-  void draw_marks(const Session& session, CellRect tiles, ImVec2 at, float cell, const Ui& ui);
-  void handle_mouse(const Session& session, Actions& actions, Ui& ui, CellRect part, ImVec2 at, float cell);
+  void draw_marks(ImDrawList& list, const Session& session, const SheetView& view, const Ui& ui);
+  void handle_mouse(const Session& session, Actions& actions, Ui& ui, const SheetView& view);
+  SheetCamera camera_;
+  CellRect shown_choice_;  // the chosen tiles in the last frame
   SheetFinder finder_;
   std::string tileset_name_;  // as typed, while the menu of a tileset is open
   FlagBrush flag_brush_;

@@ -24,13 +24,13 @@ struct SpritesView {
   bool picks_right = false;         // whether the picker chooses the right button's colour, in true colour
   std::vector<Rgba> recent_colors;  // those that were painted with last in true colour, the last one first
   int pixel_zoom = 0;               // steps that the pixels are shown larger than fits, 0..kMostPixelZoom
-  int sheet_zoom = 0;               // steps that the sheet is shown larger than by itself; may be negative
+  int sheet_zoom = 0;               // steps that the sheet zooms in by when it is drawn next; < 0: out
   std::map<int, Cell> tile_places;  // by tile, where on the map the mouse was on it last
   int tileset = -1;                 // index of the tileset that the sheet shows alone; -1: all tiles
   bool finds = false;               // whether a small sheet has the field that finds tiles, too
   bool marks_used = false;          // whether the sheet marks the tiles that the map uses
   int kept_tile = -1;               // tile that the panel of the tile stays with; -1: the selected one
-  int shown_tile = -1;              // tile that the sheet scrolls to when it is drawn next; -1: none
+  int shown_tile = -1;              // tile that the sheet shows when it is drawn next; -1: none
 };
 
 }  // namespace talus

@@ -21,7 +21,7 @@ std::vector<MouseHelp> mouse_help(const Ui& ui) {
       {"middle button on the map", "picks the tiles of a dragged rectangle as the stamp"},
       {"Shift over the map", "shows the tile sheet there, to choose a stamp"},
       {"right button, or Space and left", "drags the view; Space does not while a player uses it"},
-      {"wheel on the map or play view", "zooms at the mouse"},
+      {"wheel on the map, play view or sheet", "zooms at the mouse"},
       {"left button on a ball in the play view", "chooses it and holds it"},
       {"left button on the overlays' legend", "folds its names away, or shows them again"},
       {"wheel on the timeline or a plot", "zooms at the mouse; the middle button drags"},
@@ -35,6 +35,7 @@ std::vector<MouseHelp> mouse_help(const Ui& ui) {
                                                 keys("view/sprites"_command) + " and " +
                                                 keys("view/map"_command)},
       {"drag on the sheet", "selects tiles: the canvas, the flags and the stamp follow"},
+      {"middle button on the sheet, or Space and left", "drags the sheet"},
       {"drag with Paint flags, on the sheet or the map",
        "sets the tinted flag, or clears it where the first tile has it"},
       {"without a mouse: " + keys("view/cursor"_command) + " on the map, the pixels or a shape",

@@ -18,6 +18,7 @@ namespace {
 // Smallest and fixed sizes, px at scale 1.
 constexpr float kLeftLeast = 276, kRightLeast = 280, kMiddleLeast = 320;
 constexpr float kTimeline = 28, kTransport = 30, kStatus = 20;
+constexpr float kSheetTile = 24;  // side of a tile of the sheet, as it opens
 constexpr float kSheetLeast = 164, kFlags = 130, kPalette = 40, kPixelsLeast = 176;
 constexpr float kPictureColors = 64;  // height of the palette of a sheet in true colour
 constexpr float kMargin = 6;          // px at scale 1, above and below the content of a region
@@ -160,17 +161,17 @@ void Workspace::draw_left(Frame& frame, ImVec2 at, ImVec2 size) {
   float flags = ui.px(kFlags);
   const float palette = ui.px(in_rgba ? kPictureColors : kPalette);
   const float pixels_least = ui.px(kPixelsLeast - kPalette) + palette;
-  // At most as high as the sheet at the zoom that its width allows.
+  // At most as high as the sheet with tiles as large as its width allows.
   const SheetLayout& layout = ui.layout(shown);
-  const float across = static_cast<float>(layout.columns * kCartTileSize);
-  const float zoom = std::max(1.0f, std::floor((size.x - ui.px(16)) / across));
+  const float tile =
+      std::max(ui.px(kSheetTile), std::floor((size.x - ui.px(16)) / static_cast<float>(layout.columns)));
   const float header = 2 * ui.px(kMargin) + ui.px(theme::kButton) + ImGui::GetStyle().ItemSpacing.y;
   const float least = ui.px(kSheetLeast), rest = flags + pixels_least + bar;
   const float wanted = std::floor(static_cast<float>(ui.view.window.layout.sheet) * size.y);
   // A sheet of a cart is seen at twice its size in a low window, too.
   const float most = std::max({size.y - rest, least, in_rgba ? 0 : size.y / 2});
-  const float sheet = std::min(std::clamp(wanted, least, most),
-                               zoom * static_cast<float>(layout.rows() * kCartTileSize) + header);
+  const float highest = std::max(least, tile * static_cast<float>(layout.rows()) + header);
+  const float sheet = std::min(std::clamp(wanted, least, most), highest);
   // More flags than a cart's take up to half of the room that the pixels do not need.
   float pixels = size.y - sheet - flags - bar;
   const float spare = std::max(0.0f, std::floor((pixels - pixels_least) / 2));
