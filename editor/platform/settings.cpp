@@ -69,6 +69,7 @@ const Fields<Settings>& settings_fields() {
       toggle("screen_borders", &Settings::screen_borders, true),
       of_part(&Settings::pixels, toggle("pixel_neighbours", &PixelView::neighbours, false)),
       of_part(&Settings::pixels, toggle("pixels_enlarged", &PixelView::enlarged, false)),
+      of_part(&Settings::pixels, toggle("pixels_unfolded", &PixelView::unfolded, false)),
       overlays_field("overlays"),
       texts("recent_files", &Settings::recent_files, kMaxRecentFiles),
       texts("tabs", &Settings::tabs, kMaxTabs),

@@ -81,7 +81,7 @@ TEST_P(UiLayout, EveryWidgetIsWholeAndApartInEveryLayout) {
   click("tabs/color");
   frames(3);
   check_all("other tabs");
-  app().ui().view.sprites.pixels = {true, true};
+  app().ui().view.sprites.pixels = {true, true, false};
   frames(3);
   check_all("enlarged pixels");
 }

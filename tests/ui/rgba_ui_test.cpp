@@ -36,6 +36,7 @@ class UiRgba : public UiTest {
   }
   // Selects the second tile of the set, which is in cell (1,0).
   void select_tile() {
+    if (!find("pixels/canvas")) click("pixels/show");
     const CellRect tile = app().ui().place_on_sheet(level().map.tile_at({1, 0}));
     session().apply(action::SelectTiles{{SheetId::tiles, tile}});
     frames(2);

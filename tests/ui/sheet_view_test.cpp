@@ -110,4 +110,55 @@ TEST_F(UiSheetView, AClickBesideTheTilesSelectsNothing) {
   EXPECT_EQ(session().choices().area.tiles, chosen);
 }
 
+class UiSheetFold : public UiSheetView {
+ protected:
+  void start_in_true_colour(int width = 1280, int height = 720) {
+    Level level = test_level();
+    level.set_tile_layout({8, 64});
+    SheetPicture picture{64, 64, std::vector<std::uint8_t>(4 * 64 * 64, 200)};
+    level.sheet(SheetId::tiles).picture = std::make_shared<const SheetPicture>(std::move(picture));
+    ASSERT_TRUE(save_level(level, *find_format("native"), path("rgba.talus.json")));
+    start(path("rgba.talus.json"), width, height);
+  }
+  float sheet_height() { return find("sheet/canvas")->max.y - find("sheet/canvas")->min.y; }
+};
+
+TEST_F(UiSheetFold, PixelsWaitUntilTheyAreAskedFor) {
+  start_in_true_colour();
+  EXPECT_EQ(find("pixels/canvas"), nullptr);
+  EXPECT_EQ(find("palette/left"), nullptr);
+  EXPECT_NE(find("flags/lamp0"), nullptr);
+  EXPECT_GT(sheet_height(), 400);
+  click("sheet/show_sprites");
+  frames(2);
+  EXPECT_NE(find("pixels/canvas"), nullptr) << "sprites with a palette are there to be drawn";
+  click("sheet/show_tiles");
+  frames(2);
+  click("pixels/show");
+  frames(2);
+  EXPECT_NE(find("pixels/canvas"), nullptr);
+  EXPECT_LT(sheet_height(), 400);
+  stop();
+  start(path("rgba.talus.json"));
+  EXPECT_NE(find("pixels/canvas"), nullptr) << "it is remembered";
+  click("pixels/show");
+  frames(2);
+  EXPECT_EQ(find("pixels/canvas"), nullptr);
+}
+
+TEST_F(UiSheetFold, APixelToolAsksForThem) {
+  start_in_true_colour(900, 600);
+  ASSERT_EQ(find("pixels/canvas"), nullptr);
+  key(kKeyF2);
+  key('4');
+  frames(2);
+  EXPECT_NE(find("pixels/canvas"), nullptr);
+}
+
+TEST_F(UiSheetFold, ASheetWithAPaletteHasThem) {
+  start();
+  EXPECT_NE(find("pixels/canvas"), nullptr);
+  EXPECT_EQ(find("pixels/show"), nullptr);
+}
+
 }  // namespace talus::sheet_view_test

@@ -16,8 +16,16 @@ using S = const Session&;
 using A = Actions&;
 using U = Ui&;
 
+bool paints_in_rgba(S session, const Ui&) {
+  return is_in_rgba(session.level(), session.choices().area.sheet);
+}
+
+// A tool needs its canvas: below a sheet in true colour that is folded away until somebody asks for it.
 CommandRun choose_sprite_tool(SpriteTool tool) {
-  return [tool](S, A actions, U) { actions.push_back(action::SetSpriteTool{tool}); };
+  return [tool](S session, A actions, U ui) {
+    actions.push_back(action::SetSpriteTool{tool});
+    if (paints_in_rgba(session, ui)) ui.view.sprites.pixels.unfolded = true;
+  };
 }
 
 CommandTest is_sprite_tool(SpriteTool tool) {
@@ -252,6 +260,17 @@ std::vector<Command> pixel_tools() {
        .menu = menus::kSpritesView,
        .run = [](S, A, U ui) { --ui.view.sprites.pixel_zoom; },
        .enabled = [](S, const Ui& ui) { return ui.view.sprites.pixel_zoom > 0; }},
+      {.id = "pixels/show",
+       .label = "Pixel editor",
+       .help = "Shows the pixels, tools and colours below a sheet in true colour, or folds them away for a "
+               "larger "
+               "sheet.",
+       .menu = menus::kSpritesView,
+       .icon = Icon::pencil,
+       .run = toggle<&View::sprites, &SpritesView::pixels, &PixelView::unfolded>,
+       .enabled = paints_in_rgba,
+       .checked = [](S s, const Ui& ui) { return !paints_in_rgba(s, ui) || ui.view.sprites.pixels.unfolded; },
+       .words = "fold hide paint draw canvas tools palette"},
       {.id = "pixels/enlarge",
        .label = "Enlarge the pixels",
        .help = "Shows the pixel canvas above the map and the play view, instead of below the sheet.",

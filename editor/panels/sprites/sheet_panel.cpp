@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "edit/pixel_color.h"
 #include "edit/stamp.h"
 #include "formats/tilesets/new_tileset.h"
 #include "level/single_change.h"
@@ -276,7 +277,10 @@ void SheetPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
     }
     ImGui::SameLine();
   }
-  for (const CommandId id : {"sheet/zoom_out"_command, "sheet/zoom_in"_command, "pixels/enlarge"_command}) {
+  const bool in_rgba = is_in_rgba(session.level(), area.sheet);
+  for (const CommandId id :
+       {"sheet/zoom_out"_command, "sheet/zoom_in"_command, "pixels/show"_command, "pixels/enlarge"_command}) {
+    if (id == "pixels/show"_command && !in_rgba) continue;
     command_button(id, session, actions, ui);
     ImGui::SameLine();
   }

@@ -15,6 +15,7 @@ inline constexpr int kMostPixelZoom = 8;
 struct PixelView {
   bool neighbours = false;  // among the tiles that stand around it on the map
   bool enlarged = false;    // above the map and the play view, instead of below the sheet
+  bool unfolded = false;    // shown below a sheet in true colour, too, which is seldom painted
   friend bool operator==(const PixelView&, const PixelView&) = default;
 };
 

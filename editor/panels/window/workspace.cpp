@@ -153,10 +153,21 @@ void Workspace::follow_mouse(View& view) {
   pointed_before_ = pointed_at_;
 }
 
+// The sheet and the flags alone: the pixels are folded away.
+void Workspace::draw_left_folded(Frame& frame, ImVec2 at, ImVec2 size) {
+  Ui& ui = frame.ui;
+  const float spare = std::max(0.0f, std::floor((size.y - ui.px(kFlags + kSheetLeast)) / 2));
+  const float flags = ui.px(kFlags) + std::min(spare, height_of_more_flags(frame.session.level(), ui));
+  draw_region(frame, Region::sheet, at, {size.x, size.y - flags});
+  draw_region(frame, Region::flags, {at.x, at.y + size.y - flags}, {size.x, flags});
+}
+
 void Workspace::draw_left(Frame& frame, ImVec2 at, ImVec2 size) {
   Ui& ui = frame.ui;
   const SheetId shown = frame.session.choices().area.sheet;
   const bool in_rgba = is_in_rgba(frame.session.level(), shown);
+  const PixelView& view = ui.view.sprites.pixels;
+  if (in_rgba && !view.unfolded && !view.enlarged) return draw_left_folded(frame, at, size);
   const float bar = ui.px(kSplitterWidth);
   float flags = ui.px(kFlags);
   const float palette = ui.px(in_rgba ? kPictureColors : kPalette);
@@ -183,7 +194,7 @@ void Workspace::draw_left(Frame& frame, ImVec2 at, ImVec2 size) {
   const float moved = splitter("layout/sheet", {size.x, bar}, SplitterAxis::vertical, ui);
   if (moved != 0) ui.view.window.layout.sheet = (sheet + moved) / size.y;
   const float y = at.y + sheet + bar;
-  if (ui.view.sprites.pixels.enlarged) {  // elsewhere: the flags get the room that is left
+  if (view.enlarged) {  // elsewhere: the flags get the room that is left
     const float colors = std::min(pixels, 3 * ui.px(kPalette));
     draw_region(frame, Region::palette, {at.x, y}, {size.x, colors});
     draw_region(frame, Region::flags, {at.x, y + colors}, {size.x, pixels - colors + flags});

@@ -20,6 +20,7 @@ class Workspace {
     Ui& ui;
   };
   void draw_left(Frame& frame, ImVec2 at, ImVec2 size);
+  void draw_left_folded(Frame& frame, ImVec2 at, ImVec2 size);
   // Draws the debugger's panels at the bottom of the room, if they are open. Returns their height.
   float draw_dock(Frame& frame, ImVec2 at, ImVec2 room);
   // Draws the pixel canvas above the map and the play view, if it is enlarged. Returns its height.
