@@ -45,6 +45,25 @@ TEST_F(UiTilesets, ATabShowsOneAloneAndItsTilesArePainted) {
   EXPECT_EQ(chosen_tile(), 15);
 }
 
+TEST_F(UiTilesets, ManyAreTabsThatScroll) {
+  Level level = session().level();
+  level.tilesets.clear();
+  for (int set = 0; set < 30; ++set)
+    level.tilesets.push_back(
+        {.name = "tileset number " + std::to_string(set), .first = 20 * set, .count = 20, .columns = 20});
+  ASSERT_TRUE(save_level(level, *find_format("native"), path("many.talus.json")));
+  start(path("many.talus.json"), 900, 600);
+  EXPECT_NE(find("sheet/tileset0"), nullptr);
+  EXPECT_EQ(find("sheet/tileset"), nullptr) << "no list";
+  app().ui().view.sprites.tileset = 29;
+  frames(30);
+  const Widget *tab = find("sheet/tileset29"), *room = find("sheet/canvas");
+  ASSERT_NE(tab, nullptr);
+  EXPECT_GE(tab->min.x, room->min.x - 1);
+  EXPECT_LE(tab->centre().x, room->max.x);
+  EXPECT_EQ(app().ui().view.sprites.tileset, 29);
+}
+
 TEST_F(UiTilesets, FoundTilesAreReachedWithEnter) {
   click("sheet/find");
   type("solid rock");

@@ -122,7 +122,7 @@ TEST_F(SettingsFile, IsReadAsItWasWritten) {
   settings.canvas = CanvasMode::play;
   settings.ui_scale = 1.5;
   settings.grid = settings.screen_borders = false;
-  settings.pixels = {.neighbours = true, .enlarged = true};
+  settings.pixels = {.neighbours = true, .enlarged = true, .unfolded = true};
   settings.overlays.set(overlay::answer, true);
   settings.recent_files = {"/a.tic", "/b.tic"};
   settings.tabs = {"plots"};

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <memory>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "edit/pixel_color.h"
 #include "edit/stamp.h"
@@ -192,49 +194,77 @@ void SheetPanel::draw_marks(ImDrawList& list, const Session& session, const Shee
   });
 }
 
-// As buttons if they fit, else as a list; then a button for the menu of the shown one.
+// "All" and the tilesets as tabs, which scroll; very many are a list.
 void SheetPanel::draw_tabs(const Session& session, Actions& actions, Ui& ui) {
+  constexpr int kMostTabs = 64;
   const auto& sets = session.level().tilesets;
   int& shown = ui.view.sprites.tileset;
   if (shown >= static_cast<int>(sets.size())) shown = -1;
   if (sets.empty()) return;
-  constexpr int kMostButtons = 16;
-  const float menu = ui.px(24), gap = ImGui::GetStyle().ItemSpacing.x;
-  const float room = ImGui::GetContentRegionAvail().x - menu - gap;
-  const auto name_of = [&](int set) {
-    const std::string name = set < 0 ? "All" : sets[static_cast<std::size_t>(set)].name;
-    return name.empty() ? "tileset " + std::to_string(set + 1) : shown_text(name);
-  };
-  const int count = static_cast<int>(sets.size());
-  float width = 0;
-  for (int set = -1; set < std::min(count, kMostButtons); ++set)
-    width += size_of_text(name_of(set)).x + ui.px(16) + gap;
-  if (count > kMostButtons || width > room) {
-    if (ui.begin_combo("sheet/tileset", shown < 0 ? "All tiles" : name_of(shown), room,
-                       "The tileset whose tiles are shown.")) {
-      draw_rows(count + 1, [&](int row) {
-        if (selectable(name_of(row - 1), std::to_string(row), row - 1 == shown)) shown = row - 1;
-        ui.item("sheet/tileset" + std::to_string(row - 1));
-      });
-      ImGui::EndCombo();
-    }
-  } else {
-    for (int set = -1; set < count; ++set) {
-      if (set >= 0) ImGui::SameLine();
-      if (ui.text_button("sheet/tileset" + std::to_string(set), name_of(set), set == shown,
-                         set < 0 ? "All tiles of the level." : "The tiles of this tileset."))
-        shown = set;
-    }
-  }
-  if (shown < 0 || session.level().tiled != nullptr) return;  // Tiled owns the tilesets of its maps
-  ImGui::SameLine();
-  if (ui.text_button("sheet/tileset_menu", "...", false, "Renames or removes the tileset.", {}, true, menu)) {
+  std::vector<std::string> names{"All"};
+  for (std::size_t set = 0; set < sets.size(); ++set)
+    names.push_back(sets[set].name.empty() ? "tileset " + std::to_string(set + 1) : sets[set].name);
+  const bool opens_menu = names.size() > kMostTabs ? draw_tileset_list(session, names, ui)
+                                                   : draw_tileset_tabs(session, names, ui);
+  if (opens_menu && shown >= 0) {
     tileset_name_ = sets[static_cast<std::size_t>(shown)].name;
     ImGui::OpenPopup("tileset menu");
   }
   if (!ImGui::BeginPopup("tileset menu")) return;
-  draw_tileset_menu(session, shown, actions, ui);
+  if (shown >= 0) draw_tileset_menu(session, shown, actions, ui);
   ImGui::EndPopup();
+}
+
+// Tiled owns the tilesets of its maps.
+bool SheetPanel::has_tileset_menu(const Session& session, const Ui& ui) {
+  return ui.view.sprites.tileset >= 0 && session.level().tiled == nullptr;
+}
+
+// Returns whether the menu of the shown tileset was asked for.
+bool SheetPanel::draw_tileset_tabs(const Session& session, std::span<const std::string> names, Ui& ui) {
+  int& shown = ui.view.sprites.tileset;
+  const bool is_asked = std::exchange(shown_tab_, shown) != shown;
+  bool opens_menu = false;
+  if (!ImGui::BeginTabBar("tilesets", ImGuiTabBarFlags_FittingPolicyScroll | ImGuiTabBarFlags_NoTooltip))
+    return false;
+  int open = shown;
+  for (int set = -1; set + 1 < static_cast<int>(names.size()); ++set) {
+    const std::string widget = "sheet/tileset" + std::to_string(set);
+    const bool wanted = is_asked && set == shown;
+    const bool is_open = begin_tab_item(names[static_cast<std::size_t>(set + 1)], widget,
+                                        wanted ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);
+    ui.item(widget, set < 0 ? "All tiles of the level." : "The tiles of this tileset.");
+    if (!is_open) continue;
+    open = set;
+    ImGui::EndTabItem();
+  }
+  if (!is_asked) shown = shown_tab_ = open;
+  if (has_tileset_menu(session, ui)) {
+    opens_menu = ImGui::TabItemButton("...", ImGuiTabItemFlags_Trailing | ImGuiTabItemFlags_NoTooltip);
+    ui.item("sheet/tileset_menu", "Renames or removes the tileset.");
+  }
+  ImGui::EndTabBar();
+  return opens_menu;
+}
+
+// The same.
+bool SheetPanel::draw_tileset_list(const Session& session, std::span<const std::string> names, Ui& ui) {
+  int& shown = ui.view.sprites.tileset;
+  const float menu = ui.px(24), gap = ImGui::GetStyle().ItemSpacing.x;
+  const std::string now = shown < 0 ? "All tiles" : shown_line(names[static_cast<std::size_t>(shown + 1)]);
+  if (ui.begin_combo("sheet/tileset", now, ImGui::GetContentRegionAvail().x - menu - gap,
+                     "The tileset whose tiles are shown.")) {
+    draw_rows(static_cast<int>(names.size()), [&](int row) {
+      const std::string& name = names[static_cast<std::size_t>(row)];
+      if (selectable(name, std::to_string(row), row - 1 == shown)) shown = row - 1;
+      ui.item("sheet/tileset" + std::to_string(row - 1));
+    });
+    ImGui::EndCombo();
+  }
+  if (!has_tileset_menu(session, ui)) return false;
+  ImGui::SameLine();
+  return ui.text_button("sheet/tileset_menu", "...", false, "Renames or removes the tileset.", {}, true,
+                        menu);
 }
 
 void SheetPanel::draw_tileset_menu(const Session& session, int index, Actions& actions, Ui& ui) {

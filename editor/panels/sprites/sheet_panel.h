@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "panels/panel.h"
@@ -24,11 +25,15 @@ class SheetPanel : public Panel {
   void draw_layers(ImDrawList& list, const Session& session, const SheetView& view, const Ui& ui);
   void draw_header(const Session& session, Actions& actions, Ui& ui);
   void draw_tabs(const Session& session, Actions& actions, Ui& ui);
+  static bool has_tileset_menu(const Session& session, const Ui& ui);
+  bool draw_tileset_tabs(const Session& session, std::span<const std::string> names, Ui& ui);
+  static bool draw_tileset_list(const Session& session, std::span<const std::string> names, Ui& ui);
   void draw_tileset_menu(const Session& session, int index, Actions& actions, Ui& ui);
   void draw_marks(ImDrawList& list, const Session& session, const SheetView& view, const Ui& ui);
   void handle_mouse(const Session& session, Actions& actions, Ui& ui, const SheetView& view);
   SheetCamera camera_;
   CellRect shown_choice_;  // the chosen tiles in the last frame
+  int shown_tab_ = -2;     // index of the tileset whose tab is chosen; -1: all tiles; -2: none yet
   SheetFinder finder_;
   std::string tileset_name_;  // as typed, while the menu of a tileset is open
   FlagBrush flag_brush_;

@@ -155,6 +155,10 @@ bool selectable(std::string_view text, std::string_view id, bool chosen, ImGuiSe
   return ImGui::Selectable(label_of(text, id).c_str(), chosen, flags, size);
 }
 
+bool begin_tab_item(std::string_view text, std::string_view id, ImGuiTabItemFlags flags) {
+  return ImGui::BeginTabItem(label_of(text, id).c_str(), nullptr, flags);
+}
+
 bool menu_item(std::string_view text, std::string_view id, std::string_view keys, bool checked,
                bool enabled) {
   const std::string shown = shown_line(keys);

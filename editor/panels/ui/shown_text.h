@@ -51,6 +51,7 @@ bool button(std::string_view text, std::string_view id, ImVec2 size = {0, 0});
 bool small_button(std::string_view text, std::string_view id = {});
 bool radio_button(std::string_view text, std::string_view id, bool chosen);
 bool checkbox(std::string_view text, std::string_view id, bool& on);
+bool begin_tab_item(std::string_view text, std::string_view id, ImGuiTabItemFlags flags = 0);
 bool begin_combo(std::string_view id, std::string_view shown, ImGuiComboFlags flags = 0);
 // A field for a text. A text of more than kMostTyped bytes, which only a file can have, is shown but cannot
 // be changed. Typed or pasted text is cut to that size.

@@ -298,8 +298,8 @@ void Workspace::draw_tabs(Frame& frame, Region region) {
         asked ? is_wanted(panel) : first && std::find(chosen.begin(), chosen.end(), id) != chosen.end();
     // Between tabs: six of them fit into a window 1152 px wide.
     ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, ImVec2(frame.ui.px(2), frame.ui.px(4)));
-    const bool open = ImGui::BeginTabItem(std::string(panel->title()).c_str(), nullptr,
-                                          wanted ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);
+    const bool open =
+        begin_tab_item(panel->title(), id, wanted ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);
     ImGui::PopStyleVar();
     frame.ui.item("tabs/" + id);
     if (!open) continue;
