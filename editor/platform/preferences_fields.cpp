@@ -58,6 +58,7 @@ Fields<Preferences> preferences_fields() {
           toggle("plays_opened", &Preferences::plays_opened, Preferences().plays_opened),
           choice("starts_with", &Preferences::starts_with, StartsWith::welcome,
                  {"welcome", "last_level", "demo"}),
+          toggle("middle_picks", &Preferences::middle_picks, Preferences().middle_picks),
           keys_field("keys"),
           programs_field("programs")};
 }

@@ -93,6 +93,7 @@ TEST_F(UiFastDrag, FillStartsAtThePress) {
 
 TEST_F(UiFastDrag, MiddleButtonPicksTheWholeRectangle) {
   drag_over_cells({{1, 1}, {3, 1}});
+  app().ui().view.preferences.middle_picks = true;
   drag_over_cells({{1, 1}, {2, 2}, {4, 1}}, kMiddle);
   EXPECT_EQ(session().choices().stamp, (Stamp{4, 1, {1, 1, 1, 0}}));
 }

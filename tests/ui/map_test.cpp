@@ -197,6 +197,16 @@ TEST_F(UiMap, FillWithCtrlReplacesTheTileEverywhere) {
 TEST_F(UiMap, MiddleButtonPicksWithAnyTool) {
   stamp(3, 6, {10, 8});
   key('7');
+  click(on_map({11, 8}), kMiddle);
+  frames(2);
+  EXPECT_EQ(session().choices().stamp, (Stamp{1, 1, {4}}));
+  drag(on_map({11, 8}), on_map({12, 8}), kMiddle);
+  EXPECT_EQ(session().choices().stamp, (Stamp{1, 1, {4}})) << "a drag moves the view";
+  key(ctrl(','));
+  frames(3);
+  click("settings/middle_picks");
+  key(kKeyEscape);
+  frames(3);
   drag(on_map({11, 8}), on_map({12, 8}), kMiddle);
   EXPECT_EQ(session().choices().stamp, (Stamp{2, 1, {4, 5}}));
   EXPECT_EQ(tool(), MapTool::stamp);

@@ -196,9 +196,9 @@ TEST_F(UiPlay, WheelZoomsAtTheMouse) {
   EXPECT_NEAR(app().ui().view.canvas.hover.pixel->x - after.x, 8, 1e-4);  // 2x became 4x
 }
 
-// On the map the middle button picks tiles.
 TEST_F(UiPlay, DragsOfTheOtherButtonsMoveTheView) {
-  const std::pair<const char*, int> drags[] = {{"map", kRight}, {"play", kRight}, {"play", kMiddle}};
+  const std::pair<const char*, int> drags[] = {
+      {"map", kRight}, {"map", kMiddle}, {"play", kRight}, {"play", kMiddle}};
   for (const auto& [canvas, button] : drags) {
     const ImVec2 from = on_canvas(canvas, {68, 68}), to{from.x + 40, from.y + 24};
     drag(from, to, button);

@@ -159,6 +159,11 @@ TEST_F(UiRgba, LargeTilesHaveRoomAndAreZoomed) {
   click("question/paint");
   frames(2);
   EXPECT_EQ(pixel(x, y), session().choices().rgba);
+  const Widget before = *find("pixels/canvas");
+  drag({at.x, at.y}, {at.x + 30, at.y + 20}, kMiddle);
+  frames(2);
+  EXPECT_GT(find("pixels/canvas")->min.x, before.min.x + 15) << "the middle button drags them";
+  EXPECT_GT(find("pixels/canvas")->min.y, before.min.y + 5);
 }
 
 }  // namespace talus::rgba_ui_test

@@ -69,6 +69,7 @@ TEST_F(UiSettings, EverySettingIsTakenAndStoredAgain) {
         {"font_size", 16},
         {"plays_opened", false},
         {"starts_with", "last_level"},
+        {"middle_picks", true},
         {"keys", {{"canvas/grid", {"Ctrl+Shift+J", ""}}}},
         {"programs", programs}}}};
   for (const auto& [key, value] : standard.items()) {

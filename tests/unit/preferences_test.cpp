@@ -65,6 +65,7 @@ TEST(PreferencesJson, IsReadAsItWasWritten) {
   preferences.theme = ThemeKind::light;
   preferences.font_size = 16;
   preferences.plays_opened = false;
+  preferences.middle_picks = true;
   preferences.programs[1] = "\"/opt/my love\" {folder}";
   preferences.keys.changed["file/save"] = {ctrl_shift('x'), KeyChord{}};
   preferences.keys.changed["no/such/command"] = {KeyChord{}, alt(kKeyF12)};

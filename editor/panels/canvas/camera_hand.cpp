@@ -1,9 +1,31 @@
 // Reads the wheel and the drags.
 #include "camera_hand.h"
 
+#include <algorithm>
+
 #include "play_keys.h"
 
 namespace talus {
+
+namespace {
+
+constexpr int kMiddleButton = 2;
+
+// A hand that clicks may tremble.
+bool is_middle_drag() {
+  const ImGuiIO& io = ImGui::GetIO();
+  const ImVec2 from = io.MouseClickedPos[kMiddleButton];
+  const float x = io.MousePos.x - from.x, y = io.MousePos.y - from.y;
+  const float farthest = std::max(x * x + y * y, io.MouseDragMaxDistanceSqr[kMiddleButton]);
+  return farthest >= io.MouseDragThreshold * io.MouseDragThreshold;
+}
+
+}  // namespace
+
+bool middle_button_picks(const Preferences& preferences) {
+  if (preferences.middle_picks) return ImGui::IsMouseClicked(kMiddleButton);
+  return ImGui::IsMouseReleased(kMiddleButton) && !is_middle_drag();
+}
 
 bool space_moves_view(const Session& session, const View& view) {
   return ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space)) && !keys_steer(session, view) &&
@@ -18,15 +40,17 @@ bool CameraHand::zoom(Camera& camera, ImVec2 at) {
   return steps != 0;
 }
 
-bool CameraHand::move(Camera& camera, bool starts) {
+bool CameraHand::move(Camera& camera, int button) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (starts && !moving_) {
-    moving_ = true;
+  if (button != kNone && !is_moving()) {
+    button_ = button;
     last_ = io.MousePos;
   }
-  if (!io.MouseDown[0] && !io.MouseDown[1] && !io.MouseDown[2]) moving_ = false;
-  if (!moving_) return false;
+  if (!is_moving()) return false;
   ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  const bool is_click = button_ == kMiddleButton && !is_middle_drag();
+  if (!io.MouseDown[button_]) button_ = kNone;
+  if (is_click) return false;
   const Vec2 by{last_.x - io.MousePos.x, last_.y - io.MousePos.y};
   last_ = io.MousePos;
   camera.scroll(by);

@@ -88,9 +88,9 @@ int tiles_below(const Level& level, const ScreenBox& box, const CanvasView& view
   return count;
 }
 
-// Whether tools are used on the canvas.
-int pressed_button() {
-  if (ImGui::IsMouseClicked(2)) return LevelToolHand::kMiddle;
+// The button that a tool is used with from this frame on.
+int pressed_button(const Preferences& preferences) {
+  if (middle_button_picks(preferences)) return LevelToolHand::kMiddle;
   return ImGui::IsMouseClicked(0) ? LevelToolHand::kLeft : LevelToolHand::kNoButton;
 }
 
@@ -266,7 +266,8 @@ void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui,
   if (handle_panning(session, ui, paints, hovered)) return;
   if (handle_world_view(session, ui, hovered)) return;
   if (paints || is_editing())
-    hand_.update(use(session, view, ui), actions, hovered ? pressed_button() : LevelToolHand::kNoButton);
+    hand_.update(use(session, view, ui), actions,
+                 hovered ? pressed_button(ui.view.preferences) : LevelToolHand::kNoButton);
   else
     handle_play_mouse(session, actions, view, hovered);
 }
@@ -334,9 +335,12 @@ bool LevelCanvas::handle_minimap(const Session& session, const CanvasView& view,
 bool LevelCanvas::handle_panning(const Session& session, Ui& ui, bool paints, bool hovered) {
   const bool hand =
       space_moves_view(session, ui.view) || (session.choices().map_tool == MapTool::pan && paints);
-  const bool middle = ImGui::IsMouseClicked(2) && !paints;  // where tools paint, it picks tiles
-  const bool starts = ImGui::IsMouseClicked(1) || middle || (hand && ImGui::IsMouseClicked(0));
-  if (camera_hand_.move(camera_, hovered && starts)) let_go(ui);
+  const bool middle = !paints || !ui.view.preferences.middle_picks;
+  int button = CameraHand::kNone;
+  if (hand && ImGui::IsMouseClicked(0)) button = 0;
+  if (ImGui::IsMouseClicked(1)) button = 1;
+  if (middle && ImGui::IsMouseClicked(2)) button = 2;
+  if (camera_hand_.move(camera_, hovered ? button : CameraHand::kNone)) let_go(ui);
   return camera_hand_.is_moving();
 }
 

@@ -232,8 +232,8 @@ std::vector<Command> map_tool_commands() {
        .checked = is_map_tool(MapTool::erase)},
       {.id = "map/pick",
        .label = "Pick tiles",
-       .help = "Takes the tiles of a dragged rectangle as the stamp; so does the middle "
-               "button with any tool.",
+       .help = "Takes the tiles of a dragged rectangle as the stamp; a click of the "
+               "middle button takes a tile with any tool.",
        .key = KeyChord{'i'},
        .menu = menus::kMapTools,
        .icon = Icon::pick,

@@ -170,7 +170,7 @@ std::vector<Command> pixel_tools() {
        .checked = is_sprite_tool(SpriteTool::pencil)},
       {.id = "pixels/pick",
        .label = "Pick colour",
-       .help = "Takes the colour under the mouse; so does the middle button.",
+       .help = "Takes the colour under the mouse; so does a click of the middle button.",
        .key = KeyChord{'2'},
        .menu = menus::kSpritesTools,
        .icon = Icon::pick,

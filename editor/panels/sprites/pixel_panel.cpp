@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "checkered.h"
+#include "panels/canvas/camera_hand.h"
 #include "panels/commands/commands.h"
 
 namespace talus {
@@ -175,6 +176,7 @@ void PixelPanel::draw_pixels(const Session& session, Actions& actions, Ui& ui) {
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
   ui.item("pixels/canvas");
+  move_by_middle_button(ui);
   const CanvasView view{at, {at.x + size.x, at.y + size.y}, {at.x, at.y}, zoom, area.tile};
   const Vec2 place = view.to_level(ImGui::GetIO().MousePos);
   const Cell pixel{static_cast<int>(std::floor(place.x)), static_cast<int>(std::floor(place.y))};
@@ -186,7 +188,7 @@ void PixelPanel::draw_pixels(const Session& session, Actions& actions, Ui& ui) {
     if (!has_new_zoom) zoomed_about_ = {place, {mouse.x - corner.x, mouse.y - corner.y}};
   }
   const bool was_active = hand_.active();
-  hand_.update(session, actions, pixel, hovered);
+  hand_.update(session, actions, pixel, hovered, middle_button_picks(ui.view.preferences));
   if (!was_active && hand_.active()) note_color(session, ui);
   KeyCursor& cursor = ui.view.canvas.cursor;
   cursor.visit("pixels", view, {area.canvas()}, ImGui::GetIO().MousePos);
@@ -203,6 +205,14 @@ void PixelPanel::draw_pixels(const Session& session, Actions& actions, Ui& ui) {
 void PixelPanel::keep_in_place(float zoom) const {
   ImGui::SetScrollX(static_cast<float>(zoomed_about_.pixel.x) * zoom - zoomed_about_.mouse.x);
   ImGui::SetScrollY(static_cast<float>(zoomed_about_.pixel.y) * zoom - zoomed_about_.mouse.y);
+}
+
+// Where larger pixels do not all have room.
+void PixelPanel::move_by_middle_button(const Ui& ui) {
+  if (ui.view.preferences.middle_picks || !ImGui::IsItemActive() || !ImGui::IsMouseDragging(2)) return;
+  const ImVec2 by = ImGui::GetIO().MouseDelta;
+  ImGui::SetScrollX(ImGui::GetScrollX() - by.x);
+  ImGui::SetScrollY(ImGui::GetScrollY() - by.y);
 }
 
 // A colour that is painted with in true colour becomes the first of the recent ones.

@@ -20,6 +20,7 @@ class PixelPanel : public Panel {
   void draw_canvas(const Session& session, Actions& actions, Ui& ui);
   void draw_pixels(const Session& session, Actions& actions, Ui& ui);
   void take_wheel(const Session& session, Actions& actions, Cell pixel, Ui& ui);
+  static void move_by_middle_button(const Ui& ui);
   void keep_in_place(float zoom) const;
   static void note_color(const Session& session, Ui& ui);
 

@@ -47,8 +47,10 @@ bool SheetCamera::take_mouse(const Session& session, const Ui& ui, ImVec2 corner
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const bool hovered = ImGui::IsItemHovered();
   if (hovered && hand_.zoom(camera_, {mouse.x - corner.x, mouse.y - corner.y})) zoom_is_chosen_ = true;
-  const bool space = space_moves_view(session, ui.view) && ImGui::IsMouseClicked(0);
-  hand_.move(camera_, hovered && (space || ImGui::IsMouseClicked(2)));
+  int button = CameraHand::kNone;
+  if (space_moves_view(session, ui.view) && ImGui::IsMouseClicked(0)) button = 0;
+  if (ImGui::IsMouseClicked(2)) button = 2;
+  hand_.move(camera_, hovered ? button : CameraHand::kNone);
   camera_.clamp(size(), room_);
   return hand_.is_moving();
 }

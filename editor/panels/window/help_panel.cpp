@@ -16,9 +16,11 @@ struct MouseHelp {
 
 std::vector<MouseHelp> mouse_help(const Ui& ui) {
   const auto keys = [&](CommandId id) { return keys_of(id, ui); };
+  const bool middle_picks = ui.view.preferences.middle_picks;
   return {
       {"left button on the map", "the chosen tool"},
-      {"middle button on the map", "picks the tiles of a dragged rectangle as the stamp"},
+      {"middle button on the map", middle_picks ? "picks the tiles of a dragged rectangle as the stamp"
+                                                : "drags the view; a click picks the tile as the stamp"},
       {"Shift over the map", "shows the tile sheet there, to choose a stamp"},
       {"right button, or Space and left", "drags the view; Space does not while a player uses it"},
       {"wheel on the map, play view or sheet", "zooms at the mouse"},
@@ -26,7 +28,9 @@ std::vector<MouseHelp> mouse_help(const Ui& ui) {
       {"left button on the overlays' legend", "folds its names away, or shows them again"},
       {"wheel on the timeline or a plot", "zooms at the mouse; the middle button drags"},
       {"left and right button on the pixels", "draw with their two colours"},
-      {"middle button on the pixels", "picks the colour"},
+      {"middle button on the pixels",
+       middle_picks ? "picks the colour"
+                    : "drags pixels that do not all have room; a click picks the colour"},
       {"wheel on the pixels", "a canvas of 8, 16, 32 or 64 px; up shows the tile at the mouse"},
       {"left button on a polygon's points or inside", "drags a point, or all of it; Alt does not snap"},
       {"left button on a side of a polygon", "inserts a point, which can be dragged on"},

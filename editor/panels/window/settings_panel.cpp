@@ -77,6 +77,14 @@ void draw_opening(Ui& ui) {
   ui.item("settings/plays_opened", "A level with bodies plays as soon as it is open. A recording waits.");
 }
 
+void draw_mouse(Ui& ui) {
+  setting_row("Middle button", ui);
+  checkbox("Picks at once, as in TIC-80", "middle_picks", ui.view.preferences.middle_picks);
+  ui.item("settings/middle_picks",
+          "The middle button picks tiles and colours as it goes down, and a drag picks a rectangle of tiles. "
+          "Otherwise a drag moves the view, and a click picks.");
+}
+
 void draw_layouts(const Session& session, Actions& actions, Ui& ui) {
   setting_row("Layout", ui);
   command_text_button("view/layout_draw"_command, session, actions, ui,
@@ -128,6 +136,7 @@ void SettingsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     draw_looks(session, actions, ui);
     ImGui::Separator();
     draw_opening(ui);
+    draw_mouse(ui);
     draw_layouts(session, actions, ui);
     ImGui::Separator();
     draw_programs(ui);

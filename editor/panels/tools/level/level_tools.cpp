@@ -58,7 +58,11 @@ void LevelToolHand::update(LevelToolUse use, Actions& actions, int pressed) {
     from_ = last_ = use.cell;
     stroke_ = use.session.next_stroke();
     add_drag(use);
-    if (tool->press(use, actions)) held_ = tool;
+    if (!tool->press(use, actions)) return;
+    held_ = tool;
+    if (ImGui::GetIO().MouseDown[button_]) return;
+    held_->release(use, actions);  // a click of the middle button is known as one when it is up
+    held_ = nullptr;
     return;
   }
   add_drag(use);

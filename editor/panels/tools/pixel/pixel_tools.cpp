@@ -26,9 +26,9 @@ PixelToolHand::PixelToolHand() {
   tools_[SpriteTool::ellipse] = make_pixel_ellipse();
 }
 
-void PixelToolHand::update(const Session& session, Actions& actions, Cell pixel, bool hovered) {
+void PixelToolHand::update(const Session& session, Actions& actions, Cell pixel, bool hovered, bool picks) {
   if (active() && (is_drag_cancelled() || held_ != &chosen(session))) held_ = nullptr;
-  if (hovered && ImGui::IsMouseClicked(2)) take_color(session, pixel, false, actions);
+  if (hovered && picks) take_color(session, pixel, false, actions);
   const bool right = ImGui::IsMouseClicked(1);
   if (!active()) {
     if (!hovered || (!right && !ImGui::IsMouseClicked(0))) return;

@@ -21,8 +21,9 @@ std::unique_ptr<PixelTool> make_pixel_ellipse();
 class PixelToolHand {
  public:
   PixelToolHand();
-  // pixel: under the mouse, inside of the canvas or not. hovered: the mouse is over the canvas.
-  void update(const Session& session, Actions& actions, Cell pixel, bool hovered);
+  // pixel: under the mouse, inside of the canvas or not. hovered: the mouse is over the canvas. picks: the
+  // middle button picks its colour now.
+  void update(const Session& session, Actions& actions, Cell pixel, bool hovered, bool picks);
   bool active() const { return held_ != nullptr; }
   // Draws what the release would draw, the selection, and what the tool would touch at the mouse.
   void draw(ImDrawList& list, const Session& session, const CanvasView& view, Cell pixel, bool hovered,
