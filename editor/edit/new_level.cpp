@@ -1,7 +1,7 @@
 // An empty level, and a first scene in it.
 #include "new_level.h"
 
-#include <cstdlib>
+#include <algorithm>
 #include <memory>
 
 #include "level/tile_color.h"
@@ -76,6 +76,13 @@ void put_first_scene(Level& level) {
   player.position = {4.0 * tile.width, (kFloor - 1.0) * tile.height};
 }
 
+// Large tiles are fewer, so that their picture is at most 16 MB.
+SheetLayout layout_of_pictures(TileSize tile) {
+  constexpr int kMostPixels = 4'194'304;
+  const int rows = std::clamp(kMostPixels / (kCartColumns * tile.width * tile.height), 1, kCartTiles / kCartColumns);
+  return {kCartColumns, rows * kCartColumns};
+}
+
 // The images at the size of the map's tiles; colour 0 is clear.
 std::shared_ptr<const SheetPicture> picture_of_first_tiles(const Level& level) {
   const Sheet& sheet = level.sheet(SheetId::tiles);
@@ -110,7 +117,10 @@ Level new_level(TileSize tile, int width, int height, NewContent content) {
     put_first_tiles(level);
     put_first_scene(level);
   }
-  if (content.in_true_colour) level.sheet(SheetId::tiles).picture = picture_of_first_tiles(level);
+  if (content.in_true_colour || tile != TileSize{}) {
+    level.set_tile_layout(layout_of_pictures(tile));
+    level.sheet(SheetId::tiles).picture = picture_of_first_tiles(level);
+  }
   return level;
 }
 

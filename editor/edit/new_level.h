@@ -7,7 +7,9 @@ namespace talus {
 
 // What a new level begins with.
 struct NewContent {
-  bool in_true_colour = false;  // the sheet of tiles is painted in true colour, else in the palette
+  // The sheet of tiles is painted in true colour, else in the palette. Tiles of another size than 8x8 px are
+  // always in true colour, as images of the palette have that size alone.
+  bool in_true_colour = false;
   // Has ground with slopes, a ball and a player who runs over it; else the level is empty. Of a map of less
   // than 30x17 cells the scene is cut.
   bool plays = false;

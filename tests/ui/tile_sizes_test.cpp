@@ -145,4 +145,26 @@ TEST_F(UiTileSizes, ANewLevelHasTheTypedSizes) {
   EXPECT_FALSE(app().ui().view.level.new_level_open);
 }
 
+TEST_F(UiTileSizes, ANewLevelIsDrawnAtTheSizeOfItsTiles) {
+  app().ui().view.level.new_level_open = true;
+  frames(3);
+  click("new_level/tile16");
+  click("new_level/apply");
+  frames(3);
+  ASSERT_NE(find("pixels/canvas"), nullptr) << "its tiles wait to be drawn";
+  click(on_sheet(1));
+  frames(2);
+  const SpriteArea& area = session().choices().area;
+  EXPECT_EQ(area.tile, (TileSize{16, 16}));
+  click("pixels/size32");
+  EXPECT_EQ(area.tiles, (CellRect{0, 0, 2, 2})) << "the buttons mean tiles";
+  click("pixels/size16");
+  click(on_sheet(1));
+  frames(2);
+  click(on_pixels(15, 15));
+  frames(2);
+  EXPECT_EQ(rgba_of(pixel_at(level(), area, 15, 15)), session().choices().rgba);
+  EXPECT_FALSE(session().question()) << "the pixels are the level's own";
+}
+
 }  // namespace talus::tile_sizes_ui_test

@@ -12,8 +12,7 @@
 namespace talus::new_level_test {
 
 TEST(NewLevel, AnEmptyOneHasNothing) {
-  const Level level = new_level({16, 16}, 60, 34, {});
-  EXPECT_EQ(level.map.tile_size(), (TileSize{16, 16}));
+  const Level level = new_level({8, 8}, 60, 34, {});
   EXPECT_EQ(level.map.width(), 60);
   EXPECT_EQ(level.map.height(), 34);
   EXPECT_EQ(level.sheet(SheetId::tiles).picture, nullptr);
@@ -32,7 +31,7 @@ TEST(NewLevel, InTrueColourItsTilesAreClear) {
 
 TEST(NewLevel, ThePlayerRunsOverItsSlopes) {
   for (const int side : {8, 16, 24, 32}) {
-    const Level level = new_level({side, side}, 60, 34, {.in_true_colour = false, .plays = true});
+    const Level level = new_level({side, side}, 60, 34, {.plays = true});
     const auto scene = std::make_shared<const Scene>(compile_scene(level));
     const auto solver = make_solver(scene);
     State state = initial_state(*scene);
@@ -48,16 +47,24 @@ TEST(NewLevel, ThePlayerRunsOverItsSlopes) {
 }
 
 TEST(NewLevel, ItHasNoProblems) {
-  for (const bool in_true_colour : {false, true})
-    EXPECT_TRUE(lint(new_level({16, 16}, 60, 34, {in_true_colour, true})).empty());
+  for (const TileSize tile : {TileSize{8, 8}, TileSize{16, 16}})
+    EXPECT_TRUE(lint(new_level(tile, 60, 34, {.plays = true})).empty());
 }
 
 TEST(NewLevel, BothKindsOfColourLookTheSame) {
-  const Level palette = new_level({16, 16}, 60, 34, {false, true});
-  const Level true_colour = new_level({16, 16}, 60, 34, {true, true});
+  const Level palette = new_level({8, 8}, 60, 34, {false, true});
+  const Level true_colour = new_level({8, 8}, 60, 34, {true, true});
   for (TileNumber tile = 1; tile <= 5; ++tile)
-    for (int i = 0; i < 16; ++i)
-      EXPECT_EQ(color_on_map(palette, tile, i, 15 - i), color_on_map(true_colour, tile, i, 15 - i));
+    for (int i = 0; i < 8; ++i)
+      EXPECT_EQ(color_on_map(palette, tile, i, 7 - i), color_on_map(true_colour, tile, i, 7 - i));
+}
+
+TEST(NewLevel, TilesOfAnotherSizeAreInTrueColour) {
+  const Level level = new_level({16, 16}, 60, 34, {});
+  ASSERT_NE(level.sheet(SheetId::tiles).picture, nullptr);
+  EXPECT_EQ(level.sheet(SheetId::tiles).picture->width, 16 * 16);
+  const Level large = new_level({256, 256}, 6, 4, {.plays = true});
+  EXPECT_EQ(large.tile_count(), 64) << "16 MB of pixels";
 }
 
 TEST(NewLevel, ASmallMapCutsTheScene) { EXPECT_EQ(new_level({8, 8}, 6, 4, {false, true}).map.width(), 6); }

@@ -78,6 +78,7 @@ void NewLevelPanel::draw_answers(Actions& actions, Ui& ui) {
                                       .width = ui.px(kAnswer)},
                                      ui);
   if (creates) actions.push_back(action::NewLevel{tile_, width_, height_});
+  if (creates) ui.view.sprites.pixels.unfolded = true;  // its tiles wait to be drawn
   if (creates || cancels) ui.view.level.new_level_open = false;
 }
 

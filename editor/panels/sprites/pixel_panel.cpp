@@ -119,7 +119,7 @@ void PixelPanel::draw_sizes(const Session& session, Actions& actions, Ui& ui) {
     if (tiles != kSizes.front()) ImGui::SameLine();
     const std::string side = std::to_string(tiles * area.tile.width);
     const std::string count = std::to_string(tiles);
-    const bool has_cart_tiles = area.tile == TileSize{kCartTileSize, kCartTileSize};
+    const bool has_cart_tiles = session.level().map.tile_size() == TileSize{};
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
     if (ui.text_button("pixels/size" + side, has_cart_tiles ? side : count + "x",
                        area.tiles.w == tiles && area.tiles.h == tiles,
