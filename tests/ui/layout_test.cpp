@@ -158,6 +158,21 @@ INSTANTIATE_TEST_SUITE_P(Sizes, UiLayout,
                                            WindowSize{2560, 1440}),
                          [](const auto& size) { return std::to_string(size.param.width); });
 
+using UiZoomButtons = UiTest;
+
+TEST_F(UiZoomButtons, AreBesideEachOtherInEveryWidth) {
+  const std::string file = save_test_level("level.talus.json");
+  for (int width = 900; width <= 1280; width += 38) {
+    start(file, width, 720);
+    for (const std::string side : {"canvas", "sheet"}) {
+      const Widget *out = find(side + "/zoom_out"), *in = find(side + "/zoom_in");
+      ASSERT_TRUE(out != nullptr && in != nullptr) << side;
+      EXPECT_EQ(out->min.y, in->min.y) << side << " in " << width;
+      EXPECT_LT(in->min.x - out->max.x, 10) << side << " in " << width;
+    }
+  }
+}
+
 using UiKeys = UiTest;
 
 TEST_F(UiKeys, EachHasOneMeaningInEachPlace) {

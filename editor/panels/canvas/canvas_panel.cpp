@@ -90,7 +90,10 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
     const bool has_play = ui.view.canvas.mode == CanvasMode::play || ui.view.canvas.mode == CanvasMode::both;
     const bool is_of_play = tool == "canvas/paint_in_play"_command || tool == "canvas/follow"_command;
     if (is_of_play && !has_play) continue;
-    ui.same_line_if_fits(button, &tool == kView ? ui.px(8) : 0);
+    // Both zooms go into the next line together.
+    const float width =
+        tool == "canvas/zoom_out"_command ? 2 * button + ImGui::GetStyle().ItemSpacing.x : button;
+    ui.same_line_if_fits(width, &tool == kView ? ui.px(8) : 0);
     command_button(tool, session, actions, ui);
   }
   ui.same_line_if_fits(ui.px(84));
