@@ -87,7 +87,7 @@ class ContactSentence {
     if (contact_.ti < kOnlyRounding) return " at once";
     const bool is_whole = path_ != nullptr && contact_.move == path_->goal - path_->from.position();
     const bool of_step = !is_cut() && (contact_.order == 0 || is_whole);
-    const std::string what = of_step ? "the step" : is_cut() ? "a part of the step" : "the motion left";
+    const std::string what = of_step ? "the step" : is_cut() ? "a part of the step" : "the remaining motion";
     if (contact_.ti > 0.995) return " at the end of " + what;
     return " at " + short_text(contact_.ti) + " of " + what;
   }
@@ -122,12 +122,12 @@ class ContactSentence {
     const std::optional<Vec2> after = motion_after();
     if (left < kLeastShown || !after) return "";
     const double went = length(*after);
-    if (went < kLeastShown) return "; " + px(left) + " of motion left went into it and is lost";
+    if (went < kLeastShown) return "; " + px(left) + " of remaining motion went into it and is lost";
     if (rebounds() && dot(*after, contact_.normal) > kOnlyRounding)
       return "; it bounced off and went on " + px(went) + " " + direction_of(*after);
     const std::string slid = " slid " + direction_of(*after);
-    if (short_text(went) == short_text(left)) return "; " + px(left) + " of motion left" + slid;
-    return "; of " + px(left) + " of motion left " + px(went) + slid;
+    if (short_text(went) == short_text(left)) return "; " + px(left) + " of remaining motion" + slid;
+    return "; of " + px(left) + " of remaining motion " + px(went) + slid;
   }
 
   // The article's bodies cross slopes and are put on their floors afterwards.

@@ -8,8 +8,8 @@
 namespace talus {
 
 struct Explanation {
-  // "stopped by the left side of the tile at (12, 9) at 0.37 of the step; 1.9 px of motion left slid down":
-  // without capital and full stop.
+  // "stopped by the left side of the tile at (12, 9) at 0.37 of the step; 1.9 px of remaining motion slid
+  // down": without capital and full stop.
   std::string sentence;
   std::string numbers;  // "normal (-0.45, -0.89), slope delta 0.44, floor at y 92.44"
 };

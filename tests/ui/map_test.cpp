@@ -359,9 +359,9 @@ TEST_F(UiMap, StatusBarShowsTileFlagsAndPlace) {
   EXPECT_EQ(app().ui().view.canvas.hover.cell, (Cell{4, 5}));
   EXPECT_NE(find("status/mouse"), nullptr);
   const auto told = [&] { return hover_text(session(), app().ui().view.canvas.hover); };
-  EXPECT_EQ(told().substr(0, told().find("px")), "(4, 5)  tile 1 flags 0   ");
+  EXPECT_EQ(told().substr(0, told().find("px")), "(4, 5)  tile 1 (solid)   ");
   move(on_canvas("map", {36, 44}));
-  EXPECT_EQ(told(), "(4, 5)  tile 1 flags 0   px 36.00, 44.00");
+  EXPECT_EQ(told(), "(4, 5)  tile 1 (solid)   px 36, 44");
   move(on_sheet(3));
   EXPECT_EQ(told(), "tile 3");
 }

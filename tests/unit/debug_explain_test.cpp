@@ -56,9 +56,10 @@ TEST_F(Sentences, TellOfAWallThatABodySlidesAlong) {
 TEST_F(Sentences, TellOfAFloorThatStopsTheBody) {
   step({0, 4}, {10, 21});
   contact(tile_, {0, -1}, 0.25, {0, 4}, {10, 21});
-  EXPECT_EQ(sentence(),
-            "stopped by the top of the tile at (12, 9) at 0.25 of the step; 3 px of motion left went into "
-            "it and is lost");
+  EXPECT_EQ(
+      sentence(),
+      "stopped by the top of the tile at (12, 9) at 0.25 of the step; 3 px of remaining motion went into "
+      "it and is lost");
   EXPECT_EQ(numbers(), "normal (0, -1), floor at y 29");
 }
 
@@ -66,8 +67,9 @@ TEST_F(Sentences, TellOfASlope) {
   step({2, 2}, {12, 20});
   ContactRecord& met = contact(slope_, {-0.6, -0.8}, 0, {2, 2}, {10, 20});
   met.slope = SlopeProbe{slope_, 0.4375, 28, 20, {-0.6, -0.8}, true};
-  EXPECT_EQ(sentence(),
-            "stopped by the up-slope at (3, 4) at once; of 2.83 px of motion left 2 px slid to the right");
+  EXPECT_EQ(
+      sentence(),
+      "stopped by the up-slope at (3, 4) at once; of 2.83 px of remaining motion 2 px slid to the right");
   EXPECT_EQ(numbers(), "normal (-0.6, -0.8), slope delta 0.44, floor at y 28");
 }
 
@@ -83,7 +85,7 @@ TEST_F(Sentences, LeaveRoundingOut) {
   step({4, 0}, {10, 20});
   contact(tile_, {-1, 0}, 2e-14, {4, 0}, {10, 20});
   EXPECT_EQ(sentence(),
-            "stopped by the left side of the tile at (12, 9) at once; 4 px of motion left went into it "
+            "stopped by the left side of the tile at (12, 9) at once; 4 px of remaining motion went into it "
             "and is lost");
   frame_.record.contacts[0].ti = 0.999;
   EXPECT_EQ(sentence(), "stopped by the left side of the tile at (12, 9) at the end of the step")
@@ -96,13 +98,15 @@ TEST_F(Sentences, TellOfTheContactsAfterTheFirst) {
   contact({.role = TileRole::solid, .cell = {}, .body = 0, .box = {}, .curve = 2}, {0, -1}, 0.25, {0, 2},
           {12, 22.5});
   contact(slope_, {0.6, 0.8}, 1, {0, 1}, {12, 22});
-  EXPECT_EQ(sentence(0),
-            "stopped by the left side of the tile at (12, 9) at 0.5 of the step; of 2.83 px of motion left "
-            "2 px slid down");
+  EXPECT_EQ(
+      sentence(0),
+      "stopped by the left side of the tile at (12, 9) at 0.5 of the step; of 2.83 px of remaining motion "
+      "2 px slid down");
   EXPECT_EQ(sentence(1),
-            "stopped by the top of curve 2 at 0.25 of the motion left; of 1.5 px of motion left 1 px slid "
+            "stopped by the top of curve 2 at 0.25 of the remaining motion; of 1.5 px of remaining motion 1 "
+            "px slid "
             "down");
-  EXPECT_EQ(sentence(2), "stopped by the sloped ceiling at (3, 4) at the end of the motion left");
+  EXPECT_EQ(sentence(2), "stopped by the sloped ceiling at (3, 4) at the end of the remaining motion");
 }
 
 TEST_F(Sentences, NameACurveByItsName) {
@@ -216,7 +220,7 @@ TEST_F(Steps, TellOfAFreeFallAndALanding) {
             "5) px/frame.");
   EXPECT_EQ(step(recorded, 2),
             "Body 1 wanted to go (0, 5) px and went (0, 3) px. It was stopped by the top of the tile at "
-            "(0, 2) at 0.6 of the step; 2 px of motion left went into it and is lost. Its velocity went "
+            "(0, 2) at 0.6 of the step; 2 px of remaining motion went into it and is lost. Its velocity went "
             "from (0, 5) to (0, -2.5) px/frame.");
   FrameHistory history(1);
   history.go_to(recorded, 2);
@@ -255,7 +259,8 @@ TEST_F(Steps, TellWhichSideABodySticksTo) {
       "Body 1 wanted to go (2, 0) px and went (0, 0) px. It came into the box of the up-slope at (3, 4) "
       "at 0.5 of the step; under its centre the floor of the up-slope at (3, 4) is at y 28, so its top "
       "was put at y 20. Then it was stopped by the left side of the tile at (5, 3) at once; 2 px of "
-      "motion left went into it and is lost; its velocity was left alone, as a slope had put the body on "
+      "remaining motion went into it and is lost; its velocity was left alone, as a slope had put the body "
+      "on "
       "its floor.");
 }
 

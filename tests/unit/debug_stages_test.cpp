@@ -292,9 +292,9 @@ TEST(Stages, LeaveOutAMotionThatIsTooSmallToBeSeen) {
   EXPECT_THAT(kinds(stages), ElementsAre(StageKind::wanted, StageKind::searched, StageKind::met,
                                          StageKind::placed, StageKind::arrived));
   EXPECT_EQ(stages[0].sentence, "wants to go (0, 0.2) px");
-  EXPECT_EQ(
-      stages[2].sentence,
-      "stopped by the top of the tile at (1, 11) at once; 0.2 px of motion left went into it and is lost");
+  EXPECT_EQ(stages[2].sentence,
+            "stopped by the top of the tile at (1, 11) at once; 0.2 px of remaining motion went into it and "
+            "is lost");
 }
 
 TEST(Stages, AreEmptyAtFrameZeroAndWithoutABody) {

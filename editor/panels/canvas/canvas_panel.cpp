@@ -71,7 +71,7 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
   ImGui::SameLine();
   command_text_button("canvas/both"_command, session, actions, ui, {.label = "Both"});
   ImGui::SameLine();
-  command_text_button("canvas/two_maps"_command, session, actions, ui, {.label = "Maps"});
+  command_text_button("canvas/two_maps"_command, session, actions, ui, {.label = "Two maps"});
   constexpr CommandId kTools[] = {"map/stamp"_command,   "map/pan"_command,   "map/select"_command,
                                   "map/fill"_command,    "map/line"_command,  "map/rectangle"_command,
                                   "map/ellipse"_command, "map/slope"_command, "map/segment"_command,

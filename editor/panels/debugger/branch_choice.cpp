@@ -14,13 +14,6 @@ std::string branch_name(const Branch& branch) {
   return name;
 }
 
-// Wide enough for ids and for the frames of an hour.
-std::string short_name(const Branch& branch) {
-  std::string name = "branch " + std::to_string(branch.id);
-  if (branch.parent != 0) name += " from " + std::to_string(branch.fork);
-  return name;
-}
-
 void draw_rerun(const Session& session, Actions& actions, Ui& ui) {
   const auto percent = static_cast<int>(session.timeline().progress() * 100);
   if (ui.text_button("timeline/cancel", "running " + std::to_string(percent) + " %  x", false,
@@ -43,7 +36,7 @@ void draw_comparing(double progress, Actions& actions, Ui& ui) {
 void draw_branches(const Session& session, Actions& actions, Ui& ui) {
   const Timeline& timeline = session.timeline();
   const bool open = ui.begin_combo(
-      "timeline/branch", short_name(timeline.current()), ui.px(kBranchWidth),
+      "timeline/branch", branch_name(timeline.current()), ui.px(kBranchWidth),
       "Branches: playing on from an earlier frame, editing, or other keys make a new one, and the one before "
       "stays.",
       keys_of("timeline/previous_branch"_command, ui) + "  " + keys_of("timeline/next_branch"_command, ui));

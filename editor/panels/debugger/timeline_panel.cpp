@@ -132,7 +132,7 @@ void TimelinePanel::draw(const Session& session, Actions& actions, Ui& ui) {
 void TimelinePanel::draw_take_over(const Session& session, Actions& actions, Ui& ui) {
   const bool replays = session.playback().running && session.timeline().in_past();
   const Command& command = find_command("timeline/fork"_command);
-  if (ui.text_button("timeline/take_over", replays ? "Replaying: take over" : "Take over here", replays,
+  if (ui.text_button("timeline/take_over", replays ? "End replay, play on" : "Play on from here", replays,
                      "At an earlier frame, play shows the recording. This leaves the recording: playing goes "
                      "on from the shown frame, in a new branch. The players' keys, and the mouse on a ball, "
                      "do the same.",

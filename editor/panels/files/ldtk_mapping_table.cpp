@@ -72,13 +72,13 @@ bool draw_ldtk_mapping(const std::vector<LdtkThing>& things, LdtkMapping& mappin
     draw_name(thing, ui);
     bool changes = false;
     if (choice.kind == LdtkMapping::Kind::entity) {
-      changes = draw_words(widget + "/body", kShapeWidth, ldtk_body_words(), "usual: " + thing.usual,
+      changes = draw_words(widget + "/body", kShapeWidth, ldtk_body_words(), "default: " + thing.usual,
                            "Which body such entities are.", choice.body, ui);
     } else {
-      changes = draw_words(widget + "/shape", kShapeWidth, ldtk_shape_words(), "usual: " + thing.usual,
+      changes = draw_words(widget + "/shape", kShapeWidth, ldtk_shape_words(), "default: " + thing.usual,
                            "Which ground it is.", choice.shape, ui);
       ImGui::SameLine();
-      changes = draw_words(widget + "/flag", kFlagWidth, ldtk_flag_words(), "usual flag",
+      changes = draw_words(widget + "/flag", kFlagWidth, ldtk_flag_words(), "default flag",
                            "Which flag its tiles have.", choice.flag, ui) ||
                 changes;
     }

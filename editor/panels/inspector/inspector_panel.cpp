@@ -134,11 +134,11 @@ struct Column {
   bool numbers;  // numbers and their title end at the right edge
   const char* help;
 };
-constexpr float kLeastTableWidth = 364;  // px at scale 1; a narrower panel scrolls
+constexpr float kLeastTableWidth = 374;  // px at scale 1; a narrower panel scrolls
 constexpr std::array<Column, 8> kColumns = {{
     {"#", 14, true, "The order in which the step met them."},
     {"other", 0, false, "A solid tile, an up- or down-slope with its cell, or another body."},
-    {"resp.", 44, false, "How the body reacted."},
+    {"reaction", 54, false, "What the body did: it stopped, slid along, bounced off or crossed it."},
     {"t", 44, true,
      "Time of impact, a fraction of the move; minus the overlap area, px\xc2\xb2, if the boxes overlapped."},
     {"n", 40, true, "The normal out of the other."},

@@ -2,15 +2,17 @@
 #include "status_panel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
+#include "debug/number_text.h"
 #include "edit/layer_tools.h"
 #include "edit/picture_palette.h"
-#include "overlay/number_label.h"
 #include "panels/canvas/canvas_layers.h"
 #include "panels/commands/commands.h"
 #include "panels/level/problem_list.h"
 #include "panels/sprites/tile_number.h"
+#include "panels/tiles/flag_label.h"
 
 namespace talus {
 namespace {
@@ -22,13 +24,19 @@ constexpr float kLayer = 150;   // px at scale 1, of the layer's part
 // Tiles of the stamp's picture in a row or column: more would be too small to see.
 constexpr int kMostShown = 8;
 
-// " flags 0,2"; empty if there are no flags.
-std::string flags_text(FlagSet flags) {
+// " (solid, flag 2)"; empty if there are no flags.
+std::string flags_text(const Level& level, FlagSet flags) {
   std::string text;
-  for (int flag = 0; flag < kMaxFlags; ++flag)
-    if (has_flag(flags, flag)) text += (text.empty() ? " flags " : ",") + std::to_string(flag);
-  return text;
+  for (int flag = 0; flag < kMaxFlags; ++flag) {
+    if (!has_flag(flags, flag)) continue;
+    const std::string name = flag_name(level, flag);
+    text += (text.empty() ? " (" : ", ") + (name.empty() ? "flag " + std::to_string(flag) : name);
+  }
+  return text.empty() ? text : text + ")";
 }
+
+// A place of the mouse, which nobody needs in hundredths of a pixel.
+std::string mouse_place_text(double pixels) { return short_text(std::round(pixels * 10) / 10); }
 
 void draw_part(Ui& ui, float x, const std::string& text, std::uint32_t color, std::string_view help) {
   ImGui::SameLine(ui.px(x));
@@ -149,14 +157,15 @@ std::string hover_text(const Session& session, const Hover& hover) {
   if (hover.cell) {
     const MapCell content = session.level().map.at(*hover.cell);
     text = "(" + std::to_string(hover.cell->x) + ", " + std::to_string(hover.cell->y) + ")  " +
-           text_of_cell(content) + flags_text(session.level().tile_flags(content.tile)) + "   ";
+           text_of_cell(content) + flags_text(session.level(), session.level().tile_flags(content.tile)) +
+           "   ";
   }
   const TileSize tile = session.level().map.tile_size();
   if (hover.dragged)
     return text + std::to_string(hover.dragged->x) + "x" + std::to_string(hover.dragged->y) + " cells, " +
            std::to_string(hover.dragged->x * tile.width) + "x" +
            std::to_string(hover.dragged->y * tile.height) + " px";
-  return text + "px " + two_decimals(hover.pixel->x) + ", " + two_decimals(hover.pixel->y);
+  return text + "px " + mouse_place_text(hover.pixel->x) + ", " + mouse_place_text(hover.pixel->y);
 }
 
 void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
@@ -172,9 +181,10 @@ void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
   } else if (const auto exporting = session.exporting().progress()) {
     draw_exporting(*exporting, kBodies, ui);
   } else if (session.playback().running && session.timeline().in_past()) {
-    draw_part(ui, kBodies, "replaying", theme::kAccent,
-              "The recording is shown again. Take over here, beside the timeline, plays on from the shown "
-              "frame instead.");
+    draw_part(
+        ui, kBodies, "replaying", theme::kAccent,
+        "The recording is shown again. End replay, play on, beside the timeline, leaves it at the shown "
+        "frame.");
     ui.item("status/replaying");
   } else {
     const std::size_t bodies = session.state().bodies.size();

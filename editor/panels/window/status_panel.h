@@ -7,7 +7,7 @@
 
 namespace talus {
 
-// What is under the mouse, in words: "(12, 9)  tile 34 flags 0,2   px 98.00, 74.00"; empty if it is on
+// What is under the mouse, in words: "(12, 9)  tile 34 (solid, flag 2)   px 98, 74.5"; empty if it is on
 // nothing.
 std::string hover_text(const Session& session, const Hover& hover);
 
