@@ -16,8 +16,8 @@ enum class StartsWith { welcome, last_level, demo };
 
 struct Preferences {
   ThemeKind theme = ThemeKind::dark;
-  double font_size = 14;      // px at scale 1; kMinFontSize to kMaxFontSize
-  bool plays_opened = true;   // whether a level with bodies plays as soon as it is open
+  double font_size = 14;     // px at scale 1; kMinFontSize to kMaxFontSize
+  bool plays_opened = true;  // whether a level with bodies plays as soon as it is open
   StartsWith starts_with = StartsWith::welcome;
   bool middle_picks = false;  // whether a press of the middle button picks, as in TIC-80; else a drag of it
                               // moves the view, and a click picks

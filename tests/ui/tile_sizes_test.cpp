@@ -157,7 +157,7 @@ TEST_F(UiTileSizes, ANewLevelIsDrawnAtTheSizeOfItsTiles) {
   const SpriteArea& area = session().choices().area;
   EXPECT_EQ(area.tile, (TileSize{16, 16}));
   click("pixels/size32");
-  EXPECT_EQ(area.tiles, (CellRect{0, 0, 2, 2})) << "the buttons mean tiles";
+  EXPECT_EQ(area.tiles, (CellRect{1, 0, 2, 2})) << "the buttons mean tiles";
   click("pixels/size16");
   click(on_sheet(1));
   frames(2);
