@@ -79,7 +79,8 @@ void put_first_scene(Level& level) {
 // Large tiles are fewer, so that their picture is at most 16 MB.
 SheetLayout layout_of_pictures(TileSize tile) {
   constexpr int kMostPixels = 4'194'304;
-  const int rows = std::clamp(kMostPixels / (kCartColumns * tile.width * tile.height), 1, kCartTiles / kCartColumns);
+  const int rows =
+      std::clamp(kMostPixels / (kCartColumns * tile.width * tile.height), 1, kCartTiles / kCartColumns);
   return {kCartColumns, rows * kCartColumns};
 }
 

@@ -11,12 +11,14 @@
 #include "panels/requests.h"
 #include "panels/sprites/sprites_view.h"
 #include "panels/tiles/shape_view.h"
+#include "panels/tour/tour_view.h"
 #include "panels/window/window_view.h"
 
 namespace talus {
 
 struct View {
   WindowView window;
+  TourView tour;
   CommandsView commands;
   CanvasesView canvas;
   SpritesView sprites;

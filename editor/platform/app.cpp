@@ -185,10 +185,12 @@ void App::take_settings(const Settings& settings) {
     if (auto picture = recent_pictures_.find(file)) ui_.view.files.recent_pictures[file] = std::move(picture);
   ui_.view.files.scenes = scene_paths();
   ui_.view.files.hard_cases = hard_case_paths();
+  ui_.view.files.tour_level = asset_path("platformer/meadow.tmx");
   ui_.view.window.tabs = settings.tabs;
   ui_.view.window.dock_open = settings.dock_open;
   ui_.view.canvas.legend_folded = settings.legend_folded;
   ui_.view.canvas.labels_all = settings.labels_all;
+  ui_.view.tour.step = settings.tour_step;
   ui_.view.preferences = noted_preferences_ = settings.preferences;
   session_->apply(action::SetOverlayPalette{settings.overlay_palette});
   for (const Breakpoint& breakpoint : settings.breakpoints)
@@ -218,6 +220,7 @@ Settings App::current_settings() const {
   settings.dock_open = ui_.view.window.dock_open;
   settings.legend_folded = ui_.view.canvas.legend_folded;
   settings.labels_all = ui_.view.canvas.labels_all;
+  settings.tour_step = ui_.view.tour.step;
   settings.preferences = ui_.view.preferences;
   settings.overlay_palette = session_->choices().overlay_palette;
   settings.breakpoints = session_->debugger().breakpoints().all();

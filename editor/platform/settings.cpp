@@ -80,6 +80,7 @@ const Fields<Settings>& settings_fields() {
       texts("plots", &Settings::plots, kMaxPlots),
       choice("overlay_palette", &Settings::overlay_palette, OverlayPalette::standard,
              {"standard", "colour_blind"}),
+      number("tour_step", &Settings::tour_step, 0, 0, 100),
       object("preferences", &Settings::preferences, preferences_fields()),
   };
   return kFields;

@@ -30,6 +30,7 @@ struct Settings {
   std::vector<Breakpoint> breakpoints;    // at most kMaxBreakpoints
   std::vector<std::string> plots;         // expressions; at most kMaxPlots
   OverlayPalette overlay_palette{};
+  int tour_step{};  // of the tour inside the program, that comes next
   Preferences preferences;
 };
 inline constexpr std::size_t kMaxRecentFiles = 10, kMaxTabs = 16, kMaxBreakpoints = 64, kMaxPlots = 64;

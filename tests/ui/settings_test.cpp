@@ -64,6 +64,7 @@ TEST_F(UiSettings, EverySettingIsTakenAndStoredAgain) {
        {{{"condition", "vx > 3"}, {"body", 2}, {"count", 4}, {"each_frame", true}, {"enabled", false}}}},
       {"plots", {"vx"}},
       {"overlay_palette", "colour_blind"},
+      {"tour_step", 3},
       {"preferences",
        {{"theme", "light"},
         {"font_size", 16},

@@ -129,6 +129,7 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(view.min, view.max, true);
   draw_layers(session, view, ui);
+  if (is_play() && ui.view.tour.open) note_followed(session, view, ui);
   if (ui.view.canvas.marked_cell)
     draw_cell_frame(list, {ui.view.canvas.marked_cell->x, ui.view.canvas.marked_cell->y, 1, 1}, view,
                     theme::color(theme::kWarning), ui.px(2));
@@ -357,6 +358,14 @@ void LevelCanvas::handle_play_mouse(const Session& session, Actions& actions, co
     actions.push_back(action::HoldMouse{at, false});
   }
   if (holding_) actions.push_back(action::HoldMouse{at, true});
+}
+
+// The tour points at it.
+void LevelCanvas::note_followed(const Session& session, const CanvasView& view, Ui& ui) const {
+  const Body* body = followed_body(session.state(), session.choices().body);
+  if (body == nullptr) return;
+  ui.place(name_ + "/followed", view.to_screen({body->box.x, body->box.y}),
+           view.to_screen({body->box.right(), body->box.bottom()}));
 }
 
 // The level without its bodies. then: the level to show; null: the current one.

@@ -68,6 +68,7 @@ class LevelCanvas {
   ScreenBox captions_box(const Session& session, const CanvasView& view, const Ui& ui) const;
   OverlayLegend legend(const Session& session, const CanvasView& view, const Ui& ui) const;
   bool pick_cell(const Session& session, Ui& ui, Cell cell, bool hovered) const;
+  void note_followed(const Session& session, const CanvasView& view, Ui& ui) const;
   void follow_body(const Session& session, const Ui& ui);
   void let_go(Ui& ui) const;
   void draw_captions(const Session& session, const CanvasView& view, Ui& ui) const;

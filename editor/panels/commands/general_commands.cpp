@@ -87,6 +87,15 @@ bool can_undo(S session, const Ui& ui) {
   return session.history().can_undo() || (ui.view.window.focus == Focus::shape && is_unfinished);
 }
 
+// A tour that was left goes on in the open level.
+void take_tour(S, A actions, U ui) {
+  TourView& tour = ui.view.tour;
+  tour.open = !tour.open;
+  if (!tour.open) return;
+  ui.view.window.welcome_open = false;
+  if (tour.step == 0) actions.push_back(action::OpenFile{ui.view.files.tour_level, true});
+}
+
 std::vector<Command> file_commands() {
   return {
       {.id = "file/new",
@@ -208,6 +217,14 @@ std::vector<Command> view_commands() {
        .run = toggle<&View::window, &WindowView::welcome_open>,
        .checked = is_on<&View::window, &WindowView::welcome_open>,
        .words = "start recent examples gallery home"},
+      {.id = "help/tour",
+       .label = "Tour",
+       .help = "Shows in eight steps what Talus does, on a copy of the meadow; or goes on with the step "
+               "at which it was left.",
+       .menu = menus::kHelp,
+       .run = take_tour,
+       .checked = is_on<&View::tour, &TourView::open>,
+       .words = "start learn tutorial introduction first steps"},
       {.id = "help/keys",
        .label = "Keys and mouse",
        .help = "Shows every key.",

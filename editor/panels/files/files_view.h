@@ -24,6 +24,7 @@ struct FilesView {
   std::map<std::string, std::shared_ptr<const SheetPicture>> recent_pictures;
   std::vector<std::string> scenes;      // paths of the demo and other levels that come with the program
   std::vector<std::string> hard_cases;  // paths of the hard cases, in order
+  std::string tour_level;               // path of the level that the tour goes through
 };
 
 }  // namespace talus

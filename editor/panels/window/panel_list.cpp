@@ -41,6 +41,7 @@
 #include "panels/tiles/flags_panel.h"
 #include "panels/tiles/shape_panel.h"
 #include "panels/tiles/tile_panel.h"
+#include "panels/tour/tour_panel.h"
 #include "question_panel.h"
 #include "settings_panel.h"
 #include "status_panel.h"
@@ -84,6 +85,7 @@ std::vector<PanelPlace> make_panels() {
   panels.push_back(place<TransportPanel>(Region::transport));
   panels.push_back(place<StatusPanel>(Region::status));
   panels.push_back(place<WelcomePanel>(Region::floating));
+  panels.push_back(place<TourPanel>(Region::floating));
   panels.push_back(place<HelpPanel>(Region::floating));
   panels.push_back(place<MetricsPanel>(Region::floating));
   panels.push_back(place<SettingsPanel>(Region::floating));

@@ -87,12 +87,12 @@ void begin_page_column(const char* name, float width) {
   ImGui::BeginChild(name, {width, 0}, false, ImGuiWindowFlags_NavFlattened);
 }
 
-// Two choices side by side, each half of the width.
+// Two choices side by side, each half of the width. has_first: whether the first can be chosen.
 bool draw_choice_pair(const char* widget, const char* first, const char* second, bool is_second,
-                      const char* help, Ui& ui) {
+                      const char* help, Ui& ui, bool has_first = true) {
   const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
   const std::string name = widget;
-  if (ui.text_button(name + "/" + first, first, !is_second, help, {}, true, half)) is_second = false;
+  if (ui.text_button(name + "/" + first, first, !is_second, help, {}, has_first, half)) is_second = false;
   ImGui::SameLine();
   if (ui.text_button(name + "/" + second, second, is_second, help, {}, true, half)) is_second = true;
   return is_second;
@@ -138,10 +138,17 @@ void WelcomePanel::draw_title(const Session& session, Ui& ui) {
 }
 
 void WelcomePanel::draw_start(const Session& session, Actions& actions, Ui& ui) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  const bool is_begun = ui.view.tour.step > 0;
+  ui.heading("First steps, in three minutes");
+  command_text_button("help/tour"_command, session, actions, ui,
+                      {.label = is_begun ? "Go on with the tour" : "Take the tour",
+                       .widget = "welcome/tour",
+                       .width = width});
+  draw_page_gap(ui);
   draw_new_level(session, actions, ui);
   draw_page_gap(ui);
   ui.heading("Open");
-  const float width = ImGui::GetContentRegionAvail().x;
   command_text_button("file/open"_command, session, actions, ui,
                       {.label = "Open a file...", .widget = "welcome/open", .width = width});
   ui.hint("Or drop files or a folder on the window: levels, maps of Tiled, projects of LDtk, carts.");
@@ -161,9 +168,12 @@ void WelcomePanel::draw_new_level(const Session& session, Actions& actions, Ui& 
                        "Tiles of " + text + "x" + text + " px.", {}, true, quarter))
       side_ = side;
   }
-  content_.in_true_colour =
-      draw_choice_pair("welcome/colours", "Palette", "True colour", content_.in_true_colour,
-                       "Tiles in 16 colours of a palette, as TIC-80 has them, or in any colours.", ui);
+  const bool has_palette = side_ == kCartTileSize;
+  const bool in_true_colour = draw_choice_pair(
+      "welcome/colours", "Palette", "True colour", content_.in_true_colour || !has_palette,
+      "Tiles in 16 colours of a palette, as TIC-80 has them, which then have 8x8 px; or in any colours.", ui,
+      has_palette);
+  if (has_palette) content_.in_true_colour = in_true_colour;
   content_.plays = draw_choice_pair("welcome/content", "Empty", "Playable", content_.plays,
                                     "An empty map, or one with ground, slopes and a player.", ui);
   const bool creates =
