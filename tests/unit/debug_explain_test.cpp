@@ -48,8 +48,8 @@ TEST_F(Sentences, TellOfAWallThatABodySlidesAlong) {
   step({4, 3}, {11.48, 23});
   contact(tile_, {-1, 0}, 0.37, {4, 3}, {11.48, 21.11});
   EXPECT_EQ(sentence(),
-            "stopped by the left side of the tile at (12, 9) at 0.37 of the step; of 3.15 px of motion "
-            "left 1.89 px slid down");
+            "stopped by the left side of the tile at (12, 9) at 0.37 of the step; of 3.15 px of "
+            "remaining motion 1.89 px slid down");
   EXPECT_EQ(numbers(), "normal (-1, 0)");
 }
 
