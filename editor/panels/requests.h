@@ -55,6 +55,8 @@ struct Zoom {
 struct FitMap {};
 // To the same canvas: shows what it showed when the level was opened.
 struct ShowOpening {};
+// To the same: keeps its zoom while its size changes, and shows the followed body in its middle.
+struct KeepZoom {};
 // To the problems panel: scrolls to the chosen problem.
 struct ShowProblem {};
 // To the same: scrolls to the proof of the level.
@@ -84,9 +86,9 @@ struct OpenProgram {
 
 using Request =
     std::variant<request::ShowTab, request::FocusField, request::FocusPanel, request::ShowCell,
-                 request::Scroll, request::Zoom, request::FitMap, request::ShowOpening, request::ShowProblem,
-                 request::ShowProof, request::RenameLayer, request::RenameGroup, request::PutBreakpointAt,
-                 request::ShowFileDialog, request::OpenProgram>;
+                 request::Scroll, request::Zoom, request::FitMap, request::ShowOpening, request::KeepZoom,
+                 request::ShowProblem, request::ShowProof, request::RenameLayer, request::RenameGroup,
+                 request::PutBreakpointAt, request::ShowFileDialog, request::OpenProgram>;
 
 class Requests {
  public:

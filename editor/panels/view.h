@@ -12,9 +12,12 @@
 #include "panels/sprites/sprites_view.h"
 #include "panels/tiles/shape_view.h"
 #include "panels/tour/tour_view.h"
+#include "panels/window/tab_places.h"
 #include "panels/window/window_view.h"
 
 namespace talus {
+
+inline constexpr std::size_t kMaxLayouts = 20;
 
 struct View {
   WindowView window;
@@ -27,7 +30,8 @@ struct View {
   DebuggerView debugger;
   FilesView files;
   Preferences preferences;
-  Requests requests;  // of panels to each other
+  std::vector<SavedLayout> layouts;  // at most kMaxLayouts
+  Requests requests;                 // of panels to each other
 
   // Brings a cell of the map into sight, and outlines it.
   void show_on_map(Cell cell) {

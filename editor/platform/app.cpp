@@ -17,6 +17,7 @@
 #include "formats/native/recording_file.h"
 #include "formats/text/utf8_text.h"
 #include "overlay/small_picture.h"
+#include "panels/canvas/sheet_overlay.h"
 #include "panels/commands/commands.h"
 #include "panels/files/reading_panel.h"
 #include "panels/ui/dialog.h"
@@ -187,6 +188,10 @@ void App::take_settings(const Settings& settings) {
   ui_.view.files.hard_cases = hard_case_paths();
   ui_.view.files.tour_level = asset_path("platformer/meadow.tmx");
   ui_.view.window.tabs = settings.tabs;
+  ui_.view.window.moved_tabs = settings.moved_tabs;
+  ui_.view.layouts = settings.layouts;
+  ui_.view.window.left_open = settings.left_open;
+  ui_.view.window.right_open = settings.right_open;
   ui_.view.window.dock_open = settings.dock_open;
   ui_.view.canvas.legend_folded = settings.legend_folded;
   ui_.view.canvas.labels_all = settings.labels_all;
@@ -205,7 +210,7 @@ void App::take_settings(const Settings& settings) {
 
 Settings App::current_settings() const {
   Settings settings;
-  const ImVec2 size = window_->size();
+  const ImVec2 size = window_->windowed_size();
   settings.width = static_cast<int>(size.x);
   settings.height = static_cast<int>(size.y);
   settings.layout = ui_.view.window.layout;
@@ -217,6 +222,10 @@ Settings App::current_settings() const {
   settings.overlays = session_->choices().overlays;
   settings.recent_files = ui_.view.files.recent_files;
   settings.tabs = ui_.view.window.tabs;
+  settings.moved_tabs = ui_.view.window.moved_tabs;
+  settings.layouts = ui_.view.layouts;
+  settings.left_open = ui_.view.window.left_open;
+  settings.right_open = ui_.view.window.right_open;
   settings.dock_open = ui_.view.window.dock_open;
   settings.legend_folded = ui_.view.canvas.legend_folded;
   settings.labels_all = ui_.view.canvas.labels_all;
@@ -311,6 +320,7 @@ void App::frame() {
   last_time_ = ui_.time = now;
   dismiss_old_note();
   follow_work();
+  window_->set_full_screen(ui_.view.window.full_screen);
   const float wanted = ui_.view.window.ui_scale > 0 ? static_cast<float>(ui_.view.window.ui_scale)
                                                     : automatic_scale(window_->size().y);
   ui_.scale = std::min(wanted, largest_scale(window_->size()));
@@ -334,7 +344,7 @@ void App::frame() {
   ui_.view.window.metrics.note(cost_of_frame(made - start, processor_time() - made));
   window_->present();
   ++drawn_frames_;
-  session_->apply(actions);
+  apply(actions);
   copies_.follow(*session_);
   open_wanted_program();
   note_dialog_result();
@@ -393,7 +403,7 @@ void App::handle_events() {
       SDL_free(event.drop.file);
     }
     release(event, actions);
-    session_->apply(actions);
+    apply(actions);
   }
   if (dropped.size() == 1) session_->apply(action::OpenFile{dropped[0]});
   if (dropped.size() > 1) session_->apply(action::OpenMaps{dropped});
@@ -420,7 +430,7 @@ bool App::close_window(Actions& actions) {
   for (bool* open :
        {&ui_.view.window.help_open, &ui_.view.window.settings_open, &ui_.view.window.metrics_open,
         &ui_.view.files.exports.open, &ui_.view.level.find_tiles_open, &ui_.view.window.welcome_open,
-        &ui_.view.debugger.picks_cell}) {
+        &ui_.view.window.layouts_open, &ui_.view.window.alone, &ui_.view.debugger.picks_cell}) {
     if (std::exchange(*open, false)) return false;
   }
   return std::exchange(ui_.view.canvas.marked_cell, std::nullopt).has_value();
@@ -516,6 +526,17 @@ void App::note_dialog_result() {
     session_->apply(action::DismissMessage{});
   } else {
     asked_dialog_.reset();
+  }
+}
+
+void App::apply(const Actions& actions) {
+  session_->apply(actions);
+  const bool stamps = paints_with_stamp(session_->choices().map_tool);
+  for (const Action& action : actions) {
+    const auto* choice = std::get_if<ChoiceAction>(&action);
+    if (choice == nullptr) continue;
+    const bool is_of_stamp = std::holds_alternative<action::SelectTiles>(*choice) && stamps;
+    if (is_of_stamp || std::holds_alternative<action::SetMapTool>(*choice)) ui_.view.canvas.take_up_tool();
   }
 }
 

@@ -87,6 +87,8 @@ class App {
   void draw(Actions& actions);
   void draw_file_dialog(Actions& actions);
   void note_dialog_result();
+  // Lets the session carry them out. A tool that they choose is taken up.
+  void apply(const Actions& actions);
   void note_changes();
   void note_recent_file();
   void note_recent_picture();

@@ -139,6 +139,13 @@ ImVec2 GlWindow::size() const {
   return {static_cast<float>(w), static_cast<float>(h)};
 }
 
+void GlWindow::set_full_screen(bool wanted) {
+  const bool is_full = windowed_.x > 0;
+  if (wanted == is_full) return;
+  windowed_ = wanted ? size() : ImVec2{0, 0};
+  SDL_SetWindowFullscreen(window_, wanted ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
+}
+
 float GlWindow::pixel_ratio() const {
   int drawable = 0, width = 0;
   SDL_GL_GetDrawableSize(window_, &drawable, nullptr);

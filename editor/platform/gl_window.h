@@ -37,7 +37,9 @@ class GlWindow {
   GlWindow& operator=(const GlWindow&) = delete;
 
   void set_title(const std::string& title) { SDL_SetWindowTitle(window_, title.c_str()); }
-  ImVec2 size() const;        // px of the window
+  ImVec2 size() const;                                                           // px of the window
+  ImVec2 windowed_size() const { return windowed_.x > 0 ? windowed_ : size(); }  // without full screen
+  void set_full_screen(bool wanted);                                             // cheap if nothing changes
   float pixel_ratio() const;  // pixels of the framebuffer for one of the window
   bool is_minimized() const { return (SDL_GetWindowFlags(window_) & SDL_WINDOW_MINIMIZED) != 0; }
 
@@ -66,6 +68,7 @@ class GlWindow {
   SDL_Window* window_ = nullptr;
   SDL_GLContext gl_ = nullptr;
   ImGuiContext* imgui_ = nullptr;
+  ImVec2 windowed_;  // px, of the window before it filled the screen; 0: it does not
   bool offscreen_ = false;
   bool is_invisible_ = false;  // whether SDL's driver has no screen
   bool has_video_ = false;

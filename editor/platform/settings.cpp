@@ -30,6 +30,27 @@ Fields<Layout> layout_fields() {
           share("dock", &Layout::dock)};
 }
 
+Fields<MovedTab> moved_tab_fields() {
+  return {text("panel", &MovedTab::panel), choice("place", &MovedTab::place, TabPlace::closed,
+                                                  {"left", "right_top", "right_bottom", "dock", "closed"})};
+}
+
+const std::vector<std::string>& canvas_names() {
+  static const std::vector<std::string> kNames = {"map", "play", "both", "two_maps"};
+  return kNames;
+}
+
+Fields<SavedLayout> saved_layout_fields() {
+  return {text("name", &SavedLayout::name),
+          object("sizes", &SavedLayout::sizes, layout_fields()),
+          choice("canvas", &SavedLayout::canvas, CanvasMode::play, canvas_names()),
+          toggle("left_column", &SavedLayout::left_open, true),
+          toggle("right_column", &SavedLayout::right_open, true),
+          toggle("debugger", &SavedLayout::dock_open, false),
+          texts("tabs", &SavedLayout::tabs, kMaxTabs),
+          objects("moved_tabs", &SavedLayout::moved_tabs, moved_tab_fields(), "panel", kMaxTabs)};
+}
+
 Fields<Breakpoint> breakpoint_fields() {
   return {text("condition", &Breakpoint::condition), number("body", &Breakpoint::body, 0, 0, 1e9),
           number("count", &Breakpoint::count, 1, 1, 1e9),
@@ -63,7 +84,7 @@ const Fields<Settings>& settings_fields() {
       number("width", &Settings::width, 0, 320, 16384),
       number("height", &Settings::height, 0, 320, 16384),
       object("layout", &Settings::layout, layout_fields()),
-      choice("canvas", &Settings::canvas, CanvasMode::both, {"map", "play", "both", "two_maps"}),
+      choice("canvas", &Settings::canvas, CanvasMode::play, canvas_names()),
       number("ui_scale", &Settings::ui_scale, 0, 1, 4),
       toggle("grid", &Settings::grid, true),
       toggle("screen_borders", &Settings::screen_borders, true),
@@ -73,6 +94,10 @@ const Fields<Settings>& settings_fields() {
       overlays_field("overlays"),
       texts("recent_files", &Settings::recent_files, kMaxRecentFiles),
       texts("tabs", &Settings::tabs, kMaxTabs),
+      objects("moved_tabs", &Settings::moved_tabs, moved_tab_fields(), "panel", kMaxTabs),
+      objects("layouts", &Settings::layouts, saved_layout_fields(), "name", kMaxLayouts),
+      toggle("left_column", &Settings::left_open, true),
+      toggle("right_column", &Settings::right_open, true),
       toggle("debugger", &Settings::dock_open, false),
       toggle("legend_folded", &Settings::legend_folded, false),
       toggle("labels_all", &Settings::labels_all, false),

@@ -24,6 +24,9 @@ struct Settings {
   OverlaySet overlays;                    // unknown names are left out
   std::vector<std::string> recent_files;  // at most kMaxRecentFiles
   std::vector<std::string> tabs;          // ids of panels; at most kMaxTabs, unknown ones do nothing
+  std::vector<MovedTab> moved_tabs;       // at most kMaxTabs; unknown ids do nothing
+  std::vector<SavedLayout> layouts;       // at most kMaxLayouts
+  bool left_open{}, right_open{};         // the columns beside the canvas
   bool dock_open{};                       // the debugger's panels
   bool legend_folded{};                   // the overlays' legend has no names
   bool labels_all{};                      // the overlays label every body

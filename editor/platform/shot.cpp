@@ -96,7 +96,11 @@ tl::expected<void, std::string> write_shot(const Session& session, const ShotOpt
   return write_png(*picture, png_path, InPlace::write);
 }
 
-std::vector<std::string> panels_in_tabs() { return tab_ids(); }
+std::vector<std::string> panels_in_tabs() {
+  std::vector<std::string> ids;
+  for (const TabInfo& tab : tab_infos()) ids.push_back(tab.id);
+  return ids;
+}
 
 tl::expected<void, std::string> write_window_shot(const WindowShotOptions& options,
                                                   const std::string& png_path, WindowCost* cost) {

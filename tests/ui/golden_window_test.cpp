@@ -89,7 +89,7 @@ TEST_F(UiGoldenWindow, AButtonThatMovedIsAnotherPicture) {
   const Picture window = picture_of_window();
   Picture shown;
   ASSERT_EQ(first_difference(window, window, shown), "");
-  const Widget* button = find("map/fill");
+  const Widget* button = find("canvas/play");
   ASSERT_NE(button, nullptr);
   const auto pixel = [&](float x, float y) {
     return 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(window.width) +
@@ -109,7 +109,7 @@ TEST_F(UiGoldenWindow, AButtonThatMovedIsAnotherPicture) {
     channel = static_cast<std::uint8_t>(channel < 128 ? channel + 30 : channel - 30);
   EXPECT_EQ(first_difference(shaded, window, shown), "");
   // So the comparison also sees which tool is chosen.
-  session().apply(action::SetMapTool{MapTool::fill});
+  press("map/fill"_command);
   EXPECT_NE(first_difference(picture_of_window(), window, shown), "");
 }
 

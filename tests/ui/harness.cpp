@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iostream>
 #include <sstream>
+#include <utility>
 
 #include <talus/formats/format.h>
 #include "paths.h"
@@ -43,8 +44,16 @@ void UiTest::start(const std::string& file, int width, int height) {
   auto app = App::start(std::move(options));
   ASSERT_TRUE(app) << app.error();
   app_ = std::move(*app);
+  if (std::exchange(shows_both_, false)) show_both(width);
   app_->session().finish_reading();  // waits for a large file
   frames(3);
+}
+
+void UiTest::show_both(int width) {
+  View& view = app_->ui().view;
+  view.canvas.mode = CanvasMode::both;
+  view.window.layout.left = std::max(0.215, 276.0 / width);
+  view.window.layout.right = 0.305;
 }
 
 void UiTest::turn_for(double seconds) {
@@ -100,6 +109,10 @@ bool UiTest::frames_until(const std::function<bool()>& is_so) {
 }
 
 ImVec2 UiTest::centre(std::string_view name) {
+  if (find(name) == nullptr && find("canvas/more") != nullptr) {  // it may have no room in the toolbar
+    click(find("canvas/more")->centre());
+    frames(2);
+  }
   const Widget* widget = find(name);
   EXPECT_NE(widget, nullptr) << "no widget " << name;
   return widget ? widget->centre() : ImVec2(0, 0);

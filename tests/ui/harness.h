@@ -37,6 +37,9 @@ class UiTest : public ::testing::Test {
   // From the next start on, levels open as they do for a user: at what matters of them, playing, and
   // followed. Else they open paused at their first screen.
   void open_as_users_do() { opens_paused_ = false; }
+  // The same for the first layout. Else the first start shows the map above the play view, between wide
+  // columns.
+  void begin_with_the_first_layout() { shows_both_ = false; }
   // Lets that time pass, in which the window draws a frame only if there is a reason.
   void turn_for(double seconds);
 
@@ -90,6 +93,7 @@ class UiTest : public ::testing::Test {
   void drop_all(const std::vector<std::string>& files);  // in one gesture
 
  private:
+  void show_both(int width);  // px, of the window
   ImVec2 place_on_sheet(int tile);
   void push(SDL_Event event);
   void push_key(SDL_Keysym sym, bool down);
@@ -103,6 +107,7 @@ class UiTest : public ::testing::Test {
   double clock_ = 100;    // s
   double turns_end_ = 0;  // s
   bool opens_paused_ = true;
+  bool shows_both_ = true;  // the map and the play view, at the first start of a test
   ImVec2 mouse_{0, 0};
   std::unique_ptr<App> app_;
 };

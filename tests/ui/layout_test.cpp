@@ -166,6 +166,8 @@ TEST_F(UiZoomButtons, AreBesideEachOtherInEveryWidth) {
     start(file, width, 720);
     for (const std::string side : {"canvas", "sheet"}) {
       const Widget *out = find(side + "/zoom_out"), *in = find(side + "/zoom_in");
+      if (out == nullptr && in == nullptr && side == "canvas")
+        continue;  // both are in the menu of the toolbar
       ASSERT_TRUE(out != nullptr && in != nullptr) << side;
       EXPECT_EQ(out->min.y, in->min.y) << side << " in " << width;
       EXPECT_LT(in->min.x - out->max.x, 10) << side << " in " << width;
@@ -262,6 +264,7 @@ TEST_F(UiKeys, EscapeClosesAMenuWithItsSubmenu) {
 }
 
 TEST_F(UiKeys, LayoutIsReset) {
+  begin_with_the_first_layout();
   start();
   const float before = centre("layout/left").x;
   drag(centre("layout/left"), {before + 60, 300});

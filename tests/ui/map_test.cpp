@@ -529,6 +529,7 @@ TEST_F(UiMap, EscapeOrAClickRemovesTheMarkOfAFoundTile) {
   EXPECT_TRUE(session().choices().selection) << "the next Escape removes the selection";
   key(KeyChord{kKeyEscape});
   EXPECT_FALSE(session().choices().selection);
+  move(on_map({10, 5}));
   key('n');
   ASSERT_EQ(marked, (Cell{20, 12}));
   key('1');

@@ -65,6 +65,16 @@ TEST_F(UiSettings, EverySettingIsTakenAndStoredAgain) {
       {"plots", {"vx"}},
       {"overlay_palette", "colour_blind"},
       {"tour_step", 3},
+      {"moved_tabs", {{{"panel", "reach"}, {"place", "dock"}}}},
+      {"layouts",
+       {{{"name", "wide"},
+         {"sizes", layout},
+         {"canvas", "both"},
+         {"left_column", false},
+         {"right_column", true},
+         {"debugger", true},
+         {"tabs", {"why"}},
+         {"moved_tabs", {{{"panel", "why"}, {"place", "closed"}}}}}}},
       {"preferences",
        {{"theme", "light"},
         {"font_size", 16},
@@ -236,12 +246,12 @@ TEST_F(UiSettings, ReadyLayoutsByKey) {
   EXPECT_TRUE(view.window.dock_open);
   key(ctrl_shift('1'));
   frames(3);
-  EXPECT_EQ(view.canvas.mode, CanvasMode::map);
+  EXPECT_EQ(view.canvas.mode, CanvasMode::play);
   EXPECT_FALSE(view.window.dock_open);
-  EXPECT_TRUE(view.sprites.pixels.enlarged);
+  EXPECT_TRUE(view.window.left_open);
   key(ctrl_shift('2'));
   frames(3);
-  EXPECT_FALSE(view.sprites.pixels.enlarged);
+  EXPECT_FALSE(view.window.left_open);
   EXPECT_EQ(view.canvas.mode, CanvasMode::play);
   EXPECT_FALSE(view.window.dock_open);
   key(ctrl('0'));
@@ -432,16 +442,20 @@ TEST_F(UiSettings, ResettingTheLayoutRestoresThePixels) {
   EXPECT_FALSE(app().ui().view.sprites.pixels.enlarged);
 }
 
-TEST_F(UiSettings, UnitsOfTheTuningAreNotCut) {
-  click("tabs/tuning");
+TEST_F(UiSettings, NumbersOfTheTuningAreNotCutInANarrowColumn) {
+  app().ui().view.window.layout.right = 0;
+  app().ui().ask(request::ShowTab(panel_id::kTuning));
   frames(3);
-  int units = 0;
-  for (const Widget& widget : app().ui().widgets.all()) {
-    if (!widget.name.starts_with("tuning/unit_")) continue;
-    ++units;
-    EXPECT_LE(widget.max.x, widget.clip_max.x + 1) << widget.name;
+  int seen = 0;
+  for (const TuningField& field : tuning_fields()) {
+    const Widget* widget = find("tuning/" + field.path());
+    if (widget == nullptr) continue;  // it is further down
+    ++seen;
+    const std::string text = "0.025 " + std::string(field.unit);
+    EXPECT_LE(size_of_text(text).x, widget->max.x - widget->min.x) << field.path();
+    EXPECT_LE(widget->max.x, widget->clip_max.x) << field.path();
   }
-  EXPECT_GT(units, 3);
+  EXPECT_GT(seen, 3);
 }
 
 }  // namespace talus::settings_test

@@ -171,9 +171,8 @@ TEST(CommandCoverage, EveryActionHasACommandOrAReason) {
 }
 
 TEST(CommandCoverage, EveryTabHasACommand) {
-  const std::vector<std::string> tabs = tab_ids();
-  for (const std::string& panel : tabs) EXPECT_TRUE(is_command("tabs/" + panel)) << panel;
-  EXPECT_EQ(tabs.size(), 17u);
+  for (const TabInfo& tab : tab_infos()) EXPECT_TRUE(is_command("tabs/" + tab.id)) << tab.id;
+  EXPECT_EQ(tab_infos().size(), 17u);
 }
 
 TEST(CommandCoverage, CommandsHaveUniqueIdsAndHelp) {

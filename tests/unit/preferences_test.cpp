@@ -83,8 +83,9 @@ TEST(PreferencesJson, WrongValuesGetTheirDefaults) {
 }
 
 TEST(FormerNames, LeadToNamesThatExist) {
-  const std::vector<std::string> tabs = tab_ids();
-  const auto is_panel = [&](std::string_view id) { return std::count(tabs.begin(), tabs.end(), id) > 0; };
+  const auto is_panel = [](std::string_view id) {
+    return std::ranges::any_of(tab_infos(), [&](const TabInfo& tab) { return tab.id == id; });
+  };
   const auto is_command = [](std::string_view id) {
     return std::any_of(commands().begin(), commands().end(), [&](const Command& c) { return c.id == id; });
   };
@@ -156,7 +157,7 @@ TEST_F(SettingsFile, IsReadAsItWasWritten) {
 TEST(SettingsText, MissingAndWrongValuesGetTheirDefaults) {
   const Settings defaults = default_settings();
   EXPECT_EQ(defaults.width, 0);
-  EXPECT_EQ(defaults.canvas, CanvasMode::both);
+  EXPECT_EQ(defaults.canvas, CanvasMode::play);
   EXPECT_TRUE(defaults.grid && defaults.screen_borders && defaults.overlays.has(overlay::floor_height));
   const Settings wrong =
       settings_of_text(R"({"width": 100, "height": "tall", "layout": {"left": 0.99, "dock": 0.4},
@@ -167,7 +168,7 @@ TEST(SettingsText, MissingAndWrongValuesGetTheirDefaults) {
   EXPECT_EQ(wrong.height, 0);
   EXPECT_EQ(wrong.layout.left, Layout().left);
   EXPECT_EQ(wrong.layout.dock, 0.4);
-  EXPECT_EQ(wrong.canvas, CanvasMode::both);
+  EXPECT_EQ(wrong.canvas, CanvasMode::play);
   EXPECT_EQ(wrong.ui_scale, 0);
   EXPECT_TRUE(wrong.grid);
   for (const Overlay* overlay : all_overlays())

@@ -35,6 +35,7 @@ class Camera {
   float zoom() const;
   // Whether fit() or show() set it last; follow() does not count.
   bool is_untouched() const { return untouched_; }
+  void keep() { untouched_ = false; }  // as if the user had chosen what it shows
   // Zooms by `steps` (> 0: in) and keeps what lies at `at` in place; px from the canvas's corner.
   void zoom_at(ImVec2 at, int steps);
   void scroll(Vec2 pixels);  // px of the screen

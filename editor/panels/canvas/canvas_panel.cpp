@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "panels/commands/commands.h"
+#include "panels/commands/command_row.h"
 #include "panels/debugger/compare_choice.h"
 #include "panels/tiles/flag_choice.h"
 #include "panels/tiles/flag_label.h"
@@ -12,6 +12,8 @@
 
 namespace talus {
 namespace {
+
+constexpr float kWide = 1.9f;  // width of the room by its height, from which two canvases lie side by side
 
 // Short enough for the toolbar.
 std::string short_label(const Level& level, FlagPattern pattern) {
@@ -22,7 +24,7 @@ std::string short_label(const Level& level, FlagPattern pattern) {
 }  // namespace
 
 void CanvasPanel::draw(const Session& session, Actions& actions, Ui& ui) {
-  draw_toolbar(session, actions, ui);
+  if (!ui.view.window.alone) draw_toolbar(session, actions, ui);
   switch (ui.view.canvas.mode) {
     case CanvasMode::map:
       map_.draw(session, actions, ui, ImGui::GetContentRegionAvail());
@@ -48,56 +50,55 @@ void CanvasPanel::draw_play(const Session& session, Actions& actions, Ui& ui, Im
 void CanvasPanel::draw_both(const Session& session, Actions& actions, Ui& ui) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float bar = ui.px(kSplitterWidth), least = ui.px(80);
-  float upper = static_cast<float>(ui.view.window.layout.canvas_split) * room.y;
-  upper = std::clamp(upper, std::min(least, room.y / 2), std::max(room.y - least - bar, room.y / 2));
+  const bool is_wide = room.x > kWide * room.y;
+  const float whole = is_wide ? room.x : room.y;
+  float first = std::floor(static_cast<float>(ui.view.window.layout.canvas_split) * whole);
+  first = std::clamp(first, std::min(least, whole / 2), std::max(whole - least - bar, whole / 2));
+  const float rest = whole - first - bar;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-  map_.draw(session, actions, ui, {room.x, upper});
-  const float moved = splitter("canvas/split", {room.x, bar}, SplitterAxis::vertical, ui);
-  if (moved != 0) ui.view.window.layout.canvas_split = (upper + moved) / room.y;
-  const ImVec2 lower{room.x, room.y - upper - bar};
+  map_.draw(session, actions, ui, is_wide ? ImVec2{first, room.y} : ImVec2{room.x, first});
+  if (is_wide) ImGui::SameLine();
+  const float moved = splitter("canvas/split", is_wide ? ImVec2{bar, room.y} : ImVec2{room.x, bar},
+                               is_wide ? SplitterAxis::horizontal : SplitterAxis::vertical, ui);
+  if (moved != 0) ui.view.window.layout.canvas_split = (first + moved) / whole;
+  if (is_wide) ImGui::SameLine();
+  const ImVec2 size = is_wide ? ImVec2{rest, room.y} : ImVec2{room.x, rest};
   if (ui.view.canvas.mode == CanvasMode::two_maps)
-    second_map_.draw(session, actions, ui, lower);
+    second_map_.draw(session, actions, ui, size);
   else
-    draw_play(session, actions, ui, lower);
+    draw_play(session, actions, ui, size);
   ImGui::PopStyleVar();
 }
 
 void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui) {
-  // Half the usual gap, so that everything fits in two lines of a window 1152 px wide.
+  // Half the usual gap, so that more tools have room.
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(2), ImGui::GetStyle().ItemSpacing.y));
-  command_text_button("canvas/map"_command, session, actions, ui, {.label = "Map"});
+  command_text_button("canvas/play"_command, session, actions, ui, {.label = "Level"});
   ImGui::SameLine();
-  command_text_button("canvas/play"_command, session, actions, ui, {.label = "Play"});
+  command_text_button("canvas/map"_command, session, actions, ui, {.label = "Map"});
   ImGui::SameLine();
   command_text_button("canvas/both"_command, session, actions, ui, {.label = "Both"});
   ImGui::SameLine();
-  command_text_button("canvas/two_maps"_command, session, actions, ui, {.label = "Two maps"});
-  constexpr CommandId kTools[] = {"map/stamp"_command,   "map/pan"_command,   "map/select"_command,
-                                  "map/fill"_command,    "map/line"_command,  "map/rectangle"_command,
-                                  "map/ellipse"_command, "map/slope"_command, "map/segment"_command,
-                                  "map/curve"_command,   "map/body"_command,  "map/object"_command,
-                                  "map/ground"_command,  "map/erase"_command, "map/pick"_command};
-  const float button = ui.px(theme::kButton);
-  for (const CommandId& tool : kTools) {
-    ui.same_line_if_fits(button, &tool == kTools ? ui.px(8) : 0);
-    command_button(tool, session, actions, ui);
-  }
-  constexpr CommandId kView[] = {"canvas/zoom_out"_command,      "canvas/zoom_in"_command,
-                                 "map/random"_command,           "map/minimap"_command,
-                                 "canvas/grid"_command,          "canvas/borders"_command,
-                                 "canvas/paint_in_play"_command, "canvas/follow"_command};
-  for (const CommandId& tool : kView) {
-    const bool has_play = ui.view.canvas.mode == CanvasMode::play || ui.view.canvas.mode == CanvasMode::both;
-    const bool is_of_play = tool == "canvas/paint_in_play"_command || tool == "canvas/follow"_command;
-    if (is_of_play && !has_play) continue;
-    // Both zooms go into the next line together.
-    const float width =
-        tool == "canvas/zoom_out"_command ? 2 * button + ImGui::GetStyle().ItemSpacing.x : button;
-    ui.same_line_if_fits(width, &tool == kView ? ui.px(8) : 0);
-    command_button(tool, session, actions, ui);
-  }
-  ui.same_line_if_fits(ui.px(84));
-  draw_flag_tint_choice(session, actions, ui);
+  command_text_button("canvas/two_maps"_command, session, actions, ui, {.label = "2 maps"});
+  CommandRow row("canvas", ui);
+  const CanvasMode mode = ui.view.canvas.mode;
+  const bool has_play = mode == CanvasMode::play || mode == CanvasMode::both;
+  row.add_gap();
+  if (has_play) row.add({"canvas/paint_in_play"_command}, session, actions);
+  for (const CommandId& tool :
+       {"map/stamp"_command, "map/pan"_command, "map/select"_command, "map/fill"_command, "map/line"_command,
+        "map/rectangle"_command, "map/ellipse"_command, "map/slope"_command, "map/segment"_command,
+        "map/curve"_command, "map/body"_command, "map/object"_command, "map/ground"_command,
+        "map/erase"_command, "map/pick"_command})
+    row.add({tool}, session, actions);
+  row.add_gap();
+  row.add({"canvas/zoom_out"_command, "canvas/zoom_in"_command}, session, actions);
+  if (has_play) row.add({"canvas/follow"_command}, session, actions);
+  for (const CommandId& tool :
+       {"canvas/grid"_command, "canvas/borders"_command, "map/random"_command, "map/minimap"_command})
+    row.add({tool}, session, actions);
+  row.end(
+      session, actions, [&] { draw_flag_tint_choice(session, actions, ui); }, ui.px(84));
   ImGui::PopStyleVar();
 }
 

@@ -24,9 +24,10 @@ struct Hover {
 };
 
 struct CanvasesView {
-  CanvasMode mode = CanvasMode::both;
-  KeyCursor cursor;             // a pointer for the keyboard
-  bool paint_in_play = false;   // the left button paints in the play view, instead of holding balls
+  CanvasMode mode = CanvasMode::play;
+  KeyCursor cursor;  // a pointer for the keyboard
+  bool paint_in_play =
+      false;  // the chosen tool works in the play view, instead of the hand that holds bodies
   bool split_compared = false;  // the other side of a comparison has a view of its own
   bool follow_body = true;      // the play view scrolls with the chosen body, else with the player
   bool legend_folded = false;   // the legend of the overlays has no names
@@ -47,6 +48,10 @@ struct CanvasesView {
 
   // The cell from which a search on the map continues.
   std::optional<Cell> search_start() const { return marked_cell ? marked_cell : hover.cell; }
+  // Whether the hand is the tool, and not the one that was chosen.
+  bool has_hand() const { return mode == CanvasMode::play && !paint_in_play; }
+  // A tool was chosen: where the play view is alone, it works there.
+  void take_up_tool() { paint_in_play = paint_in_play || mode == CanvasMode::play; }
   // Shows the map beside the play view, where the play view is alone.
   void show_map() {
     if (mode == CanvasMode::play) mode = CanvasMode::both;

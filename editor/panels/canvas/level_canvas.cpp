@@ -72,12 +72,12 @@ std::string cursor_hint(const Ui& ui) {
          keys_of("view/cursor"_command, ui) + ": pen down   " + keys_of("cursor/end"_command, ui) + ": end";
 }
 
-// Estimates how much of the map's drawing a box hides, at places that are kStep px apart.
+// Estimates how much of the map's drawing a box hides, at places that are close enough to miss no tile.
 int tiles_below(const Level& level, const ScreenBox& box, const CanvasView& view) {
-  constexpr float kStep = 4;
+  const float step = std::clamp(view.zoom * static_cast<float>(level.map.tile_size().height) / 2, 1.0f, 4.0f);
   int count = 0;
-  for (float y = box.min.y; y <= box.max.y; y += kStep) {
-    for (float x = box.min.x; x <= box.max.x; x += kStep) {
+  for (float y = box.min.y; y <= box.max.y; y += step) {
+    for (float x = box.min.x; x <= box.max.x; x += step) {
       const Cell cell = view.to_cell({x, y});
       if (!level.map.contains(cell)) continue;
       const auto at = static_cast<std::size_t>(cell.y) * level.map.width() + cell.x;
@@ -112,6 +112,10 @@ void draw_fix_preview(ImDrawList& list, const CanvasView& view, const Ui& ui) {
 
 void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 size) {
   size = {std::max(1.0f, std::floor(size.x)), std::max(1.0f, std::floor(size.y))};
+  if (has_requests(ui.view) && ui.view.requests.take<request::KeepZoom>()) {
+    camera_.keep();
+    followed_.reset();
+  }
   start_afresh(session, ui, size);
   take_requests(session, ui, size);
   const ImVec2 min = ImGui::GetCursorScreenPos();
@@ -134,7 +138,7 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
     draw_cell_frame(list, {ui.view.canvas.marked_cell->x, ui.view.canvas.marked_cell->y, 1, 1}, view,
                     theme::color(theme::kWarning), ui.px(2));
   draw_fix_preview(list, view, ui);
-  const bool paints = !is_play() || ui.view.canvas.paint_in_play;
+  const bool paints = this->paints(ui.view);
   if (paints && session.choices().selection) draw_selection(list, *session.choices().selection, view, ui);
   if (paints && !camera_hand_.is_moving() && !camera_.shows_whole() && !sheet_overlay_.has_mouse())
     hand_.draw(list, use(session, view, ui));
@@ -259,7 +263,7 @@ void LevelCanvas::handle_mouse(const Session& session, Actions& actions, Ui& ui,
   const bool is_held = camera_hand_.is_moving() || holding_ || is_editing();
   if (is_play() && !is_held && legend(session, view, ui).take_mouse(ui)) return;
   if (pick_cell(session, ui, cell, hovered)) return;
-  const bool paints = !is_play() || ui.view.canvas.paint_in_play;
+  const bool paints = this->paints(ui.view);
   if (paints &&
       sheet_overlay_.update(session, actions, ui, view, hovered, is_editing() || camera_hand_.is_moving()))
     return;
@@ -389,7 +393,8 @@ void LevelCanvas::draw_ground(const Session& session, const LevelAtFrame* then, 
   }
   if (is_other) draw_marked_cells(list, then->changed(), view);
   draw_curves(list, level, view, ui.scale);
-  if (!level.objects.empty() && !is_play()) draw_objects(list, level, view, ui, ImGui::GetIO().MousePos);
+  const bool paints = this->paints(ui.view);
+  if (!level.objects.empty() && paints) draw_objects(list, level, view, ui, ImGui::GetIO().MousePos);
   if (tint && !far) draw_flag_tint(list, level, view, *tint);
 }
 
@@ -401,9 +406,10 @@ void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, co
   draw_ground(session, is_play() ? &level_at_frame_ : nullptr, 1, view, ui);
   if (choices.overlays.has(overlay::shapes))
     draw_shapes(list, level, view, overlay_color(overlay::shapes, choices.overlay_palette), ui);
-  if (choices.grid && !is_play()) draw_grid(list, level.map, view);
+  const bool paints = this->paints(ui.view);
+  if (choices.grid && paints) draw_grid(list, level.map, view);
   if (choices.screen_borders) draw_screen_borders(list, level.map, view, ui.scale);
-  if (!is_play()) draw_spawns(list, level, view, ui);
+  if (!is_play() || (paints && choices.map_tool == MapTool::body)) draw_spawns(list, level, view, ui);
   const bool at_start = session.state().frame == 0;
   draw_bodies(list, session, level, view, ui, is_play() || at_start ? 255 : 130);
   if (!is_play()) return;
@@ -503,7 +509,7 @@ void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, 
   }
   if (is_play()) legend(session, view, ui).draw(list);
   if (const auto pattern = session.choices().flag_overlay) {
-    const bool paints = !is_play() || ui.view.canvas.paint_in_play;
+    const bool paints = this->paints(ui.view);
     const std::string hint = paints ? hand_.hint(use(session, view, ui)) : std::string();
     const std::string text = hint.empty() ? "tinted: " + pattern_label(session.level(), *pattern) : hint;
     const float height = ImGui::GetTextLineHeight() + ui.px(4);

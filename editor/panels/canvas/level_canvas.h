@@ -38,6 +38,8 @@ class LevelCanvas {
   bool is_editing() const { return hand_.active(); }
   LevelToolUse use(const Session& session, const CanvasView& view, Ui& ui) const;
   bool is_play() const { return kind_ == Kind::play; }
+  // Whether the chosen tool works here, and not the hand that holds bodies.
+  bool paints(const View& view) const { return !is_play() || view.canvas.paint_in_play; }
   void start_afresh(const Session& session, const Ui& ui, ImVec2 size);
   void show_opening(const Session& session, const Ui& ui, ImVec2 size);
   void take_requests(const Session& session, Ui& ui, ImVec2 size);

@@ -29,15 +29,15 @@ Place place_of(const CanvasView& view, const Ui& ui) {
   return {min, {min.x + cell * columns, min.y + cell * rows}, cell};
 }
 
-bool paints_with_stamp(MapTool tool) {
-  return tool == MapTool::stamp || tool == MapTool::fill || tool == MapTool::line ||
-         tool == MapTool::rectangle || tool == MapTool::ellipse;
-}
-
 // Whether Shift means something else over the map.
 bool uses_shift(MapTool tool) { return draws_curves(tool) || tool == MapTool::object; }
 
 }  // namespace
+
+bool paints_with_stamp(MapTool tool) {
+  return tool == MapTool::stamp || tool == MapTool::fill || tool == MapTool::line ||
+         tool == MapTool::rectangle || tool == MapTool::ellipse;
+}
 
 bool SheetOverlay::update(const Session& session, Actions& actions, Ui& ui, const CanvasView& view,
                           bool hovered, bool busy) {

@@ -9,6 +9,9 @@
 
 namespace talus {
 
+// Whether the tool paints the tiles that are chosen on the sheet.
+bool paints_with_stamp(MapTool tool);
+
 class SheetOverlay {
  public:
   // Call it in every frame before the tools. `hovered`: the mouse is over the canvas; `busy`: it drags

@@ -71,7 +71,9 @@ inline CommandRun choose_map_tool(MapTool tool) {
   return [tool](const Session&, Actions& actions, Ui&) { actions.push_back(action::SetMapTool{tool}); };
 }
 inline CommandTest is_map_tool(MapTool tool) {
-  return [tool](const Session& session, const Ui&) { return session.choices().map_tool == tool; };
+  return [tool](const Session& session, const Ui& ui) {
+    return session.choices().map_tool == tool && !ui.view.canvas.has_hand();
+  };
 }
 
 inline std::vector<Command> in_scope(Scope scope, std::vector<Command> commands) {

@@ -3,6 +3,7 @@
 
 #include "command_table.h"
 #include "panels/canvas/play_keys.h"
+#include "panels/layout_presets.h"
 #include "panels/tiles/edited_shape.h"
 #include "panels/tiles/flag_label.h"
 #include "panels/ui/dialog.h"
@@ -62,6 +63,7 @@ void run_from_start(S session, A actions, U ui) {
 
 // The keyboard's cursor moves with the focus.
 void show_sprites(S, A, U ui) {
+  ui.view.window.left_open = true;
   leave_windows();
   ui.view.window.keys_in_panel = false;
   ui.view.window.focus = Focus::sprites;
@@ -200,15 +202,15 @@ std::vector<Command> view_commands() {
        .checked = [](S, const Ui& ui) { return ui.view.window.focus == Focus::map; }},
       {.id = "view/reset_layout",
        .label = "Reset layout",
-       .help = "Puts every panel back to its first size, hides the debugger, and shows map and play view.",
+       .help = "Puts every panel back to its first place and size, and shows the level in one canvas.",
        .key = ctrl('0'),
        .menu = menus::kViewLayouts,
        .run =
            [](S, A, U ui) {
              ui.view.window.layout = Layout{};
-             ui.view.window.dock_open = false;
+             ui.view.window.moved_tabs.clear();
              ui.view.sprites.pixels.enlarged = false;
-             ui.view.canvas.mode = CanvasMode::both;
+             show_layout(layout_presets().front(), ui.view);
            }},
       {.id = "help/welcome",
        .label = "Welcome page",
@@ -245,21 +247,22 @@ std::vector<Command> canvas_commands() {
   return {
       {.id = "canvas/map",
        .label = "Show the map",
-       .help = "Shows only the map.",
+       .help = "Shows only the map, as it is drawn.",
        .key = ctrl('1'),
        .menu = menus::kViewCanvases,
        .run = show_canvas(CanvasMode::map),
        .checked = shows_canvas(CanvasMode::map)},
       {.id = "canvas/play",
-       .label = "Show the play view",
-       .help = "Shows only the play view.",
+       .label = "Show the level",
+       .help =
+           "Shows the level as it plays. The hand holds bodies; the other tools paint, also while it plays.",
        .key = ctrl('2'),
        .menu = menus::kViewCanvases,
        .run = show_canvas(CanvasMode::play),
        .checked = shows_canvas(CanvasMode::play)},
       {.id = "canvas/both",
        .label = "Show map and play view",
-       .help = "Shows the map above the play view.",
+       .help = "Shows the map beside the play view, or above it where the window is narrow.",
        .key = ctrl('3'),
        .menu = menus::kViewCanvases,
        .run = show_canvas(CanvasMode::both),
@@ -323,13 +326,14 @@ std::vector<Command> canvas_commands() {
        .checked = is_on<&View::canvas, &CanvasesView::follow_body>,
        .words = "chosen body camera scroll"},
       {.id = "canvas/paint_in_play",
-       .label = "Paint in the play view",
-       .help = "The left button paints in the play view, instead of holding balls.",
+       .label = "Hand",
+       .help = "Chooses, holds and throws bodies in the play view. Else the chosen tool works there.",
        .key = KeyChord{'p'},
        .menu = menus::kPlayBody,
-       .icon = Icon::pencil,
+       .icon = Icon::hand,
        .run = toggle<&View::canvas, &CanvasesView::paint_in_play>,
-       .checked = is_on<&View::canvas, &CanvasesView::paint_in_play>},
+       .checked = [](S, const Ui& ui) { return !ui.view.canvas.paint_in_play; },
+       .words = "paint in the play view pointer arrow grab"},
   };
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "command_table.h"
+#include "panels/layout_presets.h"
 
 namespace talus {
 namespace {
@@ -11,39 +12,6 @@ namespace {
 using S = const Session&;
 using A = Actions&;
 using U = Ui&;
-
-// A ready layout; sizes are fractions, as in Layout.
-struct ReadyLayout {
-  Layout layout;
-  CanvasMode canvas;
-  bool enlarged_pixels;  // above the map or the play view
-  Focus focus;
-  bool dock_open;
-  std::string_view tab;  // id of the panel that comes to the front
-};
-
-constexpr Layout ready_sizes(double right, double pixels = Layout().pixels) {
-  Layout layout;
-  layout.right = right;
-  layout.pixels = pixels;
-  return layout;
-}
-constexpr ReadyLayout kDrawLayout{ready_sizes(0.27, 0.42), CanvasMode::map, true,
-                                  Focus::sprites,          false,           panel_id::kProblems};
-constexpr ReadyLayout kPlayLayout{ready_sizes(0.27), CanvasMode::play, false, Focus::map, false,
-                                  panel_id::kTuning};
-constexpr ReadyLayout kDebugLayout{Layout(), CanvasMode::play, false, Focus::map, true, panel_id::kInspector};
-
-CommandRun take_layout(const ReadyLayout& ready) {
-  return [&ready](S, A, U ui) {
-    ui.view.window.layout = ready.layout;
-    ui.view.canvas.mode = ready.canvas;
-    ui.view.sprites.pixels.enlarged = ready.enlarged_pixels;
-    ui.view.window.focus = ready.focus;
-    ui.view.window.dock_open = ready.dock_open;
-    ui.ask(request::ShowTab(ready.tab));
-  };
-}
 
 CommandRun open_program(ProgramId id) {
   return [id](S, A, U ui) { ui.ask(request::OpenProgram{id}); };
@@ -135,25 +103,59 @@ std::vector<Command> settings_commands() {
 }
 
 std::vector<Command> layout_commands() {
+  std::vector<Command> all;
+  int key = '1';
+  for (const LayoutPreset& preset : layout_presets())
+    all.push_back({.id = layout_command(preset),
+                   .label = std::string(preset.label),
+                   .help = std::string(preset.help),
+                   .key = ctrl_shift(key++),
+                   .menu = menus::kViewLayouts,
+                   .run = [&preset](S, A, U ui) { show_layout(preset, ui.view); },
+                   .checked = [&preset](S, const Ui& ui) { return is_shown(preset, ui.view); },
+                   .words = "layout arrange panels"});
+  return all;
+}
+
+std::vector<Command> column_commands() {
   return {
-      {.id = "view/layout_draw",
-       .label = "Layout to draw",
-       .help = "Much room for the sheet, the pixels and the map.",
-       .key = ctrl_shift('1'),
+      {.id = "view/layouts",
+       .label = "Layouts...",
+       .help = "Saves how the window is arranged, and goes back to what was saved.",
+       .key = ctrl_shift('4'),
        .menu = menus::kViewLayouts,
-       .run = take_layout(kDrawLayout)},
-      {.id = "view/layout_play",
-       .label = "Layout to play",
-       .help = "Much room for the play view, and the tuning.",
-       .key = ctrl_shift('2'),
+       .run = toggle<&View::window, &WindowView::layouts_open>,
+       .checked = is_on<&View::window, &WindowView::layouts_open>,
+       .words = "arrange save workspace perspective"},
+      {.id = "view/alone",
+       .label = "Canvas alone",
+       .help = "Hides every panel and bar, or brings them back.",
+       .key = ctrl(' '),
        .menu = menus::kViewLayouts,
-       .run = take_layout(kPlayLayout)},
-      {.id = "view/layout_debug",
-       .label = "Layout to debug",
-       .help = "The play view with the inspector and the debugger's panels.",
-       .key = ctrl_shift('3'),
+       .run = toggle<&View::window, &WindowView::alone>,
+       .checked = is_on<&View::window, &WindowView::alone>,
+       .words = "hide panels distraction"},
+      {.id = "view/full_screen",
+       .label = "Full screen",
+       .help = "Lets the window fill the screen, or not.",
+       .key = alt(kKeyEnter),
        .menu = menus::kViewLayouts,
-       .run = take_layout(kDebugLayout)},
+       .run = toggle<&View::window, &WindowView::full_screen>,
+       .checked = is_on<&View::window, &WindowView::full_screen>},
+      {.id = "view/left_column",
+       .label = "Left column",
+       .help = "Shows or hides the sheet and what is below it.",
+       .key = alt(','),
+       .menu = menus::kViewLayouts,
+       .run = toggle<&View::window, &WindowView::left_open>,
+       .checked = is_on<&View::window, &WindowView::left_open>},
+      {.id = "view/right_column",
+       .label = "Right column",
+       .help = "Shows or hides the inspector and what is below it.",
+       .key = alt('.'),
+       .menu = menus::kViewLayouts,
+       .run = toggle<&View::window, &WindowView::right_open>,
+       .checked = is_on<&View::window, &WindowView::right_open>},
   };
 }
 
@@ -193,7 +195,7 @@ std::vector<Command> file_guard_commands() {
 }  // namespace
 
 std::vector<Command> program_commands() {
-  return joined({file_guard_commands(), settings_commands(), layout_commands()});
+  return joined({file_guard_commands(), settings_commands(), layout_commands(), column_commands()});
 }
 
 }  // namespace talus

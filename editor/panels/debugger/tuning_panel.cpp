@@ -54,13 +54,10 @@ void draw_solver(const Session& session, Actions& actions, Ui& ui) {
 void TuningPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_solver(session, actions, ui);
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY;
-  if (!ImGui::BeginTable("tuning", 4, kFlags, ImGui::GetContentRegionAvail())) return;
+  if (!ImGui::BeginTable("tuning", 3, kFlags, ImGui::GetContentRegionAvail())) return;
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, ui.px(92));
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
-  float unit = 0;
-  for (const TuningField& field : tuning_fields()) unit = std::max(unit, size_of_text(field.unit).x);
-  ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthFixed, unit);
-  ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed, ui.px(48));
+  ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed, ui.px(theme::kButton));
   const TuningField* before = nullptr;
   for (const TuningField& field : tuning_fields()) {
     if (before == nullptr || before->group != field.group) draw_group(field.group, ui);
@@ -83,30 +80,29 @@ void TuningPanel::draw_field(const TuningField& field, const Session& session, A
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
-  draw_text(field.label);
+  const double standard = field.standard();
+  const bool is_changed = value != standard;
+  draw_text(field.label, theme::tone(is_changed ? theme::kWarning : theme::kText));
   ui.tooltip(help_of(field));
   ImGui::TableNextColumn();
   ImGui::SetNextItemWidth(-1);
   take_text_focus("tuning/" + key, ui);
   const double range = field.max - field.min;
+  const std::string format = (field.whole ? "%.0f " : "%.6g ") + std::string(field.unit);
   const bool changed =
       ImGui::DragScalar(("##" + key).c_str(), ImGuiDataType_Double, &value, static_cast<float>(range / 1000),
-                        &field.min, &field.max, field.whole ? "%.0f" : "%.6g", ImGuiSliderFlags_AlwaysClamp);
+                        &field.min, &field.max, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
   if (field.whole) value = std::round(value);
   if (ImGui::IsItemActivated()) stroke_ = session.next_stroke();
   ui.item("tuning/" + key, help_of(field), "drag, or double click to type; Tab: the next one");
   if (changed) actions.push_back(action::EditLevel{set_tuning(session.level(), tuning), stroke_});
   ImGui::TableNextColumn();
-  ui.heading(field.unit);
-  if (!field.unit.empty()) ui.item("tuning/unit_" + key);
-  ImGui::TableNextColumn();
-  const double standard = field.standard();
-  if (field.of(session.level().tuning) == standard) return;
-  if (small_button("reset", key)) {
-    value = standard;
-    actions.push_back(action::EditLevel{set_tuning(session.level(), tuning)});
-  }
-  ui.item("tuning/reset_" + key, "Back to " + short_number(standard) + ".");
+  if (!is_changed) return;
+  if (!ui.icon_button("tuning/reset_" + key, Icon::restart, false, "Back to " + short_number(standard) + ".",
+                      {}))
+    return;
+  value = standard;
+  actions.push_back(action::EditLevel{set_tuning(session.level(), tuning)});
 }
 
 }  // namespace talus

@@ -15,9 +15,8 @@
 namespace talus {
 namespace {
 
-constexpr float kLabel = 62;           // px at scale 1, of the words beside the fields
-constexpr float kNumber = 72;          // px at scale 1, of a field for a number
-constexpr std::size_t kMostName = 18;  // bytes, of the layer's name beside the fields
+constexpr float kLabel = 62;   // px at scale 1, of the words beside the fields
+constexpr float kNumber = 72;  // px at scale 1, of a field for a number
 
 void draw_field_label(const std::string& text, Ui& ui) {
   const float x = ImGui::GetCursorPosX();
@@ -48,7 +47,7 @@ void LayerLookFields::draw(const LayerInOrder& layer, int group, const Session& 
   ImGui::SameLine();
   const std::string name =
       group >= 0 ? group_name(session.level(), group) : layer_text(session.level(), layer);
-  ui.label(shown_line("of " + name, kMostName));
+  draw_short_text("of " + name, std::max(0.0f, ImGui::GetContentRegionAvail().x), theme::tone(theme::kMuted));
   draw_pair("offset", &LayerLooks::offset, 1,
             group >= 0        ? "px by which all layers of the group are moved; the ground of tiles stays."
             : layer.has_tiles ? "px by which the layer's picture is moved; its ground stays."

@@ -314,7 +314,9 @@ void SheetPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
     command_button(id, session, actions, ui);
     ImGui::SameLine();
   }
-  ui.right_aligned(selection_text(session.level(), area), theme::color(theme::kMuted));
+  const std::string selection = selection_text(session.level(), area);
+  if (size_of_text(selection).x > ImGui::GetContentRegionAvail().x) return ImGui::NewLine();
+  ui.right_aligned(selection, theme::color(theme::kMuted));
   ui.tooltip("The selected tile, and how many tiles wide and high the selection is.");
 }
 

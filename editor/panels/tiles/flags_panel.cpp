@@ -116,16 +116,24 @@ void FlagsPanel::draw_eight(const Session& session, Actions& actions, Ui& ui, in
     if (field.first >= first && field.first < first + kCartFlags) draw_field(session, actions, ui, field);
 }
 
-// In line with the panel's tab.
+// In line with the panel's tab, if there is room.
 void FlagsPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
   const Level& level = session.level();
   const Command& brush = find_command("flags/brush"_command);
   const int digits = shown_flags(level) / 4;
   const bool has_more = has_lamps_to_add(level), is_short = has_more || digits > 2;
   const float number = ui.px(14 + 7 * static_cast<float>(digits)), width = ui.px(is_short ? 42 : 80);
-  const float gap = ui.px(theme::kGap), hex = ImGui::CalcTextSize("hex").x;
-  const float more = has_more ? ui.px(kMoreWidth) + gap : 0;
-  ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(8) - more - width - hex - number - 2 * gap);
+  const float gap = ui.px(theme::kGap), more = has_more ? ui.px(kMoreWidth) + gap : 0;
+  const ImGuiTabBar* tabs = ImGui::GetCurrentContext()->CurrentTabBar;
+  const float used = tabs != nullptr ? tabs->BarRect.Min.x + tabs->WidthAllTabs - ImGui::GetWindowPos().x : 0;
+  float hex = ImGui::CalcTextSize("hex").x + gap;
+  float x = ImGui::GetWindowWidth() - ui.px(8) - more - width - number - gap;
+  if (x - hex < used) hex = 0;  // the word is left out
+  x -= hex;
+  if (used <= x)
+    ImGui::SameLine(x);
+  else
+    ImGui::SetCursorPosX(x);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(4), ui.px(1)));
   if (has_more) draw_more(level, ui);
   const bool on = brush.is_checked(session, ui);
@@ -136,10 +144,12 @@ void FlagsPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
   if (pressed) brush.run(session, actions, ui);
   ui.item("flags/brush", brush.help, keys_of(brush, ui));
   ImGui::SameLine(0, gap);
-  const ImVec2 at = ImGui::GetCursorScreenPos();  // a text item would be lowered as the text of tabs is
-  ImGui::GetWindowDrawList()->AddText({at.x, at.y + ui.px(1)}, theme::tone(theme::kMuted), "hex");
-  ImGui::Dummy({hex, 1});
-  ImGui::SameLine(0, gap);
+  if (hex > 0) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();  // a text item would be lowered as the text of tabs is
+    ImGui::GetWindowDrawList()->AddText({at.x, at.y + ui.px(1)}, theme::tone(theme::kMuted), "hex");
+    ImGui::Dummy({hex - gap, 1});
+    ImGui::SameLine(0, gap);
+  }
   ImGui::SetNextItemWidth(number);
   draw_number(session, actions, ui);
   ImGui::PopStyleVar();

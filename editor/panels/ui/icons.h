@@ -34,6 +34,7 @@ enum class Icon {
   run_back,
   split,
   pan,
+  hand,
   rectangle,
   erase,
   pick,
@@ -60,6 +61,7 @@ enum class Icon {
   follow,
   close,
   folder,
+  more,
 };
 
 // Merges the glyphs of Debian's fonts-fork-awesome into the font that was added to the atlas last. scale:

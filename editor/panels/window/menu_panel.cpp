@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "panel_list.h"
 #include "panels/commands/commands.h"
 #include "panels/files/picture_in_list.h"
+#include "panels/layout_presets.h"
 
 namespace talus {
 namespace {
@@ -86,12 +88,44 @@ void draw_picture_of_row(const std::string& file, Ui& ui) {
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (room.y - ImGui::GetTextLineHeight()) / 2);
 }
 
+constexpr float kLayoutPadding = 8;  // px at scale 1, at each side of a layout's name
+
+float width_of_layouts(const Ui& ui) {
+  float width = 0;
+  for (const LayoutPreset& preset : layout_presets())
+    width += size_of_text(preset.label).x + 2 * ui.px(kLayoutPadding);
+  return width;
+}
+
+// As tabs: the one that is shown has a line below it.
+void draw_layout_tabs(const Session& session, Actions& actions, Ui& ui) {
+  const float height = ImGui::GetFrameHeight();
+  for (const LayoutPreset& preset : layout_presets()) {
+    const std::string id = layout_command(preset);
+    const Command& command = find_command(CommandId{id});
+    const bool is_on = command.is_checked(session, ui);
+    const ImVec2 at = ImGui::GetCursorScreenPos(), text = size_of_text(preset.label);
+    const ImVec2 size{text.x + 2 * ui.px(kLayoutPadding), height};
+    ImGui::PushStyleColor(ImGuiCol_Button, theme::tone(theme::kPanel, 0));
+    if (button("", "menu/" + id, size)) command.run(session, actions, ui);
+    ImGui::PopStyleColor();
+    ui.item("layout/" + std::string(preset.key), command.help, keys_of(command, ui));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    add_text(list, {at.x + ui.px(kLayoutPadding), at.y + (height - text.y) / 2},
+             theme::tone(is_on ? theme::kText : theme::kMuted), preset.label);
+    if (is_on)
+      list.AddRectFilled({at.x + ui.px(4), at.y + height - ui.px(2)},
+                         {at.x + size.x - ui.px(4), at.y + height}, theme::tone(theme::kAccent));
+    ImGui::SameLine(0, 0);
+  }
+}
+
 }  // namespace
 
 void MenuPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (!ImGui::BeginMenuBar()) return;
   for (std::string_view menu : kMenus) draw_menu(std::string(menu), session, actions, ui);
-  draw_title(session, ui);
+  draw_title(session, actions, ui);
   ImGui::EndMenuBar();
 }
 
@@ -125,6 +159,7 @@ void MenuPanel::draw_end_of_section(const std::string& menu, int section, const 
   constexpr List kLists[] = {{menus::kFileOpen, &MenuPanel::draw_maps},
                              {menus::kFileOpen, &MenuPanel::draw_recent_files},
                              {menus::kFileOpen, &MenuPanel::draw_hard_cases},
+                             {menus::kViewLayouts, &MenuPanel::draw_panels},
                              {menus::kViewLooks, &MenuPanel::draw_scale_choice},
                              {menus::kDebugRecording, &MenuPanel::draw_edit_rule},
                              {menus::kHelp, &MenuPanel::draw_all_commands}};
@@ -132,13 +167,16 @@ void MenuPanel::draw_end_of_section(const std::string& menu, int section, const 
     if (list.after == MenuPlace{menu, section}) (this->*list.draw)(session, actions, ui);
 }
 
-void MenuPanel::draw_title(const Session& session, Ui& ui) {
+void MenuPanel::draw_title(const Session& session, Actions& actions, Ui& ui) {
   const std::string title = session.file_names() + (session.modified() ? " *" : "");
   const std::string solver = std::string(solver_name(session.level().tuning.solver)) + "   60 Hz";
   const float solver_at = ImGui::GetWindowWidth() - size_of_text(solver).x - ui.px(8);
+  const float layouts_at = solver_at - width_of_layouts(ui) - ui.px(16);
   ImGui::SameLine(ui.px(370));
-  draw_short_text(title, solver_at - ui.px(370 + 16), theme::tone(theme::kText));
+  draw_short_text(title, layouts_at - ui.px(370 + 16), theme::tone(theme::kText));
   ui.item("menu/title", session.path().empty() ? "Not in a file yet." : session.path());
+  ImGui::SameLine(layouts_at);
+  draw_layout_tabs(session, actions, ui);
   ImGui::SameLine(solver_at);
   ui.heading(solver);
   ui.tooltip("The solver that moves the bodies, and its steps a second at speed x1.");
@@ -207,6 +245,25 @@ void MenuPanel::draw_hard_cases(const Session&, Actions& actions, Ui& ui) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (menu_item(example_name(files[i]), {})) actions.push_back(action::OpenFile{files[i], true});
     ui.item("menu/hard_case" + std::to_string(i), files[i]);
+  }
+  ImGui::EndMenu();
+}
+
+// A panel that was closed comes back to its first place.
+void MenuPanel::draw_panels(const Session&, Actions&, Ui& ui) {
+  const bool open = ImGui::BeginMenu("Panels");
+  ui.item("menu/panels", "The panels with tabs: closes one, or brings it back.");
+  if (!open) return;
+  WindowView& window = ui.view.window;
+  for (const TabInfo& tab : tab_infos()) {
+    const bool is_closed = moved_place(window, tab.id) == TabPlace::closed;
+    if (menu_item(tab.title, {}, {}, !is_closed)) {
+      if (is_closed)
+        ui.ask(request::ShowTab(tab.id));
+      else
+        move_tab(window, tab.id, TabPlace::closed);
+    }
+    ui.item("menu/panels/" + tab.id);
   }
   ImGui::EndMenu();
 }

@@ -19,11 +19,12 @@ class MenuPanel : public Panel {
   void draw_menu(const std::string& path, const Session& session, Actions& actions, Ui& ui);
   void draw_end_of_section(const std::string& menu, int section, const Session& session, Actions& actions,
                            Ui& ui);
-  void draw_title(const Session& session, Ui& ui);
+  void draw_title(const Session& session, Actions& actions, Ui& ui);
   void draw_all_commands(const Session& session, Actions& actions, Ui& ui);
   void draw_maps(const Session& session, Actions& actions, Ui& ui);
   void draw_recent_files(const Session& session, Actions& actions, Ui& ui);
   void draw_hard_cases(const Session& session, Actions& actions, Ui& ui);
+  void draw_panels(const Session& session, Actions& actions, Ui& ui);
   void draw_edit_rule(const Session& session, Actions& actions, Ui& ui);
   void draw_scale_choice(const Session& session, Actions& actions, Ui& ui);
 };

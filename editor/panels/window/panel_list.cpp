@@ -1,9 +1,8 @@
 // Every panel and its region.
 #include "panel_list.h"
 
-#include <algorithm>
-
 #include "help_panel.h"
+#include "layouts_panel.h"
 #include "menu_panel.h"
 #include "message_panel.h"
 #include "metrics_panel.h"
@@ -68,14 +67,14 @@ std::vector<PanelPlace> make_panels() {
   panels.push_back(place<CanvasPanel>(Region::canvas));
   panels.push_back(place<InspectorPanel>(Region::right_top));
   panels.push_back(place<WhyPanel>(Region::right_top));
+  panels.push_back(place<TuningPanel>(Region::right_top));
   panels.push_back(place<ShapePanel>(Region::right_top));
   panels.push_back(place<TilePanel>(Region::right_top));
-  panels.push_back(place<TuningPanel>(Region::right_top));
   panels.push_back(place<BrushesPanel>(Region::right_top));
   panels.push_back(place<ProblemsPanel>(Region::right_bottom));
+  panels.push_back(place<LayersPanel>(Region::right_bottom));
   panels.push_back(place<HistoryPanel>(Region::right_bottom));
   panels.push_back(place<FlagSearchPanel>(Region::right_bottom));
-  panels.push_back(place<LayersPanel>(Region::right_bottom));
   panels.push_back(place<InputRollPanel>(Region::dock));
   panels.push_back(place<PlotsPanel>(Region::dock));
   panels.push_back(place<BreakpointsPanel>(Region::dock));
@@ -89,6 +88,7 @@ std::vector<PanelPlace> make_panels() {
   panels.push_back(place<HelpPanel>(Region::floating));
   panels.push_back(place<MetricsPanel>(Region::floating));
   panels.push_back(place<SettingsPanel>(Region::floating));
+  panels.push_back(place<LayoutsPanel>(Region::floating));
   panels.push_back(place<KeysPanel>(Region::floating));
   panels.push_back(place<FindTilesPanel>(Region::floating));
   panels.push_back(place<ExportPanel>(Region::floating));
@@ -105,15 +105,19 @@ std::vector<PanelPlace> make_panels() {
   return panels;
 }
 
-std::vector<std::string> tab_ids() {
-  std::vector<std::string> ids;
-  const std::vector<PanelPlace> all = make_panels();
-  for (const auto& [panel, region] : all) {
-    const auto shares_it = [place = region](const PanelPlace& other) { return other.region == place; };
-    if (region != Region::floating && std::count_if(all.begin(), all.end(), shares_it) > 1)
-      ids.emplace_back(panel->id());
-  }
-  return ids;
+bool has_tabs(Region region) {
+  return region == Region::flags || region == Region::right_top || region == Region::right_bottom ||
+         region == Region::dock;
+}
+
+const std::vector<TabInfo>& tab_infos() {
+  static const std::vector<TabInfo> kTabs = [] {
+    std::vector<TabInfo> tabs;
+    for (const auto& [panel, region] : make_panels())
+      if (has_tabs(region)) tabs.push_back({std::string(panel->id()), std::string(panel->title())});
+    return tabs;
+  }();
+  return kTabs;
 }
 
 }  // namespace talus

@@ -9,7 +9,7 @@
 
 namespace talus {
 
-// Where the workspace puts a panel. Panels that share a region are its tabs, in the order of the list.
+// Where the workspace puts a panel. Panels of a region with tabs are in the order of the list.
 enum class Region {
   menu,
   sheet,
@@ -32,7 +32,12 @@ struct PanelPlace {
 };
 
 std::vector<PanelPlace> make_panels();
-// The ids of the panels that have a tab, because they share a region.
-std::vector<std::string> tab_ids();
+// Whether the panels of a region have tabs, by which they can be moved to another such region.
+bool has_tabs(Region region);
+struct TabInfo {
+  std::string id, title;  // of the panel
+};
+// The panels that have a tab.
+const std::vector<TabInfo>& tab_infos();
 
 }  // namespace talus

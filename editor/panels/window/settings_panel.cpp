@@ -77,7 +77,7 @@ void draw_opening(Ui& ui) {
   ui.item("settings/plays_opened", "A level with bodies plays as soon as it is open. A recording waits.");
 }
 
-void draw_mouse(Ui& ui) {
+void draw_middle_button(Ui& ui) {
   setting_row("Middle button", ui);
   checkbox("Picks at once, as in TIC-80", "middle_picks", ui.view.preferences.middle_picks);
   ui.item("settings/middle_picks",
@@ -136,7 +136,7 @@ void SettingsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     draw_looks(session, actions, ui);
     ImGui::Separator();
     draw_opening(ui);
-    draw_mouse(ui);
+    draw_middle_button(ui);
     draw_layouts(session, actions, ui);
     ImGui::Separator();
     draw_programs(ui);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "panels/commands/commands.h"
 #include "panels/panel_ids.h"
 #include "panels/tiles/flags_panel.h"
 #include "panels/ui/dialog.h"
@@ -16,7 +17,7 @@ namespace talus {
 namespace {
 
 // Smallest and fixed sizes, px at scale 1.
-constexpr float kLeftLeast = 276, kRightLeast = 280, kMiddleLeast = 320;
+constexpr float kLeftLeast = 236, kRightLeast = 260, kMiddleLeast = 320;
 constexpr float kTimeline = 28, kTransport = 30, kStatus = 20;
 constexpr float kSheetTile = 24;  // side of a tile of the sheet, as it opens
 constexpr float kSheetLeast = 164, kFlags = 130, kPalette = 40, kPixelsLeast = 176;
@@ -29,6 +30,34 @@ constexpr float kDockLeast = 120, kAboveDockLeast = 300;
 float part(double fraction, float whole, float least, float rest) {
   const float wanted = std::floor(static_cast<float>(fraction) * whole);
   return std::clamp(wanted, std::min(least, whole / 2), std::max(whole - rest, whole / 2));
+}
+
+bool is_right_region(Region region) { return region == Region::right_top || region == Region::right_bottom; }
+
+Region region_of_place(TabPlace place) {
+  switch (place) {
+    case TabPlace::left:
+      return Region::flags;
+    case TabPlace::right_top:
+      return Region::right_top;
+    case TabPlace::right_bottom:
+      return Region::right_bottom;
+    default:
+      return Region::dock;
+  }
+}
+
+std::optional<TabPlace> place_of_region(Region region) {
+  for (const TabPlace place : {TabPlace::left, TabPlace::right_top, TabPlace::right_bottom, TabPlace::dock})
+    if (region_of_place(place) == region) return place;
+  return std::nullopt;
+}
+
+// Where a panel is now; `floating`, which the workspace does not lay out, for a closed one.
+Region region_of(const PanelPlace& place, const WindowView& window) {
+  const auto moved = has_tabs(place.region) ? moved_place(window, place.panel->id()) : std::nullopt;
+  if (!moved) return place.region;
+  return *moved == TabPlace::closed ? Region::floating : region_of_place(*moved);
 }
 
 bool is_sprite_region(Region region) {
@@ -74,7 +103,25 @@ void show_focus(Region region, Ui& ui) {
                                             theme::tone(theme::kAccent));
 }
 
+// The widths of the columns beside the canvas, px of the screen; 0: closed.
+struct Columns {
+  float left = 0, right = 0;
+};
+Columns columns_of(const Ui& ui, float window, bool has_right) {
+  const WindowView& view = ui.view.window;
+  Columns columns;
+  if (view.right_open && has_right)
+    columns.right = part(view.layout.right, window, ui.px(kRightLeast), ui.px(kLeftLeast + kMiddleLeast));
+  if (view.left_open)
+    columns.left = part(view.layout.left, window, ui.px(kLeftLeast), columns.right + ui.px(kMiddleLeast));
+  return columns;
+}
+
 // A hidden side cannot keep the keys.
+void leave_hidden_sprites(WindowView& view) {
+  if (view.focus == Focus::sprites && (!view.left_open || view.alone)) view.focus = Focus::map;
+}
+
 void leave_input_roll(View& view) {
   if (view.window.focus == Focus::input) view.window.focus = Focus::map;
 }
@@ -83,6 +130,17 @@ void leave_hidden_shape(View& view) {
   constexpr int kFramesToAppear = 5;
   const bool is_shown = ImGui::GetFrameCount() <= view.shape.last_frame + kFramesToAppear;
   if (view.window.focus == Focus::shape && !is_shown) view.window.focus = Focus::map;
+}
+
+// Tabs for which a narrow region has no room are in a list.
+ImGuiTabBarFlags flags_of_tabs(const std::vector<Panel*>& here) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  float width = 0;
+  for (const Panel* panel : here)
+    width += size_of_text(panel->title()).x + 2 * style.FramePadding.x + style.ItemInnerSpacing.x;
+  if (width <= ImGui::GetContentRegionAvail().x) return ImGuiTabBarFlags_None;
+  return ImGuiTabBarFlags_FittingPolicyScroll | ImGuiTabBarFlags_TabListPopupButton |
+         ImGuiTabBarFlags_NoTabListScrollingButtons;
 }
 
 // Of the panels that share a region, `id` is shown now.
@@ -98,47 +156,117 @@ void Workspace::draw(const Session& session, Actions& actions, Ui& ui) {
   close_popup_on_escape();
   Frame frame{session, actions, ui};
   pointed_at_.reset();
+  open_wanted_columns(ui.view);
+  leave_hidden_sprites(ui.view.window);
   const ImVec2 window = ImGui::GetIO().DisplaySize;
+  const bool alone = ui.view.window.alone;
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(window);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::Begin(kWorkspaceWindow, nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_MenuBar |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                   ImGuiWindowFlags_NoScrollWithMouse);
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse |
+                   (alone ? ImGuiWindowFlags_None : ImGuiWindowFlags_MenuBar));
   ImGui::PopStyleVar();
-  for (PanelPlace& place : panels_)
-    if (place.region == Region::menu) place.panel->draw(session, actions, ui);
-
-  const float top = ImGui::GetCursorScreenPos().y, bar = ui.px(kSplitterWidth);
-  const float bottom = window.y - ui.px(kStatus) - ui.px(kTransport) - ui.px(kTimeline);
-  ui.bars_top = bottom;
-  Layout& layout = ui.view.window.layout;
-  const float right = part(layout.right, window.x, ui.px(kRightLeast), ui.px(kLeftLeast + kMiddleLeast));
-  const float left = part(layout.left, window.x, ui.px(kLeftLeast), right + ui.px(kMiddleLeast));
-  draw_left(frame, {0, top}, {left, bottom - top});
-  const float dock = draw_dock(frame, {left, top}, {window.x - left, bottom - top});
-  const float height = bottom - top - dock;
-  ImGui::SetCursorScreenPos({left, top});
-  const float moved_left = splitter("layout/left", {bar, height}, SplitterAxis::horizontal, ui);
-  if (moved_left != 0) layout.left = (left + moved_left) / window.x;
-  const float middle = window.x - left - right - 2 * bar;
-  const float above = draw_enlarged_pixels(frame, {left + bar, top}, {middle, height});
-  draw_region(frame, Region::canvas, {left + bar, top + above}, {middle, height - above});
-  ui.side_min = {window.x - right, top};
-  ui.side_max = {window.x, top + height};
-  ImGui::SetCursorScreenPos({window.x - right - bar, top});
-  const float moved_right = splitter("layout/right", {bar, height}, SplitterAxis::horizontal, ui);
-  if (moved_right != 0) layout.right = (right - moved_right) / window.x;
-  draw_right(frame, {window.x - right, top}, {right, height});
-  draw_region(frame, Region::timeline, {0, bottom}, {window.x, ui.px(kTimeline)});
-  draw_region(frame, Region::transport, {0, bottom + ui.px(kTimeline)}, {window.x, ui.px(kTransport)});
-  draw_region(frame, Region::status, {0, window.y - ui.px(kStatus)}, {window.x, ui.px(kStatus)});
+  if (alone)
+    draw_alone(frame, window);
+  else
+    draw_regions(frame, window);
   ImGui::End();
   for (PanelPlace& place : panels_)
     if (place.region == Region::floating) place.panel->draw(session, actions, ui);
   follow_mouse(ui.view);
   leave_hidden_shape(ui.view);
+}
+
+// Who asks for a panel wants to see it.
+void Workspace::open_wanted_columns(View& view) const {
+  for (const PanelPlace& place : panels_) {
+    const std::string_view id = place.panel->id();
+    if (!view.requests.has<request::ShowTab>(id) && !view.requests.has<request::FocusPanel>(id)) continue;
+    view.window.alone = false;
+    reopen_tab(view.window, id);
+    const Region region = region_of(place, view.window);
+    if (is_sprite_region(region)) view.window.left_open = true;
+    if (is_right_region(region)) view.window.right_open = true;
+    if (region == Region::dock) view.window.dock_open = true;
+  }
+}
+
+bool Workspace::has_panels(Region region, const WindowView& window) const {
+  return std::ranges::any_of(panels_,
+                             [&](const PanelPlace& place) { return region_of(place, window) == region; });
+}
+
+// Where a tab may be let go: the regions with tabs, and the edges of the canvas.
+void Workspace::note_tab_areas(ImVec2 canvas_min, ImVec2 canvas_max) {
+  const float side = (canvas_max.x - canvas_min.x) / 5, below = (canvas_max.y - canvas_min.y) / 4;
+  tab_hand_.add_area(TabPlace::dock, {canvas_min.x + side, canvas_max.y - below},
+                     {canvas_max.x - side, canvas_max.y});
+  tab_hand_.add_area(TabPlace::left, canvas_min, {canvas_min.x + side, canvas_max.y});
+  tab_hand_.add_area(TabPlace::right_top, {canvas_max.x - side, canvas_min.y}, canvas_max);
+}
+
+void Workspace::draw_regions(Frame& frame, ImVec2 window) {
+  Ui& ui = frame.ui;
+  for (PanelPlace& place : panels_)
+    if (place.region == Region::menu) place.panel->draw(frame.session, frame.actions, ui);
+  const float top = ImGui::GetCursorScreenPos().y, bar = ui.px(kSplitterWidth);
+  const float bottom = window.y - ui.px(kStatus) - ui.px(kTransport) - ui.px(kTimeline);
+  ui.bars_top = bottom;
+  tab_hand_.begin_frame();
+  const bool has_right =
+      has_panels(Region::right_top, ui.view.window) || has_panels(Region::right_bottom, ui.view.window);
+  const Columns columns = columns_of(ui, window.x, has_right);
+  const float left = columns.left, right = columns.right;
+  Layout& layout = ui.view.window.layout;
+  if (left > 0) draw_left(frame, {0, top}, {left, bottom - top});
+  const float dock = draw_dock(frame, {left, top}, {window.x - left, bottom - top});
+  const float height = bottom - top - dock;
+  float x = left, end = window.x - right;
+  if (left > 0) {
+    ImGui::SetCursorScreenPos({left, top});
+    const float moved = splitter("layout/left", {bar, height}, SplitterAxis::horizontal, ui);
+    if (moved != 0) layout.left = (left + moved) / window.x;
+    x += bar;
+  }
+  if (right > 0) end -= bar;
+  const float above = draw_enlarged_pixels(frame, {x, top}, {end - x, height});
+  draw_region(frame, Region::canvas, {x, top + above}, {end - x, height - above});
+  note_tab_areas({x, top + above}, {end, top + height});
+  ui.side_min = {window.x - (right > 0 ? right : ui.px(kRightLeast)), top};
+  ui.side_max = {window.x, top + height};
+  if (right > 0) {
+    ImGui::SetCursorScreenPos({end, top});
+    const float moved = splitter("layout/right", {bar, height}, SplitterAxis::horizontal, ui);
+    if (moved != 0) layout.right = (right - moved) / window.x;
+    draw_right(frame, {window.x - right, top}, {right, height});
+  }
+  draw_region(frame, Region::timeline, {0, bottom}, {window.x, ui.px(kTimeline)});
+  draw_region(frame, Region::transport, {0, bottom + ui.px(kTimeline)}, {window.x, ui.px(kTransport)});
+  draw_region(frame, Region::status, {0, window.y - ui.px(kStatus)}, {window.x, ui.px(kStatus)});
+  tab_hand_.end_frame(ui);
+  alone_since_ = -1;
+}
+
+// For some seconds a line says how the panels come back.
+void Workspace::draw_alone(Frame& frame, ImVec2 window) {
+  constexpr double kShown = 4;  // s
+  Ui& ui = frame.ui;
+  ui.bars_top = window.y;
+  ui.side_min = {window.x - ui.px(kRightLeast), 0};
+  ui.side_max = window;
+  if (ui.view.window.focus != Focus::shape) ui.view.window.focus = Focus::map;
+  draw_region(frame, Region::canvas, {0, 0}, window);
+  if (alone_since_ < 0) alone_since_ = ui.time;
+  if (ui.time > alone_since_ + kShown) return;
+  ui.want_frames();
+  const std::string text = keys_of("view/alone"_command, ui) + " or Esc brings the panels back.";
+  const ImVec2 size = size_of_text(text), at{(window.x - size.x) / 2, ui.px(24)};
+  ImDrawList& list = *ImGui::GetForegroundDrawList();
+  list.AddRectFilled({at.x - ui.px(8), at.y - ui.px(4)}, {at.x + size.x + ui.px(8), at.y + size.y + ui.px(4)},
+                     theme::color(theme::kDark, 220), ui.px(4));
+  add_text(list, at, theme::color(theme::kText), text);
 }
 
 // A press is meant for the part under the mouse. Only a move into a side counts: F2 and F3 stay in effect
@@ -157,9 +285,11 @@ void Workspace::follow_mouse(View& view) {
 void Workspace::draw_left_folded(Frame& frame, ImVec2 at, ImVec2 size) {
   Ui& ui = frame.ui;
   const float spare = std::max(0.0f, std::floor((size.y - ui.px(kFlags + kSheetLeast)) / 2));
-  const float flags = ui.px(kFlags) + std::min(spare, height_of_more_flags(frame.session.level(), ui));
+  const bool has_flags = has_panels(Region::flags, ui.view.window);
+  const float flags =
+      has_flags ? ui.px(kFlags) + std::min(spare, height_of_more_flags(frame.session.level(), ui)) : 0;
   draw_region(frame, Region::sheet, at, {size.x, size.y - flags});
-  draw_region(frame, Region::flags, {at.x, at.y + size.y - flags}, {size.x, flags});
+  if (has_flags) draw_region(frame, Region::flags, {at.x, at.y + size.y - flags}, {size.x, flags});
 }
 
 void Workspace::draw_left(Frame& frame, ImVec2 at, ImVec2 size) {
@@ -169,7 +299,8 @@ void Workspace::draw_left(Frame& frame, ImVec2 at, ImVec2 size) {
   const PixelView& view = ui.view.sprites.pixels;
   if (in_rgba && !view.unfolded && !view.enlarged) return draw_left_folded(frame, at, size);
   const float bar = ui.px(kSplitterWidth);
-  float flags = ui.px(kFlags);
+  const bool has_flags = has_panels(Region::flags, ui.view.window);
+  float flags = has_flags ? ui.px(kFlags) : 0;
   const float palette = ui.px(in_rgba ? kPictureColors : kPalette);
   const float pixels_least = ui.px(kPixelsLeast - kPalette) + palette;
   // At most as high as the sheet with tiles as large as its width allows.
@@ -187,8 +318,10 @@ void Workspace::draw_left(Frame& frame, ImVec2 at, ImVec2 size) {
   float pixels = size.y - sheet - flags - bar;
   const float spare = std::max(0.0f, std::floor((pixels - pixels_least) / 2));
   const float more = std::min(spare, height_of_more_flags(frame.session.level(), ui));
-  flags += more;
-  pixels -= more;
+  if (has_flags) {
+    flags += more;
+    pixels -= more;
+  }
   draw_region(frame, Region::sheet, at, {size.x, sheet});
   ImGui::SetCursorScreenPos({at.x, at.y + sheet});
   const float moved = splitter("layout/sheet", {size.x, bar}, SplitterAxis::vertical, ui);
@@ -197,11 +330,11 @@ void Workspace::draw_left(Frame& frame, ImVec2 at, ImVec2 size) {
   if (view.enlarged) {  // elsewhere: the flags get the room that is left
     const float colors = std::min(pixels, 3 * ui.px(kPalette));
     draw_region(frame, Region::palette, {at.x, y}, {size.x, colors});
-    draw_region(frame, Region::flags, {at.x, y + colors}, {size.x, pixels - colors + flags});
+    if (has_flags) draw_region(frame, Region::flags, {at.x, y + colors}, {size.x, pixels - colors + flags});
   } else {
     draw_region(frame, Region::pixels, {at.x, y}, {size.x, pixels - palette});
     draw_region(frame, Region::palette, {at.x, y + pixels - palette}, {size.x, palette});
-    draw_region(frame, Region::flags, {at.x, y + pixels}, {size.x, flags});
+    if (has_flags) draw_region(frame, Region::flags, {at.x, y + pixels}, {size.x, flags});
   }
 }
 
@@ -219,6 +352,10 @@ float Workspace::draw_enlarged_pixels(Frame& frame, ImVec2 at, ImVec2 room) {
 
 void Workspace::draw_right(Frame& frame, ImVec2 at, ImVec2 size) {
   Ui& ui = frame.ui;
+  // A region without panels leaves its room to the other.
+  for (const Region alone : {Region::right_top, Region::right_bottom})
+    if (!has_panels(alone == Region::right_top ? Region::right_bottom : Region::right_top, ui.view.window))
+      return draw_region(frame, alone, at, size);
   const float bar = ui.px(kSplitterWidth);
   const float least = ui.px(kRightBottomLeast) + bar;
   float upper = part(ui.view.window.layout.right_split, size.y, ui.px(kRightTopLeast), least);
@@ -234,7 +371,7 @@ void Workspace::draw_right(Frame& frame, ImVec2 at, ImVec2 size) {
 
 float Workspace::draw_dock(Frame& frame, ImVec2 at, ImVec2 room) {
   Ui& ui = frame.ui;
-  if (!ui.view.window.dock_open) {
+  if (!ui.view.window.dock_open || !has_panels(Region::dock, ui.view.window)) {
     leave_input_roll(ui.view);
     return 0;
   }
@@ -253,17 +390,23 @@ void Workspace::draw_region(Frame& frame, Region region, ImVec2 at, ImVec2 size)
   const bool bar = region == Region::transport || region == Region::status || region == Region::pixels ||
                    region == Region::palette;
   ImGui::SetCursorScreenPos(at);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(8), ui.px(region == Region::timeline ? 2
-                                                                          : bar                      ? 3
-                                                                                : kMargin)));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                      ImVec2(ui.px(region == Region::canvas ? 4 : 8), ui.px(region == Region::timeline ? 2
+                                                                            : bar                      ? 3
+                                                                                  : kMargin)));
   ImGui::BeginChild(static_cast<ImGuiID>(region) + 1, size, false,
                     ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar |
                         ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   if (is_pointed_at(region, ui.view)) pointed_at_ = side_of(region);
   show_focus(region, ui);
-  draw_tabs(frame, region);
+  if (has_tabs(region))
+    draw_tabs(frame, region);
+  else
+    draw_only_panel(frame, region);
   ImGui::EndChild();
+  if (const auto place = place_of_region(region))
+    tab_hand_.add_area(*place, at, {at.x + size.x, at.y + size.y});
 }
 
 void Workspace::draw_panel(Panel& panel, Frame& frame) {
@@ -277,34 +420,40 @@ void Workspace::draw_panel(Panel& panel, Frame& frame) {
   if (takes_keys) frame.ui.focus_next_item(false);
 }
 
+void Workspace::draw_only_panel(Frame& frame, Region region) {
+  for (PanelPlace& place : panels_)
+    if (place.region == region) draw_panel(*place.panel, frame);
+}
+
 void Workspace::draw_tabs(Frame& frame, Region region) {
   std::vector<Panel*> here;
   for (PanelPlace& place : panels_)
-    if (place.region == region) here.push_back(place.panel.get());
-  if (here.size() == 1) {
-    draw_panel(*here[0], frame);
-    return;
-  }
+    if (region_of(place, frame.ui.view.window) == region) here.push_back(place.panel.get());
   // Dear ImGui shows the first tab in the first frame, and the remembered one from the second frame on.
   const bool first = ImGui::IsWindowAppearing();
-  if (!ImGui::BeginTabBar("tabs")) return;
+  if (!ImGui::BeginTabBar("tabs", flags_of_tabs(here))) return;
   std::vector<std::string>& chosen = frame.ui.view.window.tabs;
   Requests& requests = frame.ui.view.requests;
-  const auto is_wanted = [&](const Panel* panel) { return requests.has<request::ShowTab>(panel->id()); };
+  std::vector<std::string>& wanted_tabs = frame.ui.view.window.wanted_tabs;
+  const auto is_wanted = [&](const Panel* panel) {
+    return requests.has<request::ShowTab>(panel->id()) ||
+           std::find(wanted_tabs.begin(), wanted_tabs.end(), panel->id()) != wanted_tabs.end();
+  };
   const bool asked = std::any_of(here.begin(), here.end(), is_wanted);
   for (Panel* panel : here) {
     const std::string id(panel->id());
     const bool wanted =
         asked ? is_wanted(panel) : first && std::find(chosen.begin(), chosen.end(), id) != chosen.end();
-    // Between tabs: six of them fit into a window 1152 px wide.
     ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, ImVec2(frame.ui.px(2), frame.ui.px(4)));
     const bool open =
         begin_tab_item(panel->title(), id, wanted ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);
     ImGui::PopStyleVar();
     frame.ui.item("tabs/" + id);
+    tab_hand_.take_tab(id, panel->title(), frame.ui);
     if (!open) continue;
     if (!first) remember_tab(chosen, here, id);
     requests.take<request::ShowTab>(id);
+    std::erase(wanted_tabs, id);
     if (region == Region::dock && id != panel_id::kInputRoll && !asked) leave_input_roll(frame.ui.view);
     draw_panel(*panel, frame);
     ImGui::EndTabItem();
