@@ -59,11 +59,11 @@ save() {
 }
 save  # from now on there are frames, which the mouse needs
 
-# Picks a tile of the sheet's first row, then paints a fast stroke over six cells of the map. The map is in the upper
-# half of the window, in the middle.
+# Picks a tile of the sheet's first row, then paints a fast stroke over at least six cells of the level, in the middle
+# of the window.
 xdotool mousemove --window "$window" 36 62 click 1
-xdotool mousemove --window "$window" 520 200 mousedown 1 mousemove --window "$window" 560 200 \
-  mousemove --window "$window" 600 200 mouseup 1
+xdotool mousemove --window "$window" 440 300 mousedown 1 mousemove --window "$window" 570 300 \
+  mousemove --window "$window" 700 300 mouseup 1
 save
 cmp -s "$folder/before.talus.json" "$folder/level.talus.json" && fail "the stroke is not in the file"
 grep -q '010101010101' "$folder/level.talus.json" || fail "the stroke has lost its end"
