@@ -96,6 +96,7 @@ void add_bench_command(CLI::App& program, CommandContext& context) {
   command->add_flag("--pairs", options->pairs,
                     "Balls block one another; by default they pass, so that each body costs the same");
   add_physics_options(*command, options->physics);
+  add_part_options(*command, context);
   add_outside_option(*command, context);
   command
       ->add_option(

@@ -35,6 +35,7 @@ void add_check_command(CLI::App& program, CommandContext& context) {
       program.add_subcommand("check", "List what is likely wrong in a level; exits 1 on errors");
   auto file = std::make_shared<std::string>();
   command->add_option("FILE", *file, "Level or cart")->required();
+  add_part_options(*command, context);
   add_outside_option(*command, context);
   command->callback([&context, file] { check(context, *file); });
 }

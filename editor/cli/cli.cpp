@@ -100,10 +100,17 @@ void add_outside_option(CLI::App& command, CommandContext& context) {
                    "default numbered boxes stand for them");
 }
 
-std::optional<LoadedLevel> load_file_or_fail(CommandContext& context, const std::string& file,
-                                             const ImportChoices& choices) {
+std::array<CLI::Option*, 2> add_part_options(CLI::App& command, CommandContext& context) {
+  return {command.add_option("--layer", context.choices.layer,
+                             "Take one tile layer of several alone: its name, or its number, from 1"),
+          command.add_option(
+              "--level", context.choices.level,
+              "The level to take from an LDtk project with several: its name, or its number, from 1")};
+}
+
+std::optional<LoadedLevel> load_file_or_fail(CommandContext& context, const std::string& file) {
   context.doing = "reading " + file;
-  ImportChoices allowed = choices;
+  ImportChoices allowed = context.choices;
   allowed.outside = context.reads_outside
                         ? std::vector<std::string>{"/"}
                         : ReadPermissions(state_folder() + "/" + kReadPermissionsFile).folders_of(file);
@@ -129,9 +136,8 @@ std::optional<LoadedLevel> load_file_or_fail(CommandContext& context, const std:
   return *std::move(loaded);
 }
 
-std::optional<Level> load_or_fail(CommandContext& context, const std::string& file,
-                                  const ImportChoices& choices) {
-  auto loaded = load_file_or_fail(context, file, choices);
+std::optional<Level> load_or_fail(CommandContext& context, const std::string& file) {
+  auto loaded = load_file_or_fail(context, file);
   if (!loaded) return std::nullopt;
   return std::move(loaded->level);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -23,6 +24,8 @@ struct CommandContext {
   std::vector<std::string> inputs = {};
   // Whether files that a map names are read wherever they lie: see add_outside_option().
   bool reads_outside = false;
+  ImportChoices choices =
+      {};  // what is taken of a file that has several levels or layers: see add_part_options()
 };
 
 // To add a sub-command: write its file, declare it here, and list it in cli.cpp.
@@ -49,14 +52,15 @@ void fail(CommandContext& context, const std::string& file, const std::string& p
 // --allow-outside, for a command that reads a level: reads_outside.
 void add_outside_option(CLI::App& command, CommandContext& context);
 
+// --layer and --level, for a command that reads a level: choices. Returns both.
+std::array<CLI::Option*, 2> add_part_options(CLI::App& command, CommandContext& context);
+
 // Returns the content of a file, or nothing after a reported failure. Files outside of its folder are read if
 // the option or the user, in the window, has allowed that; else they are reported. Warns about what the level
 // does not have, and about a companion that does not fit.
-std::optional<LoadedLevel> load_file_or_fail(CommandContext& context, const std::string& file,
-                                             const ImportChoices& choices = {});
+std::optional<LoadedLevel> load_file_or_fail(CommandContext& context, const std::string& file);
 // Returns only the level in it.
-std::optional<Level> load_or_fail(CommandContext& context, const std::string& file,
-                                  const ImportChoices& choices = {});
+std::optional<Level> load_or_fail(CommandContext& context, const std::string& file);
 
 // The options that choose the physics, shared by sim and bench.
 struct PhysicsOptions {

@@ -174,6 +174,7 @@ void add_export_command(CLI::App& program, CommandContext& context) {
   CLI::App* command = program.add_subcommand("export", "Write a level in a game's format");
   auto options = std::make_shared<ExportOptions>();
   command->add_option("FILE", options->input, "Level or cart")->required();
+  add_part_options(*command, context);
   CLI::Option* target =
       command->add_option("--to", options->target, "Format to write")->check(CLI::IsMember(exporter_ids()));
   CLI::Option* output = command->add_option(

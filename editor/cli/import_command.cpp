@@ -11,15 +11,15 @@ namespace talus {
 namespace {
 
 // Any readable file as a native level.
-void import_level(CommandContext& context, const std::string& input, const ImportChoices& choices,
-                  const std::string& output) {
-  const std::optional<Level> level = load_or_fail(context, input, choices);
+void import_level(CommandContext& context, const std::string& input, const std::string& output) {
+  const std::optional<Level> level = load_or_fail(context, input);
   if (!level) return;
   carry_out(context, {.level = *level, .input = input, .exporter = "native", .output = output});
 }
 
 // Returns false after a reported failure.
-bool take_mapping(CommandContext& context, const std::string& file, ImportChoices& choices) {
+bool take_mapping(CommandContext& context, const std::string& file) {
+  ImportChoices& choices = context.choices;
   const auto text = read_file(file);
   if (!text) return fail(context, file, text.error().place, text.error().message), false;
   choices.mapping = ldtk_mapping_in(*text);
@@ -35,7 +35,6 @@ void add_import_command(CLI::App& program, CommandContext& context) {
       "import", "Convert any readable file to a native level, or import a PNG into a level");
   auto input = std::make_shared<std::string>();
   auto into = std::make_shared<PngIntoLevel>();
-  auto choices = std::make_shared<ImportChoices>();
   command
       ->add_option("FILE", *input,
                    "Level, cart, Tiled map or LDtk project; with --into, a PNG of up to 128x128 px")
@@ -56,16 +55,9 @@ void add_import_command(CLI::App& program, CommandContext& context) {
                  "Take over the PNG's palette of up to 16 colours; by default each pixel gets the level's "
                  "colour with the smallest squared distance in RGB")
       ->needs(level);
+  for (CLI::Option* part : add_part_options(*command, context)) part->excludes(level);
   command
-      ->add_option("--layer", choices->layer,
-                   "Takes one tile layer of several alone: its name, or its number, from 1")
-      ->excludes(level);
-  command
-      ->add_option("--level", choices->level,
-                   "The level to take from an LDtk project with several: its name, or its number, from 1")
-      ->excludes(level);
-  command
-      ->add_flag("--tiles-used", choices->used_tiles,
+      ->add_flag("--tiles-used", context.choices.used_tiles,
                  "Take only the tiles that a Tiled map shows, with new numbers, also from several tilesets; "
                  "mirrored ones become tiles of their own")
       ->excludes(level);
@@ -77,9 +69,9 @@ void add_import_command(CLI::App& program, CommandContext& context) {
           "JSON list as under \"mapping\" in one")
       ->excludes(level);
   add_outside_option(*command, context);
-  command->callback([&context, input, into, choices, level, mapping] {
-    if (!mapping->empty() && !take_mapping(context, *mapping, *choices)) return;
-    if (level->empty()) return import_level(context, *input, *choices, into->output);
+  command->callback([&context, input, into, level, mapping] {
+    if (!mapping->empty() && !take_mapping(context, *mapping)) return;
+    if (level->empty()) return import_level(context, *input, into->output);
     into->picture = *input;
     import_png(context, *into);
   });

@@ -134,7 +134,10 @@ void prove_file(CommandContext& context, const ProveCommand& options) {
 }
 
 std::string check_body(const std::string& text) {
-  return body_of(text) ? "" : "must be KIND:WxH or KIND:WxH:FOOT, as in player:8x12:centre";
+  return body_of(text) ? ""
+                       : "must be KIND:WxH or KIND:WxH:FOOT, as in player:8x12:centre: player or ball, sides "
+                         "of 1/256 to 1024 px, "
+                         "box or centre";
 }
 
 }  // namespace
@@ -157,6 +160,7 @@ void add_prove_command(CLI::App& program, CommandContext& context) {
       ->add_option("--threads", options->threads, "Default: one for each processor; the answer is the same")
       ->check(CLI::Range(1, 256));
   command->add_flag("--json", options->json, "Print one JSON object");
+  add_part_options(*command, context);
   add_outside_option(*command, context);
   command->callback([&context, options] { prove_file(context, *options); });
 }

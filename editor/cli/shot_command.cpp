@@ -40,12 +40,12 @@ std::optional<std::pair<int, int>> size_of(const std::string& text) {
   if (first.ec != std::errc() || first.ptr == end || *first.ptr != 'x') return std::nullopt;
   const auto second = std::from_chars(first.ptr + 1, end, height);
   if (second.ec != std::errc() || second.ptr != end) return std::nullopt;
-  if (width < 1152 || height < 700 || width > 8192 || height > 8192) return std::nullopt;
+  if (width < 700 || height < 450 || width > 8192 || height > 8192) return std::nullopt;
   return std::make_pair(width, height);
 }
 
 std::string check_size(const std::string& text) {
-  return size_of(text) ? "" : "must be WIDTHxHEIGHT, from 1152x700 to 8192x8192";
+  return size_of(text) ? "" : "must be WIDTHxHEIGHT, from 700x450 to 8192x8192";
 }
 
 void print(const WindowCost& cost, std::ostream& out) {
@@ -160,6 +160,7 @@ void add_shot_command(CLI::App& program, CommandContext& context) {
   command->add_option("--frame", options->frame, "Step to this frame first")
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000}));
   add_physics_options(*command, options->physics);
+  add_part_options(*command, context);
   add_outside_option(*command, context);
   command->add_option("--overlay", options->overlays, "Overlays to draw")
       ->delimiter(',')

@@ -122,6 +122,7 @@ void add_sim_command(CLI::App& program, CommandContext& context) {
                         "Run a hard case as its file says, and print each check of its right answer; or run "
                         "a recording, and compare the hash of each frame");
   add_physics_options(*command, options->physics);
+  add_part_options(*command, context);
   add_outside_option(*command, context);
   command->add_option("--input", options->input,
                       "Recorded mouse and keys (JSON lines), in addition to those of a hard case");

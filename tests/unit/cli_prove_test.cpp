@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli_answer.h"
+#include "folder_test.h"
+#include "ldtk_text.h"
 #include "paths.h"
 
 namespace talus::cli_prove_test {
@@ -50,6 +52,21 @@ TEST(CliProve, TriesTheBodiesThatAreNamed) {
   ASSERT_EQ(proof["bodies"].size(), 2u);
   EXPECT_EQ(proof["bodies"][0]["size"], nlohmann::json({6, 6}));
   EXPECT_EQ(proof["bodies"][1]["kind"], "ball");
+}
+
+class CliProveLdtk : public FolderTest {};
+
+TEST_F(CliProveLdtk, TakesOneOfSeveralLevels) {
+  const std::string project = put("caves.ldtk", ldtk_project(ldtk_level(ldtk_grid(1, 1, "1"), "Cave") + "," +
+                                                                 ldtk_level(ldtk_grid(2, 1, "1,0"), "Top"),
+                                                             R"({"value":1,"identifier":"wall"})"));
+  const CliAnswer all = cli_answer({"prove", project});
+  EXPECT_EQ(all.status, kExitBad);
+  EXPECT_THAT(all.err, HasSubstr("choose one by `--level NAME`"));
+  const CliAnswer one = cli_answer({"prove", project, "--level", "Top"});
+  EXPECT_EQ(one.status, kExitGood) << one.err;
+  EXPECT_THAT(one.out, HasSubstr("no finding"));
+  EXPECT_EQ(cli_answer({"check", project, "--level", "1"}).status, kExitGood);
 }
 
 TEST(CliProve, RefusesBodiesThatAreNone) {

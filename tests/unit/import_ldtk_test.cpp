@@ -416,8 +416,8 @@ TEST(ImportLdtkLevels, OneOfSeveralMustBeChosen) {
   const std::string project = ldtk_project(
       ldtk_level(ldtk_grid(1, 1, "1"), "Cave") + "," + ldtk_level(ldtk_grid(2, 1, "1,0"), "Top"), kWall);
   EXPECT_EQ(error_of(project),
-            "file: error: has the levels \"Cave\", \"Top\", but a level is one of them: choose one by `talus "
-            "import --level NAME`");
+            "file: error: has the levels \"Cave\", \"Top\", but a level is one of them: choose one by "
+            "`--level NAME`");
   EXPECT_EQ(loaded_of(project, {.level = "Top"}).level.map.width(), 2);
   EXPECT_EQ(loaded_of(project, {.level = "2"}).level.map.width(), 2);
   EXPECT_EQ(loaded_of(project, {.level_number = 1}).level.map.width(), 1);
@@ -435,7 +435,7 @@ TEST(ImportLdtkLevels, OfWorldsHaveTheirNames) {
   EXPECT_EQ(loaded_of(project, {.level = "B/Cave"}).level.map.width(), 2);
   EXPECT_EQ(error_of(project),
             "file: error: has the levels \"A/Cave\", \"B/Cave\", but a level is one of them: choose one by "
-            "`talus import --level NAME`");
+            "`--level NAME`");
 }
 
 TEST(ImportLdtkErrors, NameThePlace) {

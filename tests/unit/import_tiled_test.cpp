@@ -406,8 +406,8 @@ TEST(ImportTiled, AsksForOneOfTooManyLayers) {
   for (int i = 0; i < 100; ++i)
     layers += R"(,{"type":"tilelayer","name":"l","width":2,"height":2,"data":[0,0,0,0]})";
   EXPECT_EQ(error_of(map_text({.layers = layers})),
-            "map: error: has 101 tile layers, but a level holds at most 100: choose one by `talus import "
-            "--layer NAME`");
+            "map: error: has 101 tile layers, but a level holds at most 100: choose one by "
+            "`--layer NAME`");
 }
 
 // The ground is not moved, and that is said.

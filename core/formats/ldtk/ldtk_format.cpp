@@ -66,7 +66,7 @@ FormatResult<const LdtkLevelHead*> chosen_level(const LdtkProject& project, cons
     chosen = named != levels.end() ? &*named : at(ldtk_number_in(choices.level));
   } else if (count > 1) {
     return tl::unexpected(FormatError{"", "has the levels " + names + ", but a level is one of them",
-                                      "choose one by `talus import --level NAME`"});
+                                      "choose one by `--level NAME`"});
   } else {
     chosen = at(1);
   }

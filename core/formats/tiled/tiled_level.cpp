@@ -155,7 +155,7 @@ FormatResult<std::vector<const TiledLayer*>> TiledLevelMaker::layers_of(const Im
                                       "has " + std::to_string(layers.size()) +
                                           " tile layers, but a level holds at most " +
                                           std::to_string(kMaxLayers),
-                                      "choose one by `talus import --layer NAME`"});
+                                      "choose one by `--layer NAME`"});
   }
   auto chosen = layers.end();
   const int number = choices.layer_number > 0 ? choices.layer_number : number_in(choices.layer);
