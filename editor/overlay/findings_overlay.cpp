@@ -37,6 +37,7 @@ const Overlay findings{
     .help =
         "Cells in which the proof found that a body does what the ground does not explain: the more "
         "trials, the hotter.",
+    .group = OverlayGroup::ground,
     .color = 0xff5a3c,
     .safe_color = 0xb02020,
     .digit = '8',

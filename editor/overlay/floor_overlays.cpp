@@ -85,6 +85,7 @@ const Overlay slope_delta{
     .key = "slope_delta",
     .label = "slope delta",
     .help = "How far along a slope a body's centre is, from 0 at the left end to 1 at the right.",
+    .group = OverlayGroup::contact,
     .color = 0xcc79a7,
     .safe_color = 0x8c6ec8,
     .digit = '5',
@@ -103,6 +104,7 @@ const Overlay floor_height{
     .help =
         "The floor straight below each body, as the exact solver's ground has it; of the others, the floor "
         "computed on a slope, before and after rounding, and the slope's surface.",
+    .group = OverlayGroup::ground,
     .color = 0xd55e00,
     .safe_color = 0xaa8c50,
     .digit = '6',

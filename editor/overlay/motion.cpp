@@ -102,6 +102,7 @@ const Overlay swept_path{
     .key = "swept_path",
     .label = "swept path",
     .help = "The path of each body in the last step, with its box at every contact.",
+    .group = OverlayGroup::path,
     .color = 0x8fd3ff,
     .safe_color = 0x6ee4ff,
     .digit = '3',
@@ -123,6 +124,7 @@ const Overlay trails{
     .help =
         "Where the chosen body's centre was in the last frames; without a chosen body, those of the "
         "first four.",
+    .group = OverlayGroup::path,
     .color = 0xffb7e0,
     .safe_color = 0xffe48c,
     .digit = '4',

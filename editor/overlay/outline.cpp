@@ -222,6 +222,7 @@ const Overlay outline{
     .label = "outline",
     .help =
         "The outline of the ground as the exact solver sees it, with short normals where it stops bodies.",
+    .group = OverlayGroup::ground,
     .color = 0xb39dff,
     .safe_color = 0xaaaaff,
     .digit = '9',
@@ -243,6 +244,7 @@ const Overlay one_way{
     .help =
         "Arrows through one-way floors, ceilings and lines, in the direction in which "
         "bodies may pass.",
+    .group = OverlayGroup::ground,
     .color = 0x66d9c0,
     .safe_color = 0x288c8c,
     .digit = '2',

@@ -20,15 +20,30 @@ class OverlayPen;
 // Which of its two colours an overlay has.
 enum class OverlayPalette { standard, colour_blind };
 
+// What an overlay is about.
+enum class OverlayGroup { body, contact, ground, path };
+struct OverlayGroupInfo {
+  std::string_view key;    // "contact"
+  std::string_view label;  // on its button
+  std::string_view help;   // a sentence
+};
+// By OverlayGroup.
+inline constexpr OverlayGroupInfo kOverlayGroups[] = {
+    {"body", "Body", "Overlays that show how bodies are and move."},
+    {"contact", "Contact", "Overlays that show what bodies met in the last step."},
+    {"ground", "Ground", "Overlays that show the ground, and where it is wrong."},
+    {"path", "Path", "Overlays that show where bodies went."}};
+
 struct Overlay {
-  std::string_view key;      // on the command line, in settings, and in its command's id: "floor_height"
-  std::string_view label;    // on screen: "floor height"
-  std::string_view help;     // what it shows, one sentence
-  std::uint32_t color;       // 0xRRGGBB, the same in canvas, legend and tables; readable on dark ground
-  std::uint32_t safe_color;  // in the palette for colour-blind people
-  char digit = 0;            // '1' to '9': Alt and this digit switch the overlay; 0: no key does
-  bool shift = false;        // the key needs Shift too
-  bool is_default = false;   // shown until the user chooses other overlays
+  std::string_view key;    // on the command line, in settings, and in its command's id: "floor_height"
+  std::string_view label;  // on screen: "floor height"
+  std::string_view help;   // what it shows, one sentence
+  OverlayGroup group = OverlayGroup::body;
+  std::uint32_t color = 0xffffff;  // 0xRRGGBB, the same in canvas, legend and tables; readable on dark ground
+  std::uint32_t safe_color = 0xffffff;  // in the palette for colour-blind people
+  char digit = 0;                       // '1' to '9': Alt and this digit switch the overlay; 0: no key does
+  bool shift = false;                   // the key needs Shift too
+  bool is_default = false;              // shown until the user chooses other overlays
 
   // What the drawing needs.
   bool needs_ground = false;  // OverlaySource::ground; it is compiled for the overlay if the solver has none

@@ -77,6 +77,7 @@ const Overlay reach{
     .key = "reach",
     .label = "reach",
     .help = "Cells that a player can get to from its start, and the floors that it stood on there.",
+    .group = OverlayGroup::ground,
     .color = 0x8bd450,
     .safe_color = 0xc8ff00,
     .digit = '7',

@@ -154,6 +154,7 @@ const Overlay removed_edges{
     .key = "removed_edges",
     .label = "removed edges",
     .help = "Sides of tiles and slopes that are not in the merged outline, as other shapes cover them.",
+    .group = OverlayGroup::ground,
     .color = 0x9aa5b1,
     .safe_color = 0x6e8c6e,
     .digit = '1',

@@ -8,6 +8,7 @@ const Overlay shapes{
     .key = "shapes",
     .label = "shapes",
     .help = "The shapes of the tiles that make the ground, on the map, in the play view and on the sheet.",
+    .group = OverlayGroup::ground,
     .color = 0xff5cf0,
     .safe_color = 0xffff6e,
     .digit = '6',

@@ -40,6 +40,7 @@ const Overlay tested_tiles{
         "Tinted boxes that the last step tested: for article and bump the tiles near the bodies' paths, for "
         "exact "
         "the cells that the chosen body's casts tested, and the bodies near its path.",
+    .group = OverlayGroup::contact,
     .color = 0xf4f4f4,
     .safe_color = 0xe4ffc8,
     .digit = '7',

@@ -22,7 +22,7 @@
 namespace talus {
 namespace {
 
-constexpr int kLeastWidth = 1152, kLeastHeight = 700;  // px: in a smaller window panels are cut off
+constexpr int kLeastWidth = 700, kLeastHeight = 450;  // px: in a smaller window panels are cut off
 constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 constexpr float kBuiltInFontSize = 13;  // the built-in font is sharp only at whole multiples of this
 

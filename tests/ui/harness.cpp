@@ -109,9 +109,19 @@ bool UiTest::frames_until(const std::function<bool()>& is_so) {
 }
 
 ImVec2 UiTest::centre(std::string_view name) {
-  if (find(name) == nullptr && find("canvas/more") != nullptr) {  // it may have no room in the toolbar
+  const bool is_overlay = name.starts_with("overlay/");
+  if (find(name) == nullptr && !is_overlay &&
+      find("canvas/more") != nullptr) {  // it may have no room in the toolbar
     click(find("canvas/more")->centre());
     frames(2);
+  }
+  if (find(name) == nullptr && is_overlay) {  // it is in the list of its group
+    const Overlay* overlay = find_overlay(name.substr(name.find('/') + 1));
+    if (overlay != nullptr) {
+      const auto group = static_cast<std::size_t>(overlay->group);
+      click("overlay/group_" + std::string(kOverlayGroups[group].key));
+      frames(2);
+    }
   }
   const Widget* widget = find(name);
   EXPECT_NE(widget, nullptr) << "no widget " << name;

@@ -293,7 +293,7 @@ TEST_F(UiKeys, TintListShowsEveryFlag) {
 
 TEST_F(UiKeys, TooltipOfABarStaysAboveTheBars) {
   start();
-  for (std::string_view name : {"transport/step", "overlay/velocity"}) {
+  for (std::string_view name : {"transport/step", "overlay/group_body"}) {
     move(centre(name));
     frames(60);
     const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");

@@ -124,6 +124,19 @@ TEST_F(UiLayouts, ClosedColumnsAreRemembered) {
   EXPECT_EQ(find("sheet/tiles"), nullptr);
 }
 
+TEST_F(UiLayouts, TheCanvasComesFirstInASmallWindow) {
+  start(save_test_level("level.talus.json"), 900, 600);
+  EXPECT_NE(find("sheet/tiles"), nullptr);
+  EXPECT_NE(find("tabs/inspector"), nullptr);
+  EXPECT_GE(width_of("play/canvas"), 380);
+  start(save_test_level("level.talus.json"), 700, 450);
+  EXPECT_EQ(find("sheet/tiles"), nullptr) << "there is no room for it";
+  EXPECT_GE(width_of("play/canvas"), 350);
+  for (const Widget& widget : app().ui().widgets.all())
+    if (widget.name.starts_with("transport/") || widget.name.starts_with("overlay/group"))
+      EXPECT_LE(widget.max.x, 700) << widget.name;
+}
+
 TEST_F(UiLayouts, ToolsThatHaveNoRoomAreInAMenu) {
   start(save_test_level("level.talus.json"), 1152, 700);
   const float row = find("canvas/play")->min.y;

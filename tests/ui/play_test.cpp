@@ -146,11 +146,22 @@ TEST_F(UiPlay, OverlaysAreSwitched) {
   for (const Overlay* overlay : all_overlays()) {
     const bool before = session().choices().overlays.has(*overlay);
     click("overlay/" + std::string(overlay->key));
+    key(KeyChord{kKeyEscape});  // closes the list of its group
     EXPECT_NE(session().choices().overlays.has(*overlay), before) << overlay->key;
     key(number < 9 ? alt('1' + number) : alt_shift('1' + number - 9));
     EXPECT_EQ(session().choices().overlays.has(*overlay), before) << overlay->key;
     ++number;
   }
+}
+
+TEST_F(UiPlay, AnOverlayIsShownWhileTheMouseIsOnItsName) {
+  move(centre("overlay/velocity"));
+  frames(2);
+  EXPECT_EQ(app().ui().view.canvas.hovered_overlay, &overlay::velocity);
+  EXPECT_FALSE(session().choices().overlays.has(overlay::velocity)) << "it is not switched on";
+  key(KeyChord{kKeyEscape});
+  frames(2);
+  EXPECT_EQ(app().ui().view.canvas.hovered_overlay, nullptr);
 }
 
 TEST_F(UiPlay, SetsOfOverlaysAnswerOneQuestion) {

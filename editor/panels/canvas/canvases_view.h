@@ -10,6 +10,7 @@
 namespace talus {
 
 struct FixPreview;
+struct Overlay;
 
 // What the middle of the window shows.
 enum class CanvasMode { map, play, both, two_maps };
@@ -31,7 +32,8 @@ struct CanvasesView {
   bool split_compared = false;  // the other side of a comparison has a view of its own
   bool follow_body = true;      // the play view scrolls with the chosen body, else with the player
   bool legend_folded = false;   // the legend of the overlays has no names
-  bool labels_all = false;      // the overlays label every body; else see OverlayOptions
+  const Overlay* hovered_overlay = nullptr;  // under the mouse in the list of overlays, and so shown; or null
+  bool labels_all = false;                   // the overlays label every body; else see OverlayOptions
   bool opens_on_player = true;  // a level is shown at what matters of it first, and followed; else not
   bool minimap = false;         // the whole map in a corner of the map, to go elsewhere
   bool play_active = false;     // of the two canvases, the play view was used last

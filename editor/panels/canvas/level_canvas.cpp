@@ -193,6 +193,7 @@ void LevelCanvas::start_afresh(const Session& session, const Ui& ui, ImVec2 size
   const bool has_bodies_now = was_compiling && !compiling_ && session.history().edits().empty();
   level_number_ = ui.view.canvas.level_number;
   size_ = size;
+  if (resized) followed_.reset();  // the body stays in sight
   if (another || ((resized || has_bodies_now) && camera_.is_untouched())) show_opening(session, ui, size);
 }
 
@@ -418,7 +419,9 @@ void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, co
   if (!ui.view.canvas.split_compared) draw_ghosts(list, session, view, ui.scale);
   std::vector<ScreenBox> covered{captions_box(session, view, ui)};
   if (const auto legend = this->legend(session, view, ui).box()) covered.push_back(*legend);
-  draw_overlays(list, session, choices.overlays, view, ui.scale,
+  OverlaySet overlays = choices.overlays;
+  if (ui.view.canvas.hovered_overlay != nullptr) overlays.set(*ui.view.canvas.hovered_overlay, true);
+  draw_overlays(list, session, overlays, view, ui.scale,
                 {pointed_at, ui.view.canvas.labels_all, ui.view.debugger.stage, covered});
   if (shows_input_roll(ui.view)) draw_mouse_mark(list, session, view, ui);
 }

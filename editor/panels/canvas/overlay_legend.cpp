@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "overlay_painter.h"
-#include "overlay_switches.h"
 #include "panels/commands/commands.h"
 
 namespace talus {
@@ -16,9 +15,8 @@ constexpr float kMostWide = 0.34f, kMostHigh = 0.6f, kMostOfAll = 0.07f;
 
 float name_line(const Ui& ui) { return ImGui::GetTextLineHeight() + ui.px(2); }
 
-std::vector<const Overlay*> shown_overlays(const Choices& choices, const Ui& ui) {
+std::vector<const Overlay*> shown_overlays(const Choices& choices) {
   std::vector<const Overlay*> shown;
-  if (overlay_names_fit(ui)) return shown;
   for (const Overlay* overlay : all_overlays())
     if (choices.overlays.has(*overlay)) shown.push_back(overlay);
   return shown;
@@ -33,12 +31,12 @@ float names_width(const std::vector<const Overlay*>& shown, const Ui& ui) {
 }  // namespace
 
 float OverlayLegend::width(const Choices& choices, const Ui& ui) {
-  const auto shown = shown_overlays(choices, ui);
+  const auto shown = shown_overlays(choices);
   return shown.empty() ? 0 : names_width(shown, ui) + ui.px(kLegendPad);
 }
 
 OverlayLegend::OverlayLegend(const Choices& choices, const CanvasView& view, float top, const Ui& ui)
-    : choices_(choices), ui_(ui), shown_(shown_overlays(choices, ui)) {
+    : choices_(choices), ui_(ui), shown_(shown_overlays(choices)) {
   const float width = view.max.x - view.min.x, height = view.max.y - view.min.y, pad = ui.px(kLegendPad);
   if (shown_.empty() || height < ui.px(80) || width < ui.px(80)) return;
   const ImVec2 corner{view.max.x - pad, top + pad};

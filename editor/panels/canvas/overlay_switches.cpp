@@ -1,43 +1,63 @@
 #include "overlay_switches.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
+#include <vector>
 
 #include "overlay_painter.h"
 #include "panels/commands/commands.h"
-#include "panels/debugger/branch_choice.h"
 
 namespace talus {
 namespace {
 
-constexpr float kSwatch = 14;                    // px at scale 1
-constexpr float kPad = 4, kTextGap = 6;          // px at scale 1
-constexpr float kFirstGap = 8, kControls = 402;  // px at scale 1: width without the switches on their line
+constexpr float kSwatch = 14, kPad = 4, kTextGap = 6, kFirstGap = 8;  // px at scale 1
+constexpr float kRowHeight = 22, kRowWidth = 190;                     // px at scale 1, of a group's menu
 
-float text_width(std::string_view text) { return size_of_text(text).x; }
-
-void draw_switch(const Overlay& overlay, bool named, const Session& session, Actions& actions, Ui& ui) {
-  const std::string id = "overlay/" + std::string(overlay.key), label(overlay.label);
+// A row of a group's menu, which stays open.
+void draw_switch(const Overlay& overlay, const Session& session, Actions& actions, Ui& ui) {
+  const std::string id = "overlay/" + std::string(overlay.key);
   const Command& command = find_command(CommandId{id});
-  const bool on = session.choices().overlays.has(overlay);
-  const float height = ui.px(theme::kButton), swatch = ui.px(kSwatch), pad = ui.px(kPad);
-  const float width = swatch + 2 * pad + (named ? text_width(label) + ui.px(kTextGap) : 0);
-  ui.same_line_if_fits(width);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::PushStyleColor(ImGuiCol_Button, theme::tone(on ? theme::kControlHot : theme::kPanel));
-  if (button("", id, {width, height})) command.run(session, actions, ui);
-  ImGui::PopStyleColor();
-  ui.item(id, named ? std::string(overlay.help) : label + ": " + std::string(overlay.help),
-          keys_of(command, ui));
+  const float swatch = ui.px(kSwatch), text = swatch + ui.px(kTextGap);
+  const float width = text + ui.px(kRowWidth);
+  if (selectable({}, id, false, ImGuiSelectableFlags_DontClosePopups, {width, ui.px(kRowHeight)}))
+    command.run(session, actions, ui);
+  ui.item(id, overlay.help, keys_of(command, ui));
+  if (ImGui::IsItemHovered()) ui.view.canvas.hovered_overlay = &overlay;
+  const bool on = session.choices().overlays.has(overlay);
+  const float middle = at.y + (ui.px(kRowHeight) - ImGui::GetTextLineHeight()) / 2;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  paint_overlay_swatch(list, overlay, {at.x + pad, at.y + (height - swatch) / 2}, swatch,
+  paint_overlay_swatch(list, overlay, {at.x, at.y + (ui.px(kRowHeight) - swatch) / 2}, swatch,
                        session.choices().overlay_palette);
-  if (named)
-    add_text(list, {at.x + pad + swatch + ui.px(kTextGap), at.y + (height - ImGui::GetTextLineHeight()) / 2},
-             theme::tone(on ? theme::kText : theme::kMuted), label);
-  if (!named && on)
-    list.AddRectFilled({at.x, at.y + height - ui.px(2)}, {at.x + width, at.y + height},
-                       theme::tone(theme::kAccent));
+  add_text(list, {at.x + text, middle}, theme::tone(on ? theme::kText : theme::kMuted), overlay.label);
+  const std::string keys = on ? "shown" : keys_of(command, ui);
+  add_text(list, {at.x + width - size_of_text(keys).x, middle},
+           theme::tone(on ? theme::kAccent : theme::kMuted), keys);
+}
+
+// A button with the group's name, and a line in the colour of each of its overlays that is shown.
+void draw_group(OverlayGroup group, const Session& session, Actions& actions, Ui& ui) {
+  const OverlayGroupInfo& info = kOverlayGroups[static_cast<std::size_t>(group)];
+  const std::string id = "overlay/group_" + std::string(info.key);
+  const float width = size_of_text(info.label).x + 2 * ui.px(kPad + kPad);
+  ui.same_line_if_fits(width);
+  if (ui.text_button(id, info.label, false, info.help, {}, true, width)) ImGui::OpenPopup(id.c_str());
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  std::vector<const Overlay*> shown;
+  for (const Overlay* overlay : all_overlays())
+    if (overlay->group == group && session.choices().overlays.has(*overlay)) shown.push_back(overlay);
+  const float part = (max.x - min.x) / static_cast<float>(std::max<std::size_t>(1, shown.size()));
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const float x = min.x + part * static_cast<float>(i);
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        {x, max.y - ui.px(3)}, {x + part, max.y},
+        theme::color(overlay_color(*shown[i], session.choices().overlay_palette)));
+  }
+  if (!ImGui::BeginPopup(id.c_str())) return;
+  for (const Overlay* overlay : all_overlays())
+    if (overlay->group == group) draw_switch(*overlay, session, actions, ui);
+  ImGui::EndPopup();
 }
 
 void draw_item(const std::string& id, const Session& session, Actions& actions, Ui& ui) {
@@ -61,18 +81,11 @@ void draw_presets(const Session& session, Actions& actions, Ui& ui) {
 
 }  // namespace
 
-bool overlay_names_fit(const Ui& ui) {
-  float width = ui.px(kControls + kBranchWidth + kProgressWidth);
-  for (const Overlay* overlay : all_overlays())
-    width +=
-        text_width(overlay->label) + ui.px(kSwatch + 2 * kPad + kTextGap) + ImGui::GetStyle().ItemSpacing.x;
-  return width <= ImGui::GetIO().DisplaySize.x;
-}
-
 void draw_overlay_switches(const Session& session, Actions& actions, Ui& ui) {
-  const bool named = overlay_names_fit(ui);
+  ui.view.canvas.hovered_overlay = nullptr;
   draw_presets(session, actions, ui);
-  for (const Overlay* overlay : all_overlays()) draw_switch(*overlay, named, session, actions, ui);
+  for (std::size_t group = 0; group < std::size(kOverlayGroups); ++group)
+    draw_group(static_cast<OverlayGroup>(group), session, actions, ui);
 }
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// The switches of the overlays, which are also their legend if their names have room.
+// The switches of the overlays, in groups.
 #pragma once
 
 #include "panels/ui/ui.h"
@@ -6,11 +6,8 @@
 
 namespace talus {
 
-// Draws them one after another on the current line, with their names if there is room for all of them.
+// Draws the sets of overlays and the groups one after another on the current line. The overlay under the
+// mouse is shown as long as it is there: see CanvasesView::hovered_overlay.
 void draw_overlay_switches(const Session& session, Actions& actions, Ui& ui);
-
-// Whether their names have room. Depends only on the window's width, so that the switches and the legend,
-// which has the names otherwise, agree.
-bool overlay_names_fit(const Ui& ui);
 
 }  // namespace talus

@@ -1,5 +1,6 @@
 #include "branch_choice.h"
 
+#include <algorithm>
 #include <string>
 
 #include "panels/commands/commands.h"
@@ -7,6 +8,8 @@
 
 namespace talus {
 namespace {
+
+constexpr float kBranchWidth = 212, kProgressWidth = 140, kLeastBranch = 60;  // px at scale 1
 
 std::string branch_name(const Branch& branch) {
   std::string name = "branch " + std::to_string(branch.id);
@@ -33,10 +36,10 @@ void draw_comparing(double progress, Actions& actions, Ui& ui) {
     actions.push_back(action::CompareVariant{std::nullopt});
 }
 
-void draw_branches(const Session& session, Actions& actions, Ui& ui) {
+void draw_branches(float width, const Session& session, Actions& actions, Ui& ui) {
   const Timeline& timeline = session.timeline();
   const bool open = ui.begin_combo(
-      "timeline/branch", branch_name(timeline.current()), ui.px(kBranchWidth),
+      "timeline/branch", branch_name(timeline.current()), width,
       "Branches: playing on from an earlier frame, editing, or other keys make a new one, and the one before "
       "stays.",
       keys_of("timeline/previous_branch"_command, ui) + "  " + keys_of("timeline/next_branch"_command, ui));
@@ -72,9 +75,11 @@ void draw_branches(const Session& session, Actions& actions, Ui& ui) {
 }  // namespace
 
 void draw_branch_choice(const Session& session, Actions& actions, Ui& ui) {
-  const float width = ui.px(kBranchWidth), gap = ui.px(8);
-  ui.same_line_if_fits(width, gap);
-  draw_branches(session, actions, ui);
+  const float gap = ui.px(8);
+  ImGui::SameLine(0, gap);
+  const float width = std::min(ui.px(kBranchWidth), ImGui::GetContentRegionAvail().x);
+  if (width < ui.px(kLeastBranch)) return;  // the window is very narrow: Debug > Branches has the same
+  draw_branches(width, session, actions, ui);
   const auto comparing = session.debugger().comparing_progress(session.timeline());
   if (!session.timeline().behind() && !comparing) return;
   ui.same_line_if_fits(ui.px(kProgressWidth));

@@ -110,9 +110,12 @@ struct Columns {
 Columns columns_of(const Ui& ui, float window, bool has_right) {
   const WindowView& view = ui.view.window;
   Columns columns;
-  if (view.right_open && has_right)
+  // In a small window the canvas comes first.
+  const bool has_room_for_one = window >= ui.px(kRightLeast + kMiddleLeast);
+  const bool has_room_for_both = window >= ui.px(kLeftLeast + kRightLeast + kMiddleLeast);
+  if (view.right_open && has_right && has_room_for_one)
     columns.right = part(view.layout.right, window, ui.px(kRightLeast), ui.px(kLeftLeast + kMiddleLeast));
-  if (view.left_open)
+  if (view.left_open && (has_room_for_both || (columns.right == 0 && has_room_for_one)))
     columns.left = part(view.layout.left, window, ui.px(kLeftLeast), columns.right + ui.px(kMiddleLeast));
   return columns;
 }
