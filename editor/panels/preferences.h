@@ -5,6 +5,7 @@
 #include <string>
 
 #include "panels/commands/key_bindings.h"
+#include "panels/commands/pad_bindings.h"
 #include "panels/window/programs.h"
 
 namespace talus {
@@ -22,6 +23,7 @@ struct Preferences {
   bool middle_picks = false;  // whether a press of the middle button picks, as in TIC-80; else a drag of it
                               // moves the view, and a click picks
   KeyBindings keys;
+  PadBindings pad;
   ProgramCommands programs = default_program_commands();
   friend bool operator==(const Preferences&, const Preferences&) = default;
 };

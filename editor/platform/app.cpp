@@ -101,13 +101,17 @@ tl::expected<std::unique_ptr<App>, std::string> App::start(AppOptions options) {
   const std::string error = app->open_window(settings);
   if (!error.empty()) return tl::unexpected(error);
   app->last_time_ = app->last_event_ = app->options_.clock();
+  if (!app->options_.offscreen) app->gamepads_.watch();
   CanvasesView& canvas = app->ui_.view.canvas;
   canvas.opens_on_player = canvas.follow_body = !app->options_.paused_at_first_screen;
   const bool is_asked_for = !app->options_.file.empty();
   if (!is_asked_for) app->options_.file = first_file(settings);
   app->open_first_level();
   app->take_settings(settings);
-  if (app->options_.file.empty()) app->play_opened_level();
+  if (app->options_.file.empty()) {
+    app->play_opened_level();
+    app->loops_demo_ = true;
+  }
   if (app->options_.remember) {
     app->guard_.emplace((std::filesystem::path(state_folder()) / "autosave").string(),
                         app->options_.patience);
@@ -316,6 +320,7 @@ void App::frame() {
   handle_events();
   const double now = options_.clock();
   const double passed = now - last_time_;
+  loop_demo();
   session_->advance(passed);
   last_time_ = ui_.time = now;
   dismiss_old_note();
@@ -391,6 +396,9 @@ void App::handle_events() {
     window_->process_event(event);
     last_event_ = options_.clock();
     note_waits_ = false;
+    if (event.type == SDL_KEYDOWN || event.type == SDL_MOUSEBUTTONDOWN ||
+        event.type == SDL_CONTROLLERBUTTONDOWN || event.type == SDL_DROPFILE)
+      loops_demo_ = false;
     if (event.type == SDL_QUIT) {
       actions.push_back(action::Quit{});
     } else if (event.type == SDL_KEYDOWN) {
@@ -402,6 +410,7 @@ void App::handle_events() {
       dropped.emplace_back(event.drop.file);
       SDL_free(event.drop.file);
     }
+    handle_gamepad(event, actions);
     release(event, actions);
     apply(actions);
   }
@@ -422,6 +431,7 @@ void App::handle_key(const SDL_KeyboardEvent& key, Actions& actions) {
 // last; else the mark on the map. Returns true if the key does only that, and no selection is lost.
 bool App::close_window(Actions& actions) {
   if (ImGui::GetIO().WantTextInput || is_popup_open()) return false;
+  if (std::exchange(ui_.view.commands.pad_capture, std::nullopt)) return true;
   if (std::exchange(ui_.view.window.keys_in_panel, false)) return true;
   if (session_->message() && session_->message()->is_error) {
     actions.push_back(action::DismissMessage{});
@@ -464,8 +474,30 @@ bool App::steer(KeyChord chord, Actions& actions) {
   const bool theirs =
       ui_.view.window.focus == Focus::map && !ui_.view.canvas.cursor.on() && has_players(*session_);
   if (!theirs || !play_keys_.press(chord, ui_.view.preferences.keys)) return false;
-  actions.push_back(play_keys_.held());
+  actions.push_back(held());
   return keys_steer(*session_, ui_.view);
+}
+
+action::HoldKeys App::held() const {
+  const action::HoldKeys keys = play_keys_.held(), pad = gamepads_.held(ui_.view.preferences.pad);
+  return {keys.left || pad.left, keys.right || pad.right, keys.jump || pad.jump};
+}
+
+// Gamepads steer wherever the keys go. A button that the settings wait for steers nothing.
+void App::handle_gamepad(const SDL_Event& event, Actions& actions) {
+  if (!gamepads_.follow(event)) return;
+  ui_.view.commands.gamepads = gamepads_.names();
+  const auto pressed = Gamepads::pressed_button(event);
+  auto& capture = ui_.view.commands.pad_capture;
+  if (capture && pressed) {
+    (ui_.view.preferences.pad.*capture->buttons)[capture->index] = *pressed;
+    capture.reset();
+    gamepads_.release_all();
+  } else if (pressed == "start") {
+    actions.push_back(action::TogglePlay{});
+  }
+  const Input& input = session_->playback().input;
+  if (held() != action::HoldKeys{input.left, input.right, input.jump}) actions.push_back(held());
 }
 
 // A released key is released for all, whoever has the keys by then; when the window loses the focus, all keys
@@ -473,14 +505,15 @@ bool App::steer(KeyChord chord, Actions& actions) {
 void App::release(const SDL_Event& event, Actions& actions) {
   if (event.type == SDL_KEYUP) {
     ui_.view.canvas.cursor.release(chord_of(event.key.keysym).key);
-    if (play_keys_.release(chord_of(event.key.keysym).key)) actions.push_back(play_keys_.held());
+    if (play_keys_.release(chord_of(event.key.keysym).key)) actions.push_back(held());
   } else if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_FOCUS_GAINED) {
     ui_.view.window.is_in_front = true;
   } else if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) {
     ui_.view.window.is_in_front = false;
     play_keys_.release_all();
+    gamepads_.release_all();
     ui_.view.canvas.cursor.lift();
-    actions.push_back(play_keys_.held());
+    actions.push_back(held());
   }
 }
 
@@ -527,6 +560,12 @@ void App::note_dialog_result() {
   } else {
     asked_dialog_.reset();
   }
+}
+
+void App::loop_demo() {
+  constexpr std::int64_t kFrames = 330;  // after which its balls are at rest
+  if (loops_demo_ && session_->playback().running && session_->state().frame >= kFrames)
+    session_->apply({action::SeekStart{}, action::Play{}});
 }
 
 void App::apply(const Actions& actions) {

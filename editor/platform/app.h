@@ -12,6 +12,7 @@
 #include "event_queue.h"
 #include "file_browser.h"
 #include "game_start.h"
+#include "gamepads.h"
 #include "gl_window.h"
 #include "map_texture_cache.h"
 #include "open_copies.h"
@@ -83,6 +84,11 @@ class App {
   void handle_key(const SDL_KeyboardEvent& key, Actions& actions);
   bool keys_are_taken(KeyChord chord) const;
   bool steer(KeyChord chord, Actions& actions);
+  // Shows the demo level from its start again when all is at rest, until somebody touches something.
+  void loop_demo();
+  void handle_gamepad(const SDL_Event& event, Actions& actions);
+  // What is held for the players, on the keyboard and on gamepads.
+  action::HoldKeys held() const;
   void release(const SDL_Event& event, Actions& actions);
   void draw(Actions& actions);
   void draw_file_dialog(Actions& actions);
@@ -113,6 +119,7 @@ class App {
   GameStart game_start_;
   EventQueue events_;
   HeldPlayKeys play_keys_;
+  Gamepads gamepads_;
   Ui ui_;
 
   double last_time_ = 0;    // s, of the last frame
@@ -133,6 +140,7 @@ class App {
   std::string remember_problem_;             // the last problem that was shown
   bool remembers_settings_ = true;           // false: the file has settings that could not be read
   int drawn_frames_ = 0;
+  bool loops_demo_ = false;  // nobody has touched the demo level that the program began with
 };
 
 // Runs the editor on these files, of which the first in the order of names is opened; none: as the

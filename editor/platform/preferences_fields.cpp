@@ -50,6 +50,24 @@ Field<Preferences> programs_field(const char* key) {
           }};
 }
 
+// Of a gamepad.
+Field<PadBindings> buttons_field(const char* key, PadButtons PadBindings::*member) {
+  return {key, json(PadBindings().*member),
+          [](const json& v) {
+            return v.is_array() && v.size() == PadButtons().size() &&
+                   std::all_of(v.begin(), v.end(), [](const json& name) { return name.is_string(); });
+          },
+          [member](PadBindings& pad, const json& v) { pad.*member = v.get<PadButtons>(); },
+          [member](const PadBindings& pad) { return json(pad.*member); }};
+}
+
+Fields<PadBindings> pad_fields() {
+  return {buttons_field("left", &PadBindings::left), buttons_field("right", &PadBindings::right),
+          buttons_field("jump", &PadBindings::jump),
+          toggle("stick", &PadBindings::stick, PadBindings().stick),
+          number("dead_zone", &PadBindings::dead_zone, PadBindings().dead_zone, 0.05, 0.95)};
+}
+
 }  // namespace
 
 Fields<Preferences> preferences_fields() {
@@ -60,6 +78,7 @@ Fields<Preferences> preferences_fields() {
                  {"welcome", "last_level", "demo"}),
           toggle("middle_picks", &Preferences::middle_picks, Preferences().middle_picks),
           keys_field("keys"),
+          object("gamepad", &Preferences::pad, pad_fields()),
           programs_field("programs")};
 }
 

@@ -210,4 +210,18 @@ TEST_F(UiOpening, ALargerWindowShowsItLarger) {
   EXPECT_GT(width_of_10_px(), small);
 }
 
+TEST_F(UiOpening, TheDemoPlaysAgainUntilSomebodyTouchesIt) {
+  open_as_users_do();
+  start("");
+  for (int i = 0; i < 20; ++i) {
+    frames(50);
+    EXPECT_TRUE(session().playback().running);
+    EXPECT_LE(session().state().frame, 331);
+  }
+  EXPECT_EQ(session().timeline().branches().size(), 1u) << "it is the same recording";
+  key(KeyChord{27});
+  frames(400);
+  EXPECT_GT(session().state().frame, 400);
+}
+
 }  // namespace talus::opening_test

@@ -81,6 +81,12 @@ TEST_F(UiSettings, EverySettingIsTakenAndStoredAgain) {
         {"plays_opened", false},
         {"starts_with", "last_level"},
         {"middle_picks", true},
+        {"gamepad",
+         {{"left", {"x", ""}},
+          {"right", {"y", "b"}},
+          {"jump", {"", "a"}},
+          {"stick", false},
+          {"dead_zone", 0.5}}},
         {"keys", {{"canvas/grid", {"Ctrl+Shift+J", ""}}}},
         {"programs", programs}}}};
   for (const auto& [key, value] : standard.items()) {

@@ -3,7 +3,7 @@
 local is_found, bump = pcall(require, "bump")
 local slopes, level = require "bump_slopes", require "level"
 local _, camera = require "camera"(level)
-local pictures = require "pictures"
+local controls, pictures = require "controls", require "pictures"
 local tuning = level.tuning
 
 local TILE_WIDTH, TILE_HEIGHT = level.tile_width or 8, level.tile_height or 8  -- px
@@ -53,9 +53,9 @@ local function fall(body)
 end
 
 local function run(body)
-  local is_down = love.keyboard.isDown
-  local direction = (is_down("right", "d") and 1 or 0) - (is_down("left", "a") and 1 or 0)
-  local jumps = is_down("up", "w", "space") and slopes.grounded(world, body, filter)
+  local held = controls()
+  local direction = (held.right and 1 or 0) - (held.left and 1 or 0)
+  local jumps = held.jump and slopes.grounded(world, body, filter)
   local walks = not jumps and slopes.grounded(world, body, filter)
   local gain = direction * tuning.run_speed - body.vx
   body.vx = body.vx + math.max(-tuning.run_gain, math.min(gain, tuning.run_gain))

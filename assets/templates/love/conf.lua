@@ -4,5 +4,5 @@ function love.conf(t)
   t.window.title = "Talus level"
   t.window.width, t.window.height = 960, 540
   t.window.resizable = true
-  t.modules.joystick, t.modules.physics, t.modules.video = false, false, false
+  t.modules.physics, t.modules.video = false, false
 end

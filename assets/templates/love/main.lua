@@ -2,7 +2,7 @@
 -- can do. `love . --trace FRAMES` prints frame, id, x, y, vx and vy of every body in every frame, and ends.
 local talus, level = require "talus", require "level"
 local area, camera = require "camera"(level)
-local curve_points, pictures = require "curve_points", require "pictures"
+local controls, curve_points, pictures = require "controls", require "curve_points", require "pictures"
 
 local HELP = "arrows: run, jump     mouse: drag     R: start again     Esc: end"
 local HELP_TIME = 10      -- s; H shows it again
@@ -27,12 +27,10 @@ function love.load(arguments)
   for i, curve in ipairs(level.curves) do curves[i] = curve_points(curve) end
 end
 
-local function is_down(...) return love.keyboard.isDown(...) end
-
 local function input()
-  local x, y = love.mouse.getPosition()
-  return {left = is_down("left", "a"), right = is_down("right", "d"), jump = is_down("up", "w", "space"),
-          mouse_x = left + x / zoom, mouse_y = top + y / zoom, mouse_down = love.mouse.isDown(1)}
+  local held, x, y = controls(), love.mouse.getPosition()
+  held.mouse_x, held.mouse_y, held.mouse_down = left + x / zoom, top + y / zoom, love.mouse.isDown(1)
+  return held
 end
 
 -- Pixels are squares of whole pixels of the screen: 22.5 tiles of them from top to bottom, or fewer for a small

@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "keys.h"
+#include "pad_bindings.h"
 
 namespace talus {
 
@@ -20,6 +22,8 @@ struct CommandsView {
   bool palette_open = false;
   bool keys_open = false;
   std::optional<KeyCapture> key_capture;
+  std::optional<PadCapture> pad_capture;
+  std::vector<std::string> gamepads;  // names of those that are connected
 };
 
 }  // namespace talus

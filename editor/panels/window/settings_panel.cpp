@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "gamepad_settings.h"
 #include "panels/canvas/overlay_painter.h"
 #include "panels/commands/commands.h"
 #include "start_choice.h"
@@ -138,6 +139,8 @@ void SettingsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     draw_opening(ui);
     draw_middle_button(ui);
     draw_layouts(session, actions, ui);
+    ImGui::Separator();
+    draw_gamepad_settings(ui.px(kSettingNames), ui.px(kSettingWidth), ui);
     ImGui::Separator();
     draw_programs(ui);
     ui.end_row();

@@ -38,6 +38,7 @@ struct HoldMouse {  // the mouse over the play view, in level pixels; drags the 
 };
 struct HoldKeys {  // the keys of the players that are held from now on
   bool left = false, right = false, jump = false;
+  friend bool operator==(const HoldKeys&, const HoldKeys&) = default;
 };
 struct SelectBody {
   int id = 0;  // 0, or an unknown id: no body
