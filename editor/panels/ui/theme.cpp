@@ -10,8 +10,8 @@ namespace {
 struct Tone {
   std::uint32_t dark, light;
 };
-// The colours of panels in both themes. The light ones of text have a contrast of 4.5 at least on kPanel's.
-constexpr std::array<Tone, 16> kTones = {{{kBackground, 0xdfe3ee},
+// The colours of panels in both themes. Text has a contrast of at least 4.5 to what it is on.
+constexpr std::array<Tone, 17> kTones = {{{kBackground, 0xdfe3ee},
                                           {kPanel, 0xf3f5fa},
                                           {kControl, 0xd0d7e6},
                                           {kControlHot, 0xb9c4da},
@@ -20,10 +20,11 @@ constexpr std::array<Tone, 16> kTones = {{{kBackground, 0xdfe3ee},
                                           {kTableHeader, 0xdde3f0},
                                           {kLine, 0xb3bdd2},
                                           {kText, 0x1a1c2c},
-                                          {kMuted, 0x55607a},
-                                          {kAccent, 0x1668b8},
-                                          {kError, 0xb3203c},
-                                          {kWarning, 0x805300},
+                                          {kMuted, 0x4e5872},
+                                          {kAccent, 0x125a9f},
+                                          {kFocus, 0x00686e},
+                                          {kError, 0xab1c38},
+                                          {kWarning, 0x774d00},
                                           {kNote, 0xd3e6fa},
                                           {kErrorNote, 0xfbdce2},
                                           {kStripe, 0x000000}}};
@@ -53,6 +54,7 @@ void set_colors(ImVec4* c, bool light) {
   c[ImGuiCol_ScrollbarBg] = vec(kPanel);
   c[ImGuiCol_ScrollbarGrab] = vec(kControlHot);
   c[ImGuiCol_CheckMark] = c[ImGuiCol_SliderGrab] = c[ImGuiCol_SliderGrabActive] = vec(kAccent);
+  c[ImGuiCol_NavHighlight] = vec(kFocus);
   c[ImGuiCol_Separator] = vec(kLine);
   c[ImGuiCol_Tab] = vec(kPanel);
   c[ImGuiCol_TabHovered] = vec(kControlHot);

@@ -36,9 +36,10 @@ inline constexpr std::uint32_t kCheckered = 0x4a4f63;       // under what is cle
 inline constexpr std::uint32_t kCheckeredLight = 0x6b7086;  // every other square of it
 inline constexpr std::uint32_t kLine = 0x3b4160;
 inline constexpr std::uint32_t kText = 0xf4f4f4;
-inline constexpr std::uint32_t kMuted = 0x9aa7bd;
-inline constexpr std::uint32_t kAccent = 0x41a6f6;
-inline constexpr std::uint32_t kError = 0xe0546a;
+inline constexpr std::uint32_t kMuted = 0xa3afc5;
+inline constexpr std::uint32_t kAccent = 0x41a6f6;  // of what is chosen or active
+inline constexpr std::uint32_t kFocus = 0x73eff7;   // of what has the keys
+inline constexpr std::uint32_t kError = 0xf48a98;
 inline constexpr std::uint32_t kWarning = 0xffcd75;
 inline constexpr std::uint32_t kDark = 0x0b0c14;  // outlines under lines and labels
 

@@ -92,7 +92,7 @@ bool is_pointed_at(Region region, View& view) {
   return ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
 }
 
-// The side that has the keys has an accent at its top.
+// The side that has the keys has a line at its top.
 void show_focus(Region region, Ui& ui) {
   const auto side = side_of(region);
   const bool at_top = !is_sprite_region(region) || region == Region::sheet ||
@@ -100,7 +100,7 @@ void show_focus(Region region, Ui& ui) {
   if (!side || ui.view.window.focus != *side || !at_top) return;
   const ImVec2 at = ImGui::GetWindowPos();
   ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + ImGui::GetWindowWidth(), at.y + ui.px(3)},
-                                            theme::tone(theme::kAccent));
+                                            theme::tone(theme::kFocus));
 }
 
 // The widths of the columns beside the canvas, px of the screen; 0: closed.

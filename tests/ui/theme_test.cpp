@@ -1,0 +1,56 @@
+// The colours of both themes can be read.
+#include <algorithm>
+#include <cmath>
+
+#include "harness.h"
+#include "panels/ui/theme.h"
+
+namespace talus::theme_test {
+
+// Of WCAG 2, 0 to 1.
+double luminance(ImU32 color) {
+  const auto linear = [&](int shift) {
+    const double c = static_cast<double>(color >> shift & 0xFF) / 255;
+    return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(IM_COL32_R_SHIFT) + 0.7152 * linear(IM_COL32_G_SHIFT) +
+         0.0722 * linear(IM_COL32_B_SHIFT);
+}
+
+double contrast(ImU32 a, ImU32 b) {
+  const auto [low, high] = std::minmax(luminance(a), luminance(b));
+  return (high + 0.05) / (low + 0.05);
+}
+
+using UiTheme = UiTest;
+
+TEST_F(UiTheme, TextHasEnoughContrastToWhatItIsOn) {
+  start();
+  for (const ThemeKind kind : {ThemeKind::dark, ThemeKind::light}) {
+    app().ui().view.preferences.theme = kind;
+    frames(3);
+    ASSERT_EQ(theme::is_light(), kind == ThemeKind::light);
+    for (const std::uint32_t text : {theme::kText, theme::kMuted, theme::kError, theme::kWarning})
+      for (const std::uint32_t surface : {theme::kBackground, theme::kPanel, theme::kControl, theme::kPopup,
+                                          theme::kTableHeader, theme::kNote, theme::kErrorNote})
+        EXPECT_GE(contrast(theme::tone(text), theme::tone(surface)), 4.5)
+            << std::hex << text << " on " << surface << (theme::is_light() ? ", light" : ", dark");
+    for (const std::uint32_t text : {theme::kAccent, theme::kFocus})
+      for (const std::uint32_t surface : {theme::kBackground, theme::kPanel, theme::kControl, theme::kPopup})
+        EXPECT_GE(contrast(theme::tone(text), theme::tone(surface)), 4.5)
+            << std::hex << text << " on " << surface << (theme::is_light() ? ", light" : ", dark");
+  }
+}
+
+TEST_F(UiTheme, WhatHasTheKeysIsAnotherColourThanWhatIsActive) {
+  start();
+  for (const ThemeKind kind : {ThemeKind::dark, ThemeKind::light}) {
+    app().ui().view.preferences.theme = kind;
+    frames(3);
+    const ImU32 focus = ImGui::ColorConvertFloat4ToU32(ImGui::GetStyle().Colors[ImGuiCol_NavHighlight]);
+    EXPECT_EQ(focus, theme::tone(theme::kFocus));
+    EXPECT_NE(focus, theme::tone(theme::kAccent));
+  }
+}
+
+}  // namespace talus::theme_test
