@@ -49,6 +49,17 @@ void draw_solver(const Session& session, Actions& actions, Ui& ui) {
   ImGui::EndCombo();
 }
 
+// Of a number, by the right button. Returns whether it should get its default.
+bool draw_menu(const std::string& key, double value, double standard, Ui& ui) {
+  if (!ImGui::BeginPopupContextItem(("menu" + key).c_str())) return false;
+  const bool resets = menu_item("Back to " + short_number(standard), "reset", {}, false, value != standard);
+  ui.item("tuning/menu_reset");
+  if (menu_item("Copy", "copy")) ImGui::SetClipboardText(short_number(value).c_str());
+  ui.item("tuning/menu_copy");
+  ImGui::EndPopup();
+  return resets;
+}
+
 }  // namespace
 
 void TuningPanel::draw(const Session& session, Actions& actions, Ui& ui) {
@@ -96,10 +107,11 @@ void TuningPanel::draw_field(const TuningField& field, const Session& session, A
   if (ImGui::IsItemActivated()) stroke_ = session.next_stroke();
   ui.item("tuning/" + key, help_of(field), "drag, or double click to type; Tab: the next one");
   if (changed) actions.push_back(action::EditLevel{set_tuning(session.level(), tuning), stroke_});
+  const bool resets = draw_menu(key, value, standard, ui);
   ImGui::TableNextColumn();
   if (!is_changed) return;
-  if (!ui.icon_button("tuning/reset_" + key, Icon::restart, false, "Back to " + short_number(standard) + ".",
-                      {}))
+  if (!resets && !ui.icon_button("tuning/reset_" + key, Icon::restart, false,
+                                 "Back to " + short_number(standard) + ".", {}))
     return;
   value = standard;
   actions.push_back(action::EditLevel{set_tuning(session.level(), tuning)});

@@ -64,6 +64,9 @@ void WhyPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const int body = session.choices().body;
   if (session.state().find(body) == nullptr) {
     ui.hint("No body chosen: click one in the play view to see every stage of its step here.");
+    if (find_command("play/choose_player"_command).is_enabled(session, ui))
+      command_text_button("play/choose_player"_command, session, actions, ui,
+                          {.widget = "why/choose_player"});
     return;
   }
   if (session.state().frame == 0) {

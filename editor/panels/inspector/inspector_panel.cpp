@@ -59,6 +59,39 @@ void draw_number(const char* id, double value, Ui& ui, std::string_view meaning 
   ImGui::PopID();
 }
 
+// The menu of a number of a body, by the right button. expression: of the number, for plots and breakpoints.
+struct NumberMenu {
+  const Session& session;
+  Actions& actions;
+  int body;  // id
+
+  void draw(const char* expression, double value, Ui& ui) const {
+    const std::string id = std::string("inspector/") + expression;
+    ui.item(id);
+    if (!ImGui::BeginPopupContextItem(id.c_str())) return;
+    if (menu_item("Copy", "copy")) ImGui::SetClipboardText(all_digits(value).c_str());
+    ui.item(id + "/copy", "Copies all digits.");
+    if (menu_item("Plot this", "plot")) {
+      actions.push_back(action::SetPlot{session.debugger().plots().all().size(), {expression, body}});
+      show(panel_id::kPlots, ui);
+    }
+    ui.item(id + "/plot", "Shows the number over the frames.");
+    if (menu_item("Stop when it changes", "stop")) {
+      Breakpoint breakpoint;
+      breakpoint.condition = "changed(" + std::string(expression) + ")";
+      breakpoint.body = body;
+      actions.push_back(action::SetBreakpoint{breakpoint});
+      show(panel_id::kBreakpoints, ui);
+    }
+    ui.item(id + "/stop", "Adds a breakpoint.");
+    ImGui::EndPopup();
+  }
+  static void show(std::string_view panel, Ui& ui) {
+    ui.view.window.dock_open = true;
+    ui.ask(request::ShowTab(panel));
+  }
+};
+
 void draw_text_cell(std::string_view text, Ui& ui, std::string_view meaning = {}) {
   draw_text(text);
   ui.tooltip(meaning.empty() ? text : meaning);
@@ -76,21 +109,25 @@ std::string_view meaning_of_done(const ContactRecord& contact) {
              : "The step found this contact but did nothing with it, as after a correction onto a slope.";
 }
 
-void draw_body_row(const char* label, const char* unit, Vec2 v, Ui& ui) {
+// x, y: the expressions of the two numbers.
+void draw_body_row(const char* label, const char* unit, Vec2 v, const NumberMenu& menu, const char* x,
+                   const char* y, Ui& ui) {
   ImGui::PushID(label);
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ui.heading(label);
   ImGui::TableNextColumn();
   draw_number("x", v.x, ui);
+  menu.draw(x, v.x, ui);
   ImGui::TableNextColumn();
   draw_number("y", v.y, ui);
+  menu.draw(y, v.y, ui);
   ImGui::TableNextColumn();
   ui.heading(unit);
   ImGui::PopID();
 }
 
-void draw_body(const Body& body, Ui& ui) {
+void draw_body(const Body& body, const NumberMenu& menu, Ui& ui) {
   if (!ImGui::BeginTable("body", 4, ImGuiTableFlags_SizingFixedFit)) return;
   ImGui::TableSetupColumn("");
   ImGui::TableSetupColumn("x", ImGuiTableColumnFlags_WidthFixed, ui.px(72));
@@ -101,9 +138,9 @@ void draw_body(const Body& body, Ui& ui) {
   ui.right_aligned("x", theme::tone(theme::kMuted));
   ImGui::TableSetColumnIndex(2);
   ui.right_aligned("y", theme::tone(theme::kMuted));
-  draw_body_row("position", "px", body.box.position(), ui);
-  draw_body_row("velocity", "px/frame", body.velocity, ui);
-  draw_body_row("size", "px", {body.box.w, body.box.h}, ui);
+  draw_body_row("position", "px", body.box.position(), menu, "x", "y", ui);
+  draw_body_row("velocity", "px/frame", body.velocity, menu, "vx", "vy", ui);
+  draw_body_row("size", "px", {body.box.w, body.box.h}, menu, "w", "h", ui);
   ImGui::EndTable();
 }
 
@@ -230,6 +267,9 @@ void InspectorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
               keys_of("map/body"_command, ui) + ").");
     else
       ui.hint("No body chosen: click one in the play view.");
+    if (find_command("play/choose_player"_command).is_enabled(session, ui))
+      command_text_button("play/choose_player"_command, session, actions, ui,
+                          {.widget = "inspector/choose_player"});
     if (session.hard_case()) draw_hard_case(*session.hard_case(), ui);
     return;
   }
@@ -243,7 +283,7 @@ void InspectorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
                                           std::to_string(body->origin.cell.y) + ")";
   if (session.state().grabbed == body->id && session.playback().input.mouse_down) name += ", held";
   draw_text(name);
-  draw_body(*body, ui);
+  draw_body(*body, {session, actions, body->id}, ui);
   if (spawn >= 0) spawn_.draw(session, spawn, actions, ui);
   ImGui::Spacing();
   if (session.state().frame == 0) {
