@@ -40,7 +40,10 @@ void show_layout(const LayoutPreset& preset, View& view) {
   window.dock_open = preset.dock;
   window.focus = Focus::map;
   view.canvas.mode = CanvasMode::play;
-  for (const std::string_view tab : preset.tabs) window.wanted_tabs.emplace_back(tab);
+  for (const std::string_view tab : preset.tabs) {
+    reopen_tab(window, tab);
+    window.wanted_tabs.emplace_back(tab);
+  }
   view.requests.ask(request::KeepZoom{});
 }
 

@@ -396,9 +396,10 @@ void App::handle_events() {
     window_->process_event(event);
     last_event_ = options_.clock();
     note_waits_ = false;
-    if (event.type == SDL_KEYDOWN || event.type == SDL_MOUSEBUTTONDOWN ||
-        event.type == SDL_CONTROLLERBUTTONDOWN || event.type == SDL_DROPFILE)
-      loops_demo_ = false;
+    const bool is_press = event.type == SDL_KEYDOWN || event.type == SDL_MOUSEBUTTONDOWN ||
+                          event.type == SDL_CONTROLLERBUTTONDOWN;
+    // What is pressed on the welcome page does not touch the level behind it.
+    if ((is_press && !ui_.view.window.welcome_open) || event.type == SDL_DROPFILE) loops_demo_ = false;
     if (event.type == SDL_QUIT) {
       actions.push_back(action::Quit{});
     } else if (event.type == SDL_KEYDOWN) {
@@ -443,7 +444,12 @@ bool App::close_window(Actions& actions) {
         &ui_.view.window.layouts_open, &ui_.view.window.alone, &ui_.view.debugger.picks_cell}) {
     if (std::exchange(*open, false)) return false;
   }
-  return std::exchange(ui_.view.canvas.marked_cell, std::nullopt).has_value();
+  if (std::exchange(ui_.view.canvas.marked_cell, std::nullopt).has_value()) return true;
+  const Choices& choices = session_->choices();
+  const bool keeps_tool = choices.selection || choices.pasted || ui_.view.window.focus != Focus::map ||
+                          ui_.view.canvas.cursor.on() || ImGui::IsAnyMouseDown();
+  if (!keeps_tool && ui_.view.canvas.mode == CanvasMode::play) ui_.view.canvas.paint_in_play = false;
+  return false;
 }
 
 // Lists, menus, dialogs, floating windows, and a panel that was given the keys.
@@ -520,6 +526,7 @@ void App::release(const SDL_Event& event, Actions& actions) {
 // While a dialog is open or a text is typed, the keys belong there.
 bool App::keys_are_taken(KeyChord chord) const {
   if (ImGui::GetTopMostPopupModal() != nullptr) return true;
+  if (ui_.view.window.welcome_open && !chord.ctrl && !chord.alt) return true;
   // Keys move through an open list or menu.
   if (is_popup_open() && !chord.ctrl && !chord.alt && chord.key < kKeyF1) return true;
   const bool types = ImGui::GetIO().WantTextInput;

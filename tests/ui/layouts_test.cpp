@@ -182,6 +182,46 @@ TEST_F(UiLayouts, ATabIsClosedAndComesBackByTheMenu) {
   EXPECT_NE(find("tabs/why"), nullptr);
 }
 
+TEST_F(UiLayouts, AReadyLayoutShowsWhatIsClosedOrOutOfSight) {
+  start();
+  click("menu/View");
+  click("menu/panels");
+  click("menu/panels/input_roll");  // its region is closed
+  frames(3);
+  EXPECT_NE(find("tabs/input_roll"), nullptr);
+  click("layout/draw");
+  move_tab(app().ui().view.window, "why", TabPlace::closed);
+  move_tab(app().ui().view.window, "input_roll", TabPlace::closed);
+  frames(2);
+  click("layout/debug");
+  frames(3);
+  EXPECT_NE(find("tabs/why"), nullptr);
+  EXPECT_NE(find("tabs/input_roll"), nullptr);
+}
+
+TEST_F(UiLayouts, EscapeEndsTheDragOfATab) {
+  start();
+  move(centre("tabs/why"));
+  press();
+  move(centre("tabs/layers"));
+  frames(2);
+  key(kEscape);
+  frames(2);
+  move(find("play/canvas")->centre());
+  release();
+  frames(2);
+  EXPECT_TRUE(app().ui().view.window.moved_tabs.empty());
+}
+
+TEST_F(UiLayouts, EscapeGoesBackToTheHand) {
+  start();
+  click(on_sheet(1));
+  EXPECT_TRUE(app().ui().view.canvas.paint_in_play);
+  move(find("play/canvas")->centre());
+  key(kEscape);
+  EXPECT_FALSE(app().ui().view.canvas.paint_in_play);
+}
+
 TEST_F(UiLayouts, ACommandBringsAClosedTabBack) {
   start();
   move_tab(app().ui().view.window, "why", TabPlace::closed);
@@ -212,8 +252,7 @@ TEST_F(UiLayouts, OnesOwnAreSavedByNameAndComeBack) {
   frames(2);
   key(ctrl_shift('4'));
   frames(3);
-  click("layouts/name");
-  type("mine");
+  type("mine");  // the window has the keys
   click("layouts/save");
   click("layout/draw");
   frames(3);

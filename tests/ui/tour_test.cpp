@@ -105,7 +105,21 @@ TEST_F(UiTour, AsksBeforeALevelIsLost) {
   click("menu/Help");
   click("menu/help/tour");
   frames(2);
-  EXPECT_TRUE(session().question());
+  ASSERT_TRUE(session().question());
+  EXPECT_EQ(step(), "") << "the level is not open";
+  session().apply(action::AnswerQuestion{action::Answer::cancel});
+  frames(3);
+  EXPECT_EQ(step(), "") << "nor will it be";
+  EXPECT_EQ(app().ui().view.tour.opens_after, -1);
+}
+
+TEST_F(UiTour, GoesBackFromThePlayedFrame) {
+  begin();
+  skip_to("back");
+  frames(40);  // it plays meanwhile
+  click("transport/back");
+  click("transport/back");
+  EXPECT_EQ(step(), "end");
 }
 
 }  // namespace talus::tour_test

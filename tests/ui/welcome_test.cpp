@@ -57,6 +57,15 @@ TEST_F(UiWelcome, AClickBesideItGoesBackAndDoesNothingElse) {
   EXPECT_FALSE(session().modified());
 }
 
+TEST_F(UiWelcome, KeysAreNotForTheLevelBehindIt) {
+  start_at_welcome();
+  const MapTool tool = session().choices().map_tool;
+  key('e');
+  key(kKeyF5);
+  EXPECT_EQ(session().choices().map_tool, tool);
+  EXPECT_TRUE(session().playback().running);
+}
+
 TEST_F(UiWelcome, IsNotThereWithAFileButComesBackByHelp) {
   start(save_test_level("level.talus.json"));
   EXPECT_FALSE(shows_page());

@@ -54,6 +54,7 @@ void draw_group(OverlayGroup group, const Session& session, Actions& actions, Ui
         {x, max.y - ui.px(3)}, {x + part, max.y},
         theme::color(overlay_color(*shown[i], session.choices().overlay_palette)));
   }
+  ImGui::SetNextWindowPos({min.x, min.y - ui.px(2)}, ImGuiCond_Always, {0, 1});  // it hides no other group
   if (!ImGui::BeginPopup(id.c_str())) return;
   for (const Overlay* overlay : all_overlays())
     if (overlay->group == group) draw_switch(*overlay, session, actions, ui);

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "command_table.h"
+#include "panels/canvas/opening_area.h"
 #include "panels/canvas/play_keys.h"
 #include "panels/layout_presets.h"
 #include "panels/tiles/edited_shape.h"
@@ -64,6 +65,7 @@ void run_from_start(S session, A actions, U ui) {
 // The keyboard's cursor moves with the focus.
 void show_sprites(S, A, U ui) {
   ui.view.window.left_open = true;
+  ui.view.window.alone = false;
   leave_windows();
   ui.view.window.keys_in_panel = false;
   ui.view.window.focus = Focus::sprites;
@@ -92,10 +94,17 @@ bool can_undo(S session, const Ui& ui) {
 // A tour that was left goes on in the open level.
 void take_tour(S, A actions, U ui) {
   TourView& tour = ui.view.tour;
-  tour.open = !tour.open;
-  if (!tour.open) return;
+  if (tour.open) {
+    tour.open = false;
+    return;
+  }
   ui.view.window.welcome_open = false;
-  if (tour.step == 0) actions.push_back(action::OpenFile{ui.view.files.tour_level, true});
+  if (tour.step > 0) {
+    tour.open = true;
+    return;
+  }
+  tour.opens_after = ui.view.canvas.level_number;
+  actions.push_back(action::OpenFile{ui.view.files.tour_level, true});
 }
 
 std::vector<Command> file_commands() {
@@ -418,6 +427,15 @@ std::vector<Command> play_commands() {
        .run = change_speed(1),
        .enabled = [](S s, const Ui&) { return s.playback().speed < 8; },
        .repeats = true},
+      {.id = "play/choose_player",
+       .label = "Choose the player",
+       .help = "Chooses the body that the keys steer: the inspector and Why are about it then.",
+       .key = ctrl_shift('p'),
+       .menu = menus::kPlayBody,
+       .run = [](S session, A actions,
+                 U) { actions.push_back(action::SelectBody{followed_body(session.state(), 0)->id}); },
+       .enabled = [](S session, const Ui&) { return followed_body(session.state(), 0) != nullptr; },
+       .words = "select body hero inspect"},
       {.id = "play/no_body",
        .label = "Choose no body",
        .help = "Empties the inspector.",

@@ -2,7 +2,9 @@
 #include "tour_panel.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <string>
+#include <utility>
 
 namespace talus {
 namespace {
@@ -11,13 +13,13 @@ constexpr float kNoteWidth = 280, kNoteGap = 12, kFrame = 2;  // px at scale 1
 
 int count() { return static_cast<int>(tour_steps().size()); }
 
-// Above what it points at, else below it; beside a target at the right side of the window, and within a large
-// one, such as a canvas, at its top. Always in the window.
-ImVec2 place_of_note(const Widget* target, ImVec2 size, float gap) {
+// Above what it points at, and above the bars, else below it; beside a target at the right side of the
+// window, and within a large one, such as a canvas, at its top. Always in the window.
+ImVec2 place_of_note(const Widget* target, ImVec2 size, float gap, float bars_top) {
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   if (target == nullptr) return {(window.x - size.x) / 2, window.y - size.y - 4 * gap};
   const bool is_large = target->max.y - target->min.y > 2 * size.y;
-  float x = target->centre().x - size.x / 2, y = target->min.y - size.y - gap;
+  float x = target->centre().x - size.x / 2, y = std::min(target->min.y, bars_top) - size.y - gap;
   if (is_large) {
     y = target->min.y + gap;
   } else if (target->centre().x > window.x * 2 / 3) {
@@ -42,13 +44,14 @@ void draw_frame_around(const Widget& target, float width) {
 
 void TourPanel::draw(const Session& session, Actions&, Ui& ui) {
   TourView& tour = ui.view.tour;
+  wait_for_level(session, ui.view);
   if (!tour.open || ui.view.window.welcome_open) return start_.reset();
   tour.step = std::clamp(tour.step, 0, count());
   follow(session, ui);
   const bool is_over = tour.step == count();
   const Widget* target = is_over ? nullptr : ui.widgets.find(tour_steps()[tour.step].target(ui));
   if (target != nullptr) draw_frame_around(*target, ui.px(kFrame));
-  ImGui::SetNextWindowPos(place_of_note(target, size_, ui.px(kNoteGap)));
+  ImGui::SetNextWindowPos(place_of_note(target, size_, ui.px(kNoteGap), ui.bars_top));
   ImGui::SetNextWindowSizeConstraints({ui.px(kNoteWidth), 0}, {ui.px(kNoteWidth), FLT_MAX});
   ImGui::PushStyleColor(ImGuiCol_Border, theme::tone(theme::kWarning));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
@@ -68,9 +71,24 @@ void TourPanel::draw(const Session& session, Actions&, Ui& ui) {
   ImGui::PopStyleColor();
 }
 
+void TourPanel::wait_for_level(const Session& session, View& view) {
+  TourView& tour = view.tour;
+  if (tour.opens_after < 0) return;
+  constexpr int kMostFrames = 3;  // until an action has been carried out
+  tour.open = view.canvas.level_number != tour.opens_after;
+  const bool is_coming = session.question() || session.reading();
+  frames_waited_ = is_coming ? 0 : frames_waited_ + 1;
+  if (!tour.open && frames_waited_ <= kMostFrames) return;
+  frames_waited_ = 0;
+  tour.opens_after = -1;
+}
+
 void TourPanel::follow(const Session& session, Ui& ui) {
   int& step = ui.view.tour.step;
   if (step == count()) return;
+  if (std::exchange(level_number_, ui.view.canvas.level_number) != ui.view.canvas.level_number)
+    start_.reset();
+  if (start_) start_->last_frame = std::max(start_->last_frame, session.state().frame);
   if (start_ && tour_steps()[step].is_done(session, ui, *start_)) {
     start_.reset();
     if (++step == count()) return;

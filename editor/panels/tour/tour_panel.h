@@ -20,7 +20,11 @@ class TourPanel : public Panel {
   void draw_note(Ui& ui);
   void draw_end(Ui& ui);
 
+  // Opens the tour when its level is open, unless the user has kept the one before.
+  void wait_for_level(const Session& session, View& view);
   std::optional<TourStart> start_;  // of the current step; nothing: it begins with the next frame
+  int frames_waited_ = 0;           // for the level of the tour, while nothing says that it will come
+  int level_number_ = -1;           // of the level in which the step began
   ImVec2 size_;                     // px of the screen, of the note in the frame before
 };
 

@@ -19,8 +19,6 @@ void show_play_view(Ui& ui) {
   ui.view.canvas.follow_body = true;
 }
 
-void show_map(Ui& ui) { ui.view.canvas.show_map(); }
-
 void show_nothing(Ui&) {}
 
 std::function<std::string_view(const Ui&)> at(std::string_view widget) {
@@ -49,12 +47,17 @@ bool has_chosen(S session, const Ui&, Start) {
 
 bool has_opened_stage(S, const Ui& ui, Start) { return ui.view.debugger.stage >= 0; }
 
-bool has_gone_back(S session, const Ui&, Start start) { return session.state().frame < start.frame; }
+bool has_gone_back(S session, const Ui&, Start start) { return session.state().frame < start.last_frame; }
 
 // A stage of the step where the panel shows some, else its tab.
 std::string_view stage_or_tab(const Ui& ui) {
   constexpr std::string_view kStage = "why/stage0";
   return ui.widgets.find(kStage) != nullptr ? kStage : "tabs/why";
+}
+
+std::string_view map_or_level(const Ui& ui) {
+  constexpr std::string_view kMap = "map/canvas";
+  return ui.widgets.find(kMap) != nullptr ? kMap : "play/canvas";
 }
 
 void show_why(Ui& ui) {
@@ -90,7 +93,7 @@ std::vector<TourStep> all_steps() {
          return std::string(
              "Click a tile on the sheet at the left, and paint with it on the map. Undo takes it back.");
        },
-       show_map, at("map/canvas"), has_edited},
+       show_nothing, map_or_level, has_edited},
       {"overlays", "See the physics",
        [](const Ui&) {
          return std::string(
@@ -120,7 +123,7 @@ std::vector<TourStep> all_steps() {
 
 TourStart tour_start(const Session& session) {
   const Body* player = followed_body(session.state(), 0);
-  return {session.state().frame, session.revision(), session.choices().overlays,
+  return {session.state().frame, session.state().frame, session.revision(), session.choices().overlays,
           player != nullptr ? player->box.x : 0};
 }
 

@@ -16,7 +16,8 @@ namespace talus {
 // How things were when a step of the tour began.
 struct TourStart {
   std::int64_t frame = 0;
-  std::uint64_t revision = 0;  // of the level
+  std::int64_t last_frame = 0;  // the greatest since then
+  std::uint64_t revision = 0;   // of the level
   OverlaySet overlays;
   double player_x = 0;  // px; 0 if there is no player
 };

@@ -33,7 +33,7 @@ void LayoutsPanel::draw(const Session&, Actions&, Ui& ui) {
   View& view = ui.view;
   if (!view.window.layouts_open) return;
   const ImVec2 window = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({window.x / 2, window.y / 3}, ImGuiCond_Appearing, {0.5f, 0.5f});
+  ImGui::SetNextWindowPos({window.x / 2, window.y / 4}, ImGuiCond_Appearing, {0.5f, 0});
   if (ImGui::Begin("Layouts", &view.window.layouts_open,
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                        ImGuiWindowFlags_AlwaysAutoResize)) {
@@ -43,6 +43,7 @@ void LayoutsPanel::draw(const Session&, Actions&, Ui& ui) {
     ImGui::Separator();
     ui.begin_row();
     ImGui::SetNextItemWidth(ui.px(kLayoutName));
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     const bool entered =
         input_text("name", "Name of a new layout", name_, ImGuiInputTextFlags_EnterReturnsTrue);
     ui.item("layouts/name", "A layout that has this name is replaced.");

@@ -88,6 +88,14 @@ void draw_picture_of_row(const std::string& file, Ui& ui) {
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (room.y - ImGui::GetTextLineHeight()) / 2);
 }
 
+bool is_in_open_region(const TabInfo& tab, const WindowView& window) {
+  const auto moved = moved_place(window, tab.id);
+  if (moved == TabPlace::closed) return false;
+  if (moved == TabPlace::dock || (!moved && tab.region == Region::dock)) return window.dock_open;
+  if (moved == TabPlace::left || (!moved && tab.region == Region::flags)) return window.left_open;
+  return window.right_open;
+}
+
 constexpr float kLayoutPadding = 8;  // px at scale 1, at each side of a layout's name
 
 float width_of_layouts(const Ui& ui) {
@@ -249,19 +257,19 @@ void MenuPanel::draw_hard_cases(const Session&, Actions& actions, Ui& ui) {
   ImGui::EndMenu();
 }
 
-// A panel that was closed comes back to its first place.
+// A panel that was closed comes back to its first place, and its region opens.
 void MenuPanel::draw_panels(const Session&, Actions&, Ui& ui) {
   const bool open = ImGui::BeginMenu("Panels");
   ui.item("menu/panels", "The panels with tabs: closes one, or brings it back.");
   if (!open) return;
   WindowView& window = ui.view.window;
   for (const TabInfo& tab : tab_infos()) {
-    const bool is_closed = moved_place(window, tab.id) == TabPlace::closed;
-    if (menu_item(tab.title, {}, {}, !is_closed)) {
-      if (is_closed)
-        ui.ask(request::ShowTab(tab.id));
-      else
+    const bool is_shown = is_in_open_region(tab, window);
+    if (menu_item(tab.title, {}, {}, is_shown)) {
+      if (is_shown)
         move_tab(window, tab.id, TabPlace::closed);
+      else
+        ui.ask(request::ShowTab(tab.id));
     }
     ui.item("menu/panels/" + tab.id);
   }

@@ -114,7 +114,7 @@ const std::vector<TabInfo>& tab_infos() {
   static const std::vector<TabInfo> kTabs = [] {
     std::vector<TabInfo> tabs;
     for (const auto& [panel, region] : make_panels())
-      if (has_tabs(region)) tabs.push_back({std::string(panel->id()), std::string(panel->title())});
+      if (has_tabs(region)) tabs.push_back({std::string(panel->id()), std::string(panel->title()), region});
     return tabs;
   }();
   return kTabs;

@@ -36,6 +36,7 @@ std::vector<PanelPlace> make_panels();
 bool has_tabs(Region region);
 struct TabInfo {
   std::string id, title;  // of the panel
+  Region region;          // where the program puts it
 };
 // The panels that have a tab.
 const std::vector<TabInfo>& tab_infos();

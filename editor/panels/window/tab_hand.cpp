@@ -21,7 +21,8 @@ constexpr NamedPlace kTabPlaces[] = {{TabPlace::left, "left", "Move to the left"
 }  // namespace
 
 void TabHand::take_tab(const std::string& panel, std::string_view title, Ui& ui) {
-  if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0, ui.px(kFarEnough))) {
+  const bool drags = ImGui::IsItemActive() && ImGui::IsMouseDragging(0, ui.px(kFarEnough));
+  if (drags && !is_cancelled_) {
     dragged_ = panel;
     title_ = title;
   }
@@ -41,7 +42,15 @@ void TabHand::draw_menu(const std::string& panel, Ui& ui) {
 }
 
 void TabHand::end_frame(Ui& ui) {
+  is_cancelled_ = is_cancelled_ && ImGui::GetIO().MouseDown[0];
   if (dragged_.empty()) return;
+  const bool is_stopped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) ||
+                          ImGui::GetTopMostPopupModal() != nullptr;
+  if (is_stopped) {
+    dragged_.clear();
+    is_cancelled_ = true;
+    return;
+  }
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const auto area = std::ranges::find_if(areas_, [&](const Area& a) { return a.has(mouse); });
   ImDrawList& list = *ImGui::GetForegroundDrawList();

@@ -32,6 +32,7 @@ class TabHand {
   void draw_menu(const std::string& panel, Ui& ui);
 
   std::vector<Area> areas_;
+  bool is_cancelled_ = false;    // the drag is over, although the button is still held
   std::string dragged_, title_;  // of the panel; empty: none is dragged
 };
 

@@ -179,7 +179,10 @@ void WelcomePanel::draw_new_level(const Session& session, Actions& actions, Ui& 
   const bool creates =
       ui.text_button("welcome/new", "New level", false, "Starts a level of 60x34 cells.", {}, true, width);
   ImGui::SetItemDefaultFocus();  // when the page opens
-  if (creates) actions.push_back(action::NewLevel{{side_, side_}, kNewColumns, kNewRows, content_});
+  if (creates) {
+    actions.push_back(action::NewLevel{{side_, side_}, kNewColumns, kNewRows, content_});
+    if (!content_.plays) ui.view.sprites.pixels.unfolded = true;  // its tiles wait to be drawn
+  }
   command_text_button("file/new_sized"_command, session, actions, ui,
                       {.label = "Other size...", .widget = "welcome/new_sized", .width = half});
   ImGui::SameLine();

@@ -16,10 +16,10 @@ constexpr double kArrowScale = 4;     // px of the arrow for each px/frame, as i
 constexpr double kTipReach = 7;       // px of the screen
 constexpr double kRestDistance = 10;  // px of the screen, from a resting body up to the handle
 
-// A copy of the chosen body; a player if none is chosen.
+// A copy of the chosen body; if none is chosen, a player, or a ball where the solver moves no players.
 Spawn next_spawn(const Session& session, Vec2 at) {
   Spawn spawn;
-  spawn.kind = BodyKind::player;
+  spawn.kind = session.level().tuning.solver == SolverKind::exact ? BodyKind::player : BodyKind::ball;
   spawn.size = new_body_size(spawn.kind, session.level().map.tile_size());
   if (const int like = chosen_spawn(session); like >= 0) {
     const Spawn& chosen = session.level().spawns[static_cast<std::size_t>(like)];
