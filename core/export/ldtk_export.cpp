@@ -265,18 +265,18 @@ class LdtkProject {
                                      {"defaultLevelBgColor", background},
                                      {"dummyWorldIid", iid(2)}});
     OrderedJson& defs = project["defs"];
-    defs["layers"] = {layer_def("Bodies", "Entities", kBodiesUid),
-                      layer_def("Collision", "IntGrid", kCollisionUid),
-                      layer_def("Tiles", "Tiles", kTilesUid)};
+    // From the top: the colours of the ground lie below the tiles.
+    defs["layers"] = {layer_def("Bodies", "Entities", kBodiesUid), layer_def("Tiles", "Tiles", kTilesUid),
+                      layer_def("Collision", "IntGrid", kCollisionUid)};
     for (const LdtkShapes::Value& value : shapes_.values()) {
-      OrderedJson& values = defs["layers"][1]["intGridValues"];
+      OrderedJson& values = defs["layers"][2]["intGridValues"];
       values.push_back({{"value", values.size() + 1},
                         {"identifier", value.name},
                         {"color", value.color},
                         {"tile", nullptr},
                         {"groupUid", 0}});
     }
-    defs["layers"][2]["tilesetDefUid"] = int{kTilesetUid};
+    defs["layers"][1]["tilesetDefUid"] = int{kTilesetUid};
     for (std::size_t kind = 0; kind < body_kinds().size(); ++kind)
       defs["entities"].push_back(entity_def(skeleton_, static_cast<BodyKind>(kind), side_));
     const SheetLayout sheet = level_.sheet(SheetId::tiles).layout();
@@ -299,9 +299,9 @@ class LdtkProject {
     begin_member(text, "layerInstances") += "[\n";
     put_bodies(text);
     text += ",\n";
-    put_collision(text);
-    text += ",\n";
     put_tiles(text);
+    text += ",\n";
+    put_collision(text);
     text += "]}]}\n";
     return text;
   }

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "export/exporter.h"
+#include "export/map_png.h"
+#include "folder_test.h"
 #include "formats/files/atomic_file.h"
 #include "formats/pictures/png_picture.h"
 #include "paths.h"
@@ -74,14 +76,14 @@ TEST(ExportLdtk, AnAssetThatLacksAPartIsAnError) {
 
 TEST(ExportLdtk, AnIntGridTellsTheShapes) {
   const LdtkJson json = project(small_level());
-  const LdtkJson& values = json["defs"]["layers"][1]["intGridValues"];
+  const LdtkJson& values = json["defs"]["layers"][2]["intGridValues"];
   ASSERT_EQ(values.size(), 4U);
   EXPECT_EQ(values[0]["identifier"], "solid");
   EXPECT_EQ(values[0]["value"], 1);
   EXPECT_EQ(values[1]["identifier"], "one_way");
   EXPECT_EQ(values[2]["identifier"], "slope_0_to_7p5_over_2_tiles");
   EXPECT_EQ(values[2]["value"], 3);
-  const LdtkJson& layer = json["levels"][0]["layerInstances"][1];
+  const LdtkJson& layer = json["levels"][0]["layerInstances"][2];
   EXPECT_EQ(layer["__identifier"], "Collision");
   EXPECT_EQ(layer["__type"], "IntGrid");
   EXPECT_EQ(layer["__cWid"], 3);
@@ -105,10 +107,10 @@ TEST(ExportLdtk, EveryCellThatAShapeReachesIntoHasAValue) {
   const Exported out = exported(level);
   const LdtkJson json = LdtkJson::parse(out.files[0].bytes);
   std::vector<std::string> names = {"0"};
-  for (const LdtkJson& value : json["defs"]["layers"][1]["intGridValues"])
+  for (const LdtkJson& value : json["defs"]["layers"][2]["intGridValues"])
     names.push_back(value["identifier"]);
   std::vector<std::string> cells;
-  for (const LdtkJson& value : json["levels"][0]["layerInstances"][1]["intGridCsv"])
+  for (const LdtkJson& value : json["levels"][0]["layerInstances"][2]["intGridCsv"])
     cells.push_back(names.at(value.get<std::size_t>()));
   const std::string wide = "slope_0_to_24_over_3_tiles", hanging = "one_way_ceiling_profile_of_tile_7";
   EXPECT_EQ(cells, (std::vector<std::string>{"0", "0", "0",                                               //
@@ -124,7 +126,7 @@ TEST(ExportLdtk, ShapesOfOtherKindsHaveValuesOfTheirOwn) {
   level.tile_shapes[7] = {
       .kind = TileShape::Kind::slope, .side = TileShape::Side::ceiling, .one_way = true, .heights = {8, 0}};
   level.tile_shapes[8] = {.kind = TileShape::Kind::slope, .heights = {1, -4}};  // invalid
-  const LdtkJson values = project(level)["defs"]["layers"][1]["intGridValues"];
+  const LdtkJson values = project(level)["defs"]["layers"][2]["intGridValues"];
   ASSERT_EQ(values.size(), 6U);
   EXPECT_EQ(values[4]["identifier"], "profile_of_tile_6");
   EXPECT_EQ(values[5]["identifier"], "one_way_ceiling_slope_8_to_0");
@@ -132,7 +134,7 @@ TEST(ExportLdtk, ShapesOfOtherKindsHaveValuesOfTheirOwn) {
 
 TEST(ExportLdtk, TilesAreAtTheirPlacesOnTheMap) {
   const LdtkJson json = project(small_level());
-  const LdtkJson& layer = json["levels"][0]["layerInstances"][2];
+  const LdtkJson& layer = json["levels"][0]["layerInstances"][1];
   EXPECT_EQ(layer["__type"], "Tiles");
   EXPECT_EQ(layer["__tilesetRelPath"], "my cave-tiles.png");
   // The tiles 0, 2, 3 and 5 have neither pixels nor flags, and tile 4 is a ball.
@@ -142,7 +144,7 @@ TEST(ExportLdtk, TilesAreAtTheirPlacesOnTheMap) {
   drawn.sheet(SheetId::tiles).images[0][3] = 7;
   drawn.map.cells().tiles()[5] = 255;
   drawn.sheet(SheetId::tiles).flags[255] = 128;
-  const LdtkJson tiles = project(drawn)["levels"][0]["layerInstances"][2]["gridTiles"];
+  const LdtkJson tiles = project(drawn)["levels"][0]["layerInstances"][1]["gridTiles"];
   ASSERT_EQ(tiles.size(), 3U);
   EXPECT_EQ(tiles[1]["t"], 0);
   EXPECT_EQ(tiles[2]["src"], LdtkJson({120, 120}));
@@ -154,7 +156,7 @@ TEST(ExportLdtk, ADarkTileInTrueColourIsNotEmpty) {
   SheetPicture picture{128, 128, std::vector<std::uint8_t>(std::size_t{4} * 128 * 128)};
   picture.rgba[4 * 16 + 3] = 255;  // a black pixel of tile 2
   level.sheet(SheetId::tiles).picture = std::make_shared<const SheetPicture>(picture);
-  const LdtkJson tiles = project(level)["levels"][0]["layerInstances"][2]["gridTiles"];
+  const LdtkJson tiles = project(level)["levels"][0]["layerInstances"][1]["gridTiles"];
   ASSERT_EQ(tiles.size(), 2U);
   EXPECT_EQ(tiles[1]["t"], 2);
 }
@@ -246,6 +248,22 @@ TEST(LargeExportLdtk, IsRefusedIfItCannotBeReadAgain) {
   EXPECT_EQ(
       out.error().message,
       "the project of LDtk has more lines and numbers than Talus reads from one file: tmx holds larger maps");
+}
+
+class ExportedLdtk : public FolderTest {};
+
+TEST_F(ExportedLdtk, ReadBackItHasTheSamePicture) {
+  Level level = small_level();
+  level.map.cells().tiles() = {1, 0, 5, 1, 1, 0};  // ground with pictures alone
+  for (const int tile : {1, 5}) level.sheet(SheetId::tiles).images[tile].fill(6);
+  const Exported out = exported(level);
+  put("cave.ldtk", out.files[0].bytes);
+  put(out.files[1].name, out.files[1].bytes);
+  const auto read = load_level(path("cave.ldtk"));
+  ASSERT_TRUE(read) << read.error().message;
+  const auto before = read_rgba(map_png(level).value()), after = read_rgba(map_png(read->level).value());
+  ASSERT_TRUE(before && after);
+  EXPECT_EQ(before->bytes, after->bytes) << "the colours of the ground lie below the tiles";
 }
 
 }  // namespace talus::export_ldtk_test

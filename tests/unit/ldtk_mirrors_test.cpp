@@ -50,16 +50,16 @@ TEST(ExportLdtkMirrors, AreFlipBits) {
   const auto project = nlohmann::json::parse(made.files[0].bytes);
   const auto& layers = project["levels"][0]["layerInstances"];
   std::vector<int> flips, tiles;
-  for (const auto& tile : layers[2]["gridTiles"]) {
+  for (const auto& tile : layers[1]["gridTiles"]) {
     flips.push_back(tile["f"]);
     tiles.push_back(tile["t"]);
   }
   EXPECT_THAT(flips, ElementsAre(0, 1, 2, 3, 0));
   EXPECT_THAT(tiles, ElementsAre(kRamp, kRamp, kRamp, kRamp, 256));
   std::vector<std::string> shapes;
-  for (const int value : layers[1]["intGridCsv"])
+  for (const int value : layers[2]["intGridCsv"])
     shapes.push_back(value == 0 ? ""
-                                : project["defs"]["layers"][1]["intGridValues"][value - 1]["identifier"]);
+                                : project["defs"]["layers"][2]["intGridValues"][value - 1]["identifier"]);
   EXPECT_THAT(shapes, ElementsAre("slope_0_to_8", "slope_8_to_0", "ceiling_slope_0_to_8",
                                   "ceiling_slope_8_to_0", ""));
   EXPECT_EQ(project["defs"]["tilesets"][0]["customData"].size(), 1u) << "of the ramp, once";
