@@ -88,14 +88,6 @@ void draw_picture_of_row(const std::string& file, Ui& ui) {
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (room.y - ImGui::GetTextLineHeight()) / 2);
 }
 
-bool is_in_open_region(const TabInfo& tab, const WindowView& window) {
-  const auto moved = moved_place(window, tab.id);
-  if (moved == TabPlace::closed) return false;
-  if (moved == TabPlace::dock || (!moved && tab.region == Region::dock)) return window.dock_open;
-  if (moved == TabPlace::left || (!moved && tab.region == Region::flags)) return window.left_open;
-  return window.right_open;
-}
-
 constexpr float kLayoutPadding = 8;  // px at scale 1, at each side of a layout's name
 
 float width_of_layouts(const Ui& ui) {
@@ -264,7 +256,8 @@ void MenuPanel::draw_panels(const Session&, Actions&, Ui& ui) {
   if (!open) return;
   WindowView& window = ui.view.window;
   for (const TabInfo& tab : tab_infos()) {
-    const bool is_shown = is_in_open_region(tab, window);
+    const TabPlace place = moved_place(window, tab.id).value_or(tab.place);
+    const bool is_shown = place != TabPlace::closed && is_open_at(window, place);
     if (menu_item(tab.title, {}, {}, is_shown)) {
       if (is_shown)
         move_tab(window, tab.id, TabPlace::closed);

@@ -1,6 +1,8 @@
 // Every panel and its region.
 #include "panel_list.h"
 
+#include <cassert>
+
 #include "help_panel.h"
 #include "layouts_panel.h"
 #include "menu_panel.h"
@@ -105,16 +107,40 @@ std::vector<PanelPlace> make_panels() {
   return panels;
 }
 
-bool has_tabs(Region region) {
-  return region == Region::flags || region == Region::right_top || region == Region::right_bottom ||
-         region == Region::dock;
+Region region_of_place(TabPlace place) {
+  switch (place) {
+    case TabPlace::left:
+      return Region::flags;
+    case TabPlace::right_top:
+      return Region::right_top;
+    case TabPlace::right_bottom:
+      return Region::right_bottom;
+    default:
+      return Region::dock;
+  }
 }
+
+std::optional<TabPlace> place_of_region(Region region) {
+  for (const TabPlace place : {TabPlace::left, TabPlace::right_top, TabPlace::right_bottom, TabPlace::dock})
+    if (region_of_place(place) == region) return place;
+  return std::nullopt;
+}
+
+bool& is_open_at(WindowView& window, TabPlace place) {
+  assert(place != TabPlace::closed);
+  return place == TabPlace::left   ? window.left_open
+         : place == TabPlace::dock ? window.dock_open
+                                   : window.right_open;
+}
+
+bool has_tabs(Region region) { return place_of_region(region).has_value(); }
 
 const std::vector<TabInfo>& tab_infos() {
   static const std::vector<TabInfo> kTabs = [] {
     std::vector<TabInfo> tabs;
     for (const auto& [panel, region] : make_panels())
-      if (has_tabs(region)) tabs.push_back({std::string(panel->id()), std::string(panel->title()), region});
+      if (const auto place = place_of_region(region))
+        tabs.push_back({std::string(panel->id()), std::string(panel->title()), *place});
     return tabs;
   }();
   return kTabs;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,11 +33,17 @@ struct PanelPlace {
 };
 
 std::vector<PanelPlace> make_panels();
+// The region of a place that is not closed, and back; nothing: its panels have no tabs.
+Region region_of_place(TabPlace place);
+std::optional<TabPlace> place_of_region(Region region);
+// Whether what holds a place, the left or the right column or the dock, is open. The place must not be closed
+// (asserted).
+bool& is_open_at(WindowView& window, TabPlace place);
 // Whether the panels of a region have tabs, by which they can be moved to another such region.
 bool has_tabs(Region region);
 struct TabInfo {
   std::string id, title;  // of the panel
-  Region region;          // where the program puts it
+  TabPlace place;         // where the program puts it
 };
 // The panels that have a tab.
 const std::vector<TabInfo>& tab_infos();

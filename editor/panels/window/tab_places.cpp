@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "panel_list.h"
 #include "panels/view.h"
 
 namespace talus {
@@ -15,9 +16,7 @@ void move_tab(WindowView& window, const std::string& panel, TabPlace place) {
   std::erase_if(window.moved_tabs, [&](const MovedTab& moved) { return moved.panel == panel; });
   window.moved_tabs.push_back({panel, place});
   if (place == TabPlace::closed) return;
-  if (place == TabPlace::left) window.left_open = true;
-  if (place == TabPlace::right_top || place == TabPlace::right_bottom) window.right_open = true;
-  if (place == TabPlace::dock) window.dock_open = true;
+  is_open_at(window, place) = true;
   window.wanted_tabs.push_back(panel);
 }
 

@@ -32,27 +32,6 @@ float part(double fraction, float whole, float least, float rest) {
   return std::clamp(wanted, std::min(least, whole / 2), std::max(whole - rest, whole / 2));
 }
 
-bool is_right_region(Region region) { return region == Region::right_top || region == Region::right_bottom; }
-
-Region region_of_place(TabPlace place) {
-  switch (place) {
-    case TabPlace::left:
-      return Region::flags;
-    case TabPlace::right_top:
-      return Region::right_top;
-    case TabPlace::right_bottom:
-      return Region::right_bottom;
-    default:
-      return Region::dock;
-  }
-}
-
-std::optional<TabPlace> place_of_region(Region region) {
-  for (const TabPlace place : {TabPlace::left, TabPlace::right_top, TabPlace::right_bottom, TabPlace::dock})
-    if (region_of_place(place) == region) return place;
-  return std::nullopt;
-}
-
 // Where a panel is now; `floating`, which the workspace does not lay out, for a closed one.
 Region region_of(const PanelPlace& place, const WindowView& window) {
   const auto moved = has_tabs(place.region) ? moved_place(window, place.panel->id()) : std::nullopt;
@@ -191,8 +170,7 @@ void Workspace::open_wanted_columns(View& view) const {
     reopen_tab(view.window, id);
     const Region region = region_of(place, view.window);
     if (is_sprite_region(region)) view.window.left_open = true;
-    if (is_right_region(region)) view.window.right_open = true;
-    if (region == Region::dock) view.window.dock_open = true;
+    if (const auto tabs = place_of_region(region)) is_open_at(view.window, *tabs) = true;
   }
 }
 
