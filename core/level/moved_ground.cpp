@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <map>
 
 #include "resize.h"
 #include "transform.h"
@@ -68,8 +69,8 @@ MarkFit fit_of(const std::vector<GroundMark>& marks, Cell by, const MarkedCells&
   return fit;
 }
 
-// Ground that a map with another size may have moved: no further than its size has changed.
-Cell shift_by_marks(const GroundPlace& before, const Level& now) {
+// The shift of a map with another size: no further than its size has changed.
+Cell shift_by_size(const GroundPlace& before, const Level& now) {
   constexpr std::int64_t kMostTries = 1 << 20;
   const Cell grown{now.map.width() - before.width, now.map.height() - before.height};
   const MarkedCells cells(now, std::min(before.layer, now.layers.count() - 1));
@@ -86,6 +87,60 @@ Cell shift_by_marks(const GroundPlace& before, const Level& now) {
   if ((std::abs(grown.x) + std::int64_t{1}) * (std::abs(grown.y) + std::int64_t{1}) > kMostTries) return best;
   for (int y = std::min(0, grown.y); y <= std::max(0, grown.y); ++y)
     for (int x = std::min(0, grown.x); x <= std::max(0, grown.x); ++x) look_at({x, y});
+  return best;
+}
+
+// The shifts that bring a pair of marks onto a side of the ground: those of the pair with the fewest such
+// sides first, as many as kMostTries. Marks lie beside each other as add_marks() makes them.
+std::vector<Cell> shifts_onto_sides(const std::vector<GroundMark>& marks, const MarkedCells& cells) {
+  constexpr std::size_t kMostTries = 4096;
+  std::vector<std::vector<Cell>> by_pair;
+  for (const Cell step : {Cell{1, 0}, Cell{0, 1}}) {
+    std::map<std::pair<MapCell, MapCell>, std::vector<Cell>> places;
+    const auto is_pair = [&](std::size_t i) {
+      return marks[i].place.x + step.x == marks[i + 1].place.x &&
+             marks[i].place.y + step.y == marks[i + 1].place.y;
+    };
+    for (std::size_t i = 0; i + 1 < marks.size(); ++i)
+      if (is_pair(i)) places[{marks[i].cell, marks[i + 1].cell}];
+    for (const Cell place : cells.sides(step)) {
+      const auto found = places.find({cells.at({place.x - step.x, place.y - step.y}), cells.at(place)});
+      if (found != places.end() && found->second.size() < kMostTries) found->second.push_back(place);
+    }
+    for (std::size_t i = 0; i + 1 < marks.size(); ++i) {
+      if (!is_pair(i)) continue;
+      std::vector<Cell>& shifts = by_pair.emplace_back(places[{marks[i].cell, marks[i + 1].cell}]);
+      for (Cell& shift : shifts) shift = {shift.x - marks[i + 1].place.x, shift.y - marks[i + 1].place.y};
+    }
+  }
+  std::stable_sort(by_pair.begin(), by_pair.end(),
+                   [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  std::vector<Cell> shifts;
+  for (const std::vector<Cell>& some : by_pair) {
+    if (shifts.size() + some.size() > kMostTries) break;
+    shifts.insert(shifts.end(), some.begin(), some.end());
+  }
+  return shifts;
+}
+
+// The shift of a map of the same size, whose cells another program moved. It must explain far more than cells
+// that were painted anew would: nearly all marks fit there, and many do not fit where they were.
+Cell shift_in_place(const GroundPlace& before, const Level& now) {
+  constexpr int kFewestFitting = 12;
+  const MarkedCells cells(now, std::min(before.layer, now.layers.count() - 1));
+  const int count = static_cast<int>(before.marks.size());
+  int fewest = fit_of(before.marks, {0, 0}, cells, count).others;
+  if (4 * fewest <= count) return {0, 0};
+  Cell best{0, 0};
+  for (const Cell by : shifts_onto_sides(before.marks, cells)) {
+    const MarkFit fit = fit_of(before.marks, by, cells, fewest - 1);
+    if (fit.others >= fewest || fit.fitting < std::max(kFewestFitting, 8 * fit.others) ||
+        2 * fit.fitting < count)
+      continue;
+    best = by;
+    fewest = fit.others;
+    if (fewest == 0) break;
+  }
   return best;
 }
 
@@ -131,8 +186,13 @@ Cell ground_shift(const GroundPlace& before, const Level& now) {
                          by.y + before.height <= now.map.height();
     if (has_old && by != Cell{0, 0}) return by;
   }
-  if (before.width == now.map.width() && before.height == now.map.height()) return {0, 0};
-  return before.marks.empty() ? Cell{0, 0} : shift_by_marks(before, now);
+  if (before.marks.empty()) return {0, 0};
+  const bool has_size = before.width == now.map.width() && before.height == now.map.height();
+  return has_size ? shift_in_place(before, now) : shift_by_size(before, now);
+}
+
+Cell growth_at_corner(const GroundPlace& before, const TileMap& now, Cell by) {
+  return before.width == now.width() && before.height == now.height() ? Cell{0, 0} : by;
 }
 
 Level with_moved_ground(const Level& level, Cell by, int width, int height) {

@@ -34,6 +34,10 @@ GroundPlace ground_place(const Level& level);
 // Takes time by the number of cells.
 Cell ground_shift(const GroundPlace& before, const Level& now);
 
+// How many columns and rows a map has more at its left and top, whose ground was shifted `by` so many cells:
+// none where another program moved the cells of a map that kept its size.
+Cell growth_at_corner(const GroundPlace& before, const TileMap& now, Cell by);
+
 // The same level on a map of this size, with all that has a place shifted by whole cells. Cells go that have
 // no place there; bodies, curves and objects stay, also beside the map. is_terrain_size must allow the size
 // (asserted).

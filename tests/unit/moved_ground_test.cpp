@@ -281,6 +281,54 @@ TEST_F(MovedGround, CurvesOfACompanionMoveOnce) {
   EXPECT_TRUE(after.companion.content) << after.note;
 }
 
+// A map of 8x6 cells with a hill, whose cells another program moved by whole cells, as Tiled's Offset Map
+// does.
+std::string hill(Cell by, bool is_painted = false) {
+  const std::vector<std::string> rows = {"00000000", "00100000", "00000200",
+                                         "00345000", "06660000", "00000000"};
+  std::string cells;
+  for (int y = 0; y < 6; ++y) {
+    for (int x = 0; x < 8; ++x) {
+      const int from_x = x - by.x, from_y = y - by.y;
+      const bool is_there = from_x >= 0 && from_x < 8 && from_y >= 0 && from_y < 6;
+      const bool is_new = is_painted && from_x == 5 && from_y == 4;
+      cells += cells.empty() ? "" : ",";
+      cells += is_new     ? '6'
+               : is_there ? rows[static_cast<std::size_t>(from_y)][static_cast<std::size_t>(from_x)]
+                          : '0';
+    }
+  }
+  return cells;
+}
+
+TEST_F(MovedGround, UnsavedCellsMoveInAMapOfTheSameSize) {
+  for (const Cell by : {Cell{2, 0}, Cell{-1, 0}, Cell{0, 1}, Cell{2, -1}}) {
+    put("m.tmx", finite(8, 6, hill({0, 0})));
+    Session session;
+    session.apply(act::OpenFile{path("m.tmx")});
+    session.apply(act::EditLevel{Edit{
+        "Paint",
+        {CellChange{{5, 4}, session.level().map.tile_at({5, 4}), session.level().map.tile_at({1, 4})}}}});
+    put("m.tmx", finite(8, 6, hill(by), 12 + 16 * by.x, 5 + 16 * by.y));
+    session.apply(act::SaveFile{});
+    EXPECT_FALSE(session.question()) << session.question()->text;
+    EXPECT_THAT(bytes_of("m.tmx"), HasSubstr(">" + hill(by, true) + "<")) << by.x << ", " << by.y;
+  }
+}
+
+TEST_F(MovedGround, ACompanionMovesInAMapOfTheSameSize) {
+  put("m.tmx", finite(8, 6, hill({0, 0})));
+  save_additions("m.tmx");
+  const Level before = load("m.tmx").level;
+  put("m.tmx", finite(8, 6, hill({2, -1}), 12 + 32, 5 - 16));
+  const LoadedLevel after = load("m.tmx");
+  EXPECT_THAT(after.note,
+              HasSubstr("The ground of m.tmx lies 2 columns further right and 1 row further up than "
+                        "it did, so what was added to it has moved with its ground"));
+  EXPECT_EQ(after.level.map.width(), 8);
+  EXPECT_EQ(after.level.spawns, with_moved_ground(before, {2, -1}, 8, 6).spawns);
+}
+
 std::string ldtk_of(int left, const std::string& rows) {
   std::string text = ldtk_project(ldtk_level(ldtk_grid(4 + left, 2, rows), "A",
                                              "\"iid\":\"a\",\"worldX\":" + std::to_string(-8 * left) + ","),
@@ -303,6 +351,29 @@ TEST_F(MovedGround, WhatWasAddedToLdtkMovesWithALevel) {
   expect_moved(before, after.level, {2, 0});
   EXPECT_EQ(after.level.map.at({4, 0}), before.map.at({2, 0}));
   EXPECT_EQ(after.level.map.at({2, 0}), before.map.at({0, 0}));
+}
+
+// LDtk moves all cells of a level that keeps its size, as it does with the arrow keys.
+TEST_F(MovedGround, WhatWasAddedToLdtkMovesInALevelOfItsSize) {
+  const auto project = [](Cell by) {
+    std::string cells = hill(by);
+    for (char& c : cells)
+      if (c >= '2' && c <= '9') c = '1';
+    return ldtk_project(ldtk_level(ldtk_grid(8, 6, cells), "A", "\"iid\":\"a\",\"worldX\":0,"),
+                        R"({"value":1,"identifier":"wall"})")
+        .insert(1, R"("iid":"p",)");
+  };
+  put("g.ldtk", project({0, 0}));
+  LoadedLevel first = load("g.ldtk");
+  first.level.map.set({5, 4}, first.level.map.tile_at({2, 3}));
+  ASSERT_TRUE(save_level(first.level, *first.format, path("g.ldtk"), first.companion));
+  save_additions("g.ldtk");
+  const Level before = load("g.ldtk").level;
+  put("g.ldtk", project({1, 0}));
+  const LoadedLevel after = load("g.ldtk");
+  EXPECT_THAT(after.note, HasSubstr("The ground of g.ldtk lies 1 column further right"));
+  EXPECT_EQ(after.level.spawns, with_moved_ground(before, {1, 0}, 8, 6).spawns);
+  EXPECT_EQ(after.level.map.cells().tiles(), with_moved_ground(before, {1, 0}, 8, 6).map.cells().tiles());
 }
 
 TEST_F(MovedGround, UnsavedChangesMoveWithALevelOfLdtk) {
@@ -339,6 +410,30 @@ TEST(GroundShift, IsFoundByTheSidesOfWhatIsPainted) {
   Level other;
   other.map = TileMap(50, 40);
   EXPECT_EQ(ground_shift(place, other), (Cell{0, 0})) << "none of it is there";
+}
+
+TEST(GroundShift, IsFoundInAMapOfTheSameSize) {
+  Level before;
+  before.map = TileMap(40, 30);
+  for (int x = 0; x < 40; ++x) before.map.set({x, 29}, 1);
+  for (int x = 5; x < 30; ++x) before.map.set({x, 20}, x % 2 == 0 ? 1 : 2);
+  for (int x = 8; x < 12; ++x) before.map.set({x, 15}, 2);
+  const GroundPlace place = ground_place(before);
+  for (const Cell by : {Cell{1, 0}, Cell{-4, -9}, Cell{8, 0}, Cell{-3, 2}})
+    EXPECT_EQ(ground_shift(place, with_moved_ground(before, by, 40, 30)), by) << by.x << ", " << by.y;
+}
+
+// Cells that were painted anew are no shift, also where a pattern repeats itself.
+TEST(GroundShift, IsNotSeenInWhatWasPaintedAnew) {
+  Level before;
+  before.map = TileMap(40, 30);
+  for (Cell c{0, 20}; c.y < 30; ++c.y)
+    for (c.x = 0; c.x < 40; ++c.x) before.map.set(c, (c.x + c.y) % 2 == 0 ? 1 : 2);
+  const GroundPlace place = ground_place(before);
+  Level now = before;
+  for (int x = 3; x < 20; ++x) now.map.set({x, 19}, x % 2 == 0 ? 1 : 2);
+  for (int y = 20; y < 26; ++y) now.map.set({30, y}, 0);
+  EXPECT_EQ(ground_shift(place, now), (Cell{0, 0}));
 }
 
 TEST(GroundShift, IsSaidInWords) {

@@ -98,7 +98,8 @@ FormatResult<JoinedLevel> joined_with(Json additions, const Level& held, const s
   if (!level) return tl::unexpected(level.error());
   level->ldtk = held.ldtk;
   std::string note = conflict_note(conflicts, file);
-  if (has_moved) note = with_shift_note(note, file, by, lost_curves);
+  if (has_moved)
+    note = with_shift_note(note, file, by, growth_at_corner(*place, held.map, by) == by, lost_curves);
   return JoinedLevel{*std::move(level), std::move(note), !conflicts.any() && lost_curves == 0};
 }
 

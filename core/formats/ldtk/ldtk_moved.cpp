@@ -67,7 +67,8 @@ int move_ldtk_places(Json& additions, Cell by, const GroundPlace& place, const L
   const TileMap from =
       has_curves ? map_of_additions(additions, place.width, place.height, tile) : TileMap(1, 1, tile);
   if (Json& size = additions["map"]; size.is_array() && size.size() == 2) {
-    for (const auto& [i, cells] : {std::pair(0U, by.x), std::pair(1U, by.y)})
+    const Cell growth = growth_at_corner(place, held.map, by);
+    for (const auto& [i, cells] : {std::pair(0U, growth.x), std::pair(1U, growth.y)})
       if (is_whole(size[i], 1, kMaxTerrainSide)) size[i] = std::max(1, size[i].get<int>() + cells);
   } else {
     additions.erase("map");

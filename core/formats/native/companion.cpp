@@ -366,7 +366,9 @@ FormatResult<JoinedLevel> join_companion(std::string_view bytes, const Level& he
   level->tiled = held.tiled;
   JoinedLevel joined{*std::move(level), "", !joiner.left_out() && lost_curves == 0};
   if (!changed.empty()) joined.note = change_note(file, *about, changed, joiner.left_out(), has_grown);
-  if (has_moved) joined.note = with_shift_note(joined.note, file, by, lost_curves);
+  if (has_moved)
+    joined.note =
+        with_shift_note(joined.note, file, by, growth_at_corner(*place, held.map, by) == by, lost_curves);
   return joined;
 }
 

@@ -63,7 +63,8 @@ int move_companion(Json& companion, Cell by, const GroundPlace& place, const Lev
   const TileMap from =
       has_curves ? map_of_companion(companion, place.width, place.height, tile) : TileMap(1, 1, tile);
   if (const auto map = companion.find("map"); map != companion.end() && map->is_object()) {
-    for (const auto& [key, cells] : {std::pair("width", by.x), std::pair("height", by.y)}) {
+    const Cell growth = growth_at_corner(place, held.map, by);
+    for (const auto& [key, cells] : {std::pair("width", growth.x), std::pair("height", growth.y)}) {
       if (!map->contains(key) || !is_whole((*map)[key], 1, kMaxTerrainSide)) continue;
       (*map)[key] = std::clamp((*map)[key].get<int>() + cells, 1, static_cast<int>(kMaxTerrainSide));
     }
@@ -87,9 +88,11 @@ std::optional<Json> document_before_shift(const Level& held, Cell by, const Grou
   return *std::move(document);
 }
 
-std::string with_shift_note(const std::string& note, const std::string& file, Cell by, int lost_curves) {
-  std::string text = file + " begins " + words_for_shift(by) +
-                     " than it did, so what was added to it has moved with its ground";
+std::string with_shift_note(const std::string& note, const std::string& file, Cell by, bool has_grown,
+                            int lost_curves) {
+  std::string text = has_grown ? file + " begins " + words_for_shift(by)
+                               : "The ground of " + file + " lies " + words_for_shift({-by.x, -by.y});
+  text += " than it did, so what was added to it has moved with its ground";
   if (lost_curves > 0) {
     text += ", but " + std::to_string(lost_curves) + (lost_curves == 1 ? " curve" : " curves") +
             " would leave the map and " + (lost_curves == 1 ? "is" : "are") + " left out";

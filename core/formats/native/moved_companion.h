@@ -18,6 +18,8 @@ int move_companion(Json& companion, Cell by, const GroundPlace& place, const Lev
 // What the file gives now, as if its ground were where it was; nothing if that would be no level.
 std::optional<Json> document_before_shift(const Level& held, Cell by, const GroundPlace& place);
 // A note of a joined level, with a sentence on the shift behind it. file: the name of the level's file.
-std::string with_shift_note(const std::string& note, const std::string& file, Cell by, int lost_curves);
+// has_grown: whether its map became larger or smaller by that shift.
+std::string with_shift_note(const std::string& note, const std::string& file, Cell by, bool has_grown,
+                            int lost_curves);
 
 }  // namespace talus
