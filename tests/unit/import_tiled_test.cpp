@@ -91,7 +91,9 @@ TEST(ImportTiled, ObjectsThatAreNoOutlineAreReported) {
   const std::vector<std::string> others = {R"({"x":0,"y":0,"width":8,"height":8,"text":{"text":"a"}})",
                                            R"({"x":0,"y":0,"polyline":[{"x":0,"y":8},{"x":8,"y":0}]})"};
   for (const std::string& object : others) {
-    const LoadedLevel loaded = read(map_text({.tiles = tile_text(object)}));
+    std::string map = map_text({.tiles = tile_text(object)});
+    map.replace(map.find("\"ground\""), 8, "\"main\"");  // a name that makes no tile solid
+    const LoadedLevel loaded = read(map);
     EXPECT_EQ(loaded.level.tile_shapes[17], TileShape()) << object;
     EXPECT_THAT(loaded.dropped,
                 testing::Contains(

@@ -40,7 +40,7 @@ class LinkedChanges : public FolderTest {
 <map version="1.8" orientation="orthogonal" width="3" height="3" tilewidth="16" tileheight="16">
  )" + properties +
            R"(<tileset firstgid="1" source="t.tsx"/>
- <layer id="1" name="ground" width="3" height="3"><data encoding="csv">)" +
+ <layer id="1" name="main" width="3" height="3"><data encoding="csv">)" +
            cells + "</data></layer>\n</map>\n";
   }
   void check() { session_.apply(act::CheckFile{}); }

@@ -295,6 +295,38 @@ TEST_F(TiledAsDrawn, TilesOfACollisionLayerAreSolid) {
   EXPECT_EQ(kind(by_word, {1, 0}), none) << "tiles say which are solid";
 }
 
+// As a collision layer; where several names say it, the clearest counts alone.
+TEST_F(TiledAsDrawn, TilesOfALayerCalledWallsOrGroundAreSolid) {
+  put_picture("t.png", 8, 4);
+  const auto solid_in = [&](const std::string& layers) {
+    put("m.tmx", map_of(layers));
+    const Level level = load("m.tmx").level;
+    std::vector<bool> solid;
+    for (int i = 0; i < level.layers.count(); ++i)
+      solid.push_back(level.layers.list[static_cast<std::size_t>(i)].is_ground &&
+                      shape_of_tile(level, level.cells_of(i).tiles().back()).kind == TileShape::Kind::solid);
+    return solid;
+  };
+  for (const char* const name : {"Ground", "walls", "WALL", "platform", "Platforms"})
+    EXPECT_THAT(solid_in(layer("sky", "2,2") + layer(name, "0,1")), testing::ElementsAre(false, true))
+        << name;
+  EXPECT_THAT(solid_in(layer("sky", "2,2") + layer("grounds", "0,1")), testing::ElementsAre(false, false));
+}
+
+// A tile that was not shown is ground as soon as it is painted, and saving needs no companion for it.
+TEST_F(TiledAsDrawn, WhatIsPaintedOnNamedGroundIsGround) {
+  put_picture("t.png", 8, 4);
+  put("m.tmx", map_of(layer("sky", "2,2") + layer("walls", "0,1")));
+  LoadedLevel loaded = load("m.tmx");
+  const TileNumber other = loaded.level.cells_of(0).tiles().front();
+  loaded.level.map.set({0, 0}, other);
+  loaded.level.map.set({1, 0}, 0);
+  EXPECT_EQ(shape_of_tile(loaded.level, other).kind, TileShape::Kind::solid);
+  ASSERT_TRUE(save_level(loaded.level, *loaded.format, path("m.tmx"), loaded.companion));
+  EXPECT_FALSE(exists("m.tmx.talus.json"));
+  EXPECT_EQ(shape_of_tile(load("m.tmx").level, other).kind, TileShape::Kind::solid);
+}
+
 TEST_F(TiledAsDrawn, TilesThatCollideAreSolid) {
   put_picture("t.png", 8, 4);
   for (const std::string word : {"collides", "collidable", "solid"}) {

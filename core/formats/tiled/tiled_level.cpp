@@ -58,7 +58,7 @@ class TiledLevelMaker {
   void take_tile(TileNumber number);
   void take_note(TileNumber number, const TiledTile& tile);
   void take_animations();
-  void fill_collision_layers(const std::vector<const TiledLayer*>& layers);
+  void fill_named_ground(const std::vector<const TiledLayer*>& layers);
   TiledObject in_cell(const TiledObject& object, const TiledSource& source) const;
   TileShape own_shape_of(TileNumber number, const TiledSource& source, const TiledTile& tile,
                          const TileShape& before);
@@ -325,20 +325,33 @@ void TiledLevelMaker::take_tile(TileNumber number) {
   tell_stale_words(*tile, shape);
 }
 
-// Layers that are there for collision alone, and whose tiles have no shapes, are solid where they have tiles.
-void TiledLevelMaker::fill_collision_layers(const std::vector<const TiledLayer*>& layers) {
+// Where the tiles of layers whose names say that they are ground have no shapes, all tiles of their tilesets
+// are solid, so that what is painted there is ground as well. It does not matter whether a property says that
+// the layer is none: switching that changes no shape. Of several names the clearest counts: beside walls, a
+// layer that is called ground is what one walks over.
+void TiledLevelMaker::fill_named_ground(const std::vector<const TiledLayer*>& layers) {
+  std::optional<int> clearest;
   std::set<TileNumber> shown;
   for (std::size_t i = 0; i < layers.size(); ++i) {
-    if (!level_.layers.list[i].is_ground || !means_collision(*layers[i])) continue;
+    const auto rank = rank_of_ground(*layers[i]);
+    if (!rank || (clearest && *rank > *clearest)) continue;
+    if (rank != clearest) shown.clear();
+    clearest = rank;
     const std::vector<TileNumber>& tiles = level_.cells_of(static_cast<int>(i)).tiles();
     shown.insert(tiles.begin(), tiles.end());
   }
-  std::erase_if(shown, [&](TileNumber tile) { return tiles_.sources[tile].tileset < 0; });
-  const bool has_shapes = std::any_of(shown.begin(), shown.end(), [&](TileNumber tile) {
+  const auto has_shape = [&](TileNumber tile) {
     return shape_of_tile(level_, tile).kind != TileShape::Kind::none;
-  });
-  for (const TileNumber tile : shown)
-    if (!has_shapes) level_.tile_shapes[tile] = {.kind = TileShape::Kind::solid};
+  };
+  if (std::any_of(shown.begin(), shown.end(), has_shape)) return;
+  std::set<int> tilesets;
+  for (const TileNumber tile : shown) tilesets.insert(tiles_.sources[tile].tileset);
+  tilesets.erase(-1);  // of empty cells
+  for (std::size_t i = 0; i < tiles_.sources.size(); ++i) {
+    const auto tile = static_cast<TileNumber>(i);
+    if (tilesets.contains(tiles_.sources[i].tileset) && !has_shape(tile) && !is_ball_tile(level_, tile))
+      level_.tile_shapes[tile] = {.kind = TileShape::Kind::solid};
+  }
 }
 
 void TiledLevelMaker::take_animations() {
@@ -635,7 +648,7 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
   name_flags();
   level_.tile_notes.clear();
   for (int tile = 0; tile < layout.count; ++tile) take_tile(static_cast<TileNumber>(tile));
-  if (!is_own_) fill_collision_layers(*layers);
+  if (!is_own_) fill_named_ground(*layers);
   take_animations();
   if (!is_own_) level_.large_tiles = parts_.large_tiles(tiles_);
   take_other_layers(*layers);

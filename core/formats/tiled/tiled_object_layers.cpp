@@ -12,8 +12,10 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kCollisionWords = {"collision", "collisions", "collider",
                                                              "colliders", "solid",      "solids"};
-constexpr std::array<std::string_view, 5> kOtherGroundWords = {"wall", "walls", "ground", "platform",
-                                                               "platforms"};
+constexpr std::array<std::string_view, 4> kWallWords = {"wall", "walls", "platform", "platforms"};
+constexpr std::array<std::string_view, 1> kGroundWords = {"ground"};
+constexpr std::array<std::span<const std::string_view>, 3> kWordsOfGround = {kCollisionWords, kWallWords,
+                                                                             kGroundWords};
 
 bool is_word_of(std::span<const std::string_view> words, const std::string& text) {
   std::string lower = text;
@@ -23,7 +25,8 @@ bool is_word_of(std::span<const std::string_view> words, const std::string& text
 }
 
 bool is_ground_word(const std::string& text) {
-  return is_word_of(kCollisionWords, text) || is_word_of(kOtherGroundWords, text);
+  return std::any_of(kWordsOfGround.begin(), kWordsOfGround.end(),
+                     [&](std::span<const std::string_view> words) { return is_word_of(words, text); });
 }
 
 }  // namespace
@@ -55,8 +58,11 @@ void choose_tile_ground(TiledMap& map) {
     if (layer.has_tiles) layer.looks.is_ground = layer.says_ground.value_or(!has_named || is_named(layer));
 }
 
-bool means_collision(const TiledLayer& layer) {
-  return is_word_of(kCollisionWords, layer.name) || is_word_of(kCollisionWords, layer.type);
+std::optional<int> rank_of_ground(const TiledLayer& layer) {
+  for (std::size_t rank = 0; rank < kWordsOfGround.size(); ++rank)
+    if (is_word_of(kWordsOfGround[rank], layer.name) || is_word_of(kWordsOfGround[rank], layer.type))
+      return static_cast<int>(rank);
+  return std::nullopt;
 }
 
 bool is_well_placed(const MapObject& object) {

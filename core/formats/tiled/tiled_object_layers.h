@@ -1,6 +1,8 @@
 // Objects of Tiled that are neither bodies nor curves of a level.
 #pragma once
 
+#include <optional>
+
 #include <talus/level/object_layer.h>
 #include "tiled_map.h"
 
@@ -15,9 +17,9 @@ ObjectLayer object_layer_of(const TiledLayer& layer);
 // any of them is one of these words, only such layers are; else all are, as in a map that Talus wrote.
 void choose_tile_ground(TiledMap& map);
 
-// Whether the name or the class of the layer says that it is there for collision: collision, collider or
-// solid, also in the plural.
-bool means_collision(const TiledLayer& layer);
+// How clearly the name or the class of the layer says that its tiles are ground: 0: collision, collider or
+// solid; 1: wall or platform; each also in the plural; 2: ground. Nothing: it does not.
+std::optional<int> rank_of_ground(const TiledLayer& layer);
 
 // type: the class that it has, by itself or by its tile.
 MapObject map_object_of(const TiledObject& object, const std::string& type);
