@@ -79,12 +79,23 @@ std::span<const Format> formats() {
   static constexpr std::array<std::string_view, 4> kCartMembers = {"palette", "tiles", "sprites", "map"};
   static constexpr std::array<std::string_view, 6> kTiledMembers = {"tiles",  "tile_shapes", "map",
                                                                     "spawns", "curves",      "objects"};
+  static constexpr std::array<std::string_view, 3> kLdtkChoices = {"layer", "level", "mapping"};
+  static constexpr std::array<std::string_view, 2> kTiledChoices = {"layer", "used_tiles"};
   static const std::array<Format, 7> list = {{
-      {"ldtk", "LDtk project", kLdtkExtensions, accepts_ldtk, read_ldtk, nullptr, {}, false, true},
+      {"ldtk",
+       "LDtk project",
+       kLdtkExtensions,
+       accepts_ldtk,
+       read_ldtk,
+       nullptr,
+       {},
+       false,
+       true,
+       kLdtkChoices},
       {"tmj", "Tiled map, JSON", kTiledJsonExtensions, accepts_tiled_json, read_tiled, write_tiled,
-       kTiledMembers, true},
+       kTiledMembers, true, false, kTiledChoices},
       {"tmx", "Tiled map, XML", kTiledXmlExtensions, accepts_tiled_xml, read_tiled, write_tiled,
-       kTiledMembers, true},
+       kTiledMembers, true, false, kTiledChoices},
       {"native", "Talus level", kNativeExtensions, accepts_native, read_native, write_native},
       {"tic", "TIC-80 cartridge", kTicExtensions, accepts_tic, read_tic, write_tic, kCartMembers},
       {"tic-png", "TIC-80 PNG cartridge", kPngExtensions, accepts_tic_png, read_tic_png, nullptr,

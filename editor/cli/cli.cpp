@@ -8,6 +8,7 @@
 #include <talus/collision/world.h>
 #include <talus/formats/format.h>
 #include "command.h"
+#include "edit/layer_ground.h"
 #include "formats/last_catch.h"
 #include "formats/text/append_number.h"
 #include "formats/text/utf8_text.h"
@@ -108,6 +109,24 @@ std::array<CLI::Option*, 2> add_part_options(CLI::App& command, CommandContext& 
               "The level to take from an LDtk project with several: its name, or its number, from 1")};
 }
 
+// The option that chooses a part of a file whose format has no such parts, if one was given.
+std::optional<std::string> option_without_use(const ImportChoices& choices, const Format& format) {
+  const struct {
+    bool is_given;
+    std::string_view choice;
+    const char* option;
+  } rows[] = {{!choices.layer.empty(), "layer", "--layer"},
+              {!choices.level.empty(), "level", "--level"},
+              {choices.used_tiles, "used_tiles", "--tiles-used"},
+              {choices.mapping.has_value(), "mapping", "--ldtk-map"}};
+  for (const auto& row : rows) {
+    const bool has_use =
+        std::find(format.choices.begin(), format.choices.end(), row.choice) != format.choices.end();
+    if (row.is_given && !has_use) return row.option;
+  }
+  return std::nullopt;
+}
+
 std::optional<LoadedLevel> load_file_or_fail(CommandContext& context, const std::string& file) {
   context.doing = "reading " + file;
   ImportChoices allowed = context.choices;
@@ -123,12 +142,20 @@ std::optional<LoadedLevel> load_file_or_fail(CommandContext& context, const std:
     context.status = kExitBad;
     return std::nullopt;
   }
+  if (const auto option = option_without_use(context.choices, *loaded->format)) {
+    fail(context, file, "",
+         "is read as \"" + std::string(loaded->format->label) + "\", for which " + *option +
+             " has no meaning: leave it out");
+    return std::nullopt;
+  }
   for (const std::string& what : loaded->dropped)
     say(context.err, file + ": warning: not in the level: " + what);
   if (const std::size_t count = loaded->refused.size(); count > 0) {
     say(context.err, file + ": warning: names " + std::to_string(count) + (count == 1 ? " file" : " files") +
                          " outside of its folder: --allow-outside reads " + (count == 1 ? "it" : "them"));
   }
+  if (const auto ways = ways_to_ground(loaded->level))
+    say(context.err, file + ": warning: nothing on this map is ground yet: " + *ways);
   if (!loaded->note.empty()) say(context.err, file + ": warning: " + loaded->note);
   context.doing = "working on " + file;
   context.inputs.insert(context.inputs.end(), {file, loaded->path, loaded->companion.path});

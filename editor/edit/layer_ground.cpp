@@ -43,6 +43,13 @@ bool lacks_ground(const Level& level) {
   return shows_tiles;
 }
 
+std::optional<std::string> ways_to_ground(const Level& level) {
+  const bool is_map = level.ldtk || (level.tiled && !level.tiled->extension.starts_with("ts"));
+  if (!is_map || !lacks_ground(level)) return std::nullopt;
+  return std::string("give tiles a flag or a shape, or ") +
+         (level.tiled ? "call a layer walls in Tiled" : "map a value to a shape in File > LDtk mapping");
+}
+
 Edit make_tiles_ground(const Level& level) {
   const int chosen = level.layers.chosen;
   TileMarks shown(static_cast<std::size_t>(level.tile_count()));

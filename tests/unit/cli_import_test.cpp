@@ -36,6 +36,31 @@ class CliImportTest : public FolderTest {
   std::string errors_;
 };
 
+TEST_F(CliImportTest, RefusesAChoiceThatTheFormatDoesNotHave) {
+  ASSERT_EQ(import({}), 0);
+  const struct {
+    const char* file;
+    std::vector<std::string> options;
+    const char* error;
+  } cases[] = {
+      {"two.tmx",
+       {"--level", "1"},
+       "is read as \"Tiled map, XML\", for which --level has no meaning: leave it out"},
+      {"two.talus.json", {"--layer", "1"}, "is read as \"Talus level\", for which --layer has no meaning"},
+      {"two.talus.json",
+       {"--tiles-used"},
+       "is read as \"Talus level\", for which --tiles-used has no meaning"},
+  };
+  for (const auto& [file, options, error] : cases) {
+    std::vector<std::string> arguments = {"import", path(file), "-o", path("no.talus.json")};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const CliAnswer answer = cli_answer(arguments);
+    EXPECT_EQ(answer.status, 1) << file;
+    EXPECT_NE(answer.err.find(error), std::string::npos) << answer.err;
+    EXPECT_FALSE(exists("no.talus.json"));
+  }
+}
+
 TEST_F(CliImportTest, TakesAllLayers) {
   EXPECT_EQ(import({}), 0);
   EXPECT_EQ(load_level(path("two.talus.json"))->level.layers.count(), 2);
@@ -43,9 +68,12 @@ TEST_F(CliImportTest, TakesAllLayers) {
 
 TEST_F(CliImportTest, TakesTheChoiceAndWarnsOfTheRest) {
   EXPECT_EQ(import({"--layer", "front", "--tiles-used"}), 0);
-  EXPECT_EQ(errors(),
-            "two.tmx: warning: not in the level: the layer \"back\"\n"
-            "two.tmx: warning: not in the level: the picture of the tileset \"\"\n");
+  EXPECT_EQ(
+      errors(),
+      "two.tmx: warning: not in the level: the layer \"back\"\n"
+      "two.tmx: warning: not in the level: the picture of the tileset \"\"\n"
+      "two.tmx: warning: nothing on this map is ground yet: give tiles a flag or a shape, or call a layer "
+      "walls in Tiled\n");
   EXPECT_EQ(load_level(path("two.talus.json"))->level.map.at({0, 0}), 1);
 }
 

@@ -38,20 +38,14 @@ void FileHandler::tell_place_in_list() {
                  last_name(maps_.files()[*at]) + ".");
 }
 
-// Tilesets, carts and levels of Talus may be without ground on purpose.
 void FileHandler::offer_ground(const std::string& told) {
-  const Level& level = open_.level;
-  const bool is_map = level.ldtk || (level.tiled && !level.tiled->extension.starts_with("ts"));
-  if (!is_map || !lacks_ground(level)) return;
-  const std::string there = level.tiled ? "give a layer the property ground in Tiled"
-                                        : "map a value to a shape in File > LDtk mapping";
+  const auto ways = ways_to_ground(open_.level);
+  if (!ways) return;
   const auto& message = messages_.message();
   const std::string opened = message && message->text != told ? message->text + " " : "";
-  messages_.offer_ground(opened +
-                         "Nothing on this map is ground yet: make the tiles of the chosen layer ground here, "
-                         "give tiles a flag or a "
-                         "shape, or " +
-                         there + ".");
+  messages_.offer_ground(
+      opened + "Nothing on this map is ground yet: make the tiles of the chosen layer ground here, " + *ways +
+      ".");
 }
 
 }  // namespace talus

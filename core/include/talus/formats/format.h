@@ -114,6 +114,8 @@ struct Format {
   // Whether another program owns such files: they are never written, and saving a level that came from one
   // writes its companion alone.
   bool keeps_beside = false;
+  // The members of ImportChoices by which a part of such a file is chosen; the reader ignores the others.
+  std::span<const std::string_view> choices = {};
   // Whether save_level() takes it.
   bool can_save() const { return write != nullptr || keeps_beside; }
 };
