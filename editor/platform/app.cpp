@@ -438,6 +438,10 @@ bool App::close_window(Actions& actions) {
     actions.push_back(action::DismissMessage{});
     return true;
   }
+  if (const std::size_t count = session_->earlier_messages().size(); count > 0) {
+    actions.push_back(action::DismissMessage{count - 1});
+    return true;
+  }
   for (bool* open :
        {&ui_.view.window.help_open, &ui_.view.window.settings_open, &ui_.view.window.metrics_open,
         &ui_.view.files.exports.open, &ui_.view.level.find_tiles_open, &ui_.view.window.welcome_open,

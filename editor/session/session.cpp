@@ -138,6 +138,7 @@ const std::vector<TrailPoint>& Session::other_trail(int body, std::int64_t first
 }
 const StepTimes& Session::step_times() const { return impl_->run.simulation().step_times(); }
 const std::optional<Message>& Session::message() const { return impl_->messages.message(); }
+const std::vector<Message>& Session::earlier_messages() const { return impl_->messages.earlier(); }
 const std::optional<Question>& Session::question() const { return impl_->messages.question(); }
 const Exporting& Session::exporting() const { return impl_->files.exports().exporting(); }
 ExportTask Session::export_task(std::size_t preset) const { return impl_->files.exports().task(preset); }

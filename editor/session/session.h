@@ -140,7 +140,9 @@ class Session {
   void finish_reading();   // waits for it; for callers without a window
   int recoveries() const;  // number of RecoverLevel actions that are finished
 
-  const std::optional<Message>& message() const;       // stays until dismissed or replaced
+  const std::optional<Message>& message() const;  // stays until dismissed or replaced
+  // Errors and offers that were replaced before they were dismissed, the oldest first.
+  const std::vector<Message>& earlier_messages() const;
   const std::optional<Question>& question() const;     // waits for AnswerQuestion
   const std::optional<PngImport>& png_import() const;  // waits for ApplyPngImport or CancelPngImport
   // Waits for ApplyLevelImport or CancelLevelImport.

@@ -61,4 +61,24 @@ TEST_F(UiMessage, HasItsFirstSentencesAndMoreBehindDetails) {
   EXPECT_EQ(height(), folded) << "each message is short at first";
 }
 
+TEST_F(UiMessage, ErrorsThatWereNotDismissedStayAboveTheLast) {
+  start();
+  tell("The first went wrong.");
+  tell("The second went wrong.");
+  tell("The second went wrong.");
+  ASSERT_EQ(session().earlier_messages().size(), 1u) << "the same text is one message";
+  session().apply(action::ShowMessage{"Done."});
+  frames(4);
+  ASSERT_NE(find("message/earlier1"), nullptr);
+  EXPECT_LT(find("message/earlier0")->max.y, find("message/earlier1")->max.y);
+  EXPECT_LT(find("message/earlier1")->max.y, find("message/text")->max.y);
+  click("message/dismiss_earlier0");
+  frames(2);
+  ASSERT_EQ(session().earlier_messages().size(), 1u);
+  EXPECT_EQ(session().earlier_messages()[0].text, "The second went wrong.");
+  EXPECT_EQ(session().message()->text, "Done.");
+  key(kKeyEscape);
+  EXPECT_TRUE(session().earlier_messages().empty());
+}
+
 }  // namespace talus::message_ui_test

@@ -77,6 +77,23 @@ void draw_ground_button(const Session& session, Actions& actions, Ui& ui) {
   actions.push_back(action::DismissMessage{});
 }
 
+// Those that wait for the user, one line each, above the message.
+void draw_earlier(const std::vector<Message>& messages, Actions& actions, Ui& ui) {
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    if (ui.icon_button("message/dismiss_earlier" + std::to_string(i), Icon::close, false,
+                       "Dismisses the message.", ""))
+      actions.push_back(action::DismissMessage{i});
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    draw_short_text(messages[i].text, ImGui::GetContentRegionAvail().x,
+                    theme::tone(messages[i].is_error ? theme::kError : theme::kText));
+    ui.item("message/earlier" + std::to_string(i), messages[i].text);
+    ImGui::PopID();
+  }
+  if (!messages.empty()) ImGui::Separator();
+}
+
 }  // namespace
 
 void MessagePanel::draw_text_of(const Message& message, float width, float most_height, Ui& ui) {
@@ -93,10 +110,22 @@ void MessagePanel::draw_text_of(const Message& message, float width, float most_
     opened_ = is_open ? std::string() : message.text;
 }
 
+void MessagePanel::draw_message(const Message& message, float width, float most_height,
+                                const Session& session, Actions& actions, Ui& ui) {
+  if (ui.icon_button("message/dismiss", Icon::close, false, "Dismisses the message.", "Esc"))
+    actions.push_back(action::DismissMessage{});
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  draw_text_of(message, width - ImGui::GetCursorPosX() - ui.px(kGap),
+               most_height - ui.px(2 * theme::kButton + 32), ui);
+  draw_copy_all("message/copy_all", message.text, ui);
+  if (message.offers_ground) draw_ground_button(session, actions, ui);
+}
+
 void MessagePanel::draw(const Session& session, Actions& actions, Ui& ui) {
   ui.messages_height = 0;
-  if (!session.message()) return opened_.clear();
-  const Message message = *session.message();
+  if (!session.message() && session.earlier_messages().empty()) return opened_.clear();
+  const Message message = session.message().value_or(Message{});
   const ImVec2 min = ui.side_min, max = ui.side_max;
   const float bottom = bottom_of_message(ui), width = max.x - min.x - 2 * ui.px(kGap);
   const float most = (max.y - min.y) / 2 - ui.px(kGap);
@@ -109,14 +138,8 @@ void MessagePanel::draw(const Session& session, Actions& actions, Ui& ui) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                    ImGuiWindowFlags_NoNavInputs);
-  if (ui.icon_button("message/dismiss", Icon::close, false, "Dismisses the message.", "Esc"))
-    actions.push_back(action::DismissMessage{});
-  ImGui::SameLine();
-  ImGui::AlignTextToFramePadding();
-  draw_text_of(message, width - ImGui::GetCursorPosX() - ui.px(kGap), most - ui.px(2 * theme::kButton + 32),
-               ui);
-  draw_copy_all("message/copy_all", message.text, ui);
-  if (message.offers_ground) draw_ground_button(session, actions, ui);
+  draw_earlier(session.earlier_messages(), actions, ui);
+  if (session.message()) draw_message(message, width, most, session, actions, ui);
   if (bottom == max.y) ui.messages_height = ImGui::GetWindowHeight();
   ImGui::End();
   ImGui::PopStyleVar();

@@ -512,7 +512,7 @@ void FileHandler::replace_level(Level opened, std::string opened_path, const For
   base_ = std::make_shared<const Level>(open_.level);
   debug_.forget_timeline();
   // An old error no longer holds, but things that a save just before has dropped are still to be reported.
-  messages_.dismiss_error();
+  messages_.dismiss_errors();
 }
 
 bool FileHandler::save() {
@@ -564,6 +564,7 @@ bool FileHandler::save_to(const std::string& saved_path, const Format& saved_for
   const auto kept = open_.permissions.save(open_.path, open_.level.exports);
   level_.mark_saved();
   ++saves_;
+  messages_.dismiss_errors();  // such as that it could not be saved
   std::string text = "Saved " + file_names();
   for (const std::string& other : saved->others) text += " + " + name_beside(open_.path, other);
   text += ".";

@@ -1,6 +1,8 @@
 // Actions: messages, and answers to questions.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -11,7 +13,10 @@ struct ShowMessage {  // for what panels and the platform find out
   std::string text;
   bool is_error = false;
 };
-struct DismissMessage {};
+struct DismissMessage {
+  // Index in Session::earlier_messages(); an unknown one is ignored. Nothing: the message itself.
+  std::optional<std::size_t> earlier = {};
+};
 // Which answers fit: to "unsaved changes" save, discard or cancel; to "the file was changed" reload or keep,
 // and if both changed the same, cancel, too; to "drop this branch" discard or cancel; to "replace these
 // files" replace or cancel; to "keep the recording", and to "the file cannot hold all of this level", save

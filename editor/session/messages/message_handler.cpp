@@ -7,12 +7,14 @@ namespace talus {
 
 template <>
 void MessageHandler::carry_out(const action::ShowMessage& a) {
-  message_ = Message{a.text, a.is_error, false};
+  show({a.text, a.is_error, false});
 }
 
 template <>
-void MessageHandler::carry_out(const action::DismissMessage&) {
-  message_.reset();
+void MessageHandler::carry_out(const action::DismissMessage& a) {
+  if (!a.earlier) return message_.reset();
+  if (*a.earlier < earlier_.size())
+    earlier_.erase(earlier_.begin() + static_cast<std::ptrdiff_t>(*a.earlier));
 }
 
 template <>
@@ -31,8 +33,17 @@ void MessageHandler::add(const std::string& sentence) {
   if (message_) message_->text += " " + sentence;
 }
 
-void MessageHandler::dismiss_error() {
+// The same text again is one message, and a message of success only says what is seen anyway.
+void MessageHandler::show(Message message) {
+  if (message_ && (message_->is_error || message_->offers_ground)) earlier_.push_back(*std::move(message_));
+  std::erase_if(earlier_, [&](const Message& before) { return before.text == message.text; });
+  if (earlier_.size() > kMostEarlier) earlier_.erase(earlier_.begin());
+  message_ = std::move(message);
+}
+
+void MessageHandler::dismiss_errors() {
   if (message_ && message_->is_error) message_.reset();
+  std::erase_if(earlier_, [](const Message& message) { return message.is_error; });
 }
 
 void MessageHandler::ask(Question question, std::function<void(action::Answer)> on_answer) {

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "message.h"
 #include "message_actions.h"
@@ -13,13 +14,15 @@ class MessageHandler {
  public:
   void apply(const MessageAction& action);
 
-  // Each replaces the message before.
-  void tell(std::string text) { message_ = Message{std::move(text), false, false}; }
-  void tell_error(std::string text) { message_ = Message{std::move(text), true, false}; }
+  // Each replaces the message before, which goes among the earlier ones if it waits for the user.
+  void tell(std::string text) { show({std::move(text), false, false}); }
+  void tell_error(std::string text) { show({std::move(text), true, false}); }
+  void offer_ground(std::string text) { show({std::move(text), false, true}); }
   void add(const std::string& sentence);  // appends to the message; does nothing if there is none
-  void offer_ground(std::string text) { message_ = Message{std::move(text), false, true}; }
-  void dismiss_error();  // other messages stay
+  void dismiss_errors();                  // also the earlier ones; other messages stay
   const std::optional<Message>& message() const { return message_; }
+  // Those that were replaced before they were dismissed, the oldest first; at most kMostEarlier.
+  const std::vector<Message>& earlier() const { return earlier_; }
 
   // Asks, and replaces the question before, whose answer nobody waits for any more. on_answer: called once,
   // when the question is gone.
@@ -32,7 +35,12 @@ class MessageHandler {
   template <class A>
   void carry_out(const A& action) = delete;
 
+  static constexpr std::size_t kMostEarlier = 3;
+
+  void show(Message message);
+
   std::optional<Message> message_;
+  std::vector<Message> earlier_;
   std::optional<Question> question_;
   std::function<void(action::Answer)> on_answer_;  // set while there is a question
 };
