@@ -4,6 +4,7 @@
 
 #include "harness.h"
 #include "level/lint/lint.h"
+#include "level/single_change.h"
 #include "panels/level/problem_list.h"
 #include "paths.h"
 
@@ -76,24 +77,29 @@ TEST_F(UiProblems, ABrokenLevelIsRepairedFromThePanelAlone) {
   EXPECT_EQ(codes().size(), 6u);
 }
 
+// From the nearest to the player on; what has no place comes last.
 TEST_F(UiProblems, KeysGoFromOneToTheNextAndFixIt) {
   start_broken();
+  const auto& chosen = app().ui().view.level.problems.chosen;
+  const auto& marked = app().ui().view.canvas.marked_cell;
   key(kKeyF8);
-  EXPECT_EQ(app().ui().view.level.problems.chosen->rule->code, "flags-conflict");
+  EXPECT_EQ(chosen->rule->code, "spawn-in-solid");
   key(kKeyF8);
-  EXPECT_EQ(app().ui().view.level.problems.chosen->rule->code, "spawn-in-solid");
+  EXPECT_EQ(marked, (Cell{21, 14}));
   key(kKeyF8);
-  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{10, 14}));
+  key(kKeyF8);
+  EXPECT_EQ(marked, (Cell{14, 14}));
   key(alt(kKeyF8));
-  EXPECT_EQ(tile_at({11, 14}), 4);
+  EXPECT_EQ(tile_at({15, 14}), 6);
   frames(4);
   key(kKeyF8);  // goes to the problem that took the row of the fixed one
-  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{14, 14}));
+  EXPECT_EQ(marked, (Cell{10, 14}));
+  key(kKeyF8);
+  EXPECT_EQ(chosen->rule->code, "flags-conflict");
+  key(kKeyF8);  // wraps around to the first problem
+  EXPECT_EQ(chosen->rule->code, "spawn-in-solid");
   key(shift(kKeyF8));
-  EXPECT_EQ(app().ui().view.level.problems.chosen->rule->code, "spawn-in-solid");
-  key(shift(kKeyF8));
-  key(shift(kKeyF8));  // wraps around to the last problem
-  EXPECT_EQ(app().ui().view.canvas.marked_cell, (Cell{21, 14}));
+  EXPECT_EQ(chosen->rule->code, "flags-conflict");
 }
 
 TEST_F(UiProblems, GoingToAVisibleCellKeepsTheView) {
@@ -107,14 +113,33 @@ TEST_F(UiProblems, GoingToAVisibleCellKeepsTheView) {
   for (int i = 0; i < 30; ++i) key(kKeyLeft);  // all cells are scrolled out
   key(kKeyF8);
   frames(2);
-  const ImVec2 shown = on_map({10, 14}), middle = centre("map/canvas");
+  const ImVec2 shown = on_map({21, 14}), middle = centre("map/canvas");
   EXPECT_NEAR(shown.x, middle.x, 40);
   EXPECT_NEAR(shown.y, middle.y, 40);
 }
 
+// Where the followed body is, or stopped.
+TEST_F(UiProblems, TheNearestAreListedFirst) {
+  start_broken();
+  session().apply(action::Pause{});
+  for (const auto& [x, nearest] : {std::pair(10 * 8, "slope-half-missing"), std::pair(21 * 8, "seam")}) {
+    Spawn spawn = level().spawns.at(0);
+    spawn.position = {static_cast<double>(x), 14 * 8};
+    session().apply(action::EditLevel{change_spawn(level(), 0, spawn, "Move")});
+    move(centre("map/canvas"));
+    frames(8);
+    const auto& problems = *app().ui().problems;
+    std::vector<std::size_t> rows = listed_rows(app().ui());
+    std::erase_if(rows, [&](std::size_t row) { return problems[row].rule->code == "spawn-in-solid"; });
+    EXPECT_EQ(problems[rows.front()].rule->code, nearest) << x;
+    EXPECT_EQ(problems[rows.back()].rule->code, "flags-conflict") << "it has no place";
+  }
+}
+
 TEST_F(UiProblems, FurtherFixesAreInTheMenuOfTheRow) {
   start_broken();
-  key(shift(kKeyF8));  // the last problem, 3 px up to the wall: the list scrolls there
+  key(kKeyF8);
+  key(kKeyF8);  // 3 px up to the wall
   frames(2);
   click("problems/row5", kRight);
   ASSERT_NE(find("problems/choice0"), nullptr);

@@ -54,10 +54,6 @@ struct CanvasesView {
   bool has_hand() const { return mode == CanvasMode::play && !paint_in_play; }
   // A tool was chosen: where the play view is alone, it works there.
   void take_up_tool() { paint_in_play = paint_in_play || mode == CanvasMode::play; }
-  // Shows the map beside the play view, where the play view is alone.
-  void show_map() {
-    if (mode == CanvasMode::play) mode = CanvasMode::both;
-  }
   void forget_level() {  // another level is open
     ++level_number;
     follow_body = opens_on_player;

@@ -23,9 +23,7 @@ CommandRun go_to_flagged(bool forwards) {
     const auto cell =
         find_flagged_cell(session.level(), *session.choices().flag_overlay, ui.view.canvas.search_start(),
                           forwards, -1, ui.view.level.flag_layers);
-    if (!cell) return;
-    ui.view.show_on_map(*cell);
-    ui.view.canvas.show_map();
+    if (cell) ui.view.show_on_map(*cell);
   };
 }
 

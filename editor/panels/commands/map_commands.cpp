@@ -364,7 +364,6 @@ CommandRun find_next_tile(FindDirection direction) {
       return;
     }
     ui.view.show_on_map(*cell);
-    ui.view.canvas.show_map();
   };
 }
 

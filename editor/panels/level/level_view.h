@@ -15,8 +15,13 @@ struct ProblemsView {
   const LintRule* kind = nullptr;  // the only listed rule; null: all rules
   std::optional<Problem> chosen;   // the problem that was gone to last
   std::size_t row = 0;             // its place in the list at that time
-  std::string previewed;           // the fix that CanvasesView::fix_preview shows, of which revision
-  std::string chosen_finding;      // message_of() the finding of a proof that was gone to last
+  // The list begins with what is nearest to this cell, in which the followed body is or stopped last;
+  // nothing: it is in the order of the lint.
+  std::optional<Cell> near;
+  Cell body_cell;              // in which the followed body was last
+  int frames_there = 0;        // draws of the panel for which it has been there
+  std::string previewed;       // the fix that CanvasesView::fix_preview shows, of which revision
+  std::string chosen_finding;  // message_of() the finding of a proof that was gone to last
 };
 
 // The group of layers that the panel of layers shows as chosen.

@@ -4,10 +4,33 @@
 #include "panels/panel_ids.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 
 #include "level/lint/fixes.h"
+#include "panels/canvas/opening_area.h"
 
 namespace talus {
+namespace {
+
+// Problems without a place come last. Only as many as a list shows are in order.
+void put_nearest_first(std::vector<std::size_t>& rows, const std::vector<Problem>& problems, Cell near) {
+  const auto distance = [&](std::size_t row) {
+    constexpr std::int64_t kNowhere = std::numeric_limits<std::int64_t>::max();
+    const auto& cell = problems[row].cell;
+    if (!cell) return kNowhere;
+    const std::int64_t x = cell->x - near.x, y = cell->y - near.y;
+    return x * x + y * y;
+  };
+  std::vector<std::pair<std::int64_t, std::size_t>> order;
+  order.reserve(rows.size());
+  for (const std::size_t row : rows) order.emplace_back(distance(row), row);
+  const auto sorted = static_cast<std::ptrdiff_t>(std::min(order.size(), kMostProblemRows));
+  std::partial_sort(order.begin(), order.begin() + sorted, order.end());
+  std::transform(order.begin(), order.end(), rows.begin(), [](const auto& entry) { return entry.second; });
+}
+
+}  // namespace
 
 std::string problems_text(const Session& session, const Ui& ui) {
   const std::size_t count = ui.problems->size();
@@ -25,7 +48,21 @@ std::vector<std::size_t> listed_rows(const Ui& ui) {
   for (std::size_t i = 0; i < ui.problems->size(); ++i) {
     if (kind == nullptr || (*ui.problems)[i].rule == kind) rows.push_back(i);
   }
+  if (const auto near = ui.view.level.problems.near) put_nearest_first(rows, *ui.problems, *near);
   return rows;
+}
+
+void note_followed_body(const Session& session, bool is_list_hovered, ProblemsView& view) {
+  constexpr int kFramesOfRest = 30;
+  const Body* body = followed_body(session.state(), session.choices().body);
+  if (body == nullptr) return view.near.reset();
+  const Vec2 middle = body->box.center();
+  const TileMap& map = session.level().map;
+  const Cell cell = map.cell_at(middle);
+  view.frames_there = cell == view.body_cell ? view.frames_there + 1 : 0;
+  view.body_cell = cell;
+  const bool rests = !session.playback().running || view.frames_there >= kFramesOfRest;
+  if (!view.near || (rests && !is_list_hovered)) view.near = cell;
 }
 
 std::string short_cell_text(Cell cell) {
@@ -35,7 +72,6 @@ std::string short_cell_text(Cell cell) {
 void show_cell(Cell cell, View& view) {
   view.show_on_map(cell);
   view.window.focus = Focus::map;
-  view.canvas.show_map();
 }
 
 void go_to_problem(std::size_t index, const Session& session, Actions& actions, Ui& ui) {

@@ -12,8 +12,14 @@ namespace talus {
 // "3 problems" or "no problems"; while the level is still being checked, also "looking... 40 %".
 std::string problems_text(const Session& session, const Ui& ui);
 
-// Indices into Ui::problems of the listed ones.
+// How many problems a list shows.
+inline constexpr std::size_t kMostProblemRows = 500;
+
+// Indices into Ui::problems of the listed ones: first those nearest to ProblemsView::near.
 std::vector<std::size_t> listed_rows(const Ui& ui);
+// Once a frame: notes where the followed body is paused or has stopped. The rows stay while the mouse is on
+// them, and while the body moves.
+void note_followed_body(const Session& session, bool is_list_hovered, ProblemsView& view);
 
 // "(3,14)", for a narrow column.
 std::string short_cell_text(Cell cell);

@@ -15,7 +15,6 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostRows = 500;
 constexpr std::size_t kMostRemedies = 2000;
 constexpr int kRemediesAFrame = 4;  // finding a remedy takes up to a few ms
 constexpr float kFix = 32,
@@ -51,6 +50,7 @@ void ProblemsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   } else {
     draw_bar(session, actions, ui);
   }
+  note_followed_body(session, ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows), ui.view.level.problems);
   const std::vector<std::size_t> rows = listed_rows(ui);
   if (rows.empty() && !ui.problems->empty())
     ui.hint(session.is_linting() ? looking_text(session) : "No problem of this kind is left.");
@@ -126,7 +126,7 @@ void ProblemsPanel::draw_rows(const std::vector<std::size_t>& rows, const Sessio
                               Ui& ui) {
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY;
   if (!ImGui::BeginTable("problems", 3, kFlags, ImGui::GetContentRegionAvail())) return;
-  const std::size_t shown = std::min(rows.size(), kMostRows);
+  const std::size_t shown = std::min(rows.size(), kMostProblemRows);
   const int tiles = session.level().tile_count();
   float place = std::max(ui.px(40), width_of_places(session));
   for (std::size_t i = 0; i < shown; ++i)

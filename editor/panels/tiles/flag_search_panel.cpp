@@ -23,10 +23,8 @@ std::string place_text(const Level& level, SearchedLayers layers) {
 void show_tile(int tile, FlagPattern pattern, const Session& session, Actions& actions, Ui& ui) {
   actions.push_back(action::SelectTiles{{SheetId::tiles, ui.place_on_sheet(tile)}});
   if (const auto cell = find_flagged_cell(session.level(), pattern, ui.view.canvas.search_start(), true, tile,
-                                          ui.view.level.flag_layers)) {
+                                          ui.view.level.flag_layers))
     ui.view.show_on_map(*cell);
-    ui.view.canvas.show_map();
-  }
 }
 
 }  // namespace
