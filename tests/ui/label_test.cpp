@@ -111,4 +111,17 @@ TEST_F(UiLabels, SlowArrowsHaveNoLabelUnlessPointedAt) {
   EXPECT_EQ(LabelPlacer(canvas, 1, 1, {}).place(labels).size(), 1u);
 }
 
+TEST_F(UiLabels, EqualOnesThatStandNearAreOne) {
+  const CanvasView canvas = view(4);
+  const std::vector<OverlayLabel> labels = {label(overlay::velocity, 1, {20, 40, 8, 8}, {30, 44}, "1.00"),
+                                            label(overlay::velocity, 2, {30, 40, 8, 8}, {34, 44}, "1.00"),
+                                            label(overlay::velocity, 3, {28, 30, 8, 8}, {34, 38}, "2.00"),
+                                            label(overlay::velocity, 4, {70, 40, 8, 8}, {80, 44}, "1.00")};
+  std::vector<int> bodies;
+  for (const PlacedLabel& placed : LabelPlacer(canvas, 1, 0, {}).place(labels))
+    bodies.push_back(placed.label->body);
+  std::sort(bodies.begin(), bodies.end());
+  EXPECT_EQ(bodies, (std::vector<int>{1, 3, 4}));
+}
+
 }  // namespace talus::label_test

@@ -107,7 +107,8 @@ std::vector<PlacedLabel> LabelPlacer::place(std::span<const OverlayLabel> labels
   std::unordered_set<int> crowded;  // bodies with another such label: crowds cost the most time there
   for (int rank = 0; rank < kRanks; ++rank) {
     for (const OverlayLabel& label : labels) {
-      if (rank_of(label) != rank || (rank > 0 && crowded.contains(label.body))) continue;
+      if (rank_of(label) != rank || (rank > 0 && crowded.contains(label.body)) || is_said(label, placed))
+        continue;
       if (const auto found = find_room(label)) {
         taken_.add(found->box);
         placed.push_back(*found);
@@ -123,6 +124,15 @@ std::vector<PlacedLabel> LabelPlacer::place(std::span<const OverlayLabel> labels
   list(pointed, placed);
   list(chosen, placed);
   return placed;
+}
+
+// Whether an equal label of the same overlay stands near: one is enough for both.
+bool LabelPlacer::is_said(const OverlayLabel& label, std::span<const PlacedLabel> placed) const {
+  const ImVec2 at = view_.to_screen(label.at);
+  return std::any_of(placed.begin(), placed.end(), [&](const PlacedLabel& other) {
+    return other.label->overlay == label.overlay && other.label->text == label.text &&
+           other.box.is_within(kLabelReach * scale_, {at, at});
+  });
 }
 
 // The rank of a label. Low ranks find room first: those of the chosen body and of the one under the mouse,

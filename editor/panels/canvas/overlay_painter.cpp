@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -22,6 +24,8 @@ constexpr float kShortZoom = 4;
 constexpr float kThinZoom = 2;
 constexpr float kPiece = 16;  // px at scale 1: lines are kept free of labels in pieces of this length
 constexpr int kMostPieces = 64;
+constexpr std::ptrdiff_t kCrowd = 100;  // arrows; of more than this only some are drawn
+constexpr float kArrowRoom = 24;  // px at scale 1: then one arrow of an overlay begins in each such square
 
 class Painter {
  public:
@@ -36,18 +40,18 @@ class Painter {
 
   void paint(const OverlayDrawing& drawing, std::span<const Rect> keep_clear) {
     for (const OverlayBox& box : drawing.boxes) paint_box(box);
-    for (const OverlayLine& line : drawing.lines) {
-      if (!line.overlay->is_faint && !is_left_out(line)) stroke(line, outline(), width_ + 2 * rim());
-    }
-    for (const OverlayLine& line : drawing.lines) {
-      if (is_left_out(line)) continue;
+    const std::vector<const OverlayLine*> lines = shown_lines(drawing.lines);
+    for (const OverlayLine* line : lines)
+      if (!line->overlay->is_faint) stroke(*line, outline(), width_ + 2 * rim());
+    for (const OverlayLine* shown : lines) {
+      const OverlayLine& line = *shown;
       const int alpha = static_cast<int>(255 * std::clamp(line.strength, 0.0, 1.0));
       stroke(line, color_of(line.overlay, alpha), line.overlay->is_faint ? rim() : width_);
     }
     for (const OverlayBar& bar : drawing.bars) paint_bar(bar);
     for (const OverlayMark& mark : drawing.marks) paint_mark(mark);
     for (const Rect& rect : keep_clear) taken_.push_back(screen_box(rect));
-    keep_clear_of(drawing);
+    keep_clear_of(drawing, lines);
     paint_labels(drawing.labels);
     if (drawing.is_cut) paint_note("too much in view: some overlays are left out");
   }
@@ -57,7 +61,26 @@ class Painter {
     return theme::color(overlay_color(*overlay, palette_), alpha);
   }
   static ImU32 outline() { return theme::color(theme::kDark, 190); }
-  bool is_left_out(const OverlayLine& line) const { return is_low_ && line.detail; }
+
+  // Without details at low zoom. Of many arrows those stay that begin apart from the others of their overlay.
+  std::vector<const OverlayLine*> shown_lines(std::span<const OverlayLine> lines) const {
+    const bool is_crowd = std::count_if(lines.begin(), lines.end(),
+                                        [](const OverlayLine& line) { return line.arrow; }) > kCrowd;
+    std::set<std::tuple<const Overlay*, int, int>> taken;
+    std::vector<const OverlayLine*> shown;
+    for (const OverlayLine& line : lines) {
+      if (is_low_ && line.detail) continue;
+      if (is_crowd && line.arrow) {
+        const ImVec2 from = view_.to_screen(line.from);
+        const auto square = [&](float at) {
+          return static_cast<int>(std::floor(at / (kArrowRoom * scale_)));
+        };
+        if (!taken.emplace(line.overlay, square(from.x), square(from.y)).second) continue;
+      }
+      shown.push_back(&line);
+    }
+    return shown;
+  }
   float arm() const { return (is_low_ ? 2.5f : 4.0f) * scale_; }  // length of a mark's arm
   float rim() const { return std::max(1.0f, std::round(scale_ * 0.75f)); }
 
@@ -106,11 +129,10 @@ class Painter {
   }
 
   // The thing that a label is about must stay visible.
-  void keep_clear_of(const OverlayDrawing& drawing) {
+  void keep_clear_of(const OverlayDrawing& drawing, std::span<const OverlayLine* const> lines) {
     for (const OverlayBar& bar : drawing.bars) taken_.push_back(screen_box(bar.box));
-    for (const OverlayLine& line : drawing.lines) {
-      if (!line.overlay->covers_much) keep_clear_of(line);  // else no label would find room
-    }
+    for (const OverlayLine* line : lines)
+      if (!line->overlay->covers_much) keep_clear_of(*line);  // else no label would find room
     for (const OverlayMark& mark : drawing.marks) {
       const ImVec2 at = view_.to_screen(mark.at);
       const float arm = this->arm();
