@@ -186,6 +186,7 @@ void App::take_settings(const Settings& settings) {
   ui_.view.window.ui_scale = settings.ui_scale;
   ui_.view.sprites.pixels = settings.pixels;
   ui_.view.files.recent_files = settings.recent_files;
+  ui_.view.files.kept_folders = settings.kept_folders;
   for (const std::string& file : settings.recent_files)
     if (auto picture = recent_pictures_.find(file)) ui_.view.files.recent_pictures[file] = std::move(picture);
   ui_.view.files.scenes = scene_paths();
@@ -225,6 +226,7 @@ Settings App::current_settings() const {
   settings.screen_borders = session_->choices().screen_borders;
   settings.overlays = session_->choices().overlays;
   settings.recent_files = ui_.view.files.recent_files;
+  settings.kept_folders = ui_.view.files.kept_folders;
   settings.tabs = ui_.view.window.tabs;
   settings.moved_tabs = ui_.view.window.moved_tabs;
   settings.layouts = ui_.view.layouts;

@@ -5,9 +5,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <utility>
 
+#include "formats/files/atomic_file.h"
+#include "formats/pictures/any_picture.h"
+#include "panels/files/picture_in_list.h"
 #include "panels/ui/dialog.h"
 #include "panels/ui/long_list.h"
 
@@ -17,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kTitle = "Files";
+constexpr float kPlaces = 168;  // px at scale 1, of the column of folders
 
 // Selects the name in the field that was drawn last and has the keys, also while the mouse is still down and
 // moves.
@@ -25,6 +31,54 @@ void select_whole_name() {
   if (state == nullptr) return;
   state->SelectAll();
   state->SelectedAllMouseLock = true;
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
+bool holds_word(const std::string& name, const std::string& part) {
+  return lower_case(name).find(lower_case(part)) != std::string::npos;
+}
+
+std::string last_name_of(const std::string& folder) {
+  const std::string name = fs::path(folder).filename().string();
+  return name.empty() ? folder : name;
+}
+
+// Of the files that were open last, each folder once.
+std::vector<std::string> recent_folders(const std::vector<std::string>& files) {
+  std::vector<std::string> folders;
+  for (const std::string& file : files) {
+    std::string folder = fs::path(file).parent_path().string();
+    if (!folder.empty() && std::find(folders.begin(), folders.end(), folder) == folders.end())
+      folders.push_back(std::move(folder));
+  }
+  return folders;
+}
+
+// Of a file that is a picture; null if it is another file, or large.
+std::shared_ptr<const SheetPicture> small_picture(const std::string& path) {
+  constexpr std::uintmax_t kMostBytes = 1 << 20;
+  constexpr int kMostSide = 1024;  // px
+  std::error_code error;
+  if (!fs::is_regular_file(path, error) || fs::file_size(path, error) > kMostBytes || error) return nullptr;
+  const auto bytes = read_file(path);
+  if (!bytes) return nullptr;
+  const auto picture = read_picture(*bytes, kMostSide);
+  return picture ? shared_picture(*picture) : nullptr;
+}
+
+// A field that has the keys keeps its own text: the name of the entry that a key has chosen is put into it.
+int replace_by_choice(ImGuiInputTextCallbackData* data) {
+  const auto& name = *static_cast<const std::optional<std::string>*>(data->UserData);
+  if (!name) return 0;
+  data->DeleteChars(0, data->BufTextLen);
+  data->InsertChars(0, name->c_str());
+  return 0;
 }
 
 bool comes_before(const std::string& a, const std::string& b) {
@@ -42,18 +96,32 @@ std::optional<FileBrowser::Answer> FileBrowser::draw(const std::optional<FileReq
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   const ImVec2 size{std::min(ui.px(640), window.x - ui.px(64)), std::min(ui.px(460), window.y - ui.px(64))};
   if (!begin_dialog(kTitle, std::move(wanted), size, session, ui)) return std::nullopt;
-  draw_place(ui);
+  ui.heading(request_.title);
   const float below = 2 * ui.px(theme::kButton) + 2 * ImGui::GetTextLineHeightWithSpacing() + ui.px(16);
-  std::optional<Answer> answer = draw_list(ui, -below);
+  const float places = std::floor(std::min(ui.px(kPlaces), ImGui::GetContentRegionAvail().x / 3));
+  draw_places(ui, {places, -below});
+  ImGui::SameLine();
+  ImGui::BeginGroup();
+  draw_short_text(folder_, ImGui::GetContentRegionAvail().x, theme::tone(theme::kText));
+  ui.item("files/folder", folder_);
+  const auto picture = picture_of_choice(ui);
+  const float beside = picture != nullptr ? std::floor(ImGui::GetContentRegionAvail().x * 0.4f) : 0;
+  std::optional<Answer> answer = draw_list(ui, {-std::max(beside, 1.0f), -below});
+  if (picture != nullptr) {
+    ImGui::SameLine();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 end{at.x + ImGui::GetContentRegionAvail().x, at.y + beside};
+    draw_picture_in(picture, at, end, ui);
+    ui.place("files/picture", at, end);
+  }
+  ImGui::EndGroup();
   if (auto named = draw_name(ui)) answer = named;
   ImGui::EndPopup();
   return answer;
 }
 
 bool FileBrowser::lists(const std::string& name) const {
-  std::string lower = name;
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string lower = lower_case(name);
   return std::any_of(request_.endings.begin(), request_.endings.end(),
                      [&](const std::string& ending) { return lower.ends_with("." + ending); });
 }
@@ -108,28 +176,82 @@ void FileBrowser::enter(const std::string& folder) {
   error_.clear();
   overwrite_.clear();
   name_.clear();
+  filter_.clear();
 }
 
-void FileBrowser::draw_place(Ui& ui) {
-  ui.heading(request_.title);
-  ImGui::PushTextWrapPos(0);
-  draw_text(folder_);
-  ImGui::PopTextWrapPos();
+void FileBrowser::go_to(const std::string& folder) {
+  const std::string kept = request_.names_new() ? name_ : "";
+  enter(folder);
+  name_ = kept;
 }
 
-std::optional<FileBrowser::Answer> FileBrowser::draw_list(Ui& ui, float height) {
+void FileBrowser::draw_places(Ui& ui, ImVec2 size) {
+  std::vector<std::string>& kept = ui.view.files.kept_folders;
+  const auto found = std::find(kept.begin(), kept.end(), folder_);
+  const bool is_kept = found != kept.end();
+  std::string entered;
+  ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, 1);
+  ImGui::BeginChild("places", size, true, ImGuiWindowFlags_NavFlattened);
+  const auto place = [&](const std::string& folder, std::string_view name, const std::string& widget) {
+    if (selectable(name, widget, folder == folder_)) entered = folder;
+    ui.item(widget, folder);
+  };
+  if (ui.text_button("files/keep_folder", is_kept ? "Forget this folder" : "Keep this folder", is_kept,
+                     "Keeps the folder in this list, or takes it out.", {},
+                     is_kept || kept.size() < kMaxKeptFolders, ImGui::GetContentRegionAvail().x)) {
+    if (is_kept)
+      kept.erase(found);
+    else
+      kept.push_back(folder_);
+  }
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    place(kept[i], last_name_of(kept[i]), "files/kept" + std::to_string(i));
+  if (const char* const home = std::getenv("HOME"); home != nullptr) place(home, "Home", "files/home");
+  const std::vector<std::string> recent = recent_folders(ui.view.files.recent_files);
+  if (!recent.empty()) ui.heading("Recent");
+  for (std::size_t i = 0; i < recent.size(); ++i)
+    place(recent[i], last_name_of(recent[i]), "files/recent" + std::to_string(i));
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+  if (!entered.empty()) go_to(entered);
+}
+
+std::vector<int> FileBrowser::listed_entries() const {
+  const bool is_path = filter_.find('/') != filter_.npos;
+  std::vector<int> listed;
+  for (std::size_t i = 0; i < entries_.size(); ++i)
+    if (is_path || filter_.empty() || holds_word(entries_[i].name, filter_))
+      listed.push_back(static_cast<int>(i));
+  return listed;
+}
+
+// Pictures are small enough to be read at once, or are not shown.
+std::shared_ptr<const SheetPicture> FileBrowser::picture_of_choice(const Ui& ui) {
+  if (chosen_ < 0) return nullptr;
+  const std::string path = (fs::path(folder_) / entries_[static_cast<std::size_t>(chosen_)].name).string();
+  const auto& recent = ui.view.files.recent_pictures;
+  if (const auto known = recent.find(path); known != recent.end()) return known->second;
+  if (pictured_ != path) {
+    pictured_ = path;
+    picture_ = small_picture(path);
+  }
+  return picture_;
+}
+
+std::optional<FileBrowser::Answer> FileBrowser::draw_list(Ui& ui, ImVec2 size) {
   std::optional<Answer> answer;
   ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, 1);
-  ImGui::BeginChild("entries", {0, height}, true, ImGuiWindowFlags_NavFlattened);
+  ImGui::BeginChild("entries", size, true, ImGuiWindowFlags_NavFlattened);
   std::string entered;
-  if (std::exchange(scroll_to_choice_, false)) scroll_to_row(chosen_);
-  draw_rows(static_cast<int>(entries_.size()), [&](int row) {
-    const auto i = static_cast<std::size_t>(row);
-    const Entry& entry = entries_[i];
+  const std::vector<int> listed = listed_entries();
+  const auto row_of_choice = std::find(listed.begin(), listed.end(), chosen_) - listed.begin();
+  if (std::exchange(scroll_to_choice_, false)) scroll_to_row(static_cast<int>(row_of_choice));
+  draw_rows(static_cast<int>(listed.size()), [&](int row) {
+    const int i = listed[static_cast<std::size_t>(row)];
+    const Entry& entry = entries_[static_cast<std::size_t>(i)];
     const std::string label = entry.name + (entry.is_folder ? "/" : "");
-    const bool chosen = static_cast<int>(i) == chosen_;
-    if (selectable(label, std::to_string(i), chosen, ImGuiSelectableFlags_AllowDoubleClick)) {
-      chosen_ = static_cast<int>(i);
+    if (selectable(label, std::to_string(i), i == chosen_, ImGuiSelectableFlags_AllowDoubleClick)) {
+      chosen_ = i;
       error_.clear();
       if (entry.is_folder)
         entered = entry.name;
@@ -143,13 +265,11 @@ std::optional<FileBrowser::Answer> FileBrowser::draw_list(Ui& ui, float height) 
     ui.hint(request_.names_folder()
                 ? "There is no folder here. The one that you name below will be created."
                 : "There is no folder and no readable file here. Known extensions: " + known_endings());
+  else if (listed.empty())
+    ui.hint("Nothing here is called so.");
   ImGui::EndChild();
   ImGui::PopStyleVar();
-  if (!entered.empty()) {
-    const std::string kept = request_.names_new() ? name_ : "";
-    enter((fs::path(folder_) / entered).string());
-    name_ = kept;
-  }
+  if (!entered.empty()) go_to((fs::path(folder_) / entered).string());
   return answer;
 }
 
@@ -157,8 +277,18 @@ std::optional<FileBrowser::Answer> FileBrowser::draw_name(Ui& ui) {
   std::optional<Answer> answer;
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  if (input_text("name", "name of the file, or a path", name_, ImGuiInputTextFlags_AutoSelectAll))
+  const char* const asked =
+      request_.names_new() ? "name of the file, or a path" : "part of a name, or a path";
+  const bool is_typed = !chosen_name_;
+  if (input_text("name", asked, name_, ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CallbackAlways,
+                 replace_by_choice, &chosen_name_)) {
     overwrite_.clear();
+    if (is_typed) {
+      filter_ = request_.names_new() ? "" : name_;
+      chosen_ = -1;
+    }
+  }
+  chosen_name_.reset();
   if (ImGui::IsItemClicked() && std::exchange(is_name_proposed_, false)) select_whole_name();
   ui.item("files/name", "The file's name; a folder's name enters the folder.");
   const bool goes_through_list = ImGui::IsItemActive() || !ImGui::GetIO().NavVisible;
@@ -204,9 +334,15 @@ std::optional<FileBrowser::Answer> FileBrowser::draw_name(Ui& ui) {
 }
 
 void FileBrowser::move_choice(int step) {
-  if (entries_.empty()) return;
-  chosen_ = std::clamp(chosen_ + step, 0, static_cast<int>(entries_.size()) - 1);
+  const std::vector<int> listed = listed_entries();
+  if (listed.empty()) return;
+  const auto now = std::find(listed.begin(), listed.end(), chosen_);
+  const std::ptrdiff_t row =
+      now == listed.end() ? (step > 0 ? -1 : std::ssize(listed)) : now - listed.begin();
+  chosen_ =
+      listed[static_cast<std::size_t>(std::clamp(row + step, std::ptrdiff_t{0}, std::ssize(listed) - 1))];
   name_ = entries_[static_cast<std::size_t>(chosen_)].name;
+  chosen_name_ = name_;
   scroll_to_choice_ = true;
 }
 
@@ -214,6 +350,10 @@ std::optional<FileBrowser::Answer> FileBrowser::confirm() {
   error_.clear();
   std::error_code ignored;
   fs::path path = fs::path(folder_) / name_;
+  // A part of a name is enough where only one entry holds it.
+  if (const std::vector<int> listed = listed_entries();
+      !request_.names_new() && listed.size() == 1 && !fs::exists(path, ignored))
+    path = fs::path(folder_) / entries_[static_cast<std::size_t>(listed.front())].name;
   if (request_.names_folder()) return Answer{false, path.string()};
   if (fs::is_directory(path, ignored)) {
     enter(path.string());

@@ -1,6 +1,7 @@
 // The dialog that opens and saves files.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,9 +35,16 @@ class FileBrowser {
   bool lists(const std::string& name) const;
   std::string known_endings() const;
   void enter(const std::string& folder);
-  void draw_place(Ui& ui);
-  std::optional<Answer> draw_list(Ui& ui, float height);
+  // The folders that the user keeps, and those of the files that were open last.
+  void draw_places(Ui& ui, ImVec2 size);
+  std::optional<Answer> draw_list(Ui& ui, ImVec2 size);
+  // Of the chosen file, if one is known.
+  std::shared_ptr<const SheetPicture> picture_of_choice(const Ui& ui);
   std::optional<Answer> draw_name(Ui& ui);
+  // Goes to a folder; a name to save under stays.
+  void go_to(const std::string& folder);
+  // Indices of the entries that hold the typed text; all of them if it is empty or a path.
+  std::vector<int> listed_entries() const;
   void move_choice(int step);
   // Acts on the typed name: enters a folder, or answers with a file.
   std::optional<Answer> confirm();
@@ -49,7 +57,11 @@ class FileBrowser {
   std::string error_;
   std::string overwrite_;  // the existing file that a second confirmation replaces
   std::vector<Entry> entries_;
-  int chosen_ = -1;  // index of entries_; -1: none
+  int chosen_ = -1;                              // index of entries_; -1: none
+  std::optional<std::string> chosen_name_;       // of the entry that a key has chosen in this frame
+  std::string filter_;                           // what was typed; only entries that hold it are listed
+  std::string pictured_;                         // path of picture_
+  std::shared_ptr<const SheetPicture> picture_;  // of a file that is one; null: it cannot be read
   bool scroll_to_choice_ = false;
 };
 

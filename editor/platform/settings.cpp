@@ -93,6 +93,7 @@ const Fields<Settings>& settings_fields() {
       of_part(&Settings::pixels, toggle("pixels_unfolded", &PixelView::unfolded, false)),
       overlays_field("overlays"),
       texts("recent_files", &Settings::recent_files, kMaxRecentFiles),
+      texts("kept_folders", &Settings::kept_folders, kMaxKeptFolders),
       texts("tabs", &Settings::tabs, kMaxTabs),
       objects("moved_tabs", &Settings::moved_tabs, moved_tab_fields(), "panel", kMaxTabs),
       objects("layouts", &Settings::layouts, saved_layout_fields(), "name", kMaxLayouts),

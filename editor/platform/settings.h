@@ -23,6 +23,7 @@ struct Settings {
   PixelView pixels;
   OverlaySet overlays;                    // unknown names are left out
   std::vector<std::string> recent_files;  // at most kMaxRecentFiles
+  std::vector<std::string> kept_folders;  // of the file dialog; at most kMaxKeptFolders
   std::vector<std::string> tabs;          // ids of panels; at most kMaxTabs, unknown ones do nothing
   std::vector<MovedTab> moved_tabs;       // at most kMaxTabs; unknown ids do nothing
   std::vector<SavedLayout> layouts;       // at most kMaxLayouts

@@ -122,6 +122,60 @@ TEST_F(UiFile, DialogEntersFoldersAndOpensByDoubleClick) {
   EXPECT_EQ(session().path(), path("inner/deep.talus.json"));
 }
 
+TEST_F(UiFile, TypedTextFiltersTheList) {
+  for (const char* name : {"cave.talus.json", "caves.talus.json", "hill.talus.json"}) save_test_level(name);
+  key(ctrl('o'));
+  frames(2);
+  type("CAVE");
+  frames(2);
+  EXPECT_NE(find("files/entry/cave.talus.json"), nullptr);
+  EXPECT_NE(find("files/entry/caves.talus.json"), nullptr);
+  EXPECT_EQ(find("files/entry/hill.talus.json"), nullptr);
+  key(kKeyDown);
+  key(kKeyDown);
+  key(kKeyEnter);
+  frames(2);
+  EXPECT_EQ(session().path(), path("caves.talus.json"));
+  key(ctrl('o'));
+  frames(2);
+  type("hil");
+  frames(2);
+  key(kKeyEnter);
+  frames(2);
+  EXPECT_EQ(session().path(), path("hill.talus.json")) << "the only one with this text";
+}
+
+TEST_F(UiFile, DialogKeepsFoldersAndShowsPictures) {
+  std::filesystem::create_directories(path("inner"));
+  save_test_level("inner/deep.talus.json");
+  key(ctrl('o'));
+  frames(2);
+  click("files/entry/inner");
+  frames(2);
+  click("files/keep_folder");
+  frames(2);
+  EXPECT_EQ(app().ui().view.files.kept_folders, std::vector<std::string>{path("inner")});
+  EXPECT_NE(find("files/recent0"), nullptr) << "the folder of the open level";
+  click("files/recent0");
+  frames(2);
+  EXPECT_NE(find("files/entry/inner"), nullptr);
+  click("files/kept0");
+  frames(2);
+  click("files/entry/deep.talus.json");
+  frames(2);
+  EXPECT_EQ(find("files/picture"), nullptr) << "it was never open";
+  click("files/confirm");
+  frames(4);
+  EXPECT_EQ(session().path(), path("inner/deep.talus.json"));
+  key(ctrl('o'));
+  frames(2);
+  click("files/entry/deep.talus.json");
+  frames(2);
+  EXPECT_NE(find("files/picture"), nullptr);
+  click("files/keep_folder");
+  EXPECT_TRUE(app().ui().view.files.kept_folders.empty());
+}
+
 TEST_F(UiFile, DroppedFileOpens) {
   Level other = test_level();
   other.map.set({1, 1}, 6);

@@ -59,6 +59,7 @@ TEST_F(UiSettings, EverySettingIsTakenAndStoredAgain) {
       {"ui_scale", 1.25},
       {"overlays", unusual_overlays},
       {"recent_files", {path("level.talus.json"), path("other.tic")}},
+      {"kept_folders", {path("levels")}},
       {"tabs", {"color", "why", "history", "breakpoints"}},
       {"breakpoints",
        {{{"condition", "vx > 3"}, {"body", 2}, {"count", 4}, {"each_frame", true}, {"enabled", false}}}},

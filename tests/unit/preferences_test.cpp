@@ -127,6 +127,7 @@ TEST_F(SettingsFile, IsReadAsItWasWritten) {
   settings.pixels = {.neighbours = true, .enlarged = true, .unfolded = true};
   settings.overlays.set(overlay::answer, true);
   settings.recent_files = {"/a.tic", "/b.tic"};
+  settings.kept_folders = {"/levels"};
   settings.tabs = {"plots"};
   settings.dock_open = settings.legend_folded = settings.labels_all = true;
   settings.breakpoints = {
@@ -146,6 +147,7 @@ TEST_F(SettingsFile, IsReadAsItWasWritten) {
   for (const Overlay* overlay : all_overlays())
     EXPECT_EQ(again.overlays.has(*overlay), overlay == &overlay::answer) << overlay->key;
   EXPECT_EQ(again.recent_files, settings.recent_files);
+  EXPECT_EQ(again.kept_folders, settings.kept_folders);
   EXPECT_EQ(again.tabs, settings.tabs);
   EXPECT_TRUE(again.dock_open && again.legend_folded && again.labels_all);
   EXPECT_EQ(again.breakpoints, settings.breakpoints);

@@ -17,9 +17,12 @@ struct ExportView {
   std::size_t preset = 0;  // index of the shown preset; beyond the list: the last one
 };
 
+inline constexpr std::size_t kMaxKeptFolders = 12;
+
 struct FilesView {
   ExportView exports;
   std::vector<std::string> recent_files;  // absolute paths, the latest first
+  std::vector<std::string> kept_folders;  // absolute paths that the dialog lists; at most kMaxKeptFolders
   // Small pictures of their levels, by path; some may be missing.
   std::map<std::string, std::shared_ptr<const SheetPicture>> recent_pictures;
   std::vector<std::string> scenes;      // paths of the demo and other levels that come with the program
