@@ -3,9 +3,11 @@
 --   draw_ground(x, y)  the layers from the back to the front; a cell with a ball, which is a body, shows
 --                      tile 0. x, y: px, the middle of the view, from which layers with parallax have their places.
 --                      Animated tiles show the frame that is due since pictures() was called
---   draw_body(body)    its kind, x, y, w and h. Kinds that look like a figure, such as players, are boxes with a
---                      face. Others have the picture of their `tile`, without one that of the level's first ball
+--   draw_body(body, step)  its kind, x, y, w and h; step: those made so far. A body with a `picture` shows the frame of
+--                      what it does, see frames.lua. Kinds that look like a figure, such as players, are boxes with
+--                      a face. Others have the picture of their `tile`, without one that of the level's first ball
 --                      tile, and without any they are discs
+local frames = require "frames"
 local LIGHT, BLUE = {244 / 255, 244 / 255, 244 / 255}, {65 / 255, 166 / 255, 246 / 255}
 local DARK = {11 / 255, 12 / 255, 20 / 255}
 
@@ -219,7 +221,18 @@ return function(level, file)
       if not layer.hidden then draw_layer(layer, drawings[i], x or 0, y or 0) end
     end
   end
-  local function draw_body(body)
+  -- The frame stands on the bottom of the box, in its middle.
+  local function draw_picture(body, step)
+    local tile, looks_left = frames(body, step)
+    local frame = body.picture
+    local w, h = frame.columns * tile_width, frame.rows * tile_height
+    local quad = love.graphics.newQuad(tile % columns * tile_width, math.floor(tile / columns) * tile_height, w, h,
+                                       picture:getDimensions())
+    love.graphics.setColor(1, 1, 1)
+    love.graphics.draw(clear, quad, body.x + body.w / 2, body.y + body.h - h, 0, looks_left and -1 or 1, 1, w / 2)
+  end
+  local function draw_body(body, step)
+    if body.picture then return draw_picture(body, step) end
     local kind, tile = level.kinds[body.kind], body.tile or first_ball
     if kind and kind.look == "figure" then return draw_figure(body) end
     love.graphics.setColor(tile and {1, 1, 1} or LIGHT)

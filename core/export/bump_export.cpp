@@ -15,7 +15,8 @@ FormatResult<Exported> export_bump(const ExportRequest& request) {
   constexpr Copied kCopied[] = {
       {"bump_slopes.lua", "runtime/bump_slopes.lua"}, {"main.lua", "templates/bump/main.lua", true},
       {"camera.lua", "templates/camera.lua"},         {"controls.lua", "templates/controls.lua"},
-      {"pictures.lua", "templates/pictures.lua"},     {"conf.lua", "templates/love/conf.lua", true}};
+      {"frames.lua", "templates/frames.lua"},         {"pictures.lua", "templates/pictures.lua"},
+      {"conf.lua", "templates/love/conf.lua", true}};
   for (const Copied& file : kCopied) {
     FormatResult<std::string> text = request.read_asset(file.asset);
     if (!text) return tl::unexpected(text.error());

@@ -34,8 +34,10 @@ FormatResult<std::string> game_code(const ExportRequest& request) {
   FormatResult<std::string> runtime = lua_runtime(request, LuaForm::small, true);
   if (!runtime) return tl::unexpected(runtime.error());
   std::vector<std::string> game;
-  for (const std::string name : {"camera", "curve_points", "tic80/main"}) {
-    if (name == "curve_points" && level.curves.empty()) continue;
+  const bool has_pictures = std::any_of(level.spawns.begin(), level.spawns.end(),
+                                        [](const Spawn& spawn) { return !spawn.picture.empty(); });
+  for (const std::string name : {"camera", "curve_points", "frames", "tic80/main"}) {
+    if ((name == "curve_points" && level.curves.empty()) || (name == "frames" && !has_pictures)) continue;
     const FormatResult<std::string> text = request.read_asset("templates/" + name + ".lua");
     if (!text) return tl::unexpected(text.error());
     const bool is_module = name != "tic80/main";

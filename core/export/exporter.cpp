@@ -40,12 +40,13 @@ constexpr std::string_view kPictureWord = "-picture-";
 constexpr Names<1> kSheetBeside = {"*-tiles.png"};
 constexpr Names<2> kMapBeside = {"*-tiles.png", "*-picture-#.png"};
 constexpr Names<1> kCompanion = {"**.talus.json"};
-constexpr Names<10> kLoveFiles = {"talus.lua",    "level.lua",   "sheet.png",    "main.lua",
-                                  "conf.lua",     "camera.lua",  "controls.lua", "curve_points.lua",
-                                  "pictures.lua", "pictures.png"};
+constexpr Names<11> kLoveFiles = {"talus.lua",  "level.lua",    "sheet.png",    "main.lua",
+                                  "conf.lua",   "camera.lua",   "controls.lua", "curve_points.lua",
+                                  "frames.lua", "pictures.lua", "pictures.png"};
 constexpr Names<2> kRuntimeFiles = {"talus.lua", "level.lua"};
-constexpr Names<9> kBumpFiles = {"level.lua",  "sheet.png",    "bump_slopes.lua", "main.lua",    "conf.lua",
-                                 "camera.lua", "controls.lua", "pictures.lua",    "pictures.png"};
+constexpr Names<10> kBumpFiles = {"level.lua",    "sheet.png",   "bump_slopes.lua", "main.lua",
+                                  "conf.lua",     "camera.lua",  "controls.lua",    "frames.lua",
+                                  "pictures.lua", "pictures.png"};
 constexpr Names<3> kCppFiles = {"level.talus.json", "main.cpp", "CMakeLists.txt"};
 constexpr Names<10> kCsvFiles = {"map.csv",      "flags.csv", "sprite_flags.csv", "flag_names.csv",
                                  "polygons.csv", "lines.csv", "bodies.csv",       "roles.csv",

@@ -36,8 +36,8 @@ FormatResult<Exported> export_love(const ExportRequest& request) {
   if (!runtime) return tl::unexpected(runtime.error());
   Exported out{{{"talus.lua", std::move(*runtime)}}, dropped_solver(request.level)};
   add_drawn_level(request, out);
-  for (const std::string name :
-       {"love/main.lua", "love/conf.lua", "camera.lua", "controls.lua", "curve_points.lua", "pictures.lua"}) {
+  for (const std::string name : {"love/main.lua", "love/conf.lua", "camera.lua", "controls.lua",
+                                 "curve_points.lua", "frames.lua", "pictures.lua"}) {
     FormatResult<std::string> text = request.read_asset("templates/" + name);
     if (!text) return tl::unexpected(text.error());
     out.files.push_back({name.substr(name.find('/') + 1), std::move(*text), name.starts_with("love/")});

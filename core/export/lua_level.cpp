@@ -162,8 +162,20 @@ void write_curve(LuaTable&& table, const Curve& curve) {
     table.word("faces", curve.faces == Curve::Faces::down ? "down" : "both");
 }
 
+// Each act has frames: its own, or those that stand for it.
+void write_picture(LuaTable&& table, const BodyPicture& picture) {
+  table.number("columns", picture.columns);
+  table.number("rows", picture.rows);
+  table.number("steps", picture.steps);
+  for (std::size_t act = 0; act < kBodyActWords.size(); ++act) {
+    const BodyFrames& frames = frames_of(picture, static_cast<BodyAct>(act));
+    table.numbers(kBodyActWords[act], std::vector<int>{frames.first, frames.count});
+  }
+}
+
 // tile: the size of the level's tiles, of which new bodies of a kind have their size.
-void write_spawn(LuaTable&& table, const Spawn& spawn, TileSize tile) {
+// sheet: of tiles, on which the frames of pictures are.
+void write_spawn(LuaTable&& table, const Spawn& spawn, TileSize tile, const SheetLayout& sheet) {
   table.word("kind", traits_of(spawn.kind).word);
   if (!spawn.name.empty()) table.member("name") += lua_string(spawn.name);
   table.number("x", spawn.position.x);
@@ -179,6 +191,8 @@ void write_spawn(LuaTable&& table, const Spawn& spawn, TileSize tile) {
   number("vy", spawn.velocity.y, 0);
   if (table.writes_defaults() || spawn.used_foot() != traits.foot)
     table.word("foot", foot_word(spawn.used_foot()));
+  if (const BodyPicture picture = on_sheet(spawn.picture, sheet); !picture.empty())
+    write_picture(table.in_a_row("picture"), picture);
 }
 
 void write_kind(LuaTable&& table, BodyKind kind, TileSize tile) {
@@ -390,7 +404,8 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
   }
   {
     LuaTable spawns = table.in_lines("spawns");
-    for (const Spawn& spawn : level.spawns) write_spawn(spawns.in_a_row(""), spawn, ground.tile);
+    const SheetLayout sheet = level.sheet(SheetId::tiles).layout();
+    for (const Spawn& spawn : level.spawns) write_spawn(spawns.in_a_row(""), spawn, ground.tile, sheet);
   }
   {
     LuaTable kinds = table.in_lines("kinds");

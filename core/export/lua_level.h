@@ -9,7 +9,9 @@
 //   flags             by the name of a flag, the tiles that have it: true by tile number; only if flags have
 //                     names, and not in a small table
 //   curves            kind, faces ("up", "down", "both") and the numbers of talus/collision/shape.h
-//   spawns            kind, name, x, y, w, h, vx, vy, foot ("box", "centre")
+//   spawns            kind, name, x, y, w, h, vx, vy, foot ("box", "centre"); only if the body has a picture,
+//                     picture: columns, rows (tiles of a frame), steps (for which it is shown), and for each
+//                     of stand, run, jump and fall the tile of the first frame and the number of frames
 //   kinds             by their word, all kinds of bodies: rule ("fall", "run"), w, h, foot, look ("tile",
 //                     "figure"); takes_keys (false)
 //   tuning            of exact, player, and what they share with the article, by key

@@ -108,6 +108,7 @@ class LevelMerger {
     if (!mine || !theirs) return mine ? mine : theirs;
     return pick(base, mine, theirs, conflicts);
   }
+  void merge_spawns();
   void merge_objects();
   void merge_tilesets();
   void merge_tiles();
@@ -190,6 +191,30 @@ void LevelMerger::merge_list(std::vector<Element> Level::*part, const char* noun
                                     [this](const Element& base, const Element& mine, const Element& theirs,
                                            int& count) { return pick(base, mine, theirs, count); });
   note(conflicts, noun, nouns);
+}
+
+// A body that both changed is merged part by part: Tiled may move it while it gets a picture here.
+void LevelMerger::merge_spawns() {
+  int conflicts = 0;
+  const auto pick_body = [&](const Spawn& base, const Spawn& mine, const Spawn& theirs, int& count) {
+    Spawn merged = theirs;
+    int parts = 0;
+    const auto take = [&](auto Spawn::*part) {
+      merged.*part = pick(base.*part, mine.*part, theirs.*part, parts);
+    };
+    take(&Spawn::name);
+    take(&Spawn::position);
+    take(&Spawn::velocity);
+    take(&Spawn::extra);
+    take(&Spawn::kind);
+    take(&Spawn::size);
+    take(&Spawn::foot);
+    take(&Spawn::picture);
+    count += parts > 0;
+    return merged;
+  };
+  merged_.level.spawns = merged_list(base_.spawns, mine_.spawns, theirs_.spawns, conflicts, pick_body);
+  note(conflicts, "body", "bodies");
 }
 
 // Objects of a layer that both changed are merged one by one.
@@ -495,6 +520,9 @@ void LevelMerger::fit_tiles() {
     layer.cells = std::make_shared<const MapCells>(std::move(cells));
   }
   for (Brush& brush : level.brushes) fit(brush.tiles);
+  for (Spawn& spawn : level.spawns)
+    for (BodyFrames& frames : spawn.picture.acts)
+      if (frames.first >= count) frames = {};
   fit(level.auto_tiles.tiles);
   gone += static_cast<int>(std::erase_if(level.animations, [&](const auto& animation) {
     return problem_of(TileAnimations{animation}, count).has_value();
@@ -534,7 +562,7 @@ void LevelMerger::merge_parts() {
   merge_layers();
   merge_tiles();
   merge_tilesets();
-  merge_list(&Level::spawns, "body", "bodies");
+  merge_spawns();
   merge_list(&Level::curves, "curve", "curves");
   merge_objects();
   merge_groups();

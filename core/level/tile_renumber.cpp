@@ -29,6 +29,12 @@ std::shared_ptr<const SheetPicture> moved_picture(const SheetPicture& before, Ti
   return after;
 }
 
+// Frames whose first tile goes, go with it.
+BodyFrames renumbered(BodyFrames frames, const std::vector<int>& numbers) {
+  if (frames.first >= numbers.size() || numbers[frames.first] < 0) return {};
+  return {static_cast<TileNumber>(numbers[frames.first]), frames.count};
+}
+
 template <class Values>
 Values moved(const Values& before, int count, const std::vector<int>& numbers) {
   Values after(static_cast<std::size_t>(count));
@@ -78,6 +84,9 @@ void renumber_tiles(Level& level, const SheetLayout& layout, const std::vector<i
   }
   for (Brush& brush : level.brushes)
     for (MapCell& cell : brush.tiles) renumber_one(cell.tile);
+  for (Spawn& spawn : level.spawns)
+    for (BodyFrames& frames : spawn.picture.acts)
+      if (frames.count > 0) frames = renumbered(frames, numbers);
   renumber(level.auto_tiles.tiles);
 }
 

@@ -359,6 +359,14 @@ std::optional<FileBrowser::Answer> FileBrowser::confirm() {
     enter(path.string());
     return std::nullopt;
   }
+  const bool is_part = !filter_.empty() && filter_.find('/') == filter_.npos;
+  if (!request_.names_new() && is_part && !fs::exists(path, ignored)) {
+    const std::size_t count = listed_entries().size();
+    error_ = count == 0
+                 ? "Nothing here is called so."
+                 : std::to_string(count) + " names hold this: go on typing, or choose one by the arrows.";
+    return std::nullopt;
+  }
   if (!request_.names_new()) return Answer{false, path.string()};
   if (!path.has_extension()) path += request_.ending;
   if (request_.purpose == FileRequest::Purpose::names) return Answer{false, path.string()};

@@ -93,8 +93,9 @@ class AddedBodyKinds : public FolderTest {
     put(game + "/main.lua", bytes_of(game + "/main.lua") +
                                 "\nfunction love.errorhandler(problem) print(problem) os.exit(1) end\n" +
                                 more);
-    return output_of("SDL_VIDEODRIVER=offscreen SDL_AUDIODRIVER=dummy timeout 600 love '" + path(game) +
-                     "' 2>/dev/null");
+    return output_of("XDG_DATA_HOME='" + folder_.string() +
+                     "/saved' SDL_VIDEODRIVER=offscreen SDL_AUDIODRIVER=dummy timeout 600 love '" +
+                     path(game) + "' 2>/dev/null");
   }
   // The picture of the play view at the start. Made by another process, as drivers of OpenGL keep memory.
   std::string picture(const Level& level, const std::string& name) {

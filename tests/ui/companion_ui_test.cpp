@@ -24,6 +24,8 @@ TEST_F(UiCompanion, ABodyPlacedInACartSurvives) {
     EXPECT_EQ(title(), name + " - Talus");
     key('0');
     click(on_map({12, 9}));
+    frames(2);
+    click("map/first_body_ball");
     ASSERT_EQ(level().spawns.size(), 1u);
     key(ctrl('s'));
     frames(2);

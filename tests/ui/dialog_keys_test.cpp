@@ -340,6 +340,8 @@ TEST_F(UiDialogKeys, ThePaletteNamesABody) {
   press_key({kKeyF3});
   click("map/body");
   click(on_canvas("map", {100, 60}));
+  frames(2);
+  click("map/first_body_player");
   ASSERT_EQ(level().spawns.size(), 1u);
   run_from_palette("spawn rename");
   type("hero");

@@ -1,6 +1,7 @@
 // Fast drags in slow frames: the press, all movements and the release come before one frame.
 #include <cmath>
 
+#include "edit/spawn_tools.h"
 #include "harness.h"
 
 namespace talus::fast_drag_test {
@@ -156,15 +157,17 @@ TEST_F(UiFastDrag, HandleOfACurveGoesToTheRelease) {
 
 TEST_F(UiFastDrag, BodyAndItsArrowGoToTheRelease) {
   click("map/body");
+  session().apply(action::EditLevel{add_spawn(level(), Spawn())});  // the first one would be asked for
+  frames(2);
   push_drag({on_canvas("map", {100, 60}), on_canvas("map", {120, 50}), on_canvas("map", {131, 53})});
   frames(2);
-  ASSERT_EQ(level().spawns.size(), 1u);
-  EXPECT_EQ(level().spawns[0].position, (Vec2{127, 49})) << "placed at (96,56), and taken along";
+  ASSERT_EQ(level().spawns.size(), 2u);
+  EXPECT_EQ(level().spawns[1].position, (Vec2{127, 49})) << "placed at (96,56), and taken along";
   const ImVec2 from = centre("map/velocity_handle"), zero = on_canvas("map", {0, 0}),
                by = on_canvas("map", {12, -8});
   push_drag({from, {from.x + 20, from.y + 20}, {from.x + by.x - zero.x, from.y + by.y - zero.y}});
   frames(2);
-  EXPECT_EQ(level().spawns[0].velocity, (Vec2{3, -2}));
+  EXPECT_EQ(level().spawns[1].velocity, (Vec2{3, -2}));
 }
 
 TEST_F(UiFastDrag, PencilDrawsEveryPlaceInOrder) {

@@ -115,7 +115,7 @@ TEST_F(UiLabels, EqualOnesThatStandNearAreOne) {
   const CanvasView canvas = view(4);
   const std::vector<OverlayLabel> labels = {label(overlay::velocity, 1, {20, 40, 8, 8}, {30, 44}, "1.00"),
                                             label(overlay::velocity, 2, {30, 40, 8, 8}, {34, 44}, "1.00"),
-                                            label(overlay::velocity, 3, {28, 30, 8, 8}, {34, 38}, "2.00"),
+                                            label(overlay::velocity, 3, {28, 30, 8, 8}, {40, 34}, "2.00"),
                                             label(overlay::velocity, 4, {70, 40, 8, 8}, {80, 44}, "1.00")};
   std::vector<int> bodies;
   for (const PlacedLabel& placed : LabelPlacer(canvas, 1, 0, {}).place(labels))

@@ -34,7 +34,7 @@ TEST_F(UiPlatformer, TheSeamIsFoundMendedAndSaved) {
     EXPECT_NE(problem.message.find("jumps 0.5 px"), std::string::npos) << problem.message;
   }
   const std::string before = bytes_of(map()), tiles_before = bytes_of(path("platformer/meadow.tsx"));
-  click("problems/fix0");
+  click("problems/fix" + std::to_string(listed_rows(app().ui()).front()));
   frames(8);
   EXPECT_EQ(session().history().edits().back().label,
             "Lower the left end of tile 9's slope from 8.5 to 8 px, wherever the tile is");
@@ -71,7 +71,7 @@ TEST_F(UiPlatformer, ThePlayerRunsOverTheMendedRamp) {
     return player().box.x;
   };
   const double with_seam = run();
-  click("problems/fix0");
+  click("problems/fix" + std::to_string(listed_rows(app().ui()).front()));
   frames(8);
   EXPECT_GT(run(), with_seam + 16);
 }

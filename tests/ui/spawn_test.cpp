@@ -11,11 +11,37 @@ class UiSpawn : public UiTest {
     key(kKeyF3);
     click("map/body");
   }
+  // Places the first body of the level.
+  void place_first(const char* kind = "player") {
+    click(on_canvas("map", {100, 60}));
+    frames(2);
+    click(std::string("map/first_body_") + kind);
+    frames(2);
+  }
   const Spawn& spawn(std::size_t i = 0) { return level().spawns.at(i); }
 };
 
-TEST_F(UiSpawn, ArrowOfABodyAtRestIsPulledToAVelocity) {
+TEST_F(UiSpawn, TheFirstBodyIsAskedForAndTheNextAreLikeIt) {
   click(on_canvas("map", {100, 60}));
+  frames(2);
+  EXPECT_TRUE(level().spawns.empty());
+  ASSERT_NE(find("map/first_body_player"), nullptr);
+  key(kKeyEscape);
+  frames(2);
+  EXPECT_TRUE(level().spawns.empty()) << "nothing was chosen";
+  place_first("ball");
+  ASSERT_EQ(level().spawns.size(), 1u);
+  EXPECT_EQ(spawn().kind, BodyKind::ball);
+  EXPECT_EQ(spawn().position, (Vec2{96, 56}));
+  session().apply(action::SelectSpawn{-1});
+  click(on_canvas("map", {140, 60}));
+  ASSERT_EQ(level().spawns.size(), 2u);
+  EXPECT_EQ(spawn(1).kind, BodyKind::ball);
+  EXPECT_EQ(spawn(1).size, spawn(0).size);
+}
+
+TEST_F(UiSpawn, ArrowOfABodyAtRestIsPulledToAVelocity) {
+  place_first();
   ASSERT_EQ(level().spawns.size(), 1u);
   EXPECT_EQ(spawn().velocity, Vec2{});
   const Widget* handle = find("map/velocity_handle");
@@ -33,7 +59,7 @@ TEST_F(UiSpawn, ArrowOfABodyAtRestIsPulledToAVelocity) {
 }
 
 TEST_F(UiSpawn, BodyIsMovedNamedAndCopied) {
-  click(on_canvas("map", {100, 60}));
+  place_first();
   drag(on_canvas("map", {100, 60}), on_canvas("map", {131, 53}));
   EXPECT_EQ(spawn().position, (Vec2{127, 49}));
   click("inspector/spawn_name");
@@ -58,7 +84,7 @@ TEST_F(UiSpawn, EscapePutsABodyBack) {
     key(kKeyEscape);
     release();
   };
-  click(on_canvas("map", {100, 60}));
+  place_first();
   cancel_drag(on_canvas("map", {100, 60}), {131, 53});
   EXPECT_EQ(spawn().position, (Vec2{96, 56}));
   cancel_drag(centre("map/velocity_handle"), {120, 40});
@@ -69,7 +95,7 @@ TEST_F(UiSpawn, EscapePutsABodyBack) {
 }
 
 TEST_F(UiSpawn, StartIsTypedAsNumbers) {
-  click(on_canvas("map", {100, 60}));
+  place_first();
   const auto set = [&](const char* field, const char* text) {
     click(field);
     click(field);  // the second click of a double click
@@ -92,6 +118,67 @@ TEST_F(UiSpawn, StartIsTypedAsNumbers) {
   EXPECT_EQ(spawn().position, (Vec2{33.5, 56}));
   EXPECT_EQ(spawn().velocity, (Vec2{0, -1.25}));
   EXPECT_EQ(session().history().edits().size(), 3u);
+}
+
+TEST_F(UiSpawn, SizeIsDraggedByACorner) {
+  place_first();
+  EXPECT_EQ(find("map/body_corner3"), nullptr) << "a small box has no room for them";
+  move(on_canvas("map", {100, 60}));
+  wheel(2);
+  frames(2);
+  ASSERT_NE(find("map/body_corner3"), nullptr);
+  const Vec2 start = spawn().position, size = spawn().size;
+  const ImVec2 zero = on_canvas("map", {0, 0}), at = on_canvas("map", {4, 6});
+  const auto drag_corner = [&](const char* corner, float x, float y) {
+    const ImVec2 from = centre(corner);
+    drag(from, {from.x + x * (at.x - zero.x), from.y + y * (at.y - zero.y)});
+    frames(2);
+  };
+  drag_corner("map/body_corner3", 1, 1);
+  EXPECT_EQ(spawn().size, size + (Vec2{4, 6}));
+  EXPECT_EQ(spawn().position, start) << "the opposite corner stays";
+  key(ctrl('z'));
+  EXPECT_EQ(spawn().size, size) << "a drag is one undo";
+  drag_corner("map/body_corner0", -1, 0);
+  EXPECT_EQ(spawn().size, size + (Vec2{4, 0}));
+  EXPECT_EQ(spawn().position, start - (Vec2{4, 0}));
+  drag_corner("map/body_corner0", 30, 30);
+  EXPECT_EQ(spawn().size, (Vec2{1, 1})) << "it does not turn over";
+}
+
+TEST_F(UiSpawn, SizeIsTypedOverWhereTheBodyStands) {
+  place_first();
+  const double bottom = spawn().position.y + spawn().size.y;
+  click("inspector/size_h");
+  click("inspector/size_h");  // the second click of a double click
+  key(ctrl('a'));
+  type("20");
+  key(KeyChord{'\r'});
+  EXPECT_EQ(spawn().size.y, 20);
+  EXPECT_EQ(spawn().position.y + spawn().size.y, bottom);
+}
+
+// Of tiles that are chosen on the sheet.
+TEST_F(UiSpawn, AnActGetsThePictureOfTheChosenTiles) {
+  place_first();
+  session().apply(action::SelectTiles{{SheetId::tiles, {2, 1, 3, 1}}});
+  frames(2);
+  click("inspector/picture_run");
+  frames(2);
+  EXPECT_EQ(spawn().picture[BodyAct::run], (BodyFrames{18, 3}));
+  EXPECT_EQ(spawn().picture.columns, 1);
+  session().apply(action::SelectTiles{{SheetId::tiles, {0, 1, 1, 2}}});
+  frames(2);
+  click("inspector/picture_stand");
+  frames(2);
+  EXPECT_EQ(spawn().picture[BodyAct::stand].count, 0);
+  ASSERT_TRUE(session().message());
+  EXPECT_EQ(session().message()->text,
+            "A frame of this body has 1x1 tiles: choose one or more such frames, side by side.");
+  click("inspector/no_picture_run");
+  EXPECT_TRUE(spawn().picture.empty());
+  key(ctrl('z'));
+  EXPECT_EQ(spawn().picture[BodyAct::run].count, 3);
 }
 
 }  // namespace talus::spawn_test

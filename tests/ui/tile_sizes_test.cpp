@@ -74,6 +74,9 @@ TEST_F(UiTileSizes, TheKeyboardsCursorGoesFromCellToCell) {
 TEST_F(UiTileSizes, APlacedPlayerIsATileLargeAndStandsOnTheFloor) {
   key('0');
   click(on_map({5, 12}));
+  frames(2);
+  click("map/first_body_player");
+  frames(2);
   ASSERT_EQ(level().spawns.size(), 1u);
   EXPECT_EQ(level().spawns[0].position, (Vec2{5.0 * 18, 12.0 * 12}));
   EXPECT_EQ(level().spawns[0].size, new_body_size(BodyKind::player, kTile));
@@ -86,6 +89,9 @@ TEST_F(UiTileSizes, APlacedPlayerIsATileLargeAndStandsOnTheFloor) {
 TEST_F(UiTileSizes, TheReachIsDrawnInCellsOfTheLevel) {
   key('0');
   click(on_map({5, 12}));
+  frames(2);
+  click("map/first_body_player");
+  frames(2);
   key(kKeyF12);
   for (int i = 0; i < 2000 && session().reach().running(); ++i) frames();
   ASSERT_NE(session().reach().found(), nullptr);

@@ -99,6 +99,8 @@ TEST_F(UiWorld, ThingsOutOfSightHaveNoLabel) {
   };
   click("map/body");
   click(on_map({6, 6}));
+  frames(2);
+  click("map/first_body_player");
   for (int i = 0; i < 300 && find("map/chosen_body") == nullptr; ++i)
     frames();  // its ground is compiled first
   scroll_away_and_back("map/chosen_body");

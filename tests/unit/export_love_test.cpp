@@ -48,9 +48,9 @@ TEST(ExportLove, ACartHasTheMapAtItsTopLeft) {
 TEST(ExportLove, WritesAFolderThatNeedsNothingElse) {
   std::vector<std::string> names;
   for (const ExportedFile& file : exported(Level(), "love").files) names.push_back(file.name);
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"talus.lua", "level.lua", "sheet.png", "main.lua", "conf.lua",
-                                      "camera.lua", "controls.lua", "curve_points.lua", "pictures.lua"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"talus.lua", "level.lua", "sheet.png", "main.lua", "conf.lua",
+                                             "camera.lua", "controls.lua", "curve_points.lua", "frames.lua",
+                                             "pictures.lua"}));
 }
 
 // A cart with sounds, music, a second bank, a binary chunk and code of its own.

@@ -11,7 +11,7 @@ local STEP = 1 / 60           -- s
 local SOFT = {floor_bounce = 0, floor_grip = 1, wall_bounce = 0, slope_bounce = 0}  -- a player's, in bounce()
 local SNAP = 3 / 8 * TILE_HEIGHT  -- px below a player who walks where it still finds ground
 local HELP = "arrows: run, jump     R: start again     Esc: end"
-local world, bodies, drawing, due
+local world, bodies, drawing, due, steps
 
 local function add_body(body)
   bodies[#bodies + 1] = body
@@ -19,7 +19,7 @@ local function add_body(body)
 end
 
 local function start()
-  world, bodies, due = bump.newWorld(tuning.cell_size), {}, 0
+  world, bodies, due, steps = bump.newWorld(tuning.cell_size), {}, 0, 0
   slopes.install(world)
   slopes.add_level(world, level, {merge = true, on_ball = function(x, y, tile, kind)
     add_body {kind = kind, tile = tile, x = x, y = y, w = TILE_WIDTH, h = TILE_HEIGHT, vx = 0, vy = 0}
@@ -81,7 +81,7 @@ function love.update(seconds)
     for _, body in ipairs(bodies) do
       if level.kinds[body.kind].takes_keys then run(body) else fall(body) end
     end
-    due = due - STEP
+    due, steps = due - STEP, steps + 1
   end
 end
 
@@ -96,7 +96,7 @@ function love.draw()
   love.graphics.scale(zoom)
   love.graphics.translate(-math.floor(left * zoom) / zoom, -math.floor(top * zoom) / zoom)
   drawing.draw_ground(left + width / zoom / 2, top + height / zoom / 2)
-  for _, body in ipairs(bodies) do drawing.draw_body(body) end
+  for _, body in ipairs(bodies) do drawing.draw_body(body, steps) end
   love.graphics.pop()
   love.graphics.setColor(1, 1, 1)
   love.graphics.print(HELP, 8, height - 22)

@@ -60,7 +60,7 @@ function love.draw()
   local width, height = love.graphics.getDimensions()
   drawing.draw_ground(left + width / zoom / 2, top + height / zoom / 2)
   for _, points in ipairs(curves) do love.graphics.line(points) end
-  for _, body in ipairs(world.bodies) do drawing.draw_body(body) end
+  for _, body in ipairs(world.bodies) do drawing.draw_body(body, world.frame) end
   love.graphics.pop()
   if help_left > 0 then
     local height = love.graphics.getHeight()

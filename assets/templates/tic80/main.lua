@@ -34,7 +34,12 @@ end
 -- As Talus's editor does it: a ball without a tile has the picture of the first ball tile, or is a disc.
 local function draw_body(body, left, top)
   local x, y, w, h, tile = (body.x - left) // 1, (body.y - top) // 1, body.w, body.h, body.tile or first_ball
-  if level.kinds[body.kind].look == "figure" then
+  local picture = body.picture
+  if picture then  -- the frame stands on the bottom of the box, in its middle
+    local frame, looks_left = frames(body, world.frame)
+    spr(frame, x + (w - picture.columns * TILE) // 2, y + h - picture.rows * TILE, 0, 1, looks_left and 1 or 0, 0,
+        picture.columns, picture.rows)
+  elseif level.kinds[body.kind].look == "figure" then
     draw_figure(body, x, y, w, h)
   elseif not tile then
     circ(x + w / 2, y + h / 2, w / 2, 12)

@@ -21,7 +21,9 @@
 //   "spawns"       bodies placed by hand: "name" (""); "x", "y" in px (0) and "vx", "vy" in px/frame (0),
 //                  each within 100 million; "kind", a word of level/body_kind_list.cpp
 //                  ("ball"); "size", [width, height], each 1/256..1024 px, and "foot", "box" or "centre"
-//                  (default: by kind).
+//                  (default: by kind);
+//                  "picture", {"stand": [tile, frames], "run": ..., "jump": ..., "fall": ..., "size":
+//                  [columns, rows] of a frame in tiles ([1, 1]), "steps" of a frame (6)}.
 //   "curves"       curves free of the grid: "name" (""); "faces", "up", "down" or "both" ("up"); "kind",
 //                  "segment", "arc", "parabola", "cubic", "sine" or "polyline"; and the members of the
 //                  struct of that name in collision/shape.h, with points as [x, y]. All are needed except

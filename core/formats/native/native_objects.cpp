@@ -184,6 +184,45 @@ FormatResult<Json> json_of(const std::vector<LevelCurve>& curves, const std::str
   });
 }
 
+namespace {
+
+// {"size": [columns, rows], "steps": n, "stand": [first tile, frames], ...}
+std::optional<BodyPicture> body_picture_of(const Json& json) {
+  if (!json.is_object()) return std::nullopt;
+  BodyPicture picture;
+  const auto is_pair = [](const Json& pair, int most_first, int most_second) {
+    return pair.is_array() && pair.size() == 2 && is_whole(pair[0], 0, most_first) &&
+           is_whole(pair[1], 1, most_second);
+  };
+  for (const auto& [key, value] : json.items()) {
+    const auto act = std::find(kBodyActWords.begin(), kBodyActWords.end(), key);
+    if (act != kBodyActWords.end() && is_pair(value, kMaxTiles - 1, kMaxBodyFrames)) {
+      picture.acts[static_cast<std::size_t>(act - kBodyActWords.begin())] = {value[0].get<TileNumber>(),
+                                                                             value[1].get<std::uint8_t>()};
+    } else if (key == "size" && is_pair(value, kMaxBodyPictureSide, kMaxBodyPictureSide) && value[0] != 0) {
+      picture.columns = value[0].get<std::uint8_t>();
+      picture.rows = value[1].get<std::uint8_t>();
+    } else if (key == "steps" && is_whole(value, 1, kMaxFrameSteps)) {
+      picture.steps = value.get<std::uint16_t>();
+    } else {
+      return std::nullopt;
+    }
+  }
+  return picture;
+}
+
+Json json_of(const BodyPicture& picture) {
+  Json json = Json::object();
+  if (picture.columns != 1 || picture.rows != 1) json["size"] = {picture.columns, picture.rows};
+  if (picture.steps != BodyPicture().steps) json["steps"] = picture.steps;
+  for (std::size_t act = 0; act < picture.acts.size(); ++act)
+    if (const auto& [first, count] = picture.acts[act]; count > 0)
+      json[std::string(kBodyActWords[act])] = {first, count};
+  return json;
+}
+
+}  // namespace
+
 FormatResult<Spawn> take_spawn(Json& json, const std::string& path) {
   MemberTaker take(json, path);
   Spawn spawn;
@@ -195,6 +234,14 @@ FormatResult<Spawn> take_spawn(Json& json, const std::string& path) {
   take.size("size", spawn.size);
   Foot foot = Foot::box;
   if (take.choice("foot", kFeet, foot)) spawn.foot = foot;
+  take.member("picture", [&](const Json& value) {
+    if (const auto picture = body_picture_of(value))
+      spawn.picture = *picture;
+    else
+      take.fail("picture",
+                "must hold \"size\", [columns, rows] of 1 to 16 tiles, \"steps\", 1 to 600, and [tile, "
+                "frames], 1 to 32 frames, for some of \"stand\", \"run\", \"jump\" and \"fall\"");
+  });
   spawn.extra = take.rest();
   return take.result(std::move(spawn));
 }
@@ -207,6 +254,7 @@ FormatResult<Json> json_of(const Spawn& spawn, const std::string& path) {
   if (spawn.kind != Spawn().kind) (*json)["kind"] = traits_of(spawn.kind).word;
   if (spawn.size != traits_of(spawn.kind).size) MemberPutter{*json}("size", spawn.size);
   if (spawn.foot) (*json)["foot"] = kFeet[static_cast<std::size_t>(*spawn.foot)];
+  if (spawn.picture != BodyPicture()) (*json)["picture"] = json_of(spawn.picture);
   Json copy = *json;  // what a reader would refuse is not written
   if (const auto good = take_spawn(copy, path); !good) return tl::unexpected(good.error());
   return json;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "body_drawing.h"
 #include "overlay/outline.h"
 #include "overlay/stage_drawing.h"
 #include "overlay/visible.h"
@@ -22,62 +23,7 @@ namespace {
 constexpr float kLeastScreen = 16;    // px of the screen: closer borders would cover everything
 constexpr double kSamePlace = 0.005;  // px: closer bodies hide one another
 
-int first_ball_tile(const Level& level) {  // -1: there is none
-  for (int tile = 0; tile < level.tile_count(); ++tile)
-    if (is_ball_tile(level, static_cast<TileNumber>(tile))) return tile;
-  return -1;
-}
-
-// Where bodies have their images from.
-struct BodyImages {
-  explicit BodyImages(const Level& its_level)
-      : level(its_level), layers(ground_layers(its_level)), first_ball(first_ball_tile(its_level)) {}
-  const Level& level;
-  std::vector<LayerCells> layers;
-  int first_ball;
-};
-
-// The image of a body: its own tile, of the layer in front, or the first ball tile; -1 if there is none.
-int image_of(const BodyImages& images, const Body& body) {
-  const auto& [level, layers, first_ball] = images;
-  if (body.origin.spawn >= 0 || !level.map.contains(body.origin.cell)) return first_ball;
-  const auto at = static_cast<std::size_t>(body.origin.cell.y) * level.map.width() + body.origin.cell.x;
-  for (auto cells = layers.rbegin(); cells != layers.rend(); ++cells)
-    if (const TileNumber tile = (*cells)->tiles()[at]; is_ball_tile(level, tile)) return tile;
-  return first_ball;
-}
-
-void draw_body(ImDrawList& list, const BodyImages& images, const Body& body, const CanvasView& view,
-               const Ui& ui, int alpha) {
-  const ImVec2 from = view.to_screen({body.box.x, body.box.y});
-  const ImVec2 to = view.to_screen({body.box.right(), body.box.bottom()});
-  if (traits_of(body.kind).look == BodyLook::figure) return draw_figure(list, from, to, body.foot, alpha);
-  const int tile = image_of(images, body);
-  if (tile >= 0) {
-    const UvRect uv = ui.uv_of(tile);
-    list.AddImage(ui.clear_tiles, from, to, uv.from, uv.to, IM_COL32(255, 255, 255, alpha));
-  } else {
-    list.AddCircleFilled({(from.x + to.x) / 2, (from.y + to.y) / 2}, (to.x - from.x) / 2,
-                         theme::color(theme::kText, alpha));
-  }
-}
-
 }  // namespace
-
-int tile_of_body(const Level& level, const Body& body) { return image_of(BodyImages(level), body); }
-
-void draw_figure(ImDrawList& list, ImVec2 from, ImVec2 to, Foot foot, int alpha) {
-  const float w = to.x - from.x, h = to.y - from.y;
-  const ImU32 dark = theme::color(theme::kDark, alpha);
-  list.AddRectFilled(from, to, theme::color(theme::kAccent, alpha));
-  list.AddRect(from, to, dark);
-  for (const float x : {0.3f, 0.6f})
-    list.AddRectFilled({from.x + w * x, from.y + h * 0.2f}, {from.x + w * (x + 0.12f), from.y + h * 0.45f},
-                       dark);
-  const float inset = foot == Foot::centre ? w * 0.38f : 0;
-  list.AddRectFilled({from.x + inset, to.y - std::max(1.0f, h * 0.15f)}, {to.x - inset, to.y},
-                     theme::color(theme::kText, alpha));
-}
 
 void draw_curves(ImDrawList& list, const Level& level, const CanvasView& view, float scale) {
   if (level.curves.empty()) return;
@@ -167,16 +113,20 @@ void draw_spawns(ImDrawList& list, const Level& level, const CanvasView& view, c
 }
 
 void draw_bodies(ImDrawList& list, const Session& session, const Level& level, const CanvasView& view,
-                 const Ui& ui, int alpha) {
-  draw_state(list, session.state(), session.choices().body, level, view, ui, alpha);
+                 const Ui& ui, int alpha, const std::unordered_map<int, bool>& looks_left) {
+  draw_state(list, session.state(), session.choices().body, level, view, ui, alpha, looks_left);
 }
 
 void draw_state(ImDrawList& list, const State& state, int chosen_body, const Level& level,
-                const CanvasView& view, const Ui& ui, int alpha) {
+                const CanvasView& view, const Ui& ui, int alpha,
+                const std::unordered_map<int, bool>& looks_left) {
   const Rect visible = view.visible();
-  const BodyImages images(level);
+  const BodyDrawing drawing(level, state.frame);
   for (const Body& body : state.bodies) {
-    if (meet(body.box, visible)) draw_body(list, images, body, view, ui, alpha);
+    if (!meet(body.box, visible)) continue;
+    const auto known = looks_left.find(body.id);
+    const bool is_left = known != looks_left.end() ? known->second : body.velocity.x < 0;
+    drawing.draw(list, body, is_left, view, ui, alpha);
   }
   if (const Body* chosen = state.find(chosen_body)) {
     const float gap = ui.px(2);

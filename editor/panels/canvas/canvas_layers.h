@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "camera.h"
@@ -22,19 +23,16 @@ void draw_screen_borders(ImDrawList& list, const TileMap& map, const CanvasView&
 // Where the bodies placed by hand start.
 void draw_spawns(ImDrawList& list, const Level& level, const CanvasView& view, const Ui& ui);
 // The bodies at the shown frame, with the images of a level; the chosen one is framed. `alpha`: 0 to 255.
+// looks_left: see draw_state().
 void draw_bodies(ImDrawList& list, const Session& session, const Level& level, const CanvasView& view,
-                 const Ui& ui, int alpha);
-// The tile whose image a body has: its own, of the layer in front, or the first ball tile; -1 if there is
-// none.
-int tile_of_body(const Level& level, const Body& body);
-// A box with a face, and its foot: the whole bottom side, or the middle of it. from, to: px of the screen.
-// `alpha`: 0 to 255.
-void draw_figure(ImDrawList& list, ImVec2 from, ImVec2 to, Foot foot, int alpha);
+                 const Ui& ui, int alpha, const std::unordered_map<int, bool>& looks_left = {});
 // The bodies of the other side of a comparison, if they are elsewhere.
 void draw_ghosts(ImDrawList& list, const Session& session, const CanvasView& view, float scale);
-// The bodies of any state; the one with this id is framed, 0: no body.
+// The bodies of any state; the one with this id is framed, 0: no body. looks_left: whether the pictures of
+// some bodies, by id, look to the left; others look where they go.
 void draw_state(ImDrawList& list, const State& state, int chosen_body, const Level& level,
-                const CanvasView& view, const Ui& ui, int alpha);
+                const CanvasView& view, const Ui& ui, int alpha,
+                const std::unordered_map<int, bool>& looks_left = {});
 // How the overlays are drawn, besides which.
 struct OverlayOptions {
   int pointed_at = 0;  // id of the body under the mouse; 0: no body

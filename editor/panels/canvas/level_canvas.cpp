@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "body_drawing.h"
 #include "canvas_layers.h"
 #include "case_note.h"
 #include "fix_preview.h"
@@ -117,6 +118,7 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
     followed_.reset();
   }
   start_afresh(session, ui, size);
+  note_directions(session);
   take_requests(session, ui, size);
   const ImVec2 min = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton(name_.c_str(), size,
@@ -373,6 +375,14 @@ void LevelCanvas::note_followed(const Session& session, const CanvasView& view, 
            view.to_screen({body->box.right(), body->box.bottom()}));
 }
 
+// A body that stands looks where it went last.
+void LevelCanvas::note_directions(const Session& session) {
+  if (session.state().frame == 0) looks_left_.clear();
+  for (const Body& body : session.state().bodies)
+    if (body.velocity.x != 0 && picture_of_body(session.level(), body) != nullptr)
+      looks_left_[body.id] = body.velocity.x < 0;
+}
+
 // The level without its bodies. then: the level to show; null: the current one.
 void LevelCanvas::draw_ground(const Session& session, const LevelAtFrame* then, int place,
                               const CanvasView& view, const Ui& ui) const {
@@ -412,7 +422,7 @@ void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, co
   if (choices.screen_borders) draw_screen_borders(list, level.map, view, ui.scale);
   if (!is_play() || (paints && choices.map_tool == MapTool::body)) draw_spawns(list, level, view, ui);
   const bool at_start = session.state().frame == 0;
-  draw_bodies(list, session, level, view, ui, is_play() || at_start ? 255 : 130);
+  draw_bodies(list, session, level, view, ui, is_play() || at_start ? 255 : 130, looks_left_);
   if (!is_play()) return;
   const Vec2 mouse = view.to_level(ImGui::GetIO().MousePos);
   const int pointed_at = ImGui::IsItemHovered() ? body_at(session.state(), mouse, 2.0 / view.zoom) : 0;

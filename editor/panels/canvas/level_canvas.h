@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 #include "camera.h"
@@ -70,6 +71,7 @@ class LevelCanvas {
   ScreenBox captions_box(const Session& session, const CanvasView& view, const Ui& ui) const;
   OverlayLegend legend(const Session& session, const CanvasView& view, const Ui& ui) const;
   bool pick_cell(const Session& session, Ui& ui, Cell cell, bool hovered) const;
+  void note_directions(const Session& session);
   void note_followed(const Session& session, const CanvasView& view, Ui& ui) const;
   void follow_body(const Session& session, const Ui& ui);
   void let_go(Ui& ui) const;
@@ -89,8 +91,9 @@ class LevelCanvas {
   bool compiling_ = false;  // whether its bodies were not all there then
   // Frame and body to which the view has gone; nothing if it follows none.
   std::optional<std::pair<std::int64_t, int>> followed_;
-  ImVec2 size_;           // px, of the canvas in the last frame
-  bool holding_ = false;  // whether the left button went down on the play view
+  std::unordered_map<int, bool> looks_left_;  // by id of bodies with pictures, which way they went last
+  ImVec2 size_;                               // px, of the canvas in the last frame
+  bool holding_ = false;                      // whether the left button went down on the play view
 };
 
 }  // namespace talus

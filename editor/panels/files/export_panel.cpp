@@ -30,12 +30,7 @@ const ExportPreset& chosen_preset(const Session& session, const Ui& ui) {
 }
 
 // Its label with a capital; in sentences it has none.
-std::string exporter_title(const Exporter& exporter) {
-  std::string title(exporter.label);
-  if (title.front() >= 'a' && title.front() <= 'z')
-    title.front() = static_cast<char>(title.front() - 'a' + 'A');
-  return title;
-}
+std::string exporter_title(const Exporter& exporter) { return capitalized(exporter.label); }
 
 std::string target_label(const std::string& id) {
   const Exporter* exporter = find_exporter(id);

@@ -32,10 +32,7 @@ const ExportOutcome* failed_outcome(const Session& session, const Ui& ui) {
 }
 
 std::string sentence(const FormatError& error) {
-  std::string text = error.place.empty() ? error.message : error.place + ": " + error.message;
-  const bool starts_sentence = error.place.empty() && !text.empty() && text.front() >= 'a';
-  if (starts_sentence && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 'a' + 'A');
-  return text + ".";
+  return (error.place.empty() ? capitalized(error.message) : error.place + ": " + error.message) + ".";
 }
 
 void draw_file(const PlannedFile& file, const ExportOutcome& outcome, Ui& ui) {
@@ -85,8 +82,8 @@ void draw_file_table(const ExportOutcome* outcome, bool is_cancelled, Ui& ui) {
   ImGui::TableSetupColumn("file");
   ImGui::TableSetupColumn("size", ImGuiTableColumnFlags_WidthFixed, ui.px(kSizeColumn));
   ImGui::TableSetupColumn("place", ImGuiTableColumnFlags_WidthFixed, ui.px(kPlaceColumn));
-  for (const PlannedFile& file : outcome->files) draw_file(file, *outcome, ui);
   for (const PlannedFile& file : outcome->kept) draw_kept_file(file, ui);
+  for (const PlannedFile& file : outcome->files) draw_file(file, *outcome, ui);
   ImGui::EndTable();
 }
 

@@ -24,9 +24,7 @@ constexpr float kWorldHeight = 200;  // px at scale 1
 std::string text_of(const LevelImport& import) {
   if (!import.plan) {
     const FormatError& error = import.plan.error();
-    std::string text = (error.place.empty() ? "the file" : error.place) + " " + error.message + ".";
-    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-    return text;
+    return capitalized((error.place.empty() ? "the file" : error.place) + " " + error.message + ".");
   }
   const TileMap& map = import.plan->level.map;
   std::string text =

@@ -9,4 +9,8 @@ int chosen_spawn(const Session& session) {
   return body->origin.spawn;
 }
 
+const Spawn& spawn_of(const Session& session, int index) {
+  return session.level().spawns[static_cast<std::size_t>(index)];
+}
+
 }  // namespace talus

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "chosen_spawn.h"
+#include "edit/body_frames.h"
 #include "edit/spawn_tools.h"
 #include "level/single_change.h"
 #include "overlay/number_label.h"
@@ -30,10 +32,6 @@ std::optional<std::size_t> draw_choice(std::string_view name, std::span<const st
   return chosen;
 }
 
-const Spawn& spawn_of(const Session& session, int index) {
-  return session.level().spawns[static_cast<std::size_t>(index)];
-}
-
 void change(const Session& session, int index, Spawn spawn, std::string label, int stroke, Actions& actions) {
   actions.push_back(
       action::EditLevel{change_spawn(session.level(), index, std::move(spawn), std::move(label)), stroke});
@@ -52,6 +50,8 @@ void SpawnInspector::draw(const Session& session, int index, Actions& actions, U
   draw_kind(session, index, actions, ui);
   draw_name(session, index, actions, ui);
   draw_start(session, index, actions, ui);
+  draw_size(session, index, actions, ui);
+  picture_.draw(session, index, actions, ui);
   if (traits_of(spawn_of(session, index).kind).takes_keys &&
       session.level().tuning.solver != SolverKind::exact)
     ui.hint("Players run only with the exact solver: see Tuning.");
@@ -122,6 +122,23 @@ void SpawnInspector::draw_start(const Session& session, int index, Actions& acti
   number("vx", spawn.velocity.x, "Its speed to the right at the start, px/frame.", 0.05f);
   number("vy", spawn.velocity.y, "Its speed downwards at the start, px/frame.", 0.05f);
   if (changed) change(session, index, std::move(spawn), "Change how a body starts", number_.stroke, actions);
+}
+
+// The middle of its bottom stays: that is where it stands.
+void SpawnInspector::draw_size(const Session& session, int index, Actions& actions, Ui& ui) {
+  const Spawn& spawn = spawn_of(session, index);
+  Vec2 size = spawn.size;
+  bool changed = false;
+  const auto number = [&](const std::string& part, double& value, const char* help) {
+    if (part != "w") ui.same_line_if_fits(ui.px(76));
+    const std::string name = "inspector/size_" + part, format = part + " %.8g";
+    changed |= draw_number_field({name, format.c_str(), help, 76, 1}, value, session, number_, ui);
+  };
+  ui.heading("Size");
+  number("w", size.x, "The width of its box, px. The middle of its bottom stays where it is.");
+  number("h", size.y, "The height of its box, px. Its bottom stays where it is.");
+  if (changed)
+    change(session, index, with_size(spawn, size), "Change a body's size", number_.stroke, actions);
 }
 
 }  // namespace talus

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "body_picture_fields.h"
 #include "panels/ui/number_field.h"
 #include "panels/ui/ui.h"
 #include "session/session.h"
@@ -18,10 +19,12 @@ class SpawnInspector {
   void draw_kind(const Session& session, int index, Actions& actions, Ui& ui);
   void draw_name(const Session& session, int index, Actions& actions, Ui& ui);
   void draw_start(const Session& session, int index, Actions& actions, Ui& ui);
+  void draw_size(const Session& session, int index, Actions& actions, Ui& ui);
 
   int shown_ = -1;    // the spawn that name_ belongs to
   std::string name_;  // as it is being typed
   NumberEdit number_;
+  BodyPictureFields picture_;
 };
 
 }  // namespace talus

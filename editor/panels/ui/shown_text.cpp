@@ -75,6 +75,13 @@ struct TypedText {
 
 }  // namespace
 
+std::string capitalized(std::string_view text) {
+  std::string result(text);
+  if (!result.empty() && result.front() >= 'a' && result.front() <= 'z')
+    result.front() = static_cast<char>(result.front() - 'a' + 'A');
+  return result;
+}
+
 std::string shown_line(std::string_view text, std::size_t most) { return cut(text, most, false); }
 
 std::string shown_text(std::string_view text, std::size_t most) { return cut(text, most, true); }

@@ -24,6 +24,9 @@ std::string shown_line(std::string_view text, std::size_t most = kMostLine);
 // The same, with its line ends kept.
 std::string shown_text(std::string_view text, std::size_t most = kMostText);
 
+// The text with its first letter as a capital, if that is one of a to z.
+std::string capitalized(std::string_view text);
+
 // Text at the cursor, in one line, or wrapped if a wrap position is set.
 void draw_text(std::string_view text);
 void draw_text(std::string_view text, ImU32 color);

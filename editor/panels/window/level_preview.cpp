@@ -11,6 +11,7 @@
 #include "level/resize.h"
 #include "level/tile_color.h"
 #include "overlay/visible.h"
+#include "panels/canvas/body_drawing.h"
 #include "panels/canvas/canvas_layers.h"
 #include "panels/canvas/opening_area.h"
 #include "panels/files/picture_in_list.h"
@@ -58,14 +59,22 @@ std::shared_ptr<const SheetPicture> picture_of_area(const Level& level, const Re
   return picture ? shared_picture(*picture) : nullptr;
 }
 
-// Colour 0 is clear.
-std::shared_ptr<const SheetPicture> picture_of_ball(const Level& level, int number) {
+// Of tiles that lie together on the sheet. Colour 0 is clear where they have 16 colours.
+std::shared_ptr<const SheetPicture> picture_of_tiles(const Level& level, CellRect tiles) {
   const TileSize tile = level.map.tile_size();
-  SheetPicture picture{tile.width, tile.height, {}};
-  const TileImage& image = level.sheet(SheetId::tiles).images[static_cast<std::size_t>(number)];
-  for (int y = 0; y < tile.height; ++y) {
-    for (int x = 0; x < tile.width; ++x) {
-      const std::uint8_t index = color_at(image, tile, x, y);
+  const Sheet& sheet = level.sheet(SheetId::tiles);
+  SheetPicture picture{tiles.w * tile.width, tiles.h * tile.height, {}};
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const int sheet_x = tiles.x * tile.width + x, sheet_y = tiles.y * tile.height + y;
+      if (sheet.picture != nullptr) {
+        const std::uint8_t* rgba = sheet.picture->at(sheet_x, sheet_y);
+        picture.rgba.insert(picture.rgba.end(), rgba, rgba + 4);
+        continue;
+      }
+      const int number = sheet.layout().tile_at({sheet_x / tile.width, sheet_y / tile.height});
+      const TileImage& image = sheet.images[static_cast<std::size_t>(number)];
+      const std::uint8_t index = color_at(image, tile, sheet_x % tile.width, sheet_y % tile.height);
       const Rgb color = level.palette[index];
       picture.rgba.insert(picture.rgba.end(),
                           {color.r, color.g, color.b, static_cast<std::uint8_t>(index == 0 ? 0 : 255)});
@@ -86,10 +95,13 @@ LevelPreview::LevelPreview(const std::string& path) {
   solver_ = make_solver(scene);
   area_ = area_of_cells(opening_area(level_, state_).area, level_.map);
   picture_ = picture_of_area(level_, area_);
-  for (const Body& body : state_.bodies) {
-    const int tile = tile_of_body(level_, body);
-    images_.push_back(tile >= 0 ? picture_of_ball(level_, tile) : nullptr);
-  }
+}
+
+// Each is made when it is first seen.
+const std::shared_ptr<const SheetPicture>& LevelPreview::image_of(CellRect tiles) const {
+  auto& image = images_[{tiles.x, tiles.y, tiles.w, tiles.h}];
+  if (image == nullptr) image = picture_of_tiles(level_, tiles);
+  return image;
 }
 
 Input LevelPreview::input() const {
@@ -117,16 +129,25 @@ void LevelPreview::step() {
   solver_->step(state_, input());
 }
 
-void LevelPreview::draw_body(const Body& body, ImVec2 from, ImVec2 to, Ui& ui) const {
+void LevelPreview::draw_body(const BodyDrawing& drawing, const Body& body, const CanvasView& view,
+                             Ui& ui) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const auto& image = images_[static_cast<std::size_t>(body.id - 1)];
-  if (traits_of(body.kind).look == BodyLook::figure)
-    draw_figure(list, from, to, body.foot, 255);
-  else if (image != nullptr)
-    list.AddImage(ui.small_pictures->texture(image), from, to);
-  else
-    list.AddCircleFilled({(from.x + to.x) / 2, (from.y + to.y) / 2}, (to.x - from.x) / 2,
-                         theme::color(theme::kText));
+  const auto at = [&](const Rect& box) {
+    return std::pair(view.to_screen({box.x, box.y}), view.to_screen({box.right(), box.bottom()}));
+  };
+  if (const auto frame = drawing.frame_of(body)) {
+    auto [from, to] = at(place_of_picture(*picture_of_body(level_, body), body.box, view.tile));
+    if (body.velocity.x < 0) std::swap(from.x, to.x);
+    return list.AddImage(ui.small_pictures->texture(image_of(*frame)), from, to);
+  }
+  const auto [from, to] = at(body.box);
+  if (traits_of(body.kind).look == BodyLook::figure) return draw_figure(list, from, to, body.foot, 255);
+  if (const int tile = drawing.tile_of(body); tile >= 0) {
+    const Cell place = level_.sheet(SheetId::tiles).layout().place_of(tile);
+    return list.AddImage(ui.small_pictures->texture(image_of({place.x, place.y, 1, 1})), from, to);
+  }
+  list.AddCircleFilled({(from.x + to.x) / 2, (from.y + to.y) / 2}, (to.x - from.x) / 2,
+                       theme::color(theme::kText));
 }
 
 void LevelPreview::draw(ImVec2 min, ImVec2 max, Ui& ui) const {
@@ -143,10 +164,9 @@ void LevelPreview::draw(ImVec2 min, ImVec2 max, Ui& ui) const {
   ImGui::PushClipRect(view.to_screen({area_.x, area_.y}), view.to_screen({area_.right(), area_.bottom()}),
                       true);
   draw_curves(*ImGui::GetWindowDrawList(), level_, view, ui.scale / 2);
+  const BodyDrawing drawing(level_, state_.frame);
   for (const Body& body : state_.bodies)
-    if (meet(body.box, area_))
-      draw_body(body, view.to_screen({body.box.x, body.box.y}),
-                view.to_screen({body.box.right(), body.box.bottom()}), ui);
+    if (meet(body.box, area_)) draw_body(drawing, body, view, ui);
   ImGui::PopClipRect();
 }
 

@@ -1,6 +1,7 @@
 // LevelPreview: a level that plays by itself in a small picture.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -9,6 +10,7 @@
 
 #include <talus/sim/solver.h>
 #include "level/hard_case.h"
+#include "panels/canvas/body_drawing.h"
 #include "panels/ui/ui.h"
 
 namespace talus {
@@ -28,13 +30,15 @@ class LevelPreview {
  private:
   Input input() const;  // of the next step: that of the hard case, or of a hand that runs to and fro
   bool is_over() const;
-  void draw_body(const Body& body, ImVec2 from, ImVec2 to, Ui& ui) const;
+  const std::shared_ptr<const SheetPicture>& image_of(CellRect tiles) const;
+  void draw_body(const BodyDrawing& drawing, const Body& body, const CanvasView& view, Ui& ui) const;
 
   Level level_;
-  HardCase case_;                                            // without input if the level is no hard case
-  Rect area_;                                                // px of the level, of whole cells
-  std::shared_ptr<const SheetPicture> picture_;              // of the area; null: the level could not be read
-  std::vector<std::shared_ptr<const SheetPicture>> images_;  // of the bodies, by id - 1; null: a circle
+  HardCase case_;                                // without input if the level is no hard case
+  Rect area_;                                    // px of the level, of whole cells
+  std::shared_ptr<const SheetPicture> picture_;  // of the area; null: the level could not be read
+  // Of tiles that bodies show, by their place and size on the sheet.
+  mutable std::map<std::array<int, 4>, std::shared_ptr<const SheetPicture>> images_;
   std::unique_ptr<Solver> solver_;
   State start_, state_;
 };

@@ -29,6 +29,12 @@ bool same_ground(const TileLayers& a, const TileLayers& b) {
          std::equal(a.groups.begin(), a.groups.end(), b.groups.begin(), b.groups.end(), same_place);
 }
 
+// Whether two bodies differ in their names and pictures alone.
+bool move_alike(const Spawn& a, const Spawn& b) {
+  return a.position == b.position && a.velocity == b.velocity && a.kind == b.kind && a.size == b.size &&
+         a.foot == b.foot;
+}
+
 // Whether the simulation can see a change. Painting pixels, or one plain tile over another, must not cost a
 // compilation.
 bool changes_scene(const Level& level, const Change& change) {
@@ -43,6 +49,8 @@ bool changes_scene(const Level& level, const Change& change) {
                   shape_of_cell(level, c.before) != shape_of_cell(level, c.after));
         } else if constexpr (std::is_same_v<T, FlagsChange>) {
           return c.sheet == SheetId::tiles && !same_physics(level, c.before, c.after);
+        } else if constexpr (std::is_same_v<T, SpawnsChange>) {
+          return !std::equal(c.before.begin(), c.before.end(), c.after.begin(), c.after.end(), move_alike);
         } else if constexpr (std::is_same_v<T, LayersChange>) {
           return !same_ground(c.before, c.after);
         } else {

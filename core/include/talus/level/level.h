@@ -11,6 +11,7 @@
 #include <talus/collision/shape.h>
 #include <talus/level/auto_tiles.h>
 #include <talus/level/body_kind.h>
+#include <talus/level/body_picture.h>
 #include <talus/level/brushes.h>
 #include <talus/level/exports.h>
 #include <talus/level/flag_fields.h>
@@ -41,6 +42,7 @@ struct Spawn {
   BodyKind kind = BodyKind::ball;  // what moves it, its looks, its default foot
   Vec2 size = {8, 8};              // px, each kMinBodySize..kMaxBodySize
   std::optional<Foot> foot = {};   // what stands on slopes; none: as the kind has it
+  BodyPicture picture = {};        // how it is drawn; empty: as the kind says
   // What stands on slopes: its own, or that of its kind.
   Foot used_foot() const { return foot.value_or(traits_of(kind).foot); }
   friend bool operator==(const Spawn&, const Spawn&) = default;

@@ -1,4 +1,5 @@
 // The body tool: places a body, moves one, or pulls the arrow of its velocity.
+#include <algorithm>
 #include <cmath>
 
 #include "debug/number_text.h"
@@ -12,23 +13,30 @@
 namespace talus {
 namespace {
 
-constexpr double kArrowScale = 4;     // px of the arrow for each px/frame, as in the velocity overlay
-constexpr double kTipReach = 7;       // px of the screen
+constexpr double kArrowScale = 4;  // px of the arrow for each px/frame, as in the velocity overlay
+constexpr double kTipReach = 7;    // px of the screen
+constexpr const char* kFirstBody = "first body";
 constexpr double kRestDistance = 10;  // px of the screen, from a resting body up to the handle
 
-// A copy of the chosen body; if none is chosen, a player, or a ball where the solver moves no players.
-Spawn next_spawn(const Session& session, Vec2 at) {
+// In the corner of the cell at a place.
+Spawn new_spawn(const Level& level, BodyKind kind, Vec2 at) {
   Spawn spawn;
-  spawn.kind = session.level().tuning.solver == SolverKind::exact ? BodyKind::player : BodyKind::ball;
-  spawn.size = new_body_size(spawn.kind, session.level().map.tile_size());
-  if (const int like = chosen_spawn(session); like >= 0) {
-    const Spawn& chosen = session.level().spawns[static_cast<std::size_t>(like)];
-    spawn.kind = chosen.kind;
-    spawn.foot = chosen.foot;
-    spawn.size = chosen.size;
-  }
-  const TileMap& map = session.level().map;
-  spawn.position = map.corner_of(map.cell_at(at));
+  spawn.kind = kind;
+  spawn.size = new_body_size(kind, level.map.tile_size());
+  spawn.position = level.map.corner_of(level.map.cell_at(at));
+  return spawn;
+}
+
+// What a new body is like: the chosen one, else the one that was placed last; nothing if there is none yet.
+std::optional<Spawn> next_spawn(const Session& session, Vec2 at) {
+  const Level& level = session.level();
+  if (level.spawns.empty()) return std::nullopt;
+  const int chosen = chosen_spawn(session);
+  const Spawn& like = chosen >= 0 ? level.spawns[static_cast<std::size_t>(chosen)] : level.spawns.back();
+  Spawn spawn = new_spawn(level, like.kind, at);
+  spawn.foot = like.foot;
+  spawn.size = like.size;
+  spawn.picture = like.picture;
   return spawn;
 }
 
@@ -44,6 +52,40 @@ Vec2 handle_place(const Spawn& spawn, const CanvasView& view) {
 bool is_on_tip(const Spawn& spawn, const LevelToolUse& use) {
   const Vec2 to = handle_place(spawn, use.view) - use.at;
   return std::hypot(to.x, to.y) * use.view.zoom <= kTipReach;
+}
+
+// A corner of its box: 0 and 1 at the top, 0 and 2 at the left.
+Vec2 corner_of(const Spawn& spawn, int corner) {
+  return {spawn.position.x + (corner % 2 == 1 ? spawn.size.x : 0),
+          spawn.position.y + (corner >= 2 ? spawn.size.y : 0)};
+}
+
+// Corners of a small box would leave no place to hold it by.
+bool has_corners(const Spawn& spawn, const CanvasView& view) {
+  constexpr double kLeastSide = 4 * kTipReach;  // px of the screen
+  return std::min(spawn.size.x, spawn.size.y) * view.zoom >= kLeastSide;
+}
+
+// The corner under the mouse; -1: none.
+int corner_at(const Spawn& spawn, const LevelToolUse& use) {
+  if (!has_corners(spawn, use.view)) return -1;
+  for (int corner = 0; corner < 4; ++corner) {
+    const Vec2 to = corner_of(spawn, corner) - use.at;
+    if (std::max(std::abs(to.x), std::abs(to.y)) * use.view.zoom <= kTipReach) return corner;
+  }
+  return -1;
+}
+
+// The body with a corner elsewhere, at least 1 px from the opposite one, which stays.
+Spawn with_corner(Spawn spawn, int corner, Vec2 to) {
+  const Vec2 stays = corner_of(spawn, 3 - corner);
+  const auto side = [](double from, double there, bool is_after) {
+    return std::clamp(is_after ? there - from : from - there, 1.0, kMaxBodySize);
+  };
+  spawn.size = {side(stays.x, to.x, corner % 2 == 1), side(stays.y, to.y, corner >= 2)};
+  spawn.position = {corner % 2 == 1 ? stays.x : stays.x - spawn.size.x,
+                    corner >= 2 ? stays.y : stays.y - spawn.size.y};
+  return spawn;
 }
 
 // Nothing for a body that is out of sight.
@@ -62,6 +104,8 @@ class BodyTool : public LevelTool {
   bool press(const LevelToolUse& use, Actions& actions) override;
   void drag(const LevelToolUse& use, Actions& actions) override;
   void release(const LevelToolUse&, Actions&) override { let_go(); }
+  // Asks what the first body of a level shall be.
+  void rest(const LevelToolUse& use, Actions& actions) override;
   void cancel(const LevelToolUse& use, Actions& actions) override {
     LevelTool::cancel(use, actions);
     let_go();
@@ -72,15 +116,20 @@ class BodyTool : public LevelTool {
 
  private:
   void let_go() {
-    held_ = -1;
+    held_ = corner_ = -1;
     pulls_ = false;
   }
   void move(const LevelToolUse& use, Actions& actions) const;
   void pull(const LevelToolUse& use, Actions& actions) const;
+  void resize(const LevelToolUse& use, Actions& actions) const;
+  // The corners that can be dragged, registered as "map/body_corner0" to 3, and what it stands on.
+  void draw_box(ImDrawList& list, const CurvePen& pen, const Spawn& spawn, const LevelToolUse& use) const;
   void draw_arrow(ImDrawList& list, const CurvePen& pen, const Spawn& spawn, const LevelToolUse& use) const;
 
   int held_ = -1;       // index of the held spawn
   bool pulls_ = false;  // its arrow is held, not its box
+  int corner_ = -1;     // the corner of its box that is held; -1: none
+  Vec2 asked_at_;       // px, where the first body of the level will be
   Vec2 grip_;           // px, from its corner, or from the arrow's tip, to the mouse
 };
 
@@ -88,8 +137,14 @@ bool BodyTool::press(const LevelToolUse& use, Actions& actions) {
   const Session& session = use.session;
   const Level& level = session.level();
   pulls_ = false;
+  corner_ = -1;
   if (const int chosen = chosen_spawn(session); chosen >= 0) {
     const Spawn& spawn = level.spawns[static_cast<std::size_t>(chosen)];
+    if (corner_ = corner_at(spawn, use); corner_ >= 0) {
+      held_ = chosen;
+      grip_ = use.at - corner_of(spawn, corner_);
+      return true;
+    }
     if (is_on_tip(spawn, use)) {
       held_ = chosen;
       pulls_ = true;
@@ -104,12 +159,33 @@ bool BodyTool::press(const LevelToolUse& use, Actions& actions) {
     actions.push_back(action::SelectSpawn{held_});
     return true;
   }
-  const Spawn spawn = next_spawn(session, use.at);
+  const std::optional<Spawn> spawn = next_spawn(session, use.at);
+  if (!spawn) {
+    asked_at_ = use.at;
+    ImGui::OpenPopup(kFirstBody);
+    return false;
+  }
   held_ = static_cast<int>(level.spawns.size());
-  grip_ = use.at - spawn.position;
-  actions.push_back(action::EditLevel{add_spawn(level, spawn), use.stroke});
+  grip_ = use.at - spawn->position;
+  actions.push_back(action::EditLevel{add_spawn(level, *spawn), use.stroke});
   actions.push_back(action::SelectSpawn{held_});
   return true;
+}
+
+void BodyTool::rest(const LevelToolUse& use, Actions& actions) {
+  ImGui::SetNextWindowSizeConstraints({use.ui.px(240), 0}, {use.ui.px(240), use.ui.px(240)});
+  if (!ImGui::BeginPopup(kFirstBody)) return;
+  const Level& level = use.session.level();
+  use.ui.hint("What shall it be? The next ones are like it.");
+  for (const BodyTraits& traits : body_kinds()) {
+    if (menu_item(capitalized(traits.word), traits.word)) {
+      const Spawn spawn = new_spawn(level, *find_body_kind(traits.word), asked_at_);
+      actions.push_back(action::EditLevel{add_spawn(level, spawn)});
+      actions.push_back(action::SelectSpawn{static_cast<int>(level.spawns.size())});
+    }
+    use.ui.item("map/first_body_" + std::string(traits.word), traits.help);
+  }
+  ImGui::EndPopup();
 }
 
 void BodyTool::drag(const LevelToolUse& use, Actions& actions) {
@@ -118,6 +194,8 @@ void BodyTool::drag(const LevelToolUse& use, Actions& actions) {
   if (held_ < 0) return;
   if (pulls_)
     pull(use, actions);
+  else if (corner_ >= 0)
+    resize(use, actions);
   else if (level.map.contains(use.cell))
     move(use, actions);
 }
@@ -130,6 +208,18 @@ void BodyTool::move(const LevelToolUse& use, Actions& actions) const {
   if (std::abs(to.x - spawn.position.x) < 1 && std::abs(to.y - spawn.position.y) < 1) return;
   spawn.position = to;
   actions.push_back(action::EditLevel{change_spawn(level, held_, spawn, "Move a body"), use.stroke});
+}
+
+void BodyTool::resize(const LevelToolUse& use, Actions& actions) const {
+  const Level& level = use.session.level();
+  const Spawn& spawn = level.spawns[static_cast<std::size_t>(held_)];
+  const Vec2 to{std::round(use.at.x - grip_.x), std::round(use.at.y - grip_.y)};
+  const Vec2 now = corner_of(spawn, corner_);
+  if (std::abs(to.x - now.x) < 1 && std::abs(to.y - now.y) < 1) return;
+  const Spawn resized = with_corner(spawn, corner_, to);
+  if (resized == spawn) return;
+  actions.push_back(
+      action::EditLevel{change_spawn(level, held_, resized, "Change a body's size"), use.stroke});
 }
 
 // The tip stays on whole px, which are quarters of a px/frame; with Alt it does not.
@@ -156,12 +246,34 @@ void BodyTool::draw(ImDrawList& list, const LevelToolUse& use) const {
   if (pointed >= 0 && pointed != chosen) draw_spawn_title(pen, use, pointed, theme::kText);
   if (chosen < 0) return;
   const Spawn& spawn = level.spawns[static_cast<std::size_t>(chosen)];
+  draw_box(list, pen, spawn, use);
   draw_arrow(list, pen, spawn, use);
-  if (pulls_ || (use.hovered && is_on_tip(spawn, use)))
+  if (corner_ >= 0)
+    pen.title(short_text(spawn.size) + " px", use.view.to_screen(corner_of(spawn, 1)), theme::kWarning);
+  else if (pulls_ || (use.hovered && is_on_tip(spawn, use)))
     pen.title(short_text(spawn.velocity) + " px/frame", use.view.to_screen(handle_place(spawn, use.view)),
               theme::kWarning);
   else
     draw_spawn_title(pen, use, chosen, theme::kAccent);
+}
+
+void BodyTool::draw_box(ImDrawList& list, const CurvePen& pen, const Spawn& spawn,
+                        const LevelToolUse& use) const {
+  const double bottom = spawn.position.y + spawn.size.y, middle = spawn.position.x + spawn.size.x / 2;
+  const ImU32 color = theme::color(theme::kWarning);
+  if (spawn.used_foot() == Foot::centre)
+    pen.line({middle, bottom - kRestDistance / 2 / use.view.zoom}, {middle, bottom}, color);
+  else
+    pen.line({spawn.position.x, bottom}, {spawn.position.x + spawn.size.x, bottom}, color);
+  if (!has_corners(spawn, use.view)) return;
+  const float half = use.ui.px(3);
+  for (int corner = 0; corner < 4; ++corner) {
+    const ImVec2 at = use.view.to_screen(corner_of(spawn, corner));
+    const ImVec2 min{at.x - half, at.y - half}, max{at.x + half, at.y + half};
+    list.AddRectFilled({min.x - 1, min.y - 1}, {max.x + 1, max.y + 1}, theme::color(theme::kDark));
+    list.AddRectFilled(min, max, theme::color(theme::kAccent));
+    use.ui.place("map/body_corner" + std::to_string(corner), min, max);
+  }
 }
 
 void BodyTool::draw_arrow(ImDrawList& list, const CurvePen& pen, const Spawn& spawn,

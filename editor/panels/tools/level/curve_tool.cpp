@@ -64,12 +64,6 @@ Grip grip_at(const LevelToolUse& use) {
   return {curve_at(use.session.level(), use.at, kLineReach / use.view.zoom), -1};
 }
 
-std::string capitalized(std::string_view text) {
-  std::string result(text);
-  if (!result.empty() && result[0] >= 'a' && result[0] <= 'z') result[0] = static_cast<char>(result[0] - 32);
-  return result;
-}
-
 // For the chosen curve, if any part of it is in sight.
 void draw_title(const CurvePen& pen, const LevelToolUse& use, int index) {
   const Curve& curve = curve_of(use.session, index).curve;

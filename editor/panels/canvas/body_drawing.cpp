@@ -1,0 +1,91 @@
+// Draws one body at a time onto a canvas.
+#include "body_drawing.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "panels/ui/theme.h"
+
+namespace talus {
+namespace {
+
+int first_ball_tile(const Level& level) {
+  for (int tile = 0; tile < level.tile_count(); ++tile)
+    if (is_ball_tile(level, static_cast<TileNumber>(tile))) return tile;
+  return -1;
+}
+
+}  // namespace
+
+const BodyPicture* picture_of_body(const Level& level, const Body& body) {
+  const int spawn = body.origin.spawn;
+  if (spawn < 0 || spawn >= static_cast<int>(level.spawns.size())) return nullptr;
+  const BodyPicture& picture = level.spawns[static_cast<std::size_t>(spawn)].picture;
+  return picture.empty() ? nullptr : &picture;
+}
+
+int tile_of_body(const Level& level, const Body& body) { return BodyDrawing(level, 0).tile_of(body); }
+
+Rect place_of_picture(const BodyPicture& picture, const Rect& box, TileSize tile) {
+  const double w = picture.columns * tile.width, h = picture.rows * tile.height;
+  return {box.x + (box.w - w) / 2, box.bottom() - h, w, h};
+}
+
+void draw_figure(ImDrawList& list, ImVec2 from, ImVec2 to, Foot foot, int alpha) {
+  const float w = to.x - from.x, h = to.y - from.y;
+  const ImU32 dark = theme::color(theme::kDark, alpha);
+  list.AddRectFilled(from, to, theme::color(theme::kAccent, alpha));
+  list.AddRect(from, to, dark);
+  for (const float x : {0.3f, 0.6f})
+    list.AddRectFilled({from.x + w * x, from.y + h * 0.2f}, {from.x + w * (x + 0.12f), from.y + h * 0.45f},
+                       dark);
+  const float inset = foot == Foot::centre ? w * 0.38f : 0;
+  list.AddRectFilled({from.x + inset, to.y - std::max(1.0f, h * 0.15f)}, {to.x - inset, to.y},
+                     theme::color(theme::kText, alpha));
+}
+
+BodyDrawing::BodyDrawing(const Level& level, std::int64_t step)
+    : level_(level), step_(step), layers_(ground_layers(level)), first_ball_(first_ball_tile(level)) {}
+
+int BodyDrawing::tile_of(const Body& body) const {
+  if (body.origin.spawn >= 0 || !level_.map.contains(body.origin.cell)) return first_ball_;
+  const auto at = static_cast<std::size_t>(body.origin.cell.y) * level_.map.width() + body.origin.cell.x;
+  for (auto cells = layers_.rbegin(); cells != layers_.rend(); ++cells)
+    if (const TileNumber tile = (*cells)->tiles()[at]; is_ball_tile(level_, tile)) return tile;
+  return first_ball_;
+}
+
+std::optional<CellRect> BodyDrawing::frame_of(const Body& body) const {
+  const BodyPicture* its = picture_of_body(level_, body);
+  if (its == nullptr) return std::nullopt;
+  const SheetLayout layout = level_.sheet(SheetId::tiles).layout();
+  const BodyPicture picture = on_sheet(*its, layout);
+  if (picture.empty()) return std::nullopt;
+  const Cell at = layout.place_of(frame_tile(picture, act_of(body), step_));
+  return CellRect{at.x, at.y, picture.columns, picture.rows};
+}
+
+void BodyDrawing::draw(ImDrawList& list, const Body& body, bool looks_left, const CanvasView& view,
+                       const Ui& ui, int alpha) const {
+  if (const auto frame = frame_of(body)) {
+    const Rect place = place_of_picture(*picture_of_body(level_, body), body.box, level_.map.tile_size());
+    UvRect uv = ui.uv_of(SheetId::tiles, *frame);
+    if (looks_left) std::swap(uv.from.x, uv.to.x);
+    return list.AddImage(ui.clear_tiles, view.to_screen({place.x, place.y}),
+                         view.to_screen({place.right(), place.bottom()}), uv.from, uv.to,
+                         IM_COL32(255, 255, 255, alpha));
+  }
+  const ImVec2 from = view.to_screen({body.box.x, body.box.y});
+  const ImVec2 to = view.to_screen({body.box.right(), body.box.bottom()});
+  if (traits_of(body.kind).look == BodyLook::figure) return draw_figure(list, from, to, body.foot, alpha);
+  const int tile = tile_of(body);
+  if (tile >= 0) {
+    const UvRect uv = ui.uv_of(tile);
+    list.AddImage(ui.clear_tiles, from, to, uv.from, uv.to, IM_COL32(255, 255, 255, alpha));
+  } else {
+    list.AddCircleFilled({(from.x + to.x) / 2, (from.y + to.y) / 2}, (to.x - from.x) / 2,
+                         theme::color(theme::kText, alpha));
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,115 @@
+// Takes frames from the sheet of tiles.
+#include "body_picture_fields.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "chosen_spawn.h"
+#include "edit/body_frames.h"
+#include "level/single_change.h"
+
+namespace talus {
+namespace {
+
+constexpr float kFrameSide = 32, kActLabel = 52, kMostFramesShown = 6;  // px at scale 1; frames
+
+struct ActText {
+  std::string_view label, help;
+};
+constexpr std::array<ActText, kBodyActs> kActs = {
+    {{"Stand", "while it stands, and for what has no frames of its own"},
+     {"Run", "while it runs or rolls"},
+     {"Jump", "while it rises"},
+     {"Fall", "while it falls"}}};
+
+void change_picture(const Session& session, int index, const BodyPicture& picture, int stroke,
+                    Actions& actions) {
+  Spawn spawn = spawn_of(session, index);
+  spawn.picture = picture;
+  actions.push_back(action::EditLevel{
+      change_spawn(session.level(), index, std::move(spawn), "Change a body's picture"), stroke});
+}
+
+// The frames of an act, from the left; those beside the sheet are empty.
+void draw_frames(const BodyPicture& picture, const BodyFrames& frames, const Level& level, Ui& ui) {
+  const SheetLayout layout = level.sheet(SheetId::tiles).layout();
+  const TileSize tile = level.map.tile_size();
+  const float aspect =
+      static_cast<float>(picture.columns * tile.width) / static_cast<float>(picture.rows * tile.height);
+  const ImVec2 size{ui.px(kFrameSide) * std::min(1.0f, aspect),
+                    ui.px(kFrameSide) * std::min(1.0f, 1 / aspect)};
+  const int shown = std::min<int>(frames.count, static_cast<int>(kMostFramesShown));
+  for (int i = 0; i < shown; ++i) {
+    const Cell at = layout.place_of(std::min(frames.first + i * picture.columns, level.tile_count() - 1));
+    const bool is_there = at.x + picture.columns <= layout.columns && at.y + picture.rows <= layout.rows();
+    if (is_there) {
+      const UvRect uv = ui.uv_of(SheetId::tiles, {at.x, at.y, picture.columns, picture.rows});
+      ImGui::Image(ui.clear_tiles, size, uv.from, uv.to);
+    } else {
+      ImGui::Dummy(size);
+    }
+    ImGui::SameLine(0, ui.px(2));
+  }
+}
+
+}  // namespace
+
+void BodyPictureFields::draw(const Session& session, int index, Actions& actions, Ui& ui) {
+  ui.heading("Picture");
+  for (int act = 0; act < kBodyActs; ++act) draw_act(static_cast<BodyAct>(act), session, index, actions, ui);
+  if (!spawn_of(session, index).picture.empty()) draw_frame(session, index, actions, ui);
+}
+
+void BodyPictureFields::draw_act(BodyAct act, const Session& session, int index, Actions& actions, Ui& ui) {
+  const auto& [label, help] = kActs[static_cast<std::size_t>(act)];
+  const std::string word(kBodyActWords[static_cast<std::size_t>(act)]);
+  const BodyPicture& picture = spawn_of(session, index).picture;
+  const float left = ImGui::GetCursorPosX();
+  ImGui::AlignTextToFramePadding();
+  draw_text(label);
+  ImGui::SameLine(left + ui.px(kActLabel));
+  const SpriteArea& area = session.choices().area;
+  if (ui.text_button("inspector/picture_" + word, "Take tiles", false,
+                     "Shows the chosen tiles of the sheet " + std::string(help) +
+                         ": frames side by side, as wide as the body.",
+                     {}, area.sheet == SheetId::tiles)) {
+    const auto taken = with_frames(session.level(), spawn_of(session, index), act, area.tiles);
+    if (taken)
+      change_picture(session, index, *taken, 0, actions);
+    else
+      actions.push_back(action::ShowMessage{taken.error(), true});
+  }
+  if (picture[act].count > 0) {
+    ImGui::SameLine();
+    draw_frames(picture, picture[act], session.level(), ui);
+    if (ui.icon_button("inspector/no_picture_" + word, Icon::close, false, "Takes these frames away.", "")) {
+      BodyPicture without = picture;
+      without[act] = {};
+      change_picture(session, index, without.empty() ? BodyPicture() : without, 0, actions);
+    }
+  }
+}
+
+void BodyPictureFields::draw_frame(const Session& session, int index, Actions& actions, Ui& ui) {
+  BodyPicture picture = spawn_of(session, index).picture;
+  double columns = picture.columns, steps = picture.steps;
+  const bool has_columns =
+      draw_number_field({"inspector/picture_columns", "%.0f tiles wide",
+                         "How many tiles a frame is wide. The tiles of each act are cut anew.", 112, 0.1f},
+                        columns, session, number_, ui);
+  ui.same_line_if_fits(ui.px(112));
+  const bool has_steps =
+      draw_number_field({"inspector/picture_steps", "for %.0f steps",
+                         "How long a frame is shown, in steps of the physics: 60 are a second.", 112, 0.2f},
+                        steps, session, number_, ui);
+  const auto whole = [](double value, int most) {
+    return static_cast<int>(std::clamp(std::round(value), 1.0, static_cast<double>(most)));
+  };
+  if (has_columns) picture = with_columns(picture, whole(columns, kMaxBodyPictureSide));
+  if (has_steps) picture.steps = static_cast<std::uint16_t>(whole(steps, kMaxFrameSteps));
+  if (picture != spawn_of(session, index).picture)
+    change_picture(session, index, picture, number_.stroke, actions);
+}
+
+}  // namespace talus
