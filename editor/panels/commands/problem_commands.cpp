@@ -11,7 +11,7 @@ using S = const Session&;
 using A = Actions&;
 using U = Ui&;
 
-bool has_problems(S, const Ui& ui) { return !listed_rows(ui).empty(); }
+bool has_problems(S, const Ui& ui) { return lists_problems(ui); }
 bool has_chosen(S, const Ui& ui) { return chosen_problem(ui) != nullptr; }
 
 bool is_way_at_mouse(S session, const Ui& ui) {

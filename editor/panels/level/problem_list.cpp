@@ -13,6 +13,11 @@
 namespace talus {
 namespace {
 
+bool is_listed(const Problem& problem, const Ui& ui) {
+  const LintRule* kind = ui.view.level.problems.kind;
+  return kind == nullptr || problem.rule == kind;
+}
+
 // Problems without a place come last. Only as many as a list shows are in order.
 void put_nearest_first(std::vector<std::size_t>& rows, const std::vector<Problem>& problems, Cell near) {
   const auto distance = [&](std::size_t row) {
@@ -42,12 +47,15 @@ std::string problems_text(const Session& session, const Ui& ui) {
   return count == 0 ? looking : found + ", " + looking;
 }
 
+bool lists_problems(const Ui& ui) {
+  return std::any_of(ui.problems->begin(), ui.problems->end(),
+                     [&](const Problem& problem) { return is_listed(problem, ui); });
+}
+
 std::vector<std::size_t> listed_rows(const Ui& ui) {
   std::vector<std::size_t> rows;
-  const LintRule* kind = ui.view.level.problems.kind;
-  for (std::size_t i = 0; i < ui.problems->size(); ++i) {
-    if (kind == nullptr || (*ui.problems)[i].rule == kind) rows.push_back(i);
-  }
+  for (std::size_t i = 0; i < ui.problems->size(); ++i)
+    if (is_listed((*ui.problems)[i], ui)) rows.push_back(i);
   if (const auto near = ui.view.level.problems.near) put_nearest_first(rows, *ui.problems, *near);
   return rows;
 }

@@ -15,6 +15,8 @@ std::string problems_text(const Session& session, const Ui& ui);
 // How many problems a list shows.
 inline constexpr std::size_t kMostProblemRows = 500;
 
+// Whether any problem is listed; cheaper than to ask for the rows, which are put in order.
+bool lists_problems(const Ui& ui);
 // Indices into Ui::problems of the listed ones: first those nearest to ProblemsView::near.
 std::vector<std::size_t> listed_rows(const Ui& ui);
 // Once a frame: notes where the followed body is paused or has stopped. The rows stay while the mouse is on
