@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "formats/files/atomic_file.h"
+#include "formats/files/real_path.h"
 #include "formats/pictures/any_picture.h"
 #include "panels/files/picture_in_list.h"
 #include "panels/ui/dialog.h"
@@ -42,11 +43,6 @@ std::string lower_case(std::string_view text) {
 
 bool holds_word(const std::string& name, const std::string& part) {
   return lower_case(name).find(lower_case(part)) != std::string::npos;
-}
-
-std::string last_name_of(const std::string& folder) {
-  const std::string name = fs::path(folder).filename().string();
-  return name.empty() ? folder : name;
 }
 
 // Of the files that were open last, each folder once.
@@ -205,12 +201,12 @@ void FileBrowser::draw_places(Ui& ui, ImVec2 size) {
       kept.push_back(folder_);
   }
   for (std::size_t i = 0; i < kept.size(); ++i)
-    place(kept[i], last_name_of(kept[i]), "files/kept" + std::to_string(i));
+    place(kept[i], last_name(kept[i]), "files/kept" + std::to_string(i));
   if (const char* const home = std::getenv("HOME"); home != nullptr) place(home, "Home", "files/home");
   const std::vector<std::string> recent = recent_folders(ui.view.files.recent_files);
   if (!recent.empty()) ui.heading("Recent");
   for (std::size_t i = 0; i < recent.size(); ++i)
-    place(recent[i], last_name_of(recent[i]), "files/recent" + std::to_string(i));
+    place(recent[i], last_name(recent[i]), "files/recent" + std::to_string(i));
   ImGui::EndChild();
   ImGui::PopStyleVar();
   if (!entered.empty()) go_to(entered);

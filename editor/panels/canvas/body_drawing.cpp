@@ -24,8 +24,6 @@ const BodyPicture* picture_of_body(const Level& level, const Body& body) {
   return picture.empty() ? nullptr : &picture;
 }
 
-int tile_of_body(const Level& level, const Body& body) { return BodyDrawing(level, 0).tile_of(body); }
-
 Rect place_of_picture(const BodyPicture& picture, const Rect& box, TileSize tile) {
   const double w = picture.columns * tile.width, h = picture.rows * tile.height;
   return {box.x + (box.w - w) / 2, box.bottom() - h, w, h};

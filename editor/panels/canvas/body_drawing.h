@@ -10,9 +10,6 @@ namespace talus {
 
 // The picture that a level gives the body; null if it gives none.
 const BodyPicture* picture_of_body(const Level& level, const Body& body);
-// The tile whose image a body has that has no picture: its own, of the layer in front, or the first ball
-// tile; -1 if there is none.
-int tile_of_body(const Level& level, const Body& body);
 // A box with a face, and its foot: the whole bottom side, or the middle of it. from, to: px of the screen.
 // `alpha`: 0 to 255.
 void draw_figure(ImDrawList& list, ImVec2 from, ImVec2 to, Foot foot, int alpha);
@@ -29,7 +26,9 @@ class BodyDrawing {
   void draw(ImDrawList& list, const Body& body, bool looks_left, const CanvasView& view, const Ui& ui,
             int alpha) const;
 
-  int tile_of(const Body& body) const;  // as tile_of_body()
+  // The tile whose image a body has that has no picture: its own, of the layer in front, or the first ball
+  // tile; -1 if there is none.
+  int tile_of(const Body& body) const;
 
   // The tiles of the sheet that show a body now; nothing if it has no picture, or its frame lies beside the
   // sheet.
