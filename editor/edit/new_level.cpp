@@ -49,22 +49,22 @@ void put_if_inside(Level& level, Cell cell, TileNumber tile) {
   if (level.map.contains(cell)) level.map.set(cell, tile);
 }
 
-// A hill of so many cells of height, from a column on: up, a level top, and down, or a cliff.
-void put_hill(Level& level, int x, int height, int top, bool ends_in_a_cliff) {
+// A hill of so many cells of height, from a column on: up, a level top, and down.
+void put_hill(Level& level, int x, int height, int top) {
   for (int step = 0; step < height; ++step) {
     const int y = kFloor - 1 - step, right = x + 2 * height + top - 1 - step;
     put_if_inside(level, {x + step, y}, kUpSlope);
     for (int inner = x + step + 1; inner < right; ++inner)
       put_if_inside(level, {inner, y}, step == height - 1 ? kGrass : kEarth);
-    if (!ends_in_a_cliff) put_if_inside(level, {right, y}, kDownSlope);
+    put_if_inside(level, {right, y}, kDownSlope);
   }
 }
 
 void put_first_scene(Level& level) {
   for (int y = kFloor; y < level.map.height(); ++y)
     for (int x = 0; x < level.map.width(); ++x) level.map.set({x, y}, y == kFloor ? kGrass : kEarth);
-  put_hill(level, 9, 1, 2, false);
-  put_hill(level, 17, 2, 3, false);
+  put_hill(level, 9, 1, 2);
+  put_hill(level, 17, 2, 3);
   for (int x = 25; x < 30; ++x) put_if_inside(level, {x, kFloor - 5}, kGrass);
   put_if_inside(level, {26, kFloor - 10}, kBall);  // it stays on the ledge, out of the player's way
   const TileSize tile = level.map.tile_size();

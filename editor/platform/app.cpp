@@ -16,11 +16,11 @@
 #include "formats/last_catch.h"
 #include "formats/native/recording_file.h"
 #include "formats/text/utf8_text.h"
-#include "overlay/small_picture.h"
 #include "panels/canvas/sheet_overlay.h"
 #include "panels/commands/commands.h"
 #include "panels/files/reading_panel.h"
 #include "panels/ui/dialog.h"
+#include "panels/window/area_picture.h"
 #include "picture.h"
 #include "sdl_keys.h"
 #include "session/checks/prover.h"
@@ -626,8 +626,9 @@ void App::note_recent_file() {
 // Of the level as it was opened or saved last.
 void App::note_recent_picture() {
   const std::string path = absolute_path(noted_path_);
-  const auto picture = std::make_shared<const SheetPicture>(
-      small_picture(session_->level(), RecentPictures::kWidth, RecentPictures::kHeight));
+  const auto picture =
+      picture_of_start(session_->level(), session_->state(), RecentPictures::kWidth, RecentPictures::kHeight);
+  if (picture == nullptr) return;
   ui_.view.files.recent_pictures[path] = picture;
   if (options_.remember) recent_pictures_.keep(*picture, path, ui_.view.files.recent_files);
 }

@@ -57,7 +57,7 @@ std::vector<std::string> recent_folders(const std::vector<std::string>& files) {
 }
 
 // Of a file that is a picture; null if it is another file, or large.
-std::shared_ptr<const SheetPicture> small_picture(const std::string& path) {
+std::shared_ptr<const SheetPicture> picture_in_file(const std::string& path) {
   constexpr std::uintmax_t kMostBytes = 1 << 20;
   constexpr int kMostSide = 1024;  // px
   std::error_code error;
@@ -229,7 +229,7 @@ std::shared_ptr<const SheetPicture> FileBrowser::picture_of_choice(const Ui& ui)
   if (const auto known = recent.find(path); known != recent.end()) return known->second;
   if (pictured_ != path) {
     pictured_ = path;
-    picture_ = small_picture(path);
+    picture_ = picture_in_file(path);
   }
   return picture_;
 }

@@ -24,6 +24,7 @@ namespace {
 
 constexpr int kLeastWidth = 700, kLeastHeight = 450;  // px: in a smaller window panels are cut off
 constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+constexpr const char* kBoldFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf";
 constexpr float kBuiltInFontSize = 13;  // the built-in font is sharp only at whole multiples of this
 
 void set_gl_attributes() {
@@ -54,16 +55,19 @@ void load_fonts(const WindowStyle& style, float pixel_ratio) {
   io.Fonts->Clear();
   ImFontConfig config;
   std::error_code error;
-  if (std::filesystem::exists(kFontFile, error)) {
-    config.OversampleH = 2;
-    io.Fonts->AddFontFromFileTTF(kFontFile,
-                                 std::round(static_cast<float>(style.font_size) * style.scale * pixel_ratio),
-                                 &config, kGlyphs.data());
+  const bool has_fonts =
+      std::filesystem::exists(kFontFile, error) && std::filesystem::exists(kBoldFontFile, error);
+  const float size = std::round(static_cast<float>(style.font_size) * style.scale * pixel_ratio);
+  config.OversampleH = 2;
+  if (has_fonts) {
+    io.Fonts->AddFontFromFileTTF(kFontFile, size, &config, kGlyphs.data());
   } else {
-    config.SizePixels = kBuiltInFontSize * std::max(1.0f, std::floor(style.scale * pixel_ratio));
-    io.Fonts->AddFontDefault(&config);
+    ImFontConfig built_in;
+    built_in.SizePixels = kBuiltInFontSize * std::max(1.0f, std::floor(style.scale * pixel_ratio));
+    io.Fonts->AddFontDefault(&built_in);
   }
-  add_icon_font(*io.Fonts, style.scale * pixel_ratio);
+  add_icon_font(*io.Fonts, style.scale * pixel_ratio);  // its glyphs become part of the font before it
+  if (has_fonts) io.Fonts->AddFontFromFileTTF(kBoldFontFile, size, &config, kGlyphs.data());
   io.FontGlobalScale = 1 / pixel_ratio;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostBytes = 64 << 10;  // of a file
+constexpr std::size_t kMostBytes = 512 << 10;  // of a file
 
 }  // namespace
 

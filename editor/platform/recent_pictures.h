@@ -11,7 +11,7 @@ namespace talus {
 
 class RecentPictures {
  public:
-  static constexpr int kWidth = 96, kHeight = 54;  // px, at most
+  static constexpr int kWidth = 320, kHeight = 180;  // px, at most
 
   // folder: where they are kept.
   explicit RecentPictures(std::string folder) : folder_(std::move(folder)) {}

@@ -142,6 +142,7 @@ TEST_F(UiTileSizes, ANewLevelHasTheTypedSizes) {
   set("new_level/tile_height", "24");
   set("new_level/width", "50");
   set("new_level/height", "20");
+  click("new_level/plays");  // not
   click("new_level/apply");
   frames(3);
   EXPECT_EQ(level().map.tile_size(), (TileSize{32, 24}));
@@ -151,10 +152,24 @@ TEST_F(UiTileSizes, ANewLevelHasTheTypedSizes) {
   EXPECT_FALSE(app().ui().view.level.new_level_open);
 }
 
+TEST_F(UiTileSizes, ANewLevelHasGroundAndAPlayer) {
+  app().ui().view.level.new_level_open = true;
+  frames(3);
+  click("new_level/tile16");
+  EXPECT_FALSE(find("new_level/true_colour")->enabled) << "a palette is for tiles of 8x8 px";
+  click("new_level/apply");
+  frames(3);
+  EXPECT_EQ(level().map.tile_size(), (TileSize{16, 16}));
+  const auto plays = [](const Spawn& spawn) { return spawn.kind == BodyKind::player; };
+  EXPECT_TRUE(std::any_of(level().spawns.begin(), level().spawns.end(), plays));
+  EXPECT_EQ(find("pixels/canvas"), nullptr) << "its tiles are drawn already";
+}
+
 TEST_F(UiTileSizes, ANewLevelIsDrawnAtTheSizeOfItsTiles) {
   app().ui().view.level.new_level_open = true;
   frames(3);
   click("new_level/tile16");
+  click("new_level/plays");  // not
   click("new_level/apply");
   frames(3);
   ASSERT_NE(find("pixels/canvas"), nullptr) << "its tiles wait to be drawn";

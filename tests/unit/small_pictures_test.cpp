@@ -72,8 +72,8 @@ TEST_F(RecentPicturesTest, OthersInTheirPlaceAreNotShown) {
   const RecentPictures pictures(path("pictures"));
   pictures.keep(small_picture(two_layers(), 96, 54), "/a.tmx", {"/a.tmx"});
   const std::string place = std::filesystem::directory_iterator(path("pictures"))->path().filename();
-  for (const std::string& bytes : {std::string(), std::string("damaged"), rgb_png(97, std::vector<Rgb>(97)),
-                                   rgb_png(1, std::vector<Rgb>(55)), std::string(70'000, 'x')}) {
+  for (const std::string& bytes : {std::string(), std::string("damaged"), rgb_png(321, std::vector<Rgb>(321)),
+                                   rgb_png(1, std::vector<Rgb>(181)), std::string(600'000, 'x')}) {
     put("pictures/" + place, bytes);
     EXPECT_EQ(pictures.find("/a.tmx"), nullptr) << bytes.size();
   }

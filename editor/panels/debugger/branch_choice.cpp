@@ -50,15 +50,15 @@ void draw_branches(float width, const Session& session, Actions& actions, Ui& ui
     ImGui::PushID(branch.id);
     const std::string label = branch_name(branch) + "   " + std::to_string(branch.last_frame()) + " frames";
     const bool is_current = branch.id == timeline.current().id;
-    const float drop = ui.px(48), width = ui.px(310);
-    if (selectable(label, {}, is_current, ImGuiSelectableFlags_None, {width, 0}))
+    const float drop = ui.px(48), row_width = ui.px(310);
+    if (selectable(label, {}, is_current, ImGuiSelectableFlags_None, {row_width, 0}))
       actions.push_back(action::SwitchBranch{branch.id});
     ui.item("timeline/branch" + std::to_string(branch.id), "Shows this branch.");
-    ImGui::SameLine(width + ui.px(8));
+    ImGui::SameLine(row_width + ui.px(8));
     if (ImGui::SmallButton("drop")) actions.push_back(action::DropBranch{branch.id});
     ui.item("timeline/drop" + std::to_string(branch.id), "Deletes this branch.",
             is_current ? keys_of("timeline/drop_branch"_command, ui) : "");
-    ImGui::SameLine(width + ui.px(8) + drop);
+    ImGui::SameLine(row_width + ui.px(8) + drop);
     bool compared = timeline.compared() != nullptr && timeline.compared()->id == branch.id;
     ImGui::BeginDisabled(is_current);
     if (small_button(compared ? "compared" : "compare", "compare"))

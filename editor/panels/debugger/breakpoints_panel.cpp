@@ -141,7 +141,7 @@ void BreakpointsPanel::draw_fields(const BreakpointKindInfo& info, const Session
             "Tab: the next one");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    ui.heading(field.label);
+    ui.muted(field.label);
   }
   if (!is_about_place(kind_)) return;
   ui.same_line_if_fits(ui.px(theme::kButton));

@@ -115,7 +115,7 @@ void draw_body_row(const char* label, const char* unit, Vec2 v, const NumberMenu
   ImGui::PushID(label);
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  ui.heading(label);
+  ui.muted(label);
   ImGui::TableNextColumn();
   draw_number("x", v.x, ui);
   menu.draw(x, v.x, ui);
@@ -123,7 +123,7 @@ void draw_body_row(const char* label, const char* unit, Vec2 v, const NumberMenu
   draw_number("y", v.y, ui);
   menu.draw(y, v.y, ui);
   ImGui::TableNextColumn();
-  ui.heading(unit);
+  ui.muted(unit);
   ImGui::PopID();
 }
 
@@ -191,7 +191,7 @@ void draw_contact_header(Ui& ui) {
     if (column.numbers)
       ui.right_aligned(column.title, theme::tone(theme::kMuted));
     else
-      ui.heading(column.title);
+      ui.muted(column.title);
     ui.tooltip(column.help);
   }
 }

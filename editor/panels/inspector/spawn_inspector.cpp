@@ -68,7 +68,7 @@ void SpawnInspector::draw_kind(const Session& session, int index, Actions& actio
   const auto kind = draw_choice("inspector/kind", words, static_cast<std::size_t>(spawn.kind), help, ui);
   ImGui::SameLine();
   static constexpr std::array<std::string_view, 2> kFeet = {"box", "centre"};
-  ui.heading("foot");
+  ui.muted("foot");
   ImGui::SameLine();
   const auto foot = draw_choice("inspector/foot", kFeet, spawn.used_foot() == Foot::centre ? 1 : 0,
                                 "What stands on slopes: the whole bottom side of the box, or its centre, "

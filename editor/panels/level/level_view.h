@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "edit/new_level.h"
 #include "level/flag_search.h"
 #include "level/lint/lint.h"
 
@@ -32,13 +33,14 @@ struct GroupChoice {
 
 struct LevelView {
   ProblemsView problems;
-  GroupChoice group;             // what commands of layers work on; none: they work on the chosen layer
-  int deleted_group = -1;        // the group of layers that a dialog asks about; -1: it is closed
-  bool resize_open = false;      // the dialog of the map's size
-  bool new_level_open = false;   // the dialog of a new level's size
-  bool find_tiles_open = false;  // the window that finds and replaces tiles
-  int find_tile = 0;             // of the level, the tile that it finds
-  int replace_tile = 0;          // of the level, the tile that replaces it
+  GroupChoice group;            // what commands of layers work on; none: they work on the chosen layer
+  int deleted_group = -1;       // the group of layers that a dialog asks about; -1: it is closed
+  bool resize_open = false;     // the dialog of the map's size
+  bool new_level_open = false;  // the dialog of a new level's size
+  NewContent new_content = {.plays = true};  // what new levels begin with
+  bool find_tiles_open = false;              // the window that finds and replaces tiles
+  int find_tile = 0;                         // of the level, the tile that it finds
+  int replace_tile = 0;                      // of the level, the tile that replaces it
   // The layers in which cells with a flag are counted and looked for.
   SearchedLayers flag_layers = SearchedLayers::all;
 };

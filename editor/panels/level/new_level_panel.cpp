@@ -30,6 +30,8 @@ void NewLevelPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   ImGui::Spacing();
   draw_map_sizes(ui);
   ImGui::Spacing();
+  draw_content(ui);
+  ImGui::Spacing();
   draw_answers(actions, ui);
   ImGui::EndPopup();
 }
@@ -54,6 +56,21 @@ void NewLevelPanel::draw_map_sizes(Ui& ui) {
   draw_map_number("new_level/height", "Rows", height_, "Rows of cells. " + text_of_map_limits(), ui);
 }
 
+void NewLevelPanel::draw_content(Ui& ui) const {
+  NewContent& content = ui.view.level.new_content;
+  ImGui::Checkbox("Playable", &content.plays);
+  ui.item("new_level/plays", "Begins with ground, slopes and a player; else the map is empty.");
+  const bool has_palette = tile_ == TileSize{};
+  bool in_true_colour = content.in_true_colour || !has_palette;
+  ImGui::BeginDisabled(!has_palette);
+  if (ImGui::Checkbox("True colour", &in_true_colour)) content.in_true_colour = in_true_colour;
+  ImGui::EndDisabled();
+  ui.item("new_level/true_colour",
+          "Tiles in any colours; else in the 16 colours of a palette, as TIC-80 has them. Tiles that are not "
+          "8x8 px are always in true colour.",
+          "", has_palette);
+}
+
 void NewLevelPanel::draw_answers(Actions& actions, Ui& ui) {
   const std::string problem = problem_of(tile_, width_, height_);
   if (problem.empty())
@@ -63,7 +80,7 @@ void NewLevelPanel::draw_answers(Actions& actions, Ui& ui) {
     draw_map_note(problem, theme::kError);
   const bool creates = dialog_button({.widget = "new_level/apply",
                                       .label = "New level",
-                                      .help = "Starts an empty level with these tiles.",
+                                      .help = "Starts a level with these tiles.",
                                       .letter = 'N',
                                       .is_default = true,
                                       .enabled = problem.empty(),
@@ -77,8 +94,9 @@ void NewLevelPanel::draw_answers(Actions& actions, Ui& ui) {
                                       .is_cancel = true,
                                       .width = ui.px(kAnswer)},
                                      ui);
-  if (creates) actions.push_back(action::NewLevel{tile_, width_, height_});
-  if (creates) ui.view.sprites.pixels.unfolded = true;  // its tiles wait to be drawn
+  const NewContent& content = ui.view.level.new_content;
+  if (creates) actions.push_back(action::NewLevel{tile_, width_, height_, content});
+  if (creates && !content.plays) ui.view.sprites.pixels.unfolded = true;  // its tiles wait to be drawn
   if (creates || cancels) ui.view.level.new_level_open = false;
 }
 

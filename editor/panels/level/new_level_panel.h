@@ -14,6 +14,7 @@ class NewLevelPanel : public Panel {
  private:
   void draw_tile_sizes(Ui& ui);
   void draw_map_sizes(Ui& ui);
+  void draw_content(Ui& ui) const;
   void draw_answers(Actions& actions, Ui& ui);
 
   // What the fields say, possible or not; they keep it until the window closes.

@@ -165,7 +165,7 @@ void BrushesPanel::draw_brush(int index, const Session& session, Actions& action
   if (ui.icon_button(name + "/delete", Icon::close, false, "Deletes the brush; Undo brings it back.", ""))
     emit_edit(actions, remove_brush(session.level(), index));
   ImGui::SetCursorScreenPos({text_x, at.y + side - ImGui::GetTextLineHeight()});
-  ui.heading(std::to_string(brush.w) + " x " + std::to_string(brush.h) + (brush.random ? ", at random" : ""));
+  ui.muted(std::to_string(brush.w) + " x " + std::to_string(brush.h) + (brush.random ? ", at random" : ""));
   ImGui::SetCursorScreenPos({at.x, at.y + side + gap});
   ImGui::Dummy({0, 0});
 }

@@ -222,7 +222,7 @@ void FlagMenu::draw_values(const Session& session, Actions& actions, Ui& ui, std
     const auto at = static_cast<std::size_t>(value);
     const std::string number = std::to_string(value);
     ImGui::AlignTextToFramePadding();
-    ui.heading(number);
+    ui.muted(number);
     ImGui::SameLine(ui.px(32));
     ImGui::SetNextItemWidth(-1);
     std::string name = at < field.values.size() ? field.values[at] : "";

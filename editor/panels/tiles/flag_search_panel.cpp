@@ -46,7 +46,7 @@ void FlagSearchPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const std::string text = counted_text(use_.tiles.size(), "tile") + ", " +
                            counted_text(use_.cell_count, "cell") +
                            place_text(session.level(), ui.view.level.flag_layers);
-  ui.heading(text);
+  ui.muted(text);
   ui.item("flag_search/count");
   draw_tiles(session, actions, ui);
 }
@@ -106,7 +106,7 @@ void FlagSearchPanel::draw_tiles(const Session& session, Actions& actions, Ui& u
     add_text(list, {at.x + side + ui.px(8), at.y}, theme::tone(theme::kText), "#" + number);
     ImGui::TableSetColumnIndex(1);
     const std::size_t cells = use_.cells[static_cast<std::size_t>(tile)];
-    ui.heading(cells == 0 ? "not on the map" : counted_text(cells, "cell"));
+    ui.muted(cells == 0 ? "not on the map" : counted_text(cells, "cell"));
   }
   ImGui::EndTable();
 }

@@ -108,7 +108,7 @@ void TourPanel::draw_note(Ui& ui) {
     tour.open = false;
   draw_wrapped_text(step.text(ui));
   ui.item("tour/text");
-  ui.heading(std::to_string(tour.step + 1) + " of " + std::to_string(count()));
+  ui.muted(std::to_string(tour.step + 1) + " of " + std::to_string(count()));
   ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - ui.px(64));
   if (ui.text_button("tour/skip", "Skip", false, "Goes to the next step without doing this one.", {}, true,
                      ui.px(64))) {

@@ -143,7 +143,15 @@ void Ui::label(std::string_view text) {
   draw_text(text);
 }
 
-void Ui::heading(std::string_view text) { draw_text(text, theme::tone(theme::kMuted)); }
+void Ui::heading(std::string_view text) {
+  const auto& fonts = ImGui::GetIO().Fonts->Fonts;
+  const bool has_bold = fonts.Size > kBoldFont;
+  if (has_bold) ImGui::PushFont(fonts[kBoldFont]);
+  draw_text(text, theme::tone(theme::kText));
+  if (has_bold) ImGui::PopFont();
+}
+
+void Ui::muted(std::string_view text) { draw_text(text, theme::tone(theme::kMuted)); }
 
 void Ui::hint(std::string_view text) { draw_wrapped_text(text, theme::tone(theme::kMuted)); }
 

@@ -33,6 +33,9 @@ struct UvRect {
   ImVec2 from, to;
 };
 
+// Of ImGui's fonts, the bold one; it is missing where no font file is installed.
+inline constexpr int kBoldFont = 1;
+
 class Ui {
  public:
   View view;
@@ -110,8 +113,10 @@ class Ui {
   void end_row();
   // Text in a row of buttons.
   void label(std::string_view text);
-  // A small heading in the muted colour.
+  // The title of what follows below it, bold if the window has such a font.
   void heading(std::string_view text);
+  // What a value or a control beside it is, in the muted colour.
+  void muted(std::string_view text);
   // The text for an empty state: a wrapped sentence that says what to do next.
   void hint(std::string_view text);
   // A number that ends at the right edge of the current column.

@@ -5,10 +5,8 @@
 #include <cmath>
 
 #include <talus/formats/format.h>
-#include "export/map_png.h"
+#include "area_picture.h"
 #include "formats/native/hard_case_file.h"
-#include "formats/pictures/png_picture.h"
-#include "level/resize.h"
 #include "level/tile_color.h"
 #include "overlay/visible.h"
 #include "panels/canvas/body_drawing.h"
@@ -21,43 +19,6 @@ namespace talus {
 namespace {
 
 constexpr std::int64_t kLeastPreviewFrames = 90, kMostPreviewFrames = 600;  // of a run
-
-// The cells that an area touches, px of the level.
-Rect area_of_cells(const Rect& area, const TileMap& map) {
-  const Cell from = map.cell_at({area.x, area.y});
-  const TileSize tile = map.tile_size();
-  const double left = std::max(0, from.x) * tile.width, top = std::max(0, from.y) * tile.height;
-  const auto up = [](double length, int side) { return std::ceil(length / side) * side; };
-  return {left, top, std::min(up(area.right() - left, tile.width), map.px_width() - left),
-          std::min(up(area.bottom() - top, tile.height), map.px_height() - top)};
-}
-
-// The level without its bodies, and nothing but an area of whole cells.
-Level cut_to_area(const Level& level, const Rect& area) {
-  const TileSize tile = level.map.tile_size();
-  const auto cells = [](double length, int side) { return static_cast<int>(std::lround(length / side)); };
-  ResizedMap part = resized(level, {.width = cells(area.w, tile.width),
-                                    .height = cells(area.h, tile.height),
-                                    .shift = {-cells(area.x, tile.width), -cells(area.y, tile.height)}});
-  Level cut = level;
-  cut.map = std::move(part.map);
-  cut.layers = std::move(part.layers);
-  cut.objects = std::move(part.objects);
-  cut.spawns.clear();
-  cut.curves.clear();
-  Sheet& sheet = cut.sheet(SheetId::tiles);
-  for (int number = 0; number < sheet.count(); ++number)
-    if (is_ball_tile(level, static_cast<TileNumber>(number)))
-      sheet.images[static_cast<std::size_t>(number)].fill(0);
-  return cut;
-}
-
-std::shared_ptr<const SheetPicture> picture_of_area(const Level& level, const Rect& area) {
-  const auto png = map_png(cut_to_area(level, area), {}, kMaxPictureInside);
-  if (!png) return nullptr;
-  const auto picture = read_rgba(*png, kMaxSheetPictureSide);
-  return picture ? shared_picture(*picture) : nullptr;
-}
 
 // Of tiles that lie together on the sheet. Colour 0 is clear where they have 16 colours.
 std::shared_ptr<const SheetPicture> picture_of_tiles(const Level& level, CellRect tiles) {

@@ -178,7 +178,7 @@ void MenuPanel::draw_title(const Session& session, Actions& actions, Ui& ui) {
   ImGui::SameLine(layouts_at);
   draw_layout_tabs(session, actions, ui);
   ImGui::SameLine(solver_at);
-  ui.heading(solver);
+  ui.muted(solver);
   ui.tooltip("The solver that moves the bodies, and its steps a second at speed x1.");
 }
 

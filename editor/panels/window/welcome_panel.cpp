@@ -159,6 +159,7 @@ void WelcomePanel::draw_start(const Session& session, Actions& actions, Ui& ui) 
 
 void WelcomePanel::draw_new_level(const Session& session, Actions& actions, Ui& ui) {
   ui.heading("New level");
+  NewContent& content = ui.view.level.new_content;
   const float gap = ImGui::GetStyle().ItemSpacing.x, width = ImGui::GetContentRegionAvail().x;
   const float quarter = (width - 3 * gap) / 4, half = (width - gap) / 2;
   for (const int side : kNewSides) {
@@ -170,18 +171,18 @@ void WelcomePanel::draw_new_level(const Session& session, Actions& actions, Ui& 
   }
   const bool has_palette = side_ == kCartTileSize;
   const bool in_true_colour = draw_choice_pair(
-      "welcome/colours", "Palette", "True colour", content_.in_true_colour || !has_palette,
+      "welcome/colours", "Palette", "True colour", content.in_true_colour || !has_palette,
       "Tiles in 16 colours of a palette, as TIC-80 has them, which then have 8x8 px; or in any colours.", ui,
       has_palette);
-  if (has_palette) content_.in_true_colour = in_true_colour;
-  content_.plays = draw_choice_pair("welcome/content", "Empty", "Playable", content_.plays,
-                                    "An empty map, or one with ground, slopes and a player.", ui);
+  if (has_palette) content.in_true_colour = in_true_colour;
+  content.plays = draw_choice_pair("welcome/content", "Empty", "Playable", content.plays,
+                                   "An empty map, or one with ground, slopes and a player.", ui);
   const bool creates =
       ui.text_button("welcome/new", "New level", false, "Starts a level of 60x34 cells.", {}, true, width);
   ImGui::SetItemDefaultFocus();  // when the page opens
   if (creates) {
-    actions.push_back(action::NewLevel{{side_, side_}, kNewColumns, kNewRows, content_});
-    if (!content_.plays) ui.view.sprites.pixels.unfolded = true;  // its tiles wait to be drawn
+    actions.push_back(action::NewLevel{{side_, side_}, kNewColumns, kNewRows, content});
+    if (!content.plays) ui.view.sprites.pixels.unfolded = true;  // its tiles wait to be drawn
   }
   command_text_button("file/new_sized"_command, session, actions, ui,
                       {.label = "Other size...", .widget = "welcome/new_sized", .width = half});

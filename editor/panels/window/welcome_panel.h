@@ -25,7 +25,6 @@ class WelcomePanel : public Panel {
   std::size_t group_ = 0;  // of the examples that are shown
   // The new level.
   int side_ = 16;  // px, of its tiles
-  NewContent content_{.in_true_colour = false, .plays = true};
 };
 
 }  // namespace talus
