@@ -52,8 +52,8 @@ struct Finding {
   SolverKind solver = SolverKind::exact;
   Trial trial;        // plays it again
   int frame = 0;      // step of the trial, from 1, after which it was found
-  Cell cell;          // of the body's foot then; on the map
-  Vec2 place;         // px, the middle of the body's bottom then
+  Cell cell;          // of the place; of a lip that of the higher ground; on the map
+  Vec2 place;         // px, the middle of the body's bottom then; of a lip the top of the edge
   double amount = 0;  // px: of a lip its height, of jumps, floats and slows how much
   Obstacle met;       // what stopped it; of other kinds what it met last
   int count = 1;      // trials of this body, direction and kind with a finding in this cell

@@ -19,7 +19,7 @@ constexpr double kSameSpeed = 1e-6;
 Fine scaled(Fine length, double factor) { return std::llround(static_cast<double>(length) * factor); }
 
 // px, to 1/1024: edges are measured a little beside the body.
-double rounded_lip(Fine edge) { return std::round(px_of(edge) * 1024) / 1024; }
+double rounded_px(Fine length) { return std::round(px_of(length) * 1024) / 1024; }
 
 // The x in which a part and a box meet; both must share some.
 std::array<Fine, 2> shared_x(const RawPart& part, const FineBox& box) {
@@ -75,7 +75,7 @@ std::optional<Verdict> Judge::judge_walk(const Body& before, const Body& after, 
   if (is_stopped_before(before, after, direction, record)) return std::nullopt;
   const Ahead ahead = ahead_of(after, direction);
   if (ahead.way == Way::blocked) return std::nullopt;
-  if (ahead.way == Way::lip) return Verdict{FindingKind::lip, ahead.lip};
+  if (ahead.way == Way::lip) return lip_of(direction, ahead.edge);
   if (moved >= least - slack) return Verdict{FindingKind::slows, most - after.velocity.x * direction};
   return Verdict{FindingKind::stops, least - moved};
 }
@@ -198,9 +198,14 @@ std::optional<Verdict> Judge::lip_met(const Body& before, const ContactRecord& c
   if (!has_floor_at_foot(body)) return std::nullopt;
   body.box.x = contact.touch.x;
   body.box.y = contact.touch.y;
-  const Ahead ahead = ahead_of(body, contact.normal.x > 0 ? -1 : 1);
+  const int direction = contact.normal.x > 0 ? -1 : 1;
+  const Ahead ahead = ahead_of(body, direction);
   if (ahead.way != Way::lip) return std::nullopt;
-  return Verdict{FindingKind::lip, ahead.lip};
+  return lip_of(direction, ahead.edge);
+}
+
+Verdict Judge::lip_of(int direction, const Edge& edge) const {
+  return {FindingKind::lip, rounded_px(edge.height), Vec2{px_of(edge.x), rounded_px(edge.top)}, direction};
 }
 
 // The middle of the body was above a floor, and is below it. A box that was in the floor already does not
@@ -251,29 +256,30 @@ Judge::Ahead Judge::ahead_of(const Body& body, int direction, Fine way) const {
   const double steepest = tuning_.exact.steepest;
   const auto edge = edge_at(box, body.foot, direction, 4 * slack_);
   const Fine rounding = scaled(4 * slack_, steepest) + slack_;
-  if (edge && *edge > rounding)
-    return *edge > lip_ + rounding ? Ahead{Way::blocked} : Ahead{Way::lip, rounded_lip(*edge)};
+  if (edge && edge->height > rounding)
+    return edge->height > lip_ + rounding ? Ahead{Way::blocked} : Ahead{Way::lip, *edge};
   const Fine slope = scaled(way, steepest) + slack_;
   const auto floor = floor_near(next, body.foot, slope, slope);
   if (floor && passes(box, next.moved(0, *floor - box.y1), body.foot)) return {Way::free};
   const auto rise = edge_at(box, body.foot, direction, way);
-  return {rise && *rise <= slope ? Way::free : Way::blocked};
+  return {rise && rise->height <= slope ? Way::free : Way::blocked};
 }
 
-// How much higher than its floor a body must be lifted to go on by that way.
-std::optional<Fine> Judge::edge_at(const FineBox& box, Foot foot, int direction, Fine way) const {
+// The edge onto which a body must be lifted from its floor to go on by that way.
+std::optional<Judge::Edge> Judge::edge_at(const FineBox& box, Foot foot, int direction, Fine way) const {
   const FineBox next = box.moved(direction * way, 0);
   const auto rise = rise_onto(box, next, foot);
-  if (!rise || foot == Foot::box) return rise;
+  if (!rise) return std::nullopt;
+  const Fine top = box.y1 - *rise, middle = box.middle(), front = direction > 0 ? box.x1 : box.x0;
+  if (foot == Foot::box) return Edge{*rise, front, top};
   // Corners beside the middle may be in the floor, and an edge begins where that ends, or above it.
-  const Fine middle = box.middle(), front = direction > 0 ? box.x1 : box.x0;
   const FloorLine line(ground_, middle, box.y1, std::min(middle, front), std::max(middle, front),
                        tuning_.exact.steepest, weld_);
   if (!line.reaches(middle, next.middle()) ||
       stops_middle(box, next.moved(0, line.at(next.middle()) - box.y1)))
-    return rise;
+    return Edge{*rise, middle, top};
   const Fine above = *rise - (box.y1 - line.at_end(direction, box.y1));
-  return above > weld_ || line.reaches(middle, front) ? above : *rise;
+  return Edge{above > weld_ || line.reaches(middle, front) ? above : *rise, front, top};
 }
 
 // How far a body must be lifted to go on to a place, at most as far as an edge and a floor may rise.

@@ -11,7 +11,9 @@ namespace talus {
 
 struct Verdict {
   FindingKind kind;
-  double amount = 0;  // px, as Finding::amount
+  double amount = 0;              // px, as Finding::amount
+  std::optional<Vec2> edge = {};  // px, of a lip: the top of the edge
+  int side = 0;                   // of a lip: -1 the edge is the right side of higher ground, 1 the left one
 };
 
 class Judge {
@@ -39,9 +41,13 @@ class Judge {
 
  private:
   enum class Way { free, blocked, lip };
+  struct Edge {
+    Fine height;  // from the floor on which the body stands
+    Fine x, top;  // of its upper end
+  };
   struct Ahead {
     Way way;
-    double lip = 0;  // px
+    Edge edge = {};  // of a lip
   };
   std::optional<Verdict> judge_walk(const Body& before, const Body& after, double speed,
                                     const StepRecord& record) const;
@@ -49,6 +55,7 @@ class Judge {
                          const StepRecord& record) const;
   std::optional<Verdict> judge_contacts(const Body& before, const StepRecord& record) const;
   std::optional<Verdict> lip_met(const Body& before, const ContactRecord& contact) const;
+  Verdict lip_of(int direction, const Edge& edge) const;
   Ahead ahead_of(const Body& body, int direction) const;
   Ahead ahead_of(const Body& body, int direction, Fine way) const;
   bool passes(const FineBox& from, const FineBox& to, Foot foot) const;
@@ -61,7 +68,7 @@ class Judge {
   bool has_floor_at_foot(const Body& body) const;
   bool is_there(const ContactRecord& contact, const Body& body) const;
   std::optional<Fine> floor_near(const FineBox& box, Foot foot, Fine up, Fine down) const;
-  std::optional<Fine> edge_at(const FineBox& box, Foot foot, int direction, Fine way) const;
+  std::optional<Edge> edge_at(const FineBox& box, Foot foot, int direction, Fine way) const;
   std::optional<Fine> rise_onto(const FineBox& from, FineBox box, Foot foot) const;
   FloorLine floor_line(const FineBox& box) const {
     return {ground_, box.middle(), box.y1, box.x0, box.x1, tuning_.exact.steepest, weld_};

@@ -15,19 +15,21 @@ constexpr int kStillFrames = 20;  // after so many frames without a motion a bod
 constexpr double kStill = 1e-3;   // px; a smaller motion is none
 constexpr int kMostReach = 16;    // cells; a trial ends further away
 constexpr double kLift =
-    1.0 / (1 << 20);                 // px; bodies start so much above their floor, as its height is rounded
-constexpr double kPhaseOfPx = 0.37;  // px; one of the places of a body between two pixels
+    1.0 / (1 << 20);  // px; bodies start so much above their floor, as its height is rounded
+constexpr double kIntoEdge = 1.0 / 64;  // px; the cell of an edge is that of the ground so far behind it
+constexpr double kPhaseOfPx = 0.37;     // px; one of the places of a body between two pixels
 
 int cells_of(double px, int tile) { return std::min(kMostReach, 1 + static_cast<int>(std::ceil(px / tile))); }
 
-Cell cell_below(const Rect& box, const RawGround& ground) {
+Cell cell_at(Vec2 place, const RawGround& ground) {
   const TileSize tile = ground.tile_size();
   const auto cell = [](double px, int side, int cells) {
     return static_cast<int>(std::clamp(std::floor(px / side), 0.0, cells - 1.0));
   };
-  return {cell(box.x + box.w / 2, tile.width, ground.columns()),
-          cell(box.bottom(), tile.height, ground.rows())};
+  return {cell(place.x, tile.width, ground.columns()), cell(place.y, tile.height, ground.rows())};
 }
+
+Vec2 foot_of(const Rect& box) { return {box.x + box.w / 2, box.bottom()}; }
 
 // Ground ends at the sides of the map, wherever the shapes of its tiles reach.
 bool meets_ground_above_map(const Rect& box, const RawGround& ground) {
@@ -281,8 +283,8 @@ std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, 
       finding.solver = scene_.solver();
       finding.trial = trial;
       finding.frame = frame;
-      finding.cell = cell_below(body.box, scene_.ground());
-      finding.place = {body.box.x + body.box.w / 2, body.box.bottom()};
+      finding.place = verdict->edge.value_or(foot_of(body.box));
+      finding.cell = cell_at(finding.place + Vec2{verdict->side * kIntoEdge, 0}, scene_.ground());
       finding.amount = verdict->amount;
       if (!record_.contacts.empty()) finding.met = record_.contacts.back().other;
       return finding;
@@ -292,7 +294,7 @@ std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, 
       break;
     if (place == nullptr) continue;
     const Reach reach = reach_of(scene_.bodies()[place->body]);
-    const Cell at = cell_below(body.box, scene_.ground());
+    const Cell at = cell_at(foot_of(body.box), scene_.ground());
     if (std::abs(at.x - place->cell.x) >= reach.columns || at.y - place->cell.y >= reach.down) break;
   }
   return std::nullopt;

@@ -28,7 +28,7 @@ TEST(CliProve, ListsFindingsAndFails) {
   EXPECT_EQ(answer.status, kExitBad);
   EXPECT_THAT(
       answer.out,
-      HasSubstr(":cell 47,18: a player of 10x15 px on its centre that runs to the right is stopped by a "
+      HasSubstr(":cell 48,18: a player of 10x15 px on its centre that runs to the right is stopped by a "
                 "low edge of 0.5"));
   EXPECT_THAT(answer.out, HasSubstr("6 findings: 6 of the level, 0 of the solver"));
 }

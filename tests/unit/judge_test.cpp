@@ -143,6 +143,8 @@ TEST(Judge, SaysHowHighTheEdgeIsThatStopsABody) {
   ASSERT_TRUE(found);
   EXPECT_EQ(found->kind, FindingKind::lip);
   EXPECT_NEAR(found->amount, 0.5, 0.001);
+  EXPECT_EQ(found->edge, (Vec2{64, kFloor - 0.5}));
+  EXPECT_EQ(found->side, 1);
   c.level.tile_shapes[3].heights = {4, 4};
   EXPECT_EQ(c.kind(), std::nullopt) << "a step that is meant";
 }
@@ -201,6 +203,9 @@ TEST(Judge, FindsALowEdgeBehindAGapUnderAWideBody) {
     ASSERT_TRUE(found) << width;
     EXPECT_EQ(found->kind, FindingKind::lip) << width;
     EXPECT_NEAR(found->amount, 1, 0.01) << width;
+    ASSERT_TRUE(found->edge);
+    EXPECT_NEAR(found->edge->x, 144, 0.01) << width;
+    EXPECT_NEAR(found->edge->y, 192 - 8.5, 0.01) << width;
   }
 }
 

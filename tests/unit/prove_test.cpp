@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <set>
 
@@ -67,17 +68,19 @@ struct Planted {
   const char* what;
   std::vector<TileShape> shapes;  // in row 11, from column 8 on
   const char* found;
+  int column;  // of the higher ground
 };
 
 TEST(Prove, FindsPlantedEdges) {
   const Planted all[] = {
-      {"two slopes that do not meet", {slope(0, 4), slope(4.5, 8)}, "lip"},
-      {"a one-way slope below a block", {slope(0, 7, true), slope(8, 8)}, "lip"},
-      {"a plate on the floor", {slope(0.25, 0.25)}, "lip"},
-      {"a profile with a jump", {{.kind = TileShape::Kind::profile, .heights = {1, 1, 1}}}, "lip"},
+      {"two slopes that do not meet", {slope(0, 4), slope(4.5, 8)}, "lip", 9},
+      {"a one-way slope below a block", {slope(0, 7, true), slope(8, 8)}, "lip", 9},
+      {"a plate on the floor", {slope(0.25, 0.25)}, "lip", 8},
+      {"a profile with a jump", {{.kind = TileShape::Kind::profile, .heights = {1, 1, 1}}}, "lip", 8},
       {"a polygon with an edge",
        {{.kind = TileShape::Kind::polygon, .points = {{0, 7}, {8, 3}, {8, 8}, {0, 8}}}},
-       "lip"},
+       "lip",
+       8},
   };
   for (const Planted& planted : all) {
     SCOPED_TRACE(planted.what);
@@ -87,8 +90,8 @@ TEST(Prove, FindsPlantedEdges) {
     const Proof proof = scenery.proof();
     EXPECT_EQ(kinds_of(proof), std::set<std::string>{planted.found}) << text_of(proof);
     for (const Finding& finding : proof.findings) {
-      EXPECT_GE(finding.cell.x, 6);
-      EXPECT_LE(finding.cell.x, 11);
+      EXPECT_EQ(finding.cell, (Cell{planted.column, 11})) << message_of(finding);
+      EXPECT_EQ(std::fmod(finding.place.x, 8), 0) << "at the side of that cell";
     }
   }
 }

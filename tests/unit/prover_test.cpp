@@ -94,8 +94,9 @@ TEST(Prover, PlaysAFindingAsARecording) {
     ASSERT_EQ(session.state().bodies.size(), 1u);
     const Body& body = session.state().bodies[0];
     EXPECT_EQ(session.choices().body, body.id);
-    EXPECT_EQ(body.box.x + body.box.w / 2, finding.place.x) << "the same bits as in the proof";
-    EXPECT_EQ(body.box.bottom(), finding.place.y);
+    const bool is_left = finding.trial.direction < 0;
+    EXPECT_EQ(is_left ? body.box.x : body.box.right(), finding.place.x) << "the same bits as in the proof";
+    EXPECT_EQ(body.box.bottom(), finding.place.y + finding.amount);
     EXPECT_FALSE(session.stages().empty()) << "Why explains the step";
     EXPECT_EQ(session.timeline().branches().size(), 2u) << "the finding before is gone";
   }
