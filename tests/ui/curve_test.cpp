@@ -179,7 +179,7 @@ TEST_F(UiCurve, NumbersAreNotCutInTheirFields) {
   frames(2);
   const Widget* radius = find("inspector/curve_radius");
   ASSERT_NE(radius, nullptr);
-  EXPECT_GT(radius->max.x - radius->min.x, ImGui::CalcTextSize("radius 40.527344").x);
+  EXPECT_GT(radius->max.x - radius->min.x, ImGui::CalcTextSize("40.527344").x);
 }
 
 TEST_F(UiCurve, CopiedAndRemovedByKeys) {

@@ -12,7 +12,7 @@
 namespace talus {
 namespace {
 
-constexpr float kFrameSide = 32, kActLabel = 52, kMostFramesShown = 6;  // px at scale 1; frames
+constexpr float kFrameSide = 28;  // px at scale 1
 
 struct ActText {
   std::string_view label, help;
@@ -31,7 +31,7 @@ void change_picture(const Session& session, int index, const BodyPicture& pictur
       change_spawn(session.level(), index, std::move(spawn), "Change a body's picture"), stroke});
 }
 
-// The frames of an act, from the left; those beside the sheet are empty.
+// The frames of an act, from the left, as many as fit; those beside the sheet are empty.
 void draw_frames(const BodyPicture& picture, const BodyFrames& frames, const Level& level, Ui& ui) {
   const SheetLayout layout = level.sheet(SheetId::tiles).layout();
   const TileSize tile = level.map.tile_size();
@@ -39,8 +39,9 @@ void draw_frames(const BodyPicture& picture, const BodyFrames& frames, const Lev
       static_cast<float>(picture.columns * tile.width) / static_cast<float>(picture.rows * tile.height);
   const ImVec2 size{ui.px(kFrameSide) * std::min(1.0f, aspect),
                     ui.px(kFrameSide) * std::min(1.0f, 1 / aspect)};
-  const int shown = std::min<int>(frames.count, static_cast<int>(kMostFramesShown));
-  for (int i = 0; i < shown; ++i) {
+  for (int i = 0; i < frames.count; ++i) {
+    ImGui::SameLine(0, ui.px(2));
+    if (ImGui::GetContentRegionAvail().x < size.x) return ImGui::NewLine();
     const Cell at = layout.place_of(std::min(frames.first + i * picture.columns, level.tile_count() - 1));
     const bool is_there = at.x + picture.columns <= layout.columns && at.y + picture.rows <= layout.rows();
     if (is_there) {
@@ -49,7 +50,6 @@ void draw_frames(const BodyPicture& picture, const BodyFrames& frames, const Lev
     } else {
       ImGui::Dummy(size);
     }
-    ImGui::SameLine(0, ui.px(2));
   }
 }
 
@@ -57,22 +57,21 @@ void draw_frames(const BodyPicture& picture, const BodyFrames& frames, const Lev
 
 void BodyPictureFields::draw(const Session& session, int index, Actions& actions, Ui& ui) {
   ui.heading("Picture");
+  ui.begin_row();
   for (int act = 0; act < kBodyActs; ++act) draw_act(static_cast<BodyAct>(act), session, index, actions, ui);
   if (!spawn_of(session, index).picture.empty()) draw_frame(session, index, actions, ui);
+  ui.end_row();
 }
 
 void BodyPictureFields::draw_act(BodyAct act, const Session& session, int index, Actions& actions, Ui& ui) {
   const auto& [label, help] = kActs[static_cast<std::size_t>(act)];
   const std::string word(kBodyActWords[static_cast<std::size_t>(act)]);
   const BodyPicture& picture = spawn_of(session, index).picture;
-  const float left = ImGui::GetCursorPosX();
-  ImGui::AlignTextToFramePadding();
-  draw_text(label);
-  ImGui::SameLine(left + ui.px(kActLabel));
+  ui.field_label(label);
   const SpriteArea& area = session.choices().area;
   if (ui.text_button("inspector/picture_" + word, "Take tiles", false,
                      "Shows the chosen tiles of the sheet " + std::string(help) +
-                         ": frames side by side, as wide as the body.",
+                         ": frames side by side, as high as these tiles.",
                      {}, area.sheet == SheetId::tiles)) {
     const auto taken = with_frames(session.level(), spawn_of(session, index), act, area.tiles);
     if (taken)
@@ -82,27 +81,28 @@ void BodyPictureFields::draw_act(BodyAct act, const Session& session, int index,
   }
   if (picture[act].count > 0) {
     ImGui::SameLine();
-    draw_frames(picture, picture[act], session.level(), ui);
     if (ui.icon_button("inspector/no_picture_" + word, Icon::close, false, "Takes these frames away.", "")) {
       BodyPicture without = picture;
       without[act] = {};
       change_picture(session, index, without.empty() ? BodyPicture() : without, 0, actions);
     }
+    draw_frames(picture, picture[act], session.level(), ui);
   }
 }
 
 void BodyPictureFields::draw_frame(const Session& session, int index, Actions& actions, Ui& ui) {
   BodyPicture picture = spawn_of(session, index).picture;
   double columns = picture.columns, steps = picture.steps;
-  const bool has_columns =
-      draw_number_field({"inspector/picture_columns", "%.0f tiles wide",
-                         "How many tiles a frame is wide. The tiles of each act are cut anew.", 112, 0.1f},
-                        columns, session, number_, ui);
-  ui.same_line_if_fits(ui.px(112));
-  const bool has_steps =
-      draw_number_field({"inspector/picture_steps", "for %.0f steps",
-                         "How long a frame is shown, in steps of the physics: 60 are a second.", 112, 0.2f},
-                        steps, session, number_, ui);
+  ui.field_label("Frames");
+  const bool has_columns = draw_number_field(
+      {"inspector/picture_columns", "%.0f wide",
+       "How many tiles a frame is wide. The tiles of each act are cut anew.", kFormField, 0.1f},
+      columns, session, number_, ui);
+  ImGui::SameLine();
+  const bool has_steps = draw_number_field(
+      {"inspector/picture_steps", "%.0f steps",
+       "How long a frame is shown, in steps of the physics: 60 are a second.", kFormField, 0.2f},
+      steps, session, number_, ui);
   const auto whole = [](double value, int most) {
     return static_cast<int>(std::clamp(std::round(value), 1.0, static_cast<double>(most)));
   };

@@ -11,8 +11,7 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostHeights = 65;           // of a polyline; so many heights get a field each
-constexpr const char* kLongNumber = "-0.1234567";  // a field has room for it
+constexpr std::size_t kMostHeights = 65;  // of a polyline; so many heights get a field each
 
 // The numbers of a form, one after another.
 class FormFields {
@@ -24,51 +23,45 @@ class FormFields {
   bool changed() const { return changed_; }
 
   void draw(Segment& s) {
-    point("from", s.from);
-    row();
-    point("to", s.to);
+    point("from", "From", s.from);
+    point("to", "To", s.to);
   }
   void draw(Arc& a) {
-    point("centre", a.center);
-    row();
-    number("radius", "radius ", a.radius, "The radius of the circle, px.");
-    number("x0", "x ", a.x0, "Where it begins, px.");
-    number("x1", "to x ", a.x1, "Where it ends, px.");
-    row();
+    point("centre", "Centre", a.center);
+    row("Radius");
+    number("radius", "", a.radius, "The radius of the circle, px.");
+    ends(a.x0, a.x1);
+    row("");
     if (ImGui::Checkbox("hill", &a.upper)) note_click();
     ui_.item("inspector/curve_upper", "The upper half of its circle; off: the lower half, a bowl.");
   }
   void draw(Parabola& p) {
-    point("from", p.from);
-    row();
-    point("to", p.to);
-    row();
-    number("control", "control y ", p.control_y,
+    point("from", "From", p.from);
+    point("to", "To", p.to);
+    row("Control");
+    number("control", "y ", p.control_y,
            "The y of its control point half way, px; the curve goes half as far.");
   }
   void draw(Cubic& c) {
-    point("from", c.from);
-    number("from_slope", "slope ", c.from_slope, "How many px it goes down for each px, at its start.",
-           0.02f);
-    row();
-    point("to", c.to);
-    number("to_slope", "slope ", c.to_slope, "How many px it goes down for each px, at its end.", 0.02f);
+    point("from", "From", c.from);
+    point("to", "To", c.to);
+    row("Slope");
+    number("from_slope", "", c.from_slope, "How many px it goes down for each px, at its start.", 0.02f);
+    number("to_slope", "to ", c.to_slope, "How many px it goes down for each px, at its end.", 0.02f);
   }
   void draw(Sine& s) {
-    number("x0", "x ", s.x0, "Where it begins, px.");
-    number("x1", "to x ", s.x1, "Where it ends, px.");
-    row();
-    number("middle", "middle y ", s.middle, "The height about which it swings, px.");
-    number("amplitude", "amplitude ", s.amplitude,
+    ends(s.x0, s.x1);
+    row("Middle");
+    number("middle", "y ", s.middle, "The height about which it swings, px.");
+    number("amplitude", "swing ", s.amplitude,
            "How far it swings, px; positive: first down from its origin.");
-    row();
-    number("wavelength", "wavelength ", s.wavelength, "The length of a whole wave, px.");
-    number("origin", "origin x ", s.origin, "Where it crosses its middle, px.");
+    row("Wave");
+    number("wavelength", "", s.wavelength, "The length of a whole wave, px.");
+    number("origin", "at x ", s.origin, "Where it crosses its middle, px.");
   }
   void draw(Polyline& p) {
-    number("x0", "x ", p.x0, "Where it begins, px.");
-    number("x1", "to x ", p.x1, "Where it ends, px.");
-    row();
+    ends(p.x0, p.x1);
+    row("Heights");
     if (p.ys.size() > kMostHeights)
       return ui_.hint("It has " + std::to_string(p.ys.size()) + " heights, too many for fields.");
     for (std::size_t i = 0; i < p.ys.size(); ++i)
@@ -76,20 +69,30 @@ class FormFields {
   }
 
  private:
-  void row() { first_ = true; }
-  void number(const std::string& part, const std::string& label, double& value, std::string_view help,
-              float speed = 1) {
-    const float text = size_of_text(label + kLongNumber).x;
-    const float width = (text + 2 * ImGui::GetStyle().FramePadding.x) / ui_.scale;
-    if (!first_) ui_.same_line_if_fits(ui_.px(width));
-    first_ = false;
-    const std::string name = "inspector/curve_" + part, format = label + "%.8g";
-    if (is_refused_) help = {};
-    changed_ |= draw_number_field({name, format.c_str(), help, width, speed}, value, session_, edit_, ui_);
+  // Begins a row with this label.
+  void row(std::string_view label) {
+    ui_.field_label(label);
+    is_first_ = true;
   }
-  void point(const std::string& part, Vec2& value) {
-    number(part + "_x", part + " x ", value.x, "px");
+  // text: in the field, before the number.
+  void number(const std::string& part, const std::string& text, double& value, std::string_view help,
+              float speed = 1) {
+    if (!is_first_) ui_.same_line_if_fits(ui_.px(kFormField));
+    is_first_ = false;
+    const std::string name = "inspector/curve_" + part, format = text + "%.8g";
+    if (is_refused_) help = {};
+    changed_ |=
+        draw_number_field({name, format.c_str(), help, kFormField, speed}, value, session_, edit_, ui_);
+  }
+  void point(const std::string& part, std::string_view label, Vec2& value) {
+    row(label);
+    number(part + "_x", "x ", value.x, "px");
     number(part + "_y", "y ", value.y, "px");
+  }
+  void ends(double& x0, double& x1) {
+    row("Ends");
+    number("x0", "x ", x0, "Where it begins, px.");
+    number("x1", "to x ", x1, "Where it ends, px.");
   }
   void note_click() {
     changed_ = true;
@@ -100,7 +103,7 @@ class FormFields {
   NumberEdit& edit_;
   Ui& ui_;
   bool is_refused_;
-  bool first_ = true;  // whether it is the first one in its row
+  bool is_first_ = true;  // in its row
   bool changed_ = false;
 };
 
@@ -119,9 +122,11 @@ void CurveInspector::draw(const Session& session, Actions& actions, Ui& ui) {
   }
   const CurveKind kind = kind_of(session.level().curves.at(static_cast<std::size_t>(curve)).curve);
   ui.heading("Curve " + std::to_string(curve) + ", " + with_article(kind));
+  ui.begin_row();
   draw_name(session, actions, ui, curve);
   draw_faces(session, actions, ui, curve);
   draw_numbers(session, actions, ui, curve);
+  ui.end_row();
   if (!problem_.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kError));
     draw_wrapped_text(problem_);
@@ -163,8 +168,9 @@ void CurveInspector::draw_kind(const Session& session, Actions& actions, Ui& ui)
 void CurveInspector::draw_name(const Session& session, Actions& actions, Ui& ui, int curve) {
   LevelCurve named = session.level().curves.at(static_cast<std::size_t>(curve));
   if (curve != shown_) name_ = named.name;
-  ImGui::SetNextItemWidth(ui.px(220));
-  input_text("curve name", "name", name_);
+  ui.field_label("Name");
+  ImGui::SetNextItemWidth(2 * ui.px(kFormField) + ImGui::GetStyle().ItemSpacing.x);
+  input_text("curve name", "no name", name_);
   ui.item("inspector/curve_name", "Its name, which the debugger's sentences use, too.");
   if (ImGui::IsItemDeactivatedAfterEdit() && name_ != named.name) {
     named.name = name_;
@@ -178,9 +184,7 @@ void CurveInspector::draw_faces(const Session& session, Actions& actions, Ui& ui
   constexpr std::array<std::string_view, 3> kFaces = {"up", "down", "both ways"};
   LevelCurve changed = session.level().curves.at(static_cast<std::size_t>(curve));
   const auto now = static_cast<std::size_t>(changed.curve.faces);
-  ui.begin_row();
-  ui.label("faces");
-  ImGui::SameLine();
+  ui.field_label("Faces");
   if (ui.begin_combo("inspector/curve_faces", std::string(kFaces[now]), ui.px(108),
                      "From which side it stops bodies: up is a floor, down a ceiling; of an upright segment, "
                      "up is left.")) {
@@ -193,7 +197,6 @@ void CurveInspector::draw_faces(const Session& session, Actions& actions, Ui& ui
     }
     ImGui::EndCombo();
   }
-  ui.end_row();
 }
 
 void CurveInspector::draw_numbers(const Session& session, Actions& actions, Ui& ui, int curve) {

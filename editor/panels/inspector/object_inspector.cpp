@@ -54,8 +54,10 @@ void ObjectInspector::draw(const Session& session, Actions& actions, Ui& ui) {
     properties_.forget();
   }
   ui.heading("Object " + std::to_string(chosen.index + 1) + ", " + std::string(word_of_form(*object)));
+  ui.begin_row();
   draw_texts(session, *object, actions, ui);
   draw_numbers(session, *object, actions, ui);
+  ui.end_row();
   draw_properties(session, *object, actions, ui);
   command_text_button("map/duplicate"_command, session, actions, ui,
                       {.widget = "inspector/object_duplicate"});
@@ -110,43 +112,48 @@ void ObjectInspector::draw_layer(const Session& session, Actions& actions, Ui& u
 }
 
 void ObjectInspector::draw_texts(const Session& session, const MapObject& object, Actions& actions, Ui& ui) {
-  const auto field = [&](const char* id, const char* hint, std::string& typed, const std::string& now,
-                         const char* help, std::string MapObject::*member, const char* label) {
-    ImGui::SetNextItemWidth(ui.px(kObjectField));
-    input_text(id, hint, typed);
-    ui.item(std::string("inspector/object_") + hint, help);
-    if (ImGui::IsItemDeactivatedAfterEdit() && typed != now) {
+  const auto field = [&](const std::string& part, std::string_view title, std::string& typed,
+                         std::string MapObject::*member, const char* help, const char* label) {
+    ui.field_label(title);
+    ImGui::SetNextItemWidth(2 * ui.px(kFormField) + ImGui::GetStyle().ItemSpacing.x);
+    input_text("object " + part, "no " + part, typed);
+    ui.item("inspector/object_" + part, help);
+    if (ImGui::IsItemDeactivatedAfterEdit() && typed != object.*member) {
       MapObject changed = object;
       changed.*member = typed;
       change_chosen(session, std::move(changed), label, 0, actions);
     } else if (!ImGui::IsItemActive()) {
-      typed = now;  // Undo may have changed it
+      typed = object.*member;  // Undo may have changed it
     }
   };
-  field("object name", "name", name_, object.name, "The name of this object.", &MapObject::name,
-        "Name an object");
-  ui.same_line_if_fits(ui.px(kObjectField));
-  field("object class", "class", type_, object.type, "What games take it for, in Tiled its class.",
-        &MapObject::type, "Change an object's class");
+  field("name", "Name", name_, &MapObject::name, "The name of this object.", "Name an object");
+  field("class", "Class", type_, &MapObject::type, "What games take it for, in Tiled its class.",
+        "Change an object's class");
 }
 
 void ObjectInspector::draw_numbers(const Session& session, const MapObject& object, Actions& actions,
                                    Ui& ui) {
   MapObject changed = object;
-  bool has_changed = false, is_first = true;
+  bool has_changed = false;
   const auto number = [&](const std::string& part, double& value, const char* help) {
-    if (!std::exchange(is_first, false)) ui.same_line_if_fits(ui.px(76));
     const std::string name = "inspector/object_" + part, format = part + " %.8g";
-    has_changed |= draw_number_field({name, format.c_str(), help, 76, 1}, value, session, number_, ui);
+    has_changed |=
+        draw_number_field({name, format.c_str(), help, kFormField, 1}, value, session, number_, ui);
   };
+  ui.field_label("Place");
   number("x", changed.position.x, "px, of its place.");
+  ImGui::SameLine();
   number("y", changed.position.y, "px, of its place.");
   if (object.points.empty() && object.size != Vec2()) {
+    ui.field_label("Size");
     number("w", changed.size.x, "Its width, px.");
+    ImGui::SameLine();
     number("h", changed.size.y, "Its height, px.");
   }
+  ui.field_label("Turned");
   number("turn", changed.rotation, "Degrees, clockwise about its place.");
   if (has_changed) change_chosen(session, changed, "Change an object", number_.stroke, actions);
+  ui.field_label("");
   bool one_way = object.one_way;
   if (ImGui::Checkbox("one-way", &one_way)) {
     const PropertyChange change{"one_way", one_way ? std::optional<Json>(true) : std::nullopt};

@@ -22,7 +22,7 @@ namespace {
 std::optional<std::size_t> draw_choice(std::string_view name, std::span<const std::string_view> labels,
                                        std::size_t now, std::string_view help, Ui& ui) {
   std::optional<std::size_t> chosen;
-  if (!ui.begin_combo(name, std::string(labels[now]), ui.px(76), help)) return chosen;
+  if (!ui.begin_combo(name, std::string(labels[now]), ui.px(kFormField), help)) return chosen;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const std::string label(labels[i]);
     if (selectable(label, {}, i == now)) chosen = i;
@@ -47,54 +47,26 @@ void refuse(const std::string& part, Actions& actions) {
 }  // namespace
 
 void SpawnInspector::draw(const Session& session, int index, Actions& actions, Ui& ui) {
-  draw_kind(session, index, actions, ui);
+  ui.begin_row();
   draw_name(session, index, actions, ui);
+  draw_kind(session, index, actions, ui);
+  draw_foot(session, index, actions, ui);
   draw_start(session, index, actions, ui);
   draw_size(session, index, actions, ui);
+  ui.end_row();
   picture_.draw(session, index, actions, ui);
   if (traits_of(spawn_of(session, index).kind).takes_keys &&
       session.level().tuning.solver != SolverKind::exact)
     ui.hint("Players run only with the exact solver: see Tuning.");
 }
 
-void SpawnInspector::draw_kind(const Session& session, int index, Actions& actions, Ui& ui) {
-  Spawn spawn = spawn_of(session, index);
-  std::vector<std::string_view> words;
-  std::string help;
-  for (const BodyTraits& traits : body_kinds()) {
-    words.push_back(traits.word);
-    help.append(help.empty() ? "" : " ").append(traits.help);
-  }
-  const auto kind = draw_choice("inspector/kind", words, static_cast<std::size_t>(spawn.kind), help, ui);
-  ImGui::SameLine();
-  static constexpr std::array<std::string_view, 2> kFeet = {"box", "centre"};
-  ui.muted("foot");
-  ImGui::SameLine();
-  const auto foot = draw_choice("inspector/foot", kFeet, spawn.used_foot() == Foot::centre ? 1 : 0,
-                                "What stands on slopes: the whole bottom side of the box, or its centre, "
-                                "which sinks the box into them.",
-                                ui);
-  ui.same_line_if_fits(ui.px(56));
-  command_text_button("map/duplicate"_command, session, actions, ui,
-                      {.label = "Copy", .widget = "inspector/copy"});
-  ui.same_line_if_fits(ui.px(64));
-  if (ui.text_button("inspector/remove", "Remove", false, "Removes the body from the level."))
-    actions.push_back(action::EditLevel{remove_spawn(session.level(), index)});
-  if (kind) {
-    spawn.kind = static_cast<BodyKind>(*kind);
-    change(session, index, spawn, "Make a body a " + std::string(words[*kind]), 0, actions);
-  } else if (foot) {
-    spawn.foot = *foot == 1 ? Foot::centre : Foot::box;
-    change(session, index, spawn, "Change a body's foot", 0, actions);
-  }
-}
-
 void SpawnInspector::draw_name(const Session& session, int index, Actions& actions, Ui& ui) {
   Spawn spawn = spawn_of(session, index);
   if (index != shown_) name_ = spawn.name;
   shown_ = index;
-  ImGui::SetNextItemWidth(ui.px(220));
-  input_text("spawn name", "name", name_);
+  ui.field_label("Name");
+  ImGui::SetNextItemWidth(2 * ui.px(kFormField) + ImGui::GetStyle().ItemSpacing.x);
+  input_text("spawn name", "no name", name_);
   ui.item("inspector/spawn_name", "The name of this body.");
   if (ImGui::IsItemDeactivatedAfterEdit() && name_ != spawn.name) {
     spawn.name = name_;
@@ -104,22 +76,60 @@ void SpawnInspector::draw_name(const Session& session, int index, Actions& actio
   }
 }
 
+void SpawnInspector::draw_kind(const Session& session, int index, Actions& actions, Ui& ui) {
+  std::vector<std::string_view> words;
+  std::string help;
+  for (const BodyTraits& traits : body_kinds()) {
+    words.push_back(traits.word);
+    help.append(help.empty() ? "" : " ").append(traits.help);
+  }
+  Spawn spawn = spawn_of(session, index);
+  ui.field_label("Kind");
+  const auto kind = draw_choice("inspector/kind", words, static_cast<std::size_t>(spawn.kind), help, ui);
+  ImGui::SameLine();
+  command_text_button("map/duplicate"_command, session, actions, ui,
+                      {.label = "Copy", .widget = "inspector/copy", .width = ui.px(kFormField)});
+  if (!kind) return;
+  spawn.kind = static_cast<BodyKind>(*kind);
+  change(session, index, spawn, "Make a body a " + std::string(words[*kind]), 0, actions);
+}
+
+void SpawnInspector::draw_foot(const Session& session, int index, Actions& actions, Ui& ui) {
+  static constexpr std::array<std::string_view, 2> kFeet = {"box", "centre"};
+  Spawn spawn = spawn_of(session, index);
+  ui.field_label("Foot");
+  const auto foot = draw_choice("inspector/foot", kFeet, spawn.used_foot() == Foot::centre ? 1 : 0,
+                                "What stands on slopes: the whole bottom side of the box, or its centre, "
+                                "which sinks the box into them.",
+                                ui);
+  ImGui::SameLine();
+  if (ui.text_button("inspector/remove", "Remove", false, "Removes the body from the level.", {}, true,
+                     ui.px(kFormField)))
+    actions.push_back(action::EditLevel{remove_spawn(session.level(), index)});
+  if (!foot) return;
+  spawn.foot = *foot == 1 ? Foot::centre : Foot::box;
+  change(session, index, spawn, "Change a body's foot", 0, actions);
+}
+
 void SpawnInspector::draw_start(const Session& session, int index, Actions& actions, Ui& ui) {
   Spawn spawn = spawn_of(session, index);
   bool changed = false;
   const auto number = [&](const std::string& part, double& value, const char* help, float speed) {
-    if (part != "x") ui.same_line_if_fits(ui.px(76));
     const std::string name = "inspector/start_" + part, format = part + " %.8g";
     double edited = value;
-    if (!draw_number_field({name, format.c_str(), help, 76, speed}, edited, session, number_, ui)) return;
+    if (!draw_number_field({name, format.c_str(), help, kFormField, speed}, edited, session, number_, ui))
+      return;
     if (std::abs(edited) > kMaxCoordinate) return refuse(part, actions);
     value = edited;
     changed = true;
   };
-  ui.heading("Starts at");
+  ui.field_label("Start");
   number("x", spawn.position.x, "Where its box's left side starts, px.", 1);
+  ImGui::SameLine();
   number("y", spawn.position.y, "Where its box's top starts, px.", 1);
+  ui.field_label("Speed");
   number("vx", spawn.velocity.x, "Its speed to the right at the start, px/frame.", 0.05f);
+  ImGui::SameLine();
   number("vy", spawn.velocity.y, "Its speed downwards at the start, px/frame.", 0.05f);
   if (changed) change(session, index, std::move(spawn), "Change how a body starts", number_.stroke, actions);
 }
@@ -130,12 +140,12 @@ void SpawnInspector::draw_size(const Session& session, int index, Actions& actio
   Vec2 size = spawn.size;
   bool changed = false;
   const auto number = [&](const std::string& part, double& value, const char* help) {
-    if (part != "w") ui.same_line_if_fits(ui.px(76));
     const std::string name = "inspector/size_" + part, format = part + " %.8g";
-    changed |= draw_number_field({name, format.c_str(), help, 76, 1}, value, session, number_, ui);
+    changed |= draw_number_field({name, format.c_str(), help, kFormField, 1}, value, session, number_, ui);
   };
-  ui.heading("Size");
+  ui.field_label("Size");
   number("w", size.x, "The width of its box, px. The middle of its bottom stays where it is.");
+  ImGui::SameLine();
   number("h", size.y, "The height of its box, px. Its bottom stays where it is.");
   if (changed)
     change(session, index, with_size(spawn, size), "Change a body's size", number_.stroke, actions);

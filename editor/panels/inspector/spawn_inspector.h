@@ -16,8 +16,9 @@ class SpawnInspector {
   void draw(const Session& session, int index, Actions& actions, Ui& ui);
 
  private:
-  void draw_kind(const Session& session, int index, Actions& actions, Ui& ui);
   void draw_name(const Session& session, int index, Actions& actions, Ui& ui);
+  void draw_kind(const Session& session, int index, Actions& actions, Ui& ui);
+  void draw_foot(const Session& session, int index, Actions& actions, Ui& ui);
   void draw_start(const Session& session, int index, Actions& actions, Ui& ui);
   void draw_size(const Session& session, int index, Actions& actions, Ui& ui);
 

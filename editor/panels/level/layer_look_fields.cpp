@@ -15,15 +15,7 @@
 namespace talus {
 namespace {
 
-constexpr float kLabel = 62;   // px at scale 1, of the words beside the fields
 constexpr float kNumber = 72;  // px at scale 1, of a field for a number
-
-void draw_field_label(const std::string& text, Ui& ui) {
-  const float x = ImGui::GetCursorPosX();
-  ui.label(text);
-  ImGui::SameLine();
-  ImGui::SetCursorPosX(x + ui.px(kLabel));
-}
 
 }  // namespace
 
@@ -64,7 +56,7 @@ void LayerLookFields::draw_pair(const std::string& label, Vec2 LayerLooks::*pair
                                 const char* help, const Session& session, Actions& actions, Ui& ui) {
   LayerLooks looks = looks_in(session.level());
   Vec2& value = looks.*pair;
-  draw_field_label(label, ui);
+  ui.field_label(label);
   const std::string names[] = {"layers/" + label + "_x", "layers/" + label + "_y"};
   bool changed =
       draw_number_field({names[0], "x %.6g", help, kNumber, speed}, value.x, session, number_edit_, ui);
@@ -75,7 +67,7 @@ void LayerLookFields::draw_pair(const std::string& label, Vec2 LayerLooks::*pair
 }
 
 void LayerLookFields::draw_opacity(LayerLooks looks, const Session& session, Actions& actions, Ui& ui) {
-  draw_field_label("opacity", ui);
+  ui.field_label("opacity");
   int percent = static_cast<int>(std::lround(looks.opacity * 100));
   ImGui::SetNextItemWidth(ui.px(kNumber));
   const bool changed = ImGui::SliderInt("##opacity", &percent, 0, 100, "%d %%", ImGuiSliderFlags_AlwaysClamp);

@@ -143,6 +143,13 @@ void Ui::label(std::string_view text) {
   draw_text(text);
 }
 
+void Ui::field_label(std::string_view text) {
+  const float left = ImGui::GetCursorPosX();
+  ImGui::AlignTextToFramePadding();
+  draw_text(text);
+  ImGui::SameLine(left + px(kFormLabel));
+}
+
 void Ui::heading(std::string_view text) {
   const auto& fonts = ImGui::GetIO().Fonts->Fonts;
   const bool has_bold = fonts.Size > kBoldFont;

@@ -36,6 +36,9 @@ struct UvRect {
 // Of ImGui's fonts, the bold one; it is missing where no font file is installed.
 inline constexpr int kBoldFont = 1;
 
+// px at scale 1: of the left column of a form, and of a field of which two fit beside it.
+inline constexpr float kFormLabel = 56, kFormField = 80;
+
 class Ui {
  public:
   View view;
@@ -113,6 +116,9 @@ class Ui {
   void end_row();
   // Text in a row of buttons.
   void label(std::string_view text);
+  // What the fields of a row are, in a column of its own: the left one of a form. The fields follow beside
+  // it.
+  void field_label(std::string_view text);
   // The title of what follows below it, bold if the window has such a font.
   void heading(std::string_view text);
   // What a value or a control beside it is, in the muted colour.
