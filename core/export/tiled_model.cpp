@@ -50,8 +50,7 @@ TiledLayer tile_layer(const Level& level, int index) {
   layer.has_tiles = true;
   layer.looks = level.layers.list[static_cast<std::size_t>(index)];
   layer.looks.cells = nullptr;
-  const bool is_plain = level.layers.is_plain();
-  layer.name = is_plain || layer.looks.name.empty() ? kTiledTileLayer : layer.looks.name;
+  layer.name = layer.looks.name.empty() ? kTiledTileLayer : layer.looks.name;
   const bool is_empty = level.layers.count() > 1 || is_tile_0_blank(level);
   const MapCells& cells = level.cells_of(index);
   layer.cells.reserve(cells.size());

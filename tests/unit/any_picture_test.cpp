@@ -57,9 +57,10 @@ TEST(AnyPicture, TooLargeOnesAreRefusedUnread) {
     ASSERT_FALSE(picture) << name;
     EXPECT_EQ(picture.error().message, "is 8x8 px, but may have at most 7x7 px") << name;
   }
-  std::string wide = seed("small.gif");
-  wide[7] = '\x7f';
-  EXPECT_EQ(size_of_picture(wide), (TileSize{0, 0}));
+  std::string large = seed("small.gif");
+  large[7] = large[9] = '\x7f';
+  EXPECT_EQ(size_of_picture(large), (TileSize{0x7f08, 0x7f08}));
+  EXPECT_THAT(read_picture(large, kMaxSheetPicturePixels).error().message, HasSubstr("16777216"));
 }
 
 TEST(AnyPicture, DamagedOnesAreErrorsOrPartlyClear) {

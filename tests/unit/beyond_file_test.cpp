@@ -155,6 +155,26 @@ TEST_F(BeyondFile, WhatTheMapHoldsIsNotAsked) {
   EXPECT_THAT(message(), HasSubstr("Saved"));
 }
 
+TEST_F(BeyondFile, ObjectsBesideOneOfSeveralLayersAreSaved) {
+  open(kTwo, 2);
+  ObjectLayer layer;
+  layer.name = "signs";
+  MapObject object;
+  object.name = "exit";
+  object.position = {4, 8};
+  layer.objects = {object};
+  Level changed = level();
+  changed.objects.push_back(layer);
+  edit(replace_by(level(), std::make_shared<const Level>(changed), "Add layer"));
+  EXPECT_EQ(question(), "");
+  session_->apply(act::SaveFile{});
+  EXPECT_THAT(message(), HasSubstr("Saved"));
+  const auto again = load_level(path("m.tmx"), {.layer_number = 2});
+  ASSERT_TRUE(again);
+  ASSERT_EQ(again->level.objects.size(), 1u);
+  EXPECT_EQ(again->level.objects[0].objects.front().name, "exit");
+}
+
 // A tileset has a map of Talus, whose size its companion keeps.
 TEST_F(BeyondFile, AnotherLayerOfATilesetIsAsked) {
   put("t.tsx", R"(<tileset name="t" tilewidth="8" tileheight="8" tilecount="6" columns="3"/>)");

@@ -77,6 +77,16 @@ TEST_F(CliImportTest, TakesTheChoiceAndWarnsOfTheRest) {
   EXPECT_EQ(load_level(path("two.talus.json"))->level.map.at({0, 0}), 1);
 }
 
+TEST_F(CliImportTest, AChosenLayerKeepsItsNameInEveryFile) {
+  EXPECT_EQ(import({"--layer", "front"}), 0);
+  EXPECT_EQ(load_level(path("two.talus.json"))->level.layers.list.front().name, "front");
+  for (const char* format : {"tmx", "tmj"}) {
+    const std::string file = path(std::string("front.") + format);
+    ASSERT_EQ(cli_answer({"export", path("two.talus.json"), "--to", format, "-o", file}).status, 0);
+    EXPECT_EQ(load_level(file)->level.layers.list.front().name, "front") << format;
+  }
+}
+
 TEST_F(CliImportTest, TakesALevelOfAProjectOfLdtk) {
   const std::string project = ldtk_project(ldtk_level(ldtk_grid(1, 1, "1"), "Cave") + "," +
                                            ldtk_level(ldtk_grid(3, 1, "1,0,0"), "Top"));

@@ -75,10 +75,21 @@ TEST_F(ImportPictures, AreLimitedByTheirPixels) {
   EXPECT_EQ(color(loaded.level, 1, 0, 7), kGreen);
   put("t.png", columns({kRed}, 4097, 1));
   EXPECT_THAT(read(set, "1").dropped, testing::Not(Contains(testing::HasSubstr("t.png"))));
-  put("t.png", columns({kRed}, 16'385, 1));
-  EXPECT_THAT(read(set, "1").dropped,
-              Contains("the picture of the tileset \"t\", file t.png: is 16385x1 px, but may have at most "
-                       "16384x16384 px"));
+}
+
+// Wider than a sheet may be: its tiles lie otherwise on theirs.
+TEST_F(ImportPictures, MayBeLongerThanASheet) {
+  put("t.png", columns({kRed, kGreen}, 16'384, 16));
+  const std::string set = tileset("tilewidth=\"16\" tileheight=\"16\" tilecount=\"2048\" columns=\"2048\"",
+                                  "<image source=\"t.png\" width=\"32768\" height=\"16\"/>");
+  const LoadedLevel loaded = read(set, "1,2048");
+  EXPECT_EQ(loaded.dropped, std::vector<std::string>());
+  EXPECT_EQ(color(loaded.level, 0, 0, 7), kRed);
+  EXPECT_EQ(color(loaded.level, 1, 0, 7), kGreen);
+  const auto all = load_level(path("map.tmx"));
+  ASSERT_TRUE(all);
+  EXPECT_GE(all->level.tile_count(), 2048);
+  EXPECT_EQ(color(all->level, 1, 0, 7), kGreen);
 }
 
 // It was the first colour of the picture, however bright.

@@ -16,8 +16,8 @@
 namespace talus {
 
 inline constexpr std::size_t kMaxLinkedPixels = std::size_t{1} << 25;  // of different pictures together
-// px, of a picture, which has at most kMaxSheetPicturePixels in all.
-inline constexpr int kMaxLinkedPictureSide = kMaxSheetPictureSide;
+// px, of a picture: its pixels alone limit it, as its tiles find their places on a sheet of another form.
+inline constexpr int kMaxLinkedPictureSide = kMaxSheetPicturePixels;
 
 // A picture that a file names.
 struct LinkedPicture {

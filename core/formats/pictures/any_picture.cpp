@@ -17,7 +17,7 @@ TileSize size_of_png(std::string_view bytes) {
     std::size_t side = 0;
     for (std::size_t i = at; i < at + kSideBytes / 2; ++i)
       side = side << 8 | static_cast<std::uint8_t>((*header)[i]);
-    return side <= kMaxSheetPictureSide ? static_cast<int>(side) : 0;
+    return side <= kMaxSheetPicturePixels ? static_cast<int>(side) : 0;
   };
   return {side_at(0), side_at(kSideBytes / 2)};
 }
@@ -25,13 +25,10 @@ TileSize size_of_png(std::string_view bytes) {
 }  // namespace
 
 TileSize size_of_picture(std::string_view bytes) {
-  TileSize size = is_png(bytes)        ? size_of_png(bytes)
-                  : is_aseprite(bytes) ? size_of_aseprite(bytes)
-                  : is_gif(bytes)      ? size_of_gif(bytes)
-                  : is_jpeg(bytes)     ? size_of_jpeg(bytes)
-                                       : size_by_stb(bytes);
-  if (size.width > kMaxSheetPictureSide || size.height > kMaxSheetPictureSide) size = {0, 0};
-  return size;
+  if (is_png(bytes)) return size_of_png(bytes);
+  if (is_aseprite(bytes)) return size_of_aseprite(bytes);
+  if (is_gif(bytes)) return size_of_gif(bytes);
+  return is_jpeg(bytes) ? size_of_jpeg(bytes) : size_by_stb(bytes);
 }
 
 FormatResult<RgbaPicture> read_picture(std::string_view bytes, int most_side) {

@@ -7,8 +7,8 @@
 
 namespace talus {
 
-// The size that a PNG, JPEG, BMP, GIF, TGA or picture of Aseprite claims; 0x0 px if the bytes are none, or if
-// a side has more than kMaxSheetPictureSide px.
+// The size that a PNG, JPEG, BMP, GIF, TGA or picture of Aseprite claims; 0x0 px if the bytes are none. A
+// side of a PNG above kMaxSheetPicturePixels is 0.
 TileSize size_of_picture(std::string_view bytes);
 
 // Returns the pixels of such a picture; of an animated one the first frame. most_side: as in read_rgba().

@@ -40,7 +40,7 @@ inline constexpr std::size_t kPngStart = 8;  // bytes that is_png() needs
 bool is_png(std::string_view bytes);
 // Returns the content of the first chunk of this type (four letters); empty if there is none.
 FormatResult<std::string_view> find_png_chunk(std::string_view bytes, std::string_view type);
-// most_side: px, 1..kMaxSheetPictureSide; a picture has at most kMaxSheetPicturePixels in all.
+// most_side: px, 1..kMaxSheetPicturePixels; a picture has at most kMaxSheetPicturePixels in all.
 FormatResult<RgbaPicture> read_rgba(std::string_view bytes, int most_side = kMaxPngSide);
 FormatResult<PngPicture> read_png(std::string_view bytes);
 FormatResult<PngPicture> load_png(const std::string& path);

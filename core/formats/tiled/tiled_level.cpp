@@ -203,16 +203,13 @@ TileLayer& TiledLevelMaker::layer_to_choose(std::vector<TileLayer>& list) const 
   return ground == list.end() ? list.front() : *ground;
 }
 
-// One that was chosen alone is shown even if it is hidden, and has no name: nobody has to tell it from
-// others. Of a level of Talus, the only one has the name that it got there.
+// One that was chosen alone is shown, and is ground, whatever the map says. Of a level of Talus, the only one
+// has the name that it got there.
 void TiledLevelMaker::take_layers(const std::vector<const TiledLayer*>& layers) {
   std::vector<TileLayer> list;
   for (std::size_t i = 0; i < layers.size(); ++i) {
     TileLayer& layer = list.emplace_back(layers[i]->looks);
-    if (layers.size() == 1 && has_other_tile_layers(*layers[0])) {
-      layer.name.clear();
-      layer.visible = layer.is_ground = true;
-    }
+    if (layers.size() == 1 && has_other_tile_layers(*layers[0])) layer.visible = layer.is_ground = true;
     if (layers.size() == 1 && is_own_ && layer.name == kTiledTileLayer) layer.name.clear();
     if (layer.is_ground && shown_looks(map_.groups, layer).offset != Vec2())
       drops_.add("the offset of the ground of " + named("the layer", layers[i]->name) +
