@@ -174,7 +174,16 @@ function Walk:cast_to(on, box, x, y)
                   not straight and line.source or nil, self.sunk)
 end
 
--- The upper end of what a corner of the body met, or the nearer end of a ceiling; nil if its middle met it.
+-- The upper end of a sloped ceiling that falls away from the middle of the body, as the far side of a roof does that
+-- is a line: there the floor that the body walks on leads over it.
+local function crest_of(piece, middle)
+  if piece.y0 < piece.y1 and middle < piece.x0 then return piece.x0, piece.y0 end
+  if piece.y1 < piece.y0 and middle > piece.x1 then return piece.x1, piece.y1 end
+  return nil
+end
+
+-- The upper end of what a corner of the body met, or the nearer end of a ceiling that is level or falls from there;
+-- nil if its middle met it.
 function Walk:corner_met(box, contact)
   local piece = contact.piece
   if contact.facing >= LEFT then
@@ -182,7 +191,10 @@ function Walk:corner_met(box, contact)
     return (contact.column + (contact.facing == LEFT and 0 or 1)) * TILE_W, contact.row * TILE_H
   end
   local is_ceiling = contact.facing == DOWN
-  if piece and not contact.on_end and not (is_ceiling and piece.y0 == piece.y1) then return nil end
+  if piece and not contact.on_end then
+    if not is_ceiling then return nil end
+    if piece.y0 ~= piece.y1 then return crest_of(piece, box.x + box.w / 2) end
+  end
   local at = piece and 0 or self:solid_column(box.x, box.w, contact.row)
   local x0, x1 = at * TILE_W, (at + 1) * TILE_W
   if piece then x0, x1 = piece.x0, piece.x1 end

@@ -244,8 +244,8 @@ class FloorWalk {
     return step > 0 ? ground_.x_of(next.x) - rest : ground_.x_of(cell.x) - box.w + rest;
   }
 
-  // The upper end of what a corner of the body met, or the nearer end of a ceiling. Nothing: its middle met
-  // it.
+  // The upper end of what a corner of the body met, or the nearer end of a ceiling that is level or falls
+  // from there. Nothing: its middle met it.
   std::optional<Vec> corner_met(const Moving<Real>& body, const Contact<Real>& contact) const {
     const Piece<Real>* piece = contact.piece;
     const Cell cell{contact.origin % ground_.width(), contact.origin / ground_.width()};
@@ -253,9 +253,8 @@ class FloorWalk {
       if (piece != nullptr) return Vec{piece->x0, piece->y0};
       return Vec{ground_.x_of(cell.x + (contact.facing == Facing::left ? 0 : 1)), ground_.y_of(cell.y)};
     }
-    const bool is_level_ceiling =
-        piece != nullptr && contact.facing == Facing::down && piece->y0 == piece->y1;
-    if (piece != nullptr && !contact.on_end && !is_level_ceiling) return std::nullopt;
+    if (piece != nullptr && !contact.on_end && contact.facing != Facing::down) return std::nullopt;
+    if (piece != nullptr && !contact.on_end && piece->y0 != piece->y1) return crest_of(*piece, body.box);
     const int column = piece != nullptr ? 0 : solid_column(body.box, cell.y);
     const Real x0 = piece != nullptr ? piece->x0 : ground_.x_of(column);
     const Real x1 = piece != nullptr ? piece->x1 : ground_.x_of(column + 1);
@@ -263,6 +262,15 @@ class FloorWalk {
     const Real y = contact.position.y + (contact.facing == Facing::down ? 0 : body.box.h);
     if (middle < x0) return Vec{x0, y};
     if (middle > x1) return Vec{x1, y};
+    return std::nullopt;
+  }
+
+  // The upper end of a sloped ceiling that falls away from the middle of the body, as the far side of a roof
+  // does that is a line: there the floor that the body walks on leads over it.
+  std::optional<Vec> crest_of(const Piece<Real>& piece, const BasicRect<Real>& box) const {
+    const Real middle = box.x + box.w / 2;
+    if (piece.y0 < piece.y1 && middle < piece.x0) return Vec{piece.x0, piece.y0};
+    if (piece.y1 < piece.y0 && middle > piece.x1) return Vec{piece.x1, piece.y1};
     return std::nullopt;
   }
 

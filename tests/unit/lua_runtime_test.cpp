@@ -167,6 +167,31 @@ TEST_F(LuaRuntime, GivesTheBitsOfTheGoldenCarts) {
   expect_same_bits();
 }
 
+// Wide players go over roofs that stop bodies from both sides.
+TEST_F(LuaRuntime, GivesTheBitsOfWalksOverLines) {
+  for (const double rise : {1.0, 1.7, 2.0}) {
+    Level level;
+    level.map = TileMap(40, 14);
+    const double floor = 96;
+    level.curves = {{"", {Segment{{128, floor}, {160, floor - 32 * rise}}, Curve::Faces::both}, ""},
+                    {"", {Segment{{160, floor - 32 * rise}, {192, floor}}, Curve::Faces::both}, ""},
+                    {"", {Segment{{0, floor}, {320, floor}}, Curve::Faces::up}, ""}};
+    for (const Vec2 size : {Vec2{8, 8}, Vec2{12, 7}, Vec2{16, 8}}) {
+      Spawn& spawn = level.spawns.emplace_back();
+      spawn.kind = BodyKind::player;
+      spawn.foot = Foot::centre;
+      spawn.size = size;
+      spawn.position = {90, floor - size.y};
+    }
+    level.tuning.shared.balls_block = 0;
+    CaseInput right;
+    right.frame = 1;
+    right.right = true;
+    add(level, 90, {right}, "roof " + std::to_string(rise));
+  }
+  expect_same_bits();
+}
+
 std::vector<CaseInput> random_input(Dice& dice, int frames, double width, double height) {
   std::vector<CaseInput> entries;
   for (int frame = 1; frame < frames; frame += 1 + dice.up_to(12)) {

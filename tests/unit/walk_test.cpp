@@ -246,6 +246,48 @@ TEST(Walk, PassesTheUndersideOfTheHillThatItWalksOn) {
   EXPECT_NEAR(meeting.step({69, 88, 14, 4}, Foot::centre, -1).box.x, 67.5, 1e-9);
 }
 
+// Its far side stops bodies from below, too, and the front of a wide body is under it before the middle is at
+// the crest.
+TEST(Walk, PassesTheCrestOfARoofThatIsALine) {
+  constexpr double kHalf = 32;  // px, of the roof's width
+  for (const double rise : {1.0, 1.5, 1.7, 2.0}) {
+    for (const Vec2 size : {Vec2{8, 8}, Vec2{10, 8}, Vec2{12, 7}, Vec2{16, 8}, Vec2{16, 16}}) {
+      for (const int direction : {1, -1}) {
+        Scenery scenery;
+        const Vec2 crest{160, kFloor - rise * kHalf};
+        for (const double side : {-1.0, 1.0}) {
+          Segment line{{crest.x - kHalf, kFloor}, crest};
+          if (side > 0) line = {crest, {crest.x + kHalf, kFloor}};
+          scenery.level.curves.push_back({"", {line, Curve::Faces::both}, ""});
+        }
+        const double start = crest.x - direction * (kHalf + 20);
+        scenery.player(start - size.x / 2, kFloor, Foot::centre, size);
+        const Body body = walked(scenery.level, direction, 64);
+        EXPECT_NEAR(body.box.x + size.x / 2, start + direction * 96, 4)
+            << rise << " " << size.x << "x" << size.y;
+      }
+    }
+  }
+}
+
+TEST(Walk, PassesTheCrestOfAWaveThatIsALine) {
+  for (const Vec2 size : {Vec2{8, 8}, Vec2{16, 8}, Vec2{24, 6}}) {
+    Scenery scenery;
+    scenery.level.curves.push_back({"", {Sine{100, 300, kFloor - 20, 18, 60, 115}, Curve::Faces::both}, ""});
+    scenery.player(40, kFloor - 40, Foot::centre, size);
+    scenery.level.spawns[0].position.x = 150 - size.x / 2;
+    const auto scene = std::make_shared<const Scene>(compile_scene(scenery.level));
+    const auto solver = make_solver(scene);
+    State state = initial_state(*scene);
+    Input input;
+    for (int i = 0; i < 120; ++i) {
+      input.right = i > 40;
+      solver->step(state, input, nullptr);
+    }
+    EXPECT_GT(state.bodies[0].box.x, 220) << size.x;
+  }
+}
+
 TEST(Walk, DoesNotStandOnASeamOfAWall) {
   Meeting meeting;
   meeting.put({9, 10}, {.kind = TileShape::Kind::slope, .side = TileShape::Side::ceiling, .heights = {8, 5}});
