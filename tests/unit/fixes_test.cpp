@@ -124,6 +124,13 @@ TEST(Fixes, NoWallIsMadeElsewhere) {
     EXPECT_THAT(fixes_for(level, level, {}, problem), IsEmpty()) << problem.message;
 }
 
+TEST(Fixes, NoSlopeIsLaidToTheFootOfAWall) {
+  // Tile 2 goes on at the same height, but a body on it would be stopped by a part of the wall.
+  const Level level = slope_level({"o.....", ".##.b#", "######"});
+  EXPECT_THAT(fixes_for(level, level, {}, first_of(level, "seam")),
+              testing::Each(testing::Field(&Edit::label, testing::Not(testing::StartsWith("Place")))));
+}
+
 TEST(Fixes, EveryRuleSaysWhatToDoByHand) {
   for (const LintRule* rule : lint_rules()) {
     EXPECT_THAT(std::string(rule->by_hand), testing::EndsWith(".")) << rule->code;

@@ -65,8 +65,22 @@ void GroundFaults::look_at(const Level& level, const LintTiles& tiles, const std
         ceilings_[x].insert(weld(y));
     }
   }
+  for (const Piece<double>& piece : pieces)
+    if (piece.facing == Facing::up) note_notch(piece);
   const std::vector<double> depths = depths_of(floors);
   pits_.insert(pits_.end(), depths.begin(), depths.end());
+}
+
+void GroundFaults::note_notch(const Piece<double>& floor) {
+  if (floor.y0 == floor.y1) return;
+  const bool falls = floor.y0 < floor.y1;
+  const double x = falls ? floor.x1 : floor.x0, y = falls ? floor.y1 : floor.y0;
+  const auto walls = walls_.find({static_cast<int>(falls ? Facing::left : Facing::right), x});
+  if (walls == walls_.end()) return;
+  const bool is_at_foot = std::any_of(walls->second.begin(), walls->second.end(), [&](const Interval& wall) {
+    return wall.from < y - kGrain && wall.to > y - kGrain;
+  });
+  if (is_at_foot) notches_.insert({x, y});
 }
 
 // Joins walls of one side and column that touch.
@@ -99,6 +113,8 @@ bool GroundFaults::has_more_than(const GroundFaults& before) const {
     for (const Interval& wall : joined(walls))
       if (wall.to - wall.from > kGrain && is_worse(wall, old)) return true;
   }
+  if (!std::includes(before.notches_.begin(), before.notches_.end(), notches_.begin(), notches_.end()))
+    return true;
   for (const auto& [column, ceilings] : ceilings_) {
     const auto known = before.ceilings_.find(column);
     if (known == before.ceilings_.end() || ceilings.size() > known->second.size()) return true;
