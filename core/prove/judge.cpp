@@ -13,7 +13,8 @@ constexpr Fine kSlack = kFinePx >> 14, kFloatSlack = kFinePx >> 7;
 constexpr Fine kChord = kFinePx / 64;  // a curve may be so far from the chord along which a step goes
 constexpr double kSteepGround = 4;     // |dy/dx| of slopes down which bodies on their centre slide
 constexpr Fine kDeep = 16;             // a middle that is less than so many roundings in a slope touches it
-constexpr int kMostRises = 16;         // parts that a body is lifted over, one after the other
+constexpr Fine kMostBevel = 4 * kFinePx;  // the width of a low edge that is not upright
+constexpr int kMostRises = 16;            // parts that a body is lifted over, one after the other
 constexpr double kSameSpeed = 1e-6;
 
 Fine scaled(Fine length, double factor) { return std::llround(static_cast<double>(length) * factor); }
@@ -42,7 +43,8 @@ std::optional<Verdict> Judge::judge(const Body& before, const Body& after, const
     return Verdict{FindingKind::inside};
   if (falls_through(before, after)) return Verdict{FindingKind::falls_through};
   const bool walks = tuning_.solver == SolverKind::exact && traits_of(after.kind).takes_keys;
-  if (walks && after.gait.grounded && !has_floor_at_foot(after)) return Verdict{FindingKind::floats};
+  if (walks && after.gait.grounded && !has_floor_at_foot(after, Under::corners))
+    return Verdict{FindingKind::floats};
   const bool jumps = input.jump && !before.gait.jump_held;
   if (walks && before.gait.grounded && !jumps) {
     const PlayerTuning& player = tuning_.player;
@@ -70,14 +72,41 @@ std::optional<Verdict> Judge::judge_walk(const Body& before, const Body& after, 
     if (floor_goes_on(before, after, direction)) return Verdict{FindingKind::leaves_floor};
     return std::nullopt;
   }
+  if (auto missed = ramp_missed(before, after, direction)) return missed;
   const bool slows = std::abs(after.velocity.x - speed) > kSameSpeed;
   if (moved >= least - slack && !slows) return std::nullopt;
-  if (is_stopped_before(before, after, direction, record)) return std::nullopt;
+  if (is_stopped_before(before, after, direction, record)) return judge_stop(after, direction);
   const Ahead ahead = ahead_of(after, direction);
   if (ahead.way == Way::blocked) return std::nullopt;
   if (ahead.way == Way::lip) return lip_of(direction, ahead.edge);
   if (moved >= least - slack) return Verdict{FindingKind::slows, most - after.velocity.x * direction};
   return Verdict{FindingKind::stops, least - moved};
+}
+
+// Of a body that something there has stopped: it ought not to if it is too steep, but low.
+std::optional<Verdict> Judge::judge_stop(const Body& after, int direction) const {
+  const auto bevel = bevel_at(fine_box(after.box), after.foot, direction);
+  if (!bevel || bevel->height > lip_ + slack_) return std::nullopt;
+  return lip_of(direction, *bevel);
+}
+
+// A one-way floor that leads up, and begins so little above the floor that it is meant to go on from it: the
+// body has gone under it.
+std::optional<Verdict> Judge::ramp_missed(const Body& before, const Body& after, int direction) const {
+  if (!after.gait.grounded || is_across_line(before)) return std::nullopt;
+  const FineBox box = fine_box(after.box);
+  const FineBox inner = after.foot == Foot::box ? box.shrunk(slack_) : box.shrunk(slack_).middle_line();
+  std::optional<Verdict> missed;
+  ground_.for_parts(inner, [&](const RawPart& part) {
+    if (part.kind != RawPart::Kind::floor || !part.meets(inner)) return true;
+    const RawLine& top = part.top;
+    const Fine x = direction > 0 ? top.x0 : top.x1, y = direction > 0 ? top.y0 : top.y1;
+    const Fine height = box.y1 - y;
+    if (height <= weld_ || height > lip_ + slack_ || top.highest(top.x0, top.x1) >= y) return true;
+    missed = lip_of(direction, {height, x, y});
+    return false;
+  });
+  return missed;
 }
 
 // Whether it met something that is there, and that explains a stop: a slope that is too steep, or something
@@ -148,8 +177,8 @@ std::optional<double> Judge::standing_place(const Rect& box, Foot foot, double r
 }
 
 bool Judge::is_across_line(const Body& body) const {
-  if (body.foot == Foot::centre) return false;
-  const FineBox inner = fine_box(body.box).shrunk(slack_);
+  const FineBox box = fine_box(body.box).shrunk(slack_);
+  const FineBox inner = body.foot == Foot::centre ? box.middle_line() : box;
   return !ground_.for_parts(
       inner, [&](const RawPart& part) { return part.kind != RawPart::Kind::floor || !part.meets(inner); });
 }
@@ -183,11 +212,14 @@ bool Judge::floor_goes_on(const Body& before, const Body& after, int direction) 
   return leads(from.x0, to.x0) || leads(from.x1, to.x1);
 }
 
-bool Judge::has_floor_at_foot(const Body& body) const {
-  const FineBox box = fine_box(body.box);
+bool Judge::has_floor_at_foot(const Body& body, Under under) const {
+  const FineBox box = fine_box(body.box), middle = box.middle_line();
+  const bool by_middle = under == Under::middle_of_slopes && body.foot == Foot::centre;
   return !ground_.for_parts({box.x0, box.y1 - weld_, box.x1, box.y1 + weld_}, [&](const RawPart& part) {
     if (!part.is_floor()) return true;
-    const auto [from, to] = shared_x(part, box);
+    const FineBox& foot = by_middle && part.top.y0 != part.top.y1 ? middle : box;
+    if (part.top.x1 < foot.x0 || part.top.x0 > foot.x1) return true;
+    const auto [from, to] = shared_x(part, foot);
     return !(part.top.highest(from, to) <= box.y1 + weld_ && part.top.lowest(from, to) >= box.y1 - weld_);
   });
 }
@@ -195,7 +227,7 @@ bool Judge::has_floor_at_foot(const Body& body) const {
 // A body that rolls on a floor, and is stopped by a low edge.
 std::optional<Verdict> Judge::lip_met(const Body& before, const ContactRecord& contact) const {
   Body body = before;
-  if (!has_floor_at_foot(body)) return std::nullopt;
+  if (!has_floor_at_foot(body, Under::middle_of_slopes)) return std::nullopt;
   body.box.x = contact.touch.x;
   body.box.y = contact.touch.y;
   const int direction = contact.normal.x > 0 ? -1 : 1;
@@ -265,6 +297,18 @@ Judge::Ahead Judge::ahead_of(const Body& body, int direction, Fine way) const {
   return {rise && rise->height <= slope ? Way::free : Way::blocked};
 }
 
+// The edge at the top of what is ahead, and too steep to walk on: a wall, or a bevel.
+std::optional<Judge::Edge> Judge::bevel_at(const FineBox& box, Foot foot, int direction) const {
+  const double steepest = tuning_.exact.steepest;
+  for (Fine way = 4 * slack_; way < kMostBevel; way *= 2) {
+    const auto edge = edge_at(box, foot, direction, way), beyond = edge_at(box, foot, direction, 2 * way);
+    if (!edge || !beyond) return std::nullopt;
+    if (edge->height <= scaled(way, steepest) + slack_) continue;
+    if (beyond->height - edge->height <= scaled(way, steepest) + slack_) return edge;
+  }
+  return std::nullopt;
+}
+
 // The edge onto which a body must be lifted from its floor to go on by that way.
 std::optional<Judge::Edge> Judge::edge_at(const FineBox& box, Foot foot, int direction, Fine way) const {
   const FineBox next = box.moved(direction * way, 0);
@@ -286,16 +330,22 @@ std::optional<Judge::Edge> Judge::edge_at(const FineBox& box, Foot foot, int dir
 std::optional<Fine> Judge::rise_onto(const FineBox& from, FineBox to, Foot foot) const {
   const Fine in_floor = foot == Foot::centre ? scaled((to.x1 - to.x0) / 2, tuning_.exact.steepest) : 0;
   const Fine most = std::max(lip_, scaled(kAheadOnCurve, 2 * tuning_.exact.steepest)) + in_floor + weld_;
+  const bool is_above_floor = passes(from, from, Foot::box);
   const Fine start = to.y1;
   for (int i = 0; i < kMostRises; ++i) {
-    // A body that is lifted by more than its height must not pass a ceiling in between.
-    const FineBox lifted{to.x0, to.y0, to.x1, std::max(to.y1, from.y0 + 2 * slack_)};
-    if (passes(from, lifted, foot)) return start - to.y1;
+    // A body that is lifted by more than its height must not pass a ceiling in between. Where a corner is in
+    // the floor, what is beside that counts, too.
+    const FineBox between{from.x0, to.y1, from.x1, from.y0};
+    const bool has_room = !is_above_floor || between.y0 >= between.y1 || passes(between, between, foot);
+    const FineBox lifted{to.x0, to.y0, to.x1, is_above_floor ? to.y1 : std::max(to.y1, from.y0 + 2 * slack_)};
+    if (has_room && passes(from, lifted, foot)) return start - to.y1;
     Fine top = to.y1;
     ground_.for_parts(to, [&](const RawPart& part) {
-      if (!part.is_floor() || !part.stops(from.shrunk(slack_), to.shrunk(slack_))) return true;
+      const bool is_wall = part.top.x0 == part.top.x1;
+      if (!part.is_floor() && !is_wall) return true;
+      if (!part.stops(from.shrunk(slack_), to.shrunk(slack_))) return true;
       const auto [x0, x1] = shared_x(part, to);
-      top = std::min(top, part.top.highest(x0, x1));
+      top = std::min(top, is_wall ? std::min(part.top.y0, part.top.y1) : part.top.highest(x0, x1));
       return true;
     });
     if (top == to.y1 || start - top > most) return std::nullopt;

@@ -32,8 +32,8 @@ class Judge {
   };
   // Whether a body may be there: it is not in the ground.
   bool is_free(const Rect& box, Foot foot, Corners corners) const;
-  // Whether a line that stops bodies from above is in the box of a body that stands on all of its bottom.
-  // Such a body is behind the line, and comes out by either side: nothing is said about that.
+  // Whether a line that stops bodies from above is in the box of a body, or at the middle of one on its
+  // centre. Such a body is behind the line, and comes out by either side: nothing is said about that.
   bool is_across_line(const Body& body) const;
   // The y of the body's top at which it stands at that x, at most `rise` px higher than it is or `drop` px
   // lower; nothing: there is no floor, or it is too steep.
@@ -53,6 +53,8 @@ class Judge {
                                     const StepRecord& record) const;
   bool is_stopped_before(const Body& before, const Body& after, int direction,
                          const StepRecord& record) const;
+  std::optional<Verdict> judge_stop(const Body& after, int direction) const;
+  std::optional<Verdict> ramp_missed(const Body& before, const Body& after, int direction) const;
   std::optional<Verdict> judge_contacts(const Body& before, const StepRecord& record) const;
   std::optional<Verdict> lip_met(const Body& before, const ContactRecord& contact) const;
   Verdict lip_of(int direction, const Edge& edge) const;
@@ -65,9 +67,11 @@ class Judge {
   bool has_floor_above(const FineBox& box, Foot foot, Fine way) const;
   bool floor_goes_on(const Body& before, const Body& after, int direction) const;
   bool is_on_end(const FineBox& box, Foot foot, bool bottom) const;
-  bool has_floor_at_foot(const Body& body) const;
+  enum class Under { corners, middle_of_slopes };  // what stands on slopes
+  bool has_floor_at_foot(const Body& body, Under under) const;
   bool is_there(const ContactRecord& contact, const Body& body) const;
   std::optional<Fine> floor_near(const FineBox& box, Foot foot, Fine up, Fine down) const;
+  std::optional<Edge> bevel_at(const FineBox& box, Foot foot, int direction) const;
   std::optional<Edge> edge_at(const FineBox& box, Foot foot, int direction, Fine way) const;
   std::optional<Fine> rise_onto(const FineBox& from, FineBox box, Foot foot) const;
   FloorLine floor_line(const FineBox& box) const {

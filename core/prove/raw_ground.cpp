@@ -1,6 +1,8 @@
 #include "raw_ground.h"
 
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "collision/outline_compiler.h"
 
@@ -85,6 +87,30 @@ int cells_beyond(Fine length, Fine tile) {
   return length <= 0 ? 0 : static_cast<int>((length + tile - 1) / tile);
 }
 
+// The free ends of lines that stop bodies from both sides: an end stops what comes from the side, too.
+std::vector<RawPart> free_ends(std::span<const Piece<double>> pieces) {
+  struct Ends {
+    bool floor = false, ceiling = false;  // begin, or end, there
+  };
+  std::map<std::pair<double, double>, Ends> first, last;
+  for (const Piece<double>& piece : pieces) {
+    if (piece.is_wall()) continue;
+    for (Ends* ends : {&first[{piece.x0, piece.y0}], &last[{piece.x1, piece.y1}]})
+      (piece.facing == Facing::up ? ends->floor : ends->ceiling) = true;
+  }
+  std::vector<RawPart> parts;
+  const auto add_free = [&](const auto& ends, const auto& others, RawPart::Kind kind) {
+    for (const auto& [point, end] : ends) {
+      if (!end.floor || !end.ceiling || others.contains(point)) continue;
+      const Fine x = fine(point.first), y = fine(point.second);
+      parts.push_back({kind, line_from(x, y, x, y), line_from(x, y, x, y)});
+    }
+  };
+  add_free(first, last, RawPart::Kind::left);
+  add_free(last, first, RawPart::Kind::right);
+  return parts;
+}
+
 }  // namespace
 
 Fine fine(double px) { return std::llround(px * static_cast<double>(kFinePx)); }
@@ -124,12 +150,14 @@ bool RawPart::meets(const FineBox& box) const {
 }
 
 bool RawPart::stops(const FineBox& from, const FineBox& to) const {
+  const Wide dx = to.x0 - from.x0, dy = to.y0 - from.y0;
+  // The middle of a body, which is a line, may be just at a wall, and pass it whole.
+  const FineBox swept{std::min(from.x0, to.x0), to.y0, std::max(from.x1, to.x1), to.y1};
+  if (kind == Kind::left) return dx > 0 && top.x0 >= from.x1 - 1 && meets(swept);
+  if (kind == Kind::right) return dx < 0 && top.x0 <= from.x0 + 1 && meets(swept);
   if (!meets(to)) return false;
   if (kind == Kind::solid) return true;
   if (meets(from)) return false;
-  const Wide dx = to.x0 - from.x0, dy = to.y0 - from.y0;
-  if (kind == Kind::left) return dx > 0;
-  if (kind == Kind::right) return dx < 0;
   // Against the normal, which points up from a floor, or against an end.
   const Wide into = dy * (top.x1 - top.x0) - dx * (top.y1 - top.y0);
   return kind == Kind::floor ? into > 0 || dy > 0 : into < 0 || dy < 0;
@@ -206,17 +234,21 @@ void RawGround::add_curves(std::span<const Curve> curves) {
   CurveOutline outline = cut_curves(curves);
   stretches_ = std::make_shared<const std::vector<CurveStretch<double>>>(std::move(outline.stretches));
   curves_in_.resize(static_cast<std::size_t>(width_));
+  const auto add = [&](const RawPart& part) {
+    const int from = std::clamp(column_of(part.top.x0), 0, width_ - 1);
+    const int to = std::clamp(column_of(part.top.x1), 0, width_ - 1);
+    for (int column = from; column <= to; ++column)
+      curves_in_[static_cast<std::size_t>(column)].push_back(static_cast<std::uint32_t>(curves_.size()));
+    curves_.push_back(part);
+  };
   for (const Piece<double>& piece : outline.pieces) {
     const RawLine line{fine(piece.x0), fine(piece.y0), fine(piece.x1), fine(piece.y1),
                        piece.stretch == 0 ? nullptr : &(*stretches_)[piece.stretch - 1]};
     constexpr RawPart::Kind kinds[] = {RawPart::Kind::floor, RawPart::Kind::ceiling, RawPart::Kind::left,
                                        RawPart::Kind::right};
-    const int from = std::clamp(column_of(line.x0), 0, width_ - 1);
-    const int to = std::clamp(column_of(line.x1), 0, width_ - 1);
-    for (int column = from; column <= to; ++column)
-      curves_in_[static_cast<std::size_t>(column)].push_back(static_cast<std::uint32_t>(curves_.size()));
-    curves_.push_back({kinds[static_cast<int>(piece.facing)], line, line});
+    add({kinds[static_cast<int>(piece.facing)], line, line});
   }
+  for (const RawPart& end : free_ends(outline.pieces)) add(end);
 }
 
 int RawGround::column_of(Fine x) const {

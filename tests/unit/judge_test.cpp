@@ -233,4 +233,27 @@ TEST(Judge, FindsALowEdgeThatTurnsABallBack) {
   EXPECT_FALSE(c.verdict(false)) << "a wall";
 }
 
+// A body on its centre whose corner is in a slope falls beside the slope: it does not stand there.
+TEST(Judge, AWallBesideAFallingBodyIsNoLip) {
+  Case c;
+  c.level.tuning.solver = SolverKind::exact;
+  c.level.tile_shapes[3] = {.kind = TileShape::Kind::slope, .heights = {8, 0}};
+  c.level.map.set({6, 11}, 3);
+  c.level.map.set({8, 11}, 1);
+  for (Body* body : {&c.before, &c.after}) {
+    body->foot = Foot::centre;
+    body->gait = {};
+    body->box = {56 - 1, kFloor - 15, 8, 8};
+  }
+  c.before.box.x = 54;
+  c.after.box.x = 56;
+  ContactRecord contact;
+  contact.handled = true;
+  contact.normal = {-1, 0};
+  contact.touch = {56, kFloor - 8 - 1};
+  contact.move = {2, 0};
+  c.record.contacts = {contact};
+  EXPECT_FALSE(c.verdict(false));
+}
+
 }  // namespace talus::judge_test

@@ -96,6 +96,65 @@ TEST(Prove, FindsPlantedEdges) {
   }
 }
 
+TileShape polygon(std::vector<Vec2> points) {
+  return {.kind = TileShape::Kind::polygon, .points = std::move(points), .parts = {}};
+}
+
+// Each holds a body or leads it below the ramp that it was meant to walk up.
+TEST(Prove, FindsEdgesOfOtherForms) {
+  const Planted all[] = {
+      {"a low edge that is not upright", {polygon({{0, 8}, {0.05, 7}, {8, 7}, {8, 8}})}, "lip", 8},
+      {"a lower one", {polygon({{0, 8}, {0.01, 7.75}, {8, 7.75}, {8, 8}})}, "lip", 8},
+      {"a one-way ramp that begins above the floor",
+       {slope(0.25, 8, true), {.kind = TileShape::Kind::solid}},
+       "lip",
+       8},
+      {"one that begins just above it", {slope(0.02, 8, true), {.kind = TileShape::Kind::solid}}, "lip", 8},
+  };
+  for (const Planted& planted : all) {
+    for (const Foot foot : {Foot::box, Foot::centre}) {
+      SCOPED_TRACE(planted.what);
+      Scenery scenery;
+      scenery.level.spawns[0].foot = foot;
+      for (std::size_t i = 0; i < planted.shapes.size(); ++i)
+        scenery.put({8 + static_cast<int>(i), 11}, planted.shapes[i]);
+      const Proof proof = scenery.proof();
+      EXPECT_EQ(kinds_of(proof), std::set<std::string>{planted.found}) << text_of(proof);
+    }
+  }
+}
+
+// The end of a line that stops bodies from both sides.
+TEST(Prove, FindsTheEndOfALineJustAboveTheFloor) {
+  for (const Foot foot : {Foot::box, Foot::centre}) {
+    Scenery scenery;
+    scenery.level.spawns[0].foot = foot;
+    scenery.level.curves.push_back({"", {Segment{{64, 95}, {80, 95}}, Curve::Faces::both}, ""});
+    const Proof proof = scenery.proof();
+    EXPECT_EQ(kinds_of(proof), std::set<std::string>{"lip"}) << text_of(proof);
+  }
+}
+
+// The line of a ramp leads onto a plate; below the line there is no place to begin.
+TEST(Prove, HasNoFindingUnderAOneWayRamp) {
+  Scenery scenery;
+  scenery.put({8, 11}, slope(0, 2, true));
+  scenery.put({9, 11}, slope(2, 2));
+  scenery.put({10, 11}, slope(2, 0));
+  EXPECT_EQ(scenery.proof().findings.size(), 0u) << text_of(scenery.proof());
+}
+
+TEST(Prove, FindsAnEdgeHigherThanASmallBody) {
+  Scenery scenery;
+  scenery.level.map = TileMap(20, 6, {24, 24});
+  for (int x = 0; x < 20; ++x) scenery.level.map.set({x, 5}, 1);
+  scenery.put({8, 4}, slope(6, 6));
+  scenery.level.spawns[0].size = {3, 5};
+  scenery.level.spawns[0].position = {40, 100};
+  const Proof proof = scenery.proof();
+  EXPECT_EQ(kinds_of(proof), std::set<std::string>{"lip"}) << text_of(proof);
+}
+
 TEST(Prove, FindsWhereABodyIsWedged) {
   Scenery scenery;
   scenery.level.tuning.exact.steepest = 1;
