@@ -13,6 +13,7 @@ namespace {
 using To = SnappedPoint::To;
 
 constexpr double kEndReach = 6, kTileReach = 2;  // px of the screen
+constexpr double kSlopeEndReach = 0.875;         // of a tile; below it the next slope would miss by a tile
 
 class NearestEnd {
  public:
@@ -111,7 +112,8 @@ SnappedPoint snap(const Level& level, Vec2 point, const SnapRules& rules) {
 
 Vec2 snap_slope_end(const Level& level, Vec2 point, double zoom) {
   const TileSize tile = level.map.tile_size();
-  NearestEnd nearest(level, point, kEndReach / zoom);
+  const double side = std::min(tile.width, tile.height);
+  NearestEnd nearest(level, point, std::max(kEndReach / zoom, kSlopeEndReach * side));
   nearest.try_tiles();
   if (const auto end = nearest.found(); end && std::fmod(end->x, tile.width) == 0) return *end;
   const double x = std::round(point.x / tile.width) * tile.width;

@@ -99,6 +99,18 @@ TEST(ShapeTools, AHillOfTwoDragsIsFilled) {
   EXPECT_EQ(drawn_tiles(level), before + 4) << "two tiles up and two down";
 }
 
+// A hand lets go a little beside the end of the slope before, at any zoom.
+TEST(ShapeTools, TheNextSlopeBeginsWhereTheOneBeforeEnds) {
+  for (const double zoom : {1.0, 3.0, 8.0}) {
+    for (const Vec2 off : {Vec2{3, -5}, Vec2{-5, -4}, Vec2{2, 6}, Vec2{-3, 3}}) {
+      Level level = level_with_floor();
+      const Vec2 foot = snap_slope_end(level, {33, 95}, zoom), top = snap_slope_end(level, {97, 69}, zoom);
+      level = after(level, lay_slope(level, foot, top, {}, 12));
+      EXPECT_EQ(snap_slope_end(level, top + off, zoom), top) << zoom << " " << off.x << "," << off.y;
+    }
+  }
+}
+
 TEST(ShapeTools, SlopesThatMeetInATileAreOneFloor) {
   Level level = level_with_floor();
   level = after(level, lay_slope(level, {32, 96}, {77, 75}, {}, 12));
