@@ -37,6 +37,12 @@ TEST(LintSeams, AJumpOfTheFloorIsFound) {
               ElementsAre("seam: floor jumps 4 px between (1, 1) and (2, 2)"));
 }
 
+TEST(LintSeams, AFloorUnderAOneWaySlopeDoesNotJump) {
+  Level level = slope_level({"o.....", ".ae...", "######"});
+  level.tile_shapes[kSlopeA] = {.kind = TileShape::Kind::slope, .one_way = true, .heights = {0, 5}};
+  EXPECT_THAT(lint_lines(level), ElementsAre("seam: floor jumps 5 px between (2, 1) and (3, 2)"));
+}
+
 TEST(LintSeams, AJumpIsFoundInFractionsOfAPixel) {
   Level level = slope_level({"o....", ".a##.", "#####"});
   level.tile_shapes[kSlopeA].heights = {0, 8 - 1.0 / 256};

@@ -181,11 +181,22 @@ class SeamFinder {
       seam.right_tile = next.tile;
     }
     if (jump == tile_height_ || jump <= tiles_.seam() || is_on_curve(cell, end)) return;
+    if (end.floor && seam.right_y < end.y && has_floor_to(cell, seam.right_y)) return;
     // Cracks and slopes that lack a half have rules of their own.
     if (is_in_slit({cell.x, end.row}, true, end.y, end.floor) ||
         is_in_slit(seam.right, false, seam.right_y, end.floor))
       return;
     if (!has_fault(seam.left_tile) && !has_fault(seam.right_tile)) out_.seams.push_back(seam);
+  }
+
+  // Whether a floor leads to this height at the right side of a cell, as a one-way slope over another floor
+  // does.
+  bool has_floor_to(Cell cell, double y) {
+    over_.clear();
+    const int last = std::min(cell.y + 1, level_.map.height() - 1);
+    for (int row = std::max(cell.y - 1, 0); row <= last; ++row) ends_of({cell.x, row}, true, over_);
+    return std::any_of(over_.begin(), over_.end(),
+                       [&](const End& end) { return end.floor && std::abs(end.y - y) <= tiles_.seam(); });
   }
 
   // Whether the floor or the ceiling that ends at this side of a cell is in a slit. The slit of a ceiling is
@@ -224,7 +235,7 @@ class SeamFinder {
   };
   std::array<Compiled, 16> compiled_;  // the last compiled patches
   std::size_t next_ = 0;               // index of the patch that is replaced next
-  std::vector<End> here_, there_, slit_ends_;
+  std::vector<End> here_, there_, over_, slit_ends_;
 };
 
 bool has_lines(const Level& level, const LintTiles& tiles, std::array<Cell, 2> area) {
