@@ -1,8 +1,20 @@
 // Plain data that any game can read: one file of Lua or JSON.
 #include "export_targets.h"
+#include "plain_data.h"
 #include "plain_text.h"
 
 namespace talus {
+namespace {
+
+FormatResult<Exported> export_plain(const ExportRequest& request, Dialect dialect, const std::string& head) {
+  auto text = plain_text(request.level, dialect, request.progress);
+  if (!text) return tl::unexpected(text.error());
+  std::vector<std::string> dropped;
+  tell_body_pictures(request.level, dropped);
+  return exported_file(head + *text, std::move(dropped));
+}
+
+}  // namespace
 
 FormatResult<Exported> export_lua(const ExportRequest& request) {
   const std::string head =
@@ -13,15 +25,11 @@ FormatResult<Exported> export_lua(const ExportRequest& request) {
 -- holes the other way. lines: what stops bodies on their left hand side alone, and curves.
 -- bodies: all that move, at their start; `tile` where a tile of the map is one, which is not to be drawn then.
 )";
-  auto text = plain_text(request.level, Dialect::lua, request.progress);
-  if (!text) return tl::unexpected(text.error());
-  return exported_file(head + *text);
+  return export_plain(request, Dialect::lua, head);
 }
 
 FormatResult<Exported> export_json(const ExportRequest& request) {
-  auto text = plain_text(request.level, Dialect::json, request.progress);
-  if (!text) return tl::unexpected(text.error());
-  return exported_file(*std::move(text));
+  return export_plain(request, Dialect::json, "");
 }
 
 }  // namespace talus

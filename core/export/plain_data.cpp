@@ -260,6 +260,14 @@ std::vector<std::string> dropped_curves(const Level& level) {
   return {std::to_string(curves) + (curves == 1 ? " curve" : " curves")};
 }
 
+void tell_body_pictures(const Level& level, std::vector<std::string>& dropped) {
+  const auto has_one = [](const Spawn& spawn) { return !spawn.picture.empty(); };
+  const auto count = std::count_if(level.spawns.begin(), level.spawns.end(), has_one);
+  if (count > 0)
+    dropped.push_back(count == 1 ? "the picture of a body"
+                                 : "the pictures of " + std::to_string(count) + " bodies");
+}
+
 std::string_view kind_word(TileShape::Kind kind) {
   constexpr std::array<std::string_view, 6> kWords = {"none",    "solid",   "slope",
                                                       "profile", "polygon", "group"};

@@ -70,6 +70,8 @@ std::vector<std::string> dropped_by_bump(const Level& level);
 
 // "2 curves", for Exported::dropped of exports that cannot hold curves; empty if the level has no curves.
 std::vector<std::string> dropped_curves(const Level& level);
+// Says so if bodies have pictures, for exports that cannot hold those.
+void tell_body_pictures(const Level& level, std::vector<std::string>& dropped);
 
 // The words of the exports: "solid", "slope", "profile" or "none"; "box" or "centre"; "fall" or "run"; "tile"
 // or "figure".

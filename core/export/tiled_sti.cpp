@@ -130,6 +130,7 @@ FormatResult<Exported> export_sti(const ExportRequest& request) {
     dropped.push_back("collision, which bump.lua cannot have, with " + std::to_string(curves) + " curve" +
                       (curves == 1 ? "" : "s"));
   for (std::string& phrase : dropped_by_bump(request.level)) dropped.push_back(std::move(phrase));
+  tell_body_pictures(request.level, dropped);
   map.layers.push_back(slope_layer(ground, collides_in_cells, request.progress.part(0.2, 0.5)));
   if (request.progress.stopped()) return Exported();
   return tiled_files(request, tiled_lua_text(map), std::move(made.pictures), write_map_tiles(drawn),

@@ -3,6 +3,7 @@
 
 #include <talus/sim/body_act.h>
 #include "edit/body_frames.h"
+#include "export/exporter.h"
 #include "export/lua_level.h"
 #include "folder_test.h"
 #include "level/merge.h"
@@ -197,6 +198,20 @@ TEST(BodyPicture, IsInGamesInLua) {
 }
 
 // assets/templates/frames.lua chooses as the program does.
+TEST_F(BodyPictureFiles, ExportsThatLeaveThemOutSaySo) {
+  Level level = level_with(walking());
+  level.map.set({3, 3}, 1);
+  level.tile_shapes[1].kind = TileShape::Kind::solid;
+  const ReadAsset read = [this](const std::string& asset) -> FormatResult<std::string> {
+    return bytes_of(source_path("assets/") + asset);
+  };
+  for (const char* id : {"ldtk", "json", "lua", "c", "sti"}) {
+    const auto made = find_exporter(id)->make({level, "cave", read});
+    ASSERT_TRUE(made) << id << ": " << made.error().message;
+    EXPECT_THAT(made->dropped, testing::Contains("the picture of a body")) << id;
+  }
+}
+
 TEST_F(BodyPictureFiles, GamesInLuaShowTheSameFrames) {
   std::string script =
                   "local frames = dofile([[" + source_path("assets/templates/frames.lua") +
