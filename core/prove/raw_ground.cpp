@@ -150,14 +150,17 @@ bool RawPart::meets(const FineBox& box) const {
 }
 
 bool RawPart::stops(const FineBox& from, const FineBox& to) const {
-  const Wide dx = to.x0 - from.x0, dy = to.y0 - from.y0;
-  // The middle of a body, which is a line, may be just at a wall, and pass it whole.
-  const FineBox swept{std::min(from.x0, to.x0), to.y0, std::max(from.x1, to.x1), to.y1};
-  if (kind == Kind::left) return dx > 0 && top.x0 >= from.x1 - 1 && meets(swept);
-  if (kind == Kind::right) return dx < 0 && top.x0 <= from.x0 + 1 && meets(swept);
+  if (kind == Kind::left || kind == Kind::right) {
+    // The middle of a body, which is a line, may be just at a wall, and pass it whole.
+    const FineBox swept{std::min(from.x0, to.x0), to.y0, std::max(from.x1, to.x1), to.y1};
+    const bool faces = kind == Kind::left ? to.x0 > from.x0 && top.x0 >= from.x1 - 1
+                                          : to.x0 < from.x0 && top.x0 <= from.x0 + 1;
+    return faces && meets(swept);
+  }
   if (!meets(to)) return false;
   if (kind == Kind::solid) return true;
   if (meets(from)) return false;
+  const Wide dx = to.x0 - from.x0, dy = to.y0 - from.y0;
   // Against the normal, which points up from a floor, or against an end.
   const Wide into = dy * (top.x1 - top.x0) - dx * (top.y1 - top.y0);
   return kind == Kind::floor ? into > 0 || dy > 0 : into < 0 || dy < 0;
