@@ -93,7 +93,7 @@ std::optional<Verdict> Judge::judge_stop(const Body& after, int direction) const
 // A one-way floor that leads up, and begins so little above the floor that it is meant to go on from it: the
 // body has gone under it.
 std::optional<Verdict> Judge::ramp_missed(const Body& before, const Body& after, int direction) const {
-  if (!after.gait.grounded || is_across_line(before)) return std::nullopt;
+  if (!after.gait.grounded) return std::nullopt;
   const FineBox box = fine_box(after.box);
   const FineBox inner = after.foot == Foot::box ? box.shrunk(slack_) : box.shrunk(slack_).middle_line();
   std::optional<Verdict> missed;
@@ -106,6 +106,7 @@ std::optional<Verdict> Judge::ramp_missed(const Body& before, const Body& after,
     missed = lip_of(direction, {height, x, y});
     return false;
   });
+  if (missed && is_across_line(before)) return std::nullopt;
   return missed;
 }
 
@@ -195,6 +196,12 @@ bool Judge::has_floor_above(const FineBox& box, Foot foot, Fine way) const {
   });
 }
 
+bool Judge::is_solid_at(Fine x, Fine y) const {
+  const FineBox point{x - 1, y - 1, x + 1, y + 1};
+  return !ground_.for_parts(
+      point, [&](const RawPart& part) { return part.kind != RawPart::Kind::solid || !part.meets(point); });
+}
+
 // Whether the floor on which the body stood leads on, without an edge, to where it is after the step.
 bool Judge::floor_goes_on(const Body& before, const Body& after, int direction) const {
   const FineBox from = fine_box(before.box), to = fine_box(after.box);
@@ -205,7 +212,9 @@ bool Judge::floor_goes_on(const Body& before, const Body& after, int direction) 
     const FloorLine line(ground_, x, from.y1, std::min(x, goal), std::max(x, goal), tuning_.exact.steepest,
                          weld_);
     if (!line.reaches(x, goal)) return false;
-    const FineBox there = to.moved(0, line.at_end(direction, to.y1) - to.y1);
+    const Fine y = line.at_end(direction, to.y1);
+    if (is_solid_at(goal, y - 2 * weld_)) return false;  // it goes on below a wall
+    const FineBox there = to.moved(0, y - to.y1);
     return !has_floor_above(there, after.foot, kFinePx + std::abs(to.x0 - from.x0));
   };
   if (before.foot == Foot::centre) return leads(from.middle(), to.middle());

@@ -144,6 +144,19 @@ TEST(Prove, HasNoFindingUnderAOneWayRamp) {
   EXPECT_EQ(scenery.proof().findings.size(), 0u) << text_of(scenery.proof());
 }
 
+// A pit as wide as the body, and a wall behind it: the floor ends where the body's last corner is.
+TEST(Prove, FallsIntoAPitBesideAWall) {
+  Scenery scenery(Foot::box);
+  scenery.level.map = TileMap(24, 17);
+  for (int y = 12; y < 17; ++y)
+    for (int x = 0; x < 24; ++x)
+      if (x != 10 || y == 16) scenery.level.map.set({x, y}, 1);
+  scenery.level.map.set({11, 11}, 1);
+  scenery.level.map.set({11, 10}, 1);
+  scenery.level.tuning.player.run_speed = 4;
+  EXPECT_EQ(scenery.proof().of_solver(), 0u) << text_of(scenery.proof());
+}
+
 TEST(Prove, FindsAnEdgeHigherThanASmallBody) {
   Scenery scenery;
   scenery.level.map = TileMap(20, 6, {24, 24});
