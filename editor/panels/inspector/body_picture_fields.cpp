@@ -31,25 +31,21 @@ void change_picture(const Session& session, int index, const BodyPicture& pictur
       change_spawn(session.level(), index, std::move(spawn), "Change a body's picture"), stroke});
 }
 
-// The frames of an act, from the left, as many as fit; those beside the sheet are empty.
-void draw_frames(const BodyPicture& picture, const BodyFrames& frames, const Level& level, Ui& ui) {
+// The frames of an act that are on the sheet, from the left, as many as fit.
+void draw_frames(const BodyPicture& picture, BodyAct act, const Level& level, Ui& ui) {
   const SheetLayout layout = level.sheet(SheetId::tiles).layout();
   const TileSize tile = level.map.tile_size();
   const float aspect =
       static_cast<float>(picture.columns * tile.width) / static_cast<float>(picture.rows * tile.height);
   const ImVec2 size{ui.px(kFrameSide) * std::min(1.0f, aspect),
                     ui.px(kFrameSide) * std::min(1.0f, 1 / aspect)};
+  const BodyFrames frames = on_sheet(picture, layout)[act];
   for (int i = 0; i < frames.count; ++i) {
     ImGui::SameLine(0, ui.px(2));
     if (ImGui::GetContentRegionAvail().x < size.x) return ImGui::NewLine();
-    const Cell at = layout.place_of(std::min(frames.first + i * picture.columns, level.tile_count() - 1));
-    const bool is_there = at.x + picture.columns <= layout.columns && at.y + picture.rows <= layout.rows();
-    if (is_there) {
-      const UvRect uv = ui.uv_of(SheetId::tiles, {at.x, at.y, picture.columns, picture.rows});
-      ImGui::Image(ui.clear_tiles, size, uv.from, uv.to);
-    } else {
-      ImGui::Dummy(size);
-    }
+    const Cell at = layout.place_of(frames.first + i * picture.columns);
+    const UvRect uv = ui.uv_of(SheetId::tiles, {at.x, at.y, picture.columns, picture.rows});
+    ImGui::Image(ui.clear_tiles, size, uv.from, uv.to);
   }
 }
 
@@ -86,7 +82,7 @@ void BodyPictureFields::draw_act(BodyAct act, const Session& session, int index,
       without[act] = {};
       change_picture(session, index, without.empty() ? BodyPicture() : without, 0, actions);
     }
-    draw_frames(picture, picture[act], session.level(), ui);
+    draw_frames(picture, act, session.level(), ui);
   }
 }
 

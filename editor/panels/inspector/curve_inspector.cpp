@@ -7,6 +7,7 @@
 
 #include "chosen_curve.h"
 #include "panels/commands/commands.h"
+#include "panels/ui/text_field.h"
 
 namespace talus {
 namespace {
@@ -168,16 +169,12 @@ void CurveInspector::draw_kind(const Session& session, Actions& actions, Ui& ui)
 void CurveInspector::draw_name(const Session& session, Actions& actions, Ui& ui, int curve) {
   LevelCurve named = session.level().curves.at(static_cast<std::size_t>(curve));
   if (curve != shown_) name_ = named.name;
-  ui.field_label("Name");
-  ImGui::SetNextItemWidth(2 * ui.px(kFormField) + ImGui::GetStyle().ItemSpacing.x);
-  input_text("curve name", "no name", name_);
-  ui.item("inspector/curve_name", "Its name, which the debugger's sentences use, too.");
-  if (ImGui::IsItemDeactivatedAfterEdit() && name_ != named.name) {
-    named.name = name_;
-    change(session, actions, curve, std::move(named), "Name a curve", 0);
-  } else if (!ImGui::IsItemActive()) {
-    name_ = named.name;  // Undo may have changed it
-  }
+  if (!draw_text_field(
+          {"Name", "inspector/curve_name", "no name", "Its name, which the debugger's sentences use, too."},
+          name_, named.name, ui))
+    return;
+  named.name = name_;
+  change(session, actions, curve, std::move(named), "Name a curve", 0);
 }
 
 void CurveInspector::draw_faces(const Session& session, Actions& actions, Ui& ui, int curve) {

@@ -9,6 +9,7 @@
 #include "panels/commands/commands.h"
 #include "panels/ui/long_list.h"
 #include "panels/ui/shown_text.h"
+#include "panels/ui/text_field.h"
 
 namespace talus {
 namespace {
@@ -114,17 +115,11 @@ void ObjectInspector::draw_layer(const Session& session, Actions& actions, Ui& u
 void ObjectInspector::draw_texts(const Session& session, const MapObject& object, Actions& actions, Ui& ui) {
   const auto field = [&](const std::string& part, std::string_view title, std::string& typed,
                          std::string MapObject::*member, const char* help, const char* label) {
-    ui.field_label(title);
-    ImGui::SetNextItemWidth(2 * ui.px(kFormField) + ImGui::GetStyle().ItemSpacing.x);
-    input_text("object " + part, "no " + part, typed);
-    ui.item("inspector/object_" + part, help);
-    if (ImGui::IsItemDeactivatedAfterEdit() && typed != object.*member) {
-      MapObject changed = object;
-      changed.*member = typed;
-      change_chosen(session, std::move(changed), label, 0, actions);
-    } else if (!ImGui::IsItemActive()) {
-      typed = object.*member;  // Undo may have changed it
-    }
+    const std::string name = "inspector/object_" + part, hint = "no " + part;
+    if (!draw_text_field({title, name, hint, help}, typed, object.*member, ui)) return;
+    MapObject changed = object;
+    changed.*member = typed;
+    change_chosen(session, std::move(changed), label, 0, actions);
   };
   field("name", "Name", name_, &MapObject::name, "The name of this object.", "Name an object");
   field("class", "Class", type_, &MapObject::type, "What games take it for, in Tiled its class.",

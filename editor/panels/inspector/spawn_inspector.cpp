@@ -14,6 +14,7 @@
 #include "level/single_change.h"
 #include "overlay/number_label.h"
 #include "panels/commands/commands.h"
+#include "panels/ui/text_field.h"
 
 namespace talus {
 namespace {
@@ -64,16 +65,11 @@ void SpawnInspector::draw_name(const Session& session, int index, Actions& actio
   Spawn spawn = spawn_of(session, index);
   if (index != shown_) name_ = spawn.name;
   shown_ = index;
-  ui.field_label("Name");
-  ImGui::SetNextItemWidth(2 * ui.px(kFormField) + ImGui::GetStyle().ItemSpacing.x);
-  input_text("spawn name", "no name", name_);
-  ui.item("inspector/spawn_name", "The name of this body.");
-  if (ImGui::IsItemDeactivatedAfterEdit() && name_ != spawn.name) {
-    spawn.name = name_;
-    change(session, index, std::move(spawn), "Name a body", 0, actions);
-  } else if (!ImGui::IsItemActive()) {
-    name_ = spawn.name;  // Undo may have changed it
-  }
+  if (!draw_text_field({"Name", "inspector/spawn_name", "no name", "The name of this body."}, name_,
+                       spawn.name, ui))
+    return;
+  spawn.name = name_;
+  change(session, index, std::move(spawn), "Name a body", 0, actions);
 }
 
 void SpawnInspector::draw_kind(const Session& session, int index, Actions& actions, Ui& ui) {
