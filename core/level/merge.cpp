@@ -108,6 +108,12 @@ class LevelMerger {
     if (!mine || !theirs) return mine ? mine : theirs;
     return pick(base, mine, theirs, conflicts);
   }
+  // Picks each of these members by itself; the others of `merged` stay.
+  template <class Element, class... Part>
+  void pick_parts(Element& merged, const Element& base, const Element& mine, const Element& theirs,
+                  int& conflicts, Part... part) const {
+    ((merged.*part = pick(base.*part, mine.*part, theirs.*part, conflicts)), ...);
+  }
   void merge_spawns();
   void merge_objects();
   void merge_tilesets();
@@ -199,17 +205,8 @@ void LevelMerger::merge_spawns() {
   const auto pick_body = [&](const Spawn& base, const Spawn& mine, const Spawn& theirs, int& count) {
     Spawn merged = theirs;
     int parts = 0;
-    const auto take = [&](auto Spawn::*part) {
-      merged.*part = pick(base.*part, mine.*part, theirs.*part, parts);
-    };
-    take(&Spawn::name);
-    take(&Spawn::position);
-    take(&Spawn::velocity);
-    take(&Spawn::extra);
-    take(&Spawn::kind);
-    take(&Spawn::size);
-    take(&Spawn::foot);
-    take(&Spawn::picture);
+    pick_parts(merged, base, mine, theirs, parts, &Spawn::name, &Spawn::position, &Spawn::velocity,
+               &Spawn::extra, &Spawn::kind, &Spawn::size, &Spawn::foot, &Spawn::picture);
     count += parts > 0;
     return merged;
   };
@@ -223,22 +220,10 @@ void LevelMerger::merge_objects() {
   const auto pick_layer = [&](const ObjectLayer& base, const ObjectLayer& mine, const ObjectLayer& theirs,
                               int&) {
     ObjectLayer merged = theirs;
-    const auto take = [&](auto ObjectLayer::*field) {
-      merged.*field = pick(base.*field, mine.*field, theirs.*field, looks);
-    };
-    take(&ObjectLayer::name);
-    take(&ObjectLayer::is_ground);
-    take(&ObjectLayer::visible);
-    take(&ObjectLayer::locked);
-    take(&ObjectLayer::opacity);
-    take(&ObjectLayer::offset);
-    take(&ObjectLayer::parallax);
-    take(&ObjectLayer::tint);
-    take(&ObjectLayer::group);
-    take(&ObjectLayer::place);
-    take(&ObjectLayer::by_y);
-    take(&ObjectLayer::image);
-    take(&ObjectLayer::extra);
+    pick_parts(merged, base, mine, theirs, looks, &ObjectLayer::name, &ObjectLayer::is_ground,
+               &ObjectLayer::visible, &ObjectLayer::locked, &ObjectLayer::opacity, &ObjectLayer::offset,
+               &ObjectLayer::parallax, &ObjectLayer::tint, &ObjectLayer::group, &ObjectLayer::place,
+               &ObjectLayer::by_y, &ObjectLayer::image, &ObjectLayer::extra);
     merged.objects = merged_list(base.objects, mine.objects, theirs.objects, objects,
                                  [this](const MapObject& was, const MapObject& here, const MapObject& there,
                                         int& count) { return pick(was, here, there, count); });
@@ -393,19 +378,9 @@ TileLayer LevelMerger::merged_look(const Level& order, int layer, int& conflicts
   const TileLayer *base = in(base_), *mine = in(mine_), *theirs = in(theirs_);
   if (base == nullptr || mine == nullptr || theirs == nullptr) return look;
   int fields = 0;
-  const auto take = [&](auto TileLayer::*field) {
-    look.*field = pick(base->*field, mine->*field, theirs->*field, fields);
-  };
-  take(&TileLayer::name);
-  take(&TileLayer::is_ground);
-  take(&TileLayer::visible);
-  take(&TileLayer::locked);
-  take(&TileLayer::opacity);
-  take(&TileLayer::offset);
-  take(&TileLayer::parallax);
-  take(&TileLayer::tint);
-  take(&TileLayer::group);
-  take(&TileLayer::extra);
+  pick_parts(look, *base, *mine, *theirs, fields, &TileLayer::name, &TileLayer::is_ground,
+             &TileLayer::visible, &TileLayer::locked, &TileLayer::opacity, &TileLayer::offset,
+             &TileLayer::parallax, &TileLayer::tint, &TileLayer::group, &TileLayer::extra);
   if (fields > 0) ++conflicts;
   return look;
 }

@@ -94,14 +94,14 @@ std::optional<Verdict> Judge::judge_stop(const Body& after, int direction) const
 // body has gone under it.
 std::optional<Verdict> Judge::ramp_missed(const Body& before, const Body& after, int direction) const {
   if (!after.gait.grounded) return std::nullopt;
-  const FineBox box = fine_box(after.box);
-  const FineBox inner = after.foot == Foot::box ? box.shrunk(slack_) : box.shrunk(slack_).middle_line();
+  const FineBox inner = inside_of(after);
+  const Fine bottom = fine_box(after.box).y1;
   std::optional<Verdict> missed;
   ground_.for_parts(inner, [&](const RawPart& part) {
     if (part.kind != RawPart::Kind::floor || !part.meets(inner)) return true;
     const RawLine& top = part.top;
     const Fine x = direction > 0 ? top.x0 : top.x1, y = direction > 0 ? top.y0 : top.y1;
-    const Fine height = box.y1 - y;
+    const Fine height = bottom - y;
     if (height <= weld_ || height > lip_ + slack_ || top.highest(top.x0, top.x1) >= y) return true;
     missed = lip_of(direction, {height, x, y});
     return false;
@@ -177,9 +177,13 @@ std::optional<double> Judge::standing_place(const Rect& box, Foot foot, double r
   return there.y;
 }
 
-bool Judge::is_across_line(const Body& body) const {
+FineBox Judge::inside_of(const Body& body) const {
   const FineBox box = fine_box(body.box).shrunk(slack_);
-  const FineBox inner = body.foot == Foot::centre ? box.middle_line() : box;
+  return body.foot == Foot::centre ? box.middle_line() : box;
+}
+
+bool Judge::is_across_line(const Body& body) const {
+  const FineBox inner = inside_of(body);
   return !ground_.for_parts(
       inner, [&](const RawPart& part) { return part.kind != RawPart::Kind::floor || !part.meets(inner); });
 }
@@ -309,11 +313,11 @@ Judge::Ahead Judge::ahead_of(const Body& body, int direction, Fine way) const {
 // The edge at the top of what is ahead, and too steep to walk on: a wall, or a bevel.
 std::optional<Judge::Edge> Judge::bevel_at(const FineBox& box, Foot foot, int direction) const {
   const double steepest = tuning_.exact.steepest;
-  for (Fine way = 4 * slack_; way < kMostBevel; way *= 2) {
-    const auto edge = edge_at(box, foot, direction, way), beyond = edge_at(box, foot, direction, 2 * way);
-    if (!edge || !beyond) return std::nullopt;
-    if (edge->height <= scaled(way, steepest) + slack_) continue;
-    if (beyond->height - edge->height <= scaled(way, steepest) + slack_) return edge;
+  std::optional<Edge> edge = edge_at(box, foot, direction, 4 * slack_), beyond;
+  for (Fine way = 4 * slack_; edge && way < kMostBevel; way *= 2, edge = beyond) {
+    beyond = edge_at(box, foot, direction, 2 * way);
+    const Fine walked = scaled(way, steepest) + slack_;
+    if (beyond && edge->height > walked && beyond->height - edge->height <= walked) return edge;
   }
   return std::nullopt;
 }

@@ -65,6 +65,7 @@ class Judge {
   bool stops_middle(const FineBox& from, const FineBox& to) const;
   bool falls_through(const Body& before, const Body& after) const;
   bool has_floor_above(const FineBox& box, Foot foot, Fine way) const;
+  FineBox inside_of(const Body& body) const;  // what meets lines: the box, or the middle of it
   bool is_solid_at(Fine x, Fine y) const;
   bool floor_goes_on(const Body& before, const Body& after, int direction) const;
   bool is_on_end(const FineBox& box, Foot foot, bool bottom) const;

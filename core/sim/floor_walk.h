@@ -253,8 +253,10 @@ class FloorWalk {
       if (piece != nullptr) return Vec{piece->x0, piece->y0};
       return Vec{ground_.x_of(cell.x + (contact.facing == Facing::left ? 0 : 1)), ground_.y_of(cell.y)};
     }
-    if (piece != nullptr && !contact.on_end && contact.facing != Facing::down) return std::nullopt;
-    if (piece != nullptr && !contact.on_end && piece->y0 != piece->y1) return crest_of(*piece, body.box);
+    if (piece != nullptr && !contact.on_end) {
+      if (contact.facing != Facing::down) return std::nullopt;
+      if (piece->y0 != piece->y1) return crest_of(*piece, body.box);
+    }
     const int column = piece != nullptr ? 0 : solid_column(body.box, cell.y);
     const Real x0 = piece != nullptr ? piece->x0 : ground_.x_of(column);
     const Real x1 = piece != nullptr ? piece->x1 : ground_.x_of(column + 1);

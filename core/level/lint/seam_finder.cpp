@@ -114,14 +114,18 @@ class SeamFinder {
     }
   }
 
+  // The same of the cell and those above and below it.
+  void ends_around(Cell cell, bool right, std::vector<End>& ends) {
+    const int last = std::min(cell.y + 1, level_.map.height() - 1);
+    for (int row = std::max(cell.y - 1, 0); row <= last; ++row) ends_of({cell.x, row}, right, ends);
+  }
+
   void check(Cell cell) {
     here_.clear();
     ends_of(cell, true, here_);
     if (here_.empty()) return;
     there_.clear();
-    const int last = std::min(cell.y + 1, level_.map.height() - 1);
-    for (Cell other{cell.x + 1, std::max(cell.y - 1, 0)}; other.y <= last; ++other.y)
-      ends_of(other, false, there_);
+    ends_around({cell.x + 1, cell.y}, false, there_);
     for (const End& end : here_) find_jump(cell, end);
   }
 
@@ -193,8 +197,7 @@ class SeamFinder {
   // does.
   bool has_floor_to(Cell cell, double y) {
     over_.clear();
-    const int last = std::min(cell.y + 1, level_.map.height() - 1);
-    for (int row = std::max(cell.y - 1, 0); row <= last; ++row) ends_of({cell.x, row}, true, over_);
+    ends_around(cell, true, over_);
     return std::any_of(over_.begin(), over_.end(),
                        [&](const End& end) { return end.floor && std::abs(end.y - y) <= tiles_.seam(); });
   }
