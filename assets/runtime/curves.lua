@@ -12,6 +12,7 @@ end
 local TAU = 6.283185307179586476925286766559
 local TRIES = 100  -- limit for iterations
 local FINE = 8  -- iterations end when the gap is this share of the slack
+local STRAIGHT_END = 0.25  -- px; the length of the straight end of a curve
 
 -- Taylor series, since sine and cosine of the C library differ between machines.
 local SINES = {1 / (16 * 17.), 1 / (14 * 15.), 1 / (12 * 13.), 1 / (10 * 11.), 1 / (8 * 9.), 1 / (6 * 7.),
@@ -72,7 +73,11 @@ function Stretch.normal(piece, sign, t)
   local along_x, along_y = tangent_at(piece.stretch, x)
   return sign * along_y, -sign * along_x
 end
-function Stretch.is_level(_, contact, steepest) return abs(contact.nx) <= steepest * abs(contact.ny) end
+-- The straight end of a curve may be so much steeper.
+local function steepest_on_curve(steepest) return steepest + (1 + steepest) * (1 + steepest) / 128 end
+function Stretch.is_level(_, contact, steepest)
+  return abs(contact.nx) <= steepest_on_curve(steepest) * abs(contact.ny)
+end
 function Stretch.time() return best_t, 0.0 end  -- as exact as it gets
 
 -- If a stretch bends towards the box, a box that slides along it meets it again at once. Turns a motion along
@@ -92,19 +97,60 @@ end
 
 -- ---- Cutting ----
 
+do
+
 local function put_stretch(cut, stretch, ax, ay, bx, by)
-  local copy = {}
-  for key, value in pairs(stretch) do copy[key] = value end
   local before = #cut.pieces
-  put_piece(cut, {x0 = ax, y0 = ay, x1 = bx, y1 = by, form = Stretch, stretch = copy})
+  put_piece(cut, {x0 = ax, y0 = ay, x1 = bx, y1 = by, form = Stretch, stretch = stretch})
   for i = before + 1, #cut.pieces do
     local piece = cut.pieces[i]
     if stretch.bends_down ~= (piece.facing == UP) then piece.follow = follow end
   end
 end
 
-local function put_cut(cut, stretch, ax, ay, bx, by, cuts)
-  local inside = {}
+-- A straight end is a stretch, so that steepest_on_curve() holds for it.
+local function put_end(cut, ax, ay, bx, by)
+  local stretch = {kind = "polynomial", c1 = (ax + bx) * 0.5, c2 = (ay + by) * 0.5, c3 = (by - ay) / (bx - ax),
+                   c4 = 0.0, c5 = 0.0, bends_down = false}
+  put_stretch(cut, stretch, ax, ay, bx, by)
+end
+
+local function width_of_end(part, x)
+  local along_x = tangent_at(part.stretch, x)
+  return max(weld(STRAIGHT_END * along_x), 1 / WELD)
+end
+
+-- The point at x of a curve of these parts.
+local function point_at(parts, x)
+  for _, part in ipairs(parts) do
+    if x <= part.bx then return x, curve_y(part.stretch, x) end
+  end
+end
+
+-- Puts the parts of a whole curve between its welded ends, with straight ends where they are off the curve.
+local function put_parts(cut, parts, ax, ay, bx, by)
+  local outer, other = parts[1], parts[#parts]
+  local half = (bx - ax) / 2
+  local from_x, from_y, to_x, to_y = ax, ay, bx, by
+  if outer.ax ~= ax or outer.ay ~= ay then
+    from_x, from_y = point_at(parts, ax + min(width_of_end(outer, outer.ax), half))
+  end
+  if other.bx ~= bx or other.by ~= by then
+    to_x, to_y = point_at(parts, bx - min(width_of_end(other, other.bx), half))
+  end
+  if from_x > ax then put_end(cut, ax, ay, from_x, from_y) end
+  for _, part in ipairs(parts) do
+    local x0, y0, x1, y1 = part.ax, part.ay, part.bx, part.by
+    if from_x > x0 then x0, y0 = from_x, from_y end
+    if to_x < x1 then x1, y1 = to_x, to_y end
+    if x0 < x1 then put_stretch(cut, part.stretch, x0, y0, x1, y1) end
+  end
+  if to_x < bx then put_end(cut, to_x, to_y, bx, by) end
+end
+
+-- The parts of a stretch between its cuts: each is a stretch from ax, ay to bx, by.
+local function cut_stretch(stretch, ax, ay, bx, by, cuts)
+  local inside, parts = {}, {}
   for _, x in ipairs(cuts) do
     if x > ax and x < bx then inside[#inside + 1] = x end
   end
@@ -114,14 +160,17 @@ local function put_cut(cut, stretch, ax, ay, bx, by, cuts)
     local to_x, to_y = bx, by
     if inside[i] then to_x, to_y = inside[i], curve_y(stretch, inside[i]) end
     if to_x > x then
+      local copy = {}
+      for key, value in pairs(stretch) do copy[key] = value end
       if stretch.kind == "polynomial" then
         local u = (x + to_x) / 2 - stretch.c1
-        stretch.bends_down = stretch.c4 + 3 * stretch.c5 * u > 0
+        copy.bends_down = stretch.c4 + 3 * stretch.c5 * u > 0
       end
-      put_stretch(cut, stretch, x, y, to_x, to_y)
+      parts[#parts + 1] = {stretch = copy, ax = x, ay = y, bx = to_x, by = to_y}
     end
     x, y = to_x, to_y
   end
+  return parts
 end
 
 -- The polynomial is written about the middle, so that a mirrored curve has the same coefficients but for signs.
@@ -137,15 +186,16 @@ local function put_polynomial(cut, ax, ay, bx, by, c0, c1, c2, c3)
     if c3 ~= 0 then cuts[#cuts + 1] = middle + q / (3 * c3) end
     if q ~= 0 then cuts[#cuts + 1] = middle + c1 / q end
   end
-  put_cut(cut, {kind = "polynomial", c1 = middle, c2 = c0, c3 = c1, c4 = c2, c5 = c3}, ax, ay, bx, by, cuts)
+  local s = {kind = "polynomial", c1 = middle, c2 = c0, c3 = c1, c4 = c2, c5 = c3}
+  put_parts(cut, cut_stretch(s, ax, ay, bx, by, cuts), ax, ay, bx, by)
 end
 
 function cutter.arc(cut, a)
-  local s = {kind = "arc", sign = a.upper and -1.0 or 1.0, c1 = weld(a.x), c2 = weld(a.y),
-      c3 = weld(a.radius),
+  local s = {kind = "arc", sign = a.upper and -1.0 or 1.0, c1 = a.x + 0.0, c2 = a.y + 0.0, c3 = a.radius + 0.0,
              bends_down = a.upper == true}
   local x0, x1 = max(weld(a.x0), s.c1 - s.c3), min(weld(a.x1), s.c1 + s.c3)
-  put_cut(cut, s, x0, curve_y(s, x0), x1, curve_y(s, x1), {s.c1})
+  local parts = cut_stretch(s, x0, curve_y(s, x0), x1, curve_y(s, x1), {s.c1})
+  put_parts(cut, parts, weld(a.x0), weld(curve_y(s, a.x0)), weld(a.x1), weld(curve_y(s, a.x1)))
 end
 
 function cutter.parabola(cut, p)
@@ -164,22 +214,33 @@ function cutter.cubic(cut, p)
   put_polynomial(cut, ax, ay, bx, by, (ay + by) / 2 - c2 * half * half, rise - c3 * half * half, c2, c3)
 end
 
+-- The stretch of a sine from `number` to `number` + 1 quarters of a wave right of its origin.
+local function quarter_of(w, number)
+  local crossing = number % 2 == 0 and number or number + 1
+  local amplitude = crossing % 4 ~= 0 and -w.amplitude or w.amplitude  -- the half wave is upside down
+  local s = {kind = "sine", c1 = w.origin + crossing * (w.wavelength / 4), c2 = w.middle + 0.0,
+             c3 = amplitude + 0.0, c4 = w.wavelength + 0.0}
+  s.bends_down = (crossing == number and 1 or -1) * s.c3 < 0
+  return s
+end
+
 function cutter.sine(cut, w)
-  local x, x1, quarter = weld(w.x0), weld(w.x1), w.wavelength / 4
-  local k = floor((x - w.origin) / quarter)
-  while x < x1 do
-    local to = min(x1, w.origin + (k + 1) * quarter)
+  local first, last, quarter = weld(w.x0), weld(w.x1), w.wavelength / 4
+  local function number_at(x) return floor((x - w.origin) / quarter) end
+  local function height_at(x) return curve_y(quarter_of(w, number_at(x)), x) end
+  local parts, x, k = {}, first, number_at(first)
+  while x < last do
+    local to = min(last, w.origin + (k + 1) * quarter)
     if to > x then
-      local crossing = k % 2 == 0 and k or k + 1
-      local amplitude = crossing % 4 ~= 0 and -w.amplitude or w.amplitude  -- the half wave is upside down
-      local s = {kind = "sine", c1 = w.origin + crossing * quarter, c2 = w.middle + 0.0, c3 = amplitude + 0.0,
-                 c4 = w.wavelength + 0.0}
-      s.bends_down = (crossing == k and 1 or -1) * s.c3 < 0
-      put_stretch(cut, s, x, curve_y(s, x), to, curve_y(s, to))
+      local s = quarter_of(w, k)
+      parts[#parts + 1] = {stretch = s, ax = x, ay = curve_y(s, x), bx = to, by = curve_y(s, to)}
       x = to
     end
     k = k + 1
   end
+  put_parts(cut, parts, first, weld(height_at(w.x0)), last, weld(height_at(w.x1)))
+end
+
 end
 
 -- ---- When a box meets a stretch ----

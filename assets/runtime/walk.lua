@@ -61,6 +61,15 @@ function Walk:floor_of(contact, x, w, is_centre)
   return {contact = contact, on_line = on_line, stop = self:end_of(contact, on_line, x, w, is_centre)}
 end
 
+-- Of a body whose flat bottom is on the end of a floor: the floor that goes on under its middle, if that begins
+-- up to LIP lower. Else the same floor.
+function Walk:beyond_end(ended, x, w, h, rise)
+  local found = cast_box(self.terrain, x + w / 2, ended.contact.y - AHEAD, 0.0, h, 0.0, AHEAD + rise)
+  if not found or found.on_end or not is_level(found, self.steepest) then return ended end
+  found.x = x
+  return self:floor_of(found, x, w, true)
+end
+
 -- The floor a little further on, so that of two pieces that meet at the foot the next one is found.
 function Walk:look_ahead(x, y, w, h, is_centre, reach)
   local forgiven = rounding_slack(x, y, w, h, 0.0, 0.0)
@@ -78,6 +87,7 @@ function Walk:look_ahead(x, y, w, h, is_centre, reach)
   if not found or not is_level(found, self.steepest) then return nil end
   if found.nx == 0 and found.y - y > reach then return nil end
   local on = self:floor_of(found, there, w, is_centre)
+  if is_centre and found.on_end then on = self:beyond_end(on, there, w, h, rise) end
   if (on.stop - there) * self.direction < 0 then on.stop = there end  -- by rounding: each piece leads on
   return on
 end
@@ -247,12 +257,19 @@ function Walk:sinks(box, contact, goal_y)
   return true
 end
 
--- The floor on which the body goes on, up to `reach` px below it; nil if there is none, or if it is too steep.
+-- The floor on which the body goes on, up to `reach` px below it; nil if there is none, or if it is too steep. One that
+-- begins up to LIP higher or lower is one with the floor before: the body is put on it.
 function Walk:floor_ahead(box, reach)
   local on = self:look_ahead(box.x, box.y, box.w, box.h, box.centre, reach)
   if on and not on.on_line and self:sinks(box, on.contact, box.y) then
     on = self:look_ahead(box.x, box.y, box.w, box.h, box.centre, reach)
   end
+  if not on or not box.centre then return on end
+  local _, y = Walk.place_on(on, box.x, box.w, box.h, box.centre)
+  local way, settled = abs(y - box.y), Walk.settled(box)
+  if way <= settled or way > LIP + settled then return on end
+  self.sunk = max(self.sunk, LIP + AHEAD)  -- the end that it leaves may be in its corners now
+  self:joins(on, box)
   return on
 end
 

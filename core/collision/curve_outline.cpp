@@ -12,6 +12,15 @@ namespace {
 
 using Stretch = CurveStretch<double>;
 
+// A stretch from one point to another.
+struct StretchPart {
+  Stretch stretch;
+  Vec2 from, to;
+};
+
+// px; the length of the straight end of a curve, see shape.h.
+constexpr double kStraightEnd = 0.25;
+
 class CurveCutter {
  public:
   void cut(const Curve& curve, std::int32_t number) {
@@ -61,12 +70,12 @@ class CurveCutter {
                .slope_rest = slope.low});
   }
 
-  void put_stretch(const Stretch& stretch, Vec2 a, Vec2 b) {
-    outline_.stretches.push_back(stretch);
-    put_piece({.x0 = a.x,
-               .y0 = a.y,
-               .x1 = b.x,
-               .y1 = b.y,
+  void put_stretch(const StretchPart& part) {
+    outline_.stretches.push_back(part.stretch);
+    put_piece({.x0 = part.from.x,
+               .y0 = part.from.y,
+               .x1 = part.to.x,
+               .y1 = part.to.y,
                .stretch = static_cast<std::uint32_t>(outline_.stretches.size())});
   }
 
@@ -86,14 +95,14 @@ class CurveCutter {
   }
 
   void put(const Arc& a) {
-    Stretch s{.kind = Stretch::Kind::arc, .sign = a.upper ? -1.0 : 1.0};
-    const Vec2 center = weld(a.center);
-    s.c[0] = center.x;
-    s.c[1] = center.y;
-    s.c[2] = weld(a.radius);
-    s.bends_down = a.upper;
-    const double x0 = std::max(weld(a.x0), s.c[0] - s.c[2]), x1 = std::min(weld(a.x1), s.c[0] + s.c[2]);
-    put_cut(s, {x0, s.y_at(x0)}, {x1, s.y_at(x1)}, {center.x});
+    const double r = a.radius;
+    const Stretch s{.kind = Stretch::Kind::arc,
+                    .sign = a.upper ? -1.0 : 1.0,
+                    .c = {a.center.x, a.center.y, r},
+                    .bends_down = a.upper};
+    const double x0 = std::max(weld(a.x0), a.center.x - r), x1 = std::min(weld(a.x1), a.center.x + r);
+    cut_stretch(s, {x0, s.y_at(x0)}, {x1, s.y_at(x1)}, {a.center.x});
+    put_parts(weld({a.x0, s.y_at(a.x0)}), weld({a.x1, s.y_at(a.x1)}));
   }
 
   void put(const Parabola& p) {
@@ -127,31 +136,43 @@ class CurveCutter {
       if (c3 != 0) cuts.push_back(middle + q / (3 * c3));
       if (q != 0) cuts.push_back(middle + c1 / q);
     }
-    put_cut(s, a, b, std::move(cuts));
+    cut_stretch(s, a, b, std::move(cuts));
+    put_parts(a, b);
   }
 
   void put(const Sine& w) {
     const double x0 = weld(w.x0), x1 = weld(w.x1), quarter = w.wavelength / 4;
+    const auto number_at = [&](double x) { return std::floor((x - w.origin) / quarter); };
+    const auto height_at = [&](double x) { return quarter_of(w, number_at(x)).y_at(x); };
     double x = x0;
-    for (double k = std::floor((x0 - w.origin) / quarter); x < x1; ++k) {
+    for (double k = number_at(x0); x < x1; ++k) {
       const double end = std::min(x1, w.origin + (k + 1) * quarter);
       if (end <= x) continue;
-      // The zero crossing of this quarter: its first end if k is even, else its last end.
-      const double crossing = std::fmod(k, 2) == 0 ? k : k + 1;
-      const bool falls = std::fmod(crossing, 4) != 0;  // the half wave is upside down
-      Stretch s{.kind = Stretch::Kind::sine};
-      s.c[0] = w.origin + crossing * quarter;
-      s.c[1] = w.middle;
-      s.c[2] = falls ? -w.amplitude : w.amplitude;
-      s.c[3] = w.wavelength;
-      const double side = (crossing == k ? 1 : -1) * s.c[2];  // y - middle has this sign inside the quarter
-      s.bends_down = side < 0;
-      put_stretch(s, {x, s.y_at(x)}, {end, s.y_at(end)});
+      const Stretch s = quarter_of(w, k);
+      parts_.push_back({s, {x, s.y_at(x)}, {end, s.y_at(end)}});
       x = end;
     }
+    put_parts(weld({w.x0, height_at(w.x0)}), weld({w.x1, height_at(w.x1)}));
   }
 
-  void put_cut(Stretch stretch, Vec2 a, Vec2 b, std::vector<double> cuts) {
+  // The stretch of a sine from `number` to `number` + 1 quarters of a wave right of its origin.
+  static Stretch quarter_of(const Sine& w, double number) {
+    // The zero crossing of this quarter: its first end if the number is even, else its last end.
+    const double crossing = std::fmod(number, 2) == 0 ? number : number + 1;
+    const bool falls = std::fmod(crossing, 4) != 0;  // the half wave is upside down
+    Stretch s{.kind = Stretch::Kind::sine};
+    s.c[0] = w.origin + crossing * (w.wavelength / 4);
+    s.c[1] = w.middle;
+    s.c[2] = falls ? -w.amplitude : w.amplitude;
+    s.c[3] = w.wavelength;
+    const double side =
+        (crossing == number ? 1 : -1) * s.c[2];  // y - middle has this sign inside the quarter
+    s.bends_down = side < 0;
+    return s;
+  }
+
+  // Appends the parts of a stretch between its cuts.
+  void cut_stretch(Stretch stretch, Vec2 a, Vec2 b, std::vector<double> cuts) {
     std::erase_if(cuts, [&](double x) { return !(x > a.x && x < b.x); });
     std::sort(cuts.begin(), cuts.end());
     Vec2 from = a;
@@ -162,10 +183,45 @@ class CurveCutter {
           const double u = (from.x + to.x) / 2 - stretch.c[0];
           stretch.bends_down = stretch.c[3] + 3 * stretch.c[4] * u > 0;
         }
-        put_stretch(stretch, from, to);
+        parts_.push_back({stretch, from, to});
       }
       from = to;
     }
+  }
+
+  // Puts the parts of a whole curve between its welded ends, with straight ends where they are off the curve.
+  void put_parts(Vec2 first, Vec2 last) {
+    const StretchPart &outer = parts_.front(), &other = parts_.back();
+    const double half = (last.x - first.x) / 2;
+    const Vec2 from =
+        outer.from == first ? first : point_at(first.x + std::min(width_of_end(outer, outer.from), half));
+    const Vec2 to =
+        other.to == last ? last : point_at(last.x - std::min(width_of_end(other, other.to), half));
+    if (from.x > first.x) put_end(first, from);
+    for (StretchPart part : parts_) {
+      if (from.x > part.from.x) part.from = from;
+      if (to.x < part.to.x) part.to = to;
+      if (part.from.x < part.to.x) put_stretch(part);
+    }
+    if (to.x < last.x) put_end(to, last);
+    parts_.clear();
+  }
+
+  static double width_of_end(const StretchPart& part, Vec2 end) {
+    return std::max(weld(kStraightEnd * part.stretch.tangent_at(end.x).x), 1.0 / kWeldParts);
+  }
+
+  // The point of the current curve at x.
+  Vec2 point_at(double x) const {
+    const auto part = std::find_if(parts_.begin(), parts_.end(), [&](const auto& p) { return x <= p.to.x; });
+    return {x, part->stretch.y_at(x)};
+  }
+
+  // A straight end is a stretch, so that steepest_on_curve() holds for it. Needs a.x < b.x.
+  void put_end(Vec2 a, Vec2 b) {
+    const Vec2 middle = (a + b) * 0.5;
+    put_stretch(
+        {{.kind = Stretch::Kind::polynomial, .c = {middle.x, middle.y, (b.y - a.y) / (b.x - a.x)}}, a, b});
   }
 
   // A line that stops bodies on both sides also stops them at its ends.
@@ -195,6 +251,7 @@ class CurveCutter {
   }
 
   CurveOutline outline_;
+  std::vector<StretchPart> parts_;  // of the current curve, from the left
   std::int32_t origin_ = 0;
   Curve::Faces faces_ = Curve::Faces::up;
 };

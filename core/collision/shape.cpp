@@ -51,8 +51,6 @@ Problem problem_of_form(const Arc& a) {
   if (!(a.radius > 0)) return "has a radius that is not above zero";
   if (const Problem bad = problem_of_width(a.x0, a.x1)) return bad;
   if (a.x0 < a.center.x - a.radius || a.x1 > a.center.x + a.radius) return "has an end beyond its circle";
-  const double center = weld(a.center.x), radius = weld(a.radius);
-  if (weld(a.x0) >= center + radius || weld(a.x1) <= center - radius) return kWeldedAway;
   const double far_y = a.center.y + (a.upper ? -a.radius : a.radius);
   return problem_of_reach(a.center, a.x0, a.x1, far_y);
 }

@@ -81,10 +81,7 @@ class CurvePath {
     for (const Piece<double>& p : outline_.pieces)
       path_.line(p.facing == Facing::left ? Vec2{p.x0, p.y0} : Vec2{p.x1, p.y1});
   }
-  void put(const Arc& a) {
-    const double radius = weld(a.radius);
-    path_("A", {radius, radius, 0, 0, a.upper ? 1.0 : 0.0, to_.x, to_.y});
-  }
+  void put(const Arc& a) { path_("A", {a.radius, a.radius, 0, 0, a.upper ? 1.0 : 0.0, to_.x, to_.y}); }
   void put(const Parabola& p) { path_("Q", {(from_.x + to_.x) / 2, weld(p.control_y), to_.x, to_.y}); }
   void put(const Cubic& c) { put_cubic(from_, to_, c.from_slope, c.to_slope); }
   void put(const Sine&) {

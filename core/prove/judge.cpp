@@ -62,7 +62,8 @@ std::optional<Verdict> Judge::judge_walk(const Body& before, const Body& after, 
   if (speed == 0) return std::nullopt;
   const int direction = speed < 0 ? -1 : 1;
   const double steepest = tuning_.exact.steepest, most = std::abs(speed), slack = px_of(weld_);
-  const double least = tuning_.player.surface_speed != 0 ? most / std::hypot(1.0, steepest) : most;
+  const double least =
+      tuning_.player.surface_speed != 0 ? most / std::hypot(1.0, steepest_on_curve(steepest)) : most;
   const double moved = (after.box.x - before.box.x) * direction, rise = before.box.y - after.box.y;
   if (moved > most + slack) return Verdict{FindingKind::jumps, moved - most};
   // A curve may get steeper within the step.

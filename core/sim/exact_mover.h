@@ -36,11 +36,12 @@ BasicVec2<Real> slide_along(BasicVec2<Real> normal, BasicVec2<Real> motion) {
 }
 
 // Whether a contact is with ground level enough to stand on, or to bounce from like a floor: |dy/dx| is at
-// most `steepest`, compared exactly.
+// most `steepest`, compared exactly, or on a curve steepest_on_curve().
 template <class Real>
 bool is_level(const Contact<Real>& contact, Real steepest) {
   if (contact.normal.y == 0) return false;
   const Piece<Real>* p = contact.piece;
+  if (p != nullptr && p->stretch != 0) steepest = steepest_on_curve(steepest);
   if (p == nullptr || p->stretch != 0 || contact.on_end || contact.normal.x == 0) {
     return std::abs(contact.normal.x) <= steepest * std::abs(contact.normal.y);
   }

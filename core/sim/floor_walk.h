@@ -46,10 +46,16 @@ class FloorWalk {
       : ground_(ground), others_(others), direction_(direction), steepest_(steepest), budget_(budget) {}
 
   // The floor on which the body goes on, up to `reach` px below it. Nothing: there is none, or it is too
-  // steep.
-  std::optional<FloorAhead<Real>> floor_ahead(const Moving<Real>& body, Real reach) {
+  // steep. One that begins up to kMostLip higher or lower is one with the floor before: the body is put on
+  // it.
+  std::optional<FloorAhead<Real>> floor_ahead(Moving<Real>& body, Real reach) {
     auto floor = look_ahead(body, reach);
     if (floor && !floor->on_line && sinks(body, floor->contact, body.box.y)) floor = look_ahead(body, reach);
+    if (!floor || body.foot != Foot::centre) return floor;
+    const Real way = std::abs(place_on(*floor, body.box, body.box.x, body.foot).y - body.box.y);
+    if (way <= settled(body) || way > Real(kMostLip) + settled(body)) return floor;
+    sunk_ = std::max(sunk_, Real(kMostLip + kFloorStep));  // the end that it leaves may be in its corners now
+    joins(*floor, body);
     return floor;
   }
 
@@ -180,8 +186,20 @@ class FloorWalk {
     if (!contact || !is_level(contact, steepest_)) return std::nullopt;
     if (contact.normal.x == 0 && contact.position.y - body.box.y > reach) return std::nullopt;
     FloorAhead<Real> floor = floor_of(contact, there, body.foot);
+    if (body.foot == Foot::centre && contact.on_end) floor = beyond_end(floor, there, rise);
     if ((floor.end - there.x) * direction_ < 0) floor.end = there.x;  // by rounding: each piece leads on
     return floor;
+  }
+
+  // Of a body whose flat bottom is on the end of a floor: the floor that goes on under its middle, if that
+  // begins up to kMostLip lower. Else the same floor. rise: px, by which it may be lower here.
+  FloorAhead<Real> beyond_end(const FloorAhead<Real>& ended, const BasicRect<Real>& box, Real rise) const {
+    const BasicRect<Real> middle{box.x + box.w / 2, ended.contact.position.y - Real(kFloorStep), 0, box.h};
+    const Cast<Real> down{middle, {0, Real(kFloorStep) + rise}, Foot::box};
+    Contact<Real> contact = cast_box<Real>(ground_, down, {}, nullptr, budget_);
+    if (!contact || contact.on_end || !is_level(contact, steepest_)) return ended;
+    contact.position.x = box.x;
+    return floor_of(contact, box, Foot::centre);
   }
 
   // box: where the body has the contact.

@@ -69,17 +69,20 @@ Curve random_line(Dice& dice, Area area) {
   return {Segment{a, b}, random_faces(dice)};
 }
 
-// All points are on the grid of 1/256 px; slopes and waves are on a grid of powers of two.
+// Points are on the grid of 1/256 px, but for some arcs and sines; slopes and waves are on a grid of powers
+// of two.
 Curve random_curve(Dice& dice, Area area) {
   const double x0 = dice.step(area.x0, area.x1 - 8, 64);
   const double x1 = x0 + dice.step(4, std::min(40.0, area.x1 - x0), 64);
   const double y = dice.step(area.y0, area.y1, 64), middle = (x0 + x1) / 2, half = (x1 - x0) / 2;
+  const double off = dice.one_in(2) ? 0 : dice.in(-0.01, 0.01);
   Curve curve;
   curve.faces = random_faces(dice);
   switch (dice.up_to(3)) {
     case 0: {
-      const double radius = dice.one_in(3) ? half : dice.step(half, 3 * half, 64);
-      curve.form = Arc{{middle, y}, radius, x0, dice.one_in(3) ? middle : x1, dice.one_in(2)};
+      const double radius = std::abs(off) + (dice.one_in(3) ? half : dice.step(half, 3 * half, 64));
+      curve.form =
+          Arc{{middle + off, y - off}, radius, x0 + off / 3, dice.one_in(3) ? middle : x1, dice.one_in(2)};
       break;
     }
     case 1:
@@ -90,7 +93,7 @@ Curve random_curve(Dice& dice, Area area) {
           Cubic{{x0, y}, {x1, y + dice.step(-16, 16, 16)}, dice.step(-3, 3, 16), dice.step(-3, 3, 16)};
       break;
     default: {
-      Sine sine{.x0 = x0, .x1 = x1, .middle = y};
+      Sine sine{.x0 = x0, .x1 = x1 + off, .middle = y - off};
       sine.amplitude = dice.step(1, 8, 16) * (dice.one_in(2) ? 1 : -1);
       sine.wavelength = dice.step(8, 64, 1);
       sine.origin = middle + dice.step(-32, 32, 64);
@@ -214,7 +217,7 @@ using reference::Wide;
 
 struct WideForm {
   reference::WideCurve operator()(const Arc& a) const {
-    return reference::wide_arc(a.center.x, a.center.y, a.radius, a.x0, a.x1, a.upper);
+    return with_welded_ends(reference::wide_arc(a.center.x, a.center.y, a.radius, a.x0, a.x1, a.upper));
   }
   reference::WideCurve operator()(const Parabola& p) const {  // from its Bernstein form
     const Wide w = Wide(p.to.x) - p.from.x, c = p.control_y;
@@ -228,7 +231,7 @@ struct WideForm {
         c.from.x, c.to.x, {c.from.y, a, (3 * rise - 2 * a - b) / w, (a + b - 2 * rise) / (w * w)});
   }
   reference::WideCurve operator()(const Sine& s) const {
-    return reference::wide_sine(s.x0, s.x1, s.middle, s.amplitude, s.wavelength, s.origin);
+    return with_welded_ends(reference::wide_sine(s.x0, s.x1, s.middle, s.amplitude, s.wavelength, s.origin));
   }
   reference::WideCurve operator()(const Segment&) const { return {}; }
   reference::WideCurve operator()(const Polyline&) const { return {}; }

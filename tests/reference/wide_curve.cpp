@@ -106,7 +106,10 @@ WideCurve wide_arc(Wide center_x, Wide center_y, Wide radius, Wide x0, Wide x1, 
     const Wide u = x - center_x;
     return center_y + sign * std::sqrt(std::max<Wide>(0, (radius - u) * (radius + u)));
   };
-  // f' = -sign u / sqrt(r^2 - u^2)
+  c.slope = [=](Wide x) {
+    const Wide u = x - center_x;
+    return -sign * u / std::sqrt(std::max<Wide>(0, (radius - u) * (radius + u)));
+  };
   c.where_slope_is = [=](Wide slope) {
     const Wide x = center_x - sign * slope * radius / std::sqrt(1 + slope * slope);
     return x >= x0 && x <= x1 ? std::vector<Wide>{x} : std::vector<Wide>{};
@@ -122,6 +125,7 @@ WideCurve wide_polynomial(Wide x0, Wide x1, const Wide (&k)[4]) {
     const Wide u = x - x0;
     return c0 + u * (c1 + u * (c2 + u * c3));
   };
+  c.slope = [=](Wide x) { return c1 + (x - x0) * (2 * c2 + (x - x0) * 3 * c3); };
   c.where_slope_is = [=](Wide slope) {
     std::vector<Wide> all;
     add_quadratic_roots(3 * c3, 2 * c2, c1 - slope, all);
@@ -140,6 +144,10 @@ WideCurve wide_sine(Wide x0, Wide x1, Wide middle, Wide amplitude, Wide waveleng
     const Wide turns = (x - origin) / wavelength;
     return middle + amplitude * std::sin(two_pi * (turns - std::round(turns)));
   };
+  c.slope = [=](Wide x) {
+    const Wide turns = (x - origin) / wavelength;
+    return amplitude * two_pi / wavelength * std::cos(two_pi * (turns - std::round(turns)));
+  };
   c.where_slope_is = [=](Wide slope) {
     std::vector<Wide> all;
     const Wide cosine = slope * wavelength / (two_pi * amplitude);
@@ -153,6 +161,34 @@ WideCurve wide_sine(Wide x0, Wide x1, Wide middle, Wide amplitude, Wide waveleng
     return all;
   };
   return c;
+}
+
+WideCurve with_welded_ends(const WideCurve& curve) {
+  const auto on_grid = [](Wide v) { return std::round(v * 256) / 256; };
+  const Wide x0 = on_grid(curve.x0), x1 = on_grid(curve.x1);
+  const auto width_at = [&](Wide x) -> Wide {
+    // Heights of the grid that were computed differ from it by rounding alone.
+    if (x == on_grid(x) && std::abs(curve.f(x) - on_grid(curve.f(x))) < 1e-15L) return 0;
+    const Wide slope = curve.slope(x), width = on_grid(0.25L / std::sqrt(1 + slope * slope));
+    return std::min(std::max<Wide>(width, 1.0L / 256), (x1 - x0) / 2);
+  };
+  const Wide from = x0 + width_at(curve.x0), to = x1 - width_at(curve.x1);
+  const Wide y0 = on_grid(curve.f(curve.x0)), y1 = on_grid(curve.f(curve.x1));
+  WideCurve welded = curve;
+  welded.x0 = x0, welded.x1 = x1;
+  welded.f = [=](Wide x) {
+    if (x < from) return y0 + (curve.f(from) - y0) * ((x - x0) / (from - x0));
+    if (x > to) return y1 + (curve.f(to) - y1) * ((x1 - x) / (x1 - to));
+    return curve.f(x);
+  };
+  welded.where_slope_is = [=](Wide slope) {
+    std::vector<Wide> all = curve.where_slope_is(slope);
+    std::erase_if(all, [&](Wide x) { return x < from || x > to; });
+    if (from > x0) all.push_back(from);
+    if (to < x1) all.push_back(to);
+    return all;
+  };
+  return welded;
 }
 
 bool meets(const WideCurve& curve, const WideBox& box) { return relation(curve, box) == Relation::inside; }

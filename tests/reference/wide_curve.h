@@ -22,7 +22,8 @@ struct WideCurve {
   Wide x0 = 0, x1 = 0;
   Stops stops = Stops::everywhere;
   std::function<Wide(Wide x)> f;
-  std::function<std::vector<Wide>(Wide slope)> where_slope_is;  // in x0..x1, in any order
+  std::function<Wide(Wide x)> slope;                            // f'
+  std::function<std::vector<Wide>(Wide slope)> where_slope_is;  // in x0..x1, in any order; and at each kink
 
   // The least and the greatest f between two places.
   struct Range {
@@ -35,6 +36,10 @@ WideCurve wide_arc(Wide center_x, Wide center_y, Wide radius, Wide x0, Wide x1, 
 // c[0] + c[1] u + c[2] u^2 + c[3] u^3, u = x - x0
 WideCurve wide_polynomial(Wide x0, Wide x1, const Wide (&c)[4]);
 WideCurve wide_sine(Wide x0, Wide x1, Wide middle, Wide amplitude, Wide wavelength, Wide origin);
+
+// The curve as a terrain has it, with its ends on the grid of 1/256 px. Where that puts an end off the curve,
+// the last quarter of a px, but at most half of the curve, is a straight line to it.
+WideCurve with_welded_ends(const WideCurve& curve);
 
 // Whether the curve is inside the box.
 bool meets(const WideCurve& curve, const WideBox& box);

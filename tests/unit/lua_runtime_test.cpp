@@ -192,6 +192,28 @@ TEST_F(LuaRuntime, GivesTheBitsOfWalksOverLines) {
   expect_same_bits();
 }
 
+TEST_F(LuaRuntime, GivesTheBitsOfWalksOverJoints) {
+  for (const double apart : {-1.0 / 256, 1.0 / 256}) {
+    for (const Curve::Faces faces : {Curve::Faces::up, Curve::Faces::both}) {
+      Level level;
+      level.map = TileMap(40, 14);
+      level.curves = {{"", {Segment{{60, 78}, {100, 70}}, faces}, ""},
+                      {"", {Arc{{108.003, 124}, 54.0017, 100, 116.003, true}, faces}, ""},
+                      {"", {Sine{116.003, 190, 71, 3, 41.7, 114}, faces}, ""},
+                      {"", {Segment{{190, 71 + apart}, {300, 60}}, faces}, ""}};
+      Spawn& spawn = level.spawns.emplace_back();
+      spawn.kind = BodyKind::player;
+      spawn.foot = Foot::centre;
+      spawn.position = {62, 60};
+      CaseInput right;
+      right.frame = 1;
+      right.right = true;
+      add(level, 150, {right}, "joints");
+    }
+  }
+  expect_same_bits();
+}
+
 std::vector<CaseInput> random_input(Dice& dice, int frames, double width, double height) {
   std::vector<CaseInput> entries;
   for (int frame = 1; frame < frames; frame += 1 + dice.up_to(12)) {

@@ -79,11 +79,12 @@ Level full_tiles_and_a_ball() {
 
 TEST(Pages, StateTheSizesOfExports) {
   const std::string page = "docs/runtime.md";
-  EXPECT_TRUE(page_has(page, size_row("full tiles, a ball", full_tiles_and_a_ball())));
-  EXPECT_TRUE(page_has(
-      page, size_row("slopes, and balls that block one another (the demo)", level_at("demo.talus.json"))));
-  EXPECT_TRUE(page_has(page, size_row("curves, and a player (hard case 38, quarter pipe)",
-                                      level_at("hard_cases/38-quarter-pipe.talus.json"))));
+  for (const std::string& row :
+       {size_row("full tiles, a ball", full_tiles_and_a_ball()),
+        size_row("slopes, and balls that block one another (the demo)", level_at("demo.talus.json")),
+        size_row("curves, and a player (hard case 38, quarter pipe)",
+                 level_at("hard_cases/38-quarter-pipe.talus.json"))})
+    EXPECT_TRUE(page_has(page, row)) << row;
   EXPECT_TRUE(page_has(page, grouped(kMostTicCode) + " bytes of code"));
 }
 

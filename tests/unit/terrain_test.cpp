@@ -213,6 +213,28 @@ TEST(Terrain, ALongPolylineHasTipsOnlyAtItsEnds) {
   EXPECT_EQ((Vec2{last.x0, last.y0}), (Vec2{16384, 0}));
 }
 
+TEST(Terrain, EndsOfCurvesMeetThoseOfLines) {
+  const Arc arc{{108.003, 120.1}, 50.001, 100.0013, 116.003, true};
+  const Sine sine{116.003, 190.002, 71, 3, 41.7, 114};
+  const std::vector<Curve> curves = {{arc, Curve::Faces::both}, {sine, Curve::Faces::both}};
+  const std::vector<Piece<double>> pieces = cut_curves(curves).pieces;
+  const Piece<double>* before = nullptr;
+  for (const Piece<double>& piece : pieces) {
+    if (piece.facing != Facing::up) continue;
+    const bool is_first = before == nullptr, is_next = !is_first && before->origin != piece.origin;
+    if (is_first || is_next) EXPECT_EQ((Vec2{piece.x0, piece.y0}), weld({piece.x0, piece.y0}));
+    if (is_next) EXPECT_EQ((Vec2{before->x1, before->y1}), weld({before->x1, before->y1}));
+    if (!is_first && !is_next) EXPECT_EQ((Vec2{before->x1, before->y1}), (Vec2{piece.x0, piece.y0}));
+    if (is_first || is_next) EXPECT_NEAR(piece.x1 - piece.x0, 0.25, 0.02);
+    before = &piece;
+  }
+  const auto height_at = [&](double x) {
+    return arc.center.y - std::sqrt(arc.radius * arc.radius - (x - arc.center.x) * (x - arc.center.x));
+  };
+  EXPECT_EQ(pieces[0].x0, weld(arc.x0));
+  EXPECT_EQ(pieces[0].y0, weld(height_at(arc.x0)));
+}
+
 TEST(Terrain, CurvesAreCutWhereTheyTurn) {
   TestMap map({"........", "........", "........"});
   map.curves = {{Arc{{32, 20}, 10, 22, 40, true}, Curve::Faces::up}};

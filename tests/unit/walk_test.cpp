@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <memory>
+#include <string>
 
 #include <talus/sim/solver.h>
 
@@ -285,6 +286,78 @@ TEST(Walk, PassesTheCrestOfAWaveThatIsALine) {
       solver->step(state, input, nullptr);
     }
     EXPECT_GT(state.bodies[0].box.x, 220) << size.x;
+  }
+}
+
+// Walks over curves that are one floor from x = 60 to 156 px; y_at gives its height. Each step must keep the
+// speed, and leave the body with its middle on the floor.
+template <class F>
+void expect_to_follow(const Level& level, int direction, F y_at, const std::string& name) {
+  const auto scene = std::make_shared<const Scene>(compile_scene(level));
+  const auto solver = make_solver(scene);
+  State state = initial_state(*scene);
+  Body& body = state.bodies[0];
+  const auto middle = [&] { return body.box.x + body.box.w / 2; };
+  const double start = direction > 0 ? 64 : 152;
+  body.box.x = start - body.box.w / 2;
+  body.box.y = y_at(start) - body.box.h;
+  body.gait.grounded = true;
+  for (double from = middle(); from > 62 && from < 154; from = middle()) {
+    Input input;
+    input.left = direction < 0;
+    input.right = direction > 0;
+    const double speed = std::min(std::abs(body.velocity.x) + 0.25, 1.5);
+    solver->step(state, input, nullptr);
+    ASSERT_NEAR((middle() - from) * direction, speed, 0.01) << name << " at " << from;
+    ASSERT_NEAR(body.box.bottom(), y_at(middle()), 0.01) << name << " at " << from;
+  }
+}
+
+TEST(Walk, FollowsLinesWhoseEndsAreAlmostAtOnePlace) {
+  for (const Curve::Faces faces : {Curve::Faces::up, Curve::Faces::both}) {
+    for (const double apart : {-1.0 / 256, 0.0, 1.0 / 256}) {
+      for (const double end : {62, 70, 78}) {
+        Scenery scenery;
+        scenery.level.tuning.player.surface_speed = 0;
+        scenery.level.curves = {{"", {Segment{{60, 78}, {100, 70}}, faces}, ""},
+                                {"", {Segment{{100, 70 + apart}, {160, end + apart}}, faces}, ""}};
+        scenery.player(64, kFloor, Foot::centre);
+        const auto y_at = [&](double x) {
+          return x < 100 ? 78 - (x - 60) / 5 : 70 + (end - 70) * (x - 100) / 60;
+        };
+        for (const int direction : {-1, 1})
+          expect_to_follow(scenery.level, direction, y_at, std::to_string(apart) + " " + std::to_string(end));
+      }
+    }
+  }
+}
+
+// The arc meets both lines between two heights of the grid of ends, and its centre and radius are beside the
+// grid.
+TEST(Walk, FollowsAnArcBetweenLines) {
+  for (const Curve::Faces faces : {Curve::Faces::up, Curve::Faces::both}) {
+    for (const double radius : {30.003, 54.0, 200.0017}) {
+      for (const double lean : {-8.0, 0.0, 8.003}) {
+        const Arc arc{{108 + lean, 80 + radius}, radius, 100, 116.003, true};
+        const auto arc_y = [&](double x) {
+          return arc.center.y - std::sqrt(radius * radius - (x - arc.center.x) * (x - arc.center.x));
+        };
+        const double y0 = arc_y(arc.x0), y1 = arc_y(arc.x1);
+        Scenery scenery;
+        scenery.level.tuning.player.surface_speed = 0;
+        scenery.level.curves = {{"", {Segment{{60, y0 + 8}, {100, y0}}, faces}, ""},
+                                {"", {arc, faces}, ""},
+                                {"", {Segment{{116.003, y1}, {160, y1 + 4}}, faces}, ""}};
+        scenery.player(64, kFloor, Foot::centre);
+        const auto y_at = [&](double x) {
+          if (x < arc.x0) return y0 + 8 - (x - 60) / 5;
+          return x < arc.x1 ? arc_y(x) : y1 + 4 * (x - arc.x1) / (160 - arc.x1);
+        };
+        for (const int direction : {-1, 1})
+          expect_to_follow(scenery.level, direction, y_at,
+                           std::to_string(radius) + " " + std::to_string(lean));
+      }
+    }
   }
 }
 

@@ -65,6 +65,13 @@ struct CurveStretch {
   static constexpr Real kTwoPi = static_cast<Real>(6.283185307179586476925286766559);
 };
 
+// How steep a curve may be, as |dy/dx|, where a line may be as steep as `steepest`, at least 0. The straight
+// end of a curve is 1/4 px long, and leads up to 1/512 px beside the curve, in x and in y.
+template <class Real>
+constexpr Real steepest_on_curve(Real steepest) {
+  return steepest + (1 + steepest) * (1 + steepest) / 128;
+}
+
 // A line, a stretch of a curve or a wall. A terrain makes them; a caller only reads them.
 //
 // Ends: x0 <= x1. A wall has x0 == x1 and y0 <= y1; a wall without height is the tip of a wedge.

@@ -101,10 +101,12 @@ double weld(double coordinate);
 // The same for both coordinates.
 inline Vec2 weld(Vec2 point) { return {weld(point.x), weld(point.y)}; }
 
-// Curves are thin lines y = f(x); px. Each stops bodies on the sides that it faces. Their points, the radius
-// of an arc and the heights of a polyline are welded: rounded to 1/256 px. Slopes, and the middle, amplitude,
-// wavelength and origin of a sine, are not. A curve without width after that (a segment: without length)
-// cannot be used.
+// Curves are thin lines y = f(x); px. Each stops bodies on the sides that it faces. Their ends, the control
+// point of a parabola and the heights of a polyline are welded: rounded to 1/256 px. Other numbers are not. A
+// curve without width after that (a segment: without length) cannot be used.
+//
+// So all ends meet others on that grid. Where this puts the end of an arc or a sine off the curve, the last
+// quarter of a px, but at most half of the curve, is a straight line to the end.
 //
 // A straight line between two points, with from.x <= to.x. A vertical one has from.y < to.y; one that only
 // becomes vertical by welding may have any y.
@@ -115,8 +117,8 @@ struct Segment {
 };
 // A part of a circle.
 struct Arc {
-  Vec2 center;        // px, welded
-  double radius = 0;  // px, > 0, welded
+  Vec2 center;        // px
+  double radius = 0;  // px, > 0
   double x0 = 0;      // px, left end, within the circle, welded
   double x1 = 0;      // px, right end, > x0, within the circle, welded
   bool upper = true;  // the upper half of the circle (a hill), else the lower (a bowl)
