@@ -51,7 +51,8 @@ end
 -- count as one that faces straight up or down. flat_end: a flat side of the box met the end of a piece; at: a
 -- wall's x, a flat one's y; first, last: where the box may be.
 local function offer(t, facing, flat_end, piece, at, first, last)
-  if not (t <= best_t) then return end
+  -- Where no part of the corners meets ground, floors alone stop the box, on its centre.
+  if not (t <= best_t) or sunk > 0 and sunk >= bh and facing ~= UP then return end
   if t == best_t then
     local level, best_level = flat_end or piece == nil, best_flat_end or best_piece == nil
     if level and best_level and facing == best_facing then return end
@@ -395,7 +396,7 @@ local function cast_box(terrain, x, y, w, h, motion_x, motion_y, is_centre, othe
   begin_cast(terrain, x, y, w, h, motion_x, motion_y, is_centre, without)
   if others then World.against_others(others) end
   sunk, other = sunk_by or 0.0, nil
-  if sunk == 0 or sunk < h then against_terrain() end
+  against_terrain()
   local contact = end_cast()
   if not is_centre then return contact end
   return terrain:with_middle(contact, x, y, w, h, motion_x, motion_y, without)

@@ -77,11 +77,11 @@ function Walk:look_ahead(x, y, w, h, is_centre, reach)
   local rise = min(step * self.steepest, 1.0) + LIP + 2 * forgiven
   local there = moved_x(x, w, self.direction * step)
   local found = cast_box(self.terrain, there, y - rise, w, h, 0.0, rise + reach, is_centre, self.others, nil,
-                         self.sunk > 0 and self.sunk + rise or 0.0)
+                         self.sunk > 0 and min(self.sunk + rise, h) or 0.0)
   -- The floor may go on to the foot of something too steep, which is met on the way then.
   if found and found.piece and found.nx * self.direction < 0 and not is_level(found, self.steepest) then
     found = cast_box(self.terrain, there, y - rise, w, h, 0.0, rise + reach, is_centre, self.others,
-                     found.piece.source or found.piece, self.sunk > 0 and self.sunk + rise or 0.0)
+                     found.piece.source or found.piece, self.sunk > 0 and min(self.sunk + rise, h) or 0.0)
     if found and found.y - y > rise then return nil end
   end
   if not found or not is_level(found, self.steepest) then return nil end
@@ -184,12 +184,17 @@ function Walk:cast_to(on, box, x, y)
                   not straight and line.source or nil, self.sunk)
 end
 
--- The upper end of a sloped ceiling that falls away from the middle of the body, as the far side of a roof does that
--- is a line: there the floor that the body walks on leads over it.
-local function crest_of(piece, middle)
-  if piece.y0 < piece.y1 and middle < piece.x0 then return piece.x0, piece.y0 end
-  if piece.y1 < piece.y0 and middle > piece.x1 then return piece.x1, piece.y1 end
-  return nil
+-- Where a corner of the body has met a sloped ceiling at this y, which may be the underside of the line that it walks
+-- on. Of one that falls away from the middle of the body, as the far side of a roof does, it is the upper end: there
+-- the floor leads over it.
+local function underside_met(piece, box, y)
+  local middle = box.x + box.w / 2
+  if piece.y0 < piece.y1 then  -- it falls to the right, where the corner is then
+    if middle < piece.x0 then return piece.x0, piece.y0 end
+    return min(box.x + box.w, piece.x1), y
+  end
+  if middle > piece.x1 then return piece.x1, piece.y1 end
+  return max(box.x, piece.x0), y
 end
 
 -- The upper end of what a corner of the body met, or the nearer end of a ceiling that is level or falls from there;
@@ -203,7 +208,7 @@ function Walk:corner_met(box, contact)
   local is_ceiling = contact.facing == DOWN
   if piece and not contact.on_end then
     if not is_ceiling then return nil end
-    if piece.y0 ~= piece.y1 then return crest_of(piece, box.x + box.w / 2) end
+    if piece.y0 ~= piece.y1 then return underside_met(piece, box, contact.y) end
   end
   local at = piece and 0 or self:solid_column(box.x, box.w, contact.row)
   local x0, x1 = at * TILE_W, (at + 1) * TILE_W
@@ -251,7 +256,8 @@ function Walk:sinks(box, contact, goal_y)
   if not box.centre or contact.other or not self.terrain:has_pieces() then return false end
   local spot_x, spot_y = self:corner_met(box, contact)
   if not spot_x then return false end
-  local by_px = min(max(max(box.y, goal_y) + box.h - spot_y, AHEAD), box.h)
+  local by_px = max(max(box.y, goal_y) + box.h - spot_y, AHEAD)
+  if contact.facing == DOWN or by_px > box.h then by_px = box.h end
   if not (by_px > self.sunk) or not self:floor_leads_over(box, spot_x, spot_y) then return false end
   self.sunk = by_px
   return true
@@ -277,11 +283,10 @@ end
 -- it goes on along, or nil if it has to look for it. "shortens": along its curve, of which it takes half of that part
 -- in one go; "leaves": the floor has ended.
 function Walk:passes(on, box, from, goal_x, goal_y, contact)
-  local straight = Walk.is_straight(on)
-  if self:sinks(box, contact, goal_y) then
-    Walk.lift_onto(on, box)
-    return "goes on", nil
-  end
+  local straight, y = Walk.is_straight(on), box.y
+  Walk.lift_onto(on, box)
+  if self:sinks(box, contact, goal_y) then return "goes on", nil end
+  box.y = y
   if contact.ny < 0 and Walk.leads_above(on, box, contact, goal_x) then
     Walk.lift_onto(on, box)
     return "shortens", on

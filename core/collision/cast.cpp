@@ -531,6 +531,8 @@ class Caster {
 
   [[gnu::always_inline]] void offer(Hit hit) {
     log_.meets(hit.t);
+    // Where no part of the corners meets ground, floors alone stop the box, on its centre.
+    if (kSunk && sunk_ >= box_.h && !is_other_ && hit.facing != Facing::up) return;
     if (!(hit.t <= best_.t)) return;
     hit.origin = origin_;
     hit.is_other = is_other_;
@@ -596,8 +598,7 @@ template <bool kSunk = false, class Real>
   if (budget != nullptr) budget->seen = 1;
   Caster<Real, kSunk> caster(terrain, cast, ignored, budget, with_curves);
   for (std::size_t i = 0; i < others.size(); ++i) caster.against(others[i], static_cast<std::int32_t>(i));
-  const bool meets_ground = !kSunk || cast.sunk < cast.box.h;
-  if (meets_ground) caster.against_terrain();
+  caster.against_terrain();
   if (budget != nullptr) budget->left -= caster.work() + static_cast<std::int64_t>(others.size()) + 1;
   return caster.contact();
 }

@@ -232,11 +232,13 @@ class ExactSolver final : public Solver {
   // that it goes on along, or nothing if it has to look for it.
   AfterContact passes(FloorWalk<Real>& way, std::optional<FloorAhead<Real>>& floor, Moving<Real>& moving,
                       Real from, Vec goal, const Contact<Real>& contact) {
+    const Real y = moving.box.y;
+    way.lift_onto(*floor, moving);
     if (way.sinks(moving, contact, goal.y)) {
-      way.lift_onto(*floor, moving);
       floor.reset();
       return AfterContact::goes_on;
     }
+    moving.box.y = y;
     if (contact.normal.y < 0 && way.leads_above(*floor, moving, contact, goal.x)) {
       way.lift_onto(*floor, moving);
       return AfterContact::shortens;

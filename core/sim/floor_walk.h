@@ -154,7 +154,8 @@ class FloorWalk {
     const auto spot = corner_met(body, contact);
     if (!spot) return false;
     const Real depth = std::max(std::max(body.box.y, goal_y) + body.box.h - spot->y, Real(kFloorStep));
-    const Real sunk = std::min(depth, body.box.h);
+    const bool is_all = contact.facing == Facing::down || depth > body.box.h;
+    const Real sunk = is_all ? body.box.h : depth;
     if (!(sunk > sunk_) || !floor_leads_over(body, *spot)) return false;
     sunk_ = sunk;
     return true;
@@ -175,7 +176,8 @@ class FloorWalk {
     BasicRect<Real> there = body.box;
     there.x = moved_x(body.box, direction_ * step);
     there.y -= rise;
-    const Cast<Real> down{there, {0, rise + reach}, body.foot, sunk_ > 0 ? sunk_ + rise : 0};
+    const Cast<Real> down{
+        there, {0, rise + reach}, body.foot, sunk_ > 0 ? std::min(sunk_ + rise, body.box.h) : 0};
     Contact<Real> contact = cast_box<Real>(ground_, down, others_, nullptr, budget_);
     // The floor may go on to the foot of something too steep, which is met on the way then.
     const bool rises = contact && contact.piece != nullptr && contact.normal.x * direction_ < 0;
@@ -273,7 +275,7 @@ class FloorWalk {
     }
     if (piece != nullptr && !contact.on_end) {
       if (contact.facing != Facing::down) return std::nullopt;
-      if (piece->y0 != piece->y1) return crest_of(*piece, body.box);
+      if (piece->y0 != piece->y1) return underside_met(*piece, body.box, contact.position.y);
     }
     const int column = piece != nullptr ? 0 : solid_column(body.box, cell.y);
     const Real x0 = piece != nullptr ? piece->x0 : ground_.x_of(column);
@@ -285,13 +287,14 @@ class FloorWalk {
     return std::nullopt;
   }
 
-  // The upper end of a sloped ceiling that falls away from the middle of the body, as the far side of a roof
-  // does that is a line: there the floor that the body walks on leads over it.
-  std::optional<Vec> crest_of(const Piece<Real>& piece, const BasicRect<Real>& box) const {
+  // Where a corner of the body has met a sloped ceiling, which may be the underside of the line that it walks
+  // on. Of one that falls away from the middle of the body, as the far side of a roof does, it is the upper
+  // end: there the floor leads over it.
+  Vec underside_met(const Piece<Real>& piece, const BasicRect<Real>& box, Real y) const {
     const Real middle = box.x + box.w / 2;
-    if (piece.y0 < piece.y1 && middle < piece.x0) return Vec{piece.x0, piece.y0};
-    if (piece.y1 < piece.y0 && middle > piece.x1) return Vec{piece.x1, piece.y1};
-    return std::nullopt;
+    const bool falls = piece.y0 < piece.y1;  // to the right, where the corner is then
+    if (falls) return middle < piece.x0 ? Vec{piece.x0, piece.y0} : Vec{std::min(box.x + box.w, piece.x1), y};
+    return middle > piece.x1 ? Vec{piece.x1, piece.y1} : Vec{std::max(box.x, piece.x0), y};
   }
 
   // Whether the floor goes on from the middle of the body to the x of the spot, and is not below it there.

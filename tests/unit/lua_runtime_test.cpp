@@ -201,10 +201,14 @@ TEST_F(LuaRuntime, GivesTheBitsOfWalksOverJoints) {
                       {"", {Arc{{108.003, 124}, 54.0017, 100, 116.003, true}, faces}, ""},
                       {"", {Sine{116.003, 190, 71, 3, 41.7, 114}, faces}, ""},
                       {"", {Segment{{190, 71 + apart}, {300, 60}}, faces}, ""}};
-      Spawn& spawn = level.spawns.emplace_back();
-      spawn.kind = BodyKind::player;
-      spawn.foot = Foot::centre;
-      spawn.position = {62, 60};
+      for (const Vec2 size : {Vec2{8, 8}, Vec2{40, 4}}) {
+        Spawn& spawn = level.spawns.emplace_back();
+        spawn.kind = BodyKind::player;
+        spawn.foot = Foot::centre;
+        spawn.size = size;
+        spawn.position = {66 - size.x / 2, 60};
+      }
+      level.tuning.shared.balls_block = 0;
       CaseInput right;
       right.frame = 1;
       right.right = true;
