@@ -104,11 +104,20 @@ std::optional<Verdict> Judge::ramp_missed(const Body& before, const Body& after,
     const Fine x = direction > 0 ? top.x0 : top.x1, y = direction > 0 ? top.y0 : top.y1;
     const Fine height = bottom - y;
     if (height <= weld_ || height > lip_ + slack_ || top.highest(top.x0, top.x1) >= y) return true;
+    if (has_floor_to(x, y, direction)) return true;
     missed = lip_of(direction, {height, x, y});
     return false;
   });
   if (missed && is_across_line(before)) return std::nullopt;
   return missed;
+}
+
+// Whether a floor leads to this point in a direction.
+bool Judge::has_floor_to(Fine x, Fine y, int direction) const {
+  return !ground_.for_parts({x - weld_, y - weld_, x + weld_, y + weld_}, [&](const RawPart& part) {
+    const bool comes = direction > 0 ? part.top.x0 < x - weld_ : part.top.x1 > x + weld_;
+    return !part.is_floor() || !comes || std::abs(part.top.at(x) - y) > weld_;
+  });
 }
 
 // Whether it met something that is there, and that explains a stop: a slope that is too steep, or something

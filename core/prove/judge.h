@@ -55,6 +55,7 @@ class Judge {
                          const StepRecord& record) const;
   std::optional<Verdict> judge_stop(const Body& after, int direction) const;
   std::optional<Verdict> ramp_missed(const Body& before, const Body& after, int direction) const;
+  bool has_floor_to(Fine x, Fine y, int direction) const;
   std::optional<Verdict> judge_contacts(const Body& before, const StepRecord& record) const;
   std::optional<Verdict> lip_met(const Body& before, const ContactRecord& contact) const;
   Verdict lip_of(int direction, const Edge& edge) const;

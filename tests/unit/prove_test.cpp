@@ -144,6 +144,18 @@ TEST(Prove, HasNoFindingUnderAOneWayRamp) {
   EXPECT_EQ(scenery.proof().findings.size(), 0u) << text_of(scenery.proof());
 }
 
+// It begins at the left end, not where it dips behind the body's head.
+TEST(Prove, HasNoFindingUnderAOneWayLineThatDips) {
+  Scenery scenery;
+  scenery.level.map = TileMap(20, 6, {24, 24});
+  for (int x = 0; x < 20; ++x) scenery.level.map.set({x, 5}, 1);
+  scenery.level.curves = {{"", {Polyline{100, 164, {120, 108, 117, 108, 120}}, Curve::Faces::up}, ""}};
+  scenery.level.spawns[0].size = {3, 5};
+  scenery.level.spawns[0].position = {40, 100};
+  scenery.level.tuning.player.run_speed = 9;
+  EXPECT_EQ(scenery.proof().findings.size(), 0u) << text_of(scenery.proof());
+}
+
 // A pit as wide as the body, and a wall behind it: the floor ends where the body's last corner is.
 TEST(Prove, FallsIntoAPitBesideAWall) {
   Scenery scenery(Foot::box);
