@@ -3,6 +3,7 @@
 #include "golden_harness.h"
 #include "harness.h"
 #include "overlay/overlay.h"
+#include "platform/asset_path.h"
 #include "unit/pictured_level.h"
 
 namespace talus::layers_ui_test {
@@ -409,6 +410,15 @@ TEST_F(UiLayers, TheStatusBarNamesTheChosenOneOfSeveral) {
   EXPECT_NE(find("status/layer"), nullptr);
   start();
   EXPECT_EQ(find("status/layer"), nullptr);
+}
+
+TEST_F(UiLayers, TheStatusBarOfANarrowWindowShowsWhatMattersWhole) {
+  start(asset_path("platformer/meadow.tmx"), 900, 600);
+  frames(3);
+  const Widget *layer = find("status/layer"), *problems = find("status/problems");
+  ASSERT_TRUE(layer != nullptr && problems != nullptr);
+  EXPECT_LT(layer->max.x, problems->min.x);
+  EXPECT_LE(problems->max.x, 900);
 }
 
 TEST_F(UiLayers, ShapesOfAllGroundAreDrawn) {

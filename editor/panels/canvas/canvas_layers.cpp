@@ -85,17 +85,21 @@ void draw_screen_borders(ImDrawList& list, const TileMap& map, const CanvasView&
   const ImU32 color = theme::color(theme::kAccent, 150);
   const CellSpan cells = visible_cells(map, view);
   const ImVec2 from = view.corner_of({cells.x0, cells.y0}), to = view.corner_of({cells.x1, cells.y1});
+  // Only TIC-80's tiles make its screens.
+  const bool has_screens = view.tile == TileSize{kCartTileSize, kCartTileSize};
+  const int columns = has_screens ? kScreenColumns : map.width(),
+            rows = has_screens ? kScreenRows : map.height();
   // Draws the borders between the columns, or rows, from the first to the last: those of screens, and the
   // map's own end.
   const auto draw = [](int first, int last, int screen, int end, const auto& line) {
     for (int at = (first + screen - 1) / screen * screen; at <= last; at += screen) line(at);
     if (last == end && end % screen != 0) line(end);
   };
-  draw(cells.x0, cells.x1, kScreenColumns, map.width(), [&](int x) {
+  draw(cells.x0, cells.x1, columns, map.width(), [&](int x) {
     const float sx = view.corner_of({x, 0}).x;
     list.AddRectFilled({sx, from.y}, {sx + width, to.y}, color);
   });
-  draw(cells.y0, cells.y1, kScreenRows, map.height(), [&](int y) {
+  draw(cells.y0, cells.y1, rows, map.height(), [&](int y) {
     const float sy = view.corner_of({0, y}).y;
     list.AddRectFilled({from.x, sy}, {to.x, sy + width}, color);
   });

@@ -294,7 +294,8 @@ std::vector<Command> canvas_commands() {
        .words = "lines cells"},
       {.id = "canvas/borders",
        .label = "Screen borders",
-       .help = "Shows the borders of the screens, every 30 by 17 cells.",
+       .help = "Shows the border of the map, and with tiles of 8x8 px those of the screens, every 30 by 17 "
+               "cells.",
        .key = KeyChord{'b'},
        .menu = menus::kViewMarks,
        .icon = Icon::borders,

@@ -17,19 +17,19 @@ constexpr std::size_t kMostStages = 500;  // most listed stages; each is wrapped
 std::string_view title_of(StageKind kind) {
   switch (kind) {
     case StageKind::wanted:
-      return "wants";
+      return "aim";
     case StageKind::searched:
-      return "looks";
+      return "search";
     case StageKind::met:
-      return "meets";
+      return "contact";
     case StageKind::placed:
-      return "is put";
+      return "placing";
     case StageKind::went_on:
-      return "goes on";
+      return "way on";
     case StageKind::snapped:
-      return "snaps";
+      return "snap";
     case StageKind::arrived:
-      return "arrives";
+      return "end";
   }
   return {};
 }

@@ -17,10 +17,11 @@
 namespace talus {
 namespace {
 
-constexpr float kStamp = 360;   // px at scale 1, where the stamp's part begins
-constexpr float kBodies = 570;  // px at scale 1, where the part of the bodies begins
-constexpr float kFile = 670;    // px at scale 1, where the parts of the layer and of the file begin
-constexpr float kLayer = 150;   // px at scale 1, of the layer's part
+constexpr float kStamp = 360;     // px at scale 1, where the stamp's part begins
+constexpr float kBodies = 570;    // px at scale 1, where the part of the bodies begins
+constexpr float kFile = 670;      // px at scale 1, where the parts of the layer and of the file begin
+constexpr float kLayer = 150;     // px at scale 1, of the layer's part
+constexpr float kLeastFile = 40;  // px at scale 1, below which the file is not shown
 // Tiles of the stamp's picture in a row or column: more would be too small to see.
 constexpr int kMostShown = 8;
 
@@ -107,7 +108,8 @@ void draw_exporting(const ExportProgress& progress, float x, Ui& ui) {
 }
 
 // The layer that the tools paint on, if there are several. Returns where the next part begins, px at scale 1.
-float draw_layer_part(const Session& session, float x, Ui& ui) {
+// end: px, where the room for both ends.
+float draw_layer_part(const Session& session, float x, float end, Ui& ui) {
   const TileLayers& layers = session.level().layers;
   if (layers.count() == 1) return x;
   const TileLayer& chosen = layers.list[static_cast<std::size_t>(layers.chosen)];
@@ -115,23 +117,24 @@ float draw_layer_part(const Session& session, float x, Ui& ui) {
   const std::string state = looks.locked ? " (locked)" : looks.visible ? "" : " (hidden)";
   const bool is_free = state.empty();
   ImGui::SameLine(ui.px(x));
-  draw_short_text("layer: " + layer_name(session.level(), layers.chosen) + state, ui.px(kLayer),
+  draw_short_text("layer: " + layer_name(session.level(), layers.chosen) + state,
+                  std::min(ui.px(kLayer), end - ui.px(x)),
                   theme::tone(is_free ? theme::kMuted : theme::kWarning));
   ui.item("status/layer", "The layer of the map that the tools paint on: choose it under Layers.",
           keys_of("layers/above"_command, ui) + ", " + keys_of("layers/below"_command, ui));
   return x + kLayer + 12;
 }
 
-// The level's file, or why its changes are not saved. before: the text at the line's end, for which it leaves
-// room. x: px at scale 1.
-void draw_file(const Session& session, const std::string& before, float x, Ui& ui) {
+// The level's file, or why its changes are not saved, if there is room for that. x: px at scale 1. end: px,
+// where the room ends.
+void draw_file(const Session& session, float x, float end, Ui& ui) {
+  if (end - ui.px(x) < ui.px(kLeastFile)) return;
   const std::string& problem = ui.view.window.autosave_problem;
   const std::string name = session.file_name() + (session.modified() ? "  (not saved)" : "");
   const std::string text = problem.empty() ? name : "Not saved automatically: " + problem;
   const bool warns = session.modified() || !problem.empty();
   ImGui::SameLine(ui.px(x));
-  draw_short_text(text, ImGui::GetContentRegionAvail().x - size_of_text(before).x - ui.px(16),
-                  theme::tone(warns ? theme::kWarning : theme::kMuted));
+  draw_short_text(text, end - ui.px(x), theme::tone(warns ? theme::kWarning : theme::kMuted));
   if (!problem.empty())
     ui.item("status/not-saved-by-itself", text + ". Talus tries again until it succeeds.");
   else
@@ -192,10 +195,13 @@ void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
               "Bodies of the simulation.");
   }
   const std::string problems = problems_text(session, ui);
-  draw_file(session, problems, draw_layer_part(session, kFile, ui), ui);
-  ImGui::SameLine();
+  const float end = ImGui::GetWindowContentRegionMax().x - size_of_text(problems).x - ui.px(16);
+  // What is not saved is worth more than the layer's name.
+  const bool warns = !ui.view.window.autosave_problem.empty();
+  draw_file(session, warns ? kFile : draw_layer_part(session, kFile, end, ui), end, ui);
+  ImGui::SameLine(end);
   ui.right_aligned(problems, theme::tone(ui.problems->empty() ? theme::kMuted : theme::kWarning));
-  ui.tooltip("See the Problems tab.");
+  ui.item("status/problems", "See the Problems tab.");
 }
 
 }  // namespace talus
