@@ -78,6 +78,10 @@ local function steepest_on_curve(steepest) return steepest + (1 + steepest) * (1
 function Stretch.is_level(_, contact, steepest)
   return abs(contact.nx) <= steepest_on_curve(steepest) * abs(contact.ny)
 end
+-- Whether a box only touches a hill, at its top, which is in its way by rounding alone.
+function Stretch.falls_away(contact, x, y, slack)
+  return contact.facing == UP and contact.piece.stretch.bends_down and -(contact.nx * x + contact.ny * y) <= slack
+end
 function Stretch.time() return best_t, 0.0 end  -- as exact as it gets
 
 -- If a stretch bends towards the box, a box that slides along it meets it again at once. Turns a motion along

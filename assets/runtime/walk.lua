@@ -174,14 +174,21 @@ end
 function Walk:cast_to(on, box, x, y)
   local line = on.on_line and on.contact.piece or nil
   local way_x, way_y = x - box.x, y - box.y
+  local slack = SETTLED * rounding_slack(box.x, box.y, box.w, box.h, way_x, way_y)
   -- A ceiling that is parallel to the floor must not come nearer by the rounding of the two places.
   local straight = Walk.is_straight(on)
   local parallel = line and straight and line.form.along(line, way_x) or 0.0
-  if straight and abs(way_y - parallel) <= SETTLED * rounding_slack(box.x, box.y, box.w, box.h, way_x, way_y) then
-    way_y = parallel
+  if straight and abs(way_y - parallel) <= slack then way_y = parallel end
+  local function cast(without)
+    return cast_box(self.terrain, box.x, box.y, box.w, box.h, way_x, way_y, box.centre, self.others, without,
+                    self.sunk)
   end
-  return cast_box(self.terrain, box.x, box.y, box.w, box.h, way_x, way_y, box.centre, self.others,
-                  not straight and line.source or nil, self.sunk)
+  local contact = cast(not straight and line.source or nil)
+  local piece = straight and contact and contact.t == 0 and contact.piece
+  if piece and piece.form.falls_away and piece.form.falls_away(contact, way_x, way_y, slack) then
+    return cast(piece.source or piece)
+  end
+  return contact
 end
 
 -- Where a corner of the body has met a sloped ceiling at this y, which may be the underside of the line that it walks

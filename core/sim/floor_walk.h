@@ -132,11 +132,14 @@ class FloorWalk {
   Contact<Real> cast_to(const FloorAhead<Real>& floor, const Moving<Real>& body, Vec goal) const {
     const Piece<Real>* line = floor.on_line ? floor.contact.piece : nullptr;
     Cast<Real> cast{body.box, goal - body.box.position(), body.foot, sunk_};
+    const Real slack = kSettledSlacks * rounding_slack(cast);
     // A ceiling that is parallel to the floor must not come nearer by the rounding of the two places.
     const Real along = line != nullptr ? cast.motion.x * line->slope : 0;
-    if (is_straight(floor) && std::abs(cast.motion.y - along) <= kSettledSlacks * rounding_slack(cast))
-      cast.motion.y = along;
-    return cast_box(ground_, cast, others_, is_straight(floor) ? nullptr : line, budget_);
+    if (is_straight(floor) && std::abs(cast.motion.y - along) <= slack) cast.motion.y = along;
+    const Piece<Real>* ignored = is_straight(floor) ? nullptr : line;
+    const Contact<Real> contact = cast_box(ground_, cast, others_, ignored, budget_);
+    if (!is_straight(floor) || !falls_away(contact, cast.motion, slack)) return contact;
+    return cast_box(ground_, cast, others_, contact.piece, budget_);
   }
 
   // Whether the body has come to the place that it was cast to, but for rounding, when it meets something.
@@ -162,6 +165,14 @@ class FloorWalk {
   }
 
  private:
+  // Whether it only touches a hill, at its top, which is in its way by rounding alone.
+  bool falls_away(const Contact<Real>& contact, Vec motion, Real slack) const {
+    if (contact.t != 0 || contact.piece == nullptr || contact.piece->stretch == 0) return false;
+    if (contact.facing != Facing::up || !ground_.stretches()[contact.piece->stretch - 1].bends_down)
+      return false;
+    return -dot(contact.normal, motion) <= slack;
+  }
+
   // px; a body so near to a floor is on it.
   static Real settled(const Moving<Real>& body) {
     return kSettledSlacks * rounding_slack<Real>({body.box, {}, body.foot});

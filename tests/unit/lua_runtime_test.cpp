@@ -192,6 +192,23 @@ TEST_F(LuaRuntime, GivesTheBitsOfWalksOverLines) {
   expect_same_bits();
 }
 
+TEST_F(LuaRuntime, GivesTheBitsOfWalksOverRipples) {
+  for (double wave = 5; wave < 25; wave += 2.93) {
+    Level level;
+    level.map = TileMap(40, 14);
+    level.curves = {{"", {Sine{40, 300, 60, 0.65, wave, 41.37}, Curve::Faces::both}, ""}};
+    Spawn& spawn = level.spawns.emplace_back();
+    spawn.kind = BodyKind::player;
+    spawn.size = {24, 6};
+    spawn.position = {200, 50};
+    CaseInput left;
+    left.frame = 20;
+    left.left = true;
+    add(level, 100, {left}, "ripples");
+  }
+  expect_same_bits();
+}
+
 TEST_F(LuaRuntime, GivesTheBitsOfWalksOverJoints) {
   for (const double apart : {-1.0 / 256, 1.0 / 256}) {
     for (const Curve::Faces faces : {Curve::Faces::up, Curve::Faces::both}) {

@@ -361,6 +361,29 @@ TEST(Walk, FollowsAnArcBetweenLines) {
   }
 }
 
+// It comes to rest on two crests at once, and each of them seems to be in the way of the other by rounding.
+TEST(Walk, LeavesTwoCrestsOfAWaveOnWhichItStands) {
+  for (double wave = 5; wave < 25; wave += 0.93) {
+    for (const double speed : {1.5, 9.0}) {
+      for (const Foot foot : {Foot::box, Foot::centre}) {
+        Scenery scenery;
+        scenery.level.curves.push_back({"", {Sine{40, 300, 60, 0.65, wave, 41.37}, Curve::Faces::both}, ""});
+        scenery.level.tuning.player.run_speed = scenery.level.tuning.player.run_gain = speed;
+        scenery.player(200, 50, foot, {24, 6});
+        const auto scene = std::make_shared<const Scene>(compile_scene(scenery.level));
+        const auto solver = make_solver(scene);
+        State state = initial_state(*scene);
+        Input input;
+        for (double moved = 0; moved < 180; moved += speed) {
+          input.left = moved > 40;
+          solver->step(state, input, nullptr);
+        }
+        EXPECT_LT(state.bodies[0].box.x, 120) << wave << " " << speed;
+      }
+    }
+  }
+}
+
 TEST(Walk, DoesNotStandOnASeamOfAWall) {
   Meeting meeting;
   meeting.put({9, 10}, {.kind = TileShape::Kind::slope, .side = TileShape::Side::ceiling, .heights = {8, 5}});
