@@ -127,4 +127,18 @@ TEST_F(ImportLayers, AnImageLayerKeepsItsPicture) {
   EXPECT_EQ(sky.image->part.picture->at(0, 0)[3], 0) << "its colour is transparent";
 }
 
+// As Tiled 1.8.2 draws them.
+TEST_F(ImportLayers, APictureHasTheXAndYOfOldMapsWithoutAnOffset) {
+  const auto offset_with = [&](const std::string& attributes) {
+    return read("<imagelayer name=\"sky\" " + attributes + "><image source=\"sky.png\"/></imagelayer>" +
+                kTiles)
+        .objects.at(0)
+        .offset;
+  };
+  EXPECT_EQ(offset_with("x=\"16\" y=\"8\""), (Vec2{16, 8}));
+  EXPECT_EQ(offset_with("x=\"16\" y=\"8\" offsetx=\"16\" offsety=\"8\""), (Vec2{16, 8}));
+  EXPECT_EQ(offset_with("x=\"16\" y=\"8\" offsetx=\"4\""), (Vec2{4, 0}));
+  EXPECT_EQ(offset_with("x=\"16\" y=\"8\" offsety=\"0\""), (Vec2{0, 0}));
+}
+
 }  // namespace talus::import_layers_test

@@ -408,6 +408,14 @@ TEST_F(SaveTiledObjects, ObjectsOfAPictureAreNotWritten) {
   EXPECT_EQ(bytes_of("a.tmx").find("<object"), std::string::npos);
 }
 
+// The x and y of an old map's picture count until it has an offset.
+TEST_F(SaveTiledObjects, APictureWithXAndYIsMoved) {
+  put("a.tmx",
+      map_with("\t<imagelayer id='3' name='sky' x='16' y='8'><image source='sky.png'/></imagelayer>\r\n"));
+  EXPECT_EQ(edit("a.tmx", [](Level& level) { level.objects.at(0).offset.x += 2; }), "");
+  EXPECT_EQ(level_of("a.tmx").objects.at(0).offset, (Vec2{18, 8}));
+}
+
 TEST_F(SaveTiledObjects, AMapOfObjectsGetsLayersOfTiles) {
   std::string text = map_with(walls_with(kWall));
   const std::size_t from = text.find("\t<layer"), to = text.find("</layer>") + 10;

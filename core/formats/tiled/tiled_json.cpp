@@ -201,7 +201,11 @@ void TiledReader::take_looks(const JsonNode& node, const Inside& inside, TiledLa
   looks.visible = node.find("visible") == nullptr || truth(node, "visible");
   looks.locked = truth(node, "locked");
   looks.opacity = std::clamp(number(node, "opacity", 1), 0.0, 1.0);
-  looks.offset = near_zero({number(node, "offsetx"), number(node, "offsety")}, kMaxLayerOffset);
+  // Pictures of old maps have x and y, which count, as in Tiled, where there is no offset.
+  const bool has_offset = node.find("offsetx") != nullptr || node.find("offsety") != nullptr;
+  const bool is_old = text(node, "type") == "imagelayer" && !has_offset;
+  looks.offset = near_zero({number(node, is_old ? "x" : "offsetx"), number(node, is_old ? "y" : "offsety")},
+                           kMaxLayerOffset);
   looks.parallax = near_zero({number(node, "parallaxx", 1), number(node, "parallaxy", 1)}, kMaxParallax);
   const std::string tint = text(node, "tintcolor");
   if (const auto rgb = color_of_hex(tint)) {
@@ -252,8 +256,8 @@ void TiledReader::layers(const JsonNode& node, const Inside& inside, const Progr
                  "width",     "height",   "offsetx",     "offsety",     "draworder",        "color",
                  "data",      "encoding", "compression", "objects",     "layers",           "properties",
                  "chunks",    "startx",   "starty",      "opacity",     "tintcolor",        "parallaxx",
-                 "parallaxy", "image",    "imagewidth",  "imageheight", "transparentcolor", "repeatx",
-                 "repeaty"});
+                 "parallaxy", "image",    "imagewidth",  "imageheight", "transparentcolor", "x",
+                 "y",         "repeatx",  "repeaty"});
     if (type == "group") return group(entry, layer, inside, of_entry, map);
     if (type == "tilelayer") {
       tile_layer(entry, map, layer);
@@ -264,7 +268,6 @@ void TiledReader::layers(const JsonNode& node, const Inside& inside, const Progr
       layer.by_y = text(entry, "draworder") != "index";
     } else {
       layer.image = image(entry);
-      layer.looks.offset = layer.looks.offset + Vec2{number(entry, "x"), number(entry, "y")};  // of old maps
     }
     map.layers.push_back(std::move(layer));
   });

@@ -202,10 +202,13 @@ void TiledJsonDocument::set_looks(TiledLayerKind kind, int layer, const TileLaye
   const TintEdits edits = tint_edits(before, now, places_.text_of(node, "tintcolor"));
   if (edits.opacity) set("opacity", json_number(now.opacity));
   if (edits.tint) set("tintcolor", tiled_color(now.tint));
-  if (before.offset.x != now.offset.x)
-    set("offsetx", json_number(own("offsetx") + now.offset.x - before.offset.x));
-  if (before.offset.y != now.offset.y)
-    set("offsety", json_number(own("offsety") + now.offset.y - before.offset.y));
+  // A picture of an old map has x and y, which count until it has an offset.
+  const bool is_old = places_.text_of(node, "type") == "imagelayer" && !places_.member(node, "offsetx") &&
+                      !places_.member(node, "offsety") && !(before.offset == now.offset);
+  if (before.offset.x != now.offset.x || is_old)
+    set("offsetx", json_number(own(is_old ? "x" : "offsetx") + now.offset.x - before.offset.x));
+  if (before.offset.y != now.offset.y || is_old)
+    set("offsety", json_number(own(is_old ? "y" : "offsety") + now.offset.y - before.offset.y));
   if (before.parallax.x != now.parallax.x) set("parallaxx", json_number(now.parallax.x));
   if (before.parallax.y != now.parallax.y) set("parallaxy", json_number(now.parallax.y));
   if (before.is_ground != now.is_ground)

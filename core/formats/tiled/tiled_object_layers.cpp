@@ -10,8 +10,9 @@
 namespace talus {
 namespace {
 
-constexpr std::array<std::string_view, 6> kCollisionWords = {"collision", "collisions", "collider",
-                                                             "colliders", "solid",      "solids"};
+constexpr std::array<std::string_view, 9> kCollisionWords = {"collision", "collisions", "collider",
+                                                             "colliders", "collidable", "solid",
+                                                             "solids",    "obstacle",   "obstacles"};
 constexpr std::array<std::string_view, 4> kWallWords = {"wall", "walls", "platform", "platforms"};
 constexpr std::array<std::string_view, 1> kGroundWords = {"ground"};
 constexpr std::array<std::span<const std::string_view>, 3> kWordsOfGround = {kCollisionWords, kWallWords,

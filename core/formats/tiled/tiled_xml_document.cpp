@@ -290,10 +290,13 @@ void TiledXmlDocument::set_looks(TiledLayerKind kind, int layer, const TileLayer
   const TintEdits edits = tint_edits(before, now, node.attribute("tintcolor").value());
   if (edits.opacity) set_number("opacity", now.opacity);
   if (edits.tint) set("tintcolor", tiled_color(now.tint));
-  if (before.offset.x != now.offset.x)
-    set_number("offsetx", own("offsetx", 0) + now.offset.x - before.offset.x);
-  if (before.offset.y != now.offset.y)
-    set_number("offsety", own("offsety", 0) + now.offset.y - before.offset.y);
+  // A picture of an old map has x and y, which count until it has an offset.
+  const bool is_old = std::string_view(node.name()) == "imagelayer" && !node.attribute("offsetx") &&
+                      !node.attribute("offsety") && before.offset != now.offset;
+  if (before.offset.x != now.offset.x || is_old)
+    set_number("offsetx", own(is_old ? "x" : "offsetx", 0) + now.offset.x - before.offset.x);
+  if (before.offset.y != now.offset.y || is_old)
+    set_number("offsety", own(is_old ? "y" : "offsety", 0) + now.offset.y - before.offset.y);
   if (before.parallax.x != now.parallax.x) set_number("parallaxx", now.parallax.x);
   if (before.parallax.y != now.parallax.y) set_number("parallaxy", now.parallax.y);
   if (before.is_ground != now.is_ground)
