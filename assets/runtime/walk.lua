@@ -75,13 +75,13 @@ function Walk:look_ahead(x, y, w, h, is_centre, reach)
   local forgiven = rounding_slack(x, y, w, h, 0.0, 0.0)
   local step = max(AHEAD, 2 * forgiven)
   local rise = min(step * self.steepest, 1.0) + LIP + 2 * forgiven
-  local there = moved_x(x, w, self.direction * step)
+  local there, sunk_by = moved_x(x, w, self.direction * step), self.sunk > 0 and min(self.sunk + rise, h) or 0.0
   local found = cast_box(self.terrain, there, y - rise, w, h, 0.0, rise + reach, is_centre, self.others, nil,
-                         self.sunk > 0 and min(self.sunk + rise, h) or 0.0)
+                         sunk_by)
   -- The floor may go on to the foot of something too steep, which is met on the way then.
   if found and found.piece and found.nx * self.direction < 0 and not is_level(found, self.steepest) then
     found = cast_box(self.terrain, there, y - rise, w, h, 0.0, rise + reach, is_centre, self.others,
-                     found.piece.source or found.piece, self.sunk > 0 and min(self.sunk + rise, h) or 0.0)
+                     found.piece.source or found.piece, sunk_by)
     if found and found.y - y > rise then return nil end
   end
   if not found or not is_level(found, self.steepest) then return nil end
@@ -179,14 +179,12 @@ function Walk:cast_to(on, box, x, y)
   local straight = Walk.is_straight(on)
   local parallel = line and straight and line.form.along(line, way_x) or 0.0
   if straight and abs(way_y - parallel) <= slack then way_y = parallel end
-  local function cast(without)
-    return cast_box(self.terrain, box.x, box.y, box.w, box.h, way_x, way_y, box.centre, self.others, without,
-                    self.sunk)
-  end
-  local contact = cast(not straight and line.source or nil)
+  local contact = cast_box(self.terrain, box.x, box.y, box.w, box.h, way_x, way_y, box.centre, self.others,
+                           not straight and line.source or nil, self.sunk)
   local piece = straight and contact and contact.t == 0 and contact.piece
   if piece and piece.form.falls_away and piece.form.falls_away(contact, way_x, way_y, slack) then
-    return cast(piece.source or piece)
+    return cast_box(self.terrain, box.x, box.y, box.w, box.h, way_x, way_y, box.centre, self.others,
+                    piece.source or piece, self.sunk)
   end
   return contact
 end

@@ -191,6 +191,7 @@ class CurveCutter {
 
   // Puts the parts of a whole curve between its welded ends, with straight ends where they are off the curve.
   void put_parts(Vec2 first, Vec2 last) {
+    assert(!parts_.empty());  // a valid curve has a width
     const StretchPart &outer = parts_.front(), &other = parts_.back();
     const double half = (last.x - first.x) / 2;
     const Vec2 from =

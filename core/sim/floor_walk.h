@@ -53,7 +53,8 @@ class FloorWalk {
     if (floor && !floor->on_line && sinks(body, floor->contact, body.box.y)) floor = look_ahead(body, reach);
     if (!floor || body.foot != Foot::centre) return floor;
     const Real way = std::abs(place_on(*floor, body.box, body.box.x, body.foot).y - body.box.y);
-    if (way <= settled(body) || way > Real(kMostLip) + settled(body)) return floor;
+    const Real rounding = settled(body);
+    if (way <= rounding || way > Real(kMostLip) + rounding) return floor;
     sunk_ = std::max(sunk_, Real(kMostLip + kFloorStep));  // the end that it leaves may be in its corners now
     joins(*floor, body);
     return floor;
