@@ -37,6 +37,16 @@ SheetPicture turned_picture(const PicturePart& part) {
   return made;
 }
 
+// Whether its place in the map is at another height than in the level: at another corner of its picture.
+bool moves_upright(const MapObject& object) {
+  if (object.form != MapObject::Form::tile || object.picture.picture == nullptr) return false;
+  MapObject plain;
+  put_upright(object, plain);
+  return plain.position.y != object.position.y;
+}
+
+bool is_higher(const MapObject& a, const MapObject& b) { return a.position.y < b.position.y; }
+
 class LayerExporter {
  public:
   LayerExporter(const ExportRequest& request, std::uint32_t first_gid)
@@ -159,12 +169,14 @@ TiledLayer LayerExporter::tiled(const ObjectLayer& layer, ObjectLayer& plain) {
   made.looks.parallax = layer.parallax;
   made.looks.tint = layer.tint;
   made.looks.group = layer.group;
-  made.by_y = layer.by_y;
   if (layer.image) put_image(*layer.image, plain, made);
   if (object_layer_of(made).is_ground != layer.is_ground)
     made.properties.push_back({"ground", layer.is_ground});
-  plain.objects.clear();
-  for (const MapObject& object : layer.objects) {
+  std::vector<MapObject> objects = std::exchange(plain.objects, {});
+  plain.by_y = layer.by_y && std::none_of(objects.begin(), objects.end(), moves_upright);
+  made.by_y = plain.by_y;
+  if (layer.by_y && !plain.by_y) std::stable_sort(objects.begin(), objects.end(), is_higher);
+  for (const MapObject& object : objects) {
     std::uint32_t gid = 0;
     plain.objects.push_back(placed_object(object, gid));
     made.objects.push_back(tiled(plain.objects.back(), gid));

@@ -280,6 +280,7 @@ class TiledXmlWriter {
       if (!object.visible) put(node, "visible", 0);
       properties(node, object.properties);
       if (object.form == TiledObject::Form::ellipse) node.append_child("ellipse");
+      if (is_point(object)) node.append_child("point");
       if (object.points.empty()) continue;
       std::string points;
       for (const Vec2 p : object.points) {

@@ -353,17 +353,24 @@ class TiledTextWriter {
     text_.close();
   }
 
+  // As Tiled calls it.
+  static const char* form_of(const TiledObject& object) {
+    using Form = TiledObject::Form;
+    if (!object.points.empty()) return object.form == Form::polygon ? "polygon" : "polyline";
+    if (object.form == Form::ellipse) return "ellipse";
+    return is_point(object) ? "point" : "rectangle";
+  }
+
   void object(const TiledObject& object, int id) {
-    const bool is_ellipse = object.form == TiledObject::Form::ellipse;
-    const char* const form = object.form == TiledObject::Form::polygon ? "polygon" : "polyline";
+    const char* const form = form_of(object);
     text_.open("", false, text_.is_lua());  // Lua has one line for each
     text_.put("id", id);
     text_.put("name", object.name);
     text_.put("type", object.type);
     if (text_.is_lua())
-      text_.put("shape", is_ellipse ? "ellipse" : object.points.empty() ? "rectangle" : form);
-    else if (is_ellipse)
-      text_.put("ellipse", true);
+      text_.put("shape", form);
+    else if (object.form == TiledObject::Form::ellipse || is_point(object))
+      text_.put(form, true);
     if (object.gid != 0) text_.put("gid", object.gid);
     text_.put("x", object.position.x);
     text_.put("y", object.position.y);

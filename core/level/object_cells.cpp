@@ -24,17 +24,26 @@ double height_at(Vec2 from, Vec2 to, double x) {
 double double_area(Vec2 a, Vec2 b, Vec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
 // Takes out points that lie between their neighbours, or at the place of one, or where the outline turns
-// back.
+// back. Each point is taken out at most once, so that a long outline takes time by its length.
 void simplify(std::vector<Vec2>& points) {
-  for (std::size_t i = 0; points.size() > 2 && i < points.size();) {
-    const std::size_t count = points.size();
-    if (double_area(points[(i + count - 1) % count], points[i], points[(i + 1) % count]) != 0) {
-      ++i;
-      continue;
-    }
-    points.erase(points.begin() + static_cast<std::ptrdiff_t>(i));
-    i = i > 0 ? i - 1 : 0;
+  const auto is_needless = [](Vec2 before, Vec2 at, Vec2 after) {
+    return double_area(before, at, after) == 0;
+  };
+  std::vector<Vec2> kept;
+  for (const Vec2 point : points) {
+    while (kept.size() > 1 && is_needless(kept[kept.size() - 2], kept.back(), point)) kept.pop_back();
+    kept.push_back(point);
   }
+  std::size_t first = 0;  // the outline is closed: its ends are neighbours
+  while (kept.size() - first > 2) {
+    if (is_needless(kept[kept.size() - 2], kept.back(), kept[first]))
+      kept.pop_back();
+    else if (is_needless(kept.back(), kept[first], kept[first + 1]))
+      ++first;
+    else
+      break;
+  }
+  points.assign(kept.begin() + static_cast<std::ptrdiff_t>(first), kept.end());
   if (points.size() < 3) points.clear();
 }
 

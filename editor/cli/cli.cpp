@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <filesystem>
+#include <optional>
 #include <sstream>
 
 #include <talus/collision/world.h>
@@ -24,12 +26,29 @@ constexpr std::array kAddCommands = {add_edit_command,  add_sim_command,    add_
                                      add_check_command, add_prove_command,  add_shot_command,
                                      add_bench_command, add_report_command};
 
+bool begins_with_command(const CLI::App& program, const std::vector<std::string>& arguments) {
+  const auto is_first = [&](const CLI::App* command) { return command->get_name() == arguments[0]; };
+  return !arguments.empty() && !program.get_subcommands(is_first).empty();
+}
+
+// What is wrong with a first word that is neither a command nor the name of a file; nothing for others.
+std::optional<std::string> unknown_command(const CLI::App& program,
+                                           const std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments[0].empty() || begins_with_command(program, arguments)) return {};
+  const std::string& word = arguments[0];
+  std::error_code ignored;
+  const bool is_word = std::all_of(word.begin(), word.end(), [](char c) { return c >= 'a' && c <= 'z'; });
+  if (!is_word || std::filesystem::exists(word, ignored)) return {};
+  std::string names;
+  for (const CLI::App* command : program.get_subcommands({}))
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  return "is neither a command nor a file: the commands are " + names;
+}
+
 // `talus FILE` and `talus` alone mean `talus edit`.
 std::vector<std::string> with_command(const CLI::App& program, std::vector<std::string> arguments) {
   const bool is_option = !arguments.empty() && arguments[0].size() > 1 && arguments[0][0] == '-';
-  const auto is_first = [&](const CLI::App* command) { return command->get_name() == arguments[0]; };
-  const bool is_command = !arguments.empty() && !program.get_subcommands(is_first).empty();
-  if (!is_option && !is_command) arguments.insert(arguments.begin(), "edit");
+  if (!is_option && !begins_with_command(program, arguments)) arguments.insert(arguments.begin(), "edit");
   return arguments;
 }
 
@@ -66,6 +85,10 @@ int run_cli(const std::vector<std::string>& arguments, std::ostream& out, std::o
   program.set_help_all_flag("--help-all", "Print the help of every command and exit");
   for (const auto add : kAddCommands) add(program, context);
 
+  if (const auto problem = unknown_command(program, arguments)) {
+    fail(context, arguments[0], "", *problem);
+    return kExitUsage;
+  }
   std::vector<std::string> remaining = with_command(program, arguments);
   std::reverse(remaining.begin(), remaining.end());  // CLI11 takes the last one first
   try {

@@ -44,6 +44,13 @@ TEST(Cli, HelpExitsWithZero) {
   }
 }
 
+TEST(Cli, AWordThatIsNoCommandIsSaidToBeNone) {
+  const CliAnswer answer = cli_answer({"info", "a.tmx"});
+  EXPECT_EQ(answer.status, kExitUsage);
+  EXPECT_THAT(answer.err, testing::StartsWith("info: error: is neither a command nor a file: the commands "
+                                              "are edit, sim, replay"));
+}
+
 TEST(Cli, TextOfAFileCannotStartALineOfTheLog) {
   const CliAnswer missing = cli_answer({"check", "/no\n::error::such\x1b[31m.tic"});
   EXPECT_EQ(missing.err,

@@ -105,6 +105,35 @@ TEST_F(ExportObjects, MapsSayWhatEachLayerAndObjectHas) {
   EXPECT_THAT(exported(level_with_objects(), "tmj").files[0].bytes, HasSubstr(R"("draworder": "topdown")"));
 }
 
+TEST_F(ExportObjects, PointsAreWrittenAsPoints) {
+  Level level;
+  level.objects = {{.name = "marks", .objects = {{.name = "start", .position = {3, 4}}}}};
+  EXPECT_THAT(exported(level, "tmx").files[0].bytes, HasSubstr("<point />"));
+  EXPECT_THAT(exported(level, "tmj").files[0].bytes, HasSubstr(R"("point": true)"));
+  EXPECT_THAT(exported(level, "sti").files[0].bytes, HasSubstr(R"(shape = "point")"));
+}
+
+// Objects that are placed by their middle: the first one is in front by that, and behind by its lower side.
+TEST_F(ExportObjects, ObjectsKeepTheirOrderByY) {
+  Level level;
+  ObjectLayer things{.name = "things", .by_y = true};
+  for (const double height : {2.0, 12.0})
+    things.objects.push_back({.form = MapObject::Form::tile,
+                              .name = height == 2 ? "low" : "tall",
+                              .position = {8, height == 2 ? 9.0 : 8.0},
+                              .size = {4, height},
+                              .picture = plain_part(4, static_cast<int>(height), kRock),
+                              .anchor = {0.5, 0.5}});
+  level.objects = {things};
+  for (const std::string to : {"tmx", "tmj"}) {
+    exported(level, to);
+    const ObjectLayer again = load("cave." + to).level.objects.at(0);
+    std::vector<std::string> drawn;
+    for (const std::size_t i : drawn_pictures(again)) drawn.push_back(again.objects[i].name);
+    EXPECT_THAT(drawn, ElementsAre("tall", "low")) << to;
+  }
+}
+
 TEST_F(ExportObjects, TheLevelComesBackFromItsMap) {
   for (const std::string to : {"tmx", "tmj"}) {
     Level level = level_with_objects();

@@ -126,6 +126,18 @@ TEST(ImportLdtk, ValuesOfAnotherGridAreLeftOut) {
             "file: error: has no IntGrid with the name \"Big\", but \"Small\", \"Grid\"");
 }
 
+TEST(ImportLdtk, AGridNamedForTheGroundGoesBeforeALargerOne) {
+  const std::string large = ldtk_layer("IntGrid", "Terrain", 2, 2, R"("intGridCsv":[1,1,1,1])", 16);
+  const auto side_with = [&](const std::string& name, const std::string& values) {
+    const std::string small = ldtk_layer("IntGrid", name, 4, 2, R"("intGridCsv":[)" + values + "]", 8);
+    return loaded_of(ldtk_project(ldtk_level(large + "," + small), kWall)).level.map.tile_size().width;
+  };
+  EXPECT_EQ(side_with("Collisions", "1,0,0,0,0,0,0,0"), 8);
+  EXPECT_EQ(side_with("Collisions", "0,0,0,0,0,0,0,0"), 16);  // it has no values in this level
+  EXPECT_EQ(side_with("Rooms", "1,0,0,0,0,0,0,0"), 16);
+  EXPECT_EQ(side_with("Background", "1,1,1,1,1,1,1,1"), 16);
+}
+
 TEST(ImportLdtk, EntitiesNamedPlayerOrBallBecomeBodies) {
   const std::string entities =
       R"({"__identifier":"PlayerStart","px":[20,40],"width":10,"height":20,"__pivot":[0.5,1],)"

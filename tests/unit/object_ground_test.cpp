@@ -172,6 +172,14 @@ TEST(ObjectGround, SaysWhatIsTooMuch) {
               testing::Optional(testing::HasSubstr("more than 1024 points")));
 }
 
+TEST(ObjectGround, PointsOnALineAreNoCorners) {
+  Points points;  // two sides of a square, each in many steps, and a way back into a corner
+  for (int i = 0; i < 1500; ++i) points.push_back({32 + 64 * (i / 1500.0), 32});
+  for (int i = 0; i < 1500; ++i) points.push_back({96, 32 + 64 * (i / 1500.0)});
+  points.insert(points.end(), {{96, 96}, {96, 100}, {96, 96}, {32, 96}, {32, 64}});
+  expect_same_area(level_with({polygon_object(points)}), {{32, 32}, {96, 32}, {96, 96}, {32, 96}});
+}
+
 TEST(ObjectGround, IsTheSameAroundABox) {
   const Level level = level_with({polygon_object({{0, 100}, {320, 131}, {320, 240}, {0, 240}})});
   const LocalGround local = ground_around(level, {200, 90, 8, 8}, 16);

@@ -195,6 +195,16 @@ TEST(Tic, ErrorsSayAtWhichByte) {
   EXPECT_EQ(oversized.message, "the FLAGS chunk has 513 bytes, more than the 512 it can have");
 }
 
+TEST(Tic, AFileOfZerosIsNoCart) {
+  const std::string zeros(1000, '\0');
+  EXPECT_EQ(error_of(zeros).message, "has no chunk that TIC-80 loads: the file is damaged");
+  for (const char* extension : {"tic", "tmx", "tmj", "ldtk", "json", "talus.json", "png", "lua"}) {
+    FormatContext context;
+    context.extension = extension;
+    EXPECT_FALSE(read_level(zeros, context)) << extension;
+  }
+}
+
 TEST(Tic, EveryTruncationIsAnErrorOrAShorterCart) {
   const std::string bytes =
       chunk(17, "") + chunk(kTiles, "tt") + chunk(16, zipped("code")) + chunk(kCode, "c");

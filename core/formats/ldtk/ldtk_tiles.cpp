@@ -394,6 +394,14 @@ std::size_t filled_cells(const LdtkLayer& layer) {
          static_cast<std::size_t>(std::count(layer.values.begin(), layer.values.end(), 0));
 }
 
+// What decides which IntGrid is the ground's: whether it has values, then its name, then how many it has.
+std::tuple<bool, int, std::size_t> rank_as_ground(const LdtkLayer& layer) {
+  const auto ground = ldtk_ground_of_name(layer.name, {layer.side, layer.side});
+  const int by_name = !ground ? 1 : ground->shape.kind == TileShape::Kind::none ? 0 : 2;
+  const std::size_t values = filled_cells(layer);
+  return {values > 0, by_name, values};
+}
+
 }  // namespace
 
 FormatResult<int> ldtk_ground_layer(const LdtkLevel& level, const ImportChoices& choices) {
@@ -425,7 +433,7 @@ FormatResult<int> ldtk_ground_layer(const LdtkLevel& level, const ImportChoices&
   }
   if (grids.empty()) return most_tiles;
   return *std::max_element(grids.begin(), grids.end(), [&](int a, int b) {
-    return filled_cells(layer_at(a)) < filled_cells(layer_at(b));
+    return rank_as_ground(layer_at(a)) < rank_as_ground(layer_at(b));
   });
 }
 

@@ -80,9 +80,9 @@ struct LdtkTiles {
   std::vector<LdtkSource> sources;
 };
 
-// The layer whose grid the level has: the IntGrid with the most values, or that of the choice; without an
-// IntGrid, the layer with the most tiles. -1: no layer has a grid.
-// choices: `layer` and `layer_number` choose among the IntGrids, from the top.
+// The layer whose grid the level has: the IntGrid of the choice; else one whose name says that it is ground,
+// such as "Collisions", or the one with the most values; without an IntGrid, the layer with the most tiles.
+// -1: no layer has a grid. choices: `layer` and `layer_number` choose among the IntGrids, from the top.
 FormatResult<int> ldtk_ground_layer(const LdtkLevel& level, const ImportChoices& choices);
 
 // ground: from ldtk_ground_layer(). known: what the first tiles stand for, from ldtk_keys_of(); those that

@@ -25,6 +25,12 @@ std::string name_or_number(int type) {
   return name.empty() ? "type " + std::to_string(type) : std::string(name);
 }
 
+// Whether it has more than the empty chunks of type 0 as which a file of zero bytes is read.
+bool has_any_chunk(const std::vector<TicChunk>& chunks) {
+  return std::any_of(chunks.begin(), chunks.end(),
+                     [](const TicChunk& chunk) { return chunk.type != 0 || !chunk.data.empty(); });
+}
+
 // The section that a chunk holds; null for code, DEFAULT, and chunks that are kept unread.
 const SectionInfo* section_of(const TicChunk& chunk) {
   for (const SectionInfo& info : section_infos()) {
@@ -198,6 +204,8 @@ void append_tic_chunk(std::string& out, const TicChunk& chunk) {
 FormatResult<CartContent> tic_content(std::string_view bytes, const Progress& progress) {
   const auto chunks = parse_tic(bytes);
   if (!chunks) return tl::unexpected(chunks.error());
+  if (!has_any_chunk(*chunks))
+    return tl::unexpected(FormatError{"", "has no chunk that TIC-80 loads: the file is damaged"});
   CartContent cart;
   for (const TicChunk& chunk : *chunks) {
     Bank& bank = cart.banks[chunk.bank];
@@ -265,7 +273,7 @@ FormatResult<std::string> edited_tic(std::string_view bytes, const Level& level)
 
 bool accepts_tic(std::string_view bytes, const FormatContext&) {
   const auto chunks = parse_tic(bytes);
-  return chunks &&
+  return chunks && has_any_chunk(*chunks) &&
          std::all_of(chunks->begin(), chunks->end(), [](const TicChunk& c) { return c.reserved == 0; });
 }
 

@@ -63,10 +63,6 @@ std::string json_of_frames(const std::vector<TiledTile::Frame>& frames) {
   return in_brackets(values);
 }
 
-bool is_json_point(const TiledObject& object) {
-  return object.form == TiledObject::Form::box && object.size == Vec2();
-}
-
 const char* points_key(const TiledObject& object) {
   if (object.form == TiledObject::Form::polygon) return "polygon";
   return object.form == TiledObject::Form::polyline ? "polyline" : "";
@@ -75,7 +71,7 @@ const char* points_key(const TiledObject& object) {
 void edit_form(const TiledObject& now, std::vector<JsonMemberEdit>& members) {
   const std::string key = points_key(now);
   for (const char* form : {"polygon", "polyline", "ellipse", "point", "text", "capsule"}) {
-    const bool stays = form == key || (is_json_point(now) && std::string_view(form) == "point") ||
+    const bool stays = form == key || (is_point(now) && std::string_view(form) == "point") ||
                        (now.form == TiledObject::Form::ellipse && std::string_view(form) == "ellipse");
     if (!stays) members.push_back({form, std::nullopt});
   }
@@ -223,7 +219,7 @@ std::string TiledJsonEditor::new_object(const TiledObjectEdit& edit, int id) con
   text.add("height", json_number(object.size.y)).add("id", Json(id)).add("name", Json(object.name));
   if (object.form == TiledObject::Form::ellipse) text.add("ellipse", Json(true));
   if (object.form == TiledObject::Form::tile) text.add("gid", Json(object.gid));
-  if (is_json_point(object)) text.add("point", Json(true));
+  if (is_point(object)) text.add("point", Json(true));
   if (const std::string key = points_key(object); !key.empty()) text.add(key, json_of_points(object.points));
   return text.add("properties", new_properties(edit.properties))
       .add("rotation", json_number(object.rotation))
@@ -285,7 +281,7 @@ std::vector<JsonMemberEdit> TiledJsonEditor::differences(TextSpan object, const 
   set("width", json_number(before.size.x), json_number(now.size.x));
   set("height", json_number(before.size.y), json_number(now.size.y));
   set("rotation", json_number(before.rotation), json_number(now.rotation));
-  if (now.form != before.form || now.points != before.points || is_json_point(now) != is_json_point(before))
+  if (now.form != before.form || now.points != before.points || is_point(now) != is_point(before))
     edit_form(now, members);
   return members;
 }

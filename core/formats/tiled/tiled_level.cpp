@@ -112,11 +112,6 @@ std::string name_of_tile(int number, const TiledSource& source) {
   return source.id == number ? name : name + " (" + std::to_string(source.id) + " in Tiled)";
 }
 
-// It marks a place, and is no outline.
-bool is_point(const TiledObject& object) {
-  return object.form == TiledObject::Form::box && object.size == Vec2();
-}
-
 bool is_one_way(const TiledObject& object) {
   const bool* const word = find_property<bool>(object.properties, "one_way");
   return word != nullptr && *word;

@@ -100,6 +100,11 @@ struct TiledObject {
   friend bool operator==(const TiledObject&, const TiledObject&) = default;
 };
 
+// Whether it marks a place, and has no outline.
+inline bool is_point(const TiledObject& object) {
+  return object.form == TiledObject::Form::box && object.gid == 0 && object.size == Vec2();
+}
+
 struct TiledTile {
   int id = 0;              // in the tileset
   std::string type;        // that of objects which show it, unless they have one

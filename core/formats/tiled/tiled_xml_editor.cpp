@@ -73,10 +73,6 @@ bool is_blank_text(std::string_view text) {
   return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
 }
 
-bool is_point(const TiledObject& object) {
-  return object.form == TiledObject::Form::box && object.size == Vec2();
-}
-
 // Whether the edits take all that is in the group.
 bool leave_nothing(const pugi::xml_node& group, const std::vector<TiledObjectEdit>& edits) {
   const bool all_remove = std::all_of(edits.begin(), edits.end(), [](const auto& e) { return e.removes; });
