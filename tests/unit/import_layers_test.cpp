@@ -106,7 +106,7 @@ TEST_F(ImportLayers, TheOpacityOfATintCounts) {
       "<layer name=\"l\" opacity=\"0.5\" tintcolor=\"#80ff0000\"><data "
       "encoding=\"csv\">0,0,1,0</data></layer>" +
       kTiles);
-  EXPECT_EQ(level.layers.list.at(0).tint, (Rgb{255, 0, 0}));
+  EXPECT_EQ(level.layers.list.at(0).tint, (Rgb{128, 0, 0}));
   EXPECT_NEAR(level.layers.list.at(0).opacity, 0.25, 0.01);
 }
 

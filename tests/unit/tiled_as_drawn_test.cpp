@@ -221,7 +221,7 @@ TEST_F(TiledAsDrawn, ColoursHaveThreeSixOrEightDigits) {
     return load("m.tmx");
   };
   LoadedLevel loaded = read("#80ff8000", "#FFE0F8D0");
-  EXPECT_EQ(loaded.level.layers.list[0].tint, (Rgb{255, 128, 0}));
+  EXPECT_EQ(loaded.level.layers.list[0].tint, (Rgb{128, 64, 0}));
   EXPECT_DOUBLE_EQ(loaded.level.layers.list[0].opacity, 128 / 255.0);
   EXPECT_EQ(loaded.level.palette[0], (Rgb{0xe0, 0xf8, 0xd0}));
   EXPECT_THAT(loaded.dropped, Not(Contains(HasSubstr("backgroundcolor"))));
@@ -263,6 +263,19 @@ TEST_F(TiledAsDrawn, LayersWithANameOfGroundAreGround) {
   EXPECT_THAT(ground("<group name=\"g\">" + bool_property("ground", true) + layer("a", "1,1") + "</group>" +
                      layer("solids", "0,1")),
               ElementsAre(true, true));
+}
+
+TEST_F(TiledAsDrawn, NumbersAndPlainWordsDoNotHideANameOfGround) {
+  put_picture("t.png", 8, 4);
+  const auto is_ground = [&](const std::string& name) {
+    put("m.tmx", map_of(layer("sky", "1,1") + layer(name, "0,1")));
+    return ground_of_layers(load("m.tmx").level) == std::vector<bool>{false, true};
+  };
+  for (const char* name : {"WALLS", "Walls 2", "walls1", "CollisionLayer", "Ground tiles", "solid_map",
+                           "Platforms (one way)", "Tile Layer: Ground"})
+    EXPECT_TRUE(is_ground(name)) << name;
+  for (const char* name : {"Ground decoration", "underground", "Background", "Tile Layer 1", "(walls)", ""})
+    EXPECT_FALSE(is_ground(name)) << name;
 }
 
 TEST_F(TiledAsDrawn, ALayerGetsANameOfGroundAndStaysAsItIs) {
@@ -310,7 +323,7 @@ TEST_F(TiledAsDrawn, TilesOfALayerCalledWallsOrGroundAreSolid) {
   for (const char* const name : {"Ground", "walls", "WALL", "platform", "Platforms"})
     EXPECT_THAT(solid_in(layer("sky", "2,2") + layer(name, "0,1")), testing::ElementsAre(false, true))
         << name;
-  EXPECT_THAT(solid_in(layer("sky", "2,2") + layer("grounds", "0,1")), testing::ElementsAre(false, false));
+  EXPECT_THAT(solid_in(layer("sky", "2,2") + layer("underground", "0,1")), testing::ElementsAre(false, false));
 }
 
 // A tile that was not shown is ground as soon as it is painted, and saving needs no companion for it.

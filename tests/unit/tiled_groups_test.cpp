@@ -114,11 +114,11 @@ TEST_F(TiledGroups, ChangedFieldsAreWrittenIntoTheirTag) {
 TEST_F(TiledGroups, TheOpacityOfATintIsPartOfTheirs) {
   put("a.tmx", map_with("<group id=\"2\" name='far' opacity=\"0.5\" tintcolor=\"#3300ff00\">\r\n"));
   const LayerGroup far = level_of("a.tmx").layers.groups.at(0);
-  EXPECT_EQ(far.tint, (Rgb{0, 255, 0}));
+  EXPECT_EQ(far.tint, (Rgb{0, 51, 0}));
   EXPECT_NEAR(far.opacity, 0.1, 1e-12);
   EXPECT_EQ(edit("a.tmx", [](Level& level) { level.layers.groups[0].opacity = 0.25; }), "");
   EXPECT_THAT(bytes_of("a.tmx"),
-              HasSubstr("<group id=\"2\" name='far' opacity=\"0.25\" tintcolor=\"#00ff00\">"));
+              HasSubstr("<group id=\"2\" name='far' opacity=\"0.25\" tintcolor=\"#003300\">"));
 }
 
 TEST_F(TiledGroups, MovedLayersChangeTheirPlaceAlone) {

@@ -3,49 +3,25 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "../text/name_words.h"
+
 namespace talus {
 namespace {
 
-using LdtkWords = std::vector<std::string>;
+using Words = std::vector<std::string>;
 
-constexpr std::size_t kMostLdtkName = 256;  // bytes that are looked at
-
-// In small letters. A plural loses its s.
-LdtkWords ldtk_words(std::string_view name) {
-  LdtkWords words;
-  bool goes_on = false, was_small = false;
-  for (const char c : name.substr(0, kMostLdtkName)) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool is_capital = std::isupper(byte) != 0;
-    if (std::isalnum(byte) == 0) {
-      goes_on = was_small = false;
-      continue;
-    }
-    if (!goes_on || (is_capital && was_small)) words.emplace_back();
-    words.back() += static_cast<char>(std::tolower(byte));
-    goes_on = true;
-    was_small = !is_capital;
-  }
-  for (std::string& word : words) {
-    const bool is_plural = word.size() > 3 && word.back() == 's' && word[word.size() - 2] != 's';
-    if (is_plural) word.pop_back();
-  }
-  return words;
-}
-
-bool has_word(const LdtkWords& words, std::span<const std::string_view> wanted) {
+bool has_word(const Words& words, std::span<const std::string_view> wanted) {
   return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
     return std::find(wanted.begin(), wanted.end(), word) != wanted.end();
   });
 }
 
-bool has_words(const LdtkWords& words, std::string_view first, std::string_view second) {
+bool has_words(const Words& words, std::string_view first, std::string_view second) {
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {
     if (words[i] == first && words[i + 1] == second) return true;
   }
@@ -63,7 +39,7 @@ std::optional<double> number_of_word(std::string word) {
 }
 
 // "slope A to B", and "over N tile".
-LdtkGround slope_of_words(const LdtkWords& words, TileSize tile) {
+LdtkGround slope_of_words(const Words& words, TileSize tile) {
   LdtkGround ground;
   TileShape& shape = ground.shape;
   shape.kind = TileShape::Kind::slope;
@@ -98,7 +74,7 @@ std::optional<LdtkGround> ldtk_ground_of_name(std::string_view name, TileSize ti
       "ladder", "rope",    "vine",   "climb", "climbable", "water", "lava", "acid",
       "liquid", "air",     "empty",  "none",  "void",      "spawn", "coin", "item",
       "enemy",  "trigger", "camera", "zone",  "ball",      "player"};
-  const LdtkWords words = ldtk_words(name);
+  const Words words = name_words(name);
   const bool is_one_way = has_word(words, kPlatform) || has_words(words, "one", "way") ||
                           has_words(words, "jump", "through") || has_words(words, "pass", "through");
   LdtkGround ground;
@@ -127,11 +103,11 @@ std::optional<LdtkGround> ldtk_ground_of_name(std::string_view name, TileSize ti
 std::optional<BodyKind> ldtk_body_of_name(std::string_view type) {
   constexpr std::array<std::string_view, 3> kPlayers = {"player", "hero", "protagonist"};
   constexpr std::array<std::string_view, 4> kAfterPlayer = {"start", "spawn", "point", "position"};
-  std::string without_number(type.substr(0, kMostLdtkName));
+  std::string without_number(type.substr(0, kMostNameBytes));
   std::erase_if(without_number, [](unsigned char c) { return std::isdigit(c) != 0; });
-  const LdtkWords words = ldtk_words(without_number);
+  const Words words = name_words(without_number);
   if (words.empty()) return {};
-  if (words == LdtkWords{"ball"}) return BodyKind::ball;
+  if (words == Words{"ball"}) return BodyKind::ball;
   const bool is_player = has_word({words.front()}, kPlayers) &&
                          std::all_of(words.begin() + 1, words.end(),
                                      [&](const std::string& word) { return has_word({word}, kAfterPlayer); });

@@ -208,9 +208,11 @@ void TiledReader::take_looks(const JsonNode& node, const Inside& inside, TiledLa
                            kMaxLayerOffset);
   looks.parallax = near_zero({number(node, "parallaxx", 1), number(node, "parallaxy", 1)}, kMaxParallax);
   const std::string tint = text(node, "tintcolor");
-  if (const auto rgb = color_of_hex(tint)) {
-    looks.tint = *rgb;
-    looks.opacity *= opacity_of_hex(tint);
+  if (const auto rgb = color_of_hex(tint)) {  // Tiled 1.8 draws a clear tint both darker and clearer
+    const double opacity = opacity_of_hex(tint);
+    const auto darker = [&](int c) { return static_cast<std::uint8_t>(std::lround(c * opacity)); };
+    looks.tint = {darker(rgb->r), darker(rgb->g), darker(rgb->b)};
+    looks.opacity *= opacity;
   }
   layer.says_ground = ground_by_word(properties(node, "the layer " + quoted_name(looks.name)));
   if (!layer.says_ground) layer.says_ground = inside.is_ground;

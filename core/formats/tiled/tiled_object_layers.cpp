@@ -5,24 +5,30 @@
 #include <cmath>
 #include <span>
 
+#include "../text/name_words.h"
 #include "tiled_properties.h"
 
 namespace talus {
 namespace {
 
-constexpr std::array<std::string_view, 9> kCollisionWords = {"collision", "collisions", "collider",
-                                                             "colliders", "collidable", "solid",
-                                                             "solids",    "obstacle",   "obstacles"};
-constexpr std::array<std::string_view, 4> kWallWords = {"wall", "walls", "platform", "platforms"};
+constexpr std::array<std::string_view, 5> kCollisionWords = {"collision", "collider", "collidable", "solid",
+                                                             "obstacle"};
+constexpr std::array<std::string_view, 2> kWallWords = {"wall", "platform"};
 constexpr std::array<std::string_view, 1> kGroundWords = {"ground"};
 constexpr std::array<std::span<const std::string_view>, 3> kWordsOfGround = {kCollisionWords, kWallWords,
                                                                              kGroundWords};
 
+// Whether the name is one of these words, or its plural, but for numbers, what is in brackets, and words that
+// say what a layer is: "Walls 2", "CollisionLayer", "Ground tiles".
 bool is_word_of(std::span<const std::string_view> words, const std::string& text) {
-  std::string lower = text;
-  for (char& c : lower)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return std::find(words.begin(), words.end(), lower) != words.end();
+  constexpr std::array<std::string_view, 3> kPlain = {"layer", "tile", "map"};
+  std::string name = text.substr(0, text.find('('));
+  std::erase_if(name, [](char c) { return c >= '0' && c <= '9'; });
+  std::vector<std::string> left = name_words(name);
+  std::erase_if(left, [&](const std::string& word) {
+    return std::find(kPlain.begin(), kPlain.end(), word) != kPlain.end();
+  });
+  return left.size() == 1 && std::find(words.begin(), words.end(), left.front()) != words.end();
 }
 
 bool is_ground_word(const std::string& text) {
