@@ -295,6 +295,21 @@ TEST_F(UiLayers, PicturesAreDrawnInTheirOrder) {
   EXPECT_EQ(color_at(on_canvas("map", {90, 50})), 9);
 }
 
+// A texture has at most 16,384 px a side on most machines.
+TEST_F(UiLayers, APictureMayBeLongerThanATexture) {
+  Level with = level();
+  ObjectLayer sky{.name = "sky", .offset = {80, 40}};
+  sky.image = LayerImage{.path = "sky.png", .part = plain_part(40'000, 16, with.palette[9])};
+  with.objects = {sky};
+  const std::string file = path("long.talus.json");
+  ASSERT_TRUE(save_level(with, *find_format("native"), file));
+  session().apply(action::OpenFile{file});
+  frames(3);
+  ASSERT_EQ(level().objects.size(), 1u);
+  EXPECT_EQ(level().objects[0].image->part.width, 40'000);
+  EXPECT_EQ(color_at(upper("map")), 9);
+}
+
 TEST_F(UiLayers, AnimatedTilesPlay) {
   Level with = level();
   with.animations[7] = {{7, 100}, {1, 100}};

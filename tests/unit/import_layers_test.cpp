@@ -110,6 +110,16 @@ TEST_F(ImportLayers, TheOpacityOfATintCounts) {
   EXPECT_NEAR(level.layers.list.at(0).opacity, 0.25, 0.01);
 }
 
+TEST_F(ImportLayers, APictureMayBeLongerThanASheet) {
+  put("sky.png", rgb_png(40'000, std::vector<Rgb>(40'000, Rgb{0, 0, 255})));
+  const Level level = read("<imagelayer name=\"sky\"><image source=\"sky.png\"/></imagelayer>" + kTiles);
+  EXPECT_EQ(level.objects.at(0).image->part.width, 40'000);
+  ASSERT_TRUE(save_level(level, *find_format("native"), path("level.talus.json")));
+  const auto again = load_level(path("level.talus.json"));
+  ASSERT_TRUE(again) << to_string(again.error(), "level");
+  EXPECT_EQ(again->level.objects, level.objects);
+}
+
 TEST_F(ImportLayers, AnImageLayerKeepsItsPicture) {
   const Level level = read(
       "<imagelayer name=\"sky\" repeatx=\"1\" offsety=\"-4\"><image source=\"sky.png\" "

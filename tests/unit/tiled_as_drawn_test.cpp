@@ -323,7 +323,23 @@ TEST_F(TiledAsDrawn, TilesOfALayerCalledWallsOrGroundAreSolid) {
   for (const char* const name : {"Ground", "walls", "WALL", "platform", "Platforms"})
     EXPECT_THAT(solid_in(layer("sky", "2,2") + layer(name, "0,1")), testing::ElementsAre(false, true))
         << name;
-  EXPECT_THAT(solid_in(layer("sky", "2,2") + layer("underground", "0,1")), testing::ElementsAre(false, false));
+  EXPECT_THAT(solid_in(layer("sky", "2,2") + layer("underground", "0,1")),
+              testing::ElementsAre(false, false));
+}
+
+// The first tile of the tileset is clear, so that empty cells keep its number.
+TEST_F(TiledAsDrawn, EmptyCellsOfANamedLayerAreNoGround) {
+  std::vector<std::uint8_t> pixels(4 * 8 * 4, 255);
+  for (std::size_t i = 0; i < pixels.size(); i += 4)
+    if (i / 4 % 8 < 4) pixels[i + 3] = 0;
+  put("t.png", encode_png(8, 4, 4, pixels.data()));
+  for (const char* const name : {"Collision", "Ground"}) {
+    put("m.tmx", map_of(layer("sky", "0,2") + layer(name, "0,2")));
+    const Level level = load("m.tmx").level;
+    const Terrain terrain = terrain_of(level);
+    EXPECT_EQ(terrain.shape_at({0, 0}).kind, TileShape::Kind::none) << name;
+    EXPECT_EQ(terrain.shape_at({1, 0}).kind, TileShape::Kind::solid) << name;
+  }
 }
 
 // A tile that was not shown is ground as soon as it is painted, and saving needs no companion for it.

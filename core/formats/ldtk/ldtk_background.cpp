@@ -39,10 +39,8 @@ std::optional<ObjectLayer> ldtk_background_layer(const LdtkBackground& backgroun
   const auto& picture = background.picture;
   if (picture == nullptr || picture->is_missing) return {};
   const std::size_t pixels = picture->rgba.bytes.size() / 4;
-  const bool is_long = std::max(picture->rgba.width, picture->rgba.height) > kMaxSheetPictureSide;
-  if (pixels == 0 || pixels > kMaxPartPixels || is_long) {
-    drops.add("the picture behind the level, which has more than " + std::to_string(kMaxPartPixels) +
-              " px, or " + std::to_string(kMaxSheetPictureSide) + " px a side");
+  if (pixels == 0 || pixels > kMaxPartPixels) {
+    drops.add("the picture behind the level, which has more than " + std::to_string(kMaxPartPixels) + " px");
     return {};
   }
   ObjectLayer layer{.name = kLdtkBackground, .locked = true, .place = 0};

@@ -328,22 +328,26 @@ void TiledLevelMaker::take_tile(TileNumber number) {
 void TiledLevelMaker::fill_named_ground(const std::vector<const TiledLayer*>& layers) {
   std::optional<int> clearest;
   std::set<TileNumber> shown;
+  std::set<std::uint32_t> cells;  // of the file
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const auto rank = rank_of_ground(*layers[i]);
     if (!rank || (clearest && *rank > *clearest)) continue;
-    if (rank != clearest) shown.clear();
+    if (rank != clearest) shown.clear(), cells.clear();
     clearest = rank;
     const std::vector<TileNumber>& tiles = level_.cells_of(static_cast<int>(i)).tiles();
     shown.insert(tiles.begin(), tiles.end());
+    cells.insert(layers[i]->cells.begin(), layers[i]->cells.end());
   }
   const auto has_shape = [&](TileNumber tile) {
     return shape_of_tile(level_, tile).kind != TileShape::Kind::none;
   };
+  const std::size_t first = tiles_.is_0_empty ? 1 : 0;  // empty cells, which may have tile 0, are no ground
+  if (first > 0) shown.erase(0);
   if (std::any_of(shown.begin(), shown.end(), has_shape)) return;
   std::set<int> tilesets;
-  for (const TileNumber tile : shown) tilesets.insert(tiles_.sources[tile].tileset);
+  for (const std::uint32_t cell : cells) tilesets.insert(source_of_gid(map_, cell).tileset);
   tilesets.erase(-1);  // of empty cells
-  for (std::size_t i = 0; i < tiles_.sources.size(); ++i) {
+  for (std::size_t i = first; i < tiles_.sources.size(); ++i) {
     const auto tile = static_cast<TileNumber>(i);
     if (tilesets.contains(tiles_.sources[i].tileset) && !has_shape(tile) && !is_ball_tile(level_, tile))
       level_.tile_shapes[tile] = {.kind = TileShape::Kind::solid};

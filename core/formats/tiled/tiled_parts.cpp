@@ -55,8 +55,7 @@ LayerImage TiledParts::image_of(const TiledImage& image) {
 void TiledParts::tell_missing() {
   if (missing_ > 0)
     drops_.add(std::to_string(missing_) + " pictures of tiles, objects or layers, which have more than " +
-               std::to_string(kMaxPartPixels) + " px together, or " + std::to_string(kMaxSheetPictureSide) +
-               " px a side");
+               std::to_string(kMaxPartPixels) + " px together");
 }
 
 PicturePart TiledParts::part_of(const TiledSource& source) {
@@ -98,7 +97,7 @@ std::shared_ptr<const SheetPicture> TiledParts::picture_of(const RgbaPicture& rg
   if (!is_new) return known->second;
   const std::size_t pixels = rgba.bytes.size() / 4;
   if (pixels == 0) return nullptr;
-  if (pixels_ + pixels > kMaxPartPixels || std::max(rgba.width, rgba.height) > kMaxSheetPictureSide) {
+  if (pixels_ + pixels > kMaxPartPixels) {
     ++missing_;
     return nullptr;
   }

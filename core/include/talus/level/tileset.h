@@ -65,9 +65,9 @@ struct SheetLayout {
 inline constexpr int kMaxSheetPictureSide = 16'384;        // px, of a picture of a sheet
 inline constexpr int kMaxSheetPicturePixels = 16'777'216;  // of a picture of a sheet
 
-// A picture in true colour.
+// A picture in true colour: of a sheet, or of a layer, an object or a large tile, whose sides may be longer.
 struct SheetPicture {
-  int width = 0;                   // px, 1..kMaxSheetPictureSide
+  int width = 0;                   // px, 1..kMaxSheetPictureSide; of others 1..kMaxSheetPicturePixels
   int height = 0;                  // px, the same; at most kMaxSheetPicturePixels together
   std::vector<std::uint8_t> rgba;  // for each pixel red, green, blue, opacity; row by row from the top left
   // The four bytes of a pixel, which must be inside (not checked).
