@@ -1,5 +1,6 @@
 #include "finding.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -9,17 +10,22 @@
 namespace talus {
 namespace {
 
+constexpr std::string_view kOfSolver =
+    "The ground is good: choose the solver exact in Tuning, or report it with this level.";
+
 constexpr std::array<FindingInfo, 10> kInfos = {{
-    {"stops", "stops, though the way is free", false},
-    {"slows", "loses speed, though nothing is in the way", false},
-    {"leaves-floor", "leaves the floor, though it goes on", false},
-    {"jumps", "moves further than its floor leads", false},
-    {"floats", "stands where no floor is at its foot", false},
-    {"inside", "comes into the ground", false},
-    {"falls-through", "falls through a floor", false},
-    {"ghost", "is stopped by something that is not there", false},
-    {"lip", "is stopped by a low edge", true},
-    {"wedged", "is wedged, and no key frees it", true},
+    {"stops", "stops, though the way is free", false, kOfSolver},
+    {"slows", "loses speed, though nothing is in the way", false, kOfSolver},
+    {"leaves-floor", "leaves the floor, though it goes on", false, kOfSolver},
+    {"jumps", "moves further than its floor leads", false, kOfSolver},
+    {"floats", "stands where no floor is at its foot", false, kOfSolver},
+    {"inside", "comes into the ground", false, kOfSolver},
+    {"falls-through", "falls through a floor", false, kOfSolver},
+    {"ghost", "is stopped by something that is not there", false, kOfSolver},
+    {"lip", "is stopped by a low edge", true,
+     "Let the floors on both sides of the edge meet at one height, or make the edge a wall."},
+    {"wedged", "is wedged, and no key frees it", true,
+     "Make the gap wider than the body, or so narrow that the body stays out of it."},
 }};
 
 // "a player of 8x8 px that runs to the right"
@@ -61,6 +67,13 @@ LoneBody lone_body_of(const Trial& trial) {
   alone.stands = body.gait.grounded;
   alone.run_speed = trial.speed;
   return alone;
+}
+
+void add_alike(Finding& finding, const Finding& other) {
+  constexpr int kShown = 45;  // steps; a longer way is no clearer
+  const int count = finding.count + other.count;
+  if (std::min(finding.frame, kShown) < std::min(other.frame, kShown)) finding = other;
+  finding.count = count;
 }
 
 std::string message_of(const Finding& finding) {

@@ -26,9 +26,10 @@ enum class FindingKind : std::uint8_t {
 };
 
 struct FindingInfo {
-  std::string_view word;   // in JSON: "leaves-floor"
-  std::string_view label;  // on screen: "leaves the floor"
-  bool of_level;           // a fault of the level; else of the solver
+  std::string_view word;     // in JSON: "leaves-floor"
+  std::string_view label;    // on screen: "leaves the floor"
+  bool of_level;             // a fault of the level; else of the solver
+  std::string_view by_hand;  // what to do, a sentence with a full stop
 };
 // The row of a kind.
 const FindingInfo& info_of(FindingKind kind);
@@ -58,6 +59,10 @@ struct Finding {
   Obstacle met;       // what stopped it; of other kinds what it met last
   int count = 1;      // trials of this body, direction and kind with a finding in this cell
 };
+
+// Counts another finding of the same kind, body and cell. The trial that shows more of the way there is kept,
+// as its recording is what people look at.
+void add_alike(Finding& finding, const Finding& other);
 
 // A sentence without a full stop: "a player of 8x8 px stops at the place 12.5, 40 px, though its way is
 // free".

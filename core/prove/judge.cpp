@@ -54,7 +54,8 @@ std::optional<Verdict> Judge::judge(const Body& before, const Body& after, const
     return judge_walk(before, after, v < target ? std::min(v + gain, target) : std::max(v - gain, target),
                       record);
   }
-  return judge_contacts(before, record);
+  if (auto met = judge_contacts(before, record)) return met;
+  return judge_roll(before, after);
 }
 
 std::optional<Verdict> Judge::judge_walk(const Body& before, const Body& after, double speed,
@@ -137,10 +138,25 @@ std::optional<Verdict> Judge::judge_contacts(const Body& before, const StepRecor
     const bool is_ground = contact.handled && !contact.overlaps && contact.other.body == 0;
     const bool is_placed = tuning_.solver == SolverKind::article && contact.slope.has_value();
     if (is_ground && !is_placed && !is_there(contact, before)) return Verdict{FindingKind::ghost};
-    if (is_ground && contact.normal.y == 0)
+    const bool is_slope = contact.normal.y < 0 && contact.normal.x != 0;
+    if (is_ground && (contact.normal.y == 0 || (is_slope && is_exact_and_steep(contact.normal))))
       if (const auto lip = lip_met(before, contact)) return lip;
   }
   return std::nullopt;
+}
+
+bool Judge::is_exact_and_steep(Vec2 normal) const {
+  return tuning_.solver == SolverKind::exact &&
+         std::abs(normal.x) > tuning_.exact.steepest * std::abs(normal.y);
+}
+
+// Of a body that rolls along a floor.
+std::optional<Verdict> Judge::judge_roll(const Body& before, const Body& after) const {
+  const double moved = after.box.x - before.box.x;
+  const bool rolls = tuning_.solver == SolverKind::exact && after.gait.grounded && moved != 0 &&
+                     has_floor_at_foot(before, Under::middle_of_slopes) &&
+                     has_floor_at_foot(after, Under::middle_of_slopes);
+  return rolls ? ramp_missed(before, after, moved < 0 ? -1 : 1) : std::nullopt;
 }
 
 bool Judge::is_free(const Rect& box, Foot foot, Corners corners) const {
@@ -254,6 +270,7 @@ std::optional<Verdict> Judge::lip_met(const Body& before, const ContactRecord& c
   body.box.x = contact.touch.x;
   body.box.y = contact.touch.y;
   const int direction = contact.normal.x > 0 ? -1 : 1;
+  if (contact.normal.y != 0) return judge_stop(body, direction);
   const Ahead ahead = ahead_of(body, direction);
   if (ahead.way != Way::lip) return std::nullopt;
   return lip_of(direction, ahead.edge);

@@ -102,7 +102,7 @@ Proof ProofRun::proof() const {
   std::vector<Finding> merged;
   for (Finding& finding : proof.findings) {
     if (!merged.empty() && key_of(merged.back()) == key_of(finding)) {
-      merged.back().count += finding.count;
+      add_alike(merged.back(), finding);
     } else if (merged.size() < kMostFindings) {
       merged.push_back(std::move(finding));
     } else {

@@ -247,7 +247,7 @@ void TrialRunner::run(Trial trial, const Place& place, std::size_t speed) {
   if (is_new) {
     proof_.findings.push_back(*finding);
   } else {
-    ++proof_.findings[known->second].count;
+    add_alike(proof_.findings[known->second], *finding);
   }
 }
 

@@ -59,6 +59,20 @@ bool is_full_tile(const Level& level, TileNumber tile) {
   return shape.kind == TileShape::Kind::solid && !shape.one_way;
 }
 
+// Its slopes and a full tile; empty without a slope.
+std::vector<TileNumber> floors_of_sheet(const Level& level) {
+  std::vector<TileNumber> floors;
+  std::optional<TileNumber> full;
+  for (int i = 0; i < level.tile_count(); ++i) {
+    const auto tile = static_cast<TileNumber>(i);
+    const TileShape shape = shape_of_tile(level, tile);
+    if (has_heights(shape) && shape.side == TileShape::Side::floor && !shape.one_way) floors.push_back(tile);
+    if (!full && is_full_tile(level, tile)) full = tile;
+  }
+  if (full && !floors.empty()) floors.push_back(*full);
+  return floors;
+}
+
 constexpr int kMostRowsDown = 64;
 
 // The tile to fill the ground with that the level suggests.
@@ -91,17 +105,19 @@ tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, co
   SlopeTilesOptions options;
   options.line_color = line_color;
   bool has_slope = false;
-  std::vector<TileNumber> tiles_as_drawn;  // the turned ones are left out
+  std::vector<TileNumber> set;  // of the stamp, without those that are turned
   for (const auto [tile, turn] : stamp.tiles) {
     if (turn != TileTurn::none) continue;
-    tiles_as_drawn.push_back(tile);
+    set.push_back(tile);
     const TileShape shape = shape_of_tile(level, tile);
     if (is_full_tile(level, tile) && !options.below) options.below = tile;
     has_slope = has_slope || (has_heights(shape) && shape.side == TileShape::Side::floor);
   }
   options.fills = fills;
   if (fills && !options.below) options.below = tile_for_inside(level, a, b);
-  if (has_slope) options.set = std::move(tiles_as_drawn);
+  const bool can_draw = level.sheet(SheetId::tiles).picture == nullptr;
+  if (!has_slope) set = can_draw ? std::vector<TileNumber>() : floors_of_sheet(level);
+  options.set = set;
   return slope_tiles(level, a, b, options).map([&](const SlopeTiles& tiles) {
     return put_slope_tiles(level, tiles, within);
   });

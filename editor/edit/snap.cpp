@@ -89,6 +89,22 @@ std::optional<double> floor_near(const Level& level, Vec2 point) {
   return found;
 }
 
+// The top of the solid ground that a point at a corner of cells is inside of: of full cells to both sides. y:
+// px, of the point; it is the result where there is none, or no top.
+double top_of_ground(const Level& level, double x, double y) {
+  const TileMap& map = level.map;
+  const auto is_open = [&](Cell cell) {
+    if (!map.contains(cell)) return false;
+    const TileShape shape = shape_of_cell(level, map.at(cell));
+    return shape.kind != TileShape::Kind::solid || shape.one_way;
+  };
+  const int column = static_cast<int>(x / map.tile_size().width);
+  const int row = static_cast<int>(y / map.tile_size().height);
+  for (int top = row; top > 0; --top)
+    if (is_open({column - 1, top - 1}) || is_open({column, top - 1})) return map.y_of(top);
+  return y;
+}
+
 // A coordinate at the border of a tile, if there is one near. side: px, of a tile.
 std::optional<double> at_border(double px, int side, double reach) {
   const double border = std::round(px / side) * side;
@@ -118,7 +134,8 @@ Vec2 snap_slope_end(const Level& level, Vec2 point, double zoom) {
   if (const auto end = nearest.found(); end && std::fmod(end->x, tile.width) == 0) return *end;
   const double x = std::round(point.x / tile.width) * tile.width;
   const double y = std::round(point.y / tile.height) * tile.height;
-  return onto_map(level.map, {x, floor_near(level, {x, point.y}).value_or(y)});
+  const auto floor = floor_near(level, {x, point.y});
+  return onto_map(level.map, {x, floor ? *floor : top_of_ground(level, x, y)});
 }
 
 Vec2 onto_map(const TileMap& map, Vec2 point) {

@@ -111,10 +111,17 @@ TEST(Prove, FindsEdgesOfOtherForms) {
        8},
       {"one that begins just above it", {slope(0.02, 8, true), {.kind = TileShape::Kind::solid}}, "lip", 8},
   };
+  struct Tried {
+    BodyKind kind;
+    Foot foot;
+  };
+  constexpr Tried kTried[] = {
+      {BodyKind::player, Foot::box}, {BodyKind::player, Foot::centre}, {BodyKind::ball, Foot::box}};
   for (const Planted& planted : all) {
-    for (const Foot foot : {Foot::box, Foot::centre}) {
-      SCOPED_TRACE(planted.what);
+    for (const auto [kind, foot] : kTried) {
+      SCOPED_TRACE(std::string(planted.what) + " before a " + std::string(traits_of(kind).word));
       Scenery scenery;
+      scenery.level.spawns[0].kind = kind;
       scenery.level.spawns[0].foot = foot;
       for (std::size_t i = 0; i < planted.shapes.size(); ++i)
         scenery.put({8 + static_cast<int>(i), 11}, planted.shapes[i]);

@@ -33,6 +33,18 @@ TEST(ShapeTools, SlopeUsesTheSlopesAndTheFullTileOfTheStamp) {
   EXPECT_TRUE(laid.sheets == level.sheets);
 }
 
+TEST(ShapeTools, SlopeInTrueColourTakesTheSlopesOfTheSheet) {
+  Level level = level_with_slopes();
+  EXPECT_FALSE(lay_slope(level, {16, 40}, {300, 32}, {1, 1, {1}}, 12)) << "it leaves the map";
+  level.sheet(SheetId::tiles).picture = std::make_shared<const SheetPicture>(
+      SheetPicture{128, 128, std::vector<std::uint8_t>(std::size_t{4} * 128 * 128)});
+  const Level laid = after(level, lay_slope(level, {16, 40}, {32, 32}, {1, 1, {1}}, 12));
+  EXPECT_EQ(laid.map.at({2, 4}), 3);
+  EXPECT_EQ(laid.map.at({3, 4}), 4);
+  level.sheet(SheetId::tiles).flags.assign(level.sheet(SheetId::tiles).flags.size(), 0);
+  EXPECT_FALSE(lay_slope(level, {16, 40}, {32, 32}, {1, 1, {1}}, 12)) << "none can be drawn";
+}
+
 TEST(ShapeTools, SlopeIsDrawnIfTheStampHasNone) {
   const Level level = level_with_slopes();
   const Level laid = after(level, lay_slope(level, {32, 32}, {16, 40}, {1, 1, {1}}, 12));
@@ -109,6 +121,15 @@ TEST(ShapeTools, TheNextSlopeBeginsWhereTheOneBeforeEnds) {
       EXPECT_EQ(snap_slope_end(level, top + off, zoom), top) << zoom << " " << off.x << "," << off.y;
     }
   }
+}
+
+// A hand lets go below the line of the floor.
+TEST(ShapeTools, AnEndInsideTheGroundGoesUpToItsTop) {
+  Level level = level_with_floor();
+  for (const double y : {96.0, 99.0, 101.0, 104.0, 111.0, 130.0})
+    EXPECT_EQ(snap_slope_end(level, {118, y}, 2), (Vec2{120, 96})) << y;
+  for (int y = 12; y < 17; ++y) level.map.set({20, y}, 0);
+  EXPECT_EQ(snap_slope_end(level, {161, 120}, 2), (Vec2{160, 120})) << "at the ground's side";
 }
 
 TEST(ShapeTools, SlopesThatMeetInATileAreOneFloor) {

@@ -28,9 +28,12 @@ void suggest(const Session& session, Actions& actions, Ui& ui) {
     edit.label = "Suggest a shape from pixels";
   }
   if (!edit.empty()) return actions.push_back(action::EditLevel{std::move(edit)});
-  actions.push_back(action::ShowMessage{found ? "The tile already has the shape that its pixels suggest."
-                                              : "Nothing to suggest: all pixels of the tile have colour 0.",
-                                        false});
+  const bool in_true_colour = level.sheet(SheetId::tiles).picture != nullptr;
+  actions.push_back(action::ShowMessage{
+      found            ? "The tile already has the shape that its pixels suggest."
+      : in_true_colour ? "Nothing to suggest: no pixel of the tile is more opaque than clear."
+                       : "Nothing to suggest: all pixels of the tile have colour 0.",
+      false});
 }
 
 std::optional<int> owner(const Session& session) {

@@ -53,8 +53,8 @@ void draw_finding(const Finding& finding, std::size_t index, bool is_wide, Actio
   const std::string& chosen = ui.view.level.problems.chosen_finding;
   ImGui::PushID(static_cast<int>(index));
   begin_message();
-  const bool of_level = info_of(finding.kind).of_level;
-  const ImU32 color = theme::tone(of_level ? theme::kWarning : theme::kError);
+  const FindingInfo& info = info_of(finding.kind);
+  const ImU32 color = theme::tone(info.of_level ? theme::kWarning : theme::kError);
   const float top = ImGui::GetCursorPosY();
   if (is_wide) draw_text(place, color);
   draw_wrapped_text(message);
@@ -67,7 +67,8 @@ void draw_finding(const Finding& finding, std::size_t index, bool is_wide, Actio
   }
   ImGui::PopStyleColor();
   ui.item("proof/row" + std::to_string(index),
-          of_level ? "A fault of the level." : "A fault of the solver: the ground does not explain it.",
+          std::string(info.of_level ? "A fault of the level. " : "A fault of the solver. ") +
+              std::string(info.by_hand),
           "click to go there and to play it");
   ImGui::TableSetColumnIndex(2);
   draw_fix(finding.cell, index);
