@@ -73,6 +73,11 @@ function Stretch.normal(piece, sign, t)
   local along_x, along_y = tangent_at(piece.stretch, x)
   return sign * along_y, -sign * along_x
 end
+function Stretch.normal_at(piece, x)
+  local along_x, along_y = tangent_at(piece.stretch, x)
+  if piece.facing == UP then return along_y, -along_x end
+  return -along_y, along_x
+end
 -- The straight end of a curve may be so much steeper.
 local function steepest_on_curve(steepest) return steepest + (1 + steepest) * (1 + steepest) / 128 end
 function Stretch.is_level(_, contact, steepest)

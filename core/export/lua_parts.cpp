@@ -28,6 +28,7 @@ constexpr LuaPart kLuaParts[] = {
     {"segments", {"segments"}, {"slopes"}},
     {"curves", {"curves"}, {"segments", "slopes"}},
     {"balls", {"balls"}},
+    {"flight", {"flight"}, {"balls"}},
     {"players", {"walk", "players"}},
     {"pairs", {"pairs"}},
     {"mouse", {"mouse"}},
@@ -88,6 +89,8 @@ PartNames used_parts(const Level& level) {
       }))
     used.emplace("curves");
   if (level.tuning.shared.balls_block != 0 && bodies > 1) used.emplace("pairs");
+  const ExactTuning& exact = level.tuning.exact;
+  if (used.contains("balls") && exact.rebound != 0 && exact.gravity > 0) used.emplace("flight");
   return used;
 }
 

@@ -7,6 +7,7 @@
 #include <talus/level/tuning.h>
 #include <talus/sim/state.h>
 #include "exact_mover.h"
+#include "flight.h"
 #include "lerp.h"
 
 namespace talus {
@@ -26,6 +27,7 @@ struct ExactNumbers {
         steepest(static_cast<Real>(t.exact.steepest)),
         snap(static_cast<Real>(t.exact.snap)),
         rebound(t.exact.rebound != 0),
+        flies(rebound && t.exact.gravity > 0),
         run_speed(static_cast<Real>(t.player.run_speed)),
         run_gain(static_cast<Real>(t.player.run_gain)),
         run_loss(static_cast<Real>(t.player.run_loss)),
@@ -40,6 +42,7 @@ struct ExactNumbers {
   Real fall_speed, fall_blend, drift_speed, drift_blend, floor_bounce, floor_grip, wall_bounce;
   Real gravity, steepest, snap;
   bool rebound;
+  bool flies;  // balls fly along parabolas, and leave what they meet on others
   Real run_speed, run_gain, run_loss, air_gain, jump_speed, jump_cut, player_gravity, fall_limit;
   int coyote_frames;
   bool surface_speed;
@@ -50,19 +53,32 @@ template <class Real>
 class BallRule {
  public:
   using Vec = BasicVec2<Real>;
-  BallRule(const ExactNumbers<Real>& numbers, Moving<Real>& body) : n_(numbers), body_(body) {}
+  BallRule(const ExactNumbers<Real>& numbers, const BasicTerrain<Real>& ground, Moving<Real>& body)
+      : n_(numbers), ground_(ground), body_(body) {}
 
-  // Called once in a step: falls as in the article, and rolls to rest.
-  void pull() {
+  // Called once in a step: falls as in the article, and rolls to rest. part: of a step, the length of its
+  // equal parts.
+  void pull(Real part) {
     Vec& v = body_.velocity;
+    part_ = part;
     if (!(n_.gravity > 0)) v.y = lerp(v.y, n_.fall_speed, n_.fall_blend);
     v.x = lerp(v.x, n_.drift_speed, n_.drift_blend);
+    // Between frames a ball that flies has the velocity of the chord of its last frame; now that of a part.
+    if (n_.flies) lift_ = n_.gravity * (1 - part) / 2;
+    if (lift_ != 0) v.y += lift_;
   }
 
-  // Called before each of the equal parts of a step. part: its length in steps.
-  void begin(Real part) {
-    part_ = time_left_ = part;
-    if (n_.gravity > 0) body_.velocity.y += n_.gravity * part;
+  // Called before each part.
+  void begin() {
+    if (n_.gravity > 0) body_.velocity.y += n_.gravity * part_;
+    left_ = part_;
+    const Vec half{0, n_.gravity * part_ / 2};
+    if (n_.flies) flight_.begin(body_.box.position(), body_.velocity - half, n_.gravity, part_);
+  }
+
+  // Called after the last part.
+  void end() {
+    if (lift_ != 0) body_.velocity.y -= lift_;
   }
 
   bool grounded() const { return grounded_; }
@@ -77,51 +93,46 @@ class BallRule {
     const Vec slide = slide_along(normal, rest);
     if (contact.t == 1) return slide;  // it has just arrived: the next step bounces
 
+    const Real bounce = level ? n_.floor_bounce : n_.wall_bounce, grip = level ? n_.floor_grip : 1;
+    if (n_.flies) return fly_off(contact, slide, bounce, grip);
     Vec& v = body_.velocity;
     const Real into = -dot(v, normal);
     if (!(into > 0)) return slide;
-    const Real bounce = level ? n_.floor_bounce : n_.wall_bounce;
     const Vec along{-normal.y, normal.x};
-    const Vec kept = along * (dot(v, along) * (level ? n_.floor_grip : 1));
-    if (n_.rebound) return rebound(contact, motion, kept, into, bounce);
-    v = kept + normal * (into * bounce);
-    return slide;
+    v = along * (dot(v, along) * grip) + normal * (into * bounce);
+    if (!n_.rebound) return slide;
+    left_ = left_ * (1 - contact.t);
+    return v * left_;
   }
 
  private:
-  // Under constant gravity g a ball flies along a parabola through the ends of the parts. Its velocity there
-  // is v + g/2 * part. It bounces from level ground where the parabola meets the ground, not where the chord
-  // between two frames does, so that it neither gains nor loses energy.
-  Vec rebound(const Contact<Real>& contact, Vec motion, Vec kept, Real into, Real bounce) {
-    const Vec normal = contact.normal;
-    const Real pull = std::max<Real>(0, -n_.gravity * normal.y);  // into the ground
-    const bool parabola = pull > 0 && normal.x == 0;
-    Real after = time_left_ * (1 - contact.t);
-    if (parabola) {
-      const Real way = -dot(motion, normal), distance = way * contact.t;
-      const Real start = way / time_left_ - pull * time_left_ / 2;
-      into = std::sqrt(std::max<Real>(0, start * start + 2 * pull * distance));
-      if (start + into > 0) after = std::max<Real>(0, time_left_ - 2 * distance / (start + into));
+  // Flies off the surface of a contact, or stays on it. slide: the motion along it.
+  Vec fly_off(const Contact<Real>& contact, Vec slide, Real bounce, Real grip) {
+    Vec& v = body_.velocity;
+    const Vec from = body_.box.position();
+    const Vec normal = flight_.reach(contact, ground_.stretches(), body_.box, body_.foot);
+    const Vec along{-normal.y, normal.x};
+    const Real into = -dot(flight_.velocity(), normal), away = into * bounce;
+    if (!(into > 0)) return slide;
+    if (!(away > -n_.gravity * normal.y)) {  // too slow to leave the ground for longer than a step: it stays
+      if (lift_ != 0) v.y -= lift_;
+      lift_ = 0;
+      v = along * (dot(v, along) * grip);
+      return flight_.slide(v, from);
     }
-    time_left_ = after;
-    const Real away = into * bounce;
-    if (!(away > pull * part_)) {  // too slow to leave the ground for longer than a step: it stays
-      body_.velocity = kept;
-      return kept * after;
-    }
-    if (!parabola) {
-      body_.velocity = kept + normal * away;
-      return body_.velocity * after;
-    }
-    body_.velocity = kept + normal * (away - pull * after + pull * part_ / 2);
-    return kept * after + normal * (away * after - pull * after * after / 2);
+    const Vec motion = flight_.fly(along * (dot(flight_.velocity(), along) * grip) + normal * away, from);
+    v = flight_.chord_velocity(part_);
+    return motion;
   }
 
   const ExactNumbers<Real>& n_;
+  const BasicTerrain<Real>& ground_;
   Moving<Real>& body_;
+  Flight<Real> flight_;
   bool grounded_ = false;
-  Real part_ = 1;       // steps, length of the current part
-  Real time_left_ = 1;  // steps, left of that part when the current motion began
+  Real part_ = 1;  // steps, the length of a part
+  Real left_ = 1;  // steps, of a part, that are left of it; not of one that flies
+  Real lift_ = 0;  // px/frame, that the velocity has in this step for its parts
 };
 
 // A player: runs along the ground at the speed asked for, and jumps off it.

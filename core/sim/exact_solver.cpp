@@ -100,14 +100,15 @@ class ExactSolver final : public Solver {
 
   void fall(State& state, std::size_t index, Moving<Real>& moving) {
     Body& body = state.bodies[index];
-    BallRule<Real> rule(numbers_, moving);
-    rule.pull();
+    BallRule<Real> rule(numbers_, ground_, moving);
+    rule.pull(part_);
     for (int i = 0; i < substeps_; ++i) {
-      rule.begin(part_);
+      rule.begin();
       if (i == 0) note_goal(moving, moving.velocity);
       move(state, index, moving, moving.velocity * part_,
            [&](const auto& contact, Vec motion) { return rule.respond(contact, motion); });
     }
+    rule.end();
     body.gait.grounded = rule.grounded();
   }
 

@@ -87,7 +87,7 @@ TEST(LuaParts, OtherPartsCanBeChosen) {
   EXPECT_EQ(
       wrong.error().message,
       "\"plyers\" is not a part of the runtime; the parts are slopes, one_way, polygons, segments, curves, "
-      "balls, players, "
+      "balls, flight, players, "
       "pairs, mouse");
 }
 

@@ -209,6 +209,31 @@ TEST_F(LuaRuntime, GivesTheBitsOfWalksOverRipples) {
   expect_same_bits();
 }
 
+TEST_F(LuaRuntime, GivesTheBitsOfFlights) {
+  for (const double substeps : {1.0, 3.0, 16.0}) {
+    Level level;
+    level.map = TileMap(40, 20);
+    level.tuning.exact.gravity = 0.21;
+    level.tuning.exact.rebound = 1;
+    level.tuning.exact.substeps = substeps;
+    level.tuning.shared.balls_block = 0;
+    level.curves = {{"", {Arc{{80.003, 20}, 100.7, 0, 160, false}, Curve::Faces::up}, ""},
+                    {"", {Sine{160, 240, 110, 7.3, 33.1, 5}, Curve::Faces::both}, ""},
+                    {"", {Segment{{240, 120}, {310, 95}}, Curve::Faces::both}, ""}};
+    level.tile_shapes[1] = {.kind = TileShape::Kind::solid};
+    for (int y = 0; y < 20; ++y) level.map.set({39, y}, 1);
+    for (int x = 0; x < 39; ++x) level.map.set({x, 19}, 1);
+    for (int i = 0; i < 24; ++i) {
+      Spawn& spawn = level.spawns.emplace_back();
+      spawn.foot = i % 2 == 0 ? Foot::box : Foot::centre;
+      spawn.position = {10.0 + 11.7 * i, 15.3 + i % 5};
+      spawn.velocity = {1.3 - i * 0.2, -1.1};
+    }
+    add(level, 150, {}, std::to_string(substeps) + " parts");
+  }
+  expect_same_bits();
+}
+
 TEST_F(LuaRuntime, GivesTheBitsOfWalksOverJoints) {
   for (const double apart : {-1.0 / 256, 1.0 / 256}) {
     for (const Curve::Faces faces : {Curve::Faces::up, Curve::Faces::both}) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include <talus/level/ground.h>
 #include "cli_answer.h"
 #include "folder_test.h"
 #include "formats/pictures/png_picture.h"
