@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 #include <talus/level/tuning.h>
 #include <talus/sim/state.h>
@@ -48,8 +49,9 @@ struct ExactNumbers {
   bool surface_speed;
 };
 
-// A ball: the article's velocities, restitution and friction, with the true normal.
-template <class Real>
+// A ball: the article's velocities, restitution and friction, with the true normal. flies: as in
+// ExactNumbers.
+template <class Real, bool flies>
 class BallRule {
  public:
   using Vec = BasicVec2<Real>;
@@ -63,22 +65,26 @@ class BallRule {
     part_ = part;
     if (!(n_.gravity > 0)) v.y = lerp(v.y, n_.fall_speed, n_.fall_blend);
     v.x = lerp(v.x, n_.drift_speed, n_.drift_blend);
-    // Between frames a ball that flies has the velocity of the chord of its last frame; now that of a part.
-    if (n_.flies) lift_ = n_.gravity * (1 - part) / 2;
-    if (lift_ != 0) v.y += lift_;
+    if constexpr (flies) {
+      // Between frames it has the velocity of the chord of its last frame; now that of a part.
+      lift_ = n_.gravity * (1 - part) / 2;
+      if (lift_ != 0) v.y += lift_;
+    }
   }
 
   // Called before each part.
   void begin() {
     if (n_.gravity > 0) body_.velocity.y += n_.gravity * part_;
     left_ = part_;
-    const Vec half{0, n_.gravity * part_ / 2};
-    if (n_.flies) flight_.begin(body_.box.position(), body_.velocity - half, n_.gravity, part_);
+    if constexpr (flies) {
+      const Vec half{0, n_.gravity * part_ / 2};
+      flight_.begin(body_.box.position(), body_.velocity - half, n_.gravity, part_);
+    }
   }
 
   // Called after the last part.
   void end() {
-    if (lift_ != 0) body_.velocity.y -= lift_;
+    if (flies && lift_ != 0) body_.velocity.y -= lift_;
   }
 
   bool grounded() const { return grounded_; }
@@ -94,7 +100,7 @@ class BallRule {
     if (contact.t == 1) return slide;  // it has just arrived: the next step bounces
 
     const Real bounce = level ? n_.floor_bounce : n_.wall_bounce, grip = level ? n_.floor_grip : 1;
-    if (n_.flies) return fly_off(contact, slide, bounce, grip);
+    if constexpr (flies) return fly_off(contact, slide, bounce, grip);
     Vec& v = body_.velocity;
     const Real into = -dot(v, normal);
     if (!(into > 0)) return slide;
@@ -128,7 +134,8 @@ class BallRule {
   const ExactNumbers<Real>& n_;
   const BasicTerrain<Real>& ground_;
   Moving<Real>& body_;
-  Flight<Real> flight_;
+  struct NoFlight {};
+  std::conditional_t<flies, Flight<Real>, NoFlight> flight_;
   bool grounded_ = false;
   Real part_ = 1;  // steps, the length of a part
   Real left_ = 1;  // steps, of a part, that are left of it; not of one that flies

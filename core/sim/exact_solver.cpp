@@ -77,7 +77,10 @@ class ExactSolver final : public Solver {
     } else {
       switch (kinds_[static_cast<std::size_t>(body.kind)].rule) {
         case BodyRule::fall:
-          fall(state, index, moving);
+          if (numbers_.flies)
+            fall<true>(state, index, moving);
+          else
+            fall<false>(state, index, moving);
           break;
         case BodyRule::run:
           run(state, index, moving, input);
@@ -98,9 +101,10 @@ class ExactSolver final : public Solver {
 
   // ---- Balls ----
 
+  template <bool flies>
   void fall(State& state, std::size_t index, Moving<Real>& moving) {
     Body& body = state.bodies[index];
-    BallRule<Real> rule(numbers_, ground_, moving);
+    BallRule<Real, flies> rule(numbers_, ground_, moving);
     rule.pull(part_);
     for (int i = 0; i < substeps_; ++i) {
       rule.begin();
