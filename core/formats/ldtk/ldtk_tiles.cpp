@@ -6,11 +6,13 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include <talus/level/limits.h>
 #include "../text/utf8_text.h"
 #include "ldtk_keys.h"
+#include "ldtk_names.h"
 
 namespace talus {
 namespace {
