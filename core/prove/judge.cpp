@@ -126,10 +126,9 @@ bool Judge::has_floor_to(Fine x, Fine y, int direction) const {
 bool Judge::is_stopped_before(const Body& before, const Body& after, int direction,
                               const StepRecord& record) const {
   return std::any_of(record.contacts.begin(), record.contacts.end(), [&](const ContactRecord& contact) {
-    const Vec2 n = contact.normal;
-    const bool is_steep = n.y < 0 && n.x != 0 && std::abs(n.x) > tuning_.exact.steepest * std::abs(n.y);
     const bool was_put = std::abs(contact.touch.y - after.box.y) > px_of(weld_);
-    return n.x * direction < 0 && (is_steep || was_put) && is_there(contact, before);
+    return contact.normal.x * direction < 0 && (is_steep(contact.normal) || was_put) &&
+           is_there(contact, before);
   });
 }
 
@@ -138,16 +137,16 @@ std::optional<Verdict> Judge::judge_contacts(const Body& before, const StepRecor
     const bool is_ground = contact.handled && !contact.overlaps && contact.other.body == 0;
     const bool is_placed = tuning_.solver == SolverKind::article && contact.slope.has_value();
     if (is_ground && !is_placed && !is_there(contact, before)) return Verdict{FindingKind::ghost};
-    const bool is_slope = contact.normal.y < 0 && contact.normal.x != 0;
-    if (is_ground && (contact.normal.y == 0 || (is_slope && is_exact_and_steep(contact.normal))))
+    const bool is_bevel = tuning_.solver == SolverKind::exact && is_steep(contact.normal);
+    if (is_ground && (contact.normal.y == 0 || is_bevel))
       if (const auto lip = lip_met(before, contact)) return lip;
   }
   return std::nullopt;
 }
 
-bool Judge::is_exact_and_steep(Vec2 normal) const {
-  return tuning_.solver == SolverKind::exact &&
-         std::abs(normal.x) > tuning_.exact.steepest * std::abs(normal.y);
+// Whether it is that of a slope on which nobody stands.
+bool Judge::is_steep(Vec2 normal) const {
+  return normal.y < 0 && normal.x != 0 && std::abs(normal.x) > tuning_.exact.steepest * std::abs(normal.y);
 }
 
 // Of a body that rolls along a floor.

@@ -94,9 +94,7 @@ std::optional<double> floor_near(const Level& level, Vec2 point) {
 double top_of_ground(const Level& level, double x, double y) {
   const TileMap& map = level.map;
   const auto is_open = [&](Cell cell) {
-    if (!map.contains(cell)) return false;
-    const TileShape shape = shape_of_cell(level, map.at(cell));
-    return shape.kind != TileShape::Kind::solid || shape.one_way;
+    return map.contains(cell) && !is_full(shape_of_cell(level, map.at(cell)));
   };
   const int column = static_cast<int>(x / map.tile_size().width);
   const int row = static_cast<int>(y / map.tile_size().height);

@@ -51,7 +51,10 @@ ImTextureID PictureTextureCache::texture_of(const std::shared_ptr<const SheetPic
     int most_side = 0;  // that this machine has
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most_side);
     const bool fits = picture->width <= most_side && picture->height <= most_side;
-    upload(fits ? *picture : thinned(*picture, most_side));
+    if (fits)
+      upload(*picture);
+    else
+      upload(thinned(*picture, most_side));
   }
   return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(name));
 }

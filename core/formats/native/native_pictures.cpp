@@ -7,7 +7,6 @@
 #include <set>
 #include <utility>
 
-#include "../import/linked_files.h"
 #include "../pictures/png_picture.h"
 #include "../text/base64.h"
 #include "native_bytes.h"
@@ -39,7 +38,7 @@ FormatResult<SharedPicture> take_png(Json& lines, const std::string& path, std::
   const auto text = base64_of(lines);
   const auto bytes = text ? decode_base64(*text) : std::nullopt;
   if (!bytes) return part_error("key " + path, "must be a list of strings with a PNG in Base64");
-  const auto rgba = read_rgba(*bytes, kMaxLinkedPictureSide);
+  const auto rgba = read_rgba(*bytes, kMaxSheetPicturePixels);
   if (!rgba) return part_error("key " + path, rgba.error().message);
   pixels += rgba->bytes.size() / 4;
   if (pixels > kMaxPartPixels)

@@ -2,8 +2,10 @@
 #include "tiled_level.h"
 
 #include <algorithm>
+#include <cassert>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <set>
 #include <span>
 #include <utility>
@@ -327,25 +329,25 @@ void TiledLevelMaker::take_tile(TileNumber number) {
 // layer that is called ground is what one walks over.
 void TiledLevelMaker::fill_named_ground(const std::vector<const TiledLayer*>& layers) {
   std::optional<int> clearest;
-  std::set<TileNumber> shown;
-  std::set<std::uint32_t> cells;  // of the file
+  std::map<std::uint32_t, TileNumber> shown;  // by what a cell of the file has
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const auto rank = rank_of_ground(*layers[i]);
     if (!rank || (clearest && *rank > *clearest)) continue;
-    if (rank != clearest) shown.clear(), cells.clear();
+    if (rank != clearest) shown.clear();
     clearest = rank;
     const std::vector<TileNumber>& tiles = level_.cells_of(static_cast<int>(i)).tiles();
-    shown.insert(tiles.begin(), tiles.end());
-    cells.insert(layers[i]->cells.begin(), layers[i]->cells.end());
+    assert(tiles.size() == layers[i]->cells.size());
+    for (std::size_t k = 0; k < tiles.size(); ++k) shown.try_emplace(layers[i]->cells[k], tiles[k]);
   }
   const auto has_shape = [&](TileNumber tile) {
     return shape_of_tile(level_, tile).kind != TileShape::Kind::none;
   };
   const std::size_t first = tiles_.is_0_empty ? 1 : 0;  // empty cells, which may have tile 0, are no ground
-  if (first > 0) shown.erase(0);
-  if (std::any_of(shown.begin(), shown.end(), has_shape)) return;
   std::set<int> tilesets;
-  for (const std::uint32_t cell : cells) tilesets.insert(source_of_gid(map_, cell).tileset);
+  for (const auto& [cell, tile] : shown) {
+    if (tile >= first && has_shape(tile)) return;
+    tilesets.insert(source_of_gid(map_, cell).tileset);
+  }
   tilesets.erase(-1);  // of empty cells
   for (std::size_t i = first; i < tiles_.sources.size(); ++i) {
     const auto tile = static_cast<TileNumber>(i);
