@@ -322,7 +322,8 @@ end
 
 -- The time at which the box meets what it hit, to twice the precision if a rounding decides.
 local function time_of_best()
-  if best_t == 0 then return best_t, 0.0 end
+  -- The x of a box that goes straight up or down does not depend on the time.
+  if best_t == 0 or dx == 0 then return best_t, 0.0 end
   local high, low
   if best_facing >= LEFT then
     high, low = wall_time(best_facing, best_at)

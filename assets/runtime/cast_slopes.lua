@@ -122,7 +122,8 @@ end
 -- may not.
 local middle_alone = false
 function Terrain:with_middle(contact, x, y, w, h, motion_x, motion_y, without)
-  if not self:has_pieces() then return contact end
+  -- Straight down a box meets only floors, and what stops its middle stops the whole box as soon.
+  if not self:has_pieces() or (dx == 0 and dy > 0) then return contact end
   local middle = x + w / 2
   middle_alone = true
   begin_cast(self, middle, y, 0.0, h, motion_x, motion_y, false, without)

@@ -136,7 +136,8 @@ class Caster {
 
   Twofold<Real> time_of_best() const {
     const bool is_curve = best_.piece != nullptr && !best_.cap && best_.piece->stretch != 0;
-    if (best_.t == 0 || is_curve) return best_.t;
+    // The x of a box that goes straight up or down does not depend on the time.
+    if (best_.t == 0 || dx_ == 0 || is_curve) return best_.t;
     // A time that differs by more than rounding belongs to the end of the line, or of the motion.
     const Twofold<Real> exact = exact_time(best_);
     return std::abs(exact.rounded() - best_.t) * speed_ <= slack_ ? exact : best_.t;
@@ -612,6 +613,8 @@ template <class Real>
   const Contact<Real> contact = cast.sunk > 0
                                     ? contact_of_box<true>(terrain, cast, others, ignored, budget, true)
                                     : contact_of_box(terrain, cast, others, ignored, budget, true);
+  // Straight down a box meets only floors, and what stops its middle stops the whole box as soon.
+  if (cast.motion.y > 0 && !moves_sideways(cast)) return contact;
   const Cast<Real> middle = middle_of(cast);
   const double seen = budget != nullptr ? budget->seen : 1;
   Contact<Real> hit = contact_of_box(terrain, middle, {}, ignored, budget, false);
