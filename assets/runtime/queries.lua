@@ -21,6 +21,15 @@ local function overlaps_tile(terrain, x, y, w, h, forgiven, skip_detailed)
   return false
 end
 
+-- Whether the upright line at x is in a full tile, or between two that are side by side.
+function Terrain:middle_is_in_tile(x, y, h, forgiven)
+  local left, right, top, bottom = block_of(self, x, y, 0.0, h, -forgiven)
+  for row = top, bottom do
+    if self:is_solid(left, row) and self:is_solid(right, row) then return true end
+  end
+  return false
+end
+
 -- Whether the box is inside of anything but full tiles.
 function Terrain:overlaps_shapes() return false end
 
@@ -28,7 +37,7 @@ function Terrain:overlaps_shapes() return false end
 local function overlaps_ground(terrain, x, y, w, h, is_centre)
   local forgiven = rounding_slack(x, y, w, h, 0.0, 0.0)
   if overlaps_tile(terrain, x, y, w, h, forgiven, is_centre) then return true end
-  if is_centre and overlaps_tile(terrain, x + w / 2, y, 0.0, h, forgiven, false) then return true end
+  if is_centre and terrain:middle_is_in_tile(x + w / 2, y, h, forgiven) then return true end
   return terrain:overlaps_shapes(x, y, w, h, is_centre, forgiven)
 end
 

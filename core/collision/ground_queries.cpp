@@ -71,6 +71,19 @@ bool overlaps_tile(const BasicTerrain<Real>& ground, const BasicRect<Real>& box,
   return false;
 }
 
+// Whether the upright middle line of the box is in a full tile, or between two that are side by side.
+template <class Real>
+bool middle_is_in_tile(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Real slack,
+                       std::int64_t& looks) {
+  const BasicRect<Real> middle{box.x + box.w / 2, box.y, 0, box.h};
+  const CellBlock block = cells_met(ground, middle, -slack);
+  for (int row = std::max(block.top, 0); row <= std::min(block.bottom, ground.height() - 1); ++row) {
+    ++looks;
+    if (ground.is_solid({block.left, row}) && ground.is_solid({block.right, row})) return true;
+  }
+  return false;
+}
+
 // The part of a box that ground is looked for in. foot: the middle of its bottom, or the whole of it.
 template <class Real>
 struct Probe {
@@ -198,7 +211,7 @@ bool overlaps_counted(const BasicTerrain<Real>& ground, const BasicRect<Real>& b
   const Real slack = slack_of(box);
   const bool centre = foot == Foot::centre;
   if (overlaps_tile(ground, box, slack, centre, looks)) return true;
-  if (centre && overlaps_tile(ground, {box.x + box.w / 2, box.y, 0, box.h}, slack, false, looks)) return true;
+  if (centre && middle_is_in_tile(ground, box, slack, looks)) return true;
   if (!ground.has_pieces()) return false;
   // The body of a slope may lie some cells away from its own cell.
   const CellBlock met = cells_met(ground, box, slack);

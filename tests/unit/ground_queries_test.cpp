@@ -110,6 +110,15 @@ TEST(GroundQueriesByTheCentre, ACornerMayBeInTheTileBehindASlope) {
   EXPECT_TRUE(overlaps_ground(ground, {13, 6, 8, 4}, Foot::centre)) << "the centre is in the tile";
 }
 
+// The tiles lead to slopes, so that the middle alone counts.
+TEST(GroundQueriesByTheCentre, TheMiddleIsInTheGroundBetweenTwoTiles) {
+  const Terrain ground = TestMap({".2..2.", "211211", "111111"}).compile();
+  for (const double x : {4.0, 12.0, 20.0, 28.0})
+    EXPECT_TRUE(overlaps_ground(ground, {x, 17, 8, 4}, Foot::centre)) << x;
+  EXPECT_FALSE(overlaps_ground(TestMap({"....", ".21.", "...."}).compile(), {20, 9, 8, 4}, Foot::centre))
+      << "on a wall";
+}
+
 TEST(GroundQueriesWithABudget, EndWhenItIsUsedUp) {
   TestMap map(140, 140);
   map.cells.assign(140 * 140, 1);
