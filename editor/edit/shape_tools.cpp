@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "level/body_place.h"
 #include "level/level_text.h"
 #include "level/single_change.h"
 
@@ -92,6 +94,31 @@ std::optional<TileNumber> tile_for_inside(const Level& level, Vec2 a, Vec2 b) {
   return std::nullopt;
 }
 
+// Whether the edit puts a tile within reach of the body's box.
+bool comes_near(const Level& level, const Edit& edit, const Spawn& spawn) {
+  const Vec2 end = spawn.position + spawn.size;
+  return std::any_of(edit.changes.begin(), edit.changes.end(), [&](const Change& change) {
+    const auto* put = std::get_if<CellChange>(&change);
+    if (put == nullptr) return false;
+    const Rect cell = level.map.box_of(put->cell);
+    return cell.x < end.x && cell.right() > spawn.position.x && cell.y < end.y &&
+           cell.bottom() > spawn.position.y;
+  });
+}
+
+// Bodies that the new ground would bury start above it, in the same edit.
+void keep_bodies_out(const Level& level, Edit& edit) {
+  std::vector<Spawn> spawns = level.spawns;
+  std::optional<Level> after;
+  for (Spawn& spawn : spawns) {
+    if (!comes_near(level, edit, spawn) || starts_in_ground(level, spawn)) continue;
+    if (!after) apply_edit(after.emplace(level), edit);
+    if (!starts_in_ground(*after, spawn)) continue;
+    if (const auto place = free_place(*after, spawn)) spawn.position = *place;
+  }
+  if (spawns != level.spawns) edit.changes.emplace_back(SpawnsChange{level.spawns, std::move(spawns)});
+}
+
 }  // namespace
 
 tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, const Stamp& stamp,
@@ -119,7 +146,9 @@ tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, co
   if (!has_slope) set = can_draw ? std::vector<TileNumber>() : floors_of_sheet(level);
   options.set = set;
   return slope_tiles(level, a, b, options).map([&](const SlopeTiles& tiles) {
-    return put_slope_tiles(level, tiles, within);
+    Edit edit = put_slope_tiles(level, tiles, within);
+    keep_bodies_out(level, edit);
+    return edit;
   });
 }
 

@@ -24,7 +24,8 @@ Edit put_slope_tiles(const Level& level, const SlopeTiles& tiles, Within within 
 // if not, blank tiles are drawn, with their edge in `line_color` (0..15). The first full tile of `stamp` goes
 // below; if it has none, the inside of the ground that is painted, or the full tile on which an end of the
 // line stands, or a drawn one. Cells outside of `within` are left out. fills: whether the ground below is
-// filled, see SlopeTilesOptions. The error is one sentence; a floor too steep to stand on is one, too.
+// filled, see SlopeTilesOptions. Bodies that it would bury start above it. The error is one sentence; a floor
+// too steep to stand on is one, too.
 tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, const Stamp& stamp,
                                           std::uint8_t line_color, Within within = {}, bool fills = true);
 

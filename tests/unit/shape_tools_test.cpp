@@ -161,6 +161,21 @@ TEST(ShapeTools, SlopesMakeNoProblem) {
   }
 }
 
+TEST(ShapeTools, BodiesThatASlopeWouldBuryStartAboveIt) {
+  Level level = level_with_floor();
+  const auto player = [](double x, double y) { return Spawn{"", {x, y}, {}, "", BodyKind::player, {8, 8}}; };
+  level.spawns = {player(44, 88), player(4, 88), player(60, 100)};  // under it, beside it, in the ground
+  const auto edit = lay_slope(level, {32, 96}, {64, 64}, {}, 12);
+  const Level laid = after(level, edit);
+  EXPECT_EQ(laid.spawns[0].position, (Vec2{44, 72})) << "on the slope, where its middle is";
+  EXPECT_EQ(laid.spawns[1], level.spawns[1]);
+  EXPECT_EQ(laid.spawns[2], level.spawns[2]);
+  for (const Problem& problem : lint(laid)) EXPECT_EQ(problem.object, 2) << problem.message;
+  Level undone = laid;
+  revert_edit(undone, edit.value());
+  EXPECT_TRUE(undone == level);
+}
+
 TEST(ShapeTools, SlopesUseTilesWithTheSameShapeAgain) {
   Level level = level_with_floor();
   TileImage image{};

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../body_place.h"
 #include "../level_text.h"
 #include "../local_ground.h"
 #include "collision/ground_queries.h"
@@ -35,8 +36,6 @@ constexpr LintRule kNoBalls{.code = "no-balls",
                             .by_hand = "Place a body with the body tool, or a ball tile."};
 
 constexpr double kFastest = 4096;  // px/frame; the solvers limit speeds to this after a step
-constexpr int kMostUp = 16;        // cells
-constexpr int kMostAway = 16;      // cells
 
 // Returns how many px a body of this size with this top left corner (px) lies below the floor that the
 // article computes for a slope flagged in the cell. Returns 0 if it is above the floor, or beside the slope's
@@ -191,54 +190,6 @@ void check_balls(const LintContext& context, std::array<Cell, 2> area, std::vect
 
 std::string position_text(Vec2 at) { return px_text(at.x) + ", " + px_text(at.y) + " px"; }
 
-bool is_on_map(const Level& level, const Rect& box) {
-  return box.x >= 0 && box.y >= 0 && box.right() <= level.map.px_width() &&
-         box.bottom() <= level.map.px_height();
-}
-
-// Returns the nearest place on the map that is free of the ground, among the corners of cells.
-std::optional<Vec2> nearest_free_corner(const Level& level, const Rect& box, const LocalGround& ground,
-                                        Foot foot) {
-  std::optional<Vec2> nearest;
-  double least = 0;
-  const Cell home = level.map.cell_at(box.position());
-  for (int y = -kMostAway; y <= kMostAway; ++y) {
-    for (int x = -kMostAway; x <= kMostAway; ++x) {
-      const Vec2 corner = level.map.corner_of({home.x + x, home.y + y});
-      const Rect there{corner.x, corner.y, box.w, box.h};
-      const Vec2 way = there.position() - box.position();
-      const double squared = way.x * way.x + way.y * way.y;
-      if ((nearest && squared >= least) || !is_on_map(level, there)) continue;
-      if (overlaps_ground(ground.terrain, ground.to_local(there), foot)) continue;
-      nearest = there.position();
-      least = squared;
-    }
-  }
-  return nearest;
-}
-
-// Returns the nearest place straight above that is free of the ground; if there is none, the end of the
-// shortest way out of the ground that stays on the map; otherwise the nearest free place.
-std::optional<Vec2> free_place(const Level& level, const Spawn& spawn) {
-  const Rect box{spawn.position.x, spawn.position.y, spawn.size.x, spawn.size.y};
-  const LocalGround ground = ground_around(level, box, std::max(kMostUp, kMostAway) + 1);
-  const Foot foot = spawn.used_foot();
-  for (int i = 0; i <= kMostUp; ++i) {
-    Rect up = box;
-    up.y = level.map.y_of(level.map.row_at(box.bottom()) - i) - box.h;
-    const Rect local = ground.to_local(up);
-    if (up.y >= box.y || !is_on_map(level, up) || overlaps_ground(ground.terrain, local, foot)) continue;
-    if (const auto floor = floor_below(ground.terrain, local, box.y - up.y, foot))
-      up.y = floor->y - box.h + ground.corner.y;
-    return up.position();
-  }
-  if (const auto out = way_out(ground.terrain, ground.to_local(box), foot)) {
-    const Vec2 there = box.position() + *out;
-    if (is_on_map(level, {there.x, there.y, box.w, box.h})) return there;
-  }
-  return nearest_free_corner(level, box, ground, foot);
-}
-
 void move_spawn(const Level& level, int index, Vec2 to, std::vector<Edit>& out) {
   Spawn spawn = level.spawns[static_cast<std::size_t>(index)];
   if (spawn.position == to) return;
@@ -268,7 +219,7 @@ void fix_outside(const LintContext& context, const Problem& problem, std::vector
 void move_ball(const LintContext& context, Cell cell, std::vector<Edit>& out) {
   const Level& level = context.level;
   const LintTiles& tiles = context.tiles;
-  for (Cell up{cell.x, cell.y - 1}; level.map.contains(up) && up.y >= cell.y - kMostUp; --up.y) {
+  for (Cell up{cell.x, cell.y - 1}; level.map.contains(up) && up.y >= cell.y - kMostCellsUp; --up.y) {
     if (!tiles.is_empty(level.map.tile_at(up))) continue;
     // If the ball covers a slope's right half, that half replaces it.
     const Cell left{cell.x - 1, cell.y};
