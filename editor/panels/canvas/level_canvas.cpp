@@ -59,6 +59,24 @@ std::vector<std::string> plate_lines(const std::string& text, const CanvasView& 
   return {lines.begin(), lines.end()};
 }
 
+// A text on plates below one another, above `low` px from the bottom of the canvas. Returns its box.
+ScreenBox draw_low_plates(ImDrawList& list, const CanvasView& view, const std::string& text, float low,
+                          bool in_middle, ImU32 color, const Ui& ui) {
+  const std::vector<std::string> lines = plate_lines(text, view, ui);
+  const float gap = ui.px(4), height = ImGui::GetTextLineHeight() + ui.px(4);
+  ScreenBox box{view.min, {view.min.x, view.max.y - low}};
+  box.min.x += gap;
+  box.min.y = box.max.y - height * static_cast<float>(lines.size());
+  float at = box.min.y;
+  for (const std::string& line : lines) {
+    const float room = view.max.x - view.min.x - size_of_text(line).x - ui.px(12);
+    const float x = in_middle ? std::max(box.min.x, view.min.x + room / 2) : box.min.x;
+    box.max.x = std::max(box.max.x, x + draw_plate(list, {x, at}, line, color, ui));
+    at += height;
+  }
+  return box;
+}
+
 std::string zoom_text(float zoom) {
   const float factor = zoom >= 1 ? zoom : 1 / zoom;
   if (factor != std::floor(factor)) return small_too(zoom) + "x";
@@ -444,9 +462,9 @@ void LevelCanvas::draw_paused(const Session& session, const CanvasView& view, Ui
   if (!holding_ && !keys.left && !keys.right && !keys.jump) return;
   const std::string text = "paused: step (" + keys_of("play/step"_command, ui) + ") or play (" +
                            keys_of("play/toggle"_command, ui) + ") to move it";
-  const ImVec2 at{view.min.x + ui.px(4), view.max.y - ImGui::GetTextLineHeight() - ui.px(32)};
-  draw_plate(*ImGui::GetWindowDrawList(), at, text, theme::color(theme::kText), ui);
-  ui.place(name_ + "/paused", at, {at.x + size_of_text(text).x, at.y + ImGui::GetTextLineHeight()});
+  const ScreenBox box = draw_low_plates(*ImGui::GetWindowDrawList(), view, text, ui.px(28), false,
+                                        theme::color(theme::kText), ui);
+  ui.place(name_ + "/paused", box.min, box.max);
 }
 
 // A line to where a held ball is pulled.
@@ -471,7 +489,14 @@ std::vector<LevelCanvas::Caption> LevelCanvas::captions(const Session& session, 
                       "  " + zoom_text(view.zoom);
   if (camera_.shows_whole()) title += "   click: go there";
   if (ui.view.canvas.cursor.is_on(name_)) title += cursor_hint(ui);
-  if (!is_play()) return {{title, theme::kMuted}};
+  std::vector<Caption> captions;
+  const auto add = [&](const std::string& text, const auto& color) {
+    for (std::string& line : plate_lines(text, view, ui)) captions.push_back({std::move(line), color});
+  };
+  if (!is_play()) {
+    add(title, theme::kMuted);
+    return captions;
+  }
   if (is_compared(session)) {
     const std::string missing = missing_side(session);
     title += "   " + shown_side_name(session);
@@ -479,11 +504,9 @@ std::vector<LevelCanvas::Caption> LevelCanvas::captions(const Session& session, 
       title += "   ghosts: " + (missing.empty() ? other_side_name(session) : missing);
   }
   if (keys_steer(session, ui.view)) title += "   " + play_keys_text(ui.view.preferences.keys);
-  std::vector<Caption> captions{{title, theme::kMuted}};
-  if (const std::string note = case_note(session); !note.empty()) captions.push_back({note, theme::kMuted});
-  if (!level_at_frame_.is_other()) return captions;
-  for (std::string& line : plate_lines(level_at_frame_.caption(), view, ui))
-    captions.push_back({std::move(line), theme::kWarning});
+  add(title, theme::kMuted);
+  if (const std::string note = case_note(session); !note.empty()) add(note, theme::kMuted);
+  if (level_at_frame_.is_other()) add(level_at_frame_.caption(), theme::kWarning);
   return captions;
 }
 
@@ -525,17 +548,12 @@ void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, 
     const bool paints = this->paints(ui.view);
     const std::string hint = paints ? hand_.hint(use(session, view, ui)) : std::string();
     const std::string text = hint.empty() ? "tinted: " + pattern_label(session.level(), *pattern) : hint;
-    const float height = ImGui::GetTextLineHeight() + ui.px(4);
-    draw_plate(list, {view.min.x + gap, view.max.y - gap - height}, text,
-               flag_color(pattern->lowest_flag(), 255), ui);
+    draw_low_plates(list, view, text, gap, false, flag_color(pattern->lowest_flag(), 255), ui);
   }
   if (is_play() && session.state().bodies.empty()) {
     const std::string text = "No body yet: paint a tile that has the ball flag, or place a body (" +
                              keys_of("map/body"_command, ui) + ")";
-    const float width = size_of_text(text).x + ui.px(12);
-    draw_plate(list,
-               {std::max(view.min.x + gap, (view.min.x + view.max.x - width) / 2), view.max.y - ui.px(32)},
-               text, theme::color(theme::kText), ui);
+    draw_low_plates(list, view, text, ui.px(10), true, theme::color(theme::kText), ui);
   }
 }
 

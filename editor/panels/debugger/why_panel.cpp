@@ -7,7 +7,6 @@
 
 #include "debug/explain.h"
 #include "panels/commands/commands.h"
-#include "panels/ui/wrapped_text.h"
 
 namespace talus {
 namespace {
@@ -32,18 +31,6 @@ std::string_view title_of(StageKind kind) {
       return "end";
   }
   return {};
-}
-
-// Cut, and broken into lines of up to `width` px.
-std::string wrapped(const std::string& whole, float width) {
-  const std::string text = shown_line(whole, kMostText);
-  const auto fits = [width](std::string_view line) {
-    return ImGui::CalcTextSize(line.data(), line.data() + line.size()).x <= width;
-  };
-  std::string lines;
-  for (const std::string_view line : lines_between_words(text, fits))
-    lines.append(lines.empty() ? "" : "\n").append(line);
-  return lines;
 }
 
 // A text that is already broken into lines.
@@ -74,7 +61,7 @@ void WhyPanel::draw(const Session& session, Actions& actions, Ui& ui) {
             "), and see here what happens in it.");
     return;
   }
-  draw_lines(wrapped(explain_step(session.frame_view(), body), ImGui::GetContentRegionAvail().x),
+  draw_lines(text_in_lines(explain_step(session.frame_view(), body), ImGui::GetContentRegionAvail().x),
              theme::tone(theme::kText));
   ImGui::Spacing();
   command_button("why/before"_command, session, actions, ui);
@@ -97,7 +84,8 @@ void WhyPanel::draw_stages(const Session& session, Ui& ui) {
     const bool chosen = ui.view.debugger.stage == static_cast<int>(i);
     ImGui::PushID(static_cast<int>(i));
     const float width = ImGui::GetContentRegionAvail().x - indent;
-    const std::string sentence = wrapped(stage.sentence, width), numbers = wrapped(stage.numbers, width);
+    const std::string sentence = text_in_lines(stage.sentence, width),
+                      numbers = text_in_lines(stage.numbers, width);
     const float height = std::max(height_of(sentence) + height_of(numbers), ImGui::GetTextLineHeight());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (chosen && shown_stage_ != ui.view.debugger.stage) ImGui::SetScrollHereY();

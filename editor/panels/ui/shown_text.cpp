@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "formats/text/utf8_text.h"
+#include "wrapped_text.h"
 
 namespace talus {
 namespace {
@@ -86,9 +87,28 @@ std::string shown_line(std::string_view text, std::size_t most) { return cut(tex
 
 std::string shown_text(std::string_view text, std::size_t most) { return cut(text, most, true); }
 
+std::string text_in_lines(std::string_view text, float width) {
+  const std::string shown = shown_text(text);
+  const auto fits = [width](std::string_view line) {
+    return ImGui::CalcTextSize(line.data(), line.data() + line.size()).x <= width;
+  };
+  if (fits(shown)) return shown;
+  std::string lines;
+  for (std::size_t begin = 0, end = 0; end < shown.size(); begin = end + 1) {
+    end = std::min(shown.find('\n', begin), shown.size());
+    for (const std::string_view line :
+         lines_between_words(std::string_view(shown).substr(begin, end - begin), fits))
+      lines.append(lines.empty() ? "" : "\n").append(line);
+  }
+  return lines;
+}
+
 void draw_text(std::string_view text) {
-  const bool wraps = ImGui::GetCurrentWindow()->DC.TextWrapPos >= 0;
-  const std::string shown = wraps ? shown_text(text) : shown_line(text);
+  const ImGuiWindow& window = *ImGui::GetCurrentWindow();
+  const float wrap = window.DC.TextWrapPos;
+  const std::string shown = wrap < 0
+                                ? shown_line(text)
+                                : text_in_lines(text, ImGui::CalcWrapWidthForPos(window.DC.CursorPos, wrap));
   ImGui::TextUnformatted(shown.data(), shown.data() + shown.size());
 }
 
@@ -111,21 +131,22 @@ void draw_wrapped_text(std::string_view text, ImU32 color) {
 }
 
 void draw_scrolled_text(const char* id, std::string_view text, ImVec2 most, ImU32 color) {
-  const std::string shown = shown_text(text);
-  const char *begin = shown.data(), *end = begin + shown.size();
+  std::string shown = text_in_lines(text, most.x);
   ImGui::PushStyleColor(ImGuiCol_Text, color);
-  ImVec2 size = ImGui::CalcTextSize(begin, end, false, most.x);
-  if (size.y <= most.y) {
-    ImGui::BeginGroup();
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + most.x);
-    ImGui::TextUnformatted(begin, end);
+  const auto draw = [&](float width) {
+    ImGui::PushTextWrapPos(width);
+    ImGui::TextUnformatted(shown.data(), shown.data() + shown.size());
     ImGui::PopTextWrapPos();
+  };
+  if (ImGui::CalcTextSize(shown.data(), shown.data() + shown.size(), false, most.x).y <= most.y) {
+    ImGui::BeginGroup();
+    draw(ImGui::GetCursorPosX() + most.x);
     ImGui::EndGroup();
   } else {
+    const float width = most.x - ImGui::GetStyle().ScrollbarSize;
+    shown = text_in_lines(text, width);
     ImGui::BeginChild(id, most, false, ImGuiWindowFlags_NoNavInputs);
-    ImGui::PushTextWrapPos(most.x - ImGui::GetStyle().ScrollbarSize);
-    ImGui::TextUnformatted(begin, end);
-    ImGui::PopTextWrapPos();
+    draw(width);
     ImGui::EndChild();
   }
   ImGui::PopStyleColor();

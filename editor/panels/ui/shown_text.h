@@ -24,6 +24,10 @@ std::string shown_line(std::string_view text, std::size_t most = kMostLine);
 // The same, with its line ends kept.
 std::string shown_text(std::string_view text, std::size_t most = kMostText);
 
+// The same, broken between words into lines of at most `width` px. ImGui also breaks behind commas and full
+// stops, and so inside of numbers. A wider word has a line for itself.
+std::string text_in_lines(std::string_view text, float width);
+
 // The text with its first letter as a capital, if that is one of a to z.
 std::string capitalized(std::string_view text);
 

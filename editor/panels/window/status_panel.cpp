@@ -17,13 +17,23 @@
 namespace talus {
 namespace {
 
-constexpr float kStamp = 360;     // px at scale 1, where the stamp's part begins
-constexpr float kBodies = 570;    // px at scale 1, where the part of the bodies begins
-constexpr float kFile = 670;      // px at scale 1, where the parts of the layer and of the file begin
+constexpr float kWide = 900;      // px at scale 1: in a narrower window the parts move together
 constexpr float kLayer = 150;     // px at scale 1, of the layer's part
 constexpr float kLeastFile = 40;  // px at scale 1, below which the file is not shown
 // Tiles of the stamp's picture in a row or column: more would be too small to see.
 constexpr int kMostShown = 8;
+
+// px at scale 1, where the parts of the line begin.
+struct Places {
+  float stamp, bodies;
+  float file;  // and the layer
+};
+
+// width: px, of the window.
+Places places_in(float width, const Ui& ui) {
+  const float share = std::min(1.0f, width / ui.px(kWide));
+  return {360 * share, 570 * share, 670 * share};
+}
 
 // " (solid, flag 2)"; empty if there are no flags.
 std::string flags_text(const Level& level, FlagSet flags) {
@@ -59,8 +69,9 @@ std::string stamp_text(const Stamp& stamp) {
          std::to_string(stamp.tiles.front().tile);
 }
 
-// A picture of the stamp as high as the line, followed by its text.
-void draw_stamp_part(const Stamp& stamp, float x, Ui& ui) {
+// A picture of the stamp as high as the line, followed by its text. x, end: px at scale 1, where its room
+// begins and ends.
+void draw_stamp_part(const Stamp& stamp, float x, float end, Ui& ui) {
   ImGui::SameLine(ui.px(x));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float side = ImGui::GetTextLineHeight();
@@ -72,7 +83,7 @@ void draw_stamp_part(const Stamp& stamp, float x, Ui& ui) {
   ui.item("status/stamp");
   ImGui::SameLine(ui.px(x + 20));
   const std::string text = stamp_text(stamp);
-  draw_short_text(text, ui.px(kBodies - x - 28), theme::tone(theme::kMuted));
+  draw_short_text(text, ui.px(end - x - 28), theme::tone(theme::kMuted));
   ui.item("status/stamp_text", text +
                                    ": what the map tools paint. Select tiles on the sheet, or pick them "
                                    "from the map.");
@@ -173,32 +184,33 @@ std::string hover_text(const Session& session, const Hover& hover) {
 
 void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
   const std::string hover = hover_text(session, ui.view.canvas.hover);
+  const Places places = places_in(ImGui::GetWindowWidth(), ui);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::PushClipRect(at, {at.x + ui.px(kStamp - 12), at.y + ImGui::GetTextLineHeight()}, true);
+  ImGui::PushClipRect(at, {at.x + ui.px(places.stamp - 12), at.y + ImGui::GetTextLineHeight()}, true);
   draw_text(hover.empty() ? "Point at the map, the sheet or the pixels" : hover);
   ImGui::PopClipRect();
   ui.item("status/mouse", hover.empty() ? "The place under the mouse." : hover);
-  draw_stamp_part(session.choices().stamp, kStamp, ui);
+  draw_stamp_part(session.choices().stamp, places.stamp, places.bodies, ui);
   if (const auto progress = session.compile_progress()) {
-    draw_compiling(*progress, kBodies, ui);
+    draw_compiling(*progress, places.bodies, ui);
   } else if (const auto exporting = session.exporting().progress()) {
-    draw_exporting(*exporting, kBodies, ui);
+    draw_exporting(*exporting, places.bodies, ui);
   } else if (session.playback().running && session.timeline().in_past()) {
     draw_part(
-        ui, kBodies, "replaying", theme::kAccent,
+        ui, places.bodies, "replaying", theme::kAccent,
         "The recording is shown again. End replay, play on, beside the timeline, leaves it at the shown "
         "frame.");
     ui.item("status/replaying");
   } else {
     const std::size_t bodies = session.state().bodies.size();
-    draw_part(ui, kBodies, std::to_string(bodies) + (bodies == 1 ? " body" : " bodies"), theme::kMuted,
+    draw_part(ui, places.bodies, std::to_string(bodies) + (bodies == 1 ? " body" : " bodies"), theme::kMuted,
               "Bodies of the simulation.");
   }
   const std::string problems = problems_text(session, ui);
   const float end = ImGui::GetWindowContentRegionMax().x - size_of_text(problems).x - ui.px(16);
   // What is not saved is worth more than the layer's name.
   const bool warns = !ui.view.window.autosave_problem.empty();
-  draw_file(session, warns ? kFile : draw_layer_part(session, kFile, end, ui), end, ui);
+  draw_file(session, warns ? places.file : draw_layer_part(session, places.file, end, ui), end, ui);
   ImGui::SameLine(end);
   ui.right_aligned(problems, theme::tone(ui.problems->empty() ? theme::kMuted : theme::kWarning));
   ui.item("status/problems", "See the Problems tab.");
