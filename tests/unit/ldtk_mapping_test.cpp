@@ -89,11 +89,18 @@ TEST(LdtkMapping, TilesKeepTheirNumbersWhenTheProjectChanges) {
 
 TEST(LdtkMapping, ThingsAreListedWithTheirNumbers) {
   LdtkProject project;
-  project.layers.push_back({.uid = 1, .name = "Grid", .values = {{1, "wall", {}}, {2, "", {}}}});
+  LdtkLayerDef& grid = project.layers.emplace_back();
+  grid.uid = 1;
+  grid.name = "Grid";
+  grid.values = {{1, "wall", {}}, {2, "", {}}};
   project.entities = {{"Chest", {}}, {"Ball", {}}};
   LdtkLevel level;
-  level.layers.push_back({.type = LdtkLayer::Type::int_grid, .def = 0, .values = {1, 1, 0}});
-  level.layers.push_back({.type = LdtkLayer::Type::entities, .entities = {{.type = "Chest"}}});
+  level.layers.resize(2);
+  level.layers[0].type = LdtkLayer::Type::int_grid;
+  level.layers[0].def = 0;
+  level.layers[0].values = {1, 1, 0};
+  level.layers[1].type = LdtkLayer::Type::entities;
+  level.layers[1].entities.emplace_back().type = "Chest";
   const auto things = ldtk_things_of(project, level);
   ASSERT_EQ(things.size(), 4u);
   EXPECT_EQ(things[0].label, "wall");

@@ -198,8 +198,8 @@ TEST_F(SaveTiledObjects, HostileNumbersGetNewOnes) {
                         "nextobjectid=\"-3\""));
   EXPECT_EQ(edit("a.tmx",
                  [](Level& level) {
-                   level.spawns.push_back({.name = "n"});
-                   level.spawns.push_back({.name = "m"});
+                   level.spawns.emplace_back().name = "n";
+                   level.spawns.emplace_back().name = "m";
                  }),
             "");
   EXPECT_THAT(bytes_of("a.tmx"), HasSubstr("<object id=\"1\" name=\"n\""));

@@ -222,10 +222,18 @@ TEST(Terrain, EndsOfCurvesMeetThoseOfLines) {
   for (const Piece<double>& piece : pieces) {
     if (piece.facing != Facing::up) continue;
     const bool is_first = before == nullptr, is_next = !is_first && before->origin != piece.origin;
-    if (is_first || is_next) EXPECT_EQ((Vec2{piece.x0, piece.y0}), weld({piece.x0, piece.y0}));
-    if (is_next) EXPECT_EQ((Vec2{before->x1, before->y1}), weld({before->x1, before->y1}));
-    if (!is_first && !is_next) EXPECT_EQ((Vec2{before->x1, before->y1}), (Vec2{piece.x0, piece.y0}));
-    if (is_first || is_next) EXPECT_NEAR(piece.x1 - piece.x0, 0.25, 0.02);
+    if (is_first || is_next) {
+      EXPECT_EQ((Vec2{piece.x0, piece.y0}), weld({piece.x0, piece.y0}));
+    }
+    if (is_next) {
+      EXPECT_EQ((Vec2{before->x1, before->y1}), weld({before->x1, before->y1}));
+    }
+    if (!is_first && !is_next) {
+      EXPECT_EQ((Vec2{before->x1, before->y1}), (Vec2{piece.x0, piece.y0}));
+    }
+    if (is_first || is_next) {
+      EXPECT_NEAR(piece.x1 - piece.x0, 0.25, 0.02);
+    }
     before = &piece;
   }
   const auto height_at = [&](double x) {
