@@ -277,6 +277,15 @@ RC_GTEST_PROP(ExactProperty, CastsAgainstCurvesAreRight, (std::uint64_t seed)) {
   });
 }
 
+// A move of this seed meets an arc just above the straight end of its steepest part.
+TEST(ExactProperty, CastsBesideTheSteepEndOfAnArcAreRight) {
+  const GroundKinds kinds{.curves = true};
+  for_random_moves(507099, kinds, false, [](Dice&, const Scene& scene, const Move& move, const Truth& truth) {
+    const char* wrong = wrong_time(scene.cast(move), truth);
+    EXPECT_EQ(wrong, nullptr) << rc::toString(move) << " " << wrong;
+  });
+}
+
 // What cast_box() relies on: straight down it does not look for what stops the middle of a box by itself.
 RC_GTEST_PROP(ExactProperty, StraightDownTheMiddleAloneMeetsNothingSooner, (std::uint64_t seed)) {
   const GroundKinds kinds{.one_way = true, .segments = true, .curves = true, .polygons = true};

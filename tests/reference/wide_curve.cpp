@@ -169,7 +169,7 @@ WideCurve with_welded_ends(const WideCurve& curve) {
   const auto width_at = [&](Wide x) -> Wide {
     // Heights of the grid that were computed differ from it by rounding alone.
     if (x == on_grid(x) && std::abs(curve.f(x) - on_grid(curve.f(x))) < 1e-15L) return 0;
-    const Wide slope = curve.slope(x), width = on_grid(0.25L / std::sqrt(1 + slope * slope));
+    const Wide slope = curve.slope(on_grid(x)), width = on_grid(0.25L / std::sqrt(1 + slope * slope));
     return std::min(std::max<Wide>(width, 1.0L / 256), (x1 - x0) / 2);
   };
   const Wide from = x0 + width_at(curve.x0), to = x1 - width_at(curve.x1);
