@@ -151,11 +151,22 @@ class ContactSentence {
   const BodyPath* const path_;
 };
 
+// Whether the body neither wanted to go anywhere nor went.
+bool stays(const BodyPath& path) {
+  return length(path.goal - path.from.position()) < kLeastShown &&
+         length(path.to.position() - path.from.position()) < kLeastShown;
+}
+
 // "Body 1 wanted to go (2, 5) px and went (2, 1.2) px."
 std::string wanted_and_got(const Frame& frame, const BodyPath& path) {
   const Vec2 wanted = path.goal - path.from.position(), got = path.to.position() - path.from.position();
   std::string text = "Body " + std::to_string(path.body);
   if (frame.state.grabbed == path.body) text += ", held by the mouse,";
+  if (stays(path)) {
+    const Body* body = frame.state.find(path.body);
+    return text + (body->gait.grounded ? " stands still on its floor: nothing moves it."
+                                       : " stays where it is: nothing moves it.");
+  }
   text += " wanted to go " + motion_text(wanted) + " px";
   return length(wanted - got) < kLeastShown ? text + " and did."
                                             : text + " and went " + motion_text(got) + " px.";
@@ -192,6 +203,7 @@ std::string reasons(const Frame& frame, const BodyPath& path) {
   if (more > 0)
     text += "; " + std::to_string(more) + (more == 1 ? " more contact" : " more contacts") + " followed";
   if (!text.empty()) return text + ".";
+  if (stays(path)) return {};
   const std::string met = has_met ? " Nothing that it met changed its way" : " It met nothing";
   const Vec2 off = path.to.position() - path.goal;
   if (length(off) < kLeastShown) return met + ".";

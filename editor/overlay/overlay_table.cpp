@@ -10,6 +10,16 @@ std::uint32_t overlay_color(const Overlay& overlay, OverlayPalette palette) {
   return palette == OverlayPalette::standard ? overlay.color : overlay.safe_color;
 }
 
+std::uint32_t overlay_text_color(const Overlay& overlay, OverlayPalette palette) {
+  const std::uint32_t color = overlay_color(overlay, palette);
+  std::uint32_t text = 0;
+  for (const int shift : {0, 8, 16}) {
+    const std::uint32_t part = color >> shift & 0xff;
+    text |= (part + (0xff - part) * 2 / 5) << shift;
+  }
+  return text;
+}
+
 const Overlay* find_overlay(std::string_view key) {
   const auto all = all_overlays();
   const auto found =

@@ -72,6 +72,8 @@ struct Overlay {
 // All overlays of overlay_list.cpp, in the order of the switches and the legend.
 std::span<const Overlay* const> all_overlays();
 std::uint32_t overlay_color(const Overlay& overlay, OverlayPalette palette);
+// A lighter one for its labels, as letters are thin.
+std::uint32_t overlay_text_color(const Overlay& overlay, OverlayPalette palette);
 const Overlay* find_overlay(std::string_view key);  // null: there is none
 
 // Overlays that other code names.

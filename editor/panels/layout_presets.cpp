@@ -44,7 +44,7 @@ void show_layout(const LayoutPreset& preset, View& view) {
     reopen_tab(window, tab);
     window.wanted_tabs.emplace_back(tab);
   }
-  view.requests.ask(request::KeepZoom{});
+  view.requests.ask(request::KeepZoom{preset.dock});
 }
 
 bool is_shown(const LayoutPreset& preset, const View& view) {

@@ -55,8 +55,11 @@ struct Zoom {
 struct FitMap {};
 // To the same canvas: shows what it showed when the level was opened.
 struct ShowOpening {};
-// To the same: keeps its zoom while its size changes, and shows the followed body in its middle.
-struct KeepZoom {};
+// To the same: whether it keeps its zoom while its size changes, also until the next one of these. Shows the
+// followed body in its middle.
+struct KeepZoom {
+  bool on = true;
+};
 // To the problems panel: scrolls to the chosen problem.
 struct ShowProblem {};
 // To the same: scrolls to the proof of the level.

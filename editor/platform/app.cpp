@@ -71,6 +71,8 @@ float largest_scale(ImVec2 window) {
   return std::max(1.0f, std::floor(std::min(window.x / kLeastWidth, window.y / kLeastHeight) * 4) / 4);
 }
 
+constexpr const char* kDemoLevel = "demo.talus.json";  // an asset
+
 std::string absolute_path(const std::string& path) {
   std::error_code error;
   const auto absolute = std::filesystem::absolute(path, error);
@@ -108,10 +110,9 @@ tl::expected<std::unique_ptr<App>, std::string> App::start(AppOptions options) {
   if (!is_asked_for) app->options_.file = first_file(settings);
   app->open_first_level();
   app->take_settings(settings);
-  if (app->options_.file.empty()) {
-    app->play_opened_level();
-    app->loops_demo_ = true;
-  }
+  const std::string& file = app->options_.file;
+  if (file.empty()) app->play_opened_level();
+  if (file.empty() || absolute_path(file) == absolute_path(asset_path(kDemoLevel))) app->demo_hand_.emplace();
   if (app->options_.remember) {
     app->guard_.emplace((std::filesystem::path(state_folder()) / "autosave").string(),
                         app->options_.patience);
@@ -167,7 +168,7 @@ void App::open_first_level() {
     session_->apply(maps.size() == 1 ? Action(action::OpenFile{maps[0]}) : Action(action::OpenMaps{maps}));
     return;
   }
-  auto demo = load_level(asset_path("demo.talus.json"));
+  auto demo = load_level(asset_path(kDemoLevel));
   session_ = demo ? std::make_unique<Session>(std::move(demo->level), "", "demo (copy)", tools)
                   : std::make_unique<Session>(Level(), "", kUnnamed, tools);
   if (!demo) session_->apply(action::ShowMessage{"The demo level is missing: " + demo.error().message, true});
@@ -322,7 +323,7 @@ void App::frame() {
   handle_events();
   const double now = options_.clock();
   const double passed = now - last_time_;
-  loop_demo();
+  play_demo();
   session_->advance(passed);
   last_time_ = ui_.time = now;
   dismiss_old_note();
@@ -401,7 +402,7 @@ void App::handle_events() {
     const bool is_press = event.type == SDL_KEYDOWN || event.type == SDL_MOUSEBUTTONDOWN ||
                           event.type == SDL_CONTROLLERBUTTONDOWN;
     // What is pressed on the welcome page does not touch the level behind it.
-    if ((is_press && !ui_.view.window.welcome_open) || event.type == SDL_DROPFILE) loops_demo_ = false;
+    if ((is_press && !ui_.view.window.welcome_open) || event.type == SDL_DROPFILE) leave_demo();
     if (event.type == SDL_QUIT) {
       actions.push_back(action::Quit{});
     } else if (event.type == SDL_KEYDOWN) {
@@ -575,10 +576,14 @@ void App::note_dialog_result() {
   }
 }
 
-void App::loop_demo() {
-  constexpr std::int64_t kFrames = 330;  // after which its balls are at rest
-  if (loops_demo_ && session_->playback().running && session_->state().frame >= kFrames)
-    session_->apply({action::SeekStart{}, action::Play{}});
+void App::play_demo() {
+  if (!demo_hand_ || !session_->playback().running) return;
+  if (const auto held = demo_hand_->next(session_->state())) session_->apply(*held);
+}
+
+void App::leave_demo() {
+  if (demo_hand_ && demo_hand_->holds()) session_->apply(action::HoldMouse{});
+  demo_hand_.reset();
 }
 
 void App::apply(const Actions& actions) {

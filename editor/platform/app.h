@@ -9,6 +9,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "demo_hand.h"
 #include "event_queue.h"
 #include "file_browser.h"
 #include "game_start.h"
@@ -85,7 +86,8 @@ class App {
   bool keys_are_taken(KeyChord chord) const;
   bool steer(KeyChord chord, Actions& actions);
   // Shows the demo level from its start again when all is at rest, until somebody touches something.
-  void loop_demo();
+  void play_demo();
+  void leave_demo();
   void handle_gamepad(const SDL_Event& event, Actions& actions);
   // What is held for the players, on the keyboard and on gamepads.
   action::HoldKeys held() const;
@@ -140,7 +142,7 @@ class App {
   std::string remember_problem_;             // the last problem that was shown
   bool remembers_settings_ = true;           // false: the file has settings that could not be read
   int drawn_frames_ = 0;
-  bool loops_demo_ = false;  // nobody has touched the demo level that the program began with
+  std::optional<DemoHand> demo_hand_;  // while nobody has touched the demo level that the program began with
 };
 
 // Runs the editor on these files, of which the first in the order of names is opened; none: as the

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "harness.h"
+#include "overlay/overlay_table.h"
 #include "panels/ui/theme.h"
 
 namespace talus::theme_test {
@@ -40,6 +41,25 @@ TEST_F(UiTheme, TextHasEnoughContrastToWhatItIsOn) {
         EXPECT_GE(contrast(theme::tone(text), theme::tone(surface)), 4.5)
             << std::hex << text << " on " << surface << (theme::is_light() ? ", light" : ", dark");
   }
+}
+
+// Plates lie on art of any colour.
+TEST_F(UiTheme, TextOnACanvasHasEnoughContrastToItsPlate) {
+  const auto plate_over = [](int art) {
+    const auto part = [art](std::uint32_t color, int shift) {
+      const int dark = static_cast<int>(color >> shift & 0xff);
+      return (dark * theme::kPlateAlpha + art * (255 - theme::kPlateAlpha)) / 255;
+    };
+    return IM_COL32(part(theme::kDark, 16), part(theme::kDark, 8), part(theme::kDark, 0), 255);
+  };
+  std::vector<std::pair<std::string, std::uint32_t>> texts = {
+      {"text", theme::kText}, {"muted", theme::kMuted}, {"warning", theme::kWarning}};
+  for (const Overlay* overlay : all_overlays())
+    for (const OverlayPalette palette : {OverlayPalette::standard, OverlayPalette::colour_blind})
+      texts.emplace_back(overlay->key, overlay_text_color(*overlay, palette));
+  for (const auto& [name, color] : texts)
+    for (const int art : {0, 255})
+      EXPECT_GE(contrast(theme::color(color), plate_over(art)), 4.5) << name << " over " << art;
 }
 
 TEST_F(UiTheme, WhatHasTheKeysIsAnotherColourThanWhatIsActive) {

@@ -34,8 +34,8 @@ class Camera {
  public:
   float zoom() const;
   // Whether fit() or show() set it last; follow() does not count.
-  bool is_untouched() const { return untouched_; }
-  void keep() { untouched_ = false; }  // as if the user had chosen what it shows
+  bool is_untouched() const { return untouched_ && !kept_; }
+  void keep(bool on) { kept_ = on; }  // as if the user had chosen what it shows
   // Zooms by `steps` (> 0: in) and keeps what lies at `at` in place; px from the canvas's corner.
   void zoom_at(ImVec2 at, int steps);
   void scroll(Vec2 pixels);  // px of the screen
@@ -85,6 +85,7 @@ class Camera {
   int least_ = 13;                // the lowest step
   Vec2 offset_;                   // px of the screen, from the canvas's corner to the level's
   bool untouched_ = true;
+  bool kept_ = false;
   std::optional<Place> before_;  // the view before the world view
 };
 

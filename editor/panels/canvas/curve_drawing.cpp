@@ -71,7 +71,7 @@ void CurvePen::title(const std::string& text, ImVec2 beside, std::uint32_t color
   at.x = std::max(view_.min.x + gap, std::min(at.x, view_.max.x - size.x - gap));
   at.y = std::clamp(at.y, view_.min.y + gap, std::max(view_.min.y + gap, view_.max.y - size.y - gap));
   list_.AddRectFilled({at.x - 4, at.y - 2}, {at.x + size.x + 4, at.y + size.y + 2},
-                      theme::color(theme::kDark, 205), 3);
+                      theme::color(theme::kDark, theme::kPlateAlpha), 3);
   add_text(list_, at, theme::color(color), text);
 }
 

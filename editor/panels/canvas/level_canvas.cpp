@@ -46,7 +46,7 @@ float draw_plate(ImDrawList& list, ImVec2 at, const std::string& text, ImU32 col
   const ImVec2 size = size_of_text(text);
   const ImVec2 pad{ui.px(6), ui.px(2)};
   list.AddRectFilled(at, {at.x + size.x + 2 * pad.x, at.y + size.y + 2 * pad.y},
-                     theme::color(theme::kDark, 205), ui.px(3));
+                     theme::color(theme::kDark, theme::kPlateAlpha), ui.px(3));
   add_text(list, {at.x + pad.x, at.y + pad.y}, color, text);
   return size.x + 2 * pad.x;
 }
@@ -131,8 +131,8 @@ void draw_fix_preview(ImDrawList& list, const CanvasView& view, const Ui& ui) {
 
 void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 size) {
   size = {std::max(1.0f, std::floor(size.x)), std::max(1.0f, std::floor(size.y))};
-  if (has_requests(ui.view) && ui.view.requests.take<request::KeepZoom>()) {
-    camera_.keep();
+  if (const auto keep = has_requests(ui.view) ? ui.view.requests.take<request::KeepZoom>() : std::nullopt) {
+    camera_.keep(keep->on);
     followed_.reset();
   }
   start_afresh(session, ui, size);
@@ -437,7 +437,7 @@ void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, co
     draw_shapes(list, level, view, overlay_color(overlay::shapes, choices.overlay_palette), ui);
   const bool paints = this->paints(ui.view);
   if (choices.grid && paints) draw_grid(list, level.map, view);
-  if (choices.screen_borders) draw_screen_borders(list, level.map, view, ui.scale);
+  if (choices.screen_borders && paints) draw_screen_borders(list, level.map, view, ui.scale);
   if (!is_play() || (paints && choices.map_tool == MapTool::body)) draw_spawns(list, level, view, ui);
   const bool at_start = session.state().frame == 0;
   draw_bodies(list, session, level, view, ui, is_play() || at_start ? 255 : 130, looks_left_);
@@ -451,20 +451,30 @@ void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, co
   if (ui.view.canvas.hovered_overlay != nullptr) overlays.set(*ui.view.canvas.hovered_overlay, true);
   draw_overlays(list, session, overlays, view, ui.scale,
                 {pointed_at, ui.view.canvas.labels_all, ui.view.debugger.stage, covered});
-  if (shows_input_roll(ui.view)) draw_mouse_mark(list, session, view, ui);
+  const bool another_holds = session.state().grabbed != 0 && !holding_;
+  if (shows_input_roll(ui.view) || another_holds) draw_mouse_mark(list, session, view, ui);
 }
 
 // A held ball moves only with the steps, and so does a player whose keys are pressed: without steps, a plate
-// says which keys play.
+// above it says which keys play.
 void LevelCanvas::draw_paused(const Session& session, const CanvasView& view, Ui& ui) const {
   const Input& keys = session.playback().input;
   if (holding_) draw_pull(session, view, ui);
   if (!holding_ && !keys.left && !keys.right && !keys.jump) return;
-  const std::string text = "paused: step (" + keys_of("play/step"_command, ui) + ") or play (" +
-                           keys_of("play/toggle"_command, ui) + ") to move it";
-  const ScreenBox box = draw_low_plates(*ImGui::GetWindowDrawList(), view, text, ui.px(28), false,
-                                        theme::color(theme::kText), ui);
-  ui.place(name_ + "/paused", box.min, box.max);
+  const Body* const held = session.state().find(session.state().grabbed);
+  const Body* const body = held != nullptr ? held : followed_body(session.state(), session.choices().body);
+  if (body == nullptr) return;
+  const std::string text = "Paused: " + keys_of("play/toggle"_command, ui) + " plays, " +
+                           keys_of("play/step"_command, ui) + " steps";
+  const ImVec2 top = view.to_screen({body->box.center().x, body->box.y});
+  const float gap = ui.px(4), height = ImGui::GetTextLineHeight() + gap;
+  const float width = size_of_text(text).x + ui.px(12);
+  const auto within = [](float at, float least, float most) { return std::max(least, std::min(at, most)); };
+  const ImVec2 at{within(top.x - width / 2, view.min.x + gap, view.max.x - width - gap),
+                  within(top.y - height - 3 * gap, captions_box(session, view, ui).max.y + gap,
+                         view.max.y - height - gap)};
+  draw_plate(*ImGui::GetWindowDrawList(), at, text, theme::color(theme::kText), ui);
+  ui.place(name_ + "/paused", at, {at.x + width, at.y + height});
 }
 
 // A line to where a held ball is pulled.

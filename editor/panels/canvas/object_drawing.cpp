@@ -61,7 +61,7 @@ void draw_object_name(ImDrawList& list, const MapObject& object, ImVec2 mouse, c
   const ImVec2 at{mouse.x + ui.px(12), mouse.y + ui.px(12)}, size = size_of_text(text);
   const float inset = ui.px(3);
   list.AddRectFilled({at.x - inset, at.y - inset}, {at.x + size.x + inset, at.y + size.y + inset},
-                     theme::color(theme::kDark, 220));
+                     theme::color(theme::kDark, theme::kPlateAlpha));
   add_text(list, at, theme::color(theme::kText), text);
 }
 

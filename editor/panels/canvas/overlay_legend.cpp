@@ -64,7 +64,7 @@ void OverlayLegend::lay_out_swatches(ImVec2 corner, float room) {
 void OverlayLegend::draw(ImDrawList& list) const {
   if (!box_) return;
   const float cell = name_line(ui_), swatch = ui_.px(kLegendSwatch), pad = ui_.px(kLegendPad);
-  list.AddRectFilled(box_->min, box_->max, theme::color(theme::kDark, 190), ui_.px(3));
+  list.AddRectFilled(box_->min, box_->max, theme::color(theme::kDark, theme::kPlateAlpha), ui_.px(3));
   for (std::size_t i = 0; i < shown_.size(); ++i) {
     const int n = static_cast<int>(i), row = has_names_ ? n : n % rows_, column = has_names_ ? 0 : n / rows_;
     const ImVec2 at{box_->min.x + pad + cell * static_cast<float>(column),

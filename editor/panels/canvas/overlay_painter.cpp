@@ -177,9 +177,9 @@ class Painter {
       if (placed.point)
         list_.AddLine(*placed.point, box.nearest(*placed.point), color_of(overlay, 120),
                       std::max(1.0f, std::round(scale_)));
-      list_.AddRectFilled(box.min, box.max, theme::color(theme::kDark, 215), 3 * scale_);
-      add_text(list_, {std::round(box.min.x + pad.x), std::round(box.min.y + pad.y)}, color_of(overlay),
-               placed.label->text);
+      list_.AddRectFilled(box.min, box.max, theme::color(theme::kDark, theme::kPlateAlpha), 3 * scale_);
+      add_text(list_, {std::round(box.min.x + pad.x), std::round(box.min.y + pad.y)},
+               theme::color(overlay_text_color(*overlay, palette_)), placed.label->text);
     }
   }
 
@@ -188,7 +188,7 @@ class Painter {
     const ImVec2 size = size_of_text(text), pad{6 * scale_, 2 * scale_};
     const ImVec2 max{view_.max.x - 4 * scale_, view_.max.y - 4 * scale_};
     const ImVec2 min{max.x - size.x - 2 * pad.x, max.y - size.y - 2 * pad.y};
-    list_.AddRectFilled(min, max, theme::color(theme::kDark, 205), 3 * scale_);
+    list_.AddRectFilled(min, max, theme::color(theme::kDark, theme::kPlateAlpha), 3 * scale_);
     add_text(list_, {min.x + pad.x, min.y + pad.y}, theme::color(theme::kWarning), text);
   }
 

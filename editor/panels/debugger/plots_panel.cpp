@@ -6,6 +6,7 @@
 
 #include "debug/metrics.h"
 #include "overlay/number_label.h"
+#include "panels/commands/body_hint.h"
 #include "panels/commands/commands.h"
 #include "plot.h"
 
@@ -38,7 +39,7 @@ void PlotsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
         "for the chosen body; a click on a plot shows that frame.");
     return;
   }
-  if (session.choices().body == 0) ui.hint("No body chosen: click one in the play view.");
+  if (session.choices().body == 0) draw_body_hint(" to plot it", "plots", session, actions, ui);
   draw_rows(session, actions, ui);
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "debug/explain.h"
+#include "panels/commands/body_hint.h"
 #include "panels/commands/commands.h"
 
 namespace talus {
@@ -50,10 +51,7 @@ float height_of(const std::string& lines) {
 void WhyPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const int body = session.choices().body;
   if (session.state().find(body) == nullptr) {
-    ui.hint("No body chosen: click one in the play view to see every stage of its step here.");
-    if (find_command("play/choose_player"_command).is_enabled(session, ui))
-      command_text_button("play/choose_player"_command, session, actions, ui,
-                          {.widget = "why/choose_player"});
+    draw_body_hint(" to see every stage of its step here", "why", session, actions, ui);
     return;
   }
   if (session.state().frame == 0) {

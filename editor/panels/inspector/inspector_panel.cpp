@@ -11,6 +11,7 @@
 #include "debug/explain.h"
 #include "edit/spawn_tools.h"
 #include "overlay/number_label.h"
+#include "panels/commands/body_hint.h"
 #include "panels/commands/commands.h"
 #include "panels/ui/long_list.h"
 
@@ -266,10 +267,7 @@ void InspectorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
       ui.hint("No body in this level: paint a tile that has the ball flag on the map, or place a body (" +
               keys_of("map/body"_command, ui) + ").");
     else
-      ui.hint("No body chosen: click one in the play view.");
-    if (find_command("play/choose_player"_command).is_enabled(session, ui))
-      command_text_button("play/choose_player"_command, session, actions, ui,
-                          {.widget = "inspector/choose_player"});
+      draw_body_hint("", "inspector", session, actions, ui);
     if (session.hard_case()) draw_hard_case(*session.hard_case(), ui);
     return;
   }

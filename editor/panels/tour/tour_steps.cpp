@@ -19,6 +19,12 @@ void show_play_view(Ui& ui) {
   ui.view.canvas.follow_body = true;
 }
 
+// Where a click chooses a body, also after the step that paints.
+void take_up_hand(Ui& ui) {
+  show_play_view(ui);
+  ui.view.canvas.paint_in_play = false;
+}
+
 void show_nothing(Ui&) {}
 
 std::function<std::string_view(const Ui&)> at(std::string_view widget) {
@@ -101,8 +107,8 @@ std::vector<TourStep> all_steps() {
        },
        show_play_view, at("overlay/presets"), has_switched},
       {"choose", "Choose a body",
-       [](const Ui&) { return std::string("Click the player, or a ball, in the play view."); },
-       show_play_view, at("play/followed"), has_chosen},
+       [](const Ui&) { return std::string("Click the player, or a ball: the hand chooses bodies."); },
+       take_up_hand, at("play/followed"), has_chosen},
       {"why", "Ask why",
        [](const Ui&) {
          return std::string(

@@ -42,6 +42,7 @@ inline constexpr std::uint32_t kFocus = 0x73eff7;   // of what has the keys
 inline constexpr std::uint32_t kError = 0xf48a98;
 inline constexpr std::uint32_t kWarning = 0xffcd75;
 inline constexpr std::uint32_t kDark = 0x0b0c14;  // outlines under lines and labels
+inline constexpr int kPlateAlpha = 225;           // 0..255, of the dark plates of text on a canvas
 
 inline constexpr float kGap = 4;      // px at scale 1; every distance is a multiple
 inline constexpr float kButton = 24;  // px at scale 1, side of an icon button
