@@ -179,6 +179,7 @@ void FileBrowser::go_to(const std::string& folder) {
   const std::string kept = request_.names_new() ? name_ : "";
   enter(folder);
   name_ = kept;
+  wants_name_ = true;
 }
 
 void FileBrowser::draw_places(Ui& ui, ImVec2 size) {
@@ -271,7 +272,7 @@ std::optional<FileBrowser::Answer> FileBrowser::draw_list(Ui& ui, ImVec2 size) {
 
 std::optional<FileBrowser::Answer> FileBrowser::draw_name(Ui& ui) {
   std::optional<Answer> answer;
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  if (std::exchange(wants_name_, false) || ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
   const char* const asked =
       request_.names_new() ? "name of the file, or a path" : "part of a name, or a path";

@@ -53,6 +53,7 @@ class FileBrowser {
   FileRequest request_;
   std::string folder_;  // absolute
   std::string name_;
+  bool wants_name_ = false;        // another folder is shown: the next letters go to the name
   bool is_name_proposed_ = false;  // nobody has clicked into it: the first click selects all of it
   std::string error_;
   std::string overwrite_;  // the existing file that a second confirmation replaces

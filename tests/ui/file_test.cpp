@@ -159,6 +159,9 @@ TEST_F(UiFile, DialogKeepsFoldersAndShowsPictures) {
   click("files/recent0");
   frames(2);
   EXPECT_NE(find("files/entry/inner"), nullptr);
+  type("nothing");
+  frames(2);
+  EXPECT_EQ(find("files/entry/inner"), nullptr) << "letters still go to the name";
   click("files/kept0");
   frames(2);
   click("files/entry/deep.talus.json");
