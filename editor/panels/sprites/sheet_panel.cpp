@@ -165,6 +165,8 @@ void SheetPanel::draw_layers(ImDrawList& list, const Session& session, const She
   const ImVec2 at = view.first();
   const float cell = view.cell();
   const UvRect uv = ui.uv_of(area.sheet, part);
+  // Art is made for the dark of the canvas.
+  if (theme::is_light()) list.AddRectFilled(view.min(), view.max(), theme::color(theme::kOutside));
   list.AddImage(ui.sheet(area.sheet), view.min(), view.max(), uv.from, uv.to);
   if (area.sheet == SheetId::tiles && session.choices().overlays.has(overlay::shapes)) {
     const std::uint32_t color = overlay_color(overlay::shapes, session.choices().overlay_palette);
