@@ -174,7 +174,10 @@ return function(level, file)
   local picture = love.image.newImageData(file)
   local r, g, b = picture:getPixel(0, 0)
   love.graphics.setBackgroundColor(r, g, b)
-  local clear = image(picture)
+  local clear, sprites = image(picture), nil
+  for _, spawn in ipairs(level.spawns or {}) do
+    if spawn.picture and spawn.picture.sheet == "sprites" then sprites = sprites or image("sprites.png") end
+  end
   if not level.true_colour then  -- else what is clear on the sheet is clear on the map
     picture:mapPixel(function(_, _, red, green, blue) return red, green, blue, 1 end)
   end
@@ -226,10 +229,12 @@ return function(level, file)
     local tile, looks_left = frames(body, step)
     local frame = body.picture
     local w, h = frame.columns * tile_width, frame.rows * tile_height
-    local quad = love.graphics.newQuad(tile % columns * tile_width, math.floor(tile / columns) * tile_height, w, h,
-                                       picture:getDimensions())
+    local sheet = frame.sheet == "sprites" and sprites or clear
+    local in_a_row = sheet:getWidth() / tile_width
+    local quad = love.graphics.newQuad(tile % in_a_row * tile_width, math.floor(tile / in_a_row) * tile_height, w, h,
+                                       sheet:getDimensions())
     love.graphics.setColor(1, 1, 1)
-    love.graphics.draw(clear, quad, body.x + body.w / 2, body.y + body.h - h, 0, looks_left and -1 or 1, 1, w / 2)
+    love.graphics.draw(sheet, quad, body.x + body.w / 2, body.y + body.h - h, 0, looks_left and -1 or 1, 1, w / 2)
   end
   local function draw_body(body, step)
     if body.picture then return draw_picture(body, step) end

@@ -263,9 +263,11 @@ Level with_cart_tiles(Level level) {
     is_used[tile] = true;
     for (const AnimationFrame& frame : animation) is_used[frame.tile] = true;
   }
-  for (const Spawn& spawn : level.spawns)
-    for (const int tile : tiles_of(spawn.picture, sheet.layout()))
+  for (const Spawn& spawn : level.spawns) {
+    if (spawn.picture.sheet != SheetId::tiles) continue;
+    for (const int tile : images_of(spawn.picture, sheet.layout()))
       is_used[static_cast<std::size_t>(tile)] = true;
+  }
   std::vector<int> numbers(is_used.size());
   int free = 0;
   for (int tile = 0; tile < level.tile_count(); ++tile) {

@@ -1,4 +1,6 @@
 // Folders of Lua: for any game, and a game for LÖVE.
+#include <algorithm>
+
 #include "../formats/pictures/png_picture.h"
 #include "../formats/pictures/png_sheet.h"
 #include "export_targets.h"
@@ -22,7 +24,13 @@ void add_drawn_level(const ExportRequest& request, Exported& out) {
   const auto pictures = lua_pictures(request.drawn());
   out.files.push_back({"level.lua", lua_level(request.level, LuaForm::readable, request.progress,
                                               request.layered, pictures ? &*pictures : nullptr)});
-  out.files.push_back({"sheet.png", write_clear_tiles(request.drawn())});
+  out.files.push_back({"sheet.png", write_clear_sheet(request.drawn(), SheetId::tiles)});
+  const std::vector<Spawn>& spawns = request.level.spawns;
+  const bool shows_sprites = std::any_of(spawns.begin(), spawns.end(), [](const Spawn& spawn) {
+    return !spawn.picture.empty() && spawn.picture.sheet == SheetId::sprites;
+  });
+  if (shows_sprites)
+    out.files.push_back({"sprites.png", write_clear_sheet(request.drawn(), SheetId::sprites)});
   if (pictures) {
     const SheetPicture& all = pictures->picture;
     out.files.push_back({"pictures.png", encode_png(all.width, all.height, 4, all.rgba.data())});

@@ -164,6 +164,7 @@ void write_curve(LuaTable&& table, const Curve& curve) {
 
 // Each act has frames: its own, or those that stand for it.
 void write_picture(LuaTable&& table, const BodyPicture& picture) {
+  if (picture.sheet == SheetId::sprites) table.word("sheet", "sprites");
   table.number("columns", picture.columns);
   table.number("rows", picture.rows);
   table.number("steps", picture.steps);
@@ -174,8 +175,7 @@ void write_picture(LuaTable&& table, const BodyPicture& picture) {
 }
 
 // tile: the size of the level's tiles, of which new bodies of a kind have their size.
-// sheet: of tiles, on which the frames of pictures are.
-void write_spawn(LuaTable&& table, const Spawn& spawn, TileSize tile, const SheetLayout& sheet) {
+void write_spawn(LuaTable&& table, const Spawn& spawn, TileSize tile, const Level& level) {
   table.word("kind", traits_of(spawn.kind).word);
   if (!spawn.name.empty()) table.member("name") += lua_string(spawn.name);
   table.number("x", spawn.position.x);
@@ -191,8 +191,8 @@ void write_spawn(LuaTable&& table, const Spawn& spawn, TileSize tile, const Shee
   number("vy", spawn.velocity.y, 0);
   if (table.writes_defaults() || spawn.used_foot() != traits.foot)
     table.word("foot", foot_word(spawn.used_foot()));
-  if (const BodyPicture picture = on_sheet(spawn.picture, sheet); !picture.empty())
-    write_picture(table.in_a_row("picture"), picture);
+  const BodyPicture picture = on_sheet(spawn.picture, level.sheet(spawn.picture.sheet).layout());
+  if (!picture.empty()) write_picture(table.in_a_row("picture"), picture);
 }
 
 void write_kind(LuaTable&& table, BodyKind kind, TileSize tile) {
@@ -404,8 +404,7 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
   }
   {
     LuaTable spawns = table.in_lines("spawns");
-    const SheetLayout sheet = level.sheet(SheetId::tiles).layout();
-    for (const Spawn& spawn : level.spawns) write_spawn(spawns.in_a_row(""), spawn, ground.tile, sheet);
+    for (const Spawn& spawn : level.spawns) write_spawn(spawns.in_a_row(""), spawn, ground.tile, level);
   }
   {
     LuaTable kinds = table.in_lines("kinds");

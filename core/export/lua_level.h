@@ -10,8 +10,9 @@
 //                     names, and not in a small table
 //   curves            kind, faces ("up", "down", "both") and the numbers of talus/collision/shape.h
 //   spawns            kind, name, x, y, w, h, vx, vy, foot ("box", "centre"); only if the body has a picture,
-//                     picture: columns, rows (tiles of a frame), steps (for which it is shown), and for each
-//                     of stand, run, jump and fall the tile of the first frame and the number of frames
+//                     picture: sheet ("tiles"; "sprites"), columns, rows (tiles of a frame), steps (for which
+//                     it is shown), and for each of stand, run, jump and fall the tile, or sprite, of the
+//                     first frame and the number of frames
 //   kinds             by their word, all kinds of bodies: rule ("fall", "run"), w, h, foot, look ("tile",
 //                     "figure"); takes_keys (false)
 //   tuning            of exact, player, and what they share with the article, by key
@@ -50,7 +51,7 @@ std::string lua_level(const Level& level, LuaForm form = LuaForm::readable, cons
                       const Level* layered = nullptr, const LuaPictures* pictures = nullptr);
 
 // Adds the files of a level that templates/pictures.lua draws: level.lua, sheet.png and, if there are any,
-// pictures.png.
+// pictures.png; and sprites.png, if bodies show sprites.
 void add_drawn_level(const ExportRequest& request, Exported& out);
 
 }  // namespace talus

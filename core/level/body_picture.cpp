@@ -32,17 +32,18 @@ BodyPicture on_sheet(BodyPicture picture, const SheetLayout& layout) {
   return picture;
 }
 
-std::vector<int> tiles_of(const BodyPicture& picture, const SheetLayout& layout) {
-  std::vector<int> tiles;
+std::vector<int> images_of(const BodyPicture& picture, const SheetLayout& layout) {
+  std::vector<int> images;
   for (const BodyFrames& frames : picture.acts) {
     if (frames.count == 0 || frames.first >= layout.count) continue;
     const Cell at = layout.place_of(frames.first);
     const int right = std::min(at.x + frames.count * picture.columns, layout.columns);
     for (int y = at.y; y < at.y + picture.rows; ++y)
       for (int x = at.x; x < right; ++x)
-        if (const int tile = layout.tile_at({x, y}); tile >= 0 && tile < layout.count) tiles.push_back(tile);
+        if (const int image = layout.tile_at({x, y}); image >= 0 && image < layout.count)
+          images.push_back(image);
   }
-  return tiles;
+  return images;
 }
 
 }  // namespace talus

@@ -497,7 +497,7 @@ void LevelMerger::fit_tiles() {
   for (Brush& brush : level.brushes) fit(brush.tiles);
   for (Spawn& spawn : level.spawns)
     for (BodyFrames& frames : spawn.picture.acts)
-      if (frames.first >= count) frames = {};
+      if (spawn.picture.sheet == SheetId::tiles && frames.first >= count) frames = {};
   fit(level.auto_tiles.tiles);
   gone += static_cast<int>(std::erase_if(level.animations, [&](const auto& animation) {
     return problem_of(TileAnimations{animation}, count).has_value();

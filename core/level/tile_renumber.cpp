@@ -86,7 +86,7 @@ void renumber_tiles(Level& level, const SheetLayout& layout, const std::vector<i
     for (MapCell& cell : brush.tiles) renumber_one(cell.tile);
   for (Spawn& spawn : level.spawns)
     for (BodyFrames& frames : spawn.picture.acts)
-      if (frames.count > 0) frames = renumbered(frames, numbers);
+      if (spawn.picture.sheet == SheetId::tiles && frames.count > 0) frames = renumbered(frames, numbers);
   renumber(level.auto_tiles.tiles);
 }
 

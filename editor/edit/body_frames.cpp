@@ -26,9 +26,13 @@ Spawn with_size(Spawn spawn, Vec2 size) {
 }
 
 tl::expected<BodyPicture, std::string> with_frames(const Level& level, const Spawn& spawn, BodyAct act,
-                                                   CellRect tiles) {
+                                                   const SpriteArea& area) {
+  const CellRect tiles = area.tiles;
   BodyPicture picture = spawn.picture;
   const bool is_first = picture.empty();
+  if (!is_first && picture.sheet != area.sheet)
+    return tl::unexpected(std::string("The frames of a body are on one sheet, and this one has ") +
+                          (picture.sheet == SheetId::tiles ? "tiles." : "sprites."));
   const int columns = is_first ? columns_for(spawn, tiles, level.map.tile_size()) : picture.columns;
   const int rows = is_first ? tiles.h : picture.rows;
   if (columns > kMaxBodyPictureSide || rows > kMaxBodyPictureSide)
@@ -40,7 +44,8 @@ tl::expected<BodyPicture, std::string> with_frames(const Level& level, const Spa
     return tl::unexpected("An act has up to " + std::to_string(kMaxBodyFrames) + " frames.");
   picture.columns = static_cast<std::uint8_t>(columns);
   picture.rows = static_cast<std::uint8_t>(rows);
-  picture[act] = {static_cast<TileNumber>(level.sheet(SheetId::tiles).layout().tile_at({tiles.x, tiles.y})),
+  picture.sheet = area.sheet;
+  picture[act] = {static_cast<TileNumber>(level.sheet(area.sheet).layout().tile_at({tiles.x, tiles.y})),
                   static_cast<std::uint8_t>(tiles.w / columns)};
   return picture;
 }

@@ -67,16 +67,21 @@ void SheetTextures::update(const Session& session, Ui& ui) {
   const auto id = [&](std::size_t i) {
     return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(names_[i]));
   };
-  const bool in_true_colour = level.sheet(SheetId::tiles).picture != nullptr;
-  ui.sheets = {id(0), id(1)};
-  ui.clear_tiles = id(in_true_colour ? 0 : 2);
+  constexpr std::size_t kSheets = 2;
+  const auto in_true_colour = [&](std::size_t sheet) { return level.sheets[sheet].picture != nullptr; };
+  for (std::size_t i = 0; i < kSheets; ++i) {
+    ui.sheets[i] = id(i);
+    ui.clear_sheets[i] = id(in_true_colour(i) ? i : kSheets + i);
+  }
   for (std::size_t i = 0; i < ui.layouts.size(); ++i) ui.layouts[i] = level.sheets[i].layout();
   if (revision_ == session.revision()) return;
   const auto painted = revision_ ? session.sheet_changes().tiles_since(*revision_) : std::nullopt;
   revision_ = session.revision();
   if (painted) return upload_painted(level, *painted);
-  const std::size_t last = in_true_colour ? 1 : 2;
-  for (std::size_t i = 0; i <= last; ++i) upload(names_[i], level.sheets[i % 2], level.palette, i == 2);
+  for (std::size_t i = 0; i < kSheets; ++i) {
+    upload(names_[i], level.sheets[i], level.palette, false);
+    if (!in_true_colour(i)) upload(names_[kSheets + i], level.sheets[i], level.palette, true);
+  }
 }
 
 void SheetTextures::upload_painted(const Level& level, const std::vector<int>& tiles) const {
@@ -95,8 +100,8 @@ void SheetTextures::upload_painted(const Level& level, const std::vector<int>& t
 }
 
 void SheetTextures::show_preview(const Sheet& sheet, const Palette& palette, Ui& ui) {
-  upload(names_[3], sheet, palette, false);
-  ui.preview = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(names_[3]));
+  upload(names_[4], sheet, palette, false);
+  ui.preview = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(names_[4]));
 }
 
 }  // namespace talus

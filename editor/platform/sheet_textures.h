@@ -32,7 +32,7 @@ class SheetTextures {
  private:
   void upload_painted(const Level& level, const std::vector<int>& tiles) const;
 
-  std::array<unsigned, 4> names_{};  // tiles, sprites, the tiles with colour 0 clear, and the preview
+  std::array<unsigned, 5> names_{};  // tiles, sprites, both with colour 0 clear, and the preview
   std::optional<std::uint64_t> revision_;
 };
 

@@ -181,4 +181,20 @@ TEST_F(UiSpawn, AnActGetsThePictureOfTheChosenTiles) {
   EXPECT_EQ(spawn().picture[BodyAct::run].count, 3);
 }
 
+TEST_F(UiSpawn, AnActGetsThePictureOfTheChosenSprites) {
+  place_first();
+  session().apply(action::SelectTiles{{SheetId::sprites, {2, 1, 3, 1}}});
+  frames(2);
+  click("inspector/picture_run");
+  frames(2);
+  EXPECT_EQ(spawn().picture.sheet, SheetId::sprites);
+  EXPECT_EQ(spawn().picture[BodyAct::run], (BodyFrames{18, 3}));
+  session().apply(action::SelectTiles{{SheetId::tiles, {2, 1, 1, 1}}});
+  frames(2);
+  click("inspector/picture_stand");
+  frames(2);
+  ASSERT_TRUE(session().message());
+  EXPECT_EQ(session().message()->text, "The frames of a body are on one sheet, and this one has sprites.");
+}
+
 }  // namespace talus::spawn_test

@@ -26,6 +26,12 @@ BodyPicture walking() {
   return picture;
 }
 
+BodyPicture walking_of_sprites() {
+  BodyPicture picture = walking();
+  picture.sheet = SheetId::sprites;
+  return picture;
+}
+
 Level level_with(const BodyPicture& picture) {
   Level level;
   level.spawns.push_back({.name = "hero", .position = {8, 8}, .velocity = {}, .extra = ""});
@@ -54,9 +60,9 @@ TEST(BodyPicture, TilesAreThoseOnTheSheet) {
   BodyPicture picture;
   picture.rows = 2;
   picture[BodyAct::run] = {14, 4};  // two of them lie beside a sheet of 16 columns
-  EXPECT_THAT(tiles_of(picture, {16, 256}), ElementsAre(14, 15, 30, 31));
-  EXPECT_THAT(tiles_of(picture, {16, 20}), ElementsAre(14, 15));
-  EXPECT_TRUE(tiles_of(picture, {4, 8}).empty());
+  EXPECT_THAT(images_of(picture, {16, 256}), ElementsAre(14, 15, 30, 31));
+  EXPECT_THAT(images_of(picture, {16, 20}), ElementsAre(14, 15));
+  EXPECT_TRUE(images_of(picture, {4, 8}).empty());
 }
 
 TEST(BodyPicture, FollowsWhatTheBodyDoes) {
@@ -76,31 +82,43 @@ TEST(BodyPicture, FollowsWhatTheBodyDoes) {
 TEST(BodyPicture, FirstFramesAreAsWideAsTheBody) {
   Level level = level_with({});
   level.spawns[0].size = {12, 20};
-  auto made = with_frames(level, level.spawns[0], BodyAct::run, {4, 2, 6, 3});
+  auto made = with_frames(level, level.spawns[0], BodyAct::run, {SheetId::tiles, {4, 2, 6, 3}});
   ASSERT_TRUE(made) << made.error();
   EXPECT_EQ(made->columns, 2);
   EXPECT_EQ(made->rows, 3);
   EXPECT_EQ((*made)[BodyAct::run], (BodyFrames{2 * 16 + 4, 3}));
   level.spawns[0].picture = *made;
-  made = with_frames(level, level.spawns[0], BodyAct::stand, {0, 2, 2, 3});
+  made = with_frames(level, level.spawns[0], BodyAct::stand, {SheetId::tiles, {0, 2, 2, 3}});
   ASSERT_TRUE(made);
   EXPECT_EQ((*made)[BodyAct::stand], (BodyFrames{2 * 16, 1}));
   EXPECT_EQ((*made)[BodyAct::run].count, 3) << "it stays";
-  made = with_frames(level, level.spawns[0], BodyAct::jump, {0, 2, 2, 2});
+  made = with_frames(level, level.spawns[0], BodyAct::jump, {SheetId::tiles, {0, 2, 2, 2}});
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error(),
             "A frame of this body has 2x3 tiles: choose one or more such frames, side by side.");
   level.spawns[0].picture = {};
   level.spawns[0].size = {12, 8};
-  made = with_frames(level, level.spawns[0], BodyAct::jump, {0, 0, 3, 1});
+  made = with_frames(level, level.spawns[0], BodyAct::jump, {SheetId::tiles, {0, 0, 3, 1}});
   EXPECT_EQ(made->columns, 3) << "no two frames of 2 columns";
   level.spawns[0].size = {8, 8};
-  made = with_frames(level, level.spawns[0], BodyAct::stand, {0, 0, 2, 2});
+  made = with_frames(level, level.spawns[0], BodyAct::stand, {SheetId::tiles, {0, 0, 2, 2}});
   EXPECT_EQ((*made)[BodyAct::stand].count, 1) << "a picture that is larger than its box";
   EXPECT_EQ(made->columns, 2);
   const BodyPicture narrow = with_columns(*made, 1);
   EXPECT_EQ(narrow[BodyAct::stand].count, 2);
   EXPECT_EQ(narrow.columns, 1);
+}
+
+TEST(BodyPicture, FramesAreOfOneSheet) {
+  Level level = level_with({});
+  auto made = with_frames(level, level.spawns[0], BodyAct::run, {SheetId::sprites, {3, 0, 2, 1}});
+  ASSERT_TRUE(made) << made.error();
+  EXPECT_EQ(made->sheet, SheetId::sprites);
+  EXPECT_EQ((*made)[BodyAct::run], (BodyFrames{3, 2}));
+  level.spawns[0].picture = *made;
+  made = with_frames(level, level.spawns[0], BodyAct::stand, {SheetId::tiles, {0, 0, 1, 1}});
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error(), "The frames of a body are on one sheet, and this one has sprites.");
 }
 
 TEST(BodyPicture, ABodyIsResizedOverWhereItStands) {
@@ -122,12 +140,15 @@ TEST_F(BodyPictureFiles, AreReadAsTheyWereWritten) {
   EXPECT_THAT(bytes_of("a.talus.json"), HasSubstr("\"picture\""));
   ASSERT_TRUE(save_level(level_with({}), *find_format("native"), path("b.talus.json")));
   EXPECT_THAT(bytes_of("b.talus.json"), testing::Not(HasSubstr("picture")));
+  const Level sprites = level_with(walking_of_sprites());
+  ASSERT_TRUE(save_level(sprites, *find_format("native"), path("c.talus.json")));
+  EXPECT_EQ(load_level(path("c.talus.json"))->level.spawns, sprites.spawns);
 }
 
 TEST_F(BodyPictureFiles, WhatIsWrongIsSaidInOneSentence) {
-  for (const std::string picture :
-       {"7", R"({"stand": [3]})", R"({"stand": [3, 0]})", R"({"run": [3, 33]})", R"({"run": [70000, 1]})",
-        R"({"size": [0, 1]})", R"({"size": [17, 1]})", R"({"steps": 0})", R"({"climb": [1, 1]})"}) {
+  for (const std::string picture : {"7", R"({"stand": [3]})", R"({"stand": [3, 0]})", R"({"run": [3, 33]})",
+                                    R"({"run": [70000, 1]})", R"({"size": [0, 1]})", R"({"size": [17, 1]})",
+                                    R"({"steps": 0})", R"({"climb": [1, 1]})", R"({"sheet": "walls"})"}) {
     put("w.talus.json", R"({"talus": 1, "spawns": [{"picture": )" + picture + "}]}");
     const auto loaded = load_level(path("w.talus.json"));
     ASSERT_FALSE(loaded) << picture;
@@ -156,6 +177,9 @@ TEST(BodyPicture, FollowsItsTilesToOtherNumbers) {
   renumber_tiles(level, {16, 256}, numbers);
   EXPECT_EQ(level.spawns[0].picture[BodyAct::stand], (BodyFrames{40, 1}));
   EXPECT_EQ(level.spawns[0].picture[BodyAct::run], BodyFrames()) << "its first tile is gone";
+  level.spawns[0].picture = walking_of_sprites();
+  renumber_tiles(level, {16, 256}, numbers);
+  EXPECT_EQ(level.spawns[0].picture, walking_of_sprites());
 }
 
 TEST(BodyPicture, IsMergedWithItsBody) {
@@ -195,6 +219,25 @@ TEST(BodyPicture, IsInGamesInLua) {
   EXPECT_THAT(lua_level(level_with(walking())),
               HasSubstr("picture = {columns = 2, rows = 3, steps = 4, stand = {32, 1}, run = {34, 3}, "
                         "jump = {32, 1}, fall = {32, 1}}"));
+}
+
+TEST(BodyPicture, OfSpritesSaysSoInGamesInLua) {
+  EXPECT_THAT(lua_level(level_with(walking_of_sprites())),
+              HasSubstr("picture = {sheet = \"sprites\", columns = 2, rows = 3, steps = 4, stand = {32, 1}"));
+}
+
+TEST_F(BodyPictureFiles, GamesHaveTheSheetThatTheyShow) {
+  const ReadAsset read = [](const std::string&) -> FormatResult<std::string> { return "return {}"; };
+  const auto has_sprites = [&](const Level& level, const char* id) {
+    const auto made = find_exporter(id)->make({level, "cave", read});
+    EXPECT_TRUE(made) << id;
+    return std::any_of(made->files.begin(), made->files.end(),
+                       [](const ExportedFile& file) { return file.name == "sprites.png"; });
+  };
+  for (const char* id : {"love", "bump"}) {
+    EXPECT_TRUE(has_sprites(level_with(walking_of_sprites()), id)) << id;
+    EXPECT_FALSE(has_sprites(level_with(walking()), id)) << id;
+  }
 }
 
 // assets/templates/frames.lua chooses as the program does.

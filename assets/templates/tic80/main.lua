@@ -37,7 +37,8 @@ local function draw_body(body, left, top)
   local picture = body.picture
   if picture then  -- the frame stands on the bottom of the box, in its middle
     local frame, looks_left = frames(body, world.frame)
-    spr(frame, x + (w - picture.columns * TILE) // 2, y + h - picture.rows * TILE, 0, 1, looks_left and 1 or 0, 0,
+    local number = frame + (picture.sheet and 256 or 0)  -- sprites come behind the tiles
+    spr(number, x + (w - picture.columns * TILE) // 2, y + h - picture.rows * TILE, 0, 1, looks_left and 1 or 0, 0,
         picture.columns, picture.rows)
   elseif level.kinds[body.kind].look == "figure" then
     draw_figure(body, x, y, w, h)

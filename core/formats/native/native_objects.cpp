@@ -186,7 +186,9 @@ FormatResult<Json> json_of(const std::vector<LevelCurve>& curves, const std::str
 
 namespace {
 
-// {"size": [columns, rows], "steps": n, "stand": [first tile, frames], ...}
+constexpr const char* kSpritesWord = "sprites";  // of a picture on that sheet; pictures of tiles have no key
+
+// {"sheet": "sprites", "size": [columns, rows], "steps": n, "stand": [first image, frames], ...}
 std::optional<BodyPicture> body_picture_of(const Json& json) {
   if (!json.is_object()) return std::nullopt;
   BodyPicture picture;
@@ -202,6 +204,8 @@ std::optional<BodyPicture> body_picture_of(const Json& json) {
     } else if (key == "size" && is_pair(value, kMaxBodyPictureSide, kMaxBodyPictureSide) && value[0] != 0) {
       picture.columns = value[0].get<std::uint8_t>();
       picture.rows = value[1].get<std::uint8_t>();
+    } else if (key == "sheet" && value == kSpritesWord) {
+      picture.sheet = SheetId::sprites;
     } else if (key == "steps" && is_whole(value, 1, kMaxFrameSteps)) {
       picture.steps = value.get<std::uint16_t>();
     } else {
@@ -213,6 +217,7 @@ std::optional<BodyPicture> body_picture_of(const Json& json) {
 
 Json json_of(const BodyPicture& picture) {
   Json json = Json::object();
+  if (picture.sheet == SheetId::sprites) json["sheet"] = kSpritesWord;
   if (picture.columns != 1 || picture.rows != 1) json["size"] = {picture.columns, picture.rows};
   if (picture.steps != BodyPicture().steps) json["steps"] = picture.steps;
   for (std::size_t act = 0; act < picture.acts.size(); ++act)
@@ -239,8 +244,9 @@ FormatResult<Spawn> take_spawn(Json& json, const std::string& path) {
       spawn.picture = *picture;
     else
       take.fail("picture",
-                "must hold \"size\", [columns, rows] of 1 to 16 tiles, \"steps\", 1 to 600, and [tile, "
-                "frames], 1 to 32 frames, for some of \"stand\", \"run\", \"jump\" and \"fall\"");
+                "must hold \"size\", [columns, rows] of 1 to 16 tiles, \"steps\", 1 to 600, \"sheet\", "
+                "\"sprites\", and [tile, frames], 1 to 32 frames, for some of \"stand\", \"run\", "
+                "\"jump\" and \"fall\"");
   });
   spawn.extra = take.rest();
   return take.result(std::move(spawn));

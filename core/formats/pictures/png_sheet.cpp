@@ -90,8 +90,8 @@ std::string write_map_tiles(const Level& level) {
   return png_of_sheet(level.sheet(SheetId::tiles), level.palette, level.map.tile_size(), false);
 }
 
-std::string write_clear_tiles(const Level& level) {
-  return png_of_sheet(level.sheet(SheetId::tiles), level.palette, level.map.tile_size(), true);
+std::string write_clear_sheet(const Level& level, SheetId sheet) {
+  return png_of_sheet(level.sheet(sheet), level.palette, level.map.tile_size(), true);
 }
 
 MatchedPicture match_colors(const PngPicture& picture, const Palette& palette) {

@@ -15,9 +15,9 @@ std::string write_png_part(const Level& level, PngPart part);
 // the size of the map's tiles. Of tiles of another size than 8x8 px the pixels are repeated or left out.
 std::string write_map_tiles(const Level& level);
 
-// The same for games, RGBA: without a picture colour 0 is transparent, as on bodies, but keeps its RGB
-// values.
-std::string write_clear_tiles(const Level& level);
+// The same of either sheet for games, RGBA: without a picture colour 0 is transparent, as on bodies, but
+// keeps its RGB values.
+std::string write_clear_sheet(const Level& level, SheetId sheet);
 
 // A picture in 16 colours.
 struct MatchedPicture {

@@ -256,10 +256,13 @@ void TiledLevelMaker::forget_numbers() {
   if (!level_.brushes.empty()) drops_.add("the brushes, since the numbers of tiles have changed");
   if (level_.auto_tiles != AutoTiles())
     drops_.add("the tiles of painted ground, since the numbers of tiles have changed");
-  const auto has_picture = [](const Spawn& spawn) { return !spawn.picture.empty(); };
-  if (std::any_of(base_.spawns.begin(), base_.spawns.end(), has_picture))
-    drops_.add("the pictures of bodies, since the numbers of tiles have changed");
-  for (Spawn& spawn : base_.spawns) spawn.picture = {};
+  bool shows_tiles = false;
+  for (Spawn& spawn : base_.spawns) {
+    if (spawn.picture.empty() || spawn.picture.sheet != SheetId::tiles) continue;
+    spawn.picture = {};
+    shows_tiles = true;
+  }
+  if (shows_tiles) drops_.add("the pictures of bodies, since the numbers of tiles have changed");
   level_.brushes.clear();
   level_.auto_tiles = {};
   level_.large_tiles.clear();

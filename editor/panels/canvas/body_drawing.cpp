@@ -56,7 +56,7 @@ int BodyDrawing::tile_of(const Body& body) const {
 std::optional<CellRect> BodyDrawing::frame_of(const Body& body) const {
   const BodyPicture* its = picture_of_body(level_, body);
   if (its == nullptr) return std::nullopt;
-  const SheetLayout layout = level_.sheet(SheetId::tiles).layout();
+  const SheetLayout layout = level_.sheet(its->sheet).layout();
   const BodyPicture picture = on_sheet(*its, layout);
   if (picture.empty()) return std::nullopt;
   const Cell at = layout.place_of(frame_tile(picture, act_of(body), step_));
@@ -66,10 +66,11 @@ std::optional<CellRect> BodyDrawing::frame_of(const Body& body) const {
 void BodyDrawing::draw(ImDrawList& list, const Body& body, bool looks_left, const CanvasView& view,
                        const Ui& ui, int alpha) const {
   if (const auto frame = frame_of(body)) {
-    const Rect place = place_of_picture(*picture_of_body(level_, body), body.box, level_.map.tile_size());
-    UvRect uv = ui.uv_of(SheetId::tiles, *frame);
+    const BodyPicture& picture = *picture_of_body(level_, body);
+    const Rect place = place_of_picture(picture, body.box, level_.map.tile_size());
+    UvRect uv = ui.uv_of(picture.sheet, *frame);
     if (looks_left) std::swap(uv.from.x, uv.to.x);
-    return list.AddImage(ui.clear_tiles, view.to_screen({place.x, place.y}),
+    return list.AddImage(ui.clear_sheet(picture.sheet), view.to_screen({place.x, place.y}),
                          view.to_screen({place.right(), place.bottom()}), uv.from, uv.to,
                          IM_COL32(255, 255, 255, alpha));
   }
@@ -79,7 +80,7 @@ void BodyDrawing::draw(ImDrawList& list, const Body& body, bool looks_left, cons
   const int tile = tile_of(body);
   if (tile >= 0) {
     const UvRect uv = ui.uv_of(tile);
-    list.AddImage(ui.clear_tiles, from, to, uv.from, uv.to, IM_COL32(255, 255, 255, alpha));
+    list.AddImage(ui.clear_sheet(SheetId::tiles), from, to, uv.from, uv.to, IM_COL32(255, 255, 255, alpha));
   } else {
     list.AddCircleFilled({(from.x + to.x) / 2, (from.y + to.y) / 2}, (to.x - from.x) / 2,
                          theme::color(theme::kText, alpha));

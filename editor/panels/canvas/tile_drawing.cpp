@@ -213,7 +213,7 @@ void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, co
     const bool skip_tile_0 = is_opaque ? plain.has_value() : plain == 0;
     draw_cells(list, level, layer,
                shown_tiles(level, tiles, looks.hide_balls && look.is_ground, at_back, skip_tile_0),
-               is_opaque ? ui.sheet(SheetId::tiles) : ui.clear_tiles, *there, ui);
+               is_opaque ? ui.sheet(SheetId::tiles) : ui.clear_sheet(SheetId::tiles), *there, ui);
   }
 }
 

@@ -1,4 +1,4 @@
-// Takes frames from the sheet of tiles.
+// Takes frames from the sheets.
 #include "body_picture_fields.h"
 
 #include <cmath>
@@ -33,7 +33,7 @@ void change_picture(const Session& session, int index, const BodyPicture& pictur
 
 // The frames of an act that are on the sheet, from the left, as many as fit.
 void draw_frames(const BodyPicture& picture, BodyAct act, const Level& level, Ui& ui) {
-  const SheetLayout layout = level.sheet(SheetId::tiles).layout();
+  const SheetLayout layout = level.sheet(picture.sheet).layout();
   const TileSize tile = level.map.tile_size();
   const float aspect =
       static_cast<float>(picture.columns * tile.width) / static_cast<float>(picture.rows * tile.height);
@@ -44,8 +44,8 @@ void draw_frames(const BodyPicture& picture, BodyAct act, const Level& level, Ui
     ImGui::SameLine(0, ui.px(2));
     if (ImGui::GetContentRegionAvail().x < size.x) return ImGui::NewLine();
     const Cell at = layout.place_of(frames.first + i * picture.columns);
-    const UvRect uv = ui.uv_of(SheetId::tiles, {at.x, at.y, picture.columns, picture.rows});
-    ImGui::Image(ui.clear_tiles, size, uv.from, uv.to);
+    const UvRect uv = ui.uv_of(picture.sheet, {at.x, at.y, picture.columns, picture.rows});
+    ImGui::Image(ui.clear_sheet(picture.sheet), size, uv.from, uv.to);
   }
 }
 
@@ -65,11 +65,11 @@ void BodyPictureFields::draw_act(BodyAct act, const Session& session, int index,
   const BodyPicture& picture = spawn_of(session, index).picture;
   ui.field_label(label);
   const SpriteArea& area = session.choices().area;
-  if (ui.text_button("inspector/picture_" + word, "Take tiles", false,
-                     "Shows the chosen tiles of the sheet " + std::string(help) +
-                         ": frames side by side, as high as these tiles.",
-                     {}, area.sheet == SheetId::tiles)) {
-    const auto taken = with_frames(session.level(), spawn_of(session, index), act, area.tiles);
+  const std::string images = area.sheet == SheetId::tiles ? "tiles" : "sprites";
+  if (ui.text_button("inspector/picture_" + word, "Take " + images, false,
+                     "Shows the chosen " + images + " of the sheet " + std::string(help) +
+                         ": frames side by side, as high as these " + images + ".")) {
+    const auto taken = with_frames(session.level(), spawn_of(session, index), act, area);
     if (taken)
       change_picture(session, index, *taken, 0, actions);
     else

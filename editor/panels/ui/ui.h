@@ -49,7 +49,7 @@ class Ui {
   PictureTextures* picture_textures = nullptr;  // null: pictures besides the sheet's are not drawn
   SmallPictures* small_pictures = nullptr;      // never null in a frame
   ImTextureID preview{};                        // the sheet as an import would change it, while that is shown
-  ImTextureID clear_tiles{};  // the sheet of tiles with colour 0 clear, for bodies and layers
+  std::array<ImTextureID, 2> clear_sheets{};    // with colour 0 clear, for bodies and layers; by SheetId
   // The problems of the level; never null in a frame. Not updated while a button is held, so that a stroke on
   // a huge map need not wait for the lint in each frame.
   const std::vector<Problem>* problems = nullptr;
@@ -62,6 +62,7 @@ class Ui {
   float messages_height = 0;  // px of the screen, that they take at its bottom
 
   ImTextureID sheet(SheetId id) const { return sheets[static_cast<std::size_t>(id)]; }
+  ImTextureID clear_sheet(SheetId id) const { return clear_sheets[static_cast<std::size_t>(id)]; }
   const SheetLayout& layout(SheetId id) const { return layouts[static_cast<std::size_t>(id)]; }
   // The place of a tile on the sheet.
   CellRect place_on_sheet(int tile) const;
