@@ -35,18 +35,23 @@ BasicVec2<Real> slide_along(BasicVec2<Real> normal, BasicVec2<Real> motion) {
   return motion - normal * dot(motion, normal);
 }
 
-// Whether a contact is with ground level enough to stand on, or to bounce from like a floor: |dy/dx| is at
-// most `steepest`, compared exactly, or on a curve steepest_on_curve().
+// Whether a contact with a piece is level, see is_level().
 template <class Real>
-bool is_level(const Contact<Real>& contact, Real steepest) {
+bool is_level_piece(const Contact<Real>& contact, Real steepest) {
   if (contact.normal.y == 0) return false;
-  const Piece<Real>* p = contact.piece;
-  if (p != nullptr && p->stretch != 0) steepest = steepest_on_curve(steepest);
-  if (p == nullptr || p->stretch != 0 || contact.on_end || contact.normal.x == 0) {
+  const Piece<Real>& p = *contact.piece;
+  if (p.stretch != 0) steepest = steepest_on_curve(steepest);
+  if (p.stretch != 0 || contact.on_end || contact.normal.x == 0)
     return std::abs(contact.normal.x) <= steepest * std::abs(contact.normal.y);
-  }
-  const Real slope = std::abs(p->slope);
-  return slope != steepest ? slope < steepest : p->slope * p->slope_rest <= 0;
+  const Real slope = std::abs(p.slope);
+  return slope != steepest ? slope < steepest : p.slope * p.slope_rest <= 0;
+}
+
+// Whether a contact is with ground level enough to stand on, or to bounce from like a floor: |dy/dx| is at
+// most `steepest`, compared exactly, or on a curve steepest_on_curve(). Bodies at rest ask it of full tiles.
+template <class Real>
+[[gnu::always_inline]] inline bool is_level(const Contact<Real>& contact, Real steepest) {
+  return contact.piece == nullptr ? contact.normal.y != 0 : is_level_piece(contact, steepest);
 }
 
 // RestMemo: what a box met that fell straight down while it touched the ground. For a fall of up to
