@@ -110,9 +110,10 @@ tl::expected<std::unique_ptr<App>, std::string> App::start(AppOptions options) {
   if (!is_asked_for) app->options_.file = first_file(settings);
   app->open_first_level();
   app->take_settings(settings);
-  const std::string& file = app->options_.file;
-  if (file.empty()) app->play_opened_level();
-  if (file.empty() || absolute_path(file) == absolute_path(asset_path(kDemoLevel))) app->demo_hand_.emplace();
+  if (app->options_.file.empty()) {
+    app->play_opened_level();
+    app->demo_hand_.emplace();
+  }
   if (app->options_.remember) {
     app->guard_.emplace((std::filesystem::path(state_folder()) / "autosave").string(),
                         app->options_.patience);
@@ -607,6 +608,8 @@ void App::note_changes() {
     copies_.forget();
     ui_.view.forget_level();
     ui_.view.window.welcome_open = false;
+    leave_demo();
+    if (session_->path() == absolute_path(asset_path(kDemoLevel))) demo_hand_.emplace();
     if (!options_.paused_at_first_screen) play_opened_level();
   }
   if (ui_.view.preferences != noted_preferences_) {

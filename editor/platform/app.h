@@ -142,7 +142,7 @@ class App {
   std::string remember_problem_;             // the last problem that was shown
   bool remembers_settings_ = true;           // false: the file has settings that could not be read
   int drawn_frames_ = 0;
-  std::optional<DemoHand> demo_hand_;  // while nobody has touched the demo level that the program began with
+  std::optional<DemoHand> demo_hand_;  // while the demo level is open and nobody has touched it
 };
 
 // Runs the editor on these files, of which the first in the order of names is opened; none: as the

@@ -237,4 +237,17 @@ TEST_F(UiOpening, TheDemoMovesUntilSomebodyTouchesIt) {
   }
 }
 
+TEST_F(UiOpening, TheHandOfTheDemoLeavesOtherLevelsAlone) {
+  std::filesystem::copy(source_path("assets/platformer"), path("platformer"));
+  open_as_users_do();
+  start("");
+  frames(300);
+  session().apply(action::OpenFile{path("platformer/meadow.tmx")});
+  ASSERT_TRUE(frames_until([&] { return !session().state().bodies.empty() && !session().path().empty(); }));
+  for (int i = 0; i < 500; ++i) {
+    frames(1);
+    ASSERT_EQ(session().state().grabbed, 0) << i;
+  }
+}
+
 }  // namespace talus::opening_test

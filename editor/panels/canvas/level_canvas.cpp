@@ -41,14 +41,13 @@ int body_at(const State& state, Vec2 p, double tolerance) {
   return found;
 }
 
-// A text on a dark plate, readable over any art. Returns its width.
-float draw_plate(ImDrawList& list, ImVec2 at, const std::string& text, ImU32 color, const Ui& ui) {
+// A text on a dark plate, readable over any art.
+void draw_plate(ImDrawList& list, ImVec2 at, const std::string& text, ImU32 color, const Ui& ui) {
   const ImVec2 size = size_of_text(text);
   const ImVec2 pad{ui.px(6), ui.px(2)};
   list.AddRectFilled(at, {at.x + size.x + 2 * pad.x, at.y + size.y + 2 * pad.y},
                      theme::color(theme::kDark, theme::kPlateAlpha), ui.px(3));
   add_text(list, {at.x + pad.x, at.y + pad.y}, color, text);
-  return size.x + 2 * pad.x;
 }
 
 // A text as lines that each fit on a plate.
@@ -59,22 +58,17 @@ std::vector<std::string> plate_lines(const std::string& text, const CanvasView& 
   return {lines.begin(), lines.end()};
 }
 
-// A text on plates below one another, above `low` px from the bottom of the canvas. Returns its box.
-ScreenBox draw_low_plates(ImDrawList& list, const CanvasView& view, const std::string& text, float low,
-                          bool in_middle, ImU32 color, const Ui& ui) {
+// A text on plates below one another, above `low` px from the bottom of the canvas.
+void draw_low_plates(ImDrawList& list, const CanvasView& view, const std::string& text, float low,
+                     bool in_middle, ImU32 color, const Ui& ui) {
   const std::vector<std::string> lines = plate_lines(text, view, ui);
-  const float gap = ui.px(4), height = ImGui::GetTextLineHeight() + ui.px(4);
-  ScreenBox box{view.min, {view.min.x, view.max.y - low}};
-  box.min.x += gap;
-  box.min.y = box.max.y - height * static_cast<float>(lines.size());
-  float at = box.min.y;
+  const float left = view.min.x + ui.px(4), height = ImGui::GetTextLineHeight() + ui.px(4);
+  float at = view.max.y - low - height * static_cast<float>(lines.size());
   for (const std::string& line : lines) {
     const float room = view.max.x - view.min.x - size_of_text(line).x - ui.px(12);
-    const float x = in_middle ? std::max(box.min.x, view.min.x + room / 2) : box.min.x;
-    box.max.x = std::max(box.max.x, x + draw_plate(list, {x, at}, line, color, ui));
+    draw_plate(list, {in_middle ? std::max(left, view.min.x + room / 2) : left, at}, line, color, ui);
     at += height;
   }
-  return box;
 }
 
 std::string zoom_text(float zoom) {
