@@ -2,6 +2,7 @@
 #include "shape_tools.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <optional>
@@ -94,26 +95,32 @@ std::optional<TileNumber> tile_for_inside(const Level& level, Vec2 a, Vec2 b) {
   return std::nullopt;
 }
 
-// Whether the edit puts a tile within reach of the body's box.
-bool comes_near(const Level& level, const Edit& edit, const Spawn& spawn) {
-  const Vec2 end = spawn.position + spawn.size;
-  return std::any_of(edit.changes.begin(), edit.changes.end(), [&](const Change& change) {
+// The first and last column and row of the cells that the edit changes; nothing if it changes none.
+std::optional<std::array<Cell, 2>> changed_cells(const Edit& edit) {
+  std::optional<std::array<Cell, 2>> area;
+  for (const Change& change : edit.changes) {
     const auto* put = std::get_if<CellChange>(&change);
-    if (put == nullptr) return false;
-    const Rect cell = level.map.box_of(put->cell);
-    return cell.x < end.x && cell.right() > spawn.position.x && cell.y < end.y &&
-           cell.bottom() > spawn.position.y;
-  });
+    if (put == nullptr) continue;
+    const auto [first, last] = area.value_or(std::array{put->cell, put->cell});
+    area = {Cell{std::min(first.x, put->cell.x), std::min(first.y, put->cell.y)},
+            Cell{std::max(last.x, put->cell.x), std::max(last.y, put->cell.y)}};
+  }
+  return area;
 }
 
 // Bodies that the new ground would bury start above it, in the same edit.
 void keep_bodies_out(const Level& level, Edit& edit) {
+  const auto area = changed_cells(edit);
+  if (!area || level.spawns.empty()) return;
+  const Vec2 first = level.map.corner_of((*area)[0]);
+  const Vec2 end = level.map.corner_of({(*area)[1].x + 1, (*area)[1].y + 1});
+  std::optional<Level> after;  // made for the first body that is near
   std::vector<Spawn> spawns = level.spawns;
-  std::optional<Level> after;
   for (Spawn& spawn : spawns) {
-    if (!comes_near(level, edit, spawn) || starts_in_ground(level, spawn)) continue;
+    const Vec2 from = spawn.position, to = from + spawn.size;
+    if (!(from.x < end.x && to.x > first.x && from.y < end.y && to.y > first.y)) continue;
     if (!after) apply_edit(after.emplace(level), edit);
-    if (!starts_in_ground(*after, spawn)) continue;
+    if (!starts_in_ground(*after, spawn) || starts_in_ground(level, spawn)) continue;
     if (const auto place = free_place(*after, spawn)) spawn.position = *place;
   }
   if (spawns != level.spawns) edit.changes.emplace_back(SpawnsChange{level.spawns, std::move(spawns)});

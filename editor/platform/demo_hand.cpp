@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <talus/level/tile_map.h>
+#include <talus/level/tileset.h>
 
 namespace talus {
 namespace {
@@ -12,8 +13,8 @@ constexpr std::int64_t kAlone = 240;  // frames, in which the balls fall by them
 constexpr std::int64_t kRound = 140;  // frames from one ball to the next
 constexpr std::int64_t kLift = 60;    // frames, for which a ball is held
 constexpr int kStride = 5;            // balls from one to the next, so that they are far from each other
-constexpr double kUp = 64, kAside = 56, kTop = 24;    // px: the way of the hand, and how high it goes at most
-constexpr double kMiddle = kScreenColumns * 8 / 2.0;  // px, x of the middle of the screen
+constexpr double kUp = 64, kAside = 56, kTop = 24;  // px: the way of the hand, and how high it goes at most
+constexpr double kMiddle = kScreenColumns * kCartTileSize / 2.0;  // px, x of the middle of the screen
 
 }  // namespace
 

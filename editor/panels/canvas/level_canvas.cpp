@@ -41,12 +41,18 @@ int body_at(const State& state, Vec2 p, double tolerance) {
   return found;
 }
 
+ImVec2 pad_of_plate(const Ui& ui) { return {ui.px(6), ui.px(2)}; }
+
+ImVec2 size_of_plate(const std::string& text, const Ui& ui) {
+  const ImVec2 size = size_of_text(text), pad = pad_of_plate(ui);
+  return {size.x + 2 * pad.x, size.y + 2 * pad.y};
+}
+
 // A text on a dark plate, readable over any art.
 void draw_plate(ImDrawList& list, ImVec2 at, const std::string& text, ImU32 color, const Ui& ui) {
-  const ImVec2 size = size_of_text(text);
-  const ImVec2 pad{ui.px(6), ui.px(2)};
-  list.AddRectFilled(at, {at.x + size.x + 2 * pad.x, at.y + size.y + 2 * pad.y},
-                     theme::color(theme::kDark, theme::kPlateAlpha), ui.px(3));
+  const ImVec2 size = size_of_plate(text, ui), pad = pad_of_plate(ui);
+  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, theme::color(theme::kDark, theme::kPlateAlpha),
+                     ui.px(3));
   add_text(list, {at.x + pad.x, at.y + pad.y}, color, text);
 }
 
@@ -65,7 +71,7 @@ void draw_low_plates(ImDrawList& list, const CanvasView& view, const std::string
   const float left = view.min.x + ui.px(4), height = ImGui::GetTextLineHeight() + ui.px(4);
   float at = view.max.y - low - height * static_cast<float>(lines.size());
   for (const std::string& line : lines) {
-    const float room = view.max.x - view.min.x - size_of_text(line).x - ui.px(12);
+    const float room = view.max.x - view.min.x - size_of_plate(line, ui).x;
     draw_plate(list, {in_middle ? std::max(left, view.min.x + room / 2) : left, at}, line, color, ui);
     at += height;
   }
@@ -461,14 +467,14 @@ void LevelCanvas::draw_paused(const Session& session, const CanvasView& view, Ui
   const std::string text = "Paused: " + keys_of("play/toggle"_command, ui) + " plays, " +
                            keys_of("play/step"_command, ui) + " steps";
   const ImVec2 top = view.to_screen({body->box.center().x, body->box.y});
-  const float gap = ui.px(4), height = ImGui::GetTextLineHeight() + gap;
-  const float width = size_of_text(text).x + ui.px(12);
+  const float gap = ui.px(4);
+  const ImVec2 size = size_of_plate(text, ui);
   const auto within = [](float at, float least, float most) { return std::max(least, std::min(at, most)); };
-  const ImVec2 at{within(top.x - width / 2, view.min.x + gap, view.max.x - width - gap),
-                  within(top.y - height - 3 * gap, captions_box(session, view, ui).max.y + gap,
-                         view.max.y - height - gap)};
+  const ImVec2 at{within(top.x - size.x / 2, view.min.x + gap, view.max.x - size.x - gap),
+                  within(top.y - size.y - 3 * gap, captions_box(session, view, ui).max.y + gap,
+                         view.max.y - size.y - gap)};
   draw_plate(*ImGui::GetWindowDrawList(), at, text, theme::color(theme::kText), ui);
-  ui.place(name_ + "/paused", at, {at.x + width, at.y + height});
+  ui.place(name_ + "/paused", at, {at.x + size.x, at.y + size.y});
 }
 
 // A line to where a held ball is pulled.
@@ -518,7 +524,7 @@ ScreenBox LevelCanvas::captions_box(const Session& session, const CanvasView& vi
   const float gap = ui.px(4), line = ImGui::GetTextLineHeight() + ui.px(4) + gap;
   ScreenBox box{view.min, view.min};
   for (const Caption& caption : captions(session, view, ui)) {
-    const float width = size_of_text(caption.text).x + 2 * ui.px(6);
+    const float width = size_of_plate(caption.text, ui).x;
     box.max = {std::max(box.max.x, view.min.x + gap + width), box.max.y + line};
   }
   if (!camera_.shows_whole()) return box;

@@ -59,8 +59,7 @@ void WhyPanel::draw(const Session& session, Actions& actions, Ui& ui) {
             "), and see here what happens in it.");
     return;
   }
-  draw_lines(text_in_lines(explain_step(session.frame_view(), body), ImGui::GetContentRegionAvail().x),
-             theme::tone(theme::kText));
+  draw_wrapped_text(explain_step(session.frame_view(), body), theme::tone(theme::kText));
   ImGui::Spacing();
   command_button("why/before"_command, session, actions, ui);
   ImGui::SameLine();
