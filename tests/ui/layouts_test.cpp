@@ -132,17 +132,21 @@ TEST_F(UiLayouts, TheCanvasComesFirstInASmallWindow) {
   start(save_test_level("level.talus.json"), 700, 450);
   EXPECT_EQ(find("sheet/tiles"), nullptr) << "there is no room for it";
   EXPECT_GE(width_of("play/canvas"), 350);
-  for (const Widget& widget : app().ui().widgets.all())
-    if (widget.name.starts_with("transport/") || widget.name.starts_with("overlay/group"))
+  for (const Widget& widget : app().ui().widgets.all()) {
+    if (widget.name.starts_with("transport/") || widget.name.starts_with("overlay/group")) {
       EXPECT_LE(widget.max.x, 700) << widget.name;
+    }
+  }
 }
 
 TEST_F(UiLayouts, ToolsThatHaveNoRoomAreInAMenu) {
   start(save_test_level("level.talus.json"), 1152, 700);
   const float row = find("canvas/play")->min.y;
-  for (const Widget& widget : app().ui().widgets.all())
-    if (widget.name.starts_with("map/") && widget.name.find("canvas") == std::string::npos)
+  for (const Widget& widget : app().ui().widgets.all()) {
+    if (widget.name.starts_with("map/") && widget.name.find("canvas") == std::string::npos) {
       EXPECT_LE(widget.min.y, row + 4) << widget.name << " is in a second row";
+    }
+  }
   ASSERT_NE(find("canvas/more"), nullptr);
   EXPECT_EQ(find("map/minimap"), nullptr);
   click("canvas/more");

@@ -100,7 +100,9 @@ TEST_F(UiMoreFlags, TheHeaderFitsBesideTheTabs) {
     const Widget *tab = find("tabs/color"), *brush = find("flags/brush"), *number = find("flags/byte");
     ASSERT_TRUE(brush != nullptr && number != nullptr);
     const Widget* const first = find("flags/more") != nullptr ? find("flags/more") : brush;
-    if (tab != nullptr) EXPECT_LE(tab->max.x, first->min.x) << flag;
+    if (tab != nullptr) {
+      EXPECT_LE(tab->max.x, first->min.x) << flag;
+    }
     EXPECT_LE(brush->max.x, number->min.x) << flag;
     EXPECT_LE(number->max.x, number->clip_max.x) << flag;
     const float digits = ImGui::CalcTextSize("88888888").x / 8 * static_cast<float>(shown_flags(level)) / 4;
