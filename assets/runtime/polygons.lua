@@ -80,15 +80,25 @@ local function is_above(a, b, x)
   return ours_low < theirs_low
 end
 
+-- The i-th number of a polygon's points. Points on the lines of a larger area are not welded.
+local function coordinate_of(shape, i) return shape.lines and shape.points[i] or weld(shape.points[i]) end
+
 -- All sides but the vertical ones, from left to right.
-local function sides_of(points)
-  local sides = {}
-  for i = 1, #points, 2 do
-    local ax, ay = weld(points[i]), weld(points[i + 1])
-    local next = i + 2 > #points and 1 or i + 2
-    local bx, by = weld(points[next]), weld(points[next + 1])
-    if ax < bx then sides[#sides + 1] = line_between(ax, ay, bx, by) end
-    if ax > bx then sides[#sides + 1] = line_between(bx, by, ax, ay) end
+local function sides_of(shape)
+  local sides, count, lines = {}, #shape.points, shape.lines
+  for i = 1, count, 2 do
+    local next = i + 2 > count and 1 or i + 2
+    local ax, ay = coordinate_of(shape, i), coordinate_of(shape, i + 1)
+    local bx, by = coordinate_of(shape, next), coordinate_of(shape, next + 1)
+    if ax > bx then ax, ay, bx, by = bx, by, ax, ay end
+    if ax < bx then
+      local side = line_between(ax, ay, bx, by)
+      if lines then
+        side = line_between(lines[2 * i - 1], lines[2 * i], lines[2 * i + 1], lines[2 * i + 2])
+        side.x0, side.y0, side.x1, side.y1 = ax, ay, bx, by
+      end
+      sides[#sides + 1] = side
+    end
   end
   return sides
 end
@@ -104,9 +114,9 @@ local function each_once(all)
 end
 
 -- The places where the parts may change: at points, and at the borders of columns.
-local function cuts_of_polygon(points, first, last)
+local function cuts_of_polygon(shape, first, last)
   local all = {}
-  for i = 1, #points, 2 do all[#all + 1] = weld(points[i]) end
+  for i = 1, #shape.points, 2 do all[#all + 1] = coordinate_of(shape, i) end
   for column = first, last - 1 do all[#all + 1] = (column + 1) * TILE_W end
   return each_once(all)
 end
@@ -132,7 +142,7 @@ end
 
 -- Adds the parts of a polygon, column by column, and in each from the left.
 local function cut_polygon(shape, number, first, last, add)
-  local sides, cuts = sides_of(shape.points), cuts_of_polygon(shape.points, first, last)
+  local sides, cuts = sides_of(shape), cuts_of_polygon(shape, first, last)
   local open = {}
   for i = 1, #cuts do
     local new = {}
@@ -190,7 +200,8 @@ local function cut_shape(shape)
   return out
 end
 
--- shape: also kind "polygon" with the x and y of its points in turn, or "group" with parts.
+-- shape: also kind "polygon" with the x and y of its points in turn, or "group" with parts. A polygon that is a part of
+-- a larger area has lines: for each point, the ends of the line that the side to the next point is a part of.
 function Terrain.outline_of(shape)
   if shape.parts and #shape.parts == 1 then shape = shape.parts[1] end  -- a group of one part is that part
   return (shape.points or shape.parts) and cut_shape(shape) or outline_of_line(shape)

@@ -12,6 +12,10 @@
 namespace talus {
 namespace {
 
+Vec2 point_of(const TileShape& polygon, std::size_t i) {
+  return polygon.lines.empty() ? weld(polygon.points[i]) : polygon.points[i];
+}
+
 struct Extent {
   double left, right;
 };
@@ -25,8 +29,15 @@ Extent extent_of(const TileShape& polygon) {
 std::vector<OutlineLine> sides_of(const TileShape& polygon) {
   std::vector<OutlineLine> sides;
   for (std::size_t i = 0; i < polygon.points.size(); ++i) {
-    const Vec2 a = weld(polygon.points[i]), b = weld(polygon.points[(i + 1) % polygon.points.size()]);
-    if (a.x != b.x) sides.push_back(a.x < b.x ? line_between(a, b) : line_between(b, a));
+    const Vec2 a = point_of(polygon, i), b = point_of(polygon, (i + 1) % polygon.points.size());
+    if (a.x == b.x) continue;
+    const Vec2 &from = a.x < b.x ? a : b, &to = a.x < b.x ? b : a;
+    OutlineLine side = line_between(from, to);
+    if (!polygon.lines.empty()) {
+      side = line_between(polygon.lines[i].from, polygon.lines[i].to);
+      side.x0 = from.x, side.y0 = from.y, side.x1 = to.x, side.y1 = to.y;
+    }
+    sides.push_back(side);
   }
   return sides;
 }
@@ -34,7 +45,7 @@ std::vector<OutlineLine> sides_of(const TileShape& polygon) {
 // The places where the parts may change: at points, and at the borders of columns.
 std::vector<double> cuts_of(const TileShape& polygon, ColumnSpan columns, TileSize tile) {
   std::vector<double> cuts;
-  for (const Vec2 point : polygon.points) cuts.push_back(weld(point.x));
+  for (std::size_t i = 0; i < polygon.points.size(); ++i) cuts.push_back(point_of(polygon, i).x);
   for (int column = columns.first; column < columns.last; ++column)
     cuts.push_back(static_cast<double>(column + 1) * tile.width);
   std::sort(cuts.begin(), cuts.end());
@@ -42,8 +53,8 @@ std::vector<double> cuts_of(const TileShape& polygon, ColumnSpan columns, TileSi
   return cuts;
 }
 
-// Whether a line is above another at an x that both have. Exact: the coordinates are whole numbers of 1/512
-// px, and small.
+// Whether a line is above another at an x that both have. Exact where points are welded: the coordinates are
+// whole numbers of 1/512 px, and small.
 bool is_above(const OutlineLine& a, const OutlineLine& b, double x) {
   const auto scaled = [x](const OutlineLine& line, const OutlineLine& other) {
     const double height = line.y0 * (line.x1 - line.x0) + (line.y1 - line.y0) * (x - line.x0);

@@ -191,7 +191,23 @@ bool crosses_itself(const std::vector<WeldedPoint>& points) {
   return false;
 }
 
-Problem problem_of_polygon(const std::vector<Vec2>& points, TileSize tile) {
+// The sides of a part of a larger area may be shorter than 1/256 px.
+Problem problem_of_part(const TileShape& polygon) {
+  const std::vector<Vec2>& points = polygon.points;
+  if (polygon.lines.size() != points.size()) return "has not one line for each point";
+  bool is_upright = true;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto [left, right] = std::minmax(points[i].x, points[(i + 1) % points.size()].x);
+    const Segment& line = polygon.lines[i];
+    if (!is_finite(line.from) || !is_finite(line.to)) return "has a line with an end that is not a number";
+    if (line.from.x > left || line.to.x < right) return "has a line that is shorter than its side";
+    is_upright = is_upright && left == right;
+  }
+  return is_upright ? "has no area" : Problem();
+}
+
+Problem problem_of_polygon(const TileShape& polygon, TileSize tile) {
+  const std::vector<Vec2>& points = polygon.points;
   if (points.size() < 3) return "needs at least 3 points";
   if (points.size() > kMaxPolygonPoints) return "has more than 256 points";
   const auto is_near = [](double at, int side) {
@@ -204,6 +220,7 @@ Problem problem_of_polygon(const std::vector<Vec2>& points, TileSize tile) {
       return "has a point that is further than 8 tiles from its tile";
     welded.push_back({std::llround(point.x * kWeldParts), std::llround(point.y * kWeldParts)});
   }
+  if (!polygon.lines.empty()) return problem_of_part(polygon);
   for (std::size_t i = 0; i < welded.size(); ++i) {
     if (welded[i] == welded[(i + 1) % welded.size()])
       return "has two neighbouring points at the same place, rounded to 1/256 px";
@@ -240,10 +257,11 @@ std::optional<std::string> problem_of(const TileShape& shape, TileSize tile) {
     return std::string("stops bodies on its ") + (shape.side == TileShape::Side::left ? "left" : "right") +
            " side alone, which no solver can";
   if (shape.kind != Kind::polygon && !shape.points.empty()) return "has points, which only a polygon has";
+  if (shape.kind != Kind::polygon && !shape.lines.empty()) return "has lines, which only a polygon has";
   if (shape.kind != Kind::group && !shape.parts.empty()) return "has parts, which only a group has";
   if (shape.kind == Kind::slope || shape.kind == Kind::profile) return problem_of_heights(shape, tile);
   if (!shape.heights.empty()) return "has heights, which only a slope or a profile has";
-  if (shape.kind == Kind::polygon) return problem_of_polygon(shape.points, tile);
+  if (shape.kind == Kind::polygon) return problem_of_polygon(shape, tile);
   return shape.kind == Kind::group ? problem_of_group(shape, tile) : Problem();
 }
 

@@ -98,6 +98,9 @@ void write_shape(LuaTable&& table, const TileShape& shape, TileSize tile, bool w
     std::vector<double> numbers;  // x and y in turn
     for (const Vec2 point : shape.points) numbers.insert(numbers.end(), {point.x, point.y});
     table.numbers("points", numbers);
+    numbers.clear();
+    for (const auto& [from, to] : shape.lines) numbers.insert(numbers.end(), {from.x, from.y, to.x, to.y});
+    if (!numbers.empty()) table.numbers("lines", numbers);
   }
   if (shape.kind == TileShape::Kind::group) {
     LuaTable parts = table.in_a_row("parts");

@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t kMostPoints = 1024;                // of an outline
 constexpr std::size_t kMostCrossings = 4096;             // of an outline with itself
 constexpr std::size_t kMostWork = std::size_t{1} << 27;  // of all outlines
+constexpr double kOnLine = 1.0 / (1 << 26);              // px; a point that is so near to a line is on it
 
 double height_at(Vec2 from, Vec2 to, double x) {
   if (x <= from.x) return from.y;
@@ -93,26 +94,29 @@ bool ObjectCells::add(std::vector<Vec2> outline) {
   simplify(outline);
   if (outline.empty()) return true;
   if (outline.size() > kMostPoints || !works(outline.size() * outline.size())) return false;
-  std::vector<Line> lines;
+  std::vector<OutlineLine> lines;
   std::vector<double> cuts;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2 a = outline[i], b = outline[(i + 1) % outline.size()];
     cuts.push_back(a.x);
-    if (a.x != b.x) lines.push_back(a.x < b.x ? Line{a, b} : Line{b, a});
+    if (a.x == b.x) continue;
+    lines.push_back(a.x < b.x ? line_between(a, b) : line_between(b, a));
+    lines.back().precise = true;
   }
-  std::size_t crossings = 0;
+  crossings_.clear();
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const Line &a = lines[i], &b = lines[j];
-      const double x0 = std::max(a.from.x, b.from.x), x1 = std::min(a.to.x, b.to.x);
+      const OutlineLine &a = lines[i], &b = lines[j];
+      const double x0 = std::max(a.x0, b.x0), x1 = std::min(a.x1, b.x1);
       if (x0 >= x1) continue;
-      const double d0 = height_at(a.from, a.to, x0) - height_at(b.from, b.to, x0);
-      const double d1 = height_at(a.from, a.to, x1) - height_at(b.from, b.to, x1);
+      const double d0 = a.at(x0) - b.at(x0), d1 = a.at(x1) - b.at(x1);
       if (!(d0 < 0 && d1 > 0) && !(d0 > 0 && d1 < 0)) continue;
-      if (++crossings > kMostCrossings) return false;
-      cuts.push_back(weld(x0 + (x1 - x0) * (d0 / (d0 - d1))));
+      crossings_.push_back(weld(x0 + (x1 - x0) * (d0 / (d0 - d1))));
+      if (crossings_.size() > kMostCrossings) return false;
     }
   }
+  std::sort(crossings_.begin(), crossings_.end());
+  cuts.insert(cuts.end(), crossings_.begin(), crossings_.end());
   std::sort(cuts.begin(), cuts.end());
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   const auto column_at = [&](double x) {
@@ -129,31 +133,37 @@ bool ObjectCells::add(std::vector<Vec2> outline) {
   return work_ <= kMostWork;
 }
 
-void ObjectCells::add_column(const std::vector<Line>& lines, const std::vector<double>& cuts, int column) {
+// The height at which a side is cut there.
+double ObjectCells::cut_y(const OutlineLine& line, double x) const {
+  const double y = line.at(x), welded = weld(y);
+  const bool is_corner = std::fmod(welded, tile_.height) == 0;
+  return is_corner || std::binary_search(crossings_.begin(), crossings_.end(), x) ? welded : y;
+}
+
+void ObjectCells::add_column(const std::vector<OutlineLine>& lines, const std::vector<double>& cuts,
+                             int column) {
   const double left = static_cast<double>(column) * tile_.width, right = left + tile_.width;
   std::vector<double> xs = {std::max(left, cuts.front())};
   for (auto cut = std::upper_bound(cuts.begin(), cuts.end(), left); cut != cuts.end() && *cut < right; ++cut)
     if (*cut > xs.back()) xs.push_back(*cut);
   if (cuts.back() >= right) xs.push_back(right);
-  std::vector<const Line*> here;
-  for (const Line& line : lines)
-    if (line.from.x < right && line.to.x > left) here.push_back(&line);
+  here_.clear();
+  for (const OutlineLine& line : lines)
+    if (line.x0 < right && line.x1 > left) here_.push_back(&line);
 
   std::vector<Chain> open;
   for (std::size_t i = 0; i + 1 < xs.size(); ++i) {
     const double x0 = xs[i], x1 = xs[i + 1], middle = (x0 + x1) / 2;
-    std::vector<const Line*> met;
-    for (const Line* line : here)
-      if (line->from.x <= x0 && line->to.x >= x1) met.push_back(line);
-    std::stable_sort(met.begin(), met.end(), [&](const Line* a, const Line* b) {
-      return height_at(a->from, a->to, middle) < height_at(b->from, b->to, middle);
+    std::vector<const OutlineLine*> met;
+    for (const OutlineLine* line : here_)
+      if (line->x0 <= x0 && line->x1 >= x1) met.push_back(line);
+    std::stable_sort(met.begin(), met.end(), [&](const OutlineLine* a, const OutlineLine* b) {
+      return a->at(middle) < b->at(middle);
     });
-    if (!works(here.size())) return;
+    if (!works(here_.size())) return;
     std::vector<Chain> next;
     for (std::size_t n = 0; n + 1 < met.size(); n += 2) {
-      const auto at = [&](std::size_t line, double x) {
-        return weld(height_at(met[line]->from, met[line]->to, x));
-      };
+      const auto at = [&](std::size_t line, double x) { return cut_y(*met[line], x); };
       const Vec2 u0{x0, at(n, x0)}, u1{x1, at(n, x1)};
       const Vec2 l0{x0, std::max(at(n + 1, x0), u0.y)}, l1{x1, std::max(at(n + 1, x1), u1.y)};
       const auto before = std::find_if(open.begin(), open.end(), [&](const Chain& chain) {
@@ -186,8 +196,9 @@ ObjectCells::Points ObjectCells::with_borders(const Points& line) {
     for (double row = std::ceil(high / tile_.height); row * tile_.height <= low; ++row) {
       const double y = row * tile_.height;
       if (y == from.y || y == to.y || from.y == to.y) continue;
-      const double x = weld(from.x + (to.x - from.x) * ((y - from.y) / (to.y - from.y)));
-      all.push_back({std::clamp(x, from.x, to.x), y});
+      const double x = from.x + (to.x - from.x) * ((y - from.y) / (to.y - from.y)), welded = weld(x);
+      const bool is_corner = welded <= from.x || welded >= to.x || std::fmod(welded, tile_.width) == 0;
+      all.push_back({is_corner ? std::clamp(welded, from.x, to.x) : x, y});
     }
     if (to.y < from.y) std::reverse(all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
     all.push_back(to);
@@ -248,23 +259,48 @@ void ObjectCells::add_part(const Points& upper, const Points& lower, double from
   const Vec2 corner{static_cast<double>(cell.x) * tile_.width, static_cast<double>(cell.y) * tile_.height};
   const auto along = [&](const Points& line) {
     Points part;
-    const auto add = [&](Vec2 p) { part.push_back(p - corner); };
     const auto is_end = [&](double x) {
       return std::any_of(line.begin(), line.end(), [x](Vec2 p) { return p.x == x; });
     };
-    if (!is_end(from)) add({from, weld(range_at(line, from).least)});
+    if (!is_end(from)) part.push_back({from, range_at(line, from).least});
     for (const Vec2 point : line)
-      if (point.x >= from && point.x <= to) add(point);
-    if (!is_end(to)) add({to, weld(range_at(line, to).least)});
+      if (point.x >= from && point.x <= to) part.push_back(point);
+    if (!is_end(to)) part.push_back({to, range_at(line, to).least});
     return part;
   };
   Points polygon = along(upper), below = along(lower);
   polygon.insert(polygon.end(), below.rbegin(), below.rend());
   simplify(polygon);
   if (polygon.empty()) return;
+  Part part;
+  const bool is_welded =
+      std::all_of(polygon.begin(), polygon.end(), [](Vec2 point) { return weld(point) == point; });
+  if (!is_welded && !works(polygon.size() * here_.size())) return;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    part.points.push_back(a - corner);
+    if (is_welded) continue;
+    const bool is_forward = a.x < b.x || (a.x == b.x && a.y < b.y);
+    Segment line = is_forward ? Segment{a, b} : Segment{b, a};
+    if (const OutlineLine* whole = line_through(a, b))
+      line = {{whole->x0, whole->y0}, {whole->x1, whole->y1}};
+    part.lines.push_back({line.from - corner, line.to - corner});
+  }
   const auto at =
       static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(cell.x);
-  parts_[at].push_back(std::move(polygon));
+  parts_[at].push_back(std::move(part));
+}
+
+// The side that both points lie on; null if there is none.
+const OutlineLine* ObjectCells::line_through(Vec2 a, Vec2 b) const {
+  if (a.x == b.x) return nullptr;
+  const auto is_on = [](const OutlineLine& line, Vec2 p) {
+    return line.x0 <= p.x && p.x <= line.x1 && std::abs(line.at(p.x) - p.y) <= kOnLine;
+  };
+  const auto found = std::find_if(here_.begin(), here_.end(), [&](const OutlineLine* line) {
+    return is_on(*line, a) && is_on(*line, b);
+  });
+  return found == here_.end() ? nullptr : *found;
 }
 
 }  // namespace talus

@@ -6,13 +6,21 @@
 #include <vector>
 
 #include <talus/level/tile_map.h>
+#include "../collision/tile_outlines.h"
 
 namespace talus {
 
-// The parts of areas in the cells of a map. All points are welded. Where a side leaves a cell, its parts have
-// a common point, at most 1/256 px off the side, so no gap is between them.
+// The parts of areas in the cells of a map. Where a side leaves a cell, its parts have a common point on the
+// side, so that no gap is between them, and they lie on one line. Next to a corner of a cell, and where sides
+// cross, that point is welded: up to 1/256 px off the side.
 class ObjectCells {
  public:
+  // A polygon inside of a cell; the fields as in TileShape.
+  struct Part {
+    std::vector<Vec2> points;
+    std::vector<Segment> lines;
+  };
+
   // The map's size counts, not its tiles.
   explicit ObjectCells(const TileMap& map);
 
@@ -23,30 +31,32 @@ class ObjectCells {
 
   // By cell, row by row: whether all of it is inside.
   const std::vector<bool>& full() const { return full_; }
-  // By index of the cell: the polygons inside of it, px from its corner. Cells that are full have none.
-  const std::map<std::size_t, std::vector<std::vector<Vec2>>>& parts() const { return parts_; }
+  // By index of the cell: the polygons inside of it. Cells that are full have none.
+  const std::map<std::size_t, std::vector<Part>>& parts() const { return parts_; }
 
  private:
-  struct Line {
-    Vec2 from, to;  // from.x < to.x
-  };
   using Points = std::vector<Vec2>;  // from left to right
   struct Chain {
     Points upper, lower;
   };
 
   bool works(std::size_t steps);
-  void add_column(const std::vector<Line>& lines, const std::vector<double>& cuts, int column);
+  void add_column(const std::vector<OutlineLine>& lines, const std::vector<double>& cuts, int column);
   void add_chain(const Chain& chain, int column);
   void add_row(const Points& whole_upper, const Points& whole_lower, Cell cell);
   void add_part(const Points& upper, const Points& lower, double from, double to, Cell cell);
   Points with_borders(const Points& line);
+  double cut_y(const OutlineLine& line, double x) const;
+  const OutlineLine* line_through(Vec2 a, Vec2 b) const;
 
   int width_, height_;
   TileSize tile_;
   std::vector<bool> full_;
-  std::map<std::size_t, std::vector<std::vector<Vec2>>> parts_;
+  std::map<std::size_t, std::vector<Part>> parts_;
   std::size_t work_ = 0;
+  // Of the outline that is added.
+  std::vector<double> crossings_;         // x where it crosses itself, sorted
+  std::vector<const OutlineLine*> here_;  // its sides in the column
 };
 
 }  // namespace talus

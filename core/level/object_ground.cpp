@@ -118,11 +118,12 @@ class ObjectGround {
     if (!problem_of(curve, level_.map)) curves_.push_back({object.name, std::move(curve), ""});
   }
 
-  void add_shape(std::size_t cell, const std::vector<std::vector<Vec2>>& polygons) {
+  void add_shape(std::size_t cell, const std::vector<ObjectCells::Part>& polygons) {
     TileShape shape{.kind = TileShape::Kind::group};
-    for (const std::vector<Vec2>& points : polygons) {
+    for (const ObjectCells::Part& polygon : polygons) {
       TileShape part{.kind = TileShape::Kind::polygon};
-      part.points = points;
+      part.points = polygon.points;
+      part.lines = polygon.lines;
       if (!problem_of(part, level_.map.tile_size())) shape.parts.push_back(std::move(part));
     }
     if (shape.parts.empty()) return;
@@ -140,6 +141,7 @@ class ObjectGround {
   static void add_key(const TileShape& shape, std::vector<double>& key) {
     key.push_back(static_cast<double>(shape.points.size()));
     for (const Vec2 point : shape.points) key.insert(key.end(), {point.x, point.y});
+    for (const auto& [from, to] : shape.lines) key.insert(key.end(), {from.x, from.y, to.x, to.y});
   }
 
   const Level& level_;

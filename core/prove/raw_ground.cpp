@@ -58,8 +58,11 @@ void add_heights(std::vector<RawPart>& out, const TileShape& shape, TileSize til
 void add_polygon(std::vector<RawPart>& out, const TileShape& shape) {
   std::vector<RawLine> sides;
   std::vector<Fine> cuts;
+  const auto point = [&](std::size_t i) {
+    return shape.lines.empty() ? weld(shape.points[i]) : shape.points[i];
+  };
   for (std::size_t i = 0; i < shape.points.size(); ++i) {
-    const Vec2 a = weld(shape.points[i]), b = weld(shape.points[(i + 1) % shape.points.size()]);
+    const Vec2 a = point(i), b = point((i + 1) % shape.points.size());
     cuts.push_back(fine(a.x));
     if (a.x == b.x) continue;
     const Vec2 &first = a.x < b.x ? a : b, &second = a.x < b.x ? b : a;

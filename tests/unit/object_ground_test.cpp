@@ -126,6 +126,27 @@ TEST(ObjectGround, HasNoSeams) {
   }
 }
 
+TEST(ObjectGround, ASideIsOneLineInAllItsCells) {
+  const Vec2 left{13, 150}, right{283, 75};  // 5 px up in 18
+  MapObject area;
+  area.form = MapObject::Form::polygon;
+  area.points = {left, right, {283, 200}, {13, 200}};
+  const Terrain terrain = terrain_of(level_with({area}));
+  int pieces = 0;
+  for (Cell cell; cell.y < 15; ++cell.y) {
+    for (cell.x = 0; cell.x < 20; ++cell.x) {
+      for (const Piece<double>& piece : terrain.pieces_in(cell)) {
+        if (piece.facing != Facing::up) continue;
+        ++pieces;
+        EXPECT_EQ(piece.slope, -75.0 / 270);
+        for (const Vec2 end : {Vec2{piece.x0, piece.y0}, Vec2{piece.x1, piece.y1}})
+          EXPECT_NEAR(end.y, 150 - (end.x - 13) * 75 / 270, 1e-11);
+      }
+    }
+  }
+  EXPECT_GE(pieces, 17);
+}
+
 TEST(ObjectGround, ABodyStandsAndWalksOnIt) {
   Level level = level_with({box_object({0, 120, 110.5, 60}),
                             polygon_object({{110.5, 120}, {200, 90.3}, {200, 180}, {110.5, 180}})});

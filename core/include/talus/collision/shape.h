@@ -41,6 +41,14 @@ enum class Foot : std::uint8_t { box, centre };
 using TileNumber = std::uint16_t;
 inline constexpr int kMaxTiles = 65'536;  // different tiles, as many as there are numbers
 
+// A straight line between two points, with from.x <= to.x. A vertical one has from.y < to.y; one that only
+// becomes vertical by welding may have any y.
+struct Segment {
+  Vec2 from;  // px, welded
+  Vec2 to;    // px, welded
+  friend bool operator==(const Segment&, const Segment&) = default;
+};
+
 // The shape that a cell of the grid gives to the ground. A slope belongs to the cell at its left end. It may
 // reach over the cells to its right, and up (a floor) or down (a ceiling). A polygon may reach over the cells
 // on all sides.
@@ -75,6 +83,10 @@ struct TileShape {
   // 3 to kMaxPolygonPoints points, none further than kMaxShapeTiles tiles from the tile. No two sides may
   // meet but neighbours in their common end.
   std::vector<Vec2> points = {};
+  // px from the tile's top left. Of a polygon that is a part of a larger area: for each point, the line that
+  // the side from there to the next point is a part of. Then points are not welded, as they lie on these
+  // lines. Empty: each side is a line of its own.
+  std::vector<Segment> lines = {};
   // Of a group, 1 to kMaxGroupParts; empty for the others. No part is a group or nothing. Where parts overlap
   // or touch, they are one. Their polygons have at most kMaxGroupPoints points.
   std::vector<TileShape> parts = {};
@@ -108,13 +120,6 @@ inline Vec2 weld(Vec2 point) { return {weld(point.x), weld(point.y)}; }
 // So all ends meet others on that grid. Where this puts the end of an arc or a sine off the curve, the last
 // quarter of a px, but at most half of the curve, is a straight line to the end.
 //
-// A straight line between two points, with from.x <= to.x. A vertical one has from.y < to.y; one that only
-// becomes vertical by welding may have any y.
-struct Segment {
-  Vec2 from;  // px, welded
-  Vec2 to;    // px, welded
-  friend bool operator==(const Segment&, const Segment&) = default;
-};
 // A part of a circle.
 struct Arc {
   Vec2 center;        // px
