@@ -12,8 +12,9 @@ local UNDER = 16  -- the floor under a body is followed over so many pieces to a
 
 -- The column of the solid tile in a row that is nearest to the middle of the box; if there is none under the box,
 -- another one.
-function Walk:solid_column(x, w, y)
-  local terrain, middle = self.terrain, x + w / 2
+function Walk:solid_column(box, y)
+  local terrain, x, w = self.terrain, box.x, box.w
+  local middle = x + w / 2
   local left = floor(middle / TILE_W)
   local right = left
   while not terrain:is_solid(left, y) and left * TILE_W > x do left = left - 1 end
@@ -26,27 +27,27 @@ end
 
 -- The x of the box where it leaves a row of full tiles. Where another kind of ground may go on, only its middle
 -- stands on the last tile.
-function Walk:end_of_tiles(contact, x, w, is_centre)
-  local terrain, step, y = self.terrain, self.direction, contact.row
+function Walk:end_of_tiles(contact, box)
+  local terrain, step, x, w, y = self.terrain, self.direction, box.x, box.w, contact.row
   local far = x + step * (w + SHORT)
-  local at = self:solid_column(x, w, y)
+  local at = self:solid_column(box, y)
   if not terrain:is_solid(at, y) then return x end  -- it met the last corner of the row
   while terrain:is_open(at + step, y, 0, -1) and ((at + step) * TILE_W - far) * step < 0 do at = at + step end
   local next_to = at + step
-  local leads_on = is_centre and terrain:is_solid(next_to, y) and terrain:is_detailed(next_to, y)
+  local leads_on = box.centre and terrain:is_solid(next_to, y) and terrain:is_detailed(next_to, y)
   local rest = leads_on and w / 2 or 0.0
   return step > 0 and next_to * TILE_W - rest or at * TILE_W - w + rest
 end
 
 -- The x of the box where it leaves the floor that it has met.
-function Walk:end_of(contact, on_line, x, w, is_centre)
-  local right, piece = self.direction > 0, contact.piece
-  if contact.other then return right and contact.other.x + contact.other.w or contact.other.x - w end
-  if not piece then return self:end_of_tiles(contact, x, w, is_centre) end
-  if on_line then return (right and piece.x1 or piece.x0) - piece.form.offset(piece, w, is_centre) end
+function Walk:end_of(contact, on_line, box)
+  local right, piece, other, x, w = self.direction > 0, contact.piece, contact.other, box.x, box.w
+  if other then return right and other.x + other.w or other.x - w end
+  if not piece then return self:end_of_tiles(contact, box) end
+  if on_line then return (right and piece.x1 or piece.x0) - piece.form.offset(piece, w, box.centre) end
   -- The flat bottom stands on an end of the piece, or on a level piece.
   local half = w / 2
-  if is_centre then
+  if box.centre then
     if piece.x1 - (x + half) > (x + half) - piece.x0 then return right and piece.x0 - half or piece.x0 - w end
     return right and piece.x1 or piece.x1 - half
   end
@@ -55,63 +56,73 @@ function Walk:end_of(contact, on_line, x, w, is_centre)
   return right and corner or corner - w
 end
 
--- A floor: the contact with it, whether the foot is on the line of a piece, and where the floor ends.
-function Walk:floor_of(contact, x, w, is_centre)
+-- A floor: the contact that met it, whether the foot is on the line of a piece, and where the floor ends.
+function Walk:floor_of(contact, box)
   local on_line = contact.piece ~= nil and not contact.on_end
-  return {contact = contact, on_line = on_line, stop = self:end_of(contact, on_line, x, w, is_centre)}
+  return {met = contact, on_line = on_line, stop = self:end_of(contact, on_line, box)}
+end
+
+-- What a box meets first on its way. sunk: as that of the walk, which it is by default.
+function Walk:cast(box, way_x, way_y, without, sunk)
+  return cast_box(self.terrain, box.x, box.y, box.w, box.h, way_x, way_y, box.centre, self.others, without,
+                  sunk or self.sunk)
+end
+function Walk.slack(box, way_x, way_y)
+  return rounding_slack(box.x, box.y, box.w, box.h, way_x or 0.0, way_y or 0.0)
 end
 
 -- Of a body whose flat bottom is on the end of a floor: the floor that goes on under its middle, if that begins
 -- up to LIP lower. Else the same floor.
-function Walk:beyond_end(ended, x, w, h, rise)
-  local found = cast_box(self.terrain, x + w / 2, ended.contact.y - AHEAD, 0.0, h, 0.0, AHEAD + rise)
+function Walk:beyond_end(ended, box, rise)
+  local found = cast_box(self.terrain, box.x + box.w / 2, ended.met.y - AHEAD, 0.0, box.h, 0.0, AHEAD + rise)
   if not found or found.on_end or not is_level(found, self.steepest) then return ended end
-  found.x = x
-  return self:floor_of(found, x, w, true)
+  found.x = box.x
+  return self:floor_of(found, box)
 end
 
--- The floor a little further on, so that of two pieces that meet at the foot the next one is found.
-function Walk:look_ahead(x, y, w, h, is_centre, reach)
-  local forgiven = rounding_slack(x, y, w, h, 0.0, 0.0)
-  local step = max(AHEAD, 2 * forgiven)
+-- The floor a little further on, so that of two pieces that meet at the foot the next one is found. step: px, so much
+-- further on, if it is given.
+function Walk:look_ahead(box, reach, step)
+  local forgiven = Walk.slack(box)
+  step = step or max(AHEAD, 2 * forgiven)
   local rise = min(step * self.steepest, 1.0) + LIP + 2 * forgiven
-  local there, sunk_by = moved_x(x, w, self.direction * step), self.sunk > 0 and min(self.sunk + rise, h) or 0.0
-  local found = cast_box(self.terrain, there, y - rise, w, h, 0.0, rise + reach, is_centre, self.others, nil,
-                         sunk_by)
+  local there = {x = moved_x(box.x, box.w, self.direction * step), y = box.y - rise, w = box.w, h = box.h,
+                 centre = box.centre}
+  local sunk = self.sunk > 0 and min(self.sunk + rise, box.h) or 0.0
+  local found = self:cast(there, 0.0, rise + reach, nil, sunk)
   -- The floor may go on to the foot of something too steep, which is met on the way then.
   if found and found.piece and found.nx * self.direction < 0 and not is_level(found, self.steepest) then
-    found = cast_box(self.terrain, there, y - rise, w, h, 0.0, rise + reach, is_centre, self.others,
-                     found.piece.source or found.piece, sunk_by)
-    if found and found.y - y > rise then return nil end
+    found = self:cast(there, 0.0, rise + reach, found.piece.source or found.piece, sunk)
+    if found and found.y - box.y > rise then return nil end
   end
   if not found or not is_level(found, self.steepest) then return nil end
-  if found.nx == 0 and found.y - y > reach then return nil end
-  local on = self:floor_of(found, there, w, is_centre)
-  if is_centre and found.on_end then on = self:beyond_end(on, there, w, h, rise) end
-  if (on.stop - there) * self.direction < 0 then on.stop = there end  -- by rounding: each piece leads on
+  if found.nx == 0 and found.y - box.y > reach then return nil end
+  local on = self:floor_of(found, there)
+  if box.centre and found.on_end then on = self:beyond_end(on, there, rise) end
+  if (on.stop - there.x) * self.direction < 0 then on.stop = there.x end  -- by rounding: each piece leads on
   return on
 end
 
 -- The level floor that the body has met, and goes on along; nil if it ends there.
 function Walk:floor_met(box, contact)
-  local met = self:floor_of(contact, box.x, box.w, box.centre)
+  local met = self:floor_of(contact, box)
   return (met.stop - box.x) * self.direction > 0 and met or nil
 end
 
 -- The place of a box at x on that floor.
-function Walk.place_on(on, x, w, h, is_centre)
-  if not on.on_line then return x, on.contact.y end
-  return x, on.contact.piece.form.rest(on.contact.piece, x, w, h, is_centre)
+function Walk.place_on(on, box, x)
+  if not on.on_line then return x, on.met.y end
+  return x, on.met.piece.form.rest(on.met.piece, x, box.w, box.h, box.centre)
 end
 -- Where it is after it went `way` px to the side on that floor, or to the floor's end.
-function Walk:goal_on(on, x, w, h, is_centre, way)
-  local there = moved_x(x, w, way)
+function Walk:goal_on(on, box, way)
+  local there = moved_x(box.x, box.w, way)
   if (there - on.stop) * self.direction > 0 then there = on.stop end
-  return Walk.place_on(on, there, w, h, is_centre)
+  return Walk.place_on(on, box, there)
 end
 
 -- Whether a way along it is the straight one that is cast.
-function Walk.is_straight(on) return not on.on_line or on.contact.piece.form.straight end
+function Walk.is_straight(on) return not on.on_line or on.met.piece.form.straight end
 
 -- How far a place is from what the body has met, px; less than 0: it is in that.
 function Walk.room_at(x, y, contact) return (x - contact.x) * contact.nx + (y - contact.y) * contact.ny end
@@ -120,44 +131,44 @@ function Walk.room_at(x, y, contact) return (x - contact.x) * contact.nx + (y - 
 -- the chord, and on the curve itself it may meet that sooner.
 function Walk.stop_on(on, box, from, contact)
   if contact.t == 0 then return contact.x, contact.y end
-  local x, y = Walk.place_on(on, contact.x, box.w, box.h, box.centre)
+  local x, y = Walk.place_on(on, box, contact.x)
   if Walk.room_at(x, y, contact) >= 0 then return x, y end
   local free, blocked = from, contact.x
   for _ = 1, HALVINGS do
     local middle = (free + blocked) / 2
-    local _, middle_y = Walk.place_on(on, middle, box.w, box.h, box.centre)
+    local _, middle_y = Walk.place_on(on, box, middle)
     if Walk.room_at(middle, middle_y, contact) >= 0 then free = middle else blocked = middle end
   end
-  return Walk.place_on(on, free, box.w, box.h, box.centre)
+  return Walk.place_on(on, box, free)
 end
 
 -- px; a body so near to a floor is on it.
-function Walk.settled(box) return SETTLED * rounding_slack(box.x, box.y, box.w, box.h, 0.0, 0.0) end
+function Walk.settled(box, way_x, way_y) return SETTLED * Walk.slack(box, way_x, way_y) end
 
 -- Whether the floor is a curve that goes on above what the body has met below it, on the chord of its way.
 function Walk.leads_above(on, box, contact, goal_x)
   if Walk.is_straight(on) then return false end
   local moved = contact.t > 0
-  local x, y = Walk.place_on(on, moved and contact.x or (contact.x + goal_x) / 2, box.w, box.h, box.centre)
+  local x, y = Walk.place_on(on, box, moved and contact.x or (contact.x + goal_x) / 2)
   return Walk.room_at(x, y, contact) > (moved and AHEAD or Walk.settled(box))
 end
 
 -- Puts a body that has come below a curve, on the chord of its way, on the curve.
 function Walk.lift_onto(on, box)
   if Walk.is_straight(on) then return end
-  local _, y = Walk.place_on(on, box.x, box.w, box.h, box.centre)
+  local _, y = Walk.place_on(on, box, box.x)
   box.y = min(box.y, y)
 end
 
 -- Puts a body that has met something on that straight floor, which may be a little higher or lower than the one
 -- that it came from. Returns whether that moved it by more than rounding does, so that it may pass.
 function Walk:joins(on, box)
-  local _, y = Walk.place_on(on, box.x, box.w, box.h, box.centre)
-  local way, settled = y - box.y, Walk.settled(box)
-  local is_off = abs(way) > settled
+  local _, y = Walk.place_on(on, box, box.x)
+  local way, slack = y - box.y, Walk.settled(box)
+  local is_off = abs(way) > slack
   if is_off then
-    local met = cast_box(self.terrain, box.x, box.y, box.w, box.h, 0.0, way, box.centre, self.others, nil, self.sunk)
-    if met and abs(met.y - y) > settled then return false end
+    local met = self:cast(box, 0.0, way)
+    if met and abs(met.y - y) > slack then return false end
   end
   box.y = y
   return is_off
@@ -166,25 +177,23 @@ end
 -- Whether the body has come to the place that it was cast to, but for rounding, when it meets something.
 function Walk.arrives(contact, box, x, y)
   local left_x, left_y = x - contact.x, y - contact.y
-  local forgiven = SETTLED * rounding_slack(box.x, box.y, box.w, box.h, left_x, left_y)
-  return abs(left_x) <= forgiven and abs(left_y) <= forgiven
+  local most = Walk.settled(box, left_x, left_y)
+  return abs(left_x) <= most and abs(left_y) <= most
 end
 
 -- What the body meets first on its way to a place on the floor.
 function Walk:cast_to(on, box, x, y)
-  local line = on.on_line and on.contact.piece or nil
+  local line = on.on_line and on.met.piece or nil
   local way_x, way_y = x - box.x, y - box.y
-  local slack = SETTLED * rounding_slack(box.x, box.y, box.w, box.h, way_x, way_y)
+  local slack = Walk.settled(box, way_x, way_y)
   -- A ceiling that is parallel to the floor must not come nearer by the rounding of the two places.
   local straight = Walk.is_straight(on)
   local parallel = line and straight and line.form.along(line, way_x) or 0.0
   if straight and abs(way_y - parallel) <= slack then way_y = parallel end
-  local contact = cast_box(self.terrain, box.x, box.y, box.w, box.h, way_x, way_y, box.centre, self.others,
-                           not straight and line.source or nil, self.sunk)
+  local contact = self:cast(box, way_x, way_y, not straight and line.source or nil)
   local piece = straight and contact and contact.t == 0 and contact.piece
   if piece and piece.form.falls_away and piece.form.falls_away(contact, way_x, way_y, slack) then
-    return cast_box(self.terrain, box.x, box.y, box.w, box.h, way_x, way_y, box.centre, self.others,
-                    piece.source or piece, self.sunk)
+    return self:cast(box, way_x, way_y, piece.source or piece)
   end
   return contact
 end
@@ -215,44 +224,44 @@ function Walk:corner_met(box, contact)
     if not is_ceiling then return nil end
     if piece.y0 ~= piece.y1 then return underside_met(piece, box, contact.y) end
   end
-  local at = piece and 0 or self:solid_column(box.x, box.w, contact.row)
+  local at = piece and 0 or self:solid_column(box, contact.row)
   local x0, x1 = at * TILE_W, (at + 1) * TILE_W
   if piece then x0, x1 = piece.x0, piece.x1 end
   local middle, y = box.x + box.w / 2, contact.y + (is_ceiling and 0.0 or box.h)
-  if middle < x0 then return x0, y end
-  if middle > x1 then return x1, y end
+  -- The next floor is found so much further on, while the middle is still on this one.
+  local beside = is_ceiling and 0.0 or AHEAD
+  if middle < x0 - beside then return x0, y end
+  if middle > x1 + beside then return x1, y end
   return nil
 end
 
 -- Whether the floor goes on from the middle of the body to a place, and is not below it there.
 function Walk:floor_leads_over(box, spot_x, spot_y)
-  local x, y, h = box.x + box.w / 2, box.y, box.h
-  local direction = spot_x < x and -1 or 1
+  local point = {x = box.x + box.w / 2, y = box.y, w = 0.0, h = box.h, centre = false}
+  local direction = spot_x < point.x and -1 or 1
   local under = setmetatable({terrain = self.terrain, direction = direction, steepest = self.steepest, sunk = 0.0},
                              Walk)
   for _ = 1, UNDER do
-    if x == spot_x then break end
-    local on = under:look_ahead(x, y, 0.0, h, false, 1.0)
+    if point.x == spot_x then break end
+    local on = under:look_ahead(point, 1.0)
     if not on then return false end
-    local goal_x, goal_y = under:goal_on(on, x, 0.0, h, false, spot_x - x)
-    if goal_x == x then return false end
+    local goal_x, goal_y = under:goal_on(on, point, spot_x - point.x)
+    if goal_x == point.x then return false end
     -- Another floor may cross it, further on or just here.
-    local point = {x = x, y = y, w = 0.0, h = h, centre = false}
     local met = under:cast_to(on, point, goal_x, goal_y)
     if met and met.facing == UP then
       local is_here = met.t == 0 and is_level(met, self.steepest)
       local crossing = is_here and under:floor_met(point, met) or nil
       if crossing then
-        goal_x, goal_y = under:goal_on(crossing, x, 0.0, h, false, spot_x - x)
-      elseif met.x ~= x then
+        goal_x, goal_y = under:goal_on(crossing, point, spot_x - point.x)
+      elseif met.x ~= point.x then
         goal_x, goal_y = met.x, met.y
       end
     end
-    x = (goal_x - spot_x) * direction < 0 and goal_x or spot_x
-    y = goal_y
+    point.x = (goal_x - spot_x) * direction < 0 and goal_x or spot_x
+    point.y = goal_y
   end
-  local forgiven = rounding_slack(box.x, box.y, box.w, box.h, 0.0, 0.0)
-  return x == spot_x and y + h <= spot_y + LIP + 2 * forgiven
+  return point.x == spot_x and point.y + box.h <= spot_y + LIP + 2 * Walk.slack(box)
 end
 
 -- Whether what the body met lies below the floor that its foot walks on. From then on the lowest part of its
@@ -271,17 +280,28 @@ end
 -- The floor on which the body goes on, up to `reach` px below it; nil if there is none, or if it is too steep. One that
 -- begins up to LIP higher or lower is one with the floor before: the body is put on it.
 function Walk:floor_ahead(box, reach)
-  local on = self:look_ahead(box.x, box.y, box.w, box.h, box.centre, reach)
-  if on and not on.on_line and self:sinks(box, on.contact, box.y) then
-    on = self:look_ahead(box.x, box.y, box.w, box.h, box.centre, reach)
+  local on = self:look_ahead(box, reach)
+  if on and not on.on_line and self:sinks(box, on.met, box.y) then
+    on = self:look_ahead(box, reach)
   end
   if not on or not box.centre then return on end
-  local _, y = Walk.place_on(on, box.x, box.w, box.h, box.centre)
-  local way, settled = abs(y - box.y), Walk.settled(box)
-  if way <= settled or way > LIP + settled then return on end
+  local _, y = Walk.place_on(on, box, box.x)
+  local way, slack = abs(y - box.y), Walk.settled(box)
+  if way <= slack or way > LIP + slack then return on end
   self.sunk = max(self.sunk, LIP + AHEAD)  -- the end that it leaves may be in its corners now
   self:joins(on, box)
   return on
+end
+
+-- The floor under a body that a low ceiling has stopped on its way to another floor: that was looked for a little
+-- further on, and the body goes straight to it from before the joint. nil: it is on that floor, or it has not moved
+-- since this was asked.
+function Walk:floor_to_joint(on, box)
+  if self.joint_asked and not ((box.x - self.joint_asked) * self.direction > 0) then return nil end
+  self.joint_asked = box.x
+  local here = self:look_ahead(box, LIP, 0.0)
+  if not here or here.stop == on.stop and here.met.nx == on.met.nx then return nil end
+  return self:floor_met(box, here.met)
 end
 
 -- What a walking body does that went from x to a goal and met something. Returns how it goes on, and the floor that
@@ -306,7 +326,9 @@ function Walk:passes(on, box, from, goal_x, goal_y, contact)
   -- It may pass the last corner of a ceiling, or go on along a curve that is not where its chord is.
   local has_room = contact.facing == DOWN
   if not straight then has_room = Walk.room_at(box.x, box.y, contact) > AHEAD end
-  return has_room and contact.t > 0 and "goes on" or "stops", on
+  if has_room and contact.t > 0 then return "goes on", on end
+  local to_joint = contact.facing == DOWN and self:floor_to_joint(on, box)
+  return to_joint and "goes on" or "stops", to_joint or on
 end
 
 -- Takes a body along the floor that it stands on. motion_on(n, box, nx, ny): its motion in a whole step on a floor
@@ -323,8 +345,8 @@ local function go_along_floor(world, body, box, reach, motion_on, stop_at)
   while contacts < n.max_passes do
     on = on or walk:floor_ahead(box, reach)
     if not on then return false, x * rest, y * rest end
-    x, y = motion_on(n, box, on.contact.nx, on.contact.ny)
-    local goal_x, goal_y = walk:goal_on(on, box.x, box.w, box.h, box.centre, x * rest * part)
+    x, y = motion_on(n, box, on.met.nx, on.met.ny)
+    local goal_x, goal_y = walk:goal_on(on, box, x * rest * part)
     if goal_x - box.x == 0 then return true end
     local contact = walk:cast_to(on, box, goal_x, goal_y)
     local at_x, at_y, from = goal_x, goal_y, box.x

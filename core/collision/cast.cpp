@@ -363,7 +363,9 @@ class Caster {
     if (t > 1 || t > best_.t) return;
     const Real y = box_.y + t * dy_;
     const Real h = kSunk && !is_other_ ? box_.h - sunk_ : box_.h;
-    if (!(y + h > y0 + (open0 ? slack_ : -slack_) && y < y1 - (open1 ? slack_ : -slack_))) return;
+    // A corner of a box on its centre, in the floor, does not touch what is below it.
+    const bool is_above = !(y + h > y0 + (open0 || foot_ == Foot::centre ? slack_ : -slack_));
+    if (is_above || !(y < y1 - (open1 ? slack_ : -slack_))) return;
     offer({.t = t, .facing = facing, .piece = piece, .at = at});
   }
 

@@ -262,7 +262,11 @@ class ExactSolver final : public Solver {
     const bool has_room = way.is_straight(*floor)
                               ? contact.facing == Facing::down
                               : way.room_at(moving.box.position(), contact) > Real(kFloorStep);
-    return has_room && contact.t > 0 ? AfterContact::goes_on : AfterContact::stops;
+    if (has_room && contact.t > 0) return AfterContact::goes_on;
+    const auto to_joint = contact.facing == Facing::down ? way.floor_to_joint(*floor, moving) : std::nullopt;
+    if (!to_joint) return AfterContact::stops;
+    floor = to_joint;
+    return AfterContact::goes_on;
   }
 
   static void put(Moving<Real>& moving, Vec place) {

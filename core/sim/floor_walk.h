@@ -67,6 +67,18 @@ class FloorWalk {
     return floor;
   }
 
+  // The floor under a body that a low ceiling has stopped on its way to another floor: that was looked for a
+  // little further on, and the body goes straight to it from before the joint. Nothing: it is on that floor,
+  // or it has not moved since this was asked.
+  std::optional<FloorAhead<Real>> floor_to_joint(const FloorAhead<Real>& floor, const Moving<Real>& body) {
+    if (joint_asked_ && !((body.box.x - *joint_asked_) * direction_ > 0)) return std::nullopt;
+    joint_asked_ = body.box.x;
+    const auto here = look_ahead(body, Real(kMostLip), 0);
+    if (!here || (here->end == floor.end && here->contact.normal.x == floor.contact.normal.x))
+      return std::nullopt;
+    return floor_met(body, here->contact);
+  }
+
   // Where the body is after it went `way` px to the side on that floor, or to the floor's end.
   Vec goal_on(const FloorAhead<Real>& floor, const BasicRect<Real>& box, Real way, Foot foot) const {
     const Real x = moved_x(box, way);
@@ -182,8 +194,12 @@ class FloorWalk {
   // The floor is looked for a little further on, so that of two pieces that meet at the foot the next one is
   // found.
   std::optional<FloorAhead<Real>> look_ahead(const Moving<Real>& body, Real reach) const {
+    return look_ahead(body, reach,
+                      std::max<Real>(Real(kFloorStep), 2 * rounding_slack<Real>({body.box, {}, body.foot})));
+  }
+  // step: px, so much further on.
+  std::optional<FloorAhead<Real>> look_ahead(const Moving<Real>& body, Real reach, Real step) const {
     const Real slack = rounding_slack<Real>({body.box, {}, body.foot});
-    const Real step = std::max<Real>(Real(kFloorStep), 2 * slack);
     const Real rise = std::min<Real>(step * steepest_, 1) + Real(kMostLip) + 2 * slack;
     BasicRect<Real> there = body.box;
     there.x = moved_x(body.box, direction_ * step);
@@ -293,9 +309,12 @@ class FloorWalk {
     const Real x0 = piece != nullptr ? piece->x0 : ground_.x_of(column);
     const Real x1 = piece != nullptr ? piece->x1 : ground_.x_of(column + 1);
     const Real middle = body.box.x + body.box.w / 2;
-    const Real y = contact.position.y + (contact.facing == Facing::down ? 0 : body.box.h);
-    if (middle < x0) return Vec{x0, y};
-    if (middle > x1) return Vec{x1, y};
+    const bool is_ceiling = contact.facing == Facing::down;
+    const Real y = contact.position.y + (is_ceiling ? 0 : body.box.h);
+    // The next floor is found so much further on, while the middle is still on this one.
+    const Real beside = is_ceiling ? 0 : Real(kFloorStep);
+    if (middle < x0 - beside) return Vec{x0, y};
+    if (middle > x1 + beside) return Vec{x1, y};
     return std::nullopt;
   }
 
@@ -341,7 +360,8 @@ class FloorWalk {
   const std::span<const BasicRect<Real>> others_;
   const Real direction_, steepest_;
   CastBudget* const budget_;
-  Real sunk_ = 0;  // px, as Cast::sunk
+  Real sunk_ = 0;                    // px, as Cast::sunk
+  std::optional<Real> joint_asked_;  // px, x at which floor_to_joint() was last asked
 };
 
 }  // namespace talus

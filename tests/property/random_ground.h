@@ -31,6 +31,12 @@ class Dice {
   std::mt19937_64 engine_;
 };
 
+// 8x8, 16x16, 24x24 or 18x12 px.
+inline TileSize any_tile_size(Dice& dice) {
+  constexpr TileSize kSizes[] = {{8, 8}, {16, 16}, {24, 24}, {18, 12}};
+  return kSizes[dice.up_to(3)];
+}
+
 // A map and curves. Shapes stay inside the borders, and no two begin or end in the same cell, so that the map
 // can be mirrored.
 struct RandomGround {

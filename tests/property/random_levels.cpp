@@ -7,11 +7,10 @@ namespace talus {
 namespace {
 
 constexpr int kColumns = 24, kRows = 14;
-constexpr TileSize kTileSizes[] = {{8, 8}, {16, 16}, {24, 24}, {18, 12}};
 
 class LevelMaker {
  public:
-  explicit LevelMaker(Dice& dice) : dice_(dice), tile_(kTileSizes[dice.up_to(3)]) {
+  explicit LevelMaker(Dice& dice) : dice_(dice), tile_(any_tile_size(dice)) {
     level_.map = TileMap(kColumns, kRows, tile_);
     level_.tuning = new_tuning(tile_);
     level_.tile_shapes = {{}, {.kind = TileShape::Kind::solid}};

@@ -14,8 +14,10 @@
 #include "export/lua_parts.h"
 #include "folder_test.h"
 #include "formats/native/hard_case_file.h"
+#include "level/ground_level.h"
 #include "paths.h"
 #include "property/random_ground.h"
+#include "property/random_walkways.h"
 #include "property/tries.h"
 #include "sim/case_input.h"
 #include "unit/program_output.h"
@@ -256,6 +258,18 @@ TEST_F(LuaRuntime, GivesTheBitsOfWalksOverJoints) {
       right.right = true;
       add(level, 150, {right}, "joints");
     }
+  }
+  expect_same_bits();
+}
+
+TEST_F(LuaRuntime, GivesTheBitsOfWalksAlongWalkways) {
+  constexpr int kWalkways = 40;
+  for (std::uint64_t seed = 1; seed <= kWalkways; ++seed) {
+    Dice dice(seed);
+    CaseInput right;
+    right.frame = 1;
+    right.right = true;
+    add(ground_level(random_walkway(dice)), 200, {right}, "walkway " + std::to_string(seed));
   }
   expect_same_bits();
 }

@@ -86,6 +86,22 @@ TEST(Walk, LeadsUpIntoACorridorThatTheBodyFits) {
   }
 }
 
+TEST(Walk, PassesTheSideOfAHollowBelowItsSlope) {
+  for (const double width : {8.0, 16.0, 17.0, 24.0, 30.0}) {
+    Scenery scenery;
+    for (int column = 0; column < 10; ++column) scenery.level.map.set({column, 11}, scenery.next);
+    scenery.put({0, 11}, slope(6, 6));
+    scenery.put({10, 11}, slope(6, 8));
+    scenery.put({11, 10}, slope(0, 8));  // over an empty cell
+    scenery.fill(12, 39, 10);
+    scenery.fill(12, 39, 11);
+    scenery.player(40 - width / 2, kFloor - 6, Foot::centre, {width, 8});
+    const Body body = walked(scenery.level, 1, 60);
+    EXPECT_GT(body.box.x + width / 2, 110) << width;
+    EXPECT_EQ(body.box.bottom(), kFloor - 16) << width;
+  }
+}
+
 TEST(Walk, StaysOnAPlateauBelowAOneWayLine) {
   for (const double speed : {0.7, 1.5, 6.0}) {
     for (double start = 20; start < 26; start += 0.5) {
@@ -180,6 +196,49 @@ TEST(Walk, LeadsDownIntoACorridorFromJustBeforeASlopeEnds) {
   const Body body = meeting.step({64.4995, kFloor - 8.0005, 15, 8}, Foot::centre, 1);
   EXPECT_NEAR(body.box.x, 65.9995, 1e-9);
   EXPECT_EQ(body.box.bottom(), kFloor);
+}
+
+TEST(Walk, LeadsUpACorridorFromJustBeforeAJoint) {
+  for (const Foot foot : {Foot::box, Foot::centre}) {
+    Meeting meeting;
+    const double beside = foot == Foot::box ? 8 : 4;  // px, from its x to its foot
+    meeting.level.curves = {
+        {"", {.form = Segment{{8, 96}, {80, 96}}}, ""},
+        {"", {.form = Segment{{80, 96}, {140, 66}}}, ""},
+        {"", {.form = Segment{{8, 88}, {80 - beside, 88}}, .faces = Curve::Faces::both}, ""},
+        {"", {.form = Segment{{80 - beside, 88}, {140 - beside, 58}}, .faces = Curve::Faces::both}, ""}};
+    const Body body = meeting.step({79.999 - beside, 88, 8, 8}, foot, 1);
+    EXPECT_NEAR(body.box.x, 81.499 - beside, 1e-9);
+    EXPECT_NEAR(body.box.y, 88 - 1.499 / 2, 1e-9);
+  }
+}
+
+TEST(Walk, LeadsDownFromJustBeforeTheEndOfASlope) {
+  for (const double before : {1e-13, 1e-12, 1e-9, 1e-6, 1e-3}) {
+    Meeting meeting;
+    meeting.put({8, 11}, slope(0, 8));  // to 72 px; beyond it is a gap
+    const Body body = meeting.step({68 + before, 80, 8, 8}, Foot::centre, -1);
+    EXPECT_NEAR(body.box.x, 66.5 + before, 1e-9) << before;
+    EXPECT_NEAR(body.box.bottom(), 89.5 - before, 1e-9) << before;
+  }
+}
+
+TEST(Walk, AJumpIsNotStoppedByAHollowBelowTheFloor) {
+  Meeting meeting;
+  meeting.fill(8, 8, 12);
+  meeting.fill(10, 10, 12);
+  meeting.put({8, 11}, slope(2, 2));
+  meeting.put({9, 11}, slope(2, 0));  // over an empty cell
+  meeting.put({10, 11}, slope(0, 4));
+  meeting.player(72, kFloor, Foot::centre, {16, 8});
+  const auto scene = std::make_shared<const Scene>(compile_scene(meeting.level));
+  State state = initial_state(*scene);
+  state.bodies[0].gait.grounded = true;
+  Input input;
+  input.left = input.jump = true;
+  make_solver(scene)->step(state, input, nullptr);
+  EXPECT_LT(state.bodies[0].box.x, 72);
+  EXPECT_LT(state.bodies[0].velocity.x, 0);
 }
 
 TEST(Walk, LeadsOntoASlopeThatIsALipHigher) {
