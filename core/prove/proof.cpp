@@ -30,6 +30,7 @@ std::string summary_of(const Proof& proof) {
   const auto count = [](std::int64_t number) { return with_commas(static_cast<std::size_t>(number)); };
   std::string text = count(proof.counts.places) + " places, " + count(proof.counts.steps) +
                      " steps of the solver " + std::string(solver_name(proof.solver)) + ", ";
+  if (proof.stands_still) text += "but no walk of a player, as run_speed is 0, ";
   if (proof.findings.empty()) return text + "no finding";
   const std::size_t all = proof.findings.size() + proof.more, of_solver = proof.of_solver();
   text += with_commas(all) + (all == 1 ? " finding" : " findings");
@@ -88,6 +89,9 @@ Proof ProofRun::proof() const {
   proof.bodies = scene_->bodies();
   proof.left_out = scene_->left_out();
   proof.assumes_body = scene_->assumes_body();
+  proof.stands_still = scene_->speeds().front().scene->tuning.player.run_speed == 0 &&
+                       std::any_of(proof.bodies.begin(), proof.bodies.end(),
+                                   [](const ProveBody& body) { return traits_of(body.kind).takes_keys; });
   {
     const std::scoped_lock lock(mutex_);
     proof.share = static_cast<double>(done_) / static_cast<double>(blocks_.size());

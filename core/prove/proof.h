@@ -23,6 +23,7 @@ struct Proof {
   std::vector<ProveBody> bodies;  // that were tried
   std::size_t left_out = 0;       // kinds of bodies of the level that were not
   bool assumes_body = false;      // the level has no bodies, and a player was tried
+  bool stands_still = false;      // players were tried, but the level's run_speed is 0
   ProveCounts counts;
   std::vector<Finding> findings;  // by row, column, kind, body and direction; at most kMostFindings
   std::size_t more = 0;           // findings that are not listed

@@ -16,8 +16,8 @@
 namespace talus {
 namespace {
 
-constexpr std::array<double, 2> kShares = {1, 0.37};  // of the fastest speed
-constexpr double kLeastSpeed = 1;                     // px/frame, of bodies that start at rest
+constexpr std::array<double, 3> kShares = {1, 0.37, 0.05};  // of the fastest speed
+constexpr double kLeastSpeed = 1;                           // px/frame, of bodies that start at rest
 
 RawGround ground_of_any(const Level& level) {
   if (has_object_ground(level)) return ground_of_any(with_object_tiles(level));

@@ -47,7 +47,7 @@ class ProveScene {
   bool assumes_body() const { return assumes_body_; }  // whether the level has none, and a player is tried
   SolverKind solver() const { return speeds_.front().scene->tuning.solver; }
 
-  // The same level for players of several speeds; the first one is that of the level.
+  // The same level for players of several speeds, from that of the level to the slowest.
   struct Speed {
     double share;  // of the level's run_speed, and of the fastest other body
     std::shared_ptr<const Scene> scene;

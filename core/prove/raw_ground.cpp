@@ -116,13 +116,6 @@ std::vector<RawPart> free_ends(std::span<const Piece<double>> pieces) {
 
 }  // namespace
 
-Fine fine(double px) { return std::llround(px * static_cast<double>(kFinePx)); }
-
-FineBox fine_box(const Rect& box) {
-  const Fine x = fine(box.x), y = fine(box.y);
-  return {x, y, x + fine(box.w), y + fine(box.h)};
-}
-
 Fine RawLine::at(Fine x) const {
   if (x <= x0) return y0;
   if (x >= x1) return y1;
@@ -255,16 +248,6 @@ void RawGround::add_curves(std::span<const Curve> curves) {
     add({kinds[static_cast<int>(piece.facing)], line, line});
   }
   for (const RawPart& end : free_ends(outline.pieces)) add(end);
-}
-
-int RawGround::column_of(Fine x) const {
-  const Fine column = x < 0 ? -1 : x / tile_width_;
-  return static_cast<int>(std::min<Fine>(column, width_));
-}
-
-int RawGround::row_of(Fine y) const {
-  const Fine row = y < 0 ? -1 : y / tile_height_;
-  return static_cast<int>(std::min<Fine>(row, height_));
 }
 
 }  // namespace talus

@@ -15,8 +15,14 @@ namespace talus {
 // A length in 2^-24 px. Ends of lines are multiples of 1/256 px, and so are whole numbers of these; places of
 // bodies are rounded to them. All comparisons with straight lines are exact.
 using Fine = std::int64_t;
-inline constexpr Fine kFinePx = Fine{1} << 24;
-Fine fine(double px);  // rounded to the nearest; px: finite, within kMaxCastReach
+inline constexpr int kFineBits = 24;
+inline constexpr Fine kFinePx = Fine{1} << kFineBits;
+// Rounded to the nearest; px: finite, within kMaxCoordinate. std::llround is a call, and a proof asks for
+// this most of all.
+inline Fine fine(double px) {
+  const double length = px * static_cast<double>(kFinePx);
+  return static_cast<Fine>(length + (length < 0 ? -0.5 : 0.5));
+}
 inline double px_of(Fine length) { return static_cast<double>(length) / static_cast<double>(kFinePx); }
 
 struct FineBox {
@@ -26,7 +32,10 @@ struct FineBox {
   FineBox moved(Fine dx, Fine dy) const { return {x0 + dx, y0 + dy, x1 + dx, y1 + dy}; }
   FineBox shrunk(Fine by) const { return {x0 + by, y0 + by, x1 - by, y1 - by}; }
 };
-FineBox fine_box(const Rect& box);
+inline FineBox fine_box(const Rect& box) {
+  const Fine x = fine(box.x), y = fine(box.y);
+  return {x, y, x + fine(box.w), y + fine(box.h)};
+}
 // The smallest box around two others.
 inline FineBox hull(const FineBox& a, const FineBox& b) {
   return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
@@ -120,8 +129,15 @@ class RawGround {
            std::min(part.top.y0, part.top.y1) <= area.y1 &&
            std::max(part.bottom.y0, part.bottom.y1) >= area.y0;
   }
-  int column_of(Fine x) const;  // of the cells, or -2 or columns() + 1 for all outside
-  int row_of(Fine y) const;
+  // The cell at a coordinate: -1 for all before the first one, `cells` for all behind the last one. Whole px
+  // are divided, as that is much quicker.
+  static int cell_at(Fine at, int side, int cells) {
+    if (at < 0) return -1;
+    const Fine px = at >> kFineBits;
+    return px >= Fine{side} * cells ? cells : static_cast<int>(px) / side;
+  }
+  int column_of(Fine x) const { return cell_at(x, tile_.width, width_); }
+  int row_of(Fine y) const { return cell_at(y, tile_.height, height_); }
   std::span<const RawPart> parts_of(Cell cell) const {
     const TileNumber number = number_at(cell);
     return {parts_.data() + first_[number], parts_.data() + first_[number + 1]};

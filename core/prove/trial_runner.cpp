@@ -18,6 +18,7 @@ constexpr double kLift =
     1.0 / (1 << 20);  // px; bodies start so much above their floor, as its height is rounded
 constexpr double kIntoEdge = 1.0 / 64;  // px; the cell of an edge is that of the ground so far behind it
 constexpr double kPhaseOfPx = 0.37;     // px; one of the places of a body between two pixels
+constexpr double kSlowWay = 1;          // px; the slowest body goes so far, over a joint
 
 int cells_of(double px, int tile) { return std::min(kMostReach, 1 + static_cast<int>(std::ceil(px / tile))); }
 
@@ -137,7 +138,7 @@ std::vector<double> TrialRunner::floors_at(Cell cell, double x) const {
 void TrialRunner::try_cell(Cell cell, std::size_t body) {
   const int width = scene_.ground().tile_size().width;
   const double half = width / 2.0;
-  const std::array phases{0.0, kPhaseOfPx, half, half + 2 * kPhaseOfPx};
+  const std::array phases{0.0, kPhaseOfPx, half, half + 2 * kPhaseOfPx, width - kPhaseOfPx};
   const bool has_floor = std::any_of(phases.begin(), phases.end(), [&](double phase) {
     return !floors_at(cell, 1.0 * cell.x * width + phase).empty();
   });
@@ -167,15 +168,27 @@ void TrialRunner::try_phase(Cell cell, std::size_t body, double phase) {
 }
 
 void TrialRunner::try_place(const Place& place) {
-  const bool takes_keys = is_steered(scene_.bodies()[place.body].kind, scene_.solver());
-  for (const int direction : {1, -1}) {
-    for (std::size_t speed = 0; speed < solvers_.size(); ++speed) walk(place, speed, direction, false);
-    if (takes_keys && place.phase == 0) walk(place, 0, direction, true);
-  }
+  const ProveBody& body = scene_.bodies()[place.body];
+  Trial standing = start_at(body, place.box);
+  const bool stands = stand(standing.body);
+  if (stands) walk_from(place, standing);
   if (place.phase != 0 && place.phase != kPhaseOfPx) return;
   drop(place);
-  if (!takes_keys) return;
-  for (const int direction : {0, 1, -1}) jump(place, direction);
+  if (!stands || !is_steered(body.kind, scene_.solver())) return;
+  for (const int direction : {0, 1, -1}) jump(place, standing, direction);
+}
+
+// At the slowest speed, a body goes over the joints at the sides of its cell, and over that in the middle.
+void TrialRunner::walk_from(const Place& place, const Trial& standing) {
+  const std::size_t slowest = solvers_.size() - 1;
+  const int width = scene_.ground().tile_size().width;
+  if (place.phase == width - kPhaseOfPx) return walk(place, standing, slowest, 1, false);
+  if (place.phase != 0 && place.phase != width / 2.0) walk(place, standing, slowest, -1, false);
+  const bool takes_keys = is_steered(standing.body.kind, scene_.solver());
+  for (const int direction : {1, -1}) {
+    for (std::size_t speed = 0; speed < slowest; ++speed) walk(place, standing, speed, direction, false);
+    if (takes_keys && place.phase == 0) walk(place, standing, 0, direction, true);
+  }
 }
 
 // Puts a body on the floor just below, as the solver exact puts players on it. Returns whether it stands
@@ -196,25 +209,22 @@ bool TrialRunner::stand(Body& body) {
   return stands;
 }
 
-void TrialRunner::walk(const Place& place, std::size_t speed, int direction, bool at_rest) {
+void TrialRunner::walk(const Place& place, Trial trial, std::size_t speed, int direction, bool at_rest) {
   const ProveBody& body = scene_.bodies()[place.body];
-  const Scene& scene = *scene_.speeds()[speed].scene;
-  Trial trial = start_at(body, place.box);
-  const bool takes_keys = is_steered(body.kind, scene_.solver());
+  const PlayerTuning& player = scene_.speeds()[speed].scene->tuning.player;
   trial.direction = direction;
-  trial.speed = takes_keys ? scene.tuning.player.run_speed : body.speed * scene_.speeds()[speed].share;
-  if (!stand(trial.body)) return;
+  trial.speed =
+      is_steered(body.kind, scene_.solver()) ? player.run_speed : body.speed * scene_.speeds()[speed].share;
   if (!at_rest) trial.body.velocity.x = direction * trial.speed;
-  const double way = scene_.ground().tile_size().width + 2.0;
+  const bool is_slowest = speed + 1 == solvers_.size();
+  const double way = is_slowest ? kSlowWay : scene_.ground().tile_size().width + 2.0;
   trial.frames = std::min(kMostSteps, 2 + static_cast<int>(way / std::max(trial.speed, 0.01)));
   run(trial, place, speed);
 }
 
-void TrialRunner::jump(const Place& place, int direction) {
-  Trial trial = start_at(scene_.bodies()[place.body], place.box);
+void TrialRunner::jump(const Place& place, Trial trial, int direction) {
   trial.direction = direction;
   trial.speed = scene_.speeds().front().scene->tuning.player.run_speed;
-  if (!stand(trial.body)) return;
   trial.jump_frames = kJumpHeld;
   trial.frames = kMostSteps;
   run(trial, place, 0);
@@ -264,6 +274,7 @@ std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, 
   const Body& body = state_.bodies.front();
   const bool walks = trial.body.gait.grounded && trial.jump_frames == 0;
   const bool takes_keys = is_steered(body.kind, scene_.solver());
+  const Reach reach = place != nullptr ? reach_of(scene_.bodies()[place->body]) : Reach();
   int still = 0;
   for (int frame = 1; frame <= trial.frames; ++frame) {
     if (judge.is_across_line(body) || leaves_map(body.box, scene_.ground())) break;
@@ -293,7 +304,6 @@ std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, 
     if (!walks && (still > kStillFrames || (takes_keys && body.gait.grounded && frame > trial.jump_frames)))
       break;
     if (place == nullptr) continue;
-    const Reach reach = reach_of(scene_.bodies()[place->body]);
     const Cell at = cell_at(foot_of(body.box), scene_.ground());
     if (std::abs(at.x - place->cell.x) >= reach.columns || at.y - place->cell.y >= reach.down) break;
   }

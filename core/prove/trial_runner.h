@@ -54,8 +54,9 @@ class TrialRunner {
   void try_phase(Cell cell, std::size_t body, double phase);
   void try_place(const Place& place);
   bool stand(Body& body);
-  void walk(const Place& place, std::size_t speed, int direction, bool at_rest);
-  void jump(const Place& place, int direction);
+  void walk_from(const Place& place, const Trial& standing);
+  void walk(const Place& place, Trial trial, std::size_t speed, int direction, bool at_rest);
+  void jump(const Place& place, Trial trial, int direction);
   void drop(const Place& place);
   void run(Trial trial, const Place& place, std::size_t speed);
   std::optional<Finding> play(const Trial& trial, std::size_t speed, const Place* place);

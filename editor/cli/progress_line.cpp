@@ -1,8 +1,9 @@
-// One line that is overwritten again and again.
 #include "progress_line.h"
 
 #include <unistd.h>
 
+#include <cmath>
+#include <cstdint>
 #include <iostream>
 
 #include "formats/text/utf8_text.h"
@@ -10,25 +11,40 @@
 namespace talus {
 namespace {
 
-constexpr const char* kToLineStart = "\r\x1b[K";  // and wipes the line
+using Clock = ProgressLine::Clock;
+
+constexpr const char* kToLineStart = "\r\x1b[K";             // and wipes the line
+constexpr Clock::duration kPlain = std::chrono::minutes(1);  // between lines that stay
+
+// Nothing as long as the share says too little.
+std::string time_left(Clock::duration gone, double share) {
+  if (gone < std::chrono::seconds(10) || !(share > 0)) return "";
+  const double seconds = std::chrono::duration<double>(gone).count() * (1 - share) / share;
+  const bool in_minutes = seconds >= 90;
+  const double number = std::ceil(in_minutes ? seconds / 60 : seconds);
+  return ", about " + std::to_string(static_cast<std::int64_t>(number)) + (in_minutes ? " min" : " s") +
+         " left";
+}
 
 }  // namespace
 
-ProgressLine::ProgressLine(std::ostream& stream, const std::string& label, bool shows, Clock::duration after,
-                           Clock::duration between)
+ProgressLine::ProgressLine(std::ostream& stream, const std::string& label, bool is_terminal,
+                           Clock::duration after, Clock::duration between)
     : stream_(stream),
       label_(printable(label)),
-      shows_(shows),
-      next_(Clock::now() + after),
-      between_(between) {}
+      is_terminal_(is_terminal),
+      start_(Clock::now()),
+      next_(start_ + (is_terminal ? after : kPlain)),
+      between_(is_terminal ? between : kPlain) {}
 
 ProgressLine::~ProgressLine() { wipe(); }
 
 bool ProgressLine::at(double share) {
   const Clock::time_point now = Clock::now();
-  if (shows_ && now >= next_) {
-    stream_ << kToLineStart << label_ << ": " << static_cast<int>(share * 100) << " %" << std::flush;
-    is_shown_ = true;
+  if (now >= next_) {
+    stream_ << (is_terminal_ ? kToLineStart : "") << label_ << ": " << static_cast<int>(share * 100) << " %"
+            << time_left(now - start_, share) << (is_terminal_ ? "" : "\n") << std::flush;
+    is_shown_ = is_terminal_;
     next_ = now + between_;
   }
   return !signals_.have_come();

@@ -1,4 +1,4 @@
-// ProgressLine: shows on a terminal how far a long command is, and lets Ctrl+C end it.
+// ProgressLine: shows how far a long command is, and lets Ctrl+C end it.
 #pragma once
 
 #include <chrono>
@@ -14,9 +14,10 @@ namespace talus {
 class ProgressLine {
  public:
   using Clock = std::chrono::steady_clock;
-  // label: what is being done. shows: false if the stream is not a terminal; then nothing is written. after:
-  // how long the work goes on before a line appears. between: how long each share is shown at least.
-  ProgressLine(std::ostream& stream, const std::string& label, bool shows,
+  // label: what is being done. is_terminal: whether a line can be overwritten; else there is a new one each
+  // minute. after: how long the work goes on before a line appears on a terminal. between: how long each
+  // share is shown there at least.
+  ProgressLine(std::ostream& stream, const std::string& label, bool is_terminal,
                Clock::duration after = std::chrono::seconds(1),
                Clock::duration between = std::chrono::milliseconds(100));
   ~ProgressLine();
@@ -31,8 +32,8 @@ class ProgressLine {
  private:
   std::ostream& stream_;
   std::string label_;
-  bool shows_;
-  Clock::time_point next_;  // when the line is written again
+  bool is_terminal_;
+  Clock::time_point start_, next_;  // of the work; when the line is written again
   Clock::duration between_;
   bool is_shown_ = false;
   EndSignals signals_;

@@ -49,7 +49,7 @@ TEST(ProgressLine, OverwritesItselfAndIsErased) {
   EXPECT_EQ(text.str(), "\r\x1b[Kcave.json: 42 %\r\x1b[K");
 }
 
-TEST(ProgressLine, QuickWorkAndPipesShowNothing) {
+TEST(ProgressLine, QuickWorkShowsNothing) {
   std::ostringstream text;
   {
     ProgressLine quick(text, "a", true, hours(1));

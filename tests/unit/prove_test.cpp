@@ -288,4 +288,14 @@ TEST(Prove, SaysWhatItAssumesAndWhenThereWasNothingToTry) {
   EXPECT_FALSE(prove(ProveScene(level, {}), 1)->assumes_body);
 }
 
+TEST(Prove, SaysThatPlayersDoNotRun) {
+  Scenery scenery;
+  scenery.level.tuning.player.run_speed = 0;
+  const Proof proof = scenery.proof();
+  EXPECT_TRUE(proof.stands_still);
+  EXPECT_NE(summary_of(proof).find("exact, but no walk of a player, as run_speed is 0, no finding"),
+            std::string::npos)
+      << summary_of(proof);
+}
+
 }  // namespace talus::prove_test

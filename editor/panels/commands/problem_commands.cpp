@@ -77,7 +77,7 @@ std::vector<Command> problem_commands() {
        .run = prove_level,
        .words = "proof verify check stuck edge"},
       {.id = "problems/cancel_proof",
-       .label = "Stop proving the level",
+       .label = "Cancel the proof",
        .help = "Keeps what is found so far, and does not follow edits.",
        .menu = menus::kEditProblems,
        .run = emit<action::CancelProof>,

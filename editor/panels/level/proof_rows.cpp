@@ -101,7 +101,7 @@ void draw_proof_button(const Session& session, Actions& actions, Ui& ui) {
     command_text_button("problems/prove"_command, session, actions, ui, {.label = "Prove"});
     return;
   }
-  command_text_button("problems/cancel_proof"_command, session, actions, ui, {.label = "Stop"});
+  command_text_button("problems/cancel_proof"_command, session, actions, ui, {.label = "Cancel"});
   ImGui::SameLine();
   ui.label("proved: " + std::to_string(static_cast<int>(prover.progress() * 100)) + " %");
 }
