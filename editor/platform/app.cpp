@@ -121,8 +121,8 @@ tl::expected<std::unique_ptr<App>, std::string> App::start(AppOptions options) {
   }
   if (!problem.empty()) app->session_->apply(action::ShowMessage{problem, true});
   app->note_changes();
-  app->ui_.view.window.welcome_open =
-      !is_asked_for && settings.preferences.starts_with == StartsWith::welcome;
+  if (!is_asked_for)
+    app->ui_.view.window.welcome_open = settings.preferences.starts_with == StartsWith::welcome;
   return app;
 }
 
@@ -163,6 +163,7 @@ void App::open_first_level() {
     tools.mappings = state_folder() + "/" + kMappingsFile;
   }
   if (!options_.file.empty()) {
+    waits_for_file_ = true;
     session_ = std::make_unique<Session>(Level(), "", kUnnamed, tools);
     std::vector<std::string> maps = {absolute_path(options_.file)};
     for (const std::string& other : options_.others) maps.push_back(absolute_path(other));
@@ -608,9 +609,14 @@ void App::note_changes() {
     copies_.forget();
     ui_.view.forget_level();
     ui_.view.window.welcome_open = false;
+    waits_for_file_ = false;
     leave_demo();
     if (session_->path() == absolute_path(asset_path(kDemoLevel))) demo_hand_.emplace();
     if (!options_.paused_at_first_screen) play_opened_level();
+  }
+  if (waits_for_file_ && !session_->reading()) {
+    waits_for_file_ = session_->question().has_value();
+    if (session_->message() && session_->message()->is_error) ui_.view.window.welcome_open = true;
   }
   if (ui_.view.preferences != noted_preferences_) {
     noted_preferences_ = ui_.view.preferences;

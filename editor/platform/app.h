@@ -129,6 +129,7 @@ class App {
   std::string noted_path_;  // path of the session at the last look
   int noted_saves_ = 0;     // how often it had been saved then
   std::uint64_t noted_revision_ = 0;
+  bool waits_for_file_ = false;  // that the program was started with
   std::string title_;
   bool dialog_answered_ = false;
   std::optional<FileDialog> asked_dialog_;   // the dialog for a file that the user has opened

@@ -1,5 +1,6 @@
 // The welcome page: what it offers, by mouse and by keys, and when it is there.
 #include <filesystem>
+#include <fstream>
 
 #include "golden_harness.h"
 #include "panels/canvas/opening_area.h"
@@ -75,6 +76,16 @@ TEST_F(UiWelcome, IsNotThereWithAFileButComesBackByHelp) {
   click("welcome/close");
   EXPECT_FALSE(shows_page());
   EXPECT_EQ(session().path(), path("level.talus.json")) << "the level is kept";
+}
+
+TEST_F(UiWelcome, IsThereWithTheErrorOfAFileThatCannotBeOpened) {
+  std::ofstream(path("no.tmx")) << "no map";
+  start(path("no.tmx"));
+  frames(3);
+  EXPECT_TRUE(shows_page());
+  ASSERT_TRUE(session().message());
+  EXPECT_NE(session().message()->text.find("no.tmx"), std::string::npos) << session().message()->text;
+  EXPECT_NE(find("message/text"), nullptr);
 }
 
 TEST_F(UiWelcome, ARecentLevelIsOpenedByItsPicture) {
