@@ -75,6 +75,24 @@ TEST_F(UiExport, APresetIsAddedShownAndWritten) {
   EXPECT_EQ(shown().files[0].place, PlannedFile::Place::same);
 }
 
+TEST_F(UiExport, TwoClicksExportAndAskNothing) {
+  start();
+  for (int i = 0; i < 2; ++i) {
+    click("menu/File");
+    frames(2);
+    move(centre("menu/export_as"));
+    ASSERT_TRUE(frames_until([&] { return find("menu/export_as/tmj") != nullptr; }));
+    click("menu/export_as/tmj");
+    settle();
+    EXPECT_FALSE(session().question());
+    ASSERT_EQ(level().exports.size(), 1u) << "the second time it is the same preset";
+    EXPECT_EQ(preset(0).path, "export/level.tmj");
+    EXPECT_TRUE(std::filesystem::exists(path("export/level.tmj"))) << message();
+  }
+  key(ctrl('z'));
+  EXPECT_TRUE(level().exports.empty());
+}
+
 TEST_F(UiExport, AFolderIsWrittenAsPreviewed) {
   start();
   open_window();

@@ -7,10 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "edit/export_presets.h"
+#include "export/preset_clash.h"
 #include "panel_list.h"
 #include "panels/commands/commands.h"
 #include "panels/files/picture_in_list.h"
 #include "panels/layout_presets.h"
+#include "panels/ui/shown_text.h"
 
 namespace talus {
 namespace {
@@ -21,6 +24,20 @@ std::string keys_from_here(const Command& command, const Session& session, const
   const std::string key = keys_of(command, ui);
   if (has_focus(command, session, ui.view)) return key;
   return keys_of(focus_command(command.scope), ui) + " then " + key;
+}
+
+void export_as(const Exporter& exporter, const Session& session, Actions& actions) {
+  const std::vector<ExportPreset>& presets = session.level().exports;
+  const auto known = std::find_if(presets.begin(), presets.end(),
+                                  [&](const ExportPreset& preset) { return preset.exporter == exporter.id; });
+  const auto index = static_cast<std::size_t>(known - presets.begin());
+  if (known == presets.end()) {
+    if (presets.size() >= kMaxExports) return;
+    const ExportPreset preset = with_target({}, exporter, presets, session.file_name(), session.path());
+    actions.push_back(action::EditLevel{add_export(session.level(), preset)});
+    actions.push_back(action::SetExportPath{index, preset.path});
+  }
+  actions.push_back(action::RunExports{index});
 }
 
 void draw_command(const Command& command, const Session& session, Actions& actions, Ui& ui) {
@@ -159,6 +176,7 @@ void MenuPanel::draw_end_of_section(const std::string& menu, int section, const 
   constexpr List kLists[] = {{menus::kFileOpen, &MenuPanel::draw_maps},
                              {menus::kFileOpen, &MenuPanel::draw_recent_files},
                              {menus::kFileOpen, &MenuPanel::draw_hard_cases},
+                             {menus::kFileExport, &MenuPanel::draw_export_targets},
                              {menus::kViewLayouts, &MenuPanel::draw_panels},
                              {menus::kViewLooks, &MenuPanel::draw_scale_choice},
                              {menus::kDebugRecording, &MenuPanel::draw_edit_rule},
@@ -245,6 +263,20 @@ void MenuPanel::draw_hard_cases(const Session&, Actions& actions, Ui& ui) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (menu_item(example_name(files[i]), {})) actions.push_back(action::OpenFile{files[i], true});
     ui.item("menu/hard_case" + std::to_string(i), files[i]);
+  }
+  ImGui::EndMenu();
+}
+
+// One click exports to a target: by the level's first preset of it, or by a new one.
+void MenuPanel::draw_export_targets(const Session& session, Actions& actions, Ui& ui) {
+  const bool open = ImGui::BeginMenu("Export as", !session.exporting().running());
+  ui.item("menu/export_as",
+          "Writes the level for a game or another program, beside its file. The window of "
+          "exports shows what is written, and where.");
+  if (!open) return;
+  for (const Exporter& exporter : exporters()) {
+    if (menu_item(capitalized(exporter.label), {})) export_as(exporter, session, actions);
+    ui.item("menu/export_as/" + std::string(exporter.id), exporter.purpose);
   }
   ImGui::EndMenu();
 }

@@ -24,6 +24,7 @@ class MenuPanel : public Panel {
   void draw_maps(const Session& session, Actions& actions, Ui& ui);
   void draw_recent_files(const Session& session, Actions& actions, Ui& ui);
   void draw_hard_cases(const Session& session, Actions& actions, Ui& ui);
+  void draw_export_targets(const Session& session, Actions& actions, Ui& ui);
   void draw_panels(const Session& session, Actions& actions, Ui& ui);
   void draw_edit_rule(const Session& session, Actions& actions, Ui& ui);
   void draw_scale_choice(const Session& session, Actions& actions, Ui& ui);
