@@ -8,8 +8,9 @@ namespace talus {
 namespace {
 
 std::string short_rule(const EditRule& rule) {
-  if (rule.kind == EditRule::Kind::go_on) return "edited: play on";
-  return "edited: rerun from " + std::to_string(rule.kind == EditRule::Kind::from_frame ? rule.frame : 0);
+  if (rule.kind == EditRule::Kind::go_on) return "after edits: play on";
+  return "after edits: rerun from " +
+         std::to_string(rule.kind == EditRule::Kind::from_frame ? rule.frame : 0);
 }
 
 }  // namespace

@@ -2,8 +2,11 @@
 #include "tuning_panel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "edit/level_settings.h"
 #include "panels/commands/commands.h"
@@ -60,6 +63,35 @@ bool draw_menu(const std::string& key, double value, double standard, Ui& ui) {
   return resets;
 }
 
+// The solvers article and bump move players as balls; exact asks the ground itself instead of boxes.
+bool is_used(const TuningField& field, SolverKind solver) {
+  constexpr std::array<std::string_view, 4> kOfBoxes = {"cell_size", "slope_width", "slope_height",
+                                                        "drag_probe"};
+  if (solver != SolverKind::exact) return field.group.empty();
+  return !field.group.empty() || std::find(kOfBoxes.begin(), kOfBoxes.end(), field.key) == kOfBoxes.end();
+}
+
+bool has_player(const Level& level) {
+  return std::any_of(level.spawns.begin(), level.spawns.end(),
+                     [](const Spawn& spawn) { return traits_of(spawn.kind).takes_keys; });
+}
+
+// What matters first: the numbers of players in a level that has one, and those that its solver does not use
+// last.
+std::vector<const TuningField*> ordered_fields(const Level& level) {
+  std::vector<const TuningField*> fields;
+  for (const TuningField& field : tuning_fields()) fields.push_back(&field);
+  const SolverKind solver = level.tuning.solver;
+  const bool players_first = has_player(level);
+  const auto rank = [&](const TuningField* field) {
+    if (!is_used(*field, solver)) return 2;
+    return players_first && field->group == "player" ? 0 : 1;
+  };
+  std::stable_sort(fields.begin(), fields.end(),
+                   [&](const TuningField* a, const TuningField* b) { return rank(a) < rank(b); });
+  return fields;
+}
+
 }  // namespace
 
 void TuningPanel::draw(const Session& session, Actions& actions, Ui& ui) {
@@ -69,11 +101,14 @@ void TuningPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, ui.px(92));
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed, ui.px(theme::kButton));
-  const TuningField* before = nullptr;
-  for (const TuningField& field : tuning_fields()) {
-    if (before == nullptr || before->group != field.group) draw_group(field.group, ui);
-    draw_field(field, session, actions, ui);
-    before = &field;
+  const SolverKind solver = session.level().tuning.solver;
+  std::string before;
+  for (const TuningField* field : ordered_fields(session.level())) {
+    std::string group(field->group.empty() ? "balls" : field->group);
+    if (!is_used(*field, solver)) group = "not used by " + std::string(solver_name(solver));
+    if (before != group) draw_group(group, ui);
+    draw_field(*field, session, actions, ui);
+    before = std::move(group);
   }
   ImGui::EndTable();
 }
@@ -81,7 +116,7 @@ void TuningPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 void TuningPanel::draw_group(std::string_view group, Ui& ui) {
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   ImGui::TableNextColumn();
-  ui.heading(group.empty() ? "every solver" : group);
+  ui.heading(group);
 }
 
 void TuningPanel::draw_field(const TuningField& field, const Session& session, Actions& actions, Ui& ui) {
