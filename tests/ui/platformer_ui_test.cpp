@@ -52,11 +52,12 @@ TEST_F(UiPlatformer, TheSeamIsFoundMendedAndSaved) {
   EXPECT_EQ(part(tiles_after, kFirst, kMended), part(tiles_before, kFirst, kMended));
   EXPECT_NE(part(tiles_after, kMended, kNext), part(tiles_before, kMended, kNext));
   EXPECT_EQ(part(tiles_after, kNext, kLast), part(tiles_before, kNext, kLast));
-  for (const auto& entry : std::filesystem::directory_iterator(path("platformer")))
-    EXPECT_EQ(entry.path().stem(), "meadow") << "no companion is needed";
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(path("platformer")), {}), 4)
+      << "the map, its tileset and picture, and the companion with the picture of the player";
   start(map());
   frames(8);
   EXPECT_TRUE(problems().empty());
+  EXPECT_FALSE(level().spawns.front().picture.empty());
 }
 
 // With the seam, its first ramp stops the player.
