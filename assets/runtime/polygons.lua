@@ -532,17 +532,21 @@ end
 
 -- Replaces that of slopes.lua, which segments.lua calls.
 function mark_end(terrain, strips, piece, first)
-  local any, outward = goes_on(terrain, strips, piece, first)
+  -- A piece in several cells is marked at its ends, in the cells of these ends.
+  local y = first and piece.y0 or piece.y1
+  local far = y < strips.y * TILE_H or y > (strips.y + 1) * TILE_H
+  local any, outward = far, far
+  if not far then any, outward = goes_on(terrain, strips, piece, first) end
   if first then
-    piece.convex0, piece.last0 = not outward, not any
+    piece.convex0, piece.last0, piece.far0 = not outward, not any, far
   else
-    piece.convex1, piece.last1 = not outward, not any
+    piece.convex1, piece.last1, piece.far1 = not outward, not any, far
   end
 end
 
 -- The pieces in a cell, and the directions that they face.
 local function pieces_in(terrain, x, y)
-  local strips = {strip_at(terrain, x - 1, y), strip_at(terrain, x, y), strip_at(terrain, x + 1, y)}
+  local strips = {strip_at(terrain, x - 1, y), strip_at(terrain, x, y), strip_at(terrain, x + 1, y), y = y}
   local out, bodies = {}, strips[2].bodies
   for index, body in ipairs(bodies) do
     if has_side(body, true) then add_surface(bodies, index, true, x, y, out) end

@@ -414,13 +414,13 @@ bool OutlineCompiler::goes_on_at(double x, double y, bool to_the_right) const {
 
 void OutlineCompiler::mark_ends(Piece<double>& piece, Cell cell) const {
   if (piece.is_wall()) return;
-  // A long piece is marked at its ends, in the cells of these ends: only there the surroundings are known.
+  // A piece in several cells is marked at its ends, in the cells of these ends: only there the surroundings
+  // are known.
   const auto is_near = [this, cell](double x, double y) {
     return x >= tiles_.x_of(cell.x) && x <= tiles_.x_of(cell.x + 1) && y >= tiles_.y_of(cell.y) &&
            y <= tiles_.y_of(cell.y + 1);
   };
-  const bool near0 = piece.origin >= 0 || is_near(piece.x0, piece.y0);
-  const bool near1 = piece.origin >= 0 || is_near(piece.x1, piece.y1);
+  const bool near0 = is_near(piece.x0, piece.y0), near1 = is_near(piece.x1, piece.y1);
   const Next next0 = near0 ? next_of(piece, true) : Next{true, true};
   const Next next1 = near1 ? next_of(piece, false) : Next{true, true};
   piece.far0 = !near0;
