@@ -136,7 +136,7 @@ bool ObjectCells::add(std::vector<Vec2> outline) {
 // The height at which a side is cut there.
 double ObjectCells::cut_y(const OutlineLine& line, double x) const {
   const double y = line.at(x), welded = weld(y);
-  const bool is_corner = std::fmod(welded, tile_.height) == 0;
+  const bool is_corner = std::abs(y - welded) <= kOnLine && std::fmod(welded, tile_.height) == 0;
   return is_corner || std::binary_search(crossings_.begin(), crossings_.end(), x) ? welded : y;
 }
 
@@ -197,8 +197,9 @@ ObjectCells::Points ObjectCells::with_borders(const Points& line) {
       const double y = row * tile_.height;
       if (y == from.y || y == to.y || from.y == to.y) continue;
       const double x = from.x + (to.x - from.x) * ((y - from.y) / (to.y - from.y)), welded = weld(x);
-      const bool is_corner = welded <= from.x || welded >= to.x || std::fmod(welded, tile_.width) == 0;
-      all.push_back({is_corner ? std::clamp(welded, from.x, to.x) : x, y});
+      const bool is_end = x - from.x <= kOnLine || to.x - x <= kOnLine;
+      const bool is_corner = std::abs(x - welded) <= kOnLine && std::fmod(welded, tile_.width) == 0;
+      all.push_back({is_end || is_corner ? std::clamp(welded, from.x, to.x) : x, y});
     }
     if (to.y < from.y) std::reverse(all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
     all.push_back(to);

@@ -11,8 +11,8 @@
 namespace talus {
 
 // The parts of areas in the cells of a map. Where a side leaves a cell, its parts have a common point on the
-// side, so that no gap is between them, and they lie on one line. Next to a corner of a cell, and where sides
-// cross, that point is welded: up to 1/256 px off the side.
+// side, so that no gap is between them, and they lie on one line. Where sides cross, that point is welded: up
+// to 1/256 px off the side.
 class ObjectCells {
  public:
   // A polygon inside of a cell; the fields as in TileShape.
