@@ -375,7 +375,7 @@ end
 
 local function end_cast()
   if not (best_t <= 1) then return nil end
-  local contact = {t = best_t, facing = best_facing, piece = best_piece, on_end = best_flat_end,
+  local contact = {t = best_t, facing = best_facing, edge = best_piece, on_end = best_flat_end,
                    column = best_column, row = best_row, other = best_other}
   contact.x, contact.y = position_of_best()
   if best_mirrored then
@@ -390,8 +390,8 @@ end
 function Terrain:with_middle(contact) return contact end
 
 -- The first contact of a box at x, y that moves by motion_x, motion_y; nil if there is none. A contact has t,
--- the share of the motion; x, y, of the box at that time; nx, ny, the ground's normal; facing; and piece,
--- unless it is a plain tile, whose column and row it has then, or another body. others: the result of
+-- the share of the motion; x, y, of the box at that time; nx, ny, the ground's normal; facing; and edge, the piece
+-- that it met, unless that is a plain tile, whose column and row it has then, or another body. others: the result of
 -- World:others(). without: a piece that stops nothing this time. sunk_by: px, the height of the part of the
 -- corners of a box on its centre that meets no ground; may be nil.
 local function cast_box(terrain, x, y, w, h, motion_x, motion_y, is_centre, others, without, sunk_by)

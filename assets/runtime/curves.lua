@@ -85,7 +85,7 @@ function Stretch.is_level(_, contact, steepest)
 end
 -- Whether a box only touches a hill, at its top, which is in its way by rounding alone.
 function Stretch.falls_away(contact, x, y, slack)
-  return contact.facing == UP and contact.piece.stretch.bends_down and -(contact.nx * x + contact.ny * y) <= slack
+  return contact.facing == UP and contact.edge.stretch.bends_down and -(contact.nx * x + contact.ny * y) <= slack
 end
 function Stretch.time() return best_t, 0.0 end  -- as exact as it gets
 

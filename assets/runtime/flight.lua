@@ -30,7 +30,7 @@ end
 local function reach(ball, contact)
   local x, nx, ny = ball.x, contact.nx, contact.ny
   local time = time_to(ball, x, ball.y, nx, ny)
-  local piece = not contact.on_end and contact.piece or nil
+  local piece = not contact.on_end and contact.edge or nil
   for _ = 1, piece and piece.form.normal_at and 8 or 0 do
     x = flight_at(ball, time)
     local at = x + piece.form.offset(piece, ball.w, ball.centre)

@@ -11,7 +11,7 @@ end
 -- Whether a contact is with ground level enough to stand on: |dy/dx| is at most `steepest`.
 local function is_level(contact, steepest)
   if contact.ny == 0 then return false end
-  local piece = contact.piece
+  local piece = contact.edge
   if piece and not contact.on_end and contact.nx ~= 0 then
     return piece.form.is_level(piece, contact, steepest)
   end
@@ -42,7 +42,7 @@ local function move(world, body, box, x, y, respond)
       box.x, box.y, x, y, followed = goal_x, goal_y, after_x, after_y, nil
     else
       box.x, box.y = contact.x, contact.y
-      surface = not contact.on_end and contact.piece or nil
+      surface = not contact.on_end and contact.edge or nil
       x, y = respond(world, body, box, contact, x, y)
       -- Sliding along one plane leads into the one before: there is nowhere to go.
       local slides = x * contact.nx + y * contact.ny <= tolerance(x, y)

@@ -8,7 +8,7 @@ Walk.__index = Walk
 local AHEAD = 0.001953125  -- px; how far ahead the next piece of floor is looked for
 local LIP = 0.00390625  -- px; the end of a curve may be so far off the end that it ought to meet
 local HALVINGS = 16  -- how often the way along a curve to what stops the body is halved: to less than 1/1000 px
-local UNDER = 16  -- the floor under a body is followed over so many pieces to a corner of the body
+local UNDER = 1024  -- the floor under a body is followed over so many pieces to a corner of the body
 
 -- The column of the solid tile in a row that is nearest to the middle of the box; if there is none under the box,
 -- another one.
@@ -41,7 +41,7 @@ end
 
 -- The x of the box where it leaves the floor that it has met.
 function Walk:end_of(contact, on_line, box)
-  local right, piece, other, x, w = self.direction > 0, contact.piece, contact.other, box.x, box.w
+  local right, piece, other, x, w = self.direction > 0, contact.edge, contact.other, box.x, box.w
   if other then return right and other.x + other.w or other.x - w end
   if not piece then return self:end_of_tiles(contact, box) end
   if on_line then return (right and piece.x1 or piece.x0) - piece.form.offset(piece, w, box.centre) end
@@ -58,7 +58,7 @@ end
 
 -- A floor: the contact that met it, whether the foot is on the line of a piece, and where the floor ends.
 function Walk:floor_of(contact, box)
-  local on_line = contact.piece ~= nil and not contact.on_end
+  local on_line = contact.edge ~= nil and not contact.on_end
   return {met = contact, on_line = on_line, stop = self:end_of(contact, on_line, box)}
 end
 
@@ -91,8 +91,8 @@ function Walk:look_ahead(box, reach, step)
   local sunk = self.sunk > 0 and min(self.sunk + rise, box.h) or 0.0
   local found = self:cast(there, 0.0, rise + reach, nil, sunk)
   -- The floor may go on to the foot of something too steep, which is met on the way then.
-  if found and found.piece and found.nx * self.direction < 0 and not is_level(found, self.steepest) then
-    found = self:cast(there, 0.0, rise + reach, found.piece.source or found.piece, sunk)
+  if found and found.edge and found.nx * self.direction < 0 and not is_level(found, self.steepest) then
+    found = self:cast(there, 0.0, rise + reach, found.edge.source or found.edge, sunk)
     if found and found.y - box.y > rise then return nil end
   end
   if not found or not is_level(found, self.steepest) then return nil end
@@ -112,7 +112,7 @@ end
 -- The place of a box at x on that floor.
 function Walk.place_on(on, box, x)
   if not on.on_line then return x, on.met.y end
-  return x, on.met.piece.form.rest(on.met.piece, x, box.w, box.h, box.centre)
+  return x, on.met.edge.form.rest(on.met.edge, x, box.w, box.h, box.centre)
 end
 -- Where it is after it went `way` px to the side on that floor, or to the floor's end.
 function Walk:goal_on(on, box, way)
@@ -122,7 +122,7 @@ function Walk:goal_on(on, box, way)
 end
 
 -- Whether a way along it is the straight one that is cast.
-function Walk.is_straight(on) return not on.on_line or on.met.piece.form.straight end
+function Walk.is_straight(on) return not on.on_line or on.met.edge.form.straight end
 
 -- How far a place is from what the body has met, px; less than 0: it is in that.
 function Walk.room_at(x, y, contact) return (x - contact.x) * contact.nx + (y - contact.y) * contact.ny end
@@ -144,6 +144,33 @@ end
 
 -- px; a body so near to a floor is on it.
 function Walk.settled(box, way_x, way_y) return SETTLED * Walk.slack(box, way_x, way_y) end
+
+-- The x of the box where it leaves the piece of a ceiling that it has met.
+function Walk:end_of_ceiling(contact, box)
+  local piece, right = contact.edge, self.direction > 0
+  if not contact.on_end then return (right and piece.x1 or piece.x0) - piece.form.offset(piece, box.w, box.centre) end
+  -- Its flat top is below the lower end, or below a level piece.
+  if right then return piece.y0 > piece.y1 and piece.x0 or piece.x1 end
+  return (piece.y1 > piece.y0 and piece.x1 or piece.x0) - box.w
+end
+
+-- Where the body goes on past a ceiling that it has met too early, by rounding: to the goal, or to where it leaves that
+-- piece of the ceiling, if it is in it there by a rounding of its height at most. nil: the ceiling is in its way.
+function Walk:place_past(contact, box, x, y)
+  if contact.facing ~= DOWN then return nil end
+  local way_x, way_y = x - contact.x, y - contact.y
+  if contact.edge then
+    local share = (self:end_of_ceiling(contact, box) - contact.x) / way_x
+    if share > 0 and share < 1 then x, y = contact.x + way_x * share, contact.y + way_y * share end
+  end
+  local aside = x - contact.x
+  if aside == 0 or abs(aside) > AHEAD then return nil end
+  local there = {x = contact.x, y = contact.y, w = box.w, h = box.h, centre = box.centre}
+  if Walk.room_at(x, y, contact) < -Walk.settled(there) then return nil end
+  local side = self:cast(there, aside, 0.0)
+  if side and side.ny == 0 then return nil end
+  return x, y
+end
 
 -- Whether the floor is a curve that goes on above what the body has met below it, on the chord of its way.
 function Walk.leads_above(on, box, contact, goal_x)
@@ -183,7 +210,7 @@ end
 
 -- What the body meets first on its way to a place on the floor.
 function Walk:cast_to(on, box, x, y)
-  local line = on.on_line and on.met.piece or nil
+  local line = on.on_line and on.met.edge or nil
   local way_x, way_y = x - box.x, y - box.y
   local slack = Walk.settled(box, way_x, way_y)
   -- A ceiling that is parallel to the floor must not come nearer by the rounding of the two places.
@@ -191,7 +218,7 @@ function Walk:cast_to(on, box, x, y)
   local parallel = line and straight and line.form.along(line, way_x) or 0.0
   if straight and abs(way_y - parallel) <= slack then way_y = parallel end
   local contact = self:cast(box, way_x, way_y, not straight and line.source or nil)
-  local piece = straight and contact and contact.t == 0 and contact.piece
+  local piece = straight and contact and contact.t == 0 and contact.edge
   if piece and piece.form.falls_away and piece.form.falls_away(contact, way_x, way_y, slack) then
     return self:cast(box, way_x, way_y, piece.source or piece)
   end
@@ -214,7 +241,7 @@ end
 -- The upper end of what a corner of the body met, or the nearer end of a ceiling that is level or falls from there;
 -- nil if its middle met it.
 function Walk:corner_met(box, contact)
-  local piece = contact.piece
+  local piece = contact.edge
   if contact.facing >= LEFT then
     if piece then return piece.x0, piece.y0 end
     return (contact.column + (contact.facing == LEFT and 0 or 1)) * TILE_W, contact.row * TILE_H
@@ -349,15 +376,27 @@ local function go_along_floor(world, body, box, reach, motion_on, stop_at)
     local goal_x, goal_y = walk:goal_on(on, box, x * rest * part)
     if goal_x - box.x == 0 then return true end
     local contact = walk:cast_to(on, box, goal_x, goal_y)
-    local at_x, at_y, from = goal_x, goal_y, box.x
-    if contact then at_x, at_y = contact.x, contact.y end
+    local at_x, at_y, from, past_x, past_y = goal_x, goal_y, box.x, nil, nil
+    if contact then
+      at_x, at_y = contact.x, contact.y
+      past_x, past_y = walk:place_past(contact, box, goal_x, goal_y)
+      if past_x then at_x, at_y = past_x, past_y end
+    end
     rest = rest - (at_x - box.x) / x
     box.x, box.y = at_x, at_y
     -- What it has just come to does not stop it if the next piece leads past it.
-    if not contact or Walk.arrives(contact, box, goal_x, goal_y) then
+    local arrives = not contact
+    if past_x then
+      arrives = at_x == goal_x and at_y == goal_y
+    elseif contact then
+      arrives = Walk.arrives(contact, box, goal_x, goal_y)
+    end
+    if arrives then
       if not (rest > 0) or (goal_x ~= on.stop and part == 1) then return true end
       if goal_x == on.stop then on = nil end
       part = 1.0
+    elseif past_x then
+      contacts = contacts + 1
     else
       local after
       contacts = contacts + 1

@@ -193,12 +193,14 @@ class ExactSolver final : public Solver {
         return true;
       }
       if (contact && record_ != nullptr) note(state.bodies[index], contact, goal - moving.box.position());
-      const Vec at = contact ? contact.position : goal;
+      const auto past =
+          contact ? way.place_past(contact, moving.box, goal, moving.foot) : std::optional<Vec>();
+      const Vec at = past ? *past : contact ? contact.position : goal;
       const Real from = moving.box.x;
       rest -= (at.x - moving.box.x) / motion.x;
       put(moving, at);
       // What it has just come to does not stop it if the next piece leads past it.
-      const bool arrives = contact && way.arrives(contact, moving, goal);
+      const bool arrives = past ? at == goal : contact && way.arrives(contact, moving, goal);
       at_end = !contact || arrives;
       if (arrives) note_after(motion * std::max<Real>(rest, 0));
       if (at_end) {
@@ -209,6 +211,10 @@ class ExactSolver final : public Solver {
         continue;
       }
       ++contacts;
+      if (past) {
+        note_after(motion * rest);
+        continue;
+      }
       note_after({});
       const auto after = passes(way, floor, moving, from, goal, contact);
       if (after == AfterContact::shortens) part /= 2;

@@ -23,8 +23,9 @@ inline constexpr double kMostLip = 0.00390625;
 static_assert(kMostLip * kWeldParts == 1);
 // How often the way along a curve to what stops the body is halved: to less than 1/1000 px.
 inline constexpr int kHalvings = 16;
-// The floor under a body is followed over so many pieces to a corner of the body.
-inline constexpr int kMostPiecesUnder = 16;
+// The floor under a body is followed over so many pieces to a corner of the body: more than there are under
+// any body but on lines with points closer than 1/16 px. The budget of the casts is a limit, too.
+inline constexpr int kMostPiecesUnder = 1024;
 
 // The level piece of floor that a body goes on along, seen from where it stands.
 template <class Real>
@@ -162,6 +163,27 @@ class FloorWalk {
     return std::abs(left.x) <= slack && std::abs(left.y) <= slack;
   }
 
+  // Where the body goes on past a ceiling that it has met too early, by rounding: to the goal, or to where it
+  // leaves that piece of the ceiling, if it is in it there by a rounding of its height at most. Where floor
+  // and ceiling are almost parallel, that is many roundings of the way. Nothing: the ceiling is in its way.
+  std::optional<Vec> place_past(const Contact<Real>& contact, const BasicRect<Real>& box, Vec goal,
+                                Foot foot) const {
+    if (contact.facing != Facing::down) return std::nullopt;
+    Vec place = goal;
+    const Vec way = goal - contact.position;
+    if (contact.piece != nullptr) {
+      const Real share = (end_of_ceiling(contact, box, foot) - contact.position.x) / way.x;
+      if (share > 0 && share < 1) place = contact.position + way * share;
+    }
+    const Real aside = place.x - contact.position.x;
+    if (aside == 0 || std::abs(aside) > Real(kFloorStep)) return std::nullopt;
+    const BasicRect<Real> there{contact.position.x, contact.position.y, box.w, box.h};
+    if (room_at(place, contact) < -settled({there, {}, foot})) return std::nullopt;
+    const Contact<Real> side =
+        cast_box<Real>(ground_, {there, {aside, 0}, foot, sunk_}, others_, nullptr, budget_);
+    return side && side.normal.y == 0 ? std::nullopt : std::optional(place);
+  }
+
   // Whether what the body met lies below the floor that its foot walks on, as the side of the tile below the
   // next piece does. From then on the lowest part of the body's corners meets nothing. `body` is at the
   // contact; goal_y: px, of the place to which it was going.
@@ -258,6 +280,16 @@ class FloorWalk {
     if (piece.y0 == piece.y1) return right ? piece.x1 : piece.x0 - box.w;
     const Real end = piece.rises_to_the_right() ? piece.x1 : piece.x0;
     return right ? end : end - box.w;
+  }
+
+  // The x of the box where it leaves the piece of a ceiling that it has met.
+  Real end_of_ceiling(const Contact<Real>& contact, const BasicRect<Real>& box, Foot foot) const {
+    const Piece<Real>& piece = *contact.piece;
+    const bool right = direction_ > 0;
+    if (!contact.on_end) return (right ? piece.x1 : piece.x0) - foot_offset(piece, box.w, foot);
+    // Its flat top is below the lower end, or below a level piece.
+    if (right) return piece.y0 > piece.y1 ? piece.x0 : piece.x1;
+    return (piece.y1 > piece.y0 ? piece.x1 : piece.x0) - box.w;
   }
 
   // The column of the solid tile in a row that is nearest to the middle of the box; if there is none under

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <talus/sim/solver.h>
 
@@ -99,6 +100,54 @@ TEST(Walk, PassesTheSideOfAHollowBelowItsSlope) {
     const Body body = walked(scenery.level, 1, 60);
     EXPECT_GT(body.box.x + width / 2, 110) << width;
     EXPECT_EQ(body.box.bottom(), kFloor - 16) << width;
+  }
+}
+
+TEST(Walk, PassesTheSideBelowAOneWayFloorOfManyPieces) {
+  for (const double width : {8.0, 30.0, 40.0, 60.0}) {
+    Scenery scenery;
+    for (int column = 0; column < 4; ++column) {
+      TileShape ramp{.kind = TileShape::Kind::profile, .one_way = true};
+      for (int x = 0; x <= 8; ++x) ramp.heights.push_back((column * 8 + x) / 4.0);
+      scenery.put({12 + column, 11}, ramp);
+    }
+    scenery.fill(16, 39, 11);
+    scenery.player(40 - width / 2, kFloor, Foot::centre, {width, 12});
+    const Body body = walked(scenery.level, 1, 80);
+    EXPECT_GT(body.box.x + width / 2, 140) << width;
+    EXPECT_EQ(body.box.bottom(), kFloor - 8) << width;
+  }
+}
+
+TEST(Walk, LeadsThroughACorridorAlongAnAlmostLevelSlope) {
+  Scenery scenery;
+  const std::vector<Vec2> floor = {{96, 96}, {128, 91.8359375}, {168, 91.37109375}, {304, 91.37109375}};
+  for (std::size_t i = 1; i < floor.size(); ++i) {
+    const Vec2 up{-16, -8};  // the body's size
+    scenery.level.curves.push_back({"", {Segment{floor[i - 1], floor[i]}}, ""});
+    scenery.level.curves.push_back({"", {Segment{floor[i - 1] + up, floor[i] + up}, Curve::Faces::down}, ""});
+  }
+  scenery.player(40, kFloor, Foot::box, {16, 8});
+  scenery.level.tuning.player.run_speed = scenery.level.tuning.player.run_gain = 2;
+  const Body body = walked(scenery.level, 1, 80);
+  EXPECT_GT(body.box.x, 180);
+  EXPECT_EQ(body.box.y, 83.37109375);
+}
+
+TEST(Walk, FollowsTheFloorAfterAPolygonOfSeveralRows) {
+  Scenery scenery;
+  scenery.level.tuning.exact.steepest = 3;
+  scenery.fill(0, 4, 9);
+  scenery.put({5, 9}, {.kind = TileShape::Kind::polygon, .points = {{0, 0}, {8, 16}, {8, 24}, {0, 24}}});
+  scenery.put({6, 11}, slope(8, 6));
+  scenery.put({7, 11}, slope(6, 6));
+  scenery.player(20, 72, Foot::centre, {12, 8});
+  for (int steps = 14; steps < 24; ++steps) {
+    const Body body = walked(scenery.level, 1, steps);
+    const double middle = body.box.x + body.box.w / 2;
+    if (middle > 48 && middle < 56) {
+      EXPECT_NEAR(body.box.bottom(), 88 + (middle - 48) / 4, 1e-9) << middle;
+    }
   }
 }
 
