@@ -154,21 +154,27 @@ function Walk:end_of_ceiling(contact, box)
   return (piece.y1 > piece.y0 and piece.x1 or piece.x0) - box.w
 end
 
--- Where the body goes on past a ceiling that it has met too early, by rounding: to the goal, or to where it leaves that
--- piece of the ceiling, if it is in it there by a rounding of its height at most. nil: the ceiling is in its way.
+-- Where the body goes on past a straight ceiling that it has met too early, by rounding: to the goal, or to where it
+-- leaves that piece of the ceiling, if it is in it there by a rounding of its height at most. nil: the ceiling, or
+-- something else on that way, stops it.
 function Walk:place_past(contact, box, x, y)
-  if contact.facing ~= DOWN then return nil end
-  local way_x, way_y = x - contact.x, y - contact.y
-  if contact.edge then
+  local edge = contact.edge
+  if contact.facing ~= DOWN or edge and not edge.form.straight then return nil end
+  if edge then
+    local way_x = x - contact.x
     local share = (self:end_of_ceiling(contact, box) - contact.x) / way_x
-    if share > 0 and share < 1 then x, y = contact.x + way_x * share, contact.y + way_y * share end
+    if share > 0 and share < 1 then x, y = contact.x + way_x * share, contact.y + (y - contact.y) * share end
   end
   local aside = x - contact.x
   if aside == 0 or abs(aside) > AHEAD then return nil end
-  local there = {x = contact.x, y = contact.y, w = box.w, h = box.h, centre = box.centre}
-  if Walk.room_at(x, y, contact) < -Walk.settled(there) then return nil end
-  local side = self:cast(there, aside, 0.0)
-  if side and side.ny == 0 then return nil end
+  -- Without its lowest part, as the floor would hide what else is there.
+  local lip = min(LIP, box.h)
+  local above = {x = contact.x, y = contact.y, w = box.w, h = box.h - lip, centre = box.centre}
+  local rounding = Walk.settled(above)
+  if Walk.room_at(x, y, contact) < -rounding then return nil end
+  local met = self:cast(above, aside, edge and y - contact.y or 0.0, edge and (edge.source or edge),
+                        max(self.sunk - lip, 0.0))
+  if met and abs(met.x - x) > rounding then return nil end
   return x, y
 end
 

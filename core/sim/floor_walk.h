@@ -163,25 +163,31 @@ class FloorWalk {
     return std::abs(left.x) <= slack && std::abs(left.y) <= slack;
   }
 
-  // Where the body goes on past a ceiling that it has met too early, by rounding: to the goal, or to where it
-  // leaves that piece of the ceiling, if it is in it there by a rounding of its height at most. Where floor
-  // and ceiling are almost parallel, that is many roundings of the way. Nothing: the ceiling is in its way.
+  // Where the body goes on past a straight ceiling that it has met too early, by rounding: to the goal, or to
+  // where it leaves that piece of the ceiling, if it is in it there by a rounding of its height at most.
+  // Where floor and ceiling are almost parallel, that is many roundings of the way. Nothing: the ceiling, or
+  // something else on that way, stops it.
   std::optional<Vec> place_past(const Contact<Real>& contact, const BasicRect<Real>& box, Vec goal,
                                 Foot foot) const {
-    if (contact.facing != Facing::down) return std::nullopt;
+    const Piece<Real>* const piece = contact.piece;
+    if (contact.facing != Facing::down || (piece != nullptr && piece->stretch != 0)) return std::nullopt;
     Vec place = goal;
     const Vec way = goal - contact.position;
-    if (contact.piece != nullptr) {
+    if (piece != nullptr) {
       const Real share = (end_of_ceiling(contact, box, foot) - contact.position.x) / way.x;
       if (share > 0 && share < 1) place = contact.position + way * share;
     }
-    const Real aside = place.x - contact.position.x;
-    if (aside == 0 || std::abs(aside) > Real(kFloorStep)) return std::nullopt;
-    const BasicRect<Real> there{contact.position.x, contact.position.y, box.w, box.h};
-    if (room_at(place, contact) < -settled({there, {}, foot})) return std::nullopt;
-    const Contact<Real> side =
-        cast_box<Real>(ground_, {there, {aside, 0}, foot, sunk_}, others_, nullptr, budget_);
-    return side && side.normal.y == 0 ? std::nullopt : std::optional(place);
+    const Vec rest = place - contact.position;
+    if (rest.x == 0 || std::abs(rest.x) > Real(kFloorStep)) return std::nullopt;
+    // Without its lowest part, as the floor would hide what else is there.
+    const Real lip = std::min(Real(kMostLip), box.h);
+    const BasicRect<Real> above{contact.position.x, contact.position.y, box.w, box.h - lip};
+    const Real rounding = settled({above, {}, foot});
+    if (room_at(place, contact) < -rounding) return std::nullopt;
+    const Cast<Real> past{above, piece != nullptr ? rest : Vec{rest.x, 0}, foot,
+                          std::max<Real>(sunk_ - lip, 0)};
+    const Contact<Real> met = cast_box(ground_, past, others_, piece, budget_);
+    return met && std::abs(met.position.x - place.x) > rounding ? std::nullopt : std::optional(place);
   }
 
   // Whether what the body met lies below the floor that its foot walks on, as the side of the tile below the
