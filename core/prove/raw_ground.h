@@ -17,8 +17,8 @@ namespace talus {
 using Fine = std::int64_t;
 inline constexpr int kFineBits = 24;
 inline constexpr Fine kFinePx = Fine{1} << kFineBits;
-// Rounded to the nearest; px: finite, within kMaxCoordinate. std::llround is a call, and a proof asks for
-// this most of all.
+// Rounded to the nearest; px: finite, at most 2^38. std::llround is a call, and a proof asks for this most of
+// all.
 inline Fine fine(double px) {
   const double length = px * static_cast<double>(kFinePx);
   return static_cast<Fine>(length + (length < 0 ? -0.5 : 0.5));

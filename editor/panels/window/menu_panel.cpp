@@ -32,7 +32,10 @@ void export_as(const Exporter& exporter, const Session& session, Actions& action
                                   [&](const ExportPreset& preset) { return preset.exporter == exporter.id; });
   const auto index = static_cast<std::size_t>(known - presets.begin());
   if (known == presets.end()) {
-    if (presets.size() >= kMaxExports) return;
+    if (presets.size() >= kMaxExports)
+      return actions.push_back(action::ShowMessage{
+          "The level has as many presets of exports as it can have: delete one in the window of exports.",
+          true});
     const ExportPreset preset = with_target({}, exporter, presets, session.file_name(), session.path());
     actions.push_back(action::EditLevel{add_export(session.level(), preset)});
     actions.push_back(action::SetExportPath{index, preset.path});
