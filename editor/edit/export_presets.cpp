@@ -33,6 +33,13 @@ Edit remove_export(const Level& level, std::size_t index) {
   return with_exports(level, "Remove export preset", std::move(exports));
 }
 
+std::optional<std::size_t> find_export(const Level& level, std::string_view exporter) {
+  const auto found = std::find_if(level.exports.begin(), level.exports.end(),
+                                  [&](const ExportPreset& preset) { return preset.exporter == exporter; });
+  if (found == level.exports.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - level.exports.begin());
+}
+
 std::string free_export_name(const Level& level, const std::string& name) {
   for (int number = 1;; ++number) {
     std::string free = number == 1 ? name : name + " " + std::to_string(number);

@@ -5,18 +5,15 @@
 #include <filesystem>
 #include <system_error>
 
+#include "edit/export_presets.h"
 #include "external_program.h"
 #include "user_folder.h"
 
 namespace talus {
 
 std::optional<std::size_t> game_preset(const Level& level) {
-  for (const std::string_view exporter : {"love", "bump"}) {
-    const auto found = std::find_if(level.exports.begin(), level.exports.end(),
-                                    [&](const ExportPreset& preset) { return preset.exporter == exporter; });
-    if (found != level.exports.end()) return static_cast<std::size_t>(found - level.exports.begin());
-  }
-  return std::nullopt;
+  const auto love = find_export(level, "love");
+  return love ? love : find_export(level, "bump");
 }
 
 namespace {

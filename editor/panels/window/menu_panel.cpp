@@ -28,19 +28,17 @@ std::string keys_from_here(const Command& command, const Session& session, const
 
 void export_as(const Exporter& exporter, const Session& session, Actions& actions) {
   const std::vector<ExportPreset>& presets = session.level().exports;
-  const auto known = std::find_if(presets.begin(), presets.end(),
-                                  [&](const ExportPreset& preset) { return preset.exporter == exporter.id; });
-  const auto index = static_cast<std::size_t>(known - presets.begin());
-  if (known == presets.end()) {
+  const auto known = find_export(session.level(), exporter.id);
+  if (!known) {
     if (presets.size() >= kMaxExports)
       return actions.push_back(action::ShowMessage{
           "The level has as many presets of exports as it can have: delete one in the window of exports.",
           true});
     const ExportPreset preset = with_target({}, exporter, presets, session.file_name(), session.path());
     actions.push_back(action::EditLevel{add_export(session.level(), preset)});
-    actions.push_back(action::SetExportPath{index, preset.path});
+    actions.push_back(action::SetExportPath{presets.size(), preset.path});
   }
-  actions.push_back(action::RunExports{index});
+  actions.push_back(action::RunExports{known.value_or(presets.size())});
 }
 
 void draw_command(const Command& command, const Session& session, Actions& actions, Ui& ui) {
