@@ -505,8 +505,8 @@ end
 -- ---- Ends ----
 
 -- The other lines that face the same way and begin where this one ends: whether there are any, and whether one
--- of them does not fall back from the open side.
-local function goes_on(terrain, strips, piece, first)
+-- of them does not fall back from the open side. Replaces that of slopes.lua, which mark_end() calls.
+function goes_on(terrain, strips, piece, first)
   local x, y = first and piece.x0 or piece.x1, first and piece.y0 or piece.y1
   local up = piece.facing == UP
   local any, outward = false, false
@@ -528,20 +528,6 @@ local function goes_on(terrain, strips, piece, first)
   end
   terrain:note_free(piece, first, x, y, note)
   return any, outward
-end
-
--- Replaces that of slopes.lua, which segments.lua calls.
-function mark_end(terrain, strips, piece, first)
-  -- A piece in several cells is marked at its ends, in the cells of these ends.
-  local y = first and piece.y0 or piece.y1
-  local far = y < strips.y * TILE_H or y > (strips.y + 1) * TILE_H
-  local any, outward = far, far
-  if not far then any, outward = goes_on(terrain, strips, piece, first) end
-  if first then
-    piece.convex0, piece.last0, piece.far0 = not outward, not any, far
-  else
-    piece.convex1, piece.last1, piece.far1 = not outward, not any, far
-  end
 end
 
 -- The pieces in a cell, and the directions that they face.
