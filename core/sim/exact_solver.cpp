@@ -193,8 +193,7 @@ class ExactSolver final : public Solver {
         return true;
       }
       if (contact && record_ != nullptr) note(state.bodies[index], contact, goal - moving.box.position());
-      const auto past =
-          contact ? way.place_past(contact, moving.box, goal, moving.foot) : std::optional<Vec>();
+      const auto past = way.place_past(contact, moving.box, goal, moving.foot);
       const Vec at = past ? *past : contact ? contact.position : goal;
       const Real from = moving.box.x;
       rest -= (at.x - moving.box.x) / motion.x;

@@ -170,7 +170,8 @@ class FloorWalk {
   std::optional<Vec> place_past(const Contact<Real>& contact, const BasicRect<Real>& box, Vec goal,
                                 Foot foot) const {
     const Piece<Real>* const piece = contact.piece;
-    if (contact.facing != Facing::down || (piece != nullptr && piece->stretch != 0)) return std::nullopt;
+    if (!contact || contact.facing != Facing::down || (piece != nullptr && piece->stretch != 0))
+      return std::nullopt;
     Vec place = goal;
     const Vec way = goal - contact.position;
     if (piece != nullptr) {
