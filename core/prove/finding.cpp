@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view kOfSolver =
     "The ground is good: choose the solver exact in Tuning, or report it with this level.";
 
-constexpr std::array<FindingInfo, 10> kInfos = {{
+constexpr std::array<FindingInfo, 11> kInfos = {{
     {"stops", "stops, though the way is free", false, kOfSolver},
     {"slows", "loses speed, though nothing is in the way", false, kOfSolver},
     {"leaves-floor", "leaves the floor, though it goes on", false, kOfSolver},
@@ -24,6 +24,8 @@ constexpr std::array<FindingInfo, 10> kInfos = {{
     {"ghost", "is stopped by something that is not there", false, kOfSolver},
     {"lip", "is stopped by a low edge", true,
      "Let the floors on both sides of the edge meet at one height, or make the edge a wall."},
+    {"gap", "comes to a gap in its floor", true,
+     "Close the gap between the two floors, or make it wider than the body."},
     {"wedged", "is wedged, and no key frees it", true,
      "Make the gap wider than the body, or so narrow that the body stays out of it."},
 }};
@@ -78,7 +80,7 @@ void add_alike(Finding& finding, const Finding& other) {
 
 std::string message_of(const Finding& finding) {
   std::string text = subject_of(finding.trial) + " " + std::string(info_of(finding.kind).label);
-  if (finding.kind == FindingKind::lip)
+  if (finding.kind == FindingKind::lip || finding.kind == FindingKind::gap)
     text += " of " + px_text(std::round(finding.amount * kWeldParts) / kWeldParts) + " px";
   text += " at " + px_text(finding.place.x) + ", " + px_text(finding.place.y) + " px";
   if (!info_of(finding.kind).of_level) text += " (solver " + std::string(solver_name(finding.solver)) + ")";

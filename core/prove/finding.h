@@ -22,6 +22,7 @@ enum class FindingKind : std::uint8_t {
   falls_through,  // it came through a floor from above
   ghost,          // it was stopped by something that is not there
   lip,            // an edge stopped it that is too low to be meant
+  gap,            // its floor has a gap that is narrower than it is
   wedged          // it hangs between two grounds, stands on nothing, and no key frees it
 };
 
@@ -51,11 +52,12 @@ LoneBody lone_body_of(const Trial& trial);
 struct Finding {
   FindingKind kind = FindingKind::stops;
   SolverKind solver = SolverKind::exact;
-  Trial trial;        // plays it again
-  int frame = 0;      // step of the trial, from 1, after which it was found
-  Cell cell;          // of the place; of a lip that of the higher ground; on the map
-  Vec2 place;         // px, the middle of the body's bottom then; of a lip the top of the edge
-  double amount = 0;  // px: of a lip its height, of jumps, floats and slows how much
+  Trial trial;    // plays it again
+  int frame = 0;  // step of the trial, from 1, after which it was found
+  Cell cell;      // of the place; of a lip that of the higher ground; on the map
+  Vec2 place;     // px, the middle of the body's bottom then; of a lip the top of the edge, of a gap where
+                  // the floor ends
+  double amount = 0;  // px: of a lip its height, of a gap its width, of jumps, floats and slows how much
   Obstacle met;       // what stopped it; of other kinds what it met last
   int count = 1;      // trials of this body, direction and kind with a finding in this cell
 };

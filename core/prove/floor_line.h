@@ -14,17 +14,21 @@ class FloorLine {
   // floors that are so near to one another count as one.
   FloorLine(const RawGround& ground, Fine x, Fine y, Fine x0, Fine x1, double steepest, Fine slack);
 
+  // Whether there is no floor at the place.
+  bool is_empty() const { return points_.empty(); }
   // Whether no point of the part's top, between two x, is above the line. Beyond its ends there is no line.
   bool covers(const RawPart& part, Fine x0, Fine x1) const;
   // Whether it goes from one x to another.
   bool reaches(Fine x0, Fine x1) const {
     return !points_.empty() && points_.front().x <= std::min(x0, x1) && points_.back().x >= std::max(x0, x1);
   }
+  // The x of its left (direction < 0) or right end; there must be a floor.
+  Fine end(int direction) const { return direction < 0 ? points_.front().x : points_.back().x; }
   // Its y at an x, which it must reach.
   Fine at(Fine x) const;
   // The y of its left (direction < 0) or right end; if there is no floor, `y`.
   Fine at_end(int direction, Fine y) const {
-    if (points_.empty()) return y;
+    if (is_empty()) return y;
     return direction < 0 ? points_.front().y : points_.back().y;
   }
 

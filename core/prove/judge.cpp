@@ -72,7 +72,7 @@ std::optional<Verdict> Judge::judge_walk(const Body& before, const Body& after, 
     return Verdict{FindingKind::jumps, rise - most * steepest};
   if (!after.gait.grounded) {
     if (floor_goes_on(before, after, direction)) return Verdict{FindingKind::leaves_floor};
-    return std::nullopt;
+    return gap_after(before, direction);
   }
   if (auto missed = ramp_missed(before, after, direction)) return missed;
   const bool slows = std::abs(after.velocity.x - speed) > kSameSpeed;
@@ -111,6 +111,36 @@ std::optional<Verdict> Judge::ramp_missed(const Body& before, const Body& after,
   });
   if (missed && is_across_line(before)) return std::nullopt;
   return missed;
+}
+
+// The gap at the end of the floor on which a body stood, if a floor goes on behind it at about that height,
+// and the body is too wide to fall through.
+std::optional<Verdict> Judge::gap_after(const Body& before, int direction) const {
+  const FineBox box = fine_box(before.box);
+  const Fine width = box.x1 - box.x0;
+  std::optional<Fine> foot;  // where its floor is the nearest to its middle
+  ground_.for_parts({box.x0, box.y1 - weld_, box.x1, box.y1 + weld_}, [&](const RawPart& part) {
+    const Fine x = std::clamp(box.middle(), part.top.x0, part.top.x1);
+    const bool holds = part.is_floor() && std::abs(part.top.at(x) - box.y1) <= weld_;
+    if (holds && (!foot || std::abs(x - box.middle()) < std::abs(*foot - box.middle()))) foot = x;
+    return true;
+  });
+  if (!foot) return std::nullopt;
+  const FloorLine line(ground_, *foot, box.y1, *foot - width, *foot + width, tuning_.exact.steepest, weld_);
+  if (line.is_empty()) return std::nullopt;
+  const Fine end = line.end(direction), y = line.at_end(direction, box.y1);
+  const Fine last = end + direction * width;
+  std::optional<Fine> narrowest;
+  ground_.for_parts({std::min(end, last), y - lip_, std::max(end, last), y + lip_}, [&](const RawPart& part) {
+    const Fine begin = direction > 0 ? part.top.x0 : part.top.x1, top = part.top.at(begin);
+    const Fine gap = (begin - end) * direction;
+    const bool goes_on = part.is_floor() && gap > weld_ && gap < width && std::abs(top - y) <= lip_ &&
+                         !part.top.is_steeper_than(tuning_.exact.steepest, begin);
+    if (goes_on && (!narrowest || gap < *narrowest) && !has_floor_to(begin, top, direction)) narrowest = gap;
+    return true;
+  });
+  if (!narrowest) return std::nullopt;
+  return Verdict{FindingKind::gap, rounded_px(*narrowest), Vec2{px_of(end), rounded_px(y)}, -direction};
 }
 
 // Whether a floor leads to this point in a direction.

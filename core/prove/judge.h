@@ -12,8 +12,8 @@ namespace talus {
 struct Verdict {
   FindingKind kind;
   double amount = 0;              // px, as Finding::amount
-  std::optional<Vec2> edge = {};  // px, of a lip: the top of the edge
-  int side = 0;                   // of a lip: -1 the edge is the right side of higher ground, 1 the left one
+  std::optional<Vec2> edge = {};  // px, of a lip: the top of the edge; of a gap: where the floor ends
+  int side = 0;                   // of an edge: -1 it is the right side of its ground, 1 the left one
 };
 
 class Judge {
@@ -55,6 +55,7 @@ class Judge {
                          const StepRecord& record) const;
   std::optional<Verdict> judge_stop(const Body& after, int direction) const;
   std::optional<Verdict> ramp_missed(const Body& before, const Body& after, int direction) const;
+  std::optional<Verdict> gap_after(const Body& before, int direction) const;
   bool has_floor_to(Fine x, Fine y, int direction) const;
   std::optional<Verdict> judge_contacts(const Body& before, const StepRecord& record) const;
   bool is_steep(Vec2 normal) const;

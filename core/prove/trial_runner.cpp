@@ -1,7 +1,6 @@
 #include "trial_runner.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "sim/lone_body.h"
@@ -18,6 +17,8 @@ constexpr double kLift =
     1.0 / (1 << 20);  // px; bodies start so much above their floor, as its height is rounded
 constexpr double kIntoEdge = 1.0 / 64;  // px; the cell of an edge is that of the ground so far behind it
 constexpr double kPhaseOfPx = 0.37;     // px; one of the places of a body between two pixels
+constexpr double kBeyondJoint = 2;      // px; walks end so far behind one
+constexpr int kDropRows = 2;            // cells above its floor from which a body is dropped
 constexpr double kSlowWay = 1;          // px; the slowest body goes so far, over a joint
 
 int cells_of(double px, int tile) { return std::min(kMostReach, 1 + static_cast<int>(std::ceil(px / tile))); }
@@ -62,6 +63,15 @@ bool is_steered(BodyKind kind, SolverKind solver) {
 }
 
 }  // namespace
+
+// Steps of fractions of a pixel come to many places between two pixels, so slower walks begin at two.
+const std::array<TrialRunner::Start, 5> TrialRunner::kStarts = {{
+    {.walks = true, .walks_slower = true, .from_rest = true, .jumps = true, .drops = true},
+    {.px = kPhaseOfPx, .walks = true, .jumps = true, .drops = true, .slowest = -1},
+    {.share = 0.5, .walks = true},
+    {.share = 0.5, .px = 2 * kPhaseOfPx, .walks = true, .walks_slower = true, .drops = true, .slowest = -1},
+    {.share = 1, .px = -kPhaseOfPx, .slowest = 1},
+}};
 
 void ProveCounts::add(const ProveCounts& other) {
   places += other.places;
@@ -117,54 +127,58 @@ bool TrialRunner::is_known(Cell cell, std::size_t body) {
   return !surroundings_.insert(std::move(around)).second;
 }
 
-// px: y of the floors that begin in a cell, at an x within it.
-std::vector<double> TrialRunner::floors_at(Cell cell, double x) const {
+// The tops of the ground that are in a cell, at an x.
+std::vector<TrialRunner::Top> TrialRunner::tops_at(Cell cell, double x) const {
   const TileSize tile = scene_.ground().tile_size();
   const double steepest = scene_.speeds().front().scene->tuning.exact.steepest;
   const Fine at = fine(x), top = fine(1.0 * cell.y * tile.height),
              bottom = fine((cell.y + 1.0) * tile.height);
-  std::vector<double> floors;
+  std::vector<Top> tops;
   scene_.ground().for_parts({at, top, at, bottom}, [&](const RawPart& part) {
     const Fine y = part.top.at(at);
-    if (part.is_floor() && y >= top && y < bottom && !part.top.is_steeper_than(steepest, at))
-      floors.push_back(px_of(y));
+    if (part.is_floor() && y >= top && y < bottom)
+      tops.push_back({px_of(y), part.top.is_steeper_than(steepest, at)});
     return true;
   });
-  std::sort(floors.begin(), floors.end());
-  floors.erase(std::unique(floors.begin(), floors.end()), floors.end());
-  return floors;
+  std::sort(tops.begin(), tops.end());
+  tops.erase(std::unique(tops.begin(), tops.end()), tops.end());
+  return tops;
 }
 
 void TrialRunner::try_cell(Cell cell, std::size_t body) {
   const int width = scene_.ground().tile_size().width;
-  const double half = width / 2.0;
-  const std::array phases{0.0, kPhaseOfPx, half, half + 2 * kPhaseOfPx, width - kPhaseOfPx};
-  const bool has_floor = std::any_of(phases.begin(), phases.end(), [&](double phase) {
-    return !floors_at(cell, 1.0 * cell.x * width + phase).empty();
-  });
-  if (!has_floor) return;
+  const auto x_of = [&](const Start& start) { return (cell.x + start.share) * width + start.px; };
+  std::array<std::vector<Top>, kStarts.size()> tops;
+  std::transform(kStarts.begin(), kStarts.end(), tops.begin(),
+                 [&](const Start& start) { return tops_at(cell, x_of(start)); });
+  const auto is_any = [&](auto is_it) {
+    return std::any_of(tops.begin(), tops.end(), [&](const std::vector<Top>& at_start) {
+      return std::any_of(at_start.begin(), at_start.end(), is_it);
+    });
+  };
+  if (!is_any([](Top) { return true; })) return;
   if (is_known(cell, body)) {
-    ++proof_.counts.places, ++proof_.counts.alike;
+    if (is_any([](Top top) { return !top.is_steep; })) ++proof_.counts.places, ++proof_.counts.alike;
     return;
   }
   const std::int64_t most = proof_.counts.places + 1;  // a cell counts once
-  for (const double phase : phases) try_phase(cell, body, phase);
+  for (std::size_t i = 0; i < kStarts.size(); ++i)
+    for (const Top top : tops[i]) try_top({cell, body, kStarts[i], {}}, x_of(kStarts[i]), top);
   proof_.counts.places = std::min(proof_.counts.places, most);
 }
 
-void TrialRunner::try_phase(Cell cell, std::size_t body, double phase) {
-  const ProveBody& tried = scene_.bodies()[body];
+void TrialRunner::try_top(Place place, double x, Top top) {
+  const ProveBody& tried = scene_.bodies()[place.body];
   const ProveScene::Speed& speed = scene_.speeds().front();
-  const double x = 1.0 * cell.x * scene_.ground().tile_size().width + phase;
-  for (const double floor : floors_at(cell, x)) {
-    Rect box{x - tried.size.x / 2, floor - tried.size.y, tried.size.x, tried.size.y};
-    const double rise = tried.foot == Foot::box ? tried.size.x / 2 * speed.scene->tuning.exact.steepest : 0;
-    const auto y = speed.judge->standing_place(box, tried.foot, rise + 1.0 / kWeldParts, 1.0 / kWeldParts);
-    if (!y) continue;
-    box.y = *y - kLift;
-    ++proof_.counts.places;
-    try_place({cell, body, phase, box});
-  }
+  place.box = {x - tried.size.x / 2, top.y - tried.size.y, tried.size.x, tried.size.y};
+  if (top.is_steep) return drop(place, false);
+  const double rise = tried.foot == Foot::box ? tried.size.x / 2 * speed.scene->tuning.exact.steepest : 0;
+  const auto y =
+      speed.judge->standing_place(place.box, tried.foot, rise + 1.0 / kWeldParts, 1.0 / kWeldParts);
+  if (!y) return;
+  place.box.y = *y - kLift;
+  ++proof_.counts.places;
+  try_place(place);
 }
 
 void TrialRunner::try_place(const Place& place) {
@@ -172,22 +186,20 @@ void TrialRunner::try_place(const Place& place) {
   Trial standing = start_at(body, place.box);
   const bool stands = stand(standing.body);
   if (stands) walk_from(place, standing);
-  if (place.phase != 0 && place.phase != kPhaseOfPx) return;
-  drop(place);
-  if (!stands || !is_steered(body.kind, scene_.solver())) return;
+  drop(place, true);
+  if (!stands || !place.start.jumps || !is_steered(body.kind, scene_.solver())) return;
   for (const int direction : {0, 1, -1}) jump(place, standing, direction);
 }
 
-// At the slowest speed, a body goes over the joints at the sides of its cell, and over that in the middle.
 void TrialRunner::walk_from(const Place& place, const Trial& standing) {
   const std::size_t slowest = solvers_.size() - 1;
-  const int width = scene_.ground().tile_size().width;
-  if (place.phase == width - kPhaseOfPx) return walk(place, standing, slowest, 1, false);
-  if (place.phase != 0 && place.phase != width / 2.0) walk(place, standing, slowest, -1, false);
-  const bool takes_keys = is_steered(standing.body.kind, scene_.solver());
+  const Start& start = place.start;
+  if (start.slowest != 0) walk(place, standing, slowest, start.slowest, false);
   for (const int direction : {1, -1}) {
-    for (std::size_t speed = 0; speed < slowest; ++speed) walk(place, standing, speed, direction, false);
-    if (takes_keys && place.phase == 0) walk(place, standing, 0, direction, true);
+    if (start.walks) walk(place, standing, 0, direction, false);
+    if (start.walks_slower) walk(place, standing, 1, direction, false);
+    if (start.from_rest && is_steered(standing.body.kind, scene_.solver()))
+      walk(place, standing, 0, direction, true);
   }
 }
 
@@ -209,6 +221,14 @@ bool TrialRunner::stand(Body& body) {
   return stands;
 }
 
+// px, from a start over the next joint at a side of a cell that is not close by.
+double TrialRunner::way_past_joint(const Start& start, int direction) const {
+  const int width = scene_.ground().tile_size().width;
+  const double to_right = (1 - start.share) * width - start.px;
+  const double way = direction > 0 ? to_right : width - to_right;
+  return (way < width / 4.0 ? way + width : way) + kBeyondJoint;
+}
+
 void TrialRunner::walk(const Place& place, Trial trial, std::size_t speed, int direction, bool at_rest) {
   const ProveBody& body = scene_.bodies()[place.body];
   const PlayerTuning& player = scene_.speeds()[speed].scene->tuning.player;
@@ -217,7 +237,7 @@ void TrialRunner::walk(const Place& place, Trial trial, std::size_t speed, int d
       is_steered(body.kind, scene_.solver()) ? player.run_speed : body.speed * scene_.speeds()[speed].share;
   if (!at_rest) trial.body.velocity.x = direction * trial.speed;
   const bool is_slowest = speed + 1 == solvers_.size();
-  const double way = is_slowest ? kSlowWay : scene_.ground().tile_size().width + 2.0;
+  const double way = is_slowest ? kSlowWay : way_past_joint(place.start, direction);
   trial.frames = std::min(kMostSteps, 2 + static_cast<int>(way / std::max(trial.speed, 0.01)));
   run(trial, place, speed);
 }
@@ -230,19 +250,20 @@ void TrialRunner::jump(const Place& place, Trial trial, int direction) {
   run(trial, place, 0);
 }
 
-// From two cells above its floor, or as high as there is room.
-void TrialRunner::drop(const Place& place) {
+// From two cells above the ground, or from one. A body that can stand there is dropped from there if there is
+// no more room.
+void TrialRunner::drop(const Place& place, bool can_stand) {
+  if (!place.start.drops) return;
   const ProveBody& body = scene_.bodies()[place.body];
-  Trial trial = start_at(body, place.box);
   const int tile = scene_.ground().tile_size().height;
-  for (int rows = 2; rows > 0; --rows) {
-    Rect box = place.box;
-    box.y -= rows * tile + kPhaseOfPx;
-    if (!scene_.speeds().front().judge->is_free(box, body.foot, Judge::Corners::in_its_floor)) continue;
-    trial.body.box = box;
-    trial.body.previous = box.position();
-    break;
+  Rect box = place.box;
+  int rows = kDropRows;
+  for (; rows > 0; --rows) {
+    box.y = place.box.y - (rows * tile + kPhaseOfPx);
+    if (scene_.speeds().front().judge->is_free(box, body.foot, Judge::Corners::in_its_floor)) break;
   }
+  if (rows == 0 && !can_stand) return;
+  Trial trial = start_at(body, rows == 0 ? place.box : box);
   trial.speed = scene_.speeds().front().scene->tuning.player.run_speed;
   trial.frames = kMostSteps / 2;
   run(trial, place, 0);

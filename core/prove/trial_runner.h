@@ -1,6 +1,8 @@
 // TrialRunner: tries how bodies move over a block of a level, with the solver itself.
 #pragma once
 
+#include <array>
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -38,12 +40,31 @@ class TrialRunner {
   std::optional<Finding> play(const Trial& trial);
 
  private:
-  // A place where a body stands, in the cell in which its floor is.
+  // A place in a cell from which a body is tried, and what is tried there.
+  struct Start {
+    double share = 0;    // of the cell's width at which the middle of the body is,
+    double px = 0;       // and so far to the right of that
+    bool walks = false;  // to both sides, at the full speed
+    bool walks_slower = false;
+    bool from_rest = false;  // walks that begin at rest
+    bool jumps = false;
+    bool drops = false;
+    int slowest = 0;  // -1 or 1: the side to which it goes at the slowest speed
+  };
+  static const std::array<Start, 5> kStarts;
+  // A place where a body stands on the ground, or would if that were not too steep, in the cell of the
+  // ground.
   struct Place {
     Cell cell;
     std::size_t body;  // index
-    double phase;      // px, of its middle from the left side of the cell
-    Rect box;          // px
+    const Start& start;
+    Rect box;  // px
+  };
+  // A top of the ground.
+  struct Top {
+    double y;  // px
+    bool is_steep;
+    friend auto operator<=>(const Top&, const Top&) = default;
   };
   // By which columns and rows trials may go away from their cell.
   struct Reach {
@@ -51,17 +72,18 @@ class TrialRunner {
   };
 
   void try_cell(Cell cell, std::size_t body);
-  void try_phase(Cell cell, std::size_t body, double phase);
+  void try_top(Place place, double x, Top top);
   void try_place(const Place& place);
   bool stand(Body& body);
   void walk_from(const Place& place, const Trial& standing);
   void walk(const Place& place, Trial trial, std::size_t speed, int direction, bool at_rest);
+  double way_past_joint(const Start& start, int direction) const;
   void jump(const Place& place, Trial trial, int direction);
-  void drop(const Place& place);
+  void drop(const Place& place, bool can_stand);
   void run(Trial trial, const Place& place, std::size_t speed);
   std::optional<Finding> play(const Trial& trial, std::size_t speed, const Place* place);
   bool is_wedged(State state, std::size_t speed);
-  std::vector<double> floors_at(Cell cell, double x) const;
+  std::vector<Top> tops_at(Cell cell, double x) const;
   bool is_known(Cell cell, std::size_t body);
   Reach reach_of(const ProveBody& body) const;
 

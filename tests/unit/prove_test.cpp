@@ -195,6 +195,41 @@ TEST(Prove, FindsWhereABodyIsWedged) {
   EXPECT_EQ(kinds_of(scenery.proof()), std::set<std::string>{"wedged"}) << text_of(scenery.proof());
 }
 
+// Nothing leads there: a body can only fall into it.
+TEST(Prove, FindsAFunnelThatHoldsABody) {
+  Scenery scenery;
+  scenery.level.tuning.exact.steepest = 1;
+  scenery.level.map = TileMap(24, 14);
+  scenery.put({8, 8}, slope(24, 0));
+  scenery.put({9, 8}, slope(0, 24));
+  const Proof proof = scenery.proof();
+  EXPECT_EQ(kinds_of(proof), std::set<std::string>{"wedged"}) << text_of(proof);
+  EXPECT_EQ(proof.counts.places, 0) << "nobody can stand there";
+}
+
+// A body on its centre steps off the end of a ramp, and comes below the ramp behind the gap.
+TEST(Prove, FindsAGapInASlope) {
+  for (const double gap : {5, 7, 12}) {
+    SCOPED_TRACE(gap);
+    Scenery scenery;
+    const auto add = [&](double from, double to) {
+      const auto y_at = [](double x) { return 96 - (x - 48) / 4; };
+      scenery.level.curves.push_back(
+          {"", {Segment{{from, y_at(from)}, {to, y_at(to)}}, Curve::Faces::up}, ""});
+    };
+    add(48, 84);
+    add(84 + gap, 144);
+    const Proof proof = scenery.proof();
+    const bool is_narrow = gap < scenery.level.spawns[0].size.x;
+    EXPECT_EQ(kinds_of(proof), is_narrow ? std::set<std::string>{"gap"} : std::set<std::string>())
+        << text_of(proof);
+    for (const Finding& finding : proof.findings) {
+      EXPECT_NEAR(finding.amount, gap, 0.01) << message_of(finding);
+      EXPECT_EQ(finding.place, (Vec2{84, 87}));
+    }
+  }
+}
+
 TEST(Prove, FindsWhatTheArticleDoes) {
   Scenery scenery;
   scenery.level.tuning.solver = SolverKind::article;
