@@ -26,7 +26,7 @@ std::size_t Proof::of_solver() const {
 }
 
 std::string summary_of(const Proof& proof) {
-  if (proof.counts.places == 0) return "no place where a body can stand, so nothing was tried";
+  if (proof.counts.trials == 0) return "no place where a body can stand, so nothing was tried";
   const auto count = [](std::int64_t number) { return with_commas(static_cast<std::size_t>(number)); };
   std::string text = count(proof.counts.places) + " places, " + count(proof.counts.steps) +
                      " steps of the solver " + std::string(solver_name(proof.solver)) + ", ";

@@ -198,10 +198,9 @@ TEST(Prove, FindsWhereABodyIsWedged) {
 // Nothing leads there: a body can only fall into it.
 TEST(Prove, FindsAFunnelThatHoldsABody) {
   Scenery scenery;
-  scenery.level.tuning.exact.steepest = 1;
   scenery.level.map = TileMap(24, 14);
-  scenery.put({8, 8}, slope(24, 0));
-  scenery.put({9, 8}, slope(0, 24));
+  scenery.put({8, 8}, slope(19, 0));
+  scenery.put({9, 8}, slope(0, 26));
   const Proof proof = scenery.proof();
   EXPECT_EQ(kinds_of(proof), std::set<std::string>{"wedged"}) << text_of(proof);
   EXPECT_EQ(proof.counts.places, 0) << "nobody can stand there";
