@@ -579,8 +579,9 @@ local function probe_of(x, w, on_middle, forgiven)
   return x + forgiven, x + w - forgiven
 end
 
--- Rounding puts a box that is on a steep line far off it.
-local function forgiven_by(forgiven) return forgiven + 1.0 / WELD end
+-- Rounding puts a box that is on a steep line far off it. Casts forgive half of that: a box that is deeper
+-- would fall into the ground.
+local function forgiven_by(line, forgiven) return 2.0 * forgiven * max(1.0, abs(line.slope)) end
 
 -- Whether the box is in the part of a slope, of a profile or of a full tile in a column.
 local function overlaps_column(column, left, top, x, y, w, h, is_centre, forgiven)
@@ -592,10 +593,10 @@ local function overlaps_column(column, left, top, x, y, w, h, is_centre, forgive
     return false
   end
   local from, to = probe_of(x, w, is_centre and is_floor, forgiven)
-  local off = forgiven_by(forgiven)
   for _, line in ipairs(is_floor and column.top or column.bottom) do
     local x0, x1 = max(from, left + line.x0), min(to, left + line.x1)
     if x0 <= x1 then
+      local off = forgiven_by(line, forgiven)
       for n = 1, 2 do
         local height = top + line_at(line, (n == 1 and x0 or x1) - left)
         if height ~= base then
@@ -626,7 +627,7 @@ local function overlaps_part(part, left, top, x, y, w, h, is_centre, forgiven)
     local share = (a0 - b0) / ((a0 - b0) - (a1 - b1))
     most = max(most, a0 + share * (a1 - a0))
   end
-  return most > forgiven_by(forgiven)
+  return most > max(forgiven_by(part.top[1], forgiven), forgiven_by(part.bottom[1], forgiven))
 end
 
 -- Whether the box is in the ground of a slope, a profile, a polygon or a group in the cell.

@@ -26,12 +26,13 @@ local function overlaps_shape(shape, column, row, x, y, w, h, is_centre, forgive
   elseif y + h <= base + forgiven then
     return false
   end
-  local off = forgiven + 1.0 / WELD  -- rounding puts a box that is on a steep line far off it
   for index = 0, shape.width - 1 do
     local lines = shape.is_floor and shape.columns[index].top or shape.columns[index].bottom
     for _, line in ipairs(lines) do
       local x0, x1 = max(from, left + line.x0), min(to, left + line.x1)
       if x0 <= x1 then
+        -- Rounding puts a box that is on a steep line far off it. Casts forgive half of that.
+        local off = 2.0 * forgiven * max(1.0, abs(line.slope))
         for n = 1, 2 do
           local height = top + line_at(line, (n == 1 and x0 or x1) - left)
           if height ~= base then

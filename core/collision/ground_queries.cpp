@@ -96,8 +96,11 @@ struct Probe {
   Real to(bool stands_on_middle) const {
     return stands_on_middle && foot == Foot::centre ? box.x + box.w / 2 : box.x + box.w - slack;
   }
-  // Rounding puts a box that is on a steep line far off it.
-  Real forgiven() const { return slack + Real(1) / kWeldParts; }
+  // Rounding puts a box that is on a steep line far off it. Casts forgive half of that: a box that is deeper
+  // would fall into the ground.
+  Real forgiven(const OutlineLine& line) const {
+    return 2 * slack * std::max<Real>(1, std::abs(Real(line.slope)));
+  }
 };
 
 // Whether the box is in the part of a slope, of a profile or of a full tile in a column.
@@ -114,7 +117,8 @@ bool overlaps_column(const TileColumn& column, BasicVec2<Real> corner, Real side
     for (const Real x : {x0, x1}) {
       const Real y = corner.y + Real(line.at(double(x - corner.x)));
       if (y == base) continue;
-      if (floor ? box.y + box.h > y + probe.forgiven() : box.y < y - probe.forgiven()) return true;
+      const Real forgiven = probe.forgiven(line);
+      if (floor ? box.y + box.h > y + forgiven : box.y < y - forgiven) return true;
     }
   }
   return false;
@@ -140,7 +144,7 @@ bool overlaps_part(const TileColumn& part, BasicVec2<Real> corner, const Probe<R
     const Real share = (a0 - b0) / ((a0 - b0) - (a1 - b1));
     most = std::max(most, a0 + share * (a1 - a0));
   }
-  return most > probe.forgiven();
+  return most > std::max(probe.forgiven(part.top.front()), probe.forgiven(part.bottom.front()));
 }
 
 // Whether the box is in the ground of a slope, a profile, a polygon or a group in the cell.

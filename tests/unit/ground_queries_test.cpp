@@ -75,6 +75,21 @@ TEST_F(GroundQueries, OverlapsGround) {
   EXPECT_TRUE(overlaps_ground(ground_, Rect{10, 16.01, 4, 4}, Foot::centre));
 }
 
+// A cast does not meet what a box is in: one that nothing leads out falls through all of the ground.
+TEST(GroundQueriesInASlope, ABoxIsLedOutHoweverLittleItIsInIt) {
+  const Terrain ground = TestMap({"....", ".2..", "1111"}).compile();  // from (8, 16) to (16, 8)
+  for (const double depth : {1e-10, 1e-6, 0.002, 0.0039, 0.1}) {
+    SCOPED_TRACE(depth);
+    for (const auto& [foot, x] : {std::pair{Foot::centre, 8.0}, std::pair{Foot::box, 4.0}}) {
+      EXPECT_FALSE(overlaps_ground(ground, {x, 4, 8, 8}, foot));
+      const auto out = way_out(ground, {x, 4 + depth, 8, 8}, foot);
+      ASSERT_TRUE(out);
+      EXPECT_EQ(out->x, 0);
+      EXPECT_DOUBLE_EQ(4 + depth + out->y, 4);
+    }
+  }
+}
+
 // Far from the origin, the floor of a slope is as exact as a double is at the largest coordinate.
 TEST(GroundQueriesFarAway, FloorsOfSlopesAreExactToOneUnit) {
   using reference::Exact;
