@@ -31,9 +31,9 @@ TEST_P(ProveProperty, RandomLevelsHaveNoFindingOfTheSolver) {
 
 // What the nightly run has found.
 TEST_P(ProveProperty, LevelsThatOnceHadAFindingOfTheSolverHaveNone) {
-  constexpr std::array<std::uint64_t, 28> kSeeds = {
-      561,  654,  716,  1020, 1240, 1337, 1503, 2132, 2203, 2632, 2644, 2712, 2855, 2940,
-      3157, 3787, 4034, 4815, 5025, 5075, 5140, 5317, 6240, 7485, 7902, 7957, 8556, 9421};
+  constexpr std::array<std::uint64_t, 29> kSeeds = {
+      561,  654,  716,  1020, 1240, 1337, 1503, 2132, 2203, 2632, 2644, 2712, 2855, 2940, 3157,
+      3787, 4034, 4815, 5025, 5075, 5140, 5317, 6240, 7275, 7485, 7902, 7957, 8556, 9421};
   for (auto i = static_cast<std::size_t>(GetParam()); i < kSeeds.size(); i += kShares)
     expect_no_finding_of_the_solver(kSeeds[i]);
 }
