@@ -434,9 +434,8 @@ class Caster {
     // A box that slides along the line does not approach it, even if rounding says so.
     if (!(closing > kRounding<Real> * (std::abs(dy_) + std::abs(rise)))) return;
     const auto window = window_of(reach, up, [&](Real x) { return rest(piece, x); });
+    const Real slack = slack_on_line(slack_, piece.slope);
     Real t;
-    const Real slack =
-        slack_ * std::max<Real>(1, std::abs(piece.slope));  // across a steep line, not down to it
     if (!straight_time(window, closing, slack, t, [&] { return line_time(up, piece); })) return;
     offer({.t = t, .facing = piece.facing, .piece = &piece, .first_x = reach.first, .last_x = reach.last});
   }

@@ -41,6 +41,13 @@ template <class Real>
   return reach * kRounding<Real>;
 }
 
+// The same for a line of this slope (px down for each px to the right): rounding puts a box that is on a
+// steep line further above or below it.
+template <class Real>
+[[gnu::always_inline]] inline Real slack_on_line(Real slack, Real slope) {
+  return slack * std::max<Real>(1, std::abs(slope));
+}
+
 // Whether a box can be cast: its sizes are 0 to kMaxCastSize, and all numbers finite and within
 // kMaxCastReach.
 template <class Real>

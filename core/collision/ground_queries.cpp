@@ -96,11 +96,8 @@ struct Probe {
   Real to(bool stands_on_middle) const {
     return stands_on_middle && foot == Foot::centre ? box.x + box.w / 2 : box.x + box.w - slack;
   }
-  // Rounding puts a box that is on a steep line far off it. Casts forgive half of that: a box that is deeper
-  // would fall into the ground.
-  Real forgiven(const OutlineLine& line) const {
-    return 2 * slack * std::max<Real>(1, std::abs(Real(line.slope)));
-  }
+  // Casts forgive half of that: a box that is deeper would fall into the ground.
+  Real forgiven(const OutlineLine& line) const { return 2 * slack_on_line(slack, Real(line.slope)); }
 };
 
 // Whether the box is in the part of a slope, of a profile or of a full tile in a column.

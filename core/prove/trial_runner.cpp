@@ -64,7 +64,8 @@ bool is_steered(BodyKind kind, SolverKind solver) {
 
 }  // namespace
 
-// Steps of fractions of a pixel come to many places between two pixels, so slower walks begin at two.
+// The slowest walks begin beside a joint at a side of a cell, and in a cell's middle, where shapes have
+// joints. Steps of fractions of a pixel come to many places between two pixels, so slower walks begin at two.
 const std::array<TrialRunner::Start, 5> TrialRunner::kStarts = {{
     {.walks = true, .walks_slower = true, .from_rest = true, .jumps = true, .drops = true},
     {.px = kPhaseOfPx, .walks = true, .jumps = true, .drops = true, .slowest = -1},

@@ -141,12 +141,12 @@ class SpawnLinter {
     const LocalGround ground = ground_around(level_, box, 0);
     if (!overlaps_ground(ground.terrain, ground.to_local(box), spawn.used_foot())) return;
     const auto out = way_out(ground.terrain, ground.to_local(box), spawn.used_foot());
+    const double depth = out ? std::abs(out->x) + std::abs(out->y) : 0;  // px
     // Rounding by the program that wrote the file; the first step leads out of it.
-    if (out && std::abs(out->x) + std::abs(out->y) <= 1.0 / kWeldParts) return;
+    if (out && depth <= 1.0 / kWeldParts) return;
     report(out_, kInSlope,
-           subject + " starts " + (out ? px_text(std::abs(out->x) + std::abs(out->y)) + " px " : "") +
-               "inside the shape of a tile",
-           cell, -1, index);
+           subject + " starts " + (out ? px_text(depth) + " px " : "") + "inside the shape of a tile", cell,
+           -1, index);
   }
 
   const Level& level_;
