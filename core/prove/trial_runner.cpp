@@ -332,13 +332,13 @@ std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, 
   return std::nullopt;
 }
 
-// Whether neither key moves it.
+// Whether no key moves it.
 bool TrialRunner::is_wedged(State state, std::size_t speed) {
   const Rect start = state.bodies.front().box;
-  for (const bool right : {false, true}) {
+  for (const int direction : {0, -1, 1}) {
     Input input;
-    input.left = !right;
-    input.right = right;
+    input.left = direction < 0;
+    input.right = direction > 0;
     for (int i = 0; i < kStillFrames; ++i) {
       input.jump = i % 2 == 0;
       solvers_[speed]->step(state, input);
