@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <talus/level/ground.h>
+#include "../collision/tile_outlines.h"
 #include "../formats/pictures/png_sheet.h"
 #include "../formats/tiled/tiled_properties.h"
 #include "../level/bump_boxes.h"
@@ -16,15 +17,13 @@ namespace {
 constexpr const char* kSlopeLayer = "slopes";
 constexpr std::size_t kMostBoxes = 1'000'000;
 
-bool is_full_tile(const TileShape& shape) { return shape.kind == TileShape::Kind::solid && !shape.one_way; }
-
 // By tile, whether it is full wherever the map shows it. In a layer that is only drawn it must not be, and
 // the plugin does not tell layers apart; nor does it turn a tile whose sides are not equal.
 std::vector<bool> collidable_tiles(const Level& drawn, const TerrainSource& ground) {
   std::vector<bool> collides;
   collides.reserve(static_cast<std::size_t>(drawn.tile_count()));
   for (int tile = 0; tile < drawn.tile_count(); ++tile)
-    collides.push_back(is_full_tile(ground.shapes[static_cast<std::size_t>(tile)]));
+    collides.push_back(is_full(ground.shapes[static_cast<std::size_t>(tile)]));
   for (int layer = 0; layer < drawn.layers.count(); ++layer) {
     const MapCells& cells = drawn.cells_of(layer);
     const bool is_ground = drawn.layers.list[static_cast<std::size_t>(layer)].is_ground;

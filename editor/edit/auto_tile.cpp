@@ -3,9 +3,13 @@
 
 #include <cassert>
 #include <initializer_list>
+#include <map>
 #include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
+#include "collision/tile_outlines.h"
 #include "level/single_change.h"
 #include "raster.h"
 
@@ -172,6 +176,75 @@ Edit fill_ground(const Level& level, CellRect cells, GroundChange change, Within
     for (int x = part->x; x < part->x + part->w; ++x) patch.change({x, y}, change);
   }
   return patch.finish(label_of(change));
+}
+
+namespace {
+
+// The cells that an edit leaves, and the edit itself, in which single cells can be changed.
+class EditedCells {
+ public:
+  EditedCells(const Level& level, Edit& edit) : level_(level), edit_(edit) {
+    for (std::size_t i = 0; i < edit.changes.size(); ++i)
+      if (const auto* put = std::get_if<CellChange>(&edit.changes[i])) index_[{put->cell.x, put->cell.y}] = i;
+  }
+  // Those that are changed, and those beside them.
+  std::set<std::pair<int, int>> near_changes() const {
+    std::set<std::pair<int, int>> cells;
+    for (const auto& [at, index] : index_)
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx)
+          if (level_.map.contains({at.first + dx, at.second + dy}))
+            cells.insert({at.first + dx, at.second + dy});
+    return cells;
+  }
+  MapCell at(Cell cell) const {
+    const auto found = index_.find({cell.x, cell.y});
+    return found == index_.end() ? level_.map.at(cell)
+                                 : std::get<CellChange>(edit_.changes[found->second]).after;
+  }
+  bool is_ground(Cell cell) const {
+    if (!level_.map.contains(cell)) return true;
+    const TileNumber tile = at(cell).tile;
+    const bool is_put = index_.count({cell.x, cell.y}) != 0;  // its shape may be a part of the edit
+    return tile != 0 && (is_put || shape_of_tile(level_, tile).kind != TileShape::Kind::none);
+  }
+  void put(Cell cell, TileNumber tile) {
+    const auto [found, is_new] = index_.try_emplace({cell.x, cell.y}, edit_.changes.size());
+    if (is_new) {
+      edit_.changes.emplace_back(CellChange{cell, level_.map.at(cell), tile});
+    } else {
+      std::get<CellChange>(edit_.changes[found->second]).after = tile;
+    }
+  }
+
+ private:
+  const Level& level_;
+  Edit& edit_;
+  std::map<std::pair<int, int>, std::size_t> index_;  // of the change of a cell
+};
+
+}  // namespace
+
+void fit_ground(const Level& level, Edit& edit, Within within) {
+  using enum GroundPart;
+  AutoTiles set = level.auto_tiles;
+  for (TileNumber& tile : set.tiles)
+    if (!is_full(shape_of_tile(level, tile))) tile = 0;
+  if (set.of(inside) == 0) return;
+  EditedCells cells(level, edit);
+  const auto is_ground = [&](Cell cell) { return cells.is_ground(cell); };
+  for (const auto& [x, y] : cells.near_changes()) {
+    const Cell cell{x, y};
+    const MapCell before = cells.at(cell);
+    if (!set.has(before.tile) || before.turn != TileTurn::none || (within && !within->contains(cell)))
+      continue;
+    const TileNumber fits = ground_tile(set, is_ground, cell);
+    if (fits != before.tile) cells.put(cell, fits);
+  }
+  std::erase_if(edit.changes, [](const Change& change) {
+    const auto* put = std::get_if<CellChange>(&change);
+    return put != nullptr && put->before == put->after;
+  });
 }
 
 Edit set_auto_tiles(const Level& level, const AutoTiles& tiles) {

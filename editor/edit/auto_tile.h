@@ -29,6 +29,10 @@ Edit paint_ground(const Level& level, Cell from, Cell to, GroundChange change, W
 // The same with a rectangle.
 Edit fill_ground(const Level& level, CellRect cells, GroundChange change, Within within = {});
 
+// Gives full tiles of the set, in the cells that an edit changes and beside them, the part that fits what is
+// around them after the edit. Slopes stay as they are. Without a tile for the inside nothing happens.
+void fit_ground(const Level& level, Edit& edit, Within within = {});
+
 // Proposes a set for ground from the tiles of the sheet. Slopes are recognised by their shapes, full tiles by
 // their shapes and by the sides that are drawn unlike their middle; the others are those that look most like
 // the inside. among: tiles to choose from, in this order. If none of them is solid and the sheet is in true

@@ -2,6 +2,7 @@
 #include "new_level.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 #include "level/tile_color.h"
@@ -9,7 +10,19 @@
 namespace talus {
 namespace {
 
-enum FirstTile : TileNumber { kGrass = 1, kEarth, kUpSlope, kDownSlope, kBall };
+enum FirstTile : TileNumber {
+  kGrass = 1,
+  kEarth,
+  kUpSlope,
+  kDownSlope,
+  kBall,
+  kUpLeft,  // halves of slopes of two tiles
+  kUpRight,
+  kDownLeft,
+  kDownRight
+};
+constexpr std::array kFirstTiles = {kGrass,  kEarth,   kUpSlope,  kDownSlope, kBall,
+                                    kUpLeft, kUpRight, kDownLeft, kDownRight};
 // Of the usual palette.
 constexpr std::uint8_t kLightGreen = 5, kGreen = 6, kTeal = 7, kOrange = 3, kYellow = 4;
 constexpr int kFloor = 13;  // row of the grass
@@ -29,6 +42,12 @@ TileImage image_of_first_tile(FirstTile tile) {
       if (tile == kEarth) pixel = (x + 3 * y) % 11 == 0 ? kGreen : kTeal;
       if (tile == kUpSlope) pixel = color_of_ground(y - (kCartTileSize - 1 - x));
       if (tile == kDownSlope) pixel = color_of_ground(y - x);
+      // The pixels that the slope tool would draw, so that it takes these tiles.
+      const int rise = (x + 1) / 2, half = kCartTileSize / 2;
+      if (tile == kUpLeft) pixel = color_of_ground(y - (kCartTileSize - rise));
+      if (tile == kUpRight) pixel = color_of_ground(y - (half - rise));
+      if (tile == kDownLeft) pixel = color_of_ground(y - rise);
+      if (tile == kDownRight) pixel = color_of_ground(y - (half + rise));
       if (tile == kBall && from_middle <= 58) pixel = from_middle <= 18 ? kYellow : kOrange;
     }
   }
@@ -37,20 +56,44 @@ TileImage image_of_first_tile(FirstTile tile) {
 
 void put_first_tiles(Level& level) {
   Sheet& sheet = level.sheet(SheetId::tiles);
-  for (const FirstTile tile : {kGrass, kEarth, kUpSlope, kDownSlope, kBall})
-    sheet.images[tile] = image_of_first_tile(tile);
+  for (const FirstTile tile : kFirstTiles) sheet.images[tile] = image_of_first_tile(tile);
   for (const FirstTile tile : {kGrass, kEarth}) sheet.flags[tile] = FlagSet{1} << level.roles.solid;
   sheet.flags[kUpSlope] = FlagSet{1} << level.roles.up_slope;
   sheet.flags[kDownSlope] = FlagSet{1} << level.roles.down_slope;
   sheet.flags[kBall] = FlagSet{1} << level.roles.ball;
+  const double full = level.map.tile_size().height, half = full / 2;
+  const auto set_slope = [&](FirstTile tile, double left, double right) {
+    level.tile_shapes[tile] = {.kind = TileShape::Kind::slope, .heights = {left, right}};
+  };
+  set_slope(kUpLeft, 0, half);
+  set_slope(kUpRight, half, full);
+  set_slope(kDownLeft, full, half);
+  set_slope(kDownRight, half, 0);
+}
+
+// So that the ground tool works at once.
+void put_first_ground(AutoTiles& ground) {
+  ground.of(GroundPart::inside) = kEarth;
+  ground.of(GroundPart::top) = kGrass;
+  ground.of(GroundPart::slope_up) = kUpSlope;
+  ground.of(GroundPart::slope_down) = kDownSlope;
+  ground.of(GroundPart::slope_up_left) = kUpLeft;
+  ground.of(GroundPart::slope_up_right) = kUpRight;
+  ground.of(GroundPart::slope_down_left) = kDownLeft;
+  ground.of(GroundPart::slope_down_right) = kDownRight;
 }
 
 void put_if_inside(Level& level, Cell cell, TileNumber tile) {
   if (level.map.contains(cell)) level.map.set(cell, tile);
 }
 
+void cover_grass(Level& level, int x, int end) {
+  for (; x < end; ++x) put_if_inside(level, {x, kFloor}, kEarth);
+}
+
 // A hill of so many cells of height, from a column on: up, a level top, and down.
 void put_hill(Level& level, int x, int height, int top) {
+  cover_grass(level, x, x + 2 * height + top);
   for (int step = 0; step < height; ++step) {
     const int y = kFloor - 1 - step, right = x + 2 * height + top - 1 - step;
     put_if_inside(level, {x + step, y}, kUpSlope);
@@ -60,10 +103,20 @@ void put_hill(Level& level, int x, int height, int top) {
   }
 }
 
+// One cell high: a slope of two tiles up, a level top, and one down.
+void put_low_hill(Level& level, int x, int top) {
+  cover_grass(level, x, x + top + 4);
+  put_if_inside(level, {x++, kFloor - 1}, kUpLeft);
+  put_if_inside(level, {x++, kFloor - 1}, kUpRight);
+  for (const int end = x + top; x < end; ++x) put_if_inside(level, {x, kFloor - 1}, kGrass);
+  put_if_inside(level, {x++, kFloor - 1}, kDownLeft);
+  put_if_inside(level, {x, kFloor - 1}, kDownRight);
+}
+
 void put_first_scene(Level& level) {
   for (int y = kFloor; y < level.map.height(); ++y)
     for (int x = 0; x < level.map.width(); ++x) level.map.set({x, y}, y == kFloor ? kGrass : kEarth);
-  put_hill(level, 9, 1, 2);
+  put_low_hill(level, 8, 3);
   put_hill(level, 17, 2, 3);
   for (int x = 25; x < 30; ++x) put_if_inside(level, {x, kFloor - 5}, kGrass);
   put_if_inside(level, {26, kFloor - 10}, kBall);  // it stays on the ledge, out of the player's way
@@ -91,7 +144,7 @@ std::shared_ptr<const SheetPicture> picture_of_first_tiles(const Level& level) {
   const TileSize tile = level.map.tile_size();
   SheetPicture picture{layout.columns * tile.width, layout.rows() * tile.height, {}};
   picture.rgba.resize(4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
-  for (const FirstTile number : {kGrass, kEarth, kUpSlope, kDownSlope, kBall}) {
+  for (const FirstTile number : kFirstTiles) {
     const Cell place = layout.place_of(number);
     for (int y = 0; y < tile.height; ++y) {
       for (int x = 0; x < tile.width; ++x) {
@@ -116,6 +169,7 @@ Level new_level(TileSize tile, int width, int height, NewContent content) {
   level.tuning = new_tuning(tile);
   if (content.plays) {
     put_first_tiles(level);
+    put_first_ground(level.auto_tiles);
     put_first_scene(level);
   }
   if (content.in_true_colour || tile != TileSize{}) {

@@ -6,9 +6,12 @@
 #include <cassert>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "auto_tile.h"
+#include "collision/tile_outlines.h"
 #include "level/body_place.h"
 #include "level/level_text.h"
 #include "level/single_change.h"
@@ -57,11 +60,6 @@ Edit put_slope_tiles(const Level& level, const SlopeTiles& tiles, Within within)
 
 namespace {
 
-bool is_full_tile(const Level& level, TileNumber tile) {
-  const TileShape shape = shape_of_tile(level, tile);
-  return shape.kind == TileShape::Kind::solid && !shape.one_way;
-}
-
 // Its slopes and a full tile; empty without a slope.
 std::vector<TileNumber> floors_of_sheet(const Level& level) {
   std::vector<TileNumber> floors;
@@ -70,10 +68,26 @@ std::vector<TileNumber> floors_of_sheet(const Level& level) {
     const auto tile = static_cast<TileNumber>(i);
     const TileShape shape = shape_of_tile(level, tile);
     if (has_heights(shape) && shape.side == TileShape::Side::floor && !shape.one_way) floors.push_back(tile);
-    if (!full && is_full_tile(level, tile)) full = tile;
+    if (!full && is_full(shape_of_tile(level, tile))) full = tile;
   }
   if (full && !floors.empty()) floors.push_back(*full);
   return floors;
+}
+
+// The colour that most of these pixels have, the lowest of equally frequent ones; nothing: most are clear.
+std::optional<std::uint8_t> main_color(std::span<const std::uint8_t> pixels) {
+  std::array<int, 16> counts{};
+  for (const std::uint8_t pixel : pixels) ++counts[pixel & 15];
+  const auto most = std::max_element(counts.begin(), counts.end()) - counts.begin();
+  return most == 0 ? std::nullopt : std::optional(static_cast<std::uint8_t>(most));
+}
+
+// Drawn tiles look like the ground that they belong to.
+void take_colors_of_ground(const Level& level, SlopeTilesOptions& options) {
+  const auto& images = level.sheet(SheetId::tiles).images;
+  if (const TileNumber top = level.auto_tiles.of(GroundPart::top))
+    options.line_color = main_color(std::span(images[top]).first(kCartTileSize)).value_or(options.line_color);
+  if (options.below) options.ground_color = main_color(images[*options.below]).value_or(options.ground_color);
 }
 
 constexpr int kMostRowsDown = 64;
@@ -81,14 +95,14 @@ constexpr int kMostRowsDown = 64;
 // The tile to fill the ground with that the level suggests.
 std::optional<TileNumber> tile_for_inside(const Level& level, Vec2 a, Vec2 b) {
   const TileNumber inside = level.auto_tiles.of(GroundPart::inside);
-  if (inside != 0 && is_full_tile(level, inside)) return inside;
+  if (inside != 0 && is_full(shape_of_tile(level, inside))) return inside;
   for (const Vec2 end : {a.y > b.y ? a : b, a.y > b.y ? b : a}) {
     const Cell under = level.map.cell_at(end);
     for (Cell cell = under; cell.y < under.y + kMostRowsDown; ++cell.y) {
       for (cell.x = under.x; cell.x >= under.x - 1; --cell.x) {  // it may be at the border of two columns
         if (!level.map.contains(cell)) continue;
         const MapCell tile = level.map.at(cell);
-        if (tile.turn == TileTurn::none && is_full_tile(level, tile.tile)) return tile.tile;
+        if (tile.turn == TileTurn::none && is_full(shape_of_tile(level, tile.tile))) return tile.tile;
       }
     }
   }
@@ -144,16 +158,18 @@ tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, co
     if (turn != TileTurn::none) continue;
     set.push_back(tile);
     const TileShape shape = shape_of_tile(level, tile);
-    if (is_full_tile(level, tile) && !options.below) options.below = tile;
+    if (is_full(shape) && !options.below) options.below = tile;
     has_slope = has_slope || (has_heights(shape) && shape.side == TileShape::Side::floor);
   }
   options.fills = fills;
   if (fills && !options.below) options.below = tile_for_inside(level, a, b);
   const bool can_draw = level.sheet(SheetId::tiles).picture == nullptr;
+  if (can_draw) take_colors_of_ground(level, options);
   if (!has_slope) set = can_draw ? std::vector<TileNumber>() : floors_of_sheet(level);
   options.set = set;
   return slope_tiles(level, a, b, options).map([&](const SlopeTiles& tiles) {
     Edit edit = put_slope_tiles(level, tiles, within);
+    if (fills) fit_ground(level, edit, within);
     keep_bodies_out(level, edit);
     return edit;
   });

@@ -55,6 +55,37 @@ TEST(ShapeTools, SlopeIsDrawnIfTheStampHasNone) {
   EXPECT_EQ(laid.map.at({2, 5}), 1);
 }
 
+TEST(ShapeTools, ADrawnSlopeHasTheColoursOfTheGround) {
+  Level level = level_with_slopes();
+  level.sheet(SheetId::tiles).images[2].fill(7);
+  std::fill_n(level.sheet(SheetId::tiles).images[2].begin(), 8, std::uint8_t{6});
+  level.auto_tiles.of(GroundPart::inside) = 1;
+  level.auto_tiles.of(GroundPart::top) = 2;
+  const Level laid = after(level, lay_slope(level, {32, 32}, {16, 40}, {1, 1, {0}}, 12));
+  const TileImage& image = laid.sheet(SheetId::tiles).images[laid.map.tile_at({2, 4})];
+  EXPECT_EQ(image[7 * 8 + 1], 6) << "the edge: of the first row of the top";
+  EXPECT_EQ(image[7 * 8 + 7], 1) << "below: of the inside";
+}
+
+TEST(ShapeTools, GroundThatASlopeCoversGetsThePartThatFits) {
+  Level level = level_with_slopes();
+  level.sheet(SheetId::tiles).flags[2] = 1;
+  level.auto_tiles.of(GroundPart::inside) = 1;
+  level.auto_tiles.of(GroundPart::top) = 2;
+  for (int x = 0; x < 30; ++x) level.map.set({x, 6}, 2);
+  level.map.set({3, 6}, MapCell(2, TileTurn::left_right));
+  const auto slope = lay_slope(level, {16, 48}, {48, 32}, {1, 1, {0}}, 12);
+  const Level laid = after(level, slope);
+  EXPECT_EQ(laid.map.at({1, 6}), 2) << "beside it";
+  EXPECT_EQ(laid.map.at({2, 6}), 1) << "under it";
+  EXPECT_EQ(laid.map.at({3, 6}), MapCell(2, TileTurn::left_right)) << "turned by hand";
+  Level undone = laid;
+  revert_edit(undone, *slope);
+  EXPECT_TRUE(undone.map == level.map);
+  const Level unfilled = after(level, lay_slope(level, {16, 48}, {48, 32}, {1, 1, {0}}, 12, {}, false));
+  EXPECT_EQ(unfilled.map.at({2, 6}), 2) << "only where the ground is filled";
+}
+
 TEST(ShapeTools, SlopeStaysInsideTheSelection) {
   const Level level = level_with_slopes();
   const CellRect selection{2, 0, 2, 17};
