@@ -126,6 +126,9 @@ local function window_of(first, last, first_y, last_y, open_first, open_last, up
     from = (enter - bx) * inverse
     if from > 1 then return 1, 0, 0, 0 end
     gap = sign * ((right and first_y or last_y) - (by + from * dy))
+    -- A box that comes along a steep line may be off it by a rounding of its x, here as on that line. Hardly any
+    -- line is steeper than 16384 px down for each px to the right.
+    if gap < 0 and gap >= -slack * min(abs(dy * inverse), 16384.0) then gap = 0.0 end
   else
     local rest = piece and piece.form.rest(piece, bx, bw, bh, centre) or first_y
     gap = sign * (rest - (by + 0.0 * dy))

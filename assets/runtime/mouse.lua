@@ -33,10 +33,6 @@ local function reachable(at, goal)
   return clamp(clamp(goal, at - FAST, at + FAST), -FAR, FAR)
 end
 
-local function slide(_, _, _, contact, x, y)
-  return slide_along(contact.nx, contact.ny, x * (1 - contact.t), y * (1 - contact.t))
-end
-
 -- A dragged body goes part of the way to the mouse, and slides along what it meets.
 local function drag(world, body, box, input)
   local n = world.tuning

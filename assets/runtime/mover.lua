@@ -8,6 +8,11 @@ local function slide_along(nx, ny, x, y)
   return x - nx * into, y - ny * into
 end
 
+-- The rest of a motion goes on along what it met.
+local function slide(_, _, _, contact, x, y)
+  return slide_along(contact.nx, contact.ny, x * (1 - contact.t), y * (1 - contact.t))
+end
+
 -- Whether a contact is with ground level enough to stand on: |dy/dx| is at most `steepest`.
 local function is_level(contact, steepest)
   if contact.ny == 0 then return false end
@@ -25,11 +30,11 @@ function World:others() end
 
 -- Moves the box of a body by x, y. respond(world, body, box, contact, x, y) returns the motion to go on with.
 -- A surface that leads back to itself also returns follow values: the way to go without meeting it, its end,
--- and the motion from there.
+-- and the motion from there. Returns whether two sides that it met hold it up.
 local function move(world, body, box, x, y, respond)
   local others = world:others(body, box, x, y)
   local passes, before_x, before_y = 0, nil, nil
-  local followed, surface, goal_x, goal_y, after_x, after_y
+  local followed, surface, goal_x, goal_y, after_x, after_y, held
   while box.x + x ~= box.x or box.y + y ~= box.y do
     if passes == world.tuning.max_passes then break end
     local contact = cast_box(world.terrain, box.x, box.y, box.w, box.h, x, y, box.centre, others, followed)
@@ -46,7 +51,10 @@ local function move(world, body, box, x, y, respond)
       x, y = respond(world, body, box, contact, x, y)
       -- Sliding along one plane leads into the one before: there is nowhere to go.
       local slides = x * contact.nx + y * contact.ny <= tolerance(x, y)
-      if before_x and slides and x * before_x + y * before_y < -tolerance(x, y) then break end
+      if before_x and slides and x * before_x + y * before_y < -tolerance(x, y) then
+        held = contact.nx * before_x < 0 and abs(before_x) * contact.ny + abs(contact.nx) * before_y < 0
+        break
+      end
       before_x, before_y, followed = contact.nx, contact.ny, nil
       if slides and surface and surface.follow then
         followed = surface.source
@@ -55,4 +63,5 @@ local function move(world, body, box, x, y, respond)
     end
   end
   if surface then surface.form.settle(surface, box) end
+  return held
 end

@@ -58,6 +58,14 @@ local function floor_under(world, body, box, reach)
   return found and is_level(found, world.tuning.steepest) and found or nil
 end
 
+-- Whether a body lies on two sides that are too steep to stand on, but hold it up together. Puts it on them.
+function World:stands_between(body, box)
+  local there = {x = box.x, y = box.y, w = box.w, h = box.h, centre = box.centre}
+  if not move(self, body, there, 0.0, LIP, slide) then return false end
+  box.x, box.y = there.x, there.y
+  return true
+end
+
 -- How far below a grounded player its floor may be after a step that moved it by x.
 local function reach_down(n, x) return n.snap > 0 and n.snap or abs(x) * n.steepest + 1 end
 
@@ -79,12 +87,15 @@ local function run(world, body, box, input)
     stands, x, y = go_along_floor(world, body, box, reach_down(n, 0.0), motion_on, stop_at)
     if stands then return stand(body, box) end
   end
-  move(world, body, box, x, y, meet)
+  local held = move(world, body, box, x, y, meet)
+  if held and y > 0 then return stand(body, box) end
   if box.landed then stand(body, box) end
   if not body.grounded then return end
   local ground_below = floor_under(world, body, box, reach_down(n, box.x - start))
   if ground_below then
     box.y = ground_below.y
+    stand(body, box)
+  elseif walked and world:stands_between(body, box) then
     stand(body, box)
   else
     body.grounded = false

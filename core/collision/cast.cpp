@@ -25,6 +25,7 @@ constexpr int kRowsPerWork = 4;
 
 // A gap that closes more slowly than by this share of the motion needs twice the precision.
 constexpr int kSlowShare = 16;
+constexpr int kSteepestLine = 1 << 14;  // px down for each px to the right; steeper ones are hardly drawn
 
 // Whether two pieces are the same one: a long piece is in the list of each cell that it meets.
 template <class Real>
@@ -467,6 +468,9 @@ class Caster {
       w.from = (enter - box_.x) * inverse_;
       if (w.from > 1) return kNever;
       w.gap = gap_at(right ? reach.first_y : reach.last_y, w.from);
+      // A box that comes along a steep line may be off it by a rounding of its x, here as on that line.
+      const Real off = slack_ * std::min<Real>(std::abs(dy_ * inverse_), kSteepestLine);
+      if (w.gap < 0 && w.gap >= -off) w.gap = 0;
     } else {
       w.gap = gap_at(rest_at(box_.x), 0);
     }

@@ -26,7 +26,7 @@ constexpr std::array<FindingInfo, 11> kInfos = {{
      "Let the floors on both sides of the edge meet at one height, or make the edge a wall."},
     {"gap", "comes to a gap in its floor", true,
      "Close the gap between the two floors, or make it wider than the body."},
-    {"wedged", "is wedged, and no key frees it", true,
+    {"wedged", "is wedged, and comes back there from every jump", true,
      "Make the gap wider than the body, or so narrow that the body stays out of it."},
 }};
 

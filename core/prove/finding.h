@@ -23,7 +23,7 @@ enum class FindingKind : std::uint8_t {
   ghost,          // it was stopped by something that is not there
   lip,            // an edge stopped it that is too low to be meant
   gap,            // its floor has a gap that is narrower than it is
-  wedged          // it hangs between two grounds, stands on nothing, and no key frees it
+  wedged          // it is between two grounds too steep to stand on, and comes back there from every jump
 };
 
 struct FindingInfo {

@@ -232,6 +232,15 @@ std::optional<double> Judge::standing_place(const Rect& box, Foot foot, double r
   return there.y;
 }
 
+bool Judge::is_on_floor(const Body& body) const {
+  const FineBox box = fine_box(body.box);
+  const auto floor = floor_near(box, body.foot, weld_, weld_);
+  if (!floor) return false;
+  // Where two steep slopes meet just on a floor, that is in the ground on both sides.
+  const Fine y = *floor - scaled(kAhead, tuning_.exact.steepest) - weld_;
+  return !is_solid_at(box.middle() - kAhead, y) || !is_solid_at(box.middle() + kAhead, y);
+}
+
 FineBox Judge::inside_of(const Body& body) const {
   const FineBox box = fine_box(body.box).shrunk(slack_);
   return body.foot == Foot::centre ? box.middle_line() : box;
@@ -299,7 +308,10 @@ std::optional<Verdict> Judge::lip_met(const Body& before, const ContactRecord& c
   body.box.x = contact.touch.x;
   body.box.y = contact.touch.y;
   const int direction = contact.normal.x > 0 ? -1 : 1;
-  if (contact.normal.y != 0) return judge_stop(body, direction);
+  if (contact.normal.y != 0) {
+    // A body that slides down a steep slope is not stopped by it.
+    return is_on_floor(before) ? judge_stop(body, direction) : std::nullopt;
+  }
   const Ahead ahead = ahead_of(body, direction);
   if (ahead.way != Way::lip) return std::nullopt;
   return lip_of(direction, ahead.edge);

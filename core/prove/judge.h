@@ -35,6 +35,8 @@ class Judge {
   // Whether a line that stops bodies from above is in the box of a body, or at the middle of one on its
   // centre. Such a body is behind the line, and comes out by either side: nothing is said about that.
   bool is_across_line(const Body& body) const;
+  // Whether a floor is at its foot that is not too steep to stand on.
+  bool is_on_floor(const Body& body) const;
   // The y of the body's top at which it stands at that x, at most `rise` px higher than it is or `drop` px
   // lower; nothing: there is no floor, or it is too steep.
   std::optional<double> standing_place(const Rect& box, Foot foot, double rise, double drop) const;

@@ -308,8 +308,10 @@ std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, 
     std::optional<Verdict> verdict = judge.judge(before, body, input, record_);
     still =
         std::abs(body.box.x - before.box.x) + std::abs(body.box.y - before.box.y) < kStill ? still + 1 : 0;
-    if (!verdict && takes_keys && still == kStillFrames && !body.gait.grounded && is_wedged(state_, speed))
-      verdict = Verdict{FindingKind::wedged};
+    const bool has_landed = takes_keys && !walks && body.gait.grounded && frame > trial.jump_frames;
+    const bool hangs =
+        body.gait.grounded ? has_landed && !judge.is_on_floor(body) : takes_keys && still == kStillFrames;
+    if (!verdict && hangs && is_wedged(state_, speed)) verdict = Verdict{FindingKind::wedged};
     if (verdict) {
       Finding finding;
       finding.kind = verdict->kind;
@@ -323,8 +325,7 @@ std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, 
       return finding;
     }
     if (walks && (!body.gait.grounded || (trial.direction != 0 && body.velocity.x == 0))) break;
-    if (!walks && (still > kStillFrames || (takes_keys && body.gait.grounded && frame > trial.jump_frames)))
-      break;
+    if (has_landed || (!walks && still > kStillFrames)) break;
     if (place == nullptr) continue;
     const Cell at = cell_at(foot_of(body.box), scene_.ground());
     if (std::abs(at.x - place->cell.x) >= reach.columns || at.y - place->cell.y >= reach.down) break;
@@ -332,20 +333,22 @@ std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, 
   return std::nullopt;
 }
 
-// Whether no key moves it.
-bool TrialRunner::is_wedged(State state, std::size_t speed) {
+// Whether it comes back to its place from every jump.
+bool TrialRunner::is_wedged(const State& state, std::size_t speed) {
   const Rect start = state.bodies.front().box;
   for (const int direction : {0, -1, 1}) {
-    Input input;
-    input.left = direction < 0;
-    input.right = direction > 0;
-    for (int i = 0; i < kStillFrames; ++i) {
-      input.jump = i % 2 == 0;
-      solvers_[speed]->step(state, input);
+    State tried = state;
+    const Body& body = tried.bodies.front();
+    for (int frame = 0; frame < kMostSteps; ++frame) {
+      Input input;
+      input.left = direction < 0;
+      input.right = direction > 0;
+      input.jump = frame > 0 && frame <= kJumpHeld;
+      solvers_[speed]->step(tried, input);
+      ++proof_.counts.steps;
+      if (frame > kJumpHeld && body.gait.grounded) break;
     }
-    const Body& body = state.bodies.front();
-    if (body.gait.grounded || std::abs(body.box.x - start.x) + std::abs(body.box.y - start.y) > 1)
-      return false;
+    if (std::abs(body.box.x - start.x) + std::abs(body.box.y - start.y) > 1) return false;
   }
   return true;
 }

@@ -82,7 +82,7 @@ class TrialRunner {
   void drop(const Place& place, bool can_stand);
   void run(Trial trial, const Place& place, std::size_t speed);
   std::optional<Finding> play(const Trial& trial, std::size_t speed, const Place* place);
-  bool is_wedged(State state, std::size_t speed);
+  bool is_wedged(const State& state, std::size_t speed);
   std::vector<Top> tops_at(Cell cell, double x) const;
   bool is_known(Cell cell, std::size_t body);
   Reach reach_of(const ProveBody& body) const;

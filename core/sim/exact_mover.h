@@ -35,6 +35,12 @@ BasicVec2<Real> slide_along(BasicVec2<Real> normal, BasicVec2<Real> motion) {
   return motion - normal * dot(motion, normal);
 }
 
+// Whether two sides with these normals hold up a box that lies on both.
+template <class Real>
+bool hold_up(BasicVec2<Real> a, BasicVec2<Real> b) {
+  return a.x * b.x < 0 && std::abs(b.x) * a.y + std::abs(a.x) * b.y < 0;
+}
+
 // Whether a contact with a piece is level, see is_level().
 template <class Real>
 bool is_level_piece(const Contact<Real>& contact, Real steepest) {
@@ -96,6 +102,7 @@ class Mover {
     int passes = 0;
     bool capped = false;  // the passes were used up, and the rest of the motion was dropped
     bool wedged = false;  // wedged between the last two contacts: the rest of the motion leads nowhere
+    bool held = false;    // so, and these hold it up
     bool cut_short =
         false;  // the budget was used up: the box stopped at the last place that is known to be free
   };
@@ -153,6 +160,7 @@ class Mover {
       const bool slides = dot(motion, contact.normal) <= tolerance(motion);
       if (before && slides && dot(motion, *before) < -tolerance(motion)) {
         result.wedged = true;
+        result.held = hold_up(contact.normal, *before);
         break;
       }
       before = contact.normal;

@@ -123,9 +123,7 @@ class ExactSolver final : public Solver {
     const Vec2 goal = drag_goal(scene_->tuning.shared, body, input);
     const Vec way = narrow(within_limits(body.previous, goal) - body.previous);
     note_goal(moving, way);
-    move(state, index, moving, way, [](const auto& contact, Vec motion) {
-      return slide_along(contact.normal, motion * (1 - contact.t));
-    });
+    move(state, index, moving, way, slide);
   }
 
   // ---- Players ----
@@ -140,13 +138,17 @@ class ExactSolver final : public Solver {
     Vec motion = walked ? Vec{moving.velocity.x, 0} : moving.velocity;
     note_goal(moving, motion);
     if (walked && walk(state, index, moving, rule, motion)) return rule.stand();
-    move(state, index, moving, motion, [&](const auto& contact, Vec m) { return rule.respond(contact, m); });
+    const bool held = move(state, index, moving, motion,
+                           [&](const auto& contact, Vec m) { return rule.respond(contact, m); });
+    if (held && motion.y > 0) return rule.stand();
     if (rule.landed()) rule.stand();
     if (!gait.grounded) return;
 
     const auto floor = floor_under(state, index, moving, rule.reach_down(moving.box.x - x));
     if (floor) {
       moving.box.y = floor.position.y;
+      rule.stand();
+    } else if (walked && stands_between(state, index, moving)) {
       rule.stand();
     } else if (walked) {
       rule.leave_ground();
@@ -291,11 +293,32 @@ class ExactSolver final : public Solver {
     return floor;
   }
 
+  // Whether a body lies on two sides that are too steep to stand on, but hold it up together. Puts it on
+  // them.
+  bool stands_between(const State& state, std::size_t index, Moving<Real>& moving) {
+    const Vec down{0, Real(kMostLip)};
+    if (budget_.left <= 0 || !gather(state, index, moving, down)) return false;
+    Moving<Real> there = moving;
+    Mover<Real> mover(ground_, others_, max_passes_, nullptr, &budget_);
+    if (!mover.move(there, down, slide, [](const Contact<Real>&, Vec) {}).held) return false;
+    put(moving, there.box.position());
+    return true;
+  }
+
   // ---- All ----
 
+  // The rest of a motion goes on along what it met.
+  static Vec slide(const Contact<Real>& contact, Vec motion) {
+    return slide_along(contact.normal, motion * (1 - contact.t));
+  }
+
+  // Returns whether two sides that it met hold it up.
   template <class Respond>
-  void move(const State& state, std::size_t index, Moving<Real>& moving, Vec motion, Respond respond) {
-    if (!gather(state, index, moving, motion)) return note_cut_short();
+  bool move(const State& state, std::size_t index, Moving<Real>& moving, Vec motion, Respond respond) {
+    if (!gather(state, index, moving, motion)) {
+      note_cut_short();
+      return false;
+    }
     Mover<Real> mover(ground_, others_, max_passes_, pairs_ ? nullptr : &rests_[index], &budget_);
     const auto answer = [&](const Contact<Real>& contact, Vec way) {
       const Vec after = respond(contact, way);
@@ -305,10 +328,11 @@ class ExactSolver final : public Solver {
     const auto result = mover.move(moving, motion, answer, [&](const Contact<Real>& contact, Vec way) {
       if (record_ != nullptr) note(state.bodies[index], contact, way);
     });
-    if (record_ == nullptr) return;
+    if (record_ == nullptr) return result.held;
     if (result.wedged) note_after({});
     if (result.cut_short) note_cut_short();
     record_->paths.back().capped = record_->paths.back().capped || result.capped;
+    return result.held;
   }
 
   // Finds the other bodies that the motion may meet, however contacts turn it. Returns false if there are
