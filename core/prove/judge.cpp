@@ -11,7 +11,7 @@ constexpr Fine kAhead = kFinePx / 32, kAheadOnCurve = kFinePx / 4;
 // px; rounding of a place on a map, far more than doubles lose, and about what floats do.
 constexpr Fine kSlack = kFinePx >> 14, kFloatSlack = kFinePx >> 7;
 constexpr Fine kChord = kFinePx / 64;  // a curve may be so far from the chord along which a step goes
-constexpr double kSteepGround = 4;     // |dy/dx| of slopes down which bodies on their centre slide
+constexpr double kSteepGround = 16;    // |dy/dx| of slopes down which bodies on their centre slide
 constexpr Fine kDeep = 16;             // a middle that is less than so many roundings in a slope touches it
 constexpr Fine kMostBevel = 4 * kFinePx;  // the width of a low edge that is not upright
 constexpr int kMostRises = 16;            // parts that a body is lifted over, one after the other
@@ -54,7 +54,7 @@ std::optional<Verdict> Judge::judge(const Body& before, const Body& after, const
     return judge_walk(before, after, v < target ? std::min(v + gain, target) : std::max(v - gain, target),
                       record);
   }
-  if (auto met = judge_contacts(before, record)) return met;
+  if (auto met = judge_contacts(before, record, walks && before.gait.grounded)) return met;
   return judge_roll(before, after);
 }
 
@@ -162,13 +162,14 @@ bool Judge::is_stopped_before(const Body& before, const Body& after, int directi
   });
 }
 
-std::optional<Verdict> Judge::judge_contacts(const Body& before, const StepRecord& record) const {
+// jumps: it leaves its floor by a jump. Low edges there are found by those who walk.
+std::optional<Verdict> Judge::judge_contacts(const Body& before, const StepRecord& record, bool jumps) const {
   for (const ContactRecord& contact : record.contacts) {
     const bool is_ground = contact.handled && !contact.overlaps && contact.other.body == 0;
     const bool is_placed = tuning_.solver == SolverKind::article && contact.slope.has_value();
     if (is_ground && !is_placed && !is_there(contact, before)) return Verdict{FindingKind::ghost};
     const bool is_bevel = tuning_.solver == SolverKind::exact && is_steep(contact.normal);
-    if (is_ground && (contact.normal.y == 0 || is_bevel))
+    if (is_ground && !jumps && (contact.normal.y == 0 || is_bevel))
       if (const auto lip = lip_met(before, contact)) return lip;
   }
   return std::nullopt;
@@ -380,12 +381,26 @@ Judge::Ahead Judge::ahead_of(const Body& body, int direction, Fine way) const {
 
 // The edge at the top of what is ahead, and too steep to walk on: a wall, or a bevel.
 std::optional<Judge::Edge> Judge::bevel_at(const FineBox& box, Foot foot, int direction) const {
-  const double steepest = tuning_.exact.steepest;
+  const auto walked = [&](Fine way) { return scaled(way, tuning_.exact.steepest) + slack_; };
   std::optional<Edge> edge = edge_at(box, foot, direction, 4 * slack_), beyond;
   for (Fine way = 4 * slack_; edge && way < kMostBevel; way *= 2, edge = beyond) {
     beyond = edge_at(box, foot, direction, 2 * way);
-    const Fine walked = scaled(way, steepest) + slack_;
-    if (beyond && edge->height > walked && beyond->height - edge->height <= walked) return edge;
+    if (!beyond || edge->height <= walked(way) || beyond->height - edge->height > walked(way)) continue;
+    edge = beyond;
+    // Where it is no longer too steep.
+    constexpr Fine kStep = kAhead / 8;
+    Fine before = 4 * slack_, after = 2 * way;
+    while (after - before > kStep) {
+      const Fine middle = (before + after) / 2;
+      const auto here = edge_at(box, foot, direction, middle);
+      const auto ahead = edge_at(box, foot, direction, middle + kStep);
+      if (!here || !ahead) break;
+      const bool is_past = ahead->height - here->height <= walked(kStep);
+      (is_past ? after : before) = middle;
+      if (is_past) edge = here;
+    }
+    edge->x += direction * after;
+    return edge;
   }
   return std::nullopt;
 }

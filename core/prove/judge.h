@@ -59,7 +59,7 @@ class Judge {
   std::optional<Verdict> ramp_missed(const Body& before, const Body& after, int direction) const;
   std::optional<Verdict> gap_after(const Body& before, int direction) const;
   bool has_floor_to(Fine x, Fine y, int direction) const;
-  std::optional<Verdict> judge_contacts(const Body& before, const StepRecord& record) const;
+  std::optional<Verdict> judge_contacts(const Body& before, const StepRecord& record, bool jumps) const;
   bool is_steep(Vec2 normal) const;
   std::optional<Verdict> judge_roll(const Body& before, const Body& after) const;
   std::optional<Verdict> lip_met(const Body& before, const ContactRecord& contact) const;

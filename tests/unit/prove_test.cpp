@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -185,6 +186,36 @@ TEST(Prove, FindsAnEdgeHigherThanASmallBody) {
   scenery.level.spawns[0].position = {40, 100};
   const Proof proof = scenery.proof();
   EXPECT_EQ(kinds_of(proof), std::set<std::string>{"lip"}) << text_of(proof);
+}
+
+TEST(Prove, ABodyThatSlidesDownACliffIsNotStopped) {
+  for (const double steepness : {2.1, 2.5, 3.0, 4.0}) {
+    Scenery scenery(Foot::box);
+    TileShape cliff{.kind = TileShape::Kind::polygon};
+    cliff.points = {{0, 0}, {4, 0}, {4 + 40 / steepness, 40}, {0, 40}};
+    scenery.put({8, 7}, cliff);
+    for (int x = 0; x < 8; ++x) scenery.level.map.set({x, 7}, 1);
+    for (const Vec2 size : {Vec2{8, 8}, Vec2{10, 15}}) {
+      scenery.level.spawns[0].size = size;
+      const Proof proof = scenery.proof();
+      EXPECT_TRUE(proof.findings.empty()) << steepness << ": " << text_of(proof);
+    }
+  }
+}
+
+TEST(Prove, MeasuresABevelledEdgeToItsTop) {
+  Scenery scenery(Foot::box);
+  TileShape edge{.kind = TileShape::Kind::polygon};
+  edge.points = {{0, 8}, {0.3125, 6.75}, {8, 6.75}, {8, 8}};  // 4 px for each px, then level
+  scenery.put({8, 11}, edge);
+  const Proof proof = scenery.proof();
+  EXPECT_EQ(kinds_of(proof), std::set<std::string>{"lip"}) << text_of(proof);
+  const auto bevel = std::find_if(proof.findings.begin(), proof.findings.end(),
+                                  [](const Finding& finding) { return finding.place.x < 68; });
+  ASSERT_NE(bevel, proof.findings.end()) << text_of(proof);
+  EXPECT_NEAR(bevel->amount, 1.25, 0.02) << text_of(proof);
+  EXPECT_NEAR(bevel->place.x, 64.3125, 0.02);
+  EXPECT_NEAR(bevel->place.y, 94.75, 0.02);
 }
 
 TEST(Prove, FindsWhereABodyIsWedged) {
