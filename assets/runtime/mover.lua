@@ -46,13 +46,16 @@ local function move(world, body, box, x, y, respond)
       end
       box.x, box.y, x, y, followed = goal_x, goal_y, after_x, after_y, nil
     else
+      local from_x, from_y = box.x, box.y
       box.x, box.y = contact.x, contact.y
       surface = not contact.on_end and contact.edge or nil
       x, y = respond(world, body, box, contact, x, y)
       -- Sliding along one plane leads into the one before: there is nowhere to go.
       local slides = x * contact.nx + y * contact.ny <= tolerance(x, y)
       if before_x and slides and x * before_x + y * before_y < -tolerance(x, y) then
-        held = contact.nx * before_x < 0 and abs(before_x) * contact.ny + abs(contact.nx) * before_y < 0
+        held = abs(box.x - from_x) + abs(box.y - from_y) <=
+            SETTLED * rounding_slack(box.x, box.y, box.w, box.h, 0.0, 0.0) and
+            contact.nx * before_x < 0 and abs(before_x) * contact.ny + abs(contact.nx) * before_y < 0
         break
       end
       before_x, before_y, followed = contact.nx, contact.ny, nil

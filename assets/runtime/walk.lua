@@ -383,20 +383,20 @@ local function go_along_floor(world, body, box, reach, motion_on, stop_at)
     if goal_x - box.x == 0 then return true end
     local contact = walk:cast_to(on, box, goal_x, goal_y)
     local at_x, at_y, from, past_x, past_y = goal_x, goal_y, box.x, nil, nil
+    -- What it has just come to does not stop it if the next piece leads past it.
+    local arrives = not contact
     if contact then
-      at_x, at_y = contact.x, contact.y
       past_x, past_y = walk:place_past(contact, box, goal_x, goal_y)
-      if past_x then at_x, at_y = past_x, past_y end
+      if past_x then
+        at_x, at_y = past_x, past_y
+        arrives = at_x == goal_x and at_y == goal_y
+      else
+        arrives = Walk.arrives(contact, box, goal_x, goal_y)
+        if not arrives then at_x, at_y = contact.x, contact.y end
+      end
     end
     rest = rest - (at_x - box.x) / x
     box.x, box.y = at_x, at_y
-    -- What it has just come to does not stop it if the next piece leads past it.
-    local arrives = not contact
-    if past_x then
-      arrives = at_x == goal_x and at_y == goal_y
-    elseif contact then
-      arrives = Walk.arrives(contact, box, goal_x, goal_y)
-    end
     if arrives then
       if not (rest > 0) or (goal_x ~= on.stop and part == 1) then return true end
       if goal_x == on.stop then on = nil end

@@ -102,7 +102,7 @@ class Mover {
     int passes = 0;
     bool capped = false;  // the passes were used up, and the rest of the motion was dropped
     bool wedged = false;  // wedged between the last two contacts: the rest of the motion leads nowhere
-    bool held = false;    // so, and these hold it up
+    bool held = false;    // so, in one place, and the two hold it up
     bool cut_short =
         false;  // the budget was used up: the box stopped at the last place that is known to be free
   };
@@ -152,6 +152,7 @@ class Mover {
       }
       ++result.passes;
       seen(contact, motion);
+      const Vec from = body.box.position();
       body.box.x = contact.position.x;
       body.box.y = contact.position.y;
       surface_ = contact.on_end ? nullptr : contact.piece;
@@ -160,7 +161,7 @@ class Mover {
       const bool slides = dot(motion, contact.normal) <= tolerance(motion);
       if (before && slides && dot(motion, *before) < -tolerance(motion)) {
         result.wedged = true;
-        result.held = hold_up(contact.normal, *before);
+        result.held = is_settled(body, from) && hold_up(contact.normal, *before);
         break;
       }
       before = contact.normal;
@@ -235,8 +236,13 @@ class Mover {
     const Real x = body.box.x + foot_offset(*surface_, body.box.w, body.foot);
     if (x < surface_->x0 || x > surface_->x1) return;
     const Real y = rest_on(*surface_, terrain_.stretches(), body.box, body.foot);
-    const Real slack = rounding_slack<Real>({body.box, {}, body.foot});
-    if (std::abs(body.box.y - y) <= kSettledSlacks * slack) body.box.y = y;
+    if (is_settled(body, {body.box.x, y})) body.box.y = y;
+  }
+
+  // Whether a body is at a place, but for rounding.
+  static bool is_settled(const Moving<Real>& body, Vec place) {
+    const Real off = std::abs(body.box.x - place.x) + std::abs(body.box.y - place.y);
+    return off <= kSettledSlacks * rounding_slack<Real>({body.box, {}, body.foot});
   }
 
   const BasicTerrain<Real>& terrain_;

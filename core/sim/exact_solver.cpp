@@ -196,12 +196,12 @@ class ExactSolver final : public Solver {
       }
       if (contact && record_ != nullptr) note(state.bodies[index], contact, goal - moving.box.position());
       const auto past = way.place_past(contact, moving.box, goal, moving.foot);
-      const Vec at = past ? *past : contact ? contact.position : goal;
+      // What it has just come to does not stop it if the next piece leads past it.
+      const bool arrives = past ? *past == goal : contact && way.arrives(contact, moving, goal);
+      const Vec at = past ? *past : contact && !arrives ? contact.position : goal;
       const Real from = moving.box.x;
       rest -= (at.x - moving.box.x) / motion.x;
       put(moving, at);
-      // What it has just come to does not stop it if the next piece leads past it.
-      const bool arrives = past ? at == goal : contact && way.arrives(contact, moving, goal);
       at_end = !contact || arrives;
       if (arrives) note_after(motion * std::max<Real>(rest, 0));
       if (at_end) {

@@ -117,6 +117,25 @@ TEST(SteepSides, ABodyBesideOneSlidesDown) {
   EXPECT_GT(fell, 50);
 }
 
+// It lost its floor for a frame: rounding put it a little past the end of that floor.
+TEST(SteepSides, ABodyThatWalksToTheFootOfOneKeepsItsFloor) {
+  for (const double start : {100.74, 100.37, 100.1}) {
+    Level level = level_with_floor();
+    put_polygon(level, {12, 11}, 2, {{4, 0}, {43.25, 30.75}, {4, 40}});
+    put_polygon(level, {11, 7}, 3, {{1.5, 6.75}, {12, 32}, {1.5, 32}});
+    Spawn& player = level.spawns.front();
+    player.size = {1, 1};
+    player.position = {start - 0.5, 88 + (start - 100) * 30.75 / 39.25 - 1.001};
+    level.tuning.player.run_speed = 0.075;
+    Play play(level);
+    for (int frame = 1; frame <= 40; ++frame) {
+      const Body& body = play.step(frame > 2, false, false);
+      EXPECT_TRUE(frame <= 2 || body.gait.grounded) << start << ", frame " << frame;
+    }
+    EXPECT_EQ(play.state.bodies.front().box.x, 99.5);
+  }
+}
+
 TEST(SteepSides, ABodyStandsBetweenOneAndAWall) {
   Level level = level_with_wedge();
   level.map.set({15, 10}, 0);
