@@ -20,8 +20,7 @@ class LevelMaker {
     add_floor();
     for (int i = dice_.up_to(3); i > 0; --i) add_platform();
     if (dice_.one_in(3)) add_tunnel();
-    for (int i = dice_.up_to(12); i > 0; --i)
-      put(dice_.up_to(kColumns - 1), dice_.up_to(kRows - 2), any_shape());
+    for (int i = dice_.up_to(12); i > 0; --i) add_shape();
     for (int i = dice_.up_to(2); i > 0; --i) add_curve();
     if (dice_.one_in(4)) add_layer();
     add_bodies();
@@ -39,6 +38,12 @@ class LevelMaker {
   void put(int column, int row, const TileShape& shape) {
     if (row >= 0 && row < kRows) level_.map.set({column, row}, number_of(shape));
   }
+  // Dice are thrown one after the other: compilers differ in the order of arguments.
+  void add_shape() {
+    const TileShape shape = any_shape();
+    const int row = dice_.up_to(kRows - 2), column = dice_.up_to(kColumns - 1);
+    put(column, row, shape);
+  }
   TileShape slope(double left, double right, bool one_way, TileShape::Side side = TileShape::Side::floor) {
     if (left == tile_.height && right == tile_.height)
       return {.kind = TileShape::Kind::solid, .side = TileShape::Side::floor, .one_way = one_way};
@@ -51,8 +56,10 @@ class LevelMaker {
     switch (dice_.up_to(4)) {
       case 0:
         return {.kind = TileShape::Kind::solid, .side = side, .one_way = one_way};
-      case 1:
-        return slope(dice_.step(0, 1, 4) * h, h * 0.25 + dice_.step(0, 0.75, 4) * h, one_way, side);
+      case 1: {
+        const double right = h * 0.25 + dice_.step(0, 0.75, 4) * h, left = dice_.step(0, 1, 4) * h;
+        return slope(left, right, one_way, side);
+      }
       case 2: {
         TileShape shape{.kind = TileShape::Kind::profile, .side = side, .one_way = one_way};
         for (int i = 0; i <= 4; ++i) shape.heights.push_back(dice_.step(0, h, 2) + 0.5);
@@ -79,8 +86,9 @@ class LevelMaker {
     for (int column = 0; column < kColumns; ++column) {
       const int left = height;
       const int kind = dice_.up_to(9);
-      if (kind < 5) height += (dice_.one_in(2) ? 1 : -1) * quarter * (1 << dice_.up_to(2));
-      if (kind == 5) height += (dice_.one_in(2) ? 1 : -1) * tile_.height * (1 + dice_.up_to(1));
+      const int sign = kind > 5 || dice_.one_in(2) ? 1 : -1;
+      if (kind < 5) height += sign * quarter * (1 << dice_.up_to(2));
+      if (kind == 5) height += sign * tile_.height * (1 + dice_.up_to(1));
       const bool is_step = kind == 5;
       height = std::clamp(height / quarter * quarter, tile_.height, (kRows - 5) * tile_.height);
       add_column(column, is_step ? height : left, height, dice_.one_in(4));
