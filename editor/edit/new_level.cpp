@@ -16,7 +16,7 @@ enum FirstTile : TileNumber {
   kUpSlope,
   kDownSlope,
   kBall,
-  kUpLeft,  // halves of slopes of two tiles
+  kUpLeft = kCartColumns + 1,  // halves of slopes of two tiles, in the next row of the sheet
   kUpRight,
   kDownLeft,
   kDownRight

@@ -60,16 +60,16 @@ TEST(NewLevel, ItsGroundToolAndItsSlopeToolTakeItsTiles) {
     // From the grass, at row 13, four tiles to the right and two up.
     apply_edit(level, lay_slope(level, {35 * 8, 13 * 8}, {39 * 8, 11 * 8}, {1, 1, {0}}, 12).value());
     EXPECT_TRUE(level.sheets == blank.sheets) << "nothing is drawn";
-    EXPECT_EQ(level.map.at({35, 12}), 6);
-    EXPECT_EQ(level.map.at({36, 12}), 7);
-    EXPECT_EQ(level.map.at({37, 11}), 6);
-    EXPECT_EQ(level.map.at({38, 11}), 7);
+    EXPECT_EQ(level.map.at({35, 12}), 17);
+    EXPECT_EQ(level.map.at({36, 12}), 18);
+    EXPECT_EQ(level.map.at({37, 11}), 17);
+    EXPECT_EQ(level.map.at({38, 11}), 18);
     EXPECT_EQ(level.map.at({37, 12}), 2) << "earth fills the ground";
     EXPECT_EQ(level.map.at({37, 13}), 2) << "and replaces the grass that is covered";
     EXPECT_EQ(level.map.at({34, 13}), 1) << "grass in the open stays";
     apply_edit(level, paint_ground(level, {45, 12}, {50, 12}, GroundChange::add));
-    EXPECT_EQ(level.map.at({45, 12}), 6);
-    EXPECT_EQ(level.map.at({50, 12}), 9);
+    EXPECT_EQ(level.map.at({45, 12}), 17);
+    EXPECT_EQ(level.map.at({50, 12}), 20);
     EXPECT_EQ(level.map.at({47, 13}), 2);
     EXPECT_TRUE(lint(level).empty());
   }
@@ -78,7 +78,7 @@ TEST(NewLevel, ItsGroundToolAndItsSlopeToolTakeItsTiles) {
 TEST(NewLevel, BothKindsOfColourLookTheSame) {
   const Level palette = new_level({8, 8}, 60, 34, {false, true});
   const Level true_colour = new_level({8, 8}, 60, 34, {true, true});
-  for (TileNumber tile = 1; tile <= 9; ++tile)
+  for (TileNumber tile = 1; tile <= 20; ++tile)
     for (int i = 0; i < 8; ++i)
       EXPECT_EQ(color_on_map(palette, tile, i, 7 - i), color_on_map(true_colour, tile, i, 7 - i));
 }
