@@ -77,6 +77,29 @@ TEST_F(ImportTemplates, NumbersOfTilesAreThoseOfTheirTileset) {
   EXPECT_EQ(read(object, other).level.spawns.size(), 0u) << "a map without that tileset";
 }
 
+TEST_F(ImportTemplates, ABodyShowsItsTile) {
+  const auto read_map = [&](const std::string& gid) {
+    put("map.tmx",
+        "<map orientation=\"orthogonal\" width=\"2\" height=\"1\" tilewidth=\"16\" tileheight=\"16\">"
+        "<tileset firstgid=\"5\" name=\"set\" tilewidth=\"16\" tileheight=\"16\" tilecount=\"4\" "
+        "columns=\"4\"/><layer name=\"l\" width=\"2\" height=\"1\"><data encoding=\"csv\">5,0</data>"
+        "</layer><objectgroup name=\"o\"><object type=\"player\" gid=\"" +
+            gid + "\" x=\"4\" y=\"16\" width=\"16\" height=\"16\"/></objectgroup></map>");
+    return load_level(path("map.tmx")).value();
+  };
+  const LoadedLevel shown = read_map("7");
+  ASSERT_EQ(shown.level.spawns.size(), 1u);
+  const BodyPicture& picture = shown.level.spawns[0].picture;
+  const TileNumber ground = shown.level.map.tile_at({0, 0});
+  EXPECT_EQ(picture.sheet, SheetId::tiles);
+  EXPECT_EQ(picture[BodyAct::stand], (BodyFrames{static_cast<TileNumber>(ground + 2), 1}));
+  EXPECT_THAT(shown.dropped, testing::Not(testing::Contains("the picture of a body")));
+  const LoadedLevel turned = read_map("2147483655");
+  EXPECT_EQ(turned.level.spawns[0].picture, picture) << "it is mirrored by its motion alone";
+  EXPECT_THAT(turned.dropped, testing::Contains("the turn of a body's picture"));
+  EXPECT_TRUE(read_map("99").level.spawns[0].picture.empty()) << "there is no such tile";
+}
+
 TEST_F(ImportTemplates, GiveShapesToTiles) {
   std::filesystem::create_directories(path("sets"));
   put("sets/set.tsx",

@@ -75,6 +75,7 @@ class TiledLevelMaker {
   bool has_room_for(const MapObject& object);
   const std::string& type_of(const TiledObject& object) const;
   std::optional<Spawn> body_of(TiledObject object) const;
+  void take_picture(const TiledObject& object, Spawn& spawn);
   void take_spawn(const TiledObject& object, Spawn spawn);
   const Spawn* base_spawn_like(const Spawn& spawn, const TiledObject& object) const;
   void take_curve(const TiledObject& object);
@@ -94,6 +95,7 @@ class TiledLevelMaker {
   std::vector<const Spawn*> spawns_by_x_;  // of base_
   Level level_;
   TiledTiles tiles_;
+  std::map<TiledSource, TileNumber> numbers_;                           // of tiles_.sources
   std::optional<TiledFlagReader> flags_;                                // there once tiles are numbered
   std::vector<std::pair<const LevelCurve*, TiledObject>> curves_by_x_;  // of base_
   TiledBaseObjects base_objects_;
@@ -361,17 +363,14 @@ void TiledLevelMaker::fill_named_ground(const std::vector<const TiledLayer*>& la
 
 void TiledLevelMaker::take_animations() {
   level_.animations.clear();
-  std::map<TiledSource, TileNumber> numbers;
-  for (std::size_t n = 0; n < tiles_.sources.size(); ++n)
-    numbers.try_emplace(tiles_.sources[n], static_cast<TileNumber>(n));
   for (std::size_t n = 0; n < tiles_.sources.size(); ++n) {
     const TiledSource& source = tiles_.sources[n];
     const TiledTile* const tile = tile_of(source);
     if (tile == nullptr || tile->animation.empty()) continue;
     TileAnimation animation;
     for (const TiledTile::Frame& frame : tile->animation) {
-      const auto shown = numbers.find({source.tileset, frame.id, source.turn});
-      if (shown == numbers.end()) break;
+      const auto shown = numbers_.find({source.tileset, frame.id, source.turn});
+      if (shown == numbers_.end()) break;
       animation.push_back({shown->second, std::clamp(frame.duration, 1, kMaxFrameDuration)});
     }
     if (animation.size() == tile->animation.size())
@@ -562,6 +561,15 @@ std::optional<Spawn> TiledLevelMaker::body_of(TiledObject object) const {
   return spawn_of(object, type_of(object), map_.tile_size, anchor_of_gid(map_, object.gid));
 }
 
+// The tile that shows a body in Tiled. A body is mirrored by its motion alone.
+void TiledLevelMaker::take_picture(const TiledObject& object, Spawn& spawn) {
+  const TiledSource source = source_of_gid(map_, object.gid);
+  const auto shown = numbers_.find({source.tileset, source.id, 0});
+  if (source.tileset < 0 || shown == numbers_.end()) return drops_.add("the picture of a body");
+  if (source.turn != 0) drops_.add("the turn of a body's picture");
+  spawn.picture[BodyAct::stand] = {.first = shown->second, .count = 1};
+}
+
 void TiledLevelMaker::take_spawn(const TiledObject& object, Spawn spawn) {
   constexpr std::array<std::string_view, 3> kKnown = {"vx", "vy", "foot"};
   for (const TiledProperty& property : object.properties) {
@@ -569,7 +577,7 @@ void TiledLevelMaker::take_spawn(const TiledObject& object, Spawn spawn) {
       drops_.add("the property " + quoted_name(property.name) + " of a body");
   }
   if (object.rotation != 0) drops_.add("the rotation of a body");
-  if (object.form == TiledObject::Form::tile) drops_.add("the picture of a body");
+  if (object.form == TiledObject::Form::tile) take_picture(object, spawn);
   if (level_.spawns.size() == kMaxSpawns) return drops_.add("a body, since a level holds at most 65536");
   if (const Spawn* const old = base_spawn_like(spawn, object)) return level_.spawns.push_back(*old);
   if (const auto written = json_of(std::vector<Spawn>{spawn}, ""); !written)
@@ -640,6 +648,8 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
                             level_.palette[0], drops_, progress_);
   if (!tiles) return tl::unexpected(tiles.error());
   tiles_ = *std::move(tiles);
+  for (std::size_t n = 0; n < tiles_.sources.size(); ++n)
+    numbers_.try_emplace(tiles_.sources[n], static_cast<TileNumber>(n));
   take_layers(*layers);
   TiledOrigin origin;
   origin.frame = frame_of(tiles_, map_);
