@@ -1,6 +1,6 @@
 // talus shot FILE [--frame N] [--overlay a,b] [--body ID] [--zoom N | --window WxH] -o PNG
-// With --window also [--panel a,b] [--break CONDITION]... [--back] [--compare SOLVER [--two-views]] [--stage
-// N].
+// With --window also [--light] [--panel a,b] [--break CONDITION]... [--back] [--compare SOLVER [--two-views]]
+// [--stage N].
 
 #include <stdlib.h>
 
@@ -28,8 +28,9 @@ struct ShotCommandOptions {
   PhysicsOptions physics;
   ShotOptions shot;
   WindowShotOptions window_shot;
-  std::string compared;  // name of a solver; empty: no comparison
-  bool metrics = false;  // measures the window's frames, as a line of JSON
+  bool is_light = false;  // the theme of the window
+  std::string compared;   // name of a solver; empty: no comparison
+  bool metrics = false;   // measures the window's frames, as a line of JSON
 };
 
 // The size in "1280x720", or nothing.
@@ -62,6 +63,7 @@ void shoot_window(CommandContext& context, const ShotCommandOptions& options) {
   WindowShotOptions shot = options.window_shot;
   shot.file = options.file;
   std::tie(shot.width, shot.height) = *size_of(options.window);
+  shot.theme = options.is_light ? ThemeKind::light : ThemeKind::dark;
   shot.frames = static_cast<int>(options.frame);
   shot.overlays = options.shot.overlays;
   shot.body = options.shot.body;
@@ -172,6 +174,7 @@ void add_shot_command(CLI::App& program, CommandContext& context) {
       ->type_name("WxH")
       ->check(check_size)
       ->excludes(std::string("--set"), std::string("--zoom"));
+  command->add_flag("--light", options->is_light, "Draw the window in the light theme")->needs("--window");
   add_debugger_options(*command, *options);
   command->add_flag("--metrics", options->metrics, "Play 120 more frames, and print what they cost")
       ->needs("--window");

@@ -116,6 +116,7 @@ tl::expected<void, std::string> write_window_shot(const WindowShotOptions& optio
   if (!app) return tl::unexpected(app.error());
   Session& session = (*app)->session();
   (*app)->ui().view.preferences.plays_opened = false;
+  (*app)->ui().view.preferences.theme = options.theme;
   (*app)->ui().view.window.welcome_open = false;
   session.finish_reading();
   session.apply(action::Pause{});

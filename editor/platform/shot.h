@@ -7,6 +7,7 @@
 #include <tl/expected.hpp>
 
 #include "overlay/overlay_table.h"
+#include "panels/preferences.h"
 #include "panels/window/frame_metrics.h"
 #include "session/session.h"
 
@@ -29,6 +30,7 @@ struct WindowShotOptions {
   int width = 1280;  // px of the window
   int height = 720;
   int frames = 0;  // steps to run before the picture is taken
+  ThemeKind theme = ThemeKind::dark;
   OverlaySet overlays;
   int body = 0;                          // id of the chosen body; 0: no body
   std::optional<SolverKind> solver;      // replaces the level's own solver

@@ -264,6 +264,15 @@ TEST_F(CliCheck, ErrorsExitWithOneAndNameTheirCell) {
   EXPECT_THAT(answer.out, HasSubstr(file + ":cell 0,0: error: "));
 }
 
+TEST_F(CliShot, TheThemeIsThatOfTheWindow) {
+  const std::string dark = path("dark.png"), light = path("light.png");
+  EXPECT_EQ(cli_answer({"shot", kSix, "--light", "-o", light}).status, kExitUsage)
+      << "the play view has no theme";
+  EXPECT_EQ(cli_answer({"shot", kSix, "--window", "700x450", "-o", dark}).status, kExitGood);
+  EXPECT_EQ(cli_answer({"shot", kSix, "--window", "700x450", "--light", "-o", light}).status, kExitGood);
+  EXPECT_NE(bytes_of(dark), bytes_of(light));
+}
+
 TEST_F(CliShot, TheReachNeedsAPlayer) {
   const CliAnswer answer = cli_answer({"shot", kSix, "--overlay", "reach", "-o", path("reach.png")});
   EXPECT_EQ(answer.status, kExitBad);
