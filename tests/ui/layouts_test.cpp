@@ -130,8 +130,17 @@ TEST_F(UiLayouts, TheCanvasComesFirstInASmallWindow) {
   EXPECT_NE(find("tabs/inspector"), nullptr);
   EXPECT_GE(width_of("play/canvas"), 380);
   start(save_test_level("level.talus.json"), 700, 450);
-  EXPECT_EQ(find("sheet/tiles"), nullptr) << "there is no room for it";
+  EXPECT_NE(find("sheet/tiles"), nullptr);
+  EXPECT_EQ(find("tabs/inspector"), nullptr) << "there is no room for it";
   EXPECT_GE(width_of("play/canvas"), 350);
+  click("status/problems");
+  frames(2);
+  EXPECT_NE(find("tabs/problems"), nullptr) << "who asks for it sees it";
+  EXPECT_EQ(find("sheet/tiles"), nullptr);
+  EXPECT_GE(width_of("play/canvas"), 350);
+  key(kKeyF2);
+  frames(2);
+  EXPECT_NE(find("sheet/tiles"), nullptr);
   for (const Widget& widget : app().ui().widgets.all()) {
     if (widget.name.starts_with("transport/") || widget.name.starts_with("overlay/group")) {
       EXPECT_LE(widget.max.x, 700) << widget.name;

@@ -41,6 +41,7 @@ struct WindowView {
   std::vector<MovedTab> moved_tabs;      // panels that the user has put elsewhere, or closed
   bool left_open = true;                 // the sheet and what is below it are shown
   bool right_open = true;                // the inspector and what is below it are shown
+  bool right_first = false;              // where only one of the two has room it is the right one
   bool dock_open = false;                // the debugger's panels are shown
   bool alone = false;                    // the canvas fills the window: every panel and bar is hidden
   bool full_screen = false;              // the window fills the screen

@@ -92,7 +92,8 @@ Columns columns_of(const Ui& ui, float window, bool has_right) {
   // In a small window the canvas comes first.
   const bool has_room_for_one = window >= ui.px(kRightLeast + kMiddleLeast);
   const bool has_room_for_both = window >= ui.px(kLeftLeast + kRightLeast + kMiddleLeast);
-  if (view.right_open && has_right && has_room_for_one)
+  const bool left_hides_right = view.left_open && !view.right_first && !has_room_for_both;
+  if (view.right_open && has_right && has_room_for_one && !left_hides_right)
     columns.right = part(view.layout.right, window, ui.px(kRightLeast), ui.px(kLeftLeast + kMiddleLeast));
   if (view.left_open && (has_room_for_both || (columns.right == 0 && has_room_for_one)))
     columns.left = part(view.layout.left, window, ui.px(kLeftLeast), columns.right + ui.px(kMiddleLeast));
@@ -171,6 +172,8 @@ void Workspace::open_wanted_columns(View& view) const {
     const Region region = region_of(place, view.window);
     if (is_sprite_region(region)) view.window.left_open = true;
     if (const auto tabs = place_of_region(region)) is_open_at(view.window, *tabs) = true;
+    const bool is_right = region == Region::right_top || region == Region::right_bottom;
+    if (is_right || is_sprite_region(region)) view.window.right_first = is_right;
   }
 }
 
