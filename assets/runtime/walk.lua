@@ -310,6 +310,17 @@ function Walk:sinks(box, contact, goal_y)
   return true
 end
 
+-- Whether a box has met the side of a floor that begins up to LIP higher. It is put on that floor.
+function Walk:climbs(box, contact)
+  if box.centre or contact.other or contact.ny ~= 0 then return false end
+  local _, spot_y = self:corner_met(box, contact)
+  local rise = box.y + box.h - spot_y
+  if not (rise > 0) or rise > LIP + Walk.settled(box) then return false end
+  if self:cast(box, 0.0, -rise, nil, 0.0) then return false end
+  box.y = spot_y - box.h
+  return true
+end
+
 -- The floor on which the body goes on, up to `reach` px below it; nil if there is none, or if it is too steep. One that
 -- begins up to LIP higher or lower is one with the floor before: the body is put on it.
 function Walk:floor_ahead(box, reach)
@@ -343,7 +354,7 @@ end
 function Walk:passes(on, box, from, goal_x, goal_y, contact)
   local straight, y = Walk.is_straight(on), box.y
   Walk.lift_onto(on, box)
-  if self:sinks(box, contact, goal_y) then return "goes on", nil end
+  if self:sinks(box, contact, goal_y) or self:climbs(box, contact) then return "goes on", nil end
   box.y = y
   if contact.ny < 0 and Walk.leads_above(on, box, contact, goal_x) then
     Walk.lift_onto(on, box)

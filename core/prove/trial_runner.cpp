@@ -337,14 +337,13 @@ std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, 
 bool TrialRunner::is_wedged(const State& state, std::size_t speed) {
   const Rect start = state.bodies.front().box;
   for (const int direction : {0, -1, 1}) {
+    Trial keys;
+    keys.direction = direction;
+    keys.jump_frames = kJumpHeld;
     State tried = state;
     const Body& body = tried.bodies.front();
-    for (int frame = 0; frame < kMostSteps; ++frame) {
-      Input input;
-      input.left = direction < 0;
-      input.right = direction > 0;
-      input.jump = frame > 0 && frame <= kJumpHeld;
-      solvers_[speed]->step(tried, input);
+    for (int frame = 1; frame <= kMostSteps; ++frame) {
+      solvers_[speed]->step(tried, input_of(keys, frame));
       ++proof_.counts.steps;
       if (frame > kJumpHeld && body.gait.grounded) break;
     }

@@ -246,7 +246,7 @@ class ExactSolver final : public Solver {
                       Real from, Vec goal, const Contact<Real>& contact) {
     const Real y = moving.box.y;
     way.lift_onto(*floor, moving);
-    if (way.sinks(moving, contact, goal.y)) {
+    if (way.sinks(moving, contact, goal.y) || way.climbs(moving, contact)) {
       floor.reset();
       return AfterContact::goes_on;
     }

@@ -206,6 +206,17 @@ class FloorWalk {
     return true;
   }
 
+  // Whether a box has met the side of a floor that begins up to kMostLip higher. It is put on that floor.
+  bool climbs(Moving<Real>& body, const Contact<Real>& contact) const {
+    if (body.foot == Foot::centre || contact.is_other || contact.normal.y != 0) return false;
+    const Vec spot = *corner_met(body, contact);  // a side has one
+    const Real rise = body.box.y + body.box.h - spot.y;
+    if (!(rise > 0) || rise > Real(kMostLip) + settled(body)) return false;
+    if (cast_box<Real>(ground_, {body.box, {0, -rise}, body.foot}, others_, nullptr, budget_)) return false;
+    body.box.y = spot.y - body.box.h;
+    return true;
+  }
+
  private:
   // Whether it only touches a hill, at its top, which is in its way by rounding alone.
   bool falls_away(const Contact<Real>& contact, Vec motion, Real slack) const {
