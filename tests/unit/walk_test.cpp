@@ -299,6 +299,26 @@ TEST(Walk, LeadsOntoASlopeThatIsALipHigher) {
   EXPECT_NEAR(body.box.bottom(), 92 - 0.75, 1e-9);
 }
 
+// The end of the polygon is lower than the tiles to its left. A box lost its speed there, unless a step ended
+// just there.
+TEST(Walk, ASmallBoxClimbsALip) {
+  for (const double size : {1, 2, 4, 7}) {
+    for (const double start : {120.0, 120.37, 120.74}) {
+      for (const int lip : {1, 4}) {
+        SCOPED_TRACE(std::to_string(size) + ", " + std::to_string(start) + ", " + std::to_string(lip));
+        Scenery scenery;
+        scenery.player(start, kFloor, Foot::box, {size, size});
+        const Body level = walked(scenery.level, -1, 40);
+        TileShape polygon{.kind = TileShape::Kind::polygon};
+        polygon.points = {{0, lip / 256.0 * 8 / (8 - size)}, {8, 0}, {8, 8}, {0, 8}};
+        scenery.put({12, 12}, polygon);
+        const Body body = walked(scenery.level, -1, 40);
+        EXPECT_NEAR(body.box.x, lip == 1 ? level.box.x : 96, 1e-9) << "a higher edge stops it";
+      }
+    }
+  }
+}
+
 TEST(Walk, StaysOnItsFloorWhereACeilingKeepsItFromTheNextOne) {
   Meeting meeting;
   for (int x = 0; x < 24; ++x) meeting.level.map.set({x, 12}, 1);
