@@ -2,6 +2,7 @@
 #include "tile_color.h"
 
 #include <algorithm>
+#include <array>
 
 namespace talus {
 
@@ -9,6 +10,12 @@ std::uint8_t color_at(const TileImage& image, TileSize tile, int x, int y) {
   const int column = (2 * x + 1) * kCartTileSize / (2 * tile.width);
   const int row = (2 * y + 1) * kCartTileSize / (2 * tile.height);
   return image[static_cast<std::size_t>(row * kCartTileSize + column)];
+}
+
+std::uint8_t main_color(std::span<const std::uint8_t> pixels) {
+  std::array<int, kColorCount> counts{};
+  for (const std::uint8_t pixel : pixels) ++counts[pixel];
+  return static_cast<std::uint8_t>(std::max_element(counts.begin(), counts.end()) - counts.begin());
 }
 
 bool is_clear(const SheetPicture& picture, const SheetLayout& layout, TileNumber tile, TileSize size) {

@@ -1,12 +1,18 @@
 // The colours of tiles, whatever says how they look.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include <talus/level/level.h>
 
 namespace talus {
 
 // The colour, 0..15, of an image at a pixel of a tile of that size, which it fills.
 std::uint8_t color_at(const TileImage& image, TileSize tile, int x, int y);
+
+// The commonest of the colours, 0..15, of some pixels; of equally common ones the lowest.
+std::uint8_t main_color(std::span<const std::uint8_t> pixels);
 
 // Whether a picture of tiles of that size shows nothing of a tile.
 bool is_clear(const SheetPicture& picture, const SheetLayout& layout, TileNumber tile, TileSize size);

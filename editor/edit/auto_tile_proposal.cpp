@@ -1,11 +1,11 @@
 // Finds the tiles of a sheet that are ground.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
 #include "auto_tile.h"
 #include "collision/tile_outlines.h"
+#include "level/tile_color.h"
 #include "tile_shapes.h"
 
 namespace talus {
@@ -109,11 +109,7 @@ class Proposal {
   int likeness(TileNumber tile) const {
     const TileNumber inside = set_.of(GroundPart::inside);
     if (inside == 0) return 0;
-    const TileImage& pixels = image(inside);
-    std::array<int, kColorCount> counts{};
-    for (const std::uint8_t pixel : pixels) ++counts[pixel];
-    const auto main = std::max_element(counts.begin(), counts.end()) - counts.begin();
-    return static_cast<int>(std::count(image(tile).begin(), image(tile).end(), main));
+    return static_cast<int>(std::count(image(tile).begin(), image(tile).end(), main_color(image(inside))));
   }
 
   void choose_full_tiles() {

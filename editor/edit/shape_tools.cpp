@@ -15,6 +15,7 @@
 #include "level/body_place.h"
 #include "level/level_text.h"
 #include "level/single_change.h"
+#include "level/tile_color.h"
 
 namespace talus {
 
@@ -68,26 +69,21 @@ std::vector<TileNumber> floors_of_sheet(const Level& level) {
     const auto tile = static_cast<TileNumber>(i);
     const TileShape shape = shape_of_tile(level, tile);
     if (has_heights(shape) && shape.side == TileShape::Side::floor && !shape.one_way) floors.push_back(tile);
-    if (!full && is_full(shape_of_tile(level, tile))) full = tile;
+    if (!full && is_full(shape)) full = tile;
   }
   if (full && !floors.empty()) floors.push_back(*full);
   return floors;
 }
 
-// The colour that most of these pixels have, the lowest of equally frequent ones; nothing: most are clear.
-std::optional<std::uint8_t> main_color(std::span<const std::uint8_t> pixels) {
-  std::array<int, 16> counts{};
-  for (const std::uint8_t pixel : pixels) ++counts[pixel & 15];
-  const auto most = std::max_element(counts.begin(), counts.end()) - counts.begin();
-  return most == 0 ? std::nullopt : std::optional(static_cast<std::uint8_t>(most));
-}
-
-// Drawn tiles look like the ground that they belong to.
+// Drawn tiles look like the ground that they belong to, unless most of its pixels are clear.
 void take_colors_of_ground(const Level& level, SlopeTilesOptions& options) {
   const auto& images = level.sheet(SheetId::tiles).images;
+  const auto take = [](std::uint8_t& color, std::span<const std::uint8_t> pixels) {
+    if (const std::uint8_t main = main_color(pixels); main != 0) color = main;
+  };
   if (const TileNumber top = level.auto_tiles.of(GroundPart::top))
-    options.line_color = main_color(std::span(images[top]).first(kCartTileSize)).value_or(options.line_color);
-  if (options.below) options.ground_color = main_color(images[*options.below]).value_or(options.ground_color);
+    take(options.line_color, std::span(images[top]).first(kCartTileSize));
+  if (options.below) take(options.ground_color, images[*options.below]);
 }
 
 constexpr int kMostRowsDown = 64;

@@ -11,12 +11,6 @@
 namespace talus {
 namespace {
 
-Rgb main_color(const TileImage& image, const Palette& palette) {
-  std::array<int, kColorCount> counts{};
-  for (const std::uint8_t pixel : image) ++counts[pixel];
-  return palette[static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin())];
-}
-
 // The mean of some pixels of a tile in true colour: there may be 16 million in all.
 Rgb mean_color(const Level& level, TileNumber tile) {
   constexpr int kAlong = 4;  // pixels along each side
@@ -204,7 +198,7 @@ TileColors tile_colors(const Level& level, const MapLook& look) {
     const bool hidden = look.hide_balls && is_ball_tile(level, static_cast<TileNumber>(tile));
     const auto shown = static_cast<TileNumber>(hidden ? 0 : tile);
     colors[tile] =
-        sheet.picture != nullptr ? mean_color(level, shown) : main_color(sheet.images[shown], level.palette);
+        sheet.picture != nullptr ? mean_color(level, shown) : level.palette[main_color(sheet.images[shown])];
     if (look.tinted && look.tinted->matches(sheet.flags[tile])) colors[tile] = mixed(colors[tile], look.tint);
   }
   return colors;
