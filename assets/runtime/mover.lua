@@ -28,18 +28,25 @@ local function tolerance(x, y) return (abs(x) + abs(y)) * ROUNDING end
 -- The other bodies that a motion may meet; nil: they do not count.
 function World:others() end
 
+-- Of the part `walk`: how deep the corners of a box on its centre are to be below the floor, as in a cast, if that
+-- floor leads over the side that a corner has met on its way, which ends y px lower; 0: the side stops it.
+function World:depth_below_floor() return 0.0 end
+
 -- Moves the box of a body by x, y. respond(world, body, box, contact, x, y) returns the motion to go on with.
 -- A surface that leads back to itself also returns follow values: the way to go without meeting it, its end,
 -- and the motion from there. Returns whether two sides that it met hold it up.
 local function move(world, body, box, x, y, respond)
   local others = world:others(body, box, x, y)
-  local passes, before_x, before_y = 0, nil, nil
+  local passes, sunk, before_x, before_y = 0, 0.0, nil, nil
   local followed, surface, goal_x, goal_y, after_x, after_y, held
   while box.x + x ~= box.x or box.y + y ~= box.y do
     if passes == world.tuning.max_passes then break end
-    local contact = cast_box(world.terrain, box.x, box.y, box.w, box.h, x, y, box.centre, others, followed)
+    local contact = cast_box(world.terrain, box.x, box.y, box.w, box.h, x, y, box.centre, others, followed, sunk)
     passes = passes + 1
-    if not contact then
+    local depth = contact and box.centre and contact.ny == 0 and world:depth_below_floor(box, contact, y, sunk) or 0.0
+    if depth > 0 then
+      sunk = depth
+    elseif not contact then
       if not followed then
         box.x, box.y = moved_x(box.x, box.w, x), box.y + y
         break

@@ -3,6 +3,7 @@
 -- up or down, or is a wall. form: the functions for pieces of its form. solid: it bounds a body of ground.
 -- convex: the ground turns away at that end; last: no floor goes on there; far: the end is in another cell.
 has.slopes = true
+World.centre_part = "walk"  -- which bodies on their centre take
 
 local WELD = 256  -- of a px, to which ends are rounded
 

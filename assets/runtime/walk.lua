@@ -1,6 +1,7 @@
 -- ---- Walk: takes a body that stands along the floor, piece by piece ----
 -- It turns into the next piece where the piece under its foot ends, so that it neither flies on over a crest nor
 -- meets what lies below the floor that it walks on.
+has.walk = true
 
 local Walk = {}  -- of one body in one step
 Walk.__index = Walk
@@ -268,11 +269,19 @@ function Walk:corner_met(box, contact)
   return nil
 end
 
--- Whether the floor goes on from the middle of the body to a place, and is not below it there.
-function Walk:floor_leads_over(box, spot_x, spot_y)
+-- Whether the floor goes on from the middle of the body to a place, and is not below it there. fall: px; a floor up
+-- to so far below the middle of a body in the air counts, however steep it is there.
+function Walk:floor_leads_over(box, spot_x, spot_y, fall)
   local point = {x = box.x + box.w / 2, y = box.y, w = 0.0, h = box.h, centre = false}
+  local steepest = self.steepest
+  if fall > 0 then
+    local below = self:cast(point, 0.0, fall, nil, 0.0)
+    if not below or below.facing ~= UP then return false end
+    point.y = below.y
+    steepest = max(steepest, 2 * abs(-below.nx / below.ny))
+  end
   local direction = spot_x < point.x and -1 or 1
-  local under = setmetatable({terrain = self.terrain, direction = direction, steepest = self.steepest, sunk = 0.0},
+  local under = setmetatable({terrain = self.terrain, direction = direction, steepest = steepest, sunk = 0.0},
                              Walk)
   for _ = 1, UNDER do
     if point.x == spot_x then break end
@@ -283,7 +292,7 @@ function Walk:floor_leads_over(box, spot_x, spot_y)
     -- Another floor may cross it, further on or just here.
     local met = under:cast_to(on, point, goal_x, goal_y)
     if met and met.facing == UP then
-      local is_here = met.t == 0 and is_level(met, self.steepest)
+      local is_here = met.t == 0 and is_level(met, steepest)
       local crossing = is_here and under:floor_met(point, met) or nil
       if crossing then
         goal_x, goal_y = under:goal_on(crossing, point, spot_x - point.x)
@@ -298,16 +307,24 @@ function Walk:floor_leads_over(box, spot_x, spot_y)
 end
 
 -- Whether what the body met lies below the floor that its foot walks on. From then on the lowest part of its
--- corners meets nothing. goal_y: of the place to which it was going.
-function Walk:sinks(box, contact, goal_y)
+-- corners meets nothing. goal_y: of the place to which it was going; fall: as for floor_leads_over, 0 if not given.
+function Walk:sinks(box, contact, goal_y, fall)
   if not box.centre or contact.other or not self.terrain:has_pieces() then return false end
   local spot_x, spot_y = self:corner_met(box, contact)
   if not spot_x then return false end
   local by_px = max(max(box.y, goal_y) + box.h - spot_y, AHEAD)
   if contact.facing == DOWN or by_px > box.h then by_px = box.h end
-  if not (by_px > self.sunk) or not self:floor_leads_over(box, spot_x, spot_y) then return false end
+  if not (by_px > self.sunk) or not self:floor_leads_over(box, spot_x, spot_y, fall or 0) then return false end
   self.sunk = by_px
   return true
+end
+
+-- A floor at most 8 widths of the box below its middle counts: that of a slope of 16 to 1.
+function World:depth_below_floor(box, contact, y, sunk)
+  local over = setmetatable({terrain = self.terrain, direction = 1, steepest = self.tuning.steepest, sunk = sunk},
+                            Walk)
+  local there = {x = contact.x, y = contact.y, w = box.w, h = box.h, centre = true}
+  return over:sinks(there, contact, contact.y + max(y, 0.0) * (1 - contact.t), box.w * 8) and over.sunk or 0.0
 end
 
 -- Whether a box has met the side of a floor that begins up to LIP higher. It is put on that floor.

@@ -71,6 +71,10 @@ function World:add(body)
   body.x, body.y, body.w, body.h = body.x + 0.0, body.y + 0.0, (body.w or kind.w) + 0.0, (body.h or kind.h) + 0.0
   body.vx, body.vy = (body.vx or 0) + 0.0, (body.vy or 0) + 0.0
   body.foot = body.foot or kind.foot
+  local part = self.centre_part
+  if part and body.foot == "centre" and not has[part] then
+    error(("a body on its centre takes the part %s: name it in the export"):format(part), 2)
+  end
   body.grounded, body.clear = false, false
   self.bodies[body.id] = body
   return body

@@ -29,7 +29,8 @@ constexpr LuaPart kLuaParts[] = {
     {"curves", {"curves"}, {"segments", "slopes"}},
     {"balls", {"balls"}},
     {"flight", {"flight"}, {"balls"}},
-    {"players", {"walk", "players"}},
+    {"walk", {"walk"}},
+    {"players", {"players"}, {"walk"}},
     {"pairs", {"pairs"}},
     {"mouse", {"mouse"}},
     {"end", {"module"}},
@@ -65,7 +66,11 @@ PartNames used_parts(const Level& level) {
   const auto any_curve = [&](auto is) { return std::any_of(ground.curves.begin(), ground.curves.end(), is); };
   PartNames used;
   std::size_t bodies = level.spawns.size();
-  for (const Spawn& spawn : level.spawns) used.emplace(part_of(traits_of(spawn.kind).rule));
+  bool has_centre = false;  // a body that stands on its centre
+  for (const Spawn& spawn : level.spawns) {
+    used.emplace(part_of(traits_of(spawn.kind).rule));
+    has_centre = has_centre || spawn.used_foot() == Foot::centre;
+  }
   std::vector<std::size_t> counts(ground.shapes.size());  // of cells, by tile
   for (const TileNumber tile : ground.cells) ++counts[tile];
   for (std::size_t tile = 0; tile < counts.size(); ++tile) {
@@ -88,6 +93,8 @@ PartNames used_parts(const Level& level) {
         return !std::holds_alternative<Segment>(curve.form) && !std::holds_alternative<Polyline>(curve.form);
       }))
     used.emplace("curves");
+  const bool has_slopes = used.contains("slopes") || used.contains("polygons") || used.contains("segments");
+  if (has_centre && has_slopes) used.emplace("walk");
   if (level.tuning.shared.balls_block != 0 && bodies > 1) used.emplace("pairs");
   const ExactTuning& exact = level.tuning.exact;
   if (used.contains("balls") && exact.rebound != 0 && exact.gravity > 0) used.emplace("flight");

@@ -15,6 +15,7 @@ constexpr double kSteepGround = 16;    // |dy/dx| of slopes down which bodies on
 constexpr Fine kDeep = 16;             // a middle that is less than so many roundings in a slope touches it
 constexpr Fine kMostBevel = 4 * kFinePx;  // the width of a low edge that is not upright
 constexpr int kMostRises = 16;            // parts that a body is lifted over, one after the other
+constexpr int kDeepestFloor = 8;          // widths of a body; so far below it may be the floor that leads on
 constexpr double kSameSpeed = 1e-6;
 
 Fine scaled(Fine length, double factor) { return std::llround(static_cast<double>(length) * factor); }
@@ -168,11 +169,29 @@ std::optional<Verdict> Judge::judge_contacts(const Body& before, const StepRecor
     const bool is_ground = contact.handled && !contact.overlaps && contact.other.body == 0;
     const bool is_placed = tuning_.solver == SolverKind::article && contact.slope.has_value();
     if (is_ground && !is_placed && !is_there(contact, before)) return Verdict{FindingKind::ghost};
-    const bool is_bevel = tuning_.solver == SolverKind::exact && is_steep(contact.normal);
+    const bool is_exact = tuning_.solver == SolverKind::exact,
+               is_bevel = is_exact && is_steep(contact.normal);
+    if (is_ground && is_exact && is_below_floor(before, contact)) return Verdict{FindingKind::stops};
     if (is_ground && !jumps && (contact.normal.y == 0 || is_bevel))
       if (const auto lip = lip_met(before, contact)) return lip;
   }
   return std::nullopt;
+}
+
+// Whether a body on its centre has met a side that lies below the floor below its middle.
+bool Judge::is_below_floor(const Body& body, const ContactRecord& contact) const {
+  if (body.foot != Foot::centre || contact.normal.y != 0) return false;
+  const FineBox box = fine_box({contact.touch.x, contact.touch.y, body.box.w, body.box.h});
+  const FineBox next = box.moved(scaled(kAhead, -contact.normal.x), 0);
+  const Fine rise = scaled(kAhead, tuning_.exact.steepest) + weld_;
+  const auto floor = floor_near(next, body.foot, rise, kDeepestFloor * (box.x1 - box.x0));
+  if (!floor) return false;
+  // What it touches by rounding alone stops it, too.
+  const auto passes_at = [&](Fine y) {
+    const FineBox goal = next.moved(0, std::min(y, *floor - next.y1));
+    return passes(box.moved(0, y), goal, body.foot, *floor);
+  };
+  return passes_at(0) && passes_at(-4 * slack_) && passes_at(4 * slack_);
 }
 
 // Whether it is that of a slope on which nobody stands.
@@ -202,7 +221,7 @@ bool Judge::is_free(const Rect& box, Foot foot, Corners corners) const {
     if (foot == Foot::box || has_middle) return false;
     const bool is_deep = between.y0 < between.y1 && !part.is_sloped() && part.meets(between);
     if (corners == Corners::in_any_floor && !is_deep) return true;
-    if (!line) line = floor_line(whole);
+    if (!line) line = floor_line(whole, whole.y1);
     const auto [from, to] = shared_x(part, whole);
     return line->covers(part, from, to);
   });
@@ -335,8 +354,9 @@ bool Judge::falls_through(const Body& before, const Body& after) const {
   });
 }
 
-// Whether anything stops a body that goes from one place to another one close by.
-bool Judge::passes(const FineBox& from, const FineBox& to, Foot foot) const {
+// Whether anything stops a body that goes from one place to another one close by. floor: the y of the floor
+// below its middle there.
+bool Judge::passes(const FineBox& from, const FineBox& to, Foot foot, Fine floor) const {
   const FineBox inner = from.shrunk(slack_), goal = to.shrunk(slack_);
   std::optional<FloorLine> line;
   return ground_.for_parts(hull(inner, goal), [&](const RawPart& part) {
@@ -346,7 +366,7 @@ bool Judge::passes(const FineBox& from, const FineBox& to, Foot foot) const {
     if (foot == Foot::centre && part.stops(inner.middle_line(), goal.middle_line())) return false;
     if (!part.stops(inner, goal)) return true;
     if (foot == Foot::box) return false;
-    if (!line) line = floor_line(to);
+    if (!line) line = floor_line(to, floor);
     const auto [x0, x1] = shared_x(part, to);
     return line->covers(part, x0, x1);
   });

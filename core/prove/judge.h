@@ -60,13 +60,17 @@ class Judge {
   std::optional<Verdict> gap_after(const Body& before, int direction) const;
   bool has_floor_to(Fine x, Fine y, int direction) const;
   std::optional<Verdict> judge_contacts(const Body& before, const StepRecord& record, bool jumps) const;
+  bool is_below_floor(const Body& body, const ContactRecord& contact) const;
   bool is_steep(Vec2 normal) const;
   std::optional<Verdict> judge_roll(const Body& before, const Body& after) const;
   std::optional<Verdict> lip_met(const Body& before, const ContactRecord& contact) const;
   Verdict lip_of(int direction, const Edge& edge) const;
   Ahead ahead_of(const Body& body, int direction) const;
   Ahead ahead_of(const Body& body, int direction, Fine way) const;
-  bool passes(const FineBox& from, const FineBox& to, Foot foot) const;
+  bool passes(const FineBox& from, const FineBox& to, Foot foot, Fine floor) const;
+  bool passes(const FineBox& from, const FineBox& to, Foot foot) const {
+    return passes(from, to, foot, to.y1);
+  }
   bool stops_at(const FineBox& from, const FineBox& to) const;
   bool stops_middle(const FineBox& from, const FineBox& to) const;
   bool falls_through(const Body& before, const Body& after) const;
@@ -82,8 +86,8 @@ class Judge {
   std::optional<Edge> bevel_at(const FineBox& box, Foot foot, int direction) const;
   std::optional<Edge> edge_at(const FineBox& box, Foot foot, int direction, Fine way) const;
   std::optional<Fine> rise_onto(const FineBox& from, FineBox box, Foot foot) const;
-  FloorLine floor_line(const FineBox& box) const {
-    return {ground_, box.middle(), box.y1, box.x0, box.x1, tuning_.exact.steepest, weld_};
+  FloorLine floor_line(const FineBox& box, Fine floor) const {
+    return {ground_, box.middle(), floor, box.x0, box.x1, tuning_.exact.steepest, weld_};
   }
 
   const RawGround& ground_;

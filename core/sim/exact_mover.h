@@ -115,10 +115,13 @@ class Mover {
 
   // Moves the body by `motion`. For each contact, first calls seen(contact, motion), then respond(contact,
   // motion), where motion is the one that the contact is a part of. respond may change the body's velocity,
-  // and returns the motion to go on with.
-  template <class Respond, class Seen>
-  Result move(Moving<Real>& body, Vec motion, Respond respond, Seen seen) {
+  // and returns the motion to go on with. Before that, of a body on its centre that meets a side, calls
+  // sinks(contact, motion, sunk), if it is given, with the Cast::sunk of its casts, px: more than 0 is a new
+  // one, with which it may pass.
+  template <class Respond, class Seen, class Sinks>
+  Result move(Moving<Real>& body, Vec motion, Respond respond, Seen seen, Sinks sinks) {
     Result result;
+    Real sunk = 0;              // px, as Cast::sunk
     std::optional<Vec> before;  // normal of the contact before
     const Piece<Real>* followed = nullptr;
     Vec after_following;
@@ -132,7 +135,7 @@ class Mover {
         break;
       }
       if (budget_ != nullptr) --budget_->left;
-      const Contact<Real>& contact = first_contact({body.box, motion, body.foot}, followed);
+      const Contact<Real>& contact = first_contact({body.box, motion, body.foot, sunk}, followed);
       if (!contact && budget_ != nullptr && budget_->seen < 1) {
         advance(body, motion * static_cast<Real>(budget_->seen));
         result.cut_short = true;
@@ -151,6 +154,12 @@ class Mover {
         continue;
       }
       ++result.passes;
+      if (body.foot == Foot::centre && contact.normal.y == 0) {
+        if (const Real depth = sinks(contact, motion, sunk); depth > 0) {
+          sunk = depth;
+          continue;
+        }
+      }
       seen(contact, motion);
       const Vec from = body.box.position();
       body.box.x = contact.position.x;
@@ -175,10 +184,16 @@ class Mover {
     return result;
   }
 
+  template <class Respond, class Seen>
+  Result move(Moving<Real>& body, Vec motion, Respond respond, Seen seen) {
+    return move(body, motion, respond, seen, [](const Contact<Real>&, Vec, Real) { return Real(0); });
+  }
+
  private:
   // Valid until the next call.
   const Contact<Real>& first_contact(const Cast<Real>& cast, const Piece<Real>* followed) {
-    const bool may_rest = rest_ != nullptr && followed == nullptr && RestMemo<Real>::is_fall(cast);
+    const bool may_rest =
+        rest_ != nullptr && followed == nullptr && cast.sunk == 0 && RestMemo<Real>::is_fall(cast);
     if (may_rest) {
       if (const Contact<Real>* known = rest_->find(cast)) {
         if (budget_ != nullptr) budget_->left -= rest_->work();

@@ -24,6 +24,10 @@ const std::shared_ptr<const BasicTerrain<Real>>& ground_of(const Scene& scene) {
   }
 }
 
+// A body in the air passes the side of a tile to which a floor leads up from below its middle, if that is at
+// most so many of its widths lower: those of a slope of 16 to 1.
+constexpr int kDeepestFloor = 8;
+
 template <class Real>
 class ExactSolver final : public Solver {
  public:
@@ -325,14 +329,28 @@ class ExactSolver final : public Solver {
       note_after(after);
       return after;
     };
-    const auto result = mover.move(moving, motion, answer, [&](const Contact<Real>& contact, Vec way) {
+    const auto seen = [&](const Contact<Real>& contact, Vec way) {
       if (record_ != nullptr) note(state.bodies[index], contact, way);
-    });
+    };
+    const auto sinks = [&](const Contact<Real>& contact, Vec way, Real sunk) {
+      return depth_below_floor(moving, contact, way.y, sunk);
+    };
+    const auto result = mover.move(moving, motion, answer, seen, sinks);
     if (record_ == nullptr) return result.held;
     if (result.wedged) note_after({});
     if (result.cut_short) note_cut_short();
     record_->paths.back().capped = record_->paths.back().capped || result.capped;
     return result.held;
+  }
+
+  // px, as Cast::sunk: how deep the corners of a body on its centre are to be below the floor, if that leads
+  // over the side that a corner has met on its way, which ends y px lower. 0: the side stops it.
+  Real depth_below_floor(const Moving<Real>& moving, const Contact<Real>& contact, Real y, Real sunk) {
+    FloorWalk<Real> over(ground_, others_, 1, numbers_.steepest, &budget_, sunk);
+    Moving<Real> there = moving;
+    put(there, contact.position);
+    const Real goal_y = contact.position.y + std::max<Real>(y, 0) * (1 - contact.t);
+    return over.sinks(there, contact, goal_y, moving.box.w * kDeepestFloor) ? over.sunk() : 0;
   }
 
   // Finds the other bodies that the motion may meet, however contacts turn it. Returns false if there are

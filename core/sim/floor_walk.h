@@ -41,10 +41,15 @@ class FloorWalk {
   using Vec = BasicVec2<Real>;
 
   // others: boxes that stop the body as tiles do. direction: -1 or 1. steepest: the largest |dy/dx| of a
-  // floor. budget: of all casts together; null: no limit.
+  // floor. budget: of all casts together; null: no limit. sunk: px, as Cast::sunk, at first.
   FloorWalk(const BasicTerrain<Real>& ground, std::span<const BasicRect<Real>> others, Real direction,
-            Real steepest, CastBudget* budget)
-      : ground_(ground), others_(others), direction_(direction), steepest_(steepest), budget_(budget) {}
+            Real steepest, CastBudget* budget, Real sunk = 0)
+      : ground_(ground),
+        others_(others),
+        direction_(direction),
+        steepest_(steepest),
+        budget_(budget),
+        sunk_(sunk) {}
 
   // The floor on which the body goes on, up to `reach` px below it. Nothing: there is none, or it is too
   // steep. One that begins up to kMostLip higher or lower is one with the floor before: the body is put on
@@ -193,18 +198,21 @@ class FloorWalk {
 
   // Whether what the body met lies below the floor that its foot walks on, as the side of the tile below the
   // next piece does. From then on the lowest part of the body's corners meets nothing. `body` is at the
-  // contact; goal_y: px, of the place to which it was going.
-  bool sinks(const Moving<Real>& body, const Contact<Real>& contact, Real goal_y) {
+  // contact; goal_y: px, of the place to which it was going; fall: px, as for floor_leads_over().
+  bool sinks(const Moving<Real>& body, const Contact<Real>& contact, Real goal_y, Real fall = 0) {
     if (body.foot != Foot::centre || contact.is_other || !ground_.has_pieces()) return false;
     const auto spot = corner_met(body, contact);
     if (!spot) return false;
     const Real depth = std::max(std::max(body.box.y, goal_y) + body.box.h - spot->y, Real(kFloorStep));
     const bool is_all = contact.facing == Facing::down || depth > body.box.h;
     const Real sunk = is_all ? body.box.h : depth;
-    if (!(sunk > sunk_) || !floor_leads_over(body, *spot)) return false;
+    if (!(sunk > sunk_) || !floor_leads_over(body, *spot, fall)) return false;
     sunk_ = sunk;
     return true;
   }
+
+  // px, as Cast::sunk: how much of the lowest part of its corners meets nothing.
+  Real sunk() const { return sunk_; }
 
   // Whether a box has met the side of a floor that begins up to kMostLip higher. It is put on that floor.
   bool climbs(Moving<Real>& body, const Contact<Real>& contact) const {
@@ -379,11 +387,20 @@ class FloorWalk {
   }
 
   // Whether the floor goes on from the middle of the body to the x of the spot, and is not below it there.
-  bool floor_leads_over(const Moving<Real>& body, Vec spot) const {
+  // fall: px; a floor up to so far below the middle of a body in the air counts, however steep it is there.
+  bool floor_leads_over(const Moving<Real>& body, Vec spot, Real fall) const {
     const Real middle = body.box.x + body.box.w / 2;
     Moving<Real> point{{middle, body.box.y, 0, body.box.h}, {}, Foot::box};
+    Real steepest = steepest_;
+    if (fall > 0) {
+      const Contact<Real> below =
+          cast_box<Real>(ground_, {point.box, {0, fall}, point.foot}, {}, nullptr, budget_);
+      if (!below || below.facing != Facing::up) return false;
+      point.box.y = below.position.y;
+      steepest = std::max(steepest, 2 * std::abs(slope_of(below.normal)));
+    }
     const Real direction = spot.x < middle ? -1 : 1;
-    FloorWalk walk(ground_, {}, direction, steepest_, budget_);
+    FloorWalk walk(ground_, {}, direction, steepest, budget_);
     for (int i = 0; i < kMostPiecesUnder && point.box.x != spot.x; ++i) {
       const auto floor = walk.look_ahead(point, 1);
       if (!floor) return false;
@@ -392,7 +409,7 @@ class FloorWalk {
       // Another floor may cross it, further on or just here.
       const Contact<Real> met = walk.cast_to(*floor, point, goal);
       if (met && met.facing == Facing::up) {
-        const bool is_here = met.t == 0 && is_level(met, steepest_);
+        const bool is_here = met.t == 0 && is_level(met, steepest);
         const auto crossing = is_here ? walk.floor_met(point, met) : std::nullopt;
         if (crossing)
           goal = walk.goal_on(*crossing, point.box, spot.x - point.box.x, point.foot);
@@ -410,7 +427,7 @@ class FloorWalk {
   const std::span<const BasicRect<Real>> others_;
   const Real direction_, steepest_;
   CastBudget* const budget_;
-  Real sunk_ = 0;                    // px, as Cast::sunk
+  Real sunk_;                        // px, as Cast::sunk
   std::optional<Real> joint_asked_;  // px, x at which floor_to_joint() was last asked
 };
 

@@ -233,6 +233,36 @@ TEST(Judge, FindsALowEdgeThatTurnsABallBack) {
   EXPECT_FALSE(c.verdict(false)) << "a wall";
 }
 
+// A corner of a body on its centre meets the side of a tile to which a one-way slope leads up.
+TEST(Judge, FindsABallThatStopsBelowItsFloor) {
+  for (const double above : {0.0, 3.0}) {  // the slope, px
+    for (const bool one_way : {true, false}) {
+      Case c;
+      c.level.tuning.solver = SolverKind::exact;
+      c.level.tile_shapes[3] = {.kind = TileShape::Kind::slope, .one_way = one_way, .heights = {0, 8}};
+      c.level.map.set({7, 11}, 3);
+      c.level.map.set({8, 11}, 1);  // 64 px from the left
+      for (Body* body : {&c.before, &c.after}) {
+        body->kind = BodyKind::ball;
+        body->foot = Foot::centre;
+        body->gait = {};
+        body->box = {56, kFloor - 12 - above, 8, 8};
+      }
+      c.before.box.x = 54;
+      c.before.box.y = kFloor - 10 - above;
+      ContactRecord contact;
+      contact.handled = true;
+      contact.normal = {-1, 0};
+      contact.touch = c.after.box.position();
+      contact.move = {4, -4};
+      c.record.contacts = {contact};
+      EXPECT_EQ(c.kind(false), FindingKind::stops) << above << one_way;
+      c.level.map.set({8, 10}, 1);  // a wall
+      EXPECT_EQ(c.kind(false), std::nullopt) << above << one_way;
+    }
+  }
+}
+
 // A body on its centre whose corner is in a slope falls beside the slope: it does not stand there.
 TEST(Judge, AWallBesideAFallingBodyIsNoLip) {
   Case c;

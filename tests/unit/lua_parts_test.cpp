@@ -66,20 +66,24 @@ std::string parts_of(const Level& level, std::string_view more = {}) {
 TEST(LuaParts, ALevelShipsThePartsThatItUses) {
   EXPECT_EQ(parts_of(Level()), "");
   EXPECT_EQ(parts_of(flat_level()), "balls ");
-  EXPECT_EQ(parts_of(flat_level(BodyKind::player)), "players ");
+  EXPECT_EQ(parts_of(flat_level(BodyKind::player)), "walk players ");
   EXPECT_EQ(parts_of(with_slope(flat_level())), "slopes balls ");
   EXPECT_EQ(parts_of(with_slope(flat_level(), true)), "slopes one_way balls ");
   EXPECT_EQ(parts_of(with_curve(flat_level(), Segment{{8, 8}, {16, 8}})), "slopes segments balls ");
   EXPECT_EQ(parts_of(with_curve(flat_level(), kHill)), "slopes segments curves balls ");
   Level level = flat_level();
   level.spawns.push_back(flat_level(BodyKind::player).spawns[0]);
-  EXPECT_EQ(parts_of(level), "balls players pairs ");
+  EXPECT_EQ(parts_of(level), "balls walk players pairs ");
   level.tuning.shared.balls_block = 0;
-  EXPECT_EQ(parts_of(level), "balls players ");
+  EXPECT_EQ(parts_of(level), "balls walk players ");
+  Level on_centre = flat_level();
+  on_centre.spawns[0].foot = Foot::centre;
+  EXPECT_EQ(parts_of(on_centre), "balls ");
+  EXPECT_EQ(parts_of(with_slope(on_centre)), "slopes balls walk ");
 }
 
 TEST(LuaParts, OtherPartsCanBeChosen) {
-  EXPECT_EQ(parts_of(flat_level(), "pairs,  players"), "balls players pairs ");
+  EXPECT_EQ(parts_of(flat_level(), "pairs,  players"), "balls walk players pairs ");
   EXPECT_EQ(parts_of(flat_level(), ",balls,"), "balls ");
   EXPECT_EQ(parts_of(Level(), "curves"), "slopes segments curves ");
   const auto wrong = lua_parts(flat_level(), "pairs,plyers");
@@ -87,8 +91,7 @@ TEST(LuaParts, OtherPartsCanBeChosen) {
   EXPECT_EQ(
       wrong.error().message,
       "\"plyers\" is not a part of the runtime; the parts are slopes, one_way, polygons, segments, curves, "
-      "balls, flight, players, "
-      "pairs, mouse");
+      "balls, flight, walk, players, pairs, mouse");
 }
 
 // Words that occur in the code of one part only.
@@ -98,6 +101,7 @@ const std::map<std::string, std::string> kMarks = {
     {"segments", "segment|polyline|cutter|curves"},
     {"curves", "curve_|stretch|tangent|bends|\\barc\\b|sine|newton"},
     {"balls", "\\bballs?\\b|bounce|friction"},
+    {"walk", "floor_leads_over|look_ahead"},
     {"players", "players?\\b|jump|coyote|run_speed"},
     {"pairs", "block_cells|near\\b"},
     {"mouse", "mouse|drag|grab"}};

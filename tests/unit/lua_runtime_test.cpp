@@ -274,6 +274,37 @@ TEST_F(LuaRuntime, GivesTheBitsOfWalksAlongWalkways) {
   expect_same_bits();
 }
 
+// Bodies on their centre roll and jump over one-way slopes onto full tiles.
+TEST_F(LuaRuntime, GivesTheBitsOfWaysOverOneWaySlopes) {
+  for (const double rise : {2.0, 4.0, 8.0}) {
+    Level level;
+    level.map = TileMap(40, 14);
+    level.tile_shapes[1] = {.kind = TileShape::Kind::solid};
+    for (int x = 0; x < 40; ++x) level.map.set({x, 12}, 1);
+    for (int i = 0; i * rise < 8; ++i) {
+      const auto tile = static_cast<TileNumber>(2 + i);
+      level.tile_shapes[tile] = {
+          .kind = TileShape::Kind::slope, .one_way = true, .heights = {i * rise, (i + 1) * rise}};
+      level.map.set({16 + i, 11}, tile);
+    }
+    for (int x = 16 + static_cast<int>(8 / rise); x < 40; ++x) level.map.set({x, 11}, 1);
+    level.tuning.shared.balls_block = 0;
+    level.tuning.shared.drift_speed = 1.3;
+    for (int i = 0; i < 12; ++i) {
+      Spawn& spawn = level.spawns.emplace_back();
+      spawn.kind = i < 4 ? BodyKind::player : BodyKind::ball;
+      spawn.foot = Foot::centre;
+      spawn.size = {6.0 + i, 8};
+      spawn.position = {20.0 + 7.3 * i, 75.0 - i};
+    }
+    CaseInput right, jump;
+    right.frame = 1, jump.frame = 35;
+    right.right = jump.right = jump.jump = true;
+    add(level, 150, {right, jump}, "rise of " + std::to_string(rise));
+  }
+  expect_same_bits();
+}
+
 std::vector<CaseInput> random_input(Dice& dice, int frames, double width, double height) {
   std::vector<CaseInput> entries;
   for (int frame = 1; frame < frames; frame += 1 + dice.up_to(12)) {
