@@ -34,11 +34,18 @@ std::vector<std::string_view> tokens_of(std::string_view text) {
 }
 
 struct Names {
-  std::set<std::string_view> all, locals, fields;
+  std::set<std::string_view> all, locals, fields, methods;
+
+  bool are_renamed(std::string_view name) const {
+    if (fields.count(name) != 0) return false;
+    if (std::find(std::begin(kGlobals), std::end(kGlobals), name) != std::end(kGlobals)) return false;
+    return locals.count(name) != 0 || methods.count(name) != 0;
+  }
 };
 
-// `spaced` has the blanks and line breaks between the tokens, too.
-Names names_in(const std::vector<std::string_view>& spaced) {
+// `spaced` has the blanks and line breaks between the tokens, too. inner: tables whose methods may get other
+// names.
+Names names_in(const std::vector<std::string_view>& spaced, std::initializer_list<std::string_view> inner) {
   std::vector<std::string_view> tokens;  // a line break ends a list of locals
   std::copy_if(spaced.begin(), spaced.end(), std::back_inserter(tokens),
                [](auto token) { return token != " "; });
@@ -59,7 +66,15 @@ Names names_in(const std::vector<std::string_view>& spaced) {
     names.all.insert(token);
     const bool is_key = braces > 0 && (before == "{" || before == ",") && after == "=" && list == List::none;
     const bool is_concatenated = before == "." && i > 1 && tokens[i - 2] == ".";
-    if ((before == "." && !is_concatenated) || before == ":" || is_key) {
+    const bool is_field = before == "." && !is_concatenated;
+    if (is_field || before == ":") {
+      const std::string_view of = i > 1 ? tokens[i - 2] : "";
+      const bool is_inner = std::find(inner.begin(), inner.end(), of) != inner.end();
+      const bool is_defined = i > 2 && tokens[i - 3] == "function";
+      if (is_inner && is_defined) names.methods.insert(token);
+      // Who has a method that is called is not known here.
+      if (!is_inner && (is_field || is_defined)) names.fields.insert(token);
+    } else if (is_key) {
       names.fields.insert(token);
     } else if (list == List::locals || (list == List::parameters && (before == "(" || before == ",")) ||
                (before == "function" && i > 1 && tokens[i - 2] == "local")) {
@@ -79,14 +94,12 @@ std::string short_name(std::size_t n) {
 
 }  // namespace
 
-std::string with_short_names(const std::string& lua) {
+std::string with_short_names(const std::string& lua, std::initializer_list<std::string_view> inner) {
   const std::vector<std::string_view> tokens = tokens_of(lua);
-  const Names names = names_in(tokens);
+  const Names names = names_in(tokens, inner);
   std::map<std::string_view, std::size_t> bytes;  // that each name takes
   for (const std::string_view token : tokens) {
-    const bool is_kept = std::find(std::begin(kGlobals), std::end(kGlobals), token) != std::end(kGlobals);
-    if (names.locals.count(token) != 0 && names.fields.count(token) == 0 && !is_kept)
-      bytes[token] += token.size();
+    if (names.are_renamed(token)) bytes[token] += token.size();
   }
   std::vector<std::pair<std::string_view, std::size_t>> by_size(bytes.begin(), bytes.end());
   std::stable_sort(by_size.begin(), by_size.end(),

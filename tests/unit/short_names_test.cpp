@@ -21,6 +21,17 @@ TEST(ShortNames, FieldsMethodsKeysAndStringsStay) {
             "function a.make(name) return {a.size, name = name} end\n");
 }
 
+TEST(ShortNames, OfMethodsOfInnerTablesThatNothingElseHas) {
+  const std::string code =
+      "local Walk, World = {}, {}\nfunction Walk:turn() return self.ahead end\nfunction Walk.ahead() end\n"
+      "function Walk.slack(walk) return walk:turn() + Walk.slack(walk) end\n"
+      "function World:floor() return (\"\"):format() end\nfunction Walk:floor() return self:format() end\n";
+  EXPECT_EQ(with_short_names(code, {"Walk"}),
+            "local a, c = {}, {}\nfunction a:e() return self.ahead end\nfunction a.ahead() end\n"
+            "function a.d(b) return b:e() + a.d(b) end\n"
+            "function c:floor() return (\"\"):format() end\nfunction a:floor() return self:format() end\n");
+}
+
 TEST(ShortNames, NamesOfLuaAndGlobalsStay) {
   const std::string code = "local floor = math.floor\nprint(floor(x), pairs, type)\n";
   EXPECT_EQ(with_short_names(code), code);
