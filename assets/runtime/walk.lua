@@ -270,29 +270,27 @@ function Walk:corner_met(box, contact)
 end
 
 -- Whether the floor goes on from the middle of the body to a place, and is not below it there. fall: px; a floor up
--- to so far below the middle of a body in the air counts, however steep it is there.
+-- to so far below the middle of a body in the air counts.
 function Walk:floor_leads_over(box, spot_x, spot_y, fall)
   local point = {x = box.x + box.w / 2, y = box.y, w = 0.0, h = box.h, centre = false}
-  local steepest = self.steepest
-  if fall > 0 then
-    local below = self:cast(point, 0.0, fall, nil, 0.0)
-    if not below or below.facing ~= UP then return false end
-    point.y = below.y
-    steepest = max(steepest, 2 * abs(-below.nx / below.ny))
-  end
   local direction = spot_x < point.x and -1 or 1
-  local under = setmetatable({terrain = self.terrain, direction = direction, steepest = steepest, sunk = 0.0},
+  local under = setmetatable({terrain = self.terrain, direction = direction, steepest = self.steepest, sunk = 0.0},
                              Walk)
-  for _ = 1, UNDER do
+  for i = 1, UNDER do
     if point.x == spot_x then break end
-    local on = under:look_ahead(point, 1.0)
+    local falls = i == 1 and fall > 0
+    local on = under:look_ahead(point, falls and fall or 1.0)
     if not on then return false end
+    if falls then
+      local _, y = Walk.place_on(on, point, point.x)
+      point.y = y
+    end
     local goal_x, goal_y = under:goal_on(on, point, spot_x - point.x)
     if goal_x == point.x then return false end
     -- Another floor may cross it, further on or just here.
     local met = under:cast_to(on, point, goal_x, goal_y)
     if met and met.facing == UP then
-      local is_here = met.t == 0 and is_level(met, steepest)
+      local is_here = met.t == 0 and is_level(met, self.steepest)
       local crossing = is_here and under:floor_met(point, met) or nil
       if crossing then
         goal_x, goal_y = under:goal_on(crossing, point, spot_x - point.x)

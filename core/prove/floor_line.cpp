@@ -36,14 +36,49 @@ void FloorLine::follow(const RawGround& ground, Point from, Fine until, double s
       if (top.is_steeper_than(steepest, next) || top.is_steeper_than(steepest, end)) return true;
       const Fine height = top.at(next);
       if (best && height >= best_height) return true;
+      if (ground.is_solid_at(next, height - 2 * slack_))
+        return true;  // where a solid goes on in the next cell
       best = Point{end, top.at(end)};
       best_height = height;
       return true;
     });
     if (!best) return;
-    points_.push_back(*best);
-    from = *best;
+    const Point end = end_of_way(ground, from, *best);
+    points_.push_back(end);
+    if (end.x != best->x) return;
+    from = end;
   }
+}
+
+// Where a piece of the line goes into ground, found to a slack; else its end.
+FloorLine::Point FloorLine::end_of_way(const RawGround& ground, Point from, Point to) const {
+  const RawLine line =
+      from.x < to.x ? RawLine{from.x, from.y, to.x, to.y} : RawLine{to.x, to.y, from.x, from.y};
+  const bool right = from.x < to.x;
+  Fine end = to.x;
+  const FineBox area{line.x0, std::min(from.y, to.y), line.x1, std::max(from.y, to.y)};
+  ground.for_parts(area, [&](const RawPart& part) {
+    const Fine x0 = std::max(part.top.x0, line.x0), x1 = std::min(part.top.x1, line.x1);
+    if (part.kind != RawPart::Kind::solid || x1 - x0 <= 2 * slack_) return true;
+    const auto is_inside = [&](Fine x) {
+      const Fine y = line.at(x);
+      return y > part.top.at(x) + slack_ && y < part.bottom.at(x) - slack_;
+    };
+    Fine free = right ? x0 : x1, inside = right ? x0 + slack_ : x1 - slack_;
+    for (const Fine x : {inside, (x0 + x1) / 2, right ? x1 - slack_ : x0 + slack_}) {
+      inside = x;
+      if (is_inside(x)) break;
+      free = x;
+    }
+    if (!is_inside(inside)) return true;
+    while (std::abs(inside - free) > slack_) {
+      const Fine middle = free + (inside - free) / 2;
+      (is_inside(middle) ? inside : free) = middle;
+    }
+    if (right ? free < end : free > end) end = free;
+    return true;
+  });
+  return {end, end == to.x ? to.y : line.at(end)};
 }
 
 Fine FloorLine::at(Fine x) const {

@@ -1,5 +1,5 @@
 // FloorLine: the floor that goes on, without an edge, from the place where a body stands to both of its
-// sides.
+// sides. It ends where it goes into other ground.
 #pragma once
 
 #include <vector>
@@ -37,6 +37,7 @@ class FloorLine {
     Fine x, y;
   };
   void follow(const RawGround& ground, Point from, Fine until, double steepest);
+  Point end_of_way(const RawGround& ground, Point from, Point to) const;
 
   std::vector<Point> points_;  // from left to right; empty: there is no floor at the place
   Fine slack_;

@@ -185,13 +185,23 @@ bool Judge::is_below_floor(const Body& body, const ContactRecord& contact) const
   const FineBox next = box.moved(scaled(kAhead, -contact.normal.x), 0);
   const Fine rise = scaled(kAhead, tuning_.exact.steepest) + weld_;
   const auto floor = floor_near(next, body.foot, rise, kDeepestFloor * (box.x1 - box.x0));
-  if (!floor) return false;
+  if (!floor || has_side_above(next, rise, *floor)) return false;
   // What it touches by rounding alone stops it, too.
   const auto passes_at = [&](Fine y) {
     const FineBox goal = next.moved(0, std::min(y, *floor - next.y1));
     return passes(box.moved(0, y), goal, body.foot, *floor);
   };
   return passes_at(0) && passes_at(-4 * slack_) && passes_at(4 * slack_);
+}
+
+// Whether the middle of a box is above a slope on which nobody stands, and that above a floor, y. rise: the
+// slope may be so much higher than the bottom of the box.
+bool Judge::has_side_above(const FineBox& box, Fine rise, Fine floor) const {
+  const Fine middle = box.middle(), highest = box.y1 - rise;
+  return !ground_.for_parts({middle, highest, middle, floor}, [&](const RawPart& part) {
+    const Fine y = part.top.at(middle);
+    return !part.is_floor() || part.top.x0 > middle || part.top.x1 < middle || y < highest || y >= floor;
+  });
 }
 
 // Whether it is that of a slope on which nobody stands.
@@ -258,7 +268,7 @@ bool Judge::is_on_floor(const Body& body) const {
   if (!floor) return false;
   // Where two steep slopes meet just on a floor, that is in the ground on both sides.
   const Fine y = *floor - scaled(kAhead, tuning_.exact.steepest) - weld_;
-  return !is_solid_at(box.middle() - kAhead, y) || !is_solid_at(box.middle() + kAhead, y);
+  return !ground_.is_solid_at(box.middle() - kAhead, y) || !ground_.is_solid_at(box.middle() + kAhead, y);
 }
 
 FineBox Judge::inside_of(const Body& body) const {
@@ -284,12 +294,6 @@ bool Judge::has_floor_above(const FineBox& box, Foot foot, Fine way) const {
   });
 }
 
-bool Judge::is_solid_at(Fine x, Fine y) const {
-  const FineBox point{x - 1, y - 1, x + 1, y + 1};
-  return !ground_.for_parts(
-      point, [&](const RawPart& part) { return part.kind != RawPart::Kind::solid || !part.meets(point); });
-}
-
 // Whether the floor on which the body stood leads on, without an edge, to where it is after the step.
 bool Judge::floor_goes_on(const Body& before, const Body& after, int direction) const {
   const FineBox from = fine_box(before.box), to = fine_box(after.box);
@@ -301,7 +305,7 @@ bool Judge::floor_goes_on(const Body& before, const Body& after, int direction) 
                          weld_);
     if (!line.reaches(x, goal)) return false;
     const Fine y = line.at_end(direction, to.y1);
-    if (is_solid_at(goal, y - 2 * weld_)) return false;  // it goes on below a wall
+    if (ground_.is_solid_at(goal, y - 2 * weld_)) return false;  // it goes on below a wall
     const FineBox there = to.moved(0, y - to.y1);
     return !has_floor_above(there, after.foot, kFinePx + std::abs(to.x0 - from.x0));
   };

@@ -61,6 +61,7 @@ class Judge {
   bool has_floor_to(Fine x, Fine y, int direction) const;
   std::optional<Verdict> judge_contacts(const Body& before, const StepRecord& record, bool jumps) const;
   bool is_below_floor(const Body& body, const ContactRecord& contact) const;
+  bool has_side_above(const FineBox& box, Fine rise, Fine floor) const;
   bool is_steep(Vec2 normal) const;
   std::optional<Verdict> judge_roll(const Body& before, const Body& after) const;
   std::optional<Verdict> lip_met(const Body& before, const ContactRecord& contact) const;
@@ -76,7 +77,6 @@ class Judge {
   bool falls_through(const Body& before, const Body& after) const;
   bool has_floor_above(const FineBox& box, Foot foot, Fine way) const;
   FineBox inside_of(const Body& body) const;  // what meets lines: the box, or the middle of it
-  bool is_solid_at(Fine x, Fine y) const;
   bool floor_goes_on(const Body& before, const Body& after, int direction) const;
   bool is_on_end(const FineBox& box, Foot foot, bool bottom) const;
   enum class Under { corners, middle_of_slopes };  // what stands on slopes

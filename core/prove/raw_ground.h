@@ -99,6 +99,12 @@ class RawGround {
     return !curves_.empty() && !for_curves(area, [&](const RawPart& part) { return !touches(part, area); });
   }
 
+  bool is_solid_at(Fine x, Fine y) const {
+    const FineBox point{x - 1, y - 1, x + 1, y + 1};
+    return !for_parts(
+        point, [&](const RawPart& part) { return part.kind != RawPart::Kind::solid || !part.meets(point); });
+  }
+
   // Calls use(part) for each part that may meet the area, or touch it. use returns false to end the search;
   // then for_parts() does.
   template <class Use>

@@ -387,29 +387,23 @@ class FloorWalk {
   }
 
   // Whether the floor goes on from the middle of the body to the x of the spot, and is not below it there.
-  // fall: px; a floor up to so far below the middle of a body in the air counts, however steep it is there.
+  // fall: px; a floor up to so far below the middle of a body in the air counts.
   bool floor_leads_over(const Moving<Real>& body, Vec spot, Real fall) const {
     const Real middle = body.box.x + body.box.w / 2;
     Moving<Real> point{{middle, body.box.y, 0, body.box.h}, {}, Foot::box};
-    Real steepest = steepest_;
-    if (fall > 0) {
-      const Contact<Real> below =
-          cast_box<Real>(ground_, {point.box, {0, fall}, point.foot}, {}, nullptr, budget_);
-      if (!below || below.facing != Facing::up) return false;
-      point.box.y = below.position.y;
-      steepest = std::max(steepest, 2 * std::abs(slope_of(below.normal)));
-    }
     const Real direction = spot.x < middle ? -1 : 1;
-    FloorWalk walk(ground_, {}, direction, steepest, budget_);
+    FloorWalk walk(ground_, {}, direction, steepest_, budget_);
     for (int i = 0; i < kMostPiecesUnder && point.box.x != spot.x; ++i) {
-      const auto floor = walk.look_ahead(point, 1);
+      const bool falls = i == 0 && fall > 0;
+      const auto floor = walk.look_ahead(point, falls ? fall : 1);
       if (!floor) return false;
+      if (falls) point.box.y = walk.place_on(*floor, point.box, point.box.x, point.foot).y;
       Vec goal = walk.goal_on(*floor, point.box, spot.x - point.box.x, point.foot);
       if (goal.x == point.box.x) return false;
       // Another floor may cross it, further on or just here.
       const Contact<Real> met = walk.cast_to(*floor, point, goal);
       if (met && met.facing == Facing::up) {
-        const bool is_here = met.t == 0 && is_level(met, steepest);
+        const bool is_here = met.t == 0 && is_level(met, steepest_);
         const auto crossing = is_here ? walk.floor_met(point, met) : std::nullopt;
         if (crossing)
           goal = walk.goal_on(*crossing, point.box, spot.x - point.box.x, point.foot);
