@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../collision/tile_outlines.h"
+#include "tile_color.h"
 
 namespace talus {
 namespace {
@@ -222,9 +223,11 @@ class Drawer {
     const int solid = level_.roles.solid;
     const bool is_plain = flags == 0 || (shape.kind == TileShape::Kind::solid && has_flag(flags, solid) &&
                                          flags == flag_bit(solid));
-    return is_plain && shape_of_tile(level_, static_cast<TileNumber>(tile)) == shape &&
-           std::equal(image.begin(), image.end(), sheet.images[tile].begin(),
-                      [](std::uint8_t a, std::uint8_t b) { return (a == 0) == (b == 0); });
+    if (!is_plain || shape_of_tile(level_, static_cast<TileNumber>(tile)) != shape) return false;
+    const std::uint64_t drawn = drawn_pixels(level_, static_cast<TileNumber>(tile));
+    for (std::size_t i = 0; i < image.size(); ++i)
+      if ((image[i] != 0) != ((drawn >> i & 1) != 0)) return false;
+    return true;
   }
 
   // A tile that already looks like this, or was drawn so, or can be drawn so; nothing if there are no more
@@ -242,8 +245,8 @@ class Drawer {
     for (int tile = 1; tile < level_.tile_count(); ++tile)
       if (is_alike(tile, image, shape)) return static_cast<TileNumber>(tile);
     for (int tile = 1; tile < level_.tile_count(); ++tile) {
-      const bool blank = sheet.images[tile] == TileImage{} && level_.tile_shapes[tile] == TileShape() &&
-                         sheet.flags[tile] == 0 && !used_[tile];
+      const bool blank = is_blank(level_, static_cast<TileNumber>(tile)) &&
+                         level_.tile_shapes[tile] == TileShape() && sheet.flags[tile] == 0 && !used_[tile];
       if (!blank) continue;
       used_[tile] = true;
       drawn_.push_back({static_cast<TileNumber>(tile), image, shape});
@@ -343,7 +346,7 @@ class Chooser {
   }
 
   bool is_mere_picture(int tile) const {
-    return level_.sheet(SheetId::tiles).images[tile] != TileImage{} &&
+    return !is_blank(level_, static_cast<TileNumber>(tile)) &&
            shape_of_tile(level_, static_cast<TileNumber>(tile)).kind == TileShape::Kind::none;
   }
 

@@ -47,4 +47,21 @@ bool is_blank(const Level& level, TileNumber tile) {
   return std::all_of(image.begin(), image.end(), [](std::uint8_t color) { return color == 0; });
 }
 
+std::uint64_t drawn_pixels(const Level& level, TileNumber tile) {
+  const Sheet& sheet = level.sheet(SheetId::tiles);
+  const TileSize size = level.map.tile_size();
+  const Cell place = sheet.layout().place_of(tile);
+  std::uint64_t drawn = 0;
+  for (int i = 0; i < kCartTileSize * kCartTileSize; ++i) {
+    const int x = pixel_of_side(i % kCartTileSize, size.width);
+    const int y = pixel_of_side(i / kCartTileSize, size.height);
+    const bool is_drawn =
+        sheet.picture != nullptr
+            ? sheet.picture->at(place.x * size.width + x, place.y * size.height + y)[3] >= kHalfOpaque
+            : sheet.images[tile][static_cast<std::size_t>(i)] != 0;
+    drawn |= std::uint64_t{is_drawn} << i;
+  }
+  return drawn;
+}
+
 }  // namespace talus

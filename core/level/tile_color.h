@@ -8,6 +8,9 @@
 
 namespace talus {
 
+// The pixel of a side of so many px, from 0, that stands for pixel i, 0..7, of an image of 8x8.
+constexpr int pixel_of_side(int i, int side) { return (2 * i + 1) * side / (2 * kCartTileSize); }
+
 // The colour, 0..15, of an image at a pixel of a tile of that size, which it fills.
 std::uint8_t color_at(const TileImage& image, TileSize tile, int x, int y);
 
@@ -18,6 +21,9 @@ std::uint8_t main_color(std::span<const std::uint8_t> pixels);
 bool is_clear(const SheetPicture& picture, const SheetLayout& layout, TileNumber tile, TileSize size);
 // Whether nothing is seen of a tile of the level: in true colour, if its sheet has it.
 bool is_blank(const Level& level, TileNumber tile);
+// Which pixels of a tile's image of 8x8 are drawn, row by row, from the lowest bit: those that are at least
+// half opaque in true colour, if its sheet has it, else those that are not colour 0.
+std::uint64_t drawn_pixels(const Level& level, TileNumber tile);
 
 // The colour of a pixel of a tile, as the map shows it: what is not opaque lies over colour 0. x, y: px of
 // the map from the corner of the cell.

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <memory>
 
+#include "tile_color.h"
+
 namespace talus {
 namespace {
 
@@ -54,11 +56,10 @@ void put_look(const TileLook& look, TileSize size, int tile, Sheet& sheet) {
 }
 
 TileImage image_of(const std::vector<std::uint8_t>& rgba, TileSize size, const Palette& palette) {
-  constexpr int kHalfOpaque = 128;
   TileImage image{};
   for (int i = 0; i < kCartTileSize * kCartTileSize; ++i) {
-    const int x = (2 * (i % kCartTileSize) + 1) * size.width / (2 * kCartTileSize);
-    const int y = (2 * (i / kCartTileSize) + 1) * size.height / (2 * kCartTileSize);
+    const int x = pixel_of_side(i % kCartTileSize, size.width);
+    const int y = pixel_of_side(i / kCartTileSize, size.height);
     const std::uint8_t* const pixel = &rgba[static_cast<std::size_t>(kBytes * (y * size.width + x))];
     if (pixel[3] >= kHalfOpaque)
       image[static_cast<std::size_t>(i)] = nearest_color({pixel[0], pixel[1], pixel[2]}, palette);

@@ -141,7 +141,6 @@ Edit put_pixels(const Level& level, const SpriteArea& area, const PixelBlock& bl
 PixelBlock in_colors_of(const Level& level, SheetId sheet, const PixelBlock& block) {
   const bool wanted = is_in_rgba(level, sheet);
   if (wanted == block.in_rgba) return block;
-  constexpr int kHalfOpaque = 128;
   PixelBlock other{block.w, block.h, {}, wanted};
   other.colors.reserve(block.colors.size());
   for (const PixelColor color : block.colors) {

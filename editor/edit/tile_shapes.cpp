@@ -11,6 +11,7 @@
 
 #include <talus/collision/shape_forms.h>
 #include "level/picture_tiles.h"
+#include "level/tile_color.h"
 #include "polygon_tools.h"
 
 namespace talus {
@@ -44,7 +45,6 @@ struct Columns {
   int opaque = 0;
 
   Columns(const Level& level, int tile, int tiles) {
-    constexpr std::uint8_t kHalfOpaque = 128;
     const Sheet& sheet = level.sheet(SheetId::tiles);
     const bool is_true_color = sheet.picture != nullptr;
     const TileSize size = is_true_color ? level.map.tile_size() : TileSize{kCartTileSize, kCartTileSize};
@@ -163,7 +163,7 @@ std::vector<int> numbers_of(const Level& level, const CellRect& tiles) {  // on 
 
 // Neither drawn nor shaped.
 bool is_unused(const Level& level, int tile) {
-  return level.sheet(SheetId::tiles).images[tile] == TileImage{} &&
+  return is_blank(level, static_cast<TileNumber>(tile)) &&
          shape_of_tile(level, static_cast<TileNumber>(tile)).kind == Kind::none;
 }
 

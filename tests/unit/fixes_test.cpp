@@ -159,6 +159,14 @@ TEST(Fixes, TilesAndFlags) {
   apply_edit(level, fixes_for(level, level, {}, first_of(level, "invisible"))[0]);
   EXPECT_EQ(level.sheet(SheetId::tiles).images[kSolidSign][63], 15);
 
+  Level painted = slope_level({"o....", ".....", "#####"});
+  SheetPicture picture{128, 128, std::vector<std::uint8_t>(std::size_t{4} * 128 * 128, 255)};
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) picture.rgba[4 * (y * picture.width + kSolidSign * 8 + x) + 3] = 0;
+  painted.sheet(SheetId::tiles).picture = std::make_shared<const SheetPicture>(picture);
+  EXPECT_THAT(labels_of(painted, "invisible"), ElementsAre("Clear all flags of tile 1"))
+      << "its pixels in 16 colours are not seen";
+
   level.roles.one_way = 6;
   level.sheet(SheetId::tiles).flags[kBallSign] |= 1 << 6;
   EXPECT_THAT(labels_of(level, "flag-idle"), ElementsAre("Clear the flags of tile 8 that change nothing"));

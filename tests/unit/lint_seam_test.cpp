@@ -166,6 +166,22 @@ TEST(LintTiles, ATileHasNoPicture) {
   EXPECT_THAT(lint_lines(level).size(), 1u);  // the spawn; nothing has a picture in such a level
 }
 
+// Dark ground, whose nearest colour of the palette is colour 0, is seen all the same.
+TEST(LintTiles, InTrueColourWhatIsNotClearIsAPicture) {
+  Level level = slope_level({"o....", ".....", "#####"});
+  Sheet& sheet = level.sheet(SheetId::tiles);
+  sheet.images[kSolidSign].fill(0);
+  SheetPicture picture{16 * 8, sheet.layout().rows() * 8, {}};
+  picture.rgba.assign(std::size_t{4} * picture.width * picture.height, 1);
+  sheet.picture = std::make_shared<const SheetPicture>(picture);
+  EXPECT_THAT(lint_lines(level), IsEmpty());
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) picture.rgba[4 * (y * picture.width + kSolidSign * 8 + x) + 3] = 0;
+  picture.rgba[4 * (3 * picture.width) + 3] = 255;
+  sheet.picture = std::make_shared<const SheetPicture>(picture);
+  EXPECT_THAT(lint_lines(level), ElementsAre("invisible: tile 1 is solid, but its picture is blank"));
+}
+
 TEST(LintTiles, ASlopeIsDrawnButNotFlagged) {
   Level level = slope_level({"o......", "./-.a..", "#######"});
   level.tile_shapes[kSlopeA] = {};

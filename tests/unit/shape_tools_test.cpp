@@ -37,7 +37,7 @@ TEST(ShapeTools, SlopeInTrueColourTakesTheSlopesOfTheSheet) {
   Level level = level_with_slopes();
   EXPECT_FALSE(lay_slope(level, {16, 40}, {300, 32}, {1, 1, {1}}, 12)) << "it leaves the map";
   level.sheet(SheetId::tiles).picture = std::make_shared<const SheetPicture>(
-      SheetPicture{128, 128, std::vector<std::uint8_t>(std::size_t{4} * 128 * 128)});
+      SheetPicture{128, 128, std::vector<std::uint8_t>(std::size_t{4} * 128 * 128, 255)});
   const Level laid = after(level, lay_slope(level, {16, 40}, {32, 32}, {1, 1, {1}}, 12));
   EXPECT_EQ(laid.map.at({2, 4}), 3);
   EXPECT_EQ(laid.map.at({3, 4}), 4);

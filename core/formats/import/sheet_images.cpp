@@ -7,7 +7,6 @@
 namespace talus {
 
 void put_images(const SheetPicture& images, const std::vector<Rgb>& palette, Level& level) {
-  constexpr int kHalfOpaque = 128;
   PngPicture picture{images.width, images.height, {}, {}, palette};
   for (std::size_t i = 0; i < images.rgba.size(); i += 4) {
     const bool is_clear = images.rgba[i + 3] < kHalfOpaque;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <talus/level/tuning.h>
+#include "../../level/tile_color.h"
 #include "../../level/tile_renumber.h"
 #include "../files/atomic_file.h"
 #include "../import/linked_files.h"
@@ -45,8 +46,8 @@ SheetPicture small_pictures(const Level& level) {
   small.rgba.reserve(4 * static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height));
   for (int y = 0; y < small.height; ++y) {
     for (int x = 0; x < small.width; ++x) {
-      const std::uint8_t* pixel = sheet.picture->at((2 * x + 1) * tile.width / (2 * kCartTileSize),
-                                                    (2 * y + 1) * tile.height / (2 * kCartTileSize));
+      const std::uint8_t* pixel =
+          sheet.picture->at(pixel_of_side(x, tile.width), pixel_of_side(y, tile.height));
       small.rgba.insert(small.rgba.end(), pixel, pixel + 4);
     }
   }

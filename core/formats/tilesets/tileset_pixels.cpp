@@ -83,13 +83,13 @@ void for_each_tile(const Tileset& set, const SheetLayout& layout, Use use) {
 void take_images(const std::vector<int>& tiles, Level& level) {
   Sheet& sheet = level.sheet(SheetId::tiles);
   const TileSize size = level.map.tile_size();
-  constexpr int kHalfOpaque = 128, kPixels = kCartTileSize * kCartTileSize;
+  constexpr int kPixels = kCartTileSize * kCartTileSize;
   PngPicture strip{kPixels, static_cast<int>(tiles.size()), {}, {}, {}};
   for (const int tile : tiles) {
     const Cell place = sheet.layout().place_of(tile);
     for (int i = 0; i < kPixels; ++i) {
-      const int x = (2 * (i % kCartTileSize) + 1) * size.width / (2 * kCartTileSize);
-      const int y = (2 * (i / kCartTileSize) + 1) * size.height / (2 * kCartTileSize);
+      const int x = pixel_of_side(i % kCartTileSize, size.width);
+      const int y = pixel_of_side(i / kCartTileSize, size.height);
       const std::uint8_t* pixel = sheet.picture->at(place.x * size.width + x, place.y * size.height + y);
       const bool is_clear = pixel[3] < kHalfOpaque;
       strip.transparent.push_back(is_clear);

@@ -7,17 +7,12 @@
 #include <utility>
 
 #include <talus/level/ground.h>
+#include "../tile_color.h"
 
 namespace talus {
 namespace {
 
 constexpr int kOutlineReach = kMaxShapeTiles + 2;  // cells: a slope's own reach, and the neighbours beyond
-
-std::uint64_t mask_of(const TileImage& image) {
-  std::uint64_t mask = 0;
-  for (std::size_t i = 0; i < image.size(); ++i) mask |= std::uint64_t{image[i] != 0} << i;
-  return mask;
-}
 
 bool is_partial(std::uint64_t mask) { return mask != 0 && ~mask != 0; }
 
@@ -88,13 +83,13 @@ LintTiles::LintTiles(const Level& level, const LintOptions& options, GroundNames
 }
 
 void LintTiles::note_masks(const Level& level) {
-  const Sheet& sheet = level.sheet(SheetId::tiles);
   for (std::size_t i = 0; i < count(); ++i) {
-    masks_[i] = mask_of(sheet.images[i]);
-    tiles_[i].blank = masks_[i] == 0;
+    const auto tile = static_cast<TileNumber>(i);
+    masks_[i] = drawn_pixels(level, tile);
+    tiles_[i].blank = masks_[i] == 0 && is_blank(level, tile);
   }
   if (slope_cells_ != 2) return;
-  const SheetLayout layout = sheet.layout();
+  const SheetLayout layout = level.sheet(SheetId::tiles).layout();
   for (std::size_t i = 1; i < count(); ++i) {
     const bool beside =
         layout.place_of(static_cast<int>(i)).x != 0 && is_slope(i - 1) && !tiles_[i - 1].own_shape;

@@ -20,7 +20,7 @@ class LintTiles {
     bool own_shape = false;  // not the shape of its flags
     bool line = false;       // its shape is a valid slope or profile
     bool shapeless = true;   // neither ground nor a ball
-    bool blank = true;       // all pixels have colour 0
+    bool blank = true;       // nothing is seen of it
     int like =
         -1;  // the flagged slope that it is drawn like, without being a slope; -1: it looks like no slope
     int half_of = -1;  // the flagged slope whose right half it is drawn as; -1: it is no right half
@@ -47,7 +47,7 @@ class LintTiles {
   const GroundNames& names() const { return names_; }
   // The shape of a tile. Its kind is none if it is invalid.
   const TileShape& shape(int tile) const { return shapes_[static_cast<std::size_t>(tile)]; }
-  bool has_pictures() const { return has_pictures_; }  // whether a tile has a pixel that is not colour 0
+  bool has_pictures() const { return has_pictures_; }  // whether a tile has a drawn pixel
   const TileOutlines& outlines() const { return outlines_; }
   const CurveOutline& curves() const { return curves_; }
   double seam() const { return options_.seam; }
@@ -72,7 +72,7 @@ class LintTiles {
   TileSize tile_;                     // of the map
   std::vector<TileShape> shapes_;     // by tile; only valid ones
   std::vector<Tile> tiles_;           // by tile
-  std::vector<std::uint64_t> masks_;  // by tile; for each pixel, row by row: whether it is not colour 0
+  std::vector<std::uint64_t> masks_;  // by tile: see drawn_pixels()
   bool has_pictures_ = false;
   TileOutlines outlines_;
   std::vector<Curve> sources_;

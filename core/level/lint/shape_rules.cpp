@@ -152,7 +152,8 @@ void fix_steepness(const LintContext& context, const Problem& problem, std::vect
 
 void fix_picture(const LintContext& context, const Problem& problem, std::vector<Edit>& out) {
   const auto tile = static_cast<TileNumber>(problem.tile);
-  out.push_back(draw_shape(context.level, tile));
+  // In true colour the pixels of images are not seen.
+  if (context.level.sheet(SheetId::tiles).picture == nullptr) out.push_back(draw_shape(context.level, tile));
   if (context.level.tile_flags(tile) != 0)
     out.push_back(change_flags(context.level, tile, 0, "Clear all flags of " + tile_text(tile)));
 }

@@ -62,6 +62,8 @@ struct SheetLayout {
   friend bool operator==(const SheetLayout&, const SheetLayout&) = default;
 };
 
+// 0..255: what is at least so opaque is drawn in 16 colours, too; the rest is colour 0.
+inline constexpr int kHalfOpaque = 128;
 inline constexpr int kMaxSheetPictureSide = 16'384;        // px, of a picture of a sheet
 inline constexpr int kMaxSheetPicturePixels = 16'777'216;  // of a picture of a sheet
 

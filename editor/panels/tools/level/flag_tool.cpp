@@ -1,13 +1,10 @@
 // The flag brush on the map: sets or clears the chosen flag of the tiles that it passes.
+#include "level/tile_color.h"
 #include "level_tools.h"
 #include "panels/tiles/flag_brush.h"
 
 namespace talus {
 namespace {
-
-bool is_invisible(const Level& level, int tile) {
-  return level.sheet(SheetId::tiles).images[static_cast<std::size_t>(tile)] == TileImage{};
-}
 
 class FlagTool : public LevelTool {
  public:
@@ -38,8 +35,8 @@ class FlagTool : public LevelTool {
   }
   // A stroke leaves out empty cells between tiles, unless it began on one.
   bool is_left_out(const Level& level, int tile) const {
-    return first_ &&
-           ((tile == 0 && *first_ != 0) || (is_invisible(level, tile) && !is_invisible(level, *first_)));
+    return first_ && ((tile == 0 && *first_ != 0) || (is_blank(level, static_cast<TileNumber>(tile)) &&
+                                                      !is_blank(level, static_cast<TileNumber>(*first_))));
   }
 
   FlagBrush brush_;
