@@ -37,6 +37,15 @@ TEST_F(UiSheetView, OpensWithTilesThatCanBeSeen) {
     }
 }
 
+TEST_F(UiSheetView, ColumnsThatFitAreNotCut) {
+  for (const int columns : {7, 8, 9, 10}) {
+    start(save_sheet("level.talus.json", columns, 10 * columns, {16, 16}));
+    const Widget *sheet = find("sheet/tiles"), *room = find("sheet/canvas");
+    EXPECT_LE(sheet->max.x, room->max.x + 0.5f) << columns;
+    EXPECT_GE(tile_width(), 24) << columns;
+  }
+}
+
 TEST_F(UiSheetView, ItHasTheWholeRoomOfItsPanel) {
   start(save_sheet("level.talus.json", 16, 256));
   const Widget *room = find("sheet/canvas"), *header = find("sheet/show_tiles");

@@ -147,11 +147,14 @@ void Camera::show(const Rect& area, bool may_be_cut, Vec2 map, ImVec2 canvas) {
 }
 
 void Camera::show_corner(float least, float most, Vec2 map, ImVec2 canvas) {
-  step_ = step_that_fits({map.x, 0}, fitted(canvas));
+  const ImVec2 room = fitted(canvas);
+  step_ = step_that_fits({map.x, 0}, room);
   between_.reset();
   before_.reset();
   while (step_ > 0 && zoom() > most) --step_;
   while (step_ + 1 < static_cast<int>(kZooms.size()) && zoom() < least) ++step_;
+  const auto fits = static_cast<float>(room.x / map.x);
+  if (zoom() > fits && fits >= least) between_ = fits;
   offset_ = {};
   stay_on_map(map, canvas);
   untouched_ = true;

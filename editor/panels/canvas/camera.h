@@ -54,7 +54,8 @@ class Camera {
   // lower one, or, if the area may be cut at its edges, the upper one. `map` is the map's size.
   void show(const Rect& area, bool may_be_cut, Vec2 map, ImVec2 canvas);
   // Shows the map from its top left corner, at the largest step at which its width fits; but not below
-  // `least` and else not above `most`, screen px per px of the level.
+  // `least` and else not above `most`, screen px per px of the level. Where the step from `least` on would
+  // cut it, but a zoom between two steps does not, it has that.
   void show_corner(float least, float most, Vec2 map, ImVec2 canvas);
   // The world view: shows the whole map, or goes back.
   void toggle_whole(Vec2 map, ImVec2 canvas);
