@@ -4,15 +4,47 @@
 #include <cassert>
 #include <utility>
 
+#include "collision/ground_queries.h"
 #include "level/level_text.h"
 #include "level_settings.h"
 
 namespace talus {
+namespace {
+
+constexpr int kMostPlaces = 4096;  // that are tried for a new player
+
+}  // namespace
 
 Edit add_spawn(const Level& level, Spawn spawn) {
   std::vector<Spawn> spawns = level.spawns;
   spawns.push_back(std::move(spawn));
   return set_spawns(level, std::move(spawns), "Place a body");
+}
+
+Spawn player_near(const Level& level, const Terrain* ground, Vec2 place) {
+  Spawn spawn;
+  spawn.kind = BodyKind::player;
+  spawn.size = new_body_size(spawn.kind, level.map.tile_size());
+  const Cell from = level.map.cell_at(place);
+  spawn.position = level.map.corner_of(from);
+  if (ground == nullptr) return spawn;
+  int places = 0;
+  for (int i = 0; i < 2 * level.map.width(); ++i) {
+    const int column = from.x + (i % 2 == 0 ? i / 2 : -(i + 1) / 2);
+    // From inside of the ground it goes up to the first free place.
+    for (int row = from.y; level.map.contains({column, row}) && ++places <= kMostPlaces; --row) {
+      const Vec2 corner = level.map.corner_of({column, row});
+      const Rect box{corner.x, corner.y, spawn.size.x, spawn.size.y};
+      if (overlaps_ground(*ground, box, spawn.used_foot())) continue;
+      CastBudget budget{kMostQueryWork};
+      const auto floor =
+          floor_below(*ground, box, level.map.px_height() - box.bottom(), spawn.used_foot(), &budget);
+      if (!floor) break;
+      spawn.position = {box.x, floor->y - box.h};
+      return spawn;
+    }
+  }
+  return spawn;
 }
 
 Edit remove_spawn(const Level& level, int index) {

@@ -88,6 +88,30 @@ TEST_F(UiOpening, ALevelWithoutBodiesWaits) {
   EXPECT_FALSE(session().playback().running);
 }
 
+TEST_F(UiOpening, OneClickGivesALevelWithoutBodiesAPlayerThatRuns) {
+  Level level = test_level();
+  level.tuning.solver = SolverKind::exact;
+  level.map.set({5, 10}, 0);
+  for (const auto& [width, height] : {std::pair{1280, 720}, {900, 600}}) {
+    start(save(level, "ground.talus.json"), width, height);
+    EXPECT_NE(find("inspector/place_player"), nullptr);
+    click("play/place_player");
+    ASSERT_EQ(session().state().bodies.size(), 1u);
+    EXPECT_TRUE(session().playback().running);
+    EXPECT_EQ(find("play/place_player"), nullptr);
+    EXPECT_TRUE(is_in_sight("play", player().box.center()));
+    frames(4);
+    EXPECT_TRUE(player().gait.grounded);
+    const double x = player().box.x;
+    hold(kKeyRight);
+    frames(20);
+    let_go(kKeyRight);
+    EXPECT_GT(player().box.x, x);
+    key(ctrl('z'));
+    EXPECT_TRUE(session().level().spawns.empty()) << "one undo";
+  }
+}
+
 TEST_F(UiOpening, ARecordingWaits) {
   start(save_test_level("level.talus.json"));
   frames(20);

@@ -166,6 +166,9 @@ TEST(Fixes, TilesAndFlags) {
   painted.sheet(SheetId::tiles).picture = std::make_shared<const SheetPicture>(picture);
   EXPECT_THAT(labels_of(painted, "invisible"), ElementsAre("Clear all flags of tile 1"))
       << "its pixels in 16 colours are not seen";
+  painted.sheet(SheetId::tiles).flags[kSolidSign] = 0;
+  painted.tile_shapes[kSolidSign].kind = TileShape::Kind::solid;
+  EXPECT_THAT(labels_of(painted, "invisible"), ElementsAre("Remove the shape of tile 1"));
 
   level.roles.one_way = 6;
   level.sheet(SheetId::tiles).flags[kBallSign] |= 1 << 6;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <talus/level/ground.h>
 #include "level/followed_spawn.h"
 #include "level/single_change.h"
 
@@ -34,6 +35,28 @@ TEST(SpawnTools, AddChangeAndRemoveCanBeUndone) {
   revert_edit(level, changed);
   EXPECT_EQ(level.spawns[0], spawn_at_x(8));
   EXPECT_TRUE(change_spawn(level, 0, level.spawns[0], "").empty());
+}
+
+TEST(SpawnTools, ANewPlayerStandsOnTheNearestGround) {
+  Level level;
+  level.map = TileMap(20, 10);
+  level.tile_shapes[1].kind = TileShape::Kind::solid;
+  for (int x = 12; x < 20; ++x) level.map.set({x, 6}, 1);
+  for (int x = 12; x < 16; ++x) level.map.set({x, 5}, 1);
+  const auto at = [&](Vec2 place) {
+    const Terrain ground = terrain_of(level);
+    const Spawn player = player_near(level, &ground, place);
+    EXPECT_EQ(player.kind, BodyKind::player);
+    return player.position;
+  };
+  EXPECT_EQ(at({140, 10}), (Vec2{136, 40})) << "below the place";
+  EXPECT_EQ(at({10, 10}), (Vec2{96, 32})) << "beside the hole";
+  EXPECT_EQ(at({100, 52}), (Vec2{96, 32})) << "out of the ground";
+  level.map.cells().tiles().assign(200, 0);
+  EXPECT_EQ(at({10, 10}), (Vec2{8, 8})) << "there is no ground";
+  EXPECT_EQ(player_near(level, nullptr, {10, 10}).position, (Vec2{8, 8}));
+  level.map.cells().tiles().assign(200, 1);
+  EXPECT_EQ(at({10, 10}), (Vec2{8, 8})) << "nothing is free";
 }
 
 TEST(SpawnTools, TheLastSpawnUnderThePointIsFound) {

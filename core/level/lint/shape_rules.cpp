@@ -122,6 +122,11 @@ Edit draw_shape(const Level& level, TileNumber tile) {
   return edit;
 }
 
+Edit remove_shape(const Level& level, TileNumber tile) {
+  return single_change("Remove the shape of " + tile_text(tile),
+                       TileShapeChange{tile, level.tile_shapes[tile], TileShape()});
+}
+
 void fix_steepness(const LintContext& context, const Problem& problem, std::vector<Edit>& out) {
   const Level& level = context.level;
   const auto tile = static_cast<TileNumber>(problem.tile);
@@ -156,14 +161,14 @@ void fix_picture(const LintContext& context, const Problem& problem, std::vector
   if (context.level.sheet(SheetId::tiles).picture == nullptr) out.push_back(draw_shape(context.level, tile));
   if (context.level.tile_flags(tile) != 0)
     out.push_back(change_flags(context.level, tile, 0, "Clear all flags of " + tile_text(tile)));
+  if (context.level.tile_shapes[tile].kind != TileShape::Kind::none)
+    out.push_back(remove_shape(context.level, tile));
 }
 
 void fix_bad_shape(const LintContext& context, const Problem& problem, std::vector<Edit>& out) {
   const Level& level = context.level;
   if (problem.tile >= 0) {
-    const TileShape& before = level.tile_shapes[static_cast<std::size_t>(problem.tile)];
-    out.push_back(single_change("Remove the shape of " + tile_text(problem.tile),
-                                TileShapeChange{problem.tile, before, TileShape()}));
+    out.push_back(remove_shape(level, static_cast<TileNumber>(problem.tile)));
   } else {
     const TileShape& before = level.flag_shapes[static_cast<std::size_t>(problem.object)];
     out.push_back(single_change("Remove the shape of flag " + std::to_string(problem.object),

@@ -168,6 +168,7 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
   if (has_minimap(ui)) minimap_.draw(list, session.level(), view, ui, name_ + "/overview");
   ui.view.canvas.cursor.draw(name_, list, view, ui.scale);
   list.PopClipRect();
+  if (is_play() && session.state().bodies.empty()) offer_player(session, view, actions, ui);
 }
 
 void LevelCanvas::draw_other_side(const Session& session, Ui& ui, ImVec2 size) {
@@ -560,11 +561,25 @@ void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, 
     const std::string text = hint.empty() ? "tinted: " + pattern_label(session.level(), *pattern) : hint;
     draw_low_plates(list, view, text, gap, false, flag_color(pattern->lowest_flag(), 255), ui);
   }
-  if (is_play() && session.state().bodies.empty()) {
-    const std::string text = "No body yet: paint a tile that has the ball flag, or place a body (" +
-                             keys_of("map/body"_command, ui) + ")";
-    draw_low_plates(list, view, text, ui.px(10), true, theme::color(theme::kText), ui);
-  }
+}
+
+// A child has the mouse before the canvas below it.
+void LevelCanvas::offer_player(const Session& session, const CanvasView& view, Actions& actions, Ui& ui) {
+  const std::string text = "No body yet: paint a tile that has the ball flag, or place a body (" +
+                           keys_of("map/body"_command, ui) + ")";
+  const float low = ui.px(10), height = ImGui::GetFrameHeight();
+  draw_low_plates(*ImGui::GetWindowDrawList(), view, text, low + height + ui.px(8), true,
+                  theme::color(theme::kText), ui);
+  const Command& place = find_command("player/place"_command);
+  const float width = ImGui::CalcTextSize(place.label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+  if (width > view.max.x - view.min.x) return;
+  const ImVec2 before = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos({(view.min.x + view.max.x - width) / 2, view.max.y - low - height});
+  ImGui::BeginChild((name_ + "_offer").c_str(), {width, height}, false,
+                    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBackground);
+  command_text_button("player/place"_command, session, actions, ui, {.widget = name_ + "/place_player"});
+  ImGui::EndChild();
+  ImGui::SetCursorScreenPos(before);
 }
 
 }  // namespace talus

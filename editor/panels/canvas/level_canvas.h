@@ -76,6 +76,8 @@ class LevelCanvas {
   void follow_body(const Session& session, const Ui& ui);
   void let_go(Ui& ui) const;
   void draw_captions(const Session& session, const CanvasView& view, Ui& ui) const;
+  // Of a level without bodies: what to do, and a button.
+  void offer_player(const Session& session, const CanvasView& view, Actions& actions, Ui& ui);
 
   Kind kind_;
   bool is_second_;

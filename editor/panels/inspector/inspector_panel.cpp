@@ -254,6 +254,12 @@ void draw_hard_case(const HardCase& hard, Ui& ui) {
   ImGui::EndChild();
 }
 
+void draw_no_body_hint(const Session& session, Actions& actions, Ui& ui) {
+  ui.hint("No body in this level: paint a tile that has the ball flag on the map, or place a body (" +
+          keys_of("map/body"_command, ui) + ").");
+  command_text_button("player/place"_command, session, actions, ui, {.widget = "inspector/place_player"});
+}
+
 }  // namespace
 
 void InspectorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
@@ -264,8 +270,7 @@ void InspectorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     if (session.choices().map_tool == MapTool::body)
       ui.hint("No body chosen: click one on the map, or a free place to put one there.");
     else if (session.state().bodies.empty())
-      ui.hint("No body in this level: paint a tile that has the ball flag on the map, or place a body (" +
-              keys_of("map/body"_command, ui) + ").");
+      draw_no_body_hint(session, actions, ui);
     else
       draw_body_hint("", "inspector", session, actions, ui);
     if (session.hard_case()) draw_hard_case(*session.hard_case(), ui);
