@@ -185,23 +185,15 @@ bool Judge::is_below_floor(const Body& body, const ContactRecord& contact) const
   const FineBox next = box.moved(scaled(kAhead, -contact.normal.x), 0);
   const Fine rise = scaled(kAhead, tuning_.exact.steepest) + weld_;
   const auto floor = floor_near(next, body.foot, rise, kDeepestFloor * (box.x1 - box.x0));
-  if (!floor || has_side_above(next, rise, *floor)) return false;
+  const Fine middle = next.middle();
+  // A slope on which nobody stands may be between the two.
+  if (!floor || has_floor_in({middle, next.y1 - rise, middle, *floor - 1})) return false;
   // What it touches by rounding alone stops it, too.
   const auto passes_at = [&](Fine y) {
     const FineBox goal = next.moved(0, std::min(y, *floor - next.y1));
     return passes(box.moved(0, y), goal, body.foot, *floor);
   };
   return passes_at(0) && passes_at(-4 * slack_) && passes_at(4 * slack_);
-}
-
-// Whether the middle of a box is above a slope on which nobody stands, and that above a floor, y. rise: the
-// slope may be so much higher than the bottom of the box.
-bool Judge::has_side_above(const FineBox& box, Fine rise, Fine floor) const {
-  const Fine middle = box.middle(), highest = box.y1 - rise;
-  return !ground_.for_parts({middle, highest, middle, floor}, [&](const RawPart& part) {
-    const Fine y = part.top.at(middle);
-    return !part.is_floor() || part.top.x0 > middle || part.top.x1 < middle || y < highest || y >= floor;
-  });
 }
 
 // Whether it is that of a slope on which nobody stands.
@@ -287,10 +279,15 @@ bool Judge::is_across_line(const Body& body) const {
 bool Judge::has_floor_above(const FineBox& box, Foot foot, Fine way) const {
   const FineBox under = foot == Foot::box ? box : box.middle_line();
   const Fine highest = box.y1 - scaled(way, 2 * tuning_.exact.steepest), lowest = box.y1 - weld_;
-  return !ground_.for_parts({under.x0, highest, under.x1, lowest}, [&](const RawPart& part) {
-    const auto [from, to] = shared_x(part, under);
+  return has_floor_in({under.x0, highest, under.x1, lowest});
+}
+
+// Whether a floor, level or steep, has its highest point between the sides of an area in the area.
+bool Judge::has_floor_in(const FineBox& area) const {
+  return !ground_.for_parts(area, [&](const RawPart& part) {
+    const auto [from, to] = shared_x(part, area);
     const Fine y = part.top.highest(from, to);
-    return !(part.is_floor() && y >= highest && y <= lowest);
+    return !(part.is_floor() && y >= area.y0 && y <= area.y1);
   });
 }
 

@@ -61,7 +61,6 @@ class Judge {
   bool has_floor_to(Fine x, Fine y, int direction) const;
   std::optional<Verdict> judge_contacts(const Body& before, const StepRecord& record, bool jumps) const;
   bool is_below_floor(const Body& body, const ContactRecord& contact) const;
-  bool has_side_above(const FineBox& box, Fine rise, Fine floor) const;
   bool is_steep(Vec2 normal) const;
   std::optional<Verdict> judge_roll(const Body& before, const Body& after) const;
   std::optional<Verdict> lip_met(const Body& before, const ContactRecord& contact) const;
@@ -76,6 +75,7 @@ class Judge {
   bool stops_middle(const FineBox& from, const FineBox& to) const;
   bool falls_through(const Body& before, const Body& after) const;
   bool has_floor_above(const FineBox& box, Foot foot, Fine way) const;
+  bool has_floor_in(const FineBox& area) const;
   FineBox inside_of(const Body& body) const;  // what meets lines: the box, or the middle of it
   bool floor_goes_on(const Body& before, const Body& after, int direction) const;
   bool is_on_end(const FineBox& box, Foot foot, bool bottom) const;
