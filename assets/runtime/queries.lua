@@ -102,7 +102,11 @@ local function way_out(terrain, x, y, w, h, is_centre)
     end
   end
   for _, exit in ipairs(exits) do
-    if not overlaps_ground(terrain, x + exit.x, y + exit.y, w, h, is_centre) then return exit.x, exit.y end
+    -- A box that stands on its middle is not led off the floor there.
+    local stays = is_centre and cast_box(terrain, x + w / 2, y, 0.0, h, exit.x, abs(exit.y))
+    if not stays and not overlaps_ground(terrain, x + exit.x, y + exit.y, w, h, is_centre) then
+      return exit.x, exit.y
+    end
   end
   return nil
 end

@@ -204,6 +204,16 @@ void for_open_sides(const BasicTerrain<Real>& ground, Cell c, Use use) {
   if (!solid(c.x + 1, c.y)) put(Facing::right, x1, y0, x1, y1);
 }
 
+// Whether a way leads a box that stands on its middle through the ground there, or further up than the floor
+// is below it. Its corners may be in the ground beside the floor.
+template <class Real>
+bool leads_off_floor(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Foot foot,
+                     BasicVec2<Real> way, CastBudget* budget) {
+  if (foot != Foot::centre) return false;
+  const BasicRect<Real> middle{box.x + box.w / 2, box.y, 0, box.h};
+  return bool(cast_box<Real>(ground, {middle, {way.x, std::abs(way.y)}, Foot::box}, {}, nullptr, budget));
+}
+
 // overlaps_ground(), which counts the rows and cells that it tests.
 template <class Real>
 bool overlaps_counted(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Foot foot,
@@ -297,6 +307,7 @@ std::optional<BasicVec2<Real>> way_out(const BasicTerrain<Real>& ground, const B
   if (exits.size() > kMostExits) exits.resize(kMostExits);
   for (const Exit<Real>& exit : exits) {
     if (looks / kCellsPerWork > most) break;
+    if (leads_off_floor(ground, box, foot, exit.motion, budget)) continue;
     const BasicRect<Real> there{box.x + exit.motion.x, box.y + exit.motion.y, box.w, box.h};
     if (!overlaps_counted(ground, there, foot, looks)) return answer(exit.motion);
   }

@@ -37,9 +37,10 @@ std::optional<Contact<double>> cast_segment(const Terrain& ground, Vec2 from, Ve
 template <class Real>
 bool overlaps_ground(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Foot foot = Foot::box);
 
-// The shortest straight way out of the ground: along x or y, and past one piece of the outline. Returns
-// nothing if the box is not in the ground, or if none of the shortest 1024 ways frees it. budget: the work is
-// taken from it, and once it is used up, the function returns nothing; null: no limit.
+// The shortest straight way out of the ground: along x or y, and past one piece of the outline. A box that
+// stands on its middle is not led through ground there, nor up if its floor is nearer. Returns nothing if the
+// box is not in the ground, or if none of the shortest 1024 ways frees it. budget: the work is taken from it,
+// and once it is used up, the function returns nothing; null: no limit.
 template <class Real>
 std::optional<BasicVec2<Real>> way_out(const BasicTerrain<Real>& ground, const BasicRect<Real>& box,
                                        Foot foot = Foot::box, CastBudget* budget = nullptr);

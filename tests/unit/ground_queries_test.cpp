@@ -125,6 +125,14 @@ TEST(GroundQueriesByTheCentre, ACornerMayBeInTheTileBehindASlope) {
   EXPECT_TRUE(overlaps_ground(ground, {13, 6, 8, 4}, Foot::centre)) << "the centre is in the tile";
 }
 
+// Its corner is in a tile that no slope leads to, and the shortest way out of that is below all tiles.
+TEST(GroundQueriesByTheCentre, AWideBoxStaysOnItsSlope) {
+  const Terrain ground = TestMap({"....211", "...2111", "..21111", "......."}).compile();
+  EXPECT_TRUE(overlaps_ground(ground, {-8, 17, 56, 3}, Foot::centre));
+  EXPECT_FALSE(way_out(ground, {-8, 17, 56, 3}, Foot::centre)) << "it stands on the slope";
+  EXPECT_EQ(way_out(ground, {16, 22, 40, 3}, Foot::centre), (Vec2{0, 2})) << "its middle is in the ground";
+}
+
 // The tiles lead to slopes, so that the middle alone counts.
 TEST(GroundQueriesByTheCentre, TheMiddleIsInTheGroundBetweenTwoTiles) {
   const Terrain ground = TestMap({".2..2.", "211211", "111111"}).compile();
