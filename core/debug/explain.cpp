@@ -4,6 +4,7 @@
 #include <cassert>
 #include <utility>
 
+#include "../sim/exact_mover.h"
 #include "metrics.h"
 #include "number_text.h"
 
@@ -157,15 +158,31 @@ bool stays(const BodyPath& path) {
          length(path.to.position() - path.from.position()) < kLeastShown;
 }
 
+// px, how far below a body the floor may be that it stands on, by rounding
+constexpr double kTouching = 1.0 / 256;
+
+// Whether a body stands on a side that is too steep to stand on alone.
+bool is_on_steep_side(const Frame& frame, const Body& body) {
+  if (frame.ground == nullptr) return false;
+  const auto floor = cast_box<double>(*frame.ground, {body.box, {0, kTouching}, body.foot});
+  return floor && !is_level(floor, frame.scene->tuning.exact.steepest);
+}
+
+// Where a body is that stays.
+std::string resting_place(const Frame& frame, const Body& body) {
+  if (!body.gait.grounded) return " stays where it is";
+  return is_on_steep_side(frame, body)
+             ? " stands still between two sides that are too steep to stand on alone"
+             : " stands still on its floor";
+}
+
 // "Body 1 wanted to go (2, 5) px and went (2, 1.2) px."
 std::string wanted_and_got(const Frame& frame, const BodyPath& path) {
   const Vec2 wanted = path.goal - path.from.position(), got = path.to.position() - path.from.position();
   std::string text = "Body " + std::to_string(path.body);
   if (frame.state.grabbed == path.body) text += ", held by the mouse,";
   if (stays(path)) {
-    const Body* body = frame.state.find(path.body);
-    return text + (body->gait.grounded ? " stands still on its floor: nothing moves it."
-                                       : " stays where it is: nothing moves it.");
+    return text + resting_place(frame, *frame.state.find(path.body)) + ": nothing moves it.";
   }
   text += " wanted to go " + motion_text(wanted) + " px";
   return length(wanted - got) < kLeastShown ? text + " and did."

@@ -246,6 +246,19 @@ TEST_F(Steps, TellOfAStartInsideTheGround) {
       << text;
 }
 
+TEST_F(Steps, TellOfAPlayerBetweenTwoSteepSides) {
+  Level level;
+  level.map = TileMap(30, 20);
+  level.tuning.solver = SolverKind::exact;
+  level.tile_shapes[2] = {.kind = TileShape::Kind::polygon, .points = {{0, 0}, {16, 40}, {0, 40}}};
+  level.tile_shapes[3] = {.kind = TileShape::Kind::polygon, .points = {{12, 0}, {16, 40}, {0, 40}}};
+  level.map.set({13, 10}, 2);
+  level.map.set({15, 10}, 3);
+  level.spawns.push_back({.position = {116, 100}, .kind = BodyKind::player, .foot = Foot::box});
+  EXPECT_EQ(step(RecordedFrames(level, 60), 60),
+            "Body 1 stands still between two sides that are too steep to stand on alone: nothing moves it.");
+}
+
 // The article does not change the velocity there, but this tile stops the body.
 TEST_F(Steps, TellWhichSideABodySticksTo) {
   ContactRecord side;
