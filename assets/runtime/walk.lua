@@ -215,6 +215,12 @@ function Walk.arrives(contact, box, x, y)
   return abs(left_x) <= most and abs(left_y) <= most
 end
 
+-- Whether the body is just behind what it met on its way, by more than the next cast forgives, which would not meet it
+-- then. Along a ceiling that is parallel to the floor that does not matter.
+function Walk.is_behind(contact, box)
+  return Walk.room_at(box.x, box.y, contact) < -Walk.slack(box) / 2 and abs(box.x - contact.x) <= AHEAD
+end
+
 -- What the body meets first on its way to a place on the floor.
 function Walk:cast_to(on, box, x, y)
   local line = on.on_line and on.met.edge or nil
@@ -269,6 +275,16 @@ function Walk:corner_met(box, contact)
   return nil
 end
 
+-- Whether a floor goes into a ceiling on the way of a box, so that not even its foot gets to the goal. Not the
+-- underside of the line that it walks on: that is met by rounding alone.
+function Walk:leads_into_ceiling(on, box, goal_x, goal_y)
+  goal_y = goal_y + box.h
+  local met = self:cast_to(on, {x = box.x, y = box.y + box.h, w = 0.0, h = 0.0, centre = false}, goal_x, goal_y)
+  if not met or met.facing ~= DOWN then return false end
+  local is_same_curve = not Walk.is_straight(on) and met.edge and met.edge.source == on.met.edge.source
+  return not is_same_curve and abs(met.x - box.x) > AHEAD and Walk.room_at(goal_x, goal_y, met) < -LIP
+end
+
 -- Whether the floor goes on from the middle of the body to a place, and is not below it there. fall: px; a floor up
 -- to so far below the middle of a body in the air counts.
 function Walk:floor_leads_over(box, spot_x, spot_y, fall)
@@ -287,6 +303,7 @@ function Walk:floor_leads_over(box, spot_x, spot_y, fall)
     end
     local goal_x, goal_y = under:goal_on(on, point, spot_x - point.x)
     if goal_x == point.x then return false end
+    if under:leads_into_ceiling(on, point, goal_x, goal_y) then return false end
     -- Another floor may cross it, further on or just here.
     local met = under:cast_to(on, point, goal_x, goal_y)
     if met and met.facing == UP then
@@ -424,8 +441,10 @@ local function go_along_floor(world, body, box, reach, motion_on, stop_at)
     rest = rest - (at_x - box.x) / x
     box.x, box.y = at_x, at_y
     if arrives then
-      if not (rest > 0) or (goal_x ~= on.stop and part == 1) then return true end
-      if goal_x == on.stop then on = nil end
+      local at_end = goal_x == on.stop
+      if contact and not at_end and Walk.is_behind(contact, box) then box.x, box.y = contact.x, contact.y end
+      if not (rest > 0) or (not at_end and part == 1) then return true end
+      if at_end then on = nil end
       part = 1.0
     elseif past_x then
       contacts = contacts + 1

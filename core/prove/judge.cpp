@@ -35,6 +35,7 @@ Judge::Judge(const RawGround& ground, const Tuning& tuning, double lip)
       tuning_(tuning),
       slack_(tuning.solver == SolverKind::exact && tuning.exact.single_precision != 0 ? kFloatSlack : kSlack),
       weld_(kFinePx / kWeldParts + slack_),
+      ahead_(std::max(kAhead, 64 * slack_)),
       lip_(fine(lip)) {}
 
 std::optional<Verdict> Judge::judge(const Body& before, const Body& after, const Input& input,
@@ -375,9 +376,9 @@ bool Judge::passes(const FineBox& from, const FineBox& to, Foot foot, Fine floor
 
 // Along a curve a body stops a little before it has no room, as a step goes along its chord.
 Judge::Ahead Judge::ahead_of(const Body& body, int direction) const {
-  const Ahead ahead = ahead_of(body, direction, kAhead);
+  const Ahead ahead = ahead_of(body, direction, ahead_);
   // A corner of the ground may be in the way between the two places.
-  for (Fine way = kAhead / 2; ahead.way == Way::free && way >= 4 * slack_; way /= 2) {
+  for (Fine way = ahead_ / 2; ahead.way == Way::free && way >= 4 * slack_; way /= 2) {
     const Ahead nearer = ahead_of(body, direction, way);
     if (nearer.way == Way::blocked) return nearer;
   }

@@ -94,6 +94,7 @@ class Judge {
   const Tuning& tuning_;
   const Fine slack_;  // how far off a place may be by the solver's rounding
   const Fine weld_;   // how far apart two ends may be that count as one
+  const Fine ahead_;  // how far ahead its way is looked at: far more than roundings
   const Fine lip_;
 };
 

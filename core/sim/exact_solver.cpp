@@ -209,8 +209,9 @@ class ExactSolver final : public Solver {
       at_end = !contact || arrives;
       if (arrives) note_after(motion * std::max<Real>(rest, 0));
       if (at_end) {
-        if (!(rest > 0) || (goal.x != floor->end && part == 1)) return true;
         at_end = goal.x == floor->end;
+        if (contact && !at_end && way.is_behind(contact, moving)) put(moving, contact.position);
+        if (!(rest > 0) || (!at_end && part == 1)) return true;
         if (at_end) floor.reset();
         part = 1;
         continue;

@@ -168,6 +168,14 @@ class FloorWalk {
     return std::abs(left.x) <= slack && std::abs(left.y) <= slack;
   }
 
+  // Whether the body is just behind what it met on its way, by more than the next cast forgives, which would
+  // not meet it then. Along a ceiling that is parallel to the floor that does not matter.
+  bool is_behind(const Contact<Real>& contact, const Moving<Real>& body) const {
+    const Vec place = body.box.position();
+    return room_at(place, contact) < -rounding_slack<Real>({body.box, {}, body.foot}) / 2 &&
+           std::abs(place.x - contact.position.x) <= Real(kFloorStep);
+  }
+
   // Where the body goes on past a straight ceiling that it has met too early, by rounding: to the goal, or to
   // where it leaves that piece of the ceiling, if it is in it there by a rounding of its height at most.
   // Where floor and ceiling are almost parallel, that is many roundings of the way. Nothing: the ceiling, or
@@ -386,6 +394,19 @@ class FloorWalk {
     return middle > piece.x1 ? Vec{piece.x1, piece.y1} : Vec{std::max(box.x, piece.x0), y};
   }
 
+  // Whether a floor goes into a ceiling on the way of a box, so that not even its foot gets to the goal. Not
+  // the underside of the line that it walks on: that is met by rounding alone.
+  bool leads_into_ceiling(const FloorAhead<Real>& floor, const BasicRect<Real>& box, Vec goal) const {
+    const Moving<Real> foot{{box.x, box.y + box.h, 0, 0}, {}, Foot::box};
+    const Vec to{goal.x, goal.y + box.h};
+    const Contact<Real> met = cast_to(floor, foot, to);
+    if (!met || met.facing != Facing::down) return false;
+    const bool is_same_curve =
+        !is_straight(floor) && met.piece != nullptr && met.piece->stretch == floor.contact.piece->stretch;
+    return !is_same_curve && std::abs(met.position.x - foot.box.x) > Real(kFloorStep) &&
+           room_at(to, met) < -Real(kMostLip);
+  }
+
   // Whether the floor goes on from the middle of the body to the x of the spot, and is not below it there.
   // fall: px; a floor up to so far below the middle of a body in the air counts.
   bool floor_leads_over(const Moving<Real>& body, Vec spot, Real fall) const {
@@ -400,6 +421,7 @@ class FloorWalk {
       if (falls) point.box.y = walk.place_on(*floor, point.box, point.box.x, point.foot).y;
       Vec goal = walk.goal_on(*floor, point.box, spot.x - point.box.x, point.foot);
       if (goal.x == point.box.x) return false;
+      if (walk.leads_into_ceiling(*floor, point.box, goal)) return false;
       // Another floor may cross it, further on or just here.
       const Contact<Real> met = walk.cast_to(*floor, point, goal);
       if (met && met.facing == Facing::up) {
