@@ -512,6 +512,58 @@ TEST(Walk, LeavesTwoCrestsOfAWaveOnWhichItStands) {
   }
 }
 
+// The players of a level after so many steps in a direction. They do not meet.
+std::vector<Body> all_walked(Level level, int direction, int steps) {
+  level.tuning.shared.balls_block = 0;
+  const auto scene = std::make_shared<const Scene>(compile_scene(level));
+  const auto solver = make_solver(scene);
+  State state = initial_state(*scene);
+  Input input;
+  input.left = direction < 0;
+  input.right = direction > 0;
+  for (int i = 0; i < steps; ++i) solver->step(state, input, nullptr);
+  return state.bodies;
+}
+
+// By rounding, some came to the end of a step just behind a wall or a ceiling, and went on through it.
+TEST(Walk, EndsAtAWallOrALowCeilingAfterAnyNumberOfSteps) {
+  for (const double speed : {0.1, 0.9, 1.1, 1.9}) {
+    for (const Foot foot : {Foot::box, Foot::centre}) {
+      for (const bool is_ceiling : {false, true}) {
+        Scenery scenery;
+        scenery.level.tuning.player.run_speed = speed;
+        for (int x = 3; x <= 36; x += 33) {
+          if (is_ceiling)
+            scenery.put({x, 10}, {.kind = TileShape::Kind::solid});
+          else
+            scenery.fill(x, x, 11);
+        }
+        for (int i = 0; i < 40; ++i) {
+          scenery.player(33 + i, kFloor, foot, {8, 10});
+          scenery.player(279 - i, kFloor, foot, {8, 10});
+        }
+        const int steps = static_cast<int>(60 / speed);
+        for (const Body& body : all_walked(scenery.level, -1, steps)) EXPECT_GE(body.box.x, 32 - 1e-9);
+        for (const Body& body : all_walked(scenery.level, 1, steps)) EXPECT_LE(body.box.x, 280 + 1e-9);
+      }
+    }
+  }
+}
+
+// The floor is a wave that goes through the underside of a tile, beside which there is another tile.
+TEST(Walk, EndsBelowACeilingThatItsFloorGoesInto) {
+  for (const double speed : {0.3, 0.5, 1.5}) {
+    Scenery scenery;
+    scenery.level.map = TileMap(40, 14);
+    scenery.fill(5, 5, 12);
+    scenery.put({4, 12}, slope(4, 0));
+    scenery.level.curves = {{"", {Sine{16.5, 53.75, 105.75, 2, 29, 16.5}, Curve::Faces::both}, ""}};
+    scenery.level.tuning.player.run_speed = scenery.level.tuning.player.run_gain = speed;
+    scenery.player(42, 104, Foot::centre, {14, 1});
+    for (const Body& body : all_walked(scenery.level, -1, 100)) EXPECT_EQ(body.box.y, 104);
+  }
+}
+
 TEST(Walk, DoesNotStandOnASeamOfAWall) {
   Meeting meeting;
   meeting.put({9, 10}, {.kind = TileShape::Kind::slope, .side = TileShape::Side::ceiling, .heights = {8, 5}});
