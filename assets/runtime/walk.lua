@@ -275,14 +275,16 @@ function Walk:corner_met(box, contact)
   return nil
 end
 
--- Whether a floor goes into a ceiling on the way of a box, so that not even its foot gets to the goal. Not the
--- underside of the line that it walks on: that is met by rounding alone.
-function Walk:leads_into_ceiling(on, box, goal_x, goal_y)
+-- Whether a floor goes through a ceiling into the ground on the way of a box, so that not even its foot gets to the
+-- goal. It meets the underside of the line that it walks on by rounding alone.
+function Walk:leads_into_ground(on, box, goal_x, goal_y)
   goal_y = goal_y + box.h
   local met = self:cast_to(on, {x = box.x, y = box.y + box.h, w = 0.0, h = 0.0, centre = false}, goal_x, goal_y)
-  if not met or met.facing ~= DOWN then return false end
-  local is_same_curve = not Walk.is_straight(on) and met.edge and met.edge.source == on.met.edge.source
-  return not is_same_curve and abs(met.x - box.x) > AHEAD and Walk.room_at(goal_x, goal_y, met) < -LIP
+  if not met or met.facing ~= DOWN or not (Walk.room_at(goal_x, goal_y, met) < -LIP) or
+      abs(met.x - box.x) <= AHEAD then
+    return false
+  end
+  return overlaps_ground(self.terrain, met.x - LIP / 2, met.y - 2 * LIP, LIP, LIP)
 end
 
 -- Whether the floor goes on from the middle of the body to a place, and is not below it there. fall: px; a floor up
@@ -303,7 +305,7 @@ function Walk:floor_leads_over(box, spot_x, spot_y, fall)
     end
     local goal_x, goal_y = under:goal_on(on, point, spot_x - point.x)
     if goal_x == point.x then return false end
-    if under:leads_into_ceiling(on, point, goal_x, goal_y) then return false end
+    if under:leads_into_ground(on, point, goal_x, goal_y) then return false end
     -- Another floor may cross it, further on or just here.
     local met = under:cast_to(on, point, goal_x, goal_y)
     if met and met.facing == UP then

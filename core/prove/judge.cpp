@@ -256,7 +256,11 @@ std::optional<double> Judge::standing_place(const Rect& box, Foot foot, double r
 }
 
 bool Judge::is_on_floor(const Body& body) const {
-  const FineBox box = fine_box(body.box);
+  FineBox box = fine_box(body.box);
+  // A corner that touches a steep side touches the ground behind it, too.
+  const Fine touching = std::min(weld_, (box.x1 - box.x0) / 4);
+  box.x0 += touching;
+  box.x1 -= touching;
   const auto floor = floor_near(box, body.foot, weld_, weld_);
   if (!floor) return false;
   // Where two steep slopes meet just on a floor, that is in the ground on both sides.

@@ -19,6 +19,7 @@ constexpr double kIntoEdge = 1.0 / 64;  // px; the cell of an edge is that of th
 constexpr double kPhaseOfPx = 0.37;     // px; one of the places of a body between two pixels
 constexpr double kBeyondJoint = 2;      // px; walks end so far behind one
 constexpr int kDropRows = 2;            // cells above its floor from which a body is dropped
+constexpr int kMostDropRows = 12;       // the same between steep sides
 constexpr double kSlowWay = 1;          // px; the slowest body goes so far, over a joint
 
 int cells_of(double px, int tile) { return std::min(kMostReach, 1 + static_cast<int>(std::ceil(px / tile))); }
@@ -252,18 +253,23 @@ void TrialRunner::jump(const Place& place, Trial trial, int direction) {
 }
 
 // From two cells above the ground, or from one. A body that can stand there is dropped from there if there is
-// no more room.
+// no more room. Between two steep sides, where it cannot stand, it has room further up.
 void TrialRunner::drop(const Place& place, bool can_stand) {
   if (!place.start.drops) return;
   const ProveBody& body = scene_.bodies()[place.body];
   const int tile = scene_.ground().tile_size().height;
   Rect box = place.box;
-  int rows = kDropRows;
-  for (; rows > 0; --rows) {
+  const auto is_free_above = [&](int rows) {
     box.y = place.box.y - (rows * tile + kPhaseOfPx);
-    if (scene_.speeds().front().judge->is_free(box, body.foot, Judge::Corners::in_its_floor)) break;
+    return scene_.speeds().front().judge->is_free(box, body.foot, Judge::Corners::in_its_floor);
+  };
+  int rows = kDropRows;
+  while (rows > 0 && !is_free_above(rows)) --rows;
+  if (rows == 0 && !can_stand) {
+    rows = kDropRows + 1;
+    while (rows <= kMostDropRows && !is_free_above(rows)) ++rows;
+    if (rows > kMostDropRows) return;
   }
-  if (rows == 0 && !can_stand) return;
   Trial trial = start_at(body, rows == 0 ? place.box : box);
   trial.speed = scene_.speeds().front().scene->tuning.player.run_speed;
   trial.frames = kMostSteps / 2;

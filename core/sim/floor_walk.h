@@ -11,6 +11,7 @@
 #include <talus/collision/cast.h>
 #include "../collision/box_on_piece.h"
 #include "../collision/cast_rounding.h"
+#include "../collision/ground_queries.h"
 #include "exact_mover.h"
 
 namespace talus {
@@ -173,7 +174,7 @@ class FloorWalk {
   bool is_behind(const Contact<Real>& contact, const Moving<Real>& body) const {
     const Vec place = body.box.position();
     return room_at(place, contact) < -rounding_slack<Real>({body.box, {}, body.foot}) / 2 &&
-           std::abs(place.x - contact.position.x) <= Real(kFloorStep);
+           std::abs(place.x - contact.position.x) <= std::max(Real(kFloorStep), settled(body));
   }
 
   // Where the body goes on past a straight ceiling that it has met too early, by rounding: to the goal, or to
@@ -394,17 +395,17 @@ class FloorWalk {
     return middle > piece.x1 ? Vec{piece.x1, piece.y1} : Vec{std::max(box.x, piece.x0), y};
   }
 
-  // Whether a floor goes into a ceiling on the way of a box, so that not even its foot gets to the goal. Not
-  // the underside of the line that it walks on: that is met by rounding alone.
-  bool leads_into_ceiling(const FloorAhead<Real>& floor, const BasicRect<Real>& box, Vec goal) const {
+  // Whether a floor goes through a ceiling into the ground on the way of a box, so that not even its foot
+  // gets to the goal. It meets the underside of the line that it walks on by rounding alone.
+  bool leads_into_ground(const FloorAhead<Real>& floor, const BasicRect<Real>& box, Vec goal) const {
     const Moving<Real> foot{{box.x, box.y + box.h, 0, 0}, {}, Foot::box};
     const Vec to{goal.x, goal.y + box.h};
     const Contact<Real> met = cast_to(floor, foot, to);
-    if (!met || met.facing != Facing::down) return false;
-    const bool is_same_curve =
-        !is_straight(floor) && met.piece != nullptr && met.piece->stretch == floor.contact.piece->stretch;
-    return !is_same_curve && std::abs(met.position.x - foot.box.x) > Real(kFloorStep) &&
-           room_at(to, met) < -Real(kMostLip);
+    constexpr Real lip = Real(kMostLip);
+    if (!met || met.facing != Facing::down || !(room_at(to, met) < -lip) ||
+        std::abs(met.position.x - foot.box.x) <= Real(kFloorStep))
+      return false;
+    return overlaps_ground<Real>(ground_, {met.position.x - lip / 2, met.position.y - 2 * lip, lip, lip});
   }
 
   // Whether the floor goes on from the middle of the body to the x of the spot, and is not below it there.
@@ -421,7 +422,7 @@ class FloorWalk {
       if (falls) point.box.y = walk.place_on(*floor, point.box, point.box.x, point.foot).y;
       Vec goal = walk.goal_on(*floor, point.box, spot.x - point.box.x, point.foot);
       if (goal.x == point.box.x) return false;
-      if (walk.leads_into_ceiling(*floor, point.box, goal)) return false;
+      if (walk.leads_into_ground(*floor, point.box, goal)) return false;
       // Another floor may cross it, further on or just here.
       const Contact<Real> met = walk.cast_to(*floor, point, goal);
       if (met && met.facing == Facing::up) {

@@ -240,6 +240,15 @@ TEST(Prove, FindsAFunnelThatHoldsABody) {
   EXPECT_EQ(proof.counts.places, 0) << "nobody can walk there";
 }
 
+// There is no room for the body above its ground, and just a little more further up.
+TEST(Prove, FindsACleftThatHoldsABody) {
+  Scenery scenery(Foot::box);
+  scenery.put({9, 4}, {.kind = TileShape::Kind::polygon, .points = {{0, 0}, {8, 64}, {0, 64}}});
+  scenery.put({10, 4}, {.kind = TileShape::Kind::polygon, .points = {{8, 0}, {8, 64}, {0, 64}}});
+  const Proof proof = scenery.proof();
+  EXPECT_EQ(kinds_of(proof), std::set<std::string>{"wedged"}) << text_of(proof);
+}
+
 // A body on its centre steps off the end of a ramp, and comes below the ramp behind the gap.
 TEST(Prove, FindsAGapInASlope) {
   for (const double gap : {5, 7, 12}) {
