@@ -396,8 +396,10 @@ class FloorWalk {
   }
 
   // Whether a floor goes through a ceiling into the ground on the way of a box, so that not even its foot
-  // gets to the goal. It meets the underside of the line that it walks on by rounding alone.
-  bool leads_into_ground(const FloorAhead<Real>& floor, const BasicRect<Real>& box, Vec goal) const {
+  // gets to the goal. It meets the underside of the line that it walks on by rounding alone. Not inline,
+  // which would keep the compiler from putting hotter functions into the steps of balls.
+  [[gnu::noinline]] bool leads_into_ground(const FloorAhead<Real>& floor, const BasicRect<Real>& box,
+                                           Vec goal) const {
     const Moving<Real> foot{{box.x, box.y + box.h, 0, 0}, {}, Foot::box};
     const Vec to{goal.x, goal.y + box.h};
     const Contact<Real> met = cast_to(floor, foot, to);
