@@ -1,7 +1,9 @@
 #include "ground_level.h"
 
 #include <algorithm>
+#include <utility>
 
+#include <talus/level/ground.h>
 #include "ground_cells.h"
 #include "object_ground.h"
 
@@ -18,7 +20,10 @@ bool fits_layers(const Level& level, const CellChange& change) {
 Level ground_of_tiles(const Level& level, int own_tiles, GroundNames* names) {
   const GroundCells ground = ground_cells(level);
   if (names != nullptr) *names = GroundNames(own_tiles, level.tile_count(), ground.stacks);
-  if (ground.overflow > 0) return without_tiles(level);
+  if (ground.overflow > 0) {
+    if (names != nullptr) names->set_problem(ground_problem(level, ground));
+    return without_tiles(level);
+  }
   Level flat = level;
   flat.layers = {};
   flat.map.cells() = std::vector<TileNumber>(ground.cells.begin(), ground.cells.end());
@@ -45,9 +50,12 @@ bool has_plain_ground(const Level& level) {
 
 Level ground_level(const Level& level, GroundNames* names) {
   if (!has_object_ground(level)) return ground_of_tiles(level, level.tile_count(), names);
-  Level tiles = with_object_tiles(level);
+  std::optional<std::string> problem;
+  Level tiles = with_object_tiles(level, false, &problem);
   tiles.curves = level.curves;  // an edit of them must be one of the level's
-  return ground_of_tiles(tiles, level.tile_count(), names);
+  Level ground = ground_of_tiles(tiles, level.tile_count(), names);
+  if (names != nullptr && problem) names->set_problem(std::move(problem));
+  return ground;
 }
 
 bool update_cell(const Level& level, Cell cell, Level& of_ground) {

@@ -1,6 +1,7 @@
-// What the tiles of ground_level() are called.
+// What the tiles of ground_level() are called, and why it may have none.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,9 @@ class GroundNames {
 
   // "tile 12", "tile 12, mirrored,", "tile 3 with tile 12", "an object".
   std::string text_of(int number) const;
+  // Says why ground_level() has no ground though the level has, as ground_problem(); else nothing.
+  const std::optional<std::string>& problem() const { return problem_; }
+  void set_problem(std::optional<std::string> problem) { problem_ = std::move(problem); }
   friend bool operator==(const GroundNames&, const GroundNames&) = default;
 
  private:
@@ -26,6 +30,7 @@ class GroundNames {
 
   int own_tiles_ = kMaxTiles, stacks_at_ = kMaxTiles;
   std::vector<TileStack> stacks_;
+  std::optional<std::string> problem_;
 };
 
 }  // namespace talus

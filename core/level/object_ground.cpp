@@ -64,7 +64,10 @@ class ObjectGround {
     if (problem_.empty() && count() > kMaxTiles) fail("have parts of too many different shapes in its cells");
   }
 
-  const std::string& problem() const { return problem_; }
+  std::optional<std::string> problem() const {
+    if (problem_.empty()) return std::nullopt;
+    return "has objects of ground that " + problem_ + ": it has no ground";
+  }
   std::vector<LevelCurve> take_curves() { return std::move(curves_); }
   // The empty tile, the full one, and the shapes.
   int count() const { return level_.tile_count() + 2 + static_cast<int>(shapes_.size()); }
@@ -106,8 +109,8 @@ class ObjectGround {
         if (is_clockwise ? a.x < b.x : b.x < a.x) add_line(object, a, b, Curve::Faces::up);
       }
     } else if (!outline.empty() && !cells_.add(std::move(outline))) {
-      fail("have an outline, of " + (object.name.empty() ? "one without a name" : "\"" + object.name + "\"") +
-           ", that has more than 1024 points or covers too much");
+      const std::string name = object.name.empty() ? "one without a name" : "\"" + object.name + "\"";
+      fail("are too large: " + name + " has more than 1024 points, or covers too many cells");
     }
   }
 
@@ -176,11 +179,12 @@ bool has_object_ground(const Level& level) {
                      [](const ObjectLayer& layer) { return layer.is_ground && !layer.objects.empty(); });
 }
 
-Level with_object_tiles(const Level& level, bool keep_picture) {
+Level with_object_tiles(const Level& level, bool keep_picture, std::optional<std::string>* problem) {
   ObjectGround ground(level);
   Level all = level;
   all.objects.clear();
-  if (!ground.problem().empty()) {
+  if (problem != nullptr) *problem = ground.problem();
+  if (ground.problem()) {
     for (TileLayer& layer : all.layers.list) layer.is_ground = false;
     return all;
   }
@@ -196,9 +200,7 @@ Level with_object_tiles(const Level& level, bool keep_picture) {
 
 std::optional<std::string> object_ground_problem(const Level& level) {
   if (!has_object_ground(level)) return std::nullopt;
-  const ObjectGround ground(level);
-  if (ground.problem().empty()) return std::nullopt;
-  return "has objects of ground that " + ground.problem() + ": it has no ground";
+  return ObjectGround(level).problem();
 }
 
 }  // namespace talus

@@ -15,7 +15,9 @@ bool has_object_ground(const Level& level);
 // layers of objects are gone. Areas are cut into cells, whose tiles come behind those of the level: the first
 // is empty, the others have a shape each. Polylines, and the upper sides of one-way areas, become curves. A
 // level with an object_ground_problem() has no ground at all. The picture of the tiles stays if keep_picture.
-Level with_object_tiles(const Level& level, bool keep_picture = false);
+// problem: gets that, unless null.
+Level with_object_tiles(const Level& level, bool keep_picture = false,
+                        std::optional<std::string>* problem = nullptr);
 
 // Says that objects of a level are more than its ground can hold, as a sentence without its subject; nothing
 // if they are not.

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -10,6 +11,7 @@
 #include <talus/level/ground.h>
 #include <talus/sim/scene.h>
 #include <talus/sim/solver.h>
+#include "level/lint/lint.h"
 #include "level/local_ground.h"
 #include "level/object_cells.h"
 #include "level/object_ground.h"
@@ -276,6 +278,23 @@ TEST(ObjectGround, ObjectsOfTiledAreKeptWithAllTheyHave) {
   const auto again = read_level(text->bytes, native);
   ASSERT_TRUE(again) << again.error().message;
   EXPECT_EQ(again->level.objects, loaded.level.objects);
+}
+
+// All of its ground would be gone, and nothing would say so.
+TEST(ObjectGround, OutlinesThatAreTooLargeAreAProblem) {
+  MapObject star;
+  star.form = MapObject::Form::polygon;
+  for (int i = 0; i < 2000; ++i) {
+    const double angle = 3.14159265358979 * i / 1000, radius = i % 2 == 0 ? 90 : 80;
+    star.points.push_back({160 + radius * std::cos(angle), 120 + radius * std::sin(angle)});
+  }
+  const Level level = level_with({star});
+  const auto problems = lint(level);
+  const auto found = std::find_if(problems.begin(), problems.end(), [](const Problem& problem) {
+    return problem.rule->code == "too-much-ground";
+  });
+  ASSERT_NE(found, problems.end());
+  EXPECT_EQ(found->message, "the level " + *object_ground_problem(level));
 }
 
 }  // namespace

@@ -96,7 +96,8 @@ std::vector<Problem> ignored_ground_of(const Level& level, const GroundNames& na
 void check_solver(const LintContext& context, std::vector<Problem>& out) {
   for (Problem& problem : ignored_ground_of(context.level, context.tiles.names()))
     out.push_back(std::move(problem));
-  if (const auto problem = ground_problem(context.level))
+  const auto& left_out = context.tiles.names().problem();
+  if (const auto problem = left_out ? left_out : ground_problem(context.level))
     report(out, kTooMuchGround, "the level " + *problem);
 }
 
