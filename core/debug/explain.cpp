@@ -159,7 +159,7 @@ bool stays(const BodyPath& path) {
 }
 
 // px, how far below a body the floor may be that it stands on, by rounding
-constexpr double kTouching = 1.0 / 256;
+constexpr double kTouching = 1.0 / kWeldParts;
 
 // Whether a body stands on a side that is too steep to stand on alone.
 bool is_on_steep_side(const Frame& frame, const Body& body) {

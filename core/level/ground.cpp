@@ -123,9 +123,10 @@ std::size_t ground_lines(const Level& level, const GroundCells& ground) {
 }
 
 std::optional<std::string> ground_problem(const Level& level) {
-  if (auto problem = object_ground_problem(level)) return problem;
-  if (has_object_ground(level)) return ground_problem(with_object_tiles(level));
-  return ground_problem(level, ground_cells(level));
+  if (!has_object_ground(level)) return ground_problem(level, ground_cells(level));
+  std::optional<std::string> problem;
+  const Level tiles = with_object_tiles(level, false, &problem);
+  return problem ? problem : ground_problem(tiles);
 }
 
 std::optional<std::string> ground_problem(const Level& level, const GroundCells& ground) {

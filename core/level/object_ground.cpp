@@ -183,8 +183,8 @@ Level with_object_tiles(const Level& level, bool keep_picture, std::optional<std
   ObjectGround ground(level);
   Level all = level;
   all.objects.clear();
-  if (problem != nullptr) *problem = ground.problem();
-  if (ground.problem()) {
+  if (auto found = ground.problem()) {
+    if (problem != nullptr) *problem = std::move(found);
     for (TileLayer& layer : all.layers.list) layer.is_ground = false;
     return all;
   }
@@ -196,11 +196,6 @@ Level with_object_tiles(const Level& level, bool keep_picture, std::optional<std
   layer.cells = std::make_shared<const MapCells>(std::move(map.cells()));
   all.layers.list.push_back(std::move(layer));
   return all;
-}
-
-std::optional<std::string> object_ground_problem(const Level& level) {
-  if (!has_object_ground(level)) return std::nullopt;
-  return ObjectGround(level).problem();
 }
 
 }  // namespace talus

@@ -52,9 +52,8 @@ void FloorLine::follow(const RawGround& ground, Point from, Fine until, double s
 
 // Where a piece of the line goes into ground, found to a slack; else its end.
 FloorLine::Point FloorLine::end_of_way(const RawGround& ground, Point from, Point to) const {
-  const RawLine line =
-      from.x < to.x ? RawLine{from.x, from.y, to.x, to.y} : RawLine{to.x, to.y, from.x, from.y};
   const bool right = from.x < to.x;
+  const RawLine line = right ? RawLine{from.x, from.y, to.x, to.y} : RawLine{to.x, to.y, from.x, from.y};
   Fine end = to.x;
   const FineBox area{line.x0, std::min(from.y, to.y), line.x1, std::max(from.y, to.y)};
   ground.for_parts(area, [&](const RawPart& part) {

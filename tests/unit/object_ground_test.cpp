@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include <talus/collision/shape_forms.h>
@@ -92,7 +93,7 @@ TEST(ObjectGround, HasTheAreaOfItsObjects) {
           polygon_object({{10, 10}, {90, 90}, {90, 10}, {10, 90}}),
           polygon_object({{16, 0}, {17, 200}, {15, 200}})}) {
       const Level level = level_with({object}, tile);
-      EXPECT_EQ(object_ground_problem(level), std::nullopt);
+      EXPECT_EQ(ground_problem(level), std::nullopt);
       expect_same_area(level, outline_of(object));
     }
   }
@@ -285,7 +286,7 @@ TEST(ObjectGround, OutlinesThatAreTooLargeAreAProblem) {
   MapObject star;
   star.form = MapObject::Form::polygon;
   for (int i = 0; i < 2000; ++i) {
-    const double angle = 3.14159265358979 * i / 1000, radius = i % 2 == 0 ? 90 : 80;
+    const double angle = std::numbers::pi * i / 1000, radius = i % 2 == 0 ? 90 : 80;
     star.points.push_back({160 + radius * std::cos(angle), 120 + radius * std::sin(angle)});
   }
   const Level level = level_with({star});
@@ -294,7 +295,7 @@ TEST(ObjectGround, OutlinesThatAreTooLargeAreAProblem) {
     return problem.rule->code == "too-much-ground";
   });
   ASSERT_NE(found, problems.end());
-  EXPECT_EQ(found->message, "the level " + *object_ground_problem(level));
+  EXPECT_EQ(found->message, "the level " + *ground_problem(level));
 }
 
 }  // namespace
