@@ -100,8 +100,9 @@ local function follow(piece, box, x, y)
   local along_x, along_y = tangent_at(piece.stretch, there + offset)
   local length = sqrt(x * x + y * y) * (1 - used)
   local signed = (x < 0 and -1 or 1) * length
-  if used < 1 then return chord_x, chord_y, there, rest, along_x * signed, along_y * signed end
-  return chord_x, chord_y, there, rest, 0.0, 0.0
+  if not (used > 0) then return along_x * signed, along_y * signed end
+  if used < 1 then return chord_x, chord_y, there, rest, along_x * signed, along_y * signed, 1 / used end
+  return chord_x, chord_y, there, rest, 0.0, 0.0, 1.0
 end
 
 -- ---- Cutting ----

@@ -1,6 +1,7 @@
 -- ---- Mover: takes one box through the ground, contact by contact ----
 
 local SETTLED = 4  -- a box within so many roundings of a piece is put on it
+local LIP = 0.00390625  -- px; the end of a curve may be so far off the end that it ought to meet
 
 -- The part of a motion that a surface leaves.
 local function slide_along(nx, ny, x, y)
@@ -32,13 +33,25 @@ function World:others() end
 -- floor leads over the side that a corner has met on its way, which ends y px lower; 0: the side stops it.
 function World:depth_below_floor() return 0.0 end
 
+-- Whether what a box has met is the side of a floor that begins up to LIP higher. It is put on that floor.
+function Terrain:climbs(box, contact, others)
+  if contact.other or contact.ny ~= 0 or not self:has_pieces() then return false end
+  local top = contact.edge and contact.edge.y0 or contact.row * TILE_H
+  local rise = box.y + box.h - top
+  if not (rise > 0) or rise > LIP + SETTLED * rounding_slack(box.x, box.y, box.w, box.h, 0.0, 0.0) then return false end
+  if cast_box(self, box.x, box.y, box.w, box.h, 0.0, -rise, box.centre, others, nil, 0.0) then return false end
+  box.y = top - box.h
+  return true
+end
+
 -- Moves the box of a body by x, y. respond(world, body, box, contact, x, y) returns the motion to go on with.
 -- A surface that leads back to itself also returns follow values: the way to go without meeting it, its end,
--- and the motion from there. Returns whether two sides that it met hold it up.
+-- the motion from there, and that way and what is left then in lengths of that way; nil: the box is at the end of the
+-- piece, and goes on along the tangent there. Returns whether two sides that it met hold it up.
 local function move(world, body, box, x, y, respond)
   local others = world:others(body, box, x, y)
   local passes, sunk, before_x, before_y = 0, 0.0, nil, nil
-  local followed, surface, goal_x, goal_y, after_x, after_y, held
+  local followed, surface, goal_x, goal_y, after_x, after_y, whole, held
   while box.x + x ~= box.x or box.y + y ~= box.y do
     if passes == world.tuning.max_passes then break end
     local contact = cast_box(world.terrain, box.x, box.y, box.w, box.h, x, y, box.centre, others, followed, sunk)
@@ -55,20 +68,27 @@ local function move(world, body, box, x, y, respond)
     else
       local from_x, from_y = box.x, box.y
       box.x, box.y = contact.x, contact.y
-      surface = not contact.on_end and contact.edge or nil
-      x, y = respond(world, body, box, contact, x, y)
-      -- Sliding along one plane leads into the one before: there is nowhere to go.
-      local slides = x * contact.nx + y * contact.ny <= tolerance(x, y)
-      if before_x and slides and x * before_x + y * before_y < -tolerance(x, y) then
-        held = abs(box.x - from_x) + abs(box.y - from_y) <=
-            SETTLED * rounding_slack(box.x, box.y, box.w, box.h, 0.0, 0.0) and
-            contact.nx * before_x < 0 and abs(before_x) * contact.ny + abs(contact.nx) * before_y < 0
-        break
-      end
-      before_x, before_y, followed = contact.nx, contact.ny, nil
-      if slides and surface and surface.follow then
-        followed = surface.source
-        x, y, goal_x, goal_y, after_x, after_y = surface.follow(surface, box, x, y)
+      if world.terrain:climbs(box, contact, others) then
+        local left = (followed and whole or 1) - contact.t
+        x, y, followed = x * left, y * left, nil
+      else
+        -- The way that was left at the chord's end is left here, too.
+        if followed then x, y, contact.t, followed = x * whole, y * whole, contact.t / whole, nil end
+        surface = not contact.on_end and contact.edge or nil
+        x, y = respond(world, body, box, contact, x, y)
+        -- Sliding along one plane leads into the one before: there is nowhere to go.
+        local slides = x * contact.nx + y * contact.ny <= tolerance(x, y)
+        if before_x and slides and x * before_x + y * before_y < -tolerance(x, y) then
+          held = abs(box.x - from_x) + abs(box.y - from_y) <=
+              SETTLED * rounding_slack(box.x, box.y, box.w, box.h, 0.0, 0.0) and
+              contact.nx * before_x < 0 and abs(before_x) * contact.ny + abs(contact.nx) * before_y < 0
+          break
+        end
+        before_x, before_y = contact.nx, contact.ny
+        if slides and surface and surface.follow then
+          x, y, goal_x, goal_y, after_x, after_y, whole = surface.follow(surface, box, x, y)
+          followed = whole and surface.source
+        end
       end
     end
   end

@@ -7,7 +7,6 @@ local Walk = {}  -- of one body in one step
 Walk.__index = Walk
 
 local AHEAD = 0.001953125  -- px; how far ahead the next piece of floor is looked for
-local LIP = 0.00390625  -- px; the end of a curve may be so far off the end that it ought to meet
 local HALVINGS = 16  -- how often the way along a curve to what stops the body is halved: to less than 1/1000 px
 local UNDER = 1024  -- the floor under a body is followed over so many pieces to a corner of the body
 
@@ -128,19 +127,22 @@ function Walk.is_straight(on) return not on.on_line or on.met.edge.form.straight
 -- How far a place is from what the body has met, px; less than 0: it is in that.
 function Walk.room_at(x, y, contact) return (x - contact.x) * contact.nx + (y - contact.y) * contact.ny end
 
--- The place of the body on that curve where something has stopped it that it met on its way from x. It went along
--- the chord, and on the curve itself it may meet that sooner.
-function Walk.stop_on(on, box, from, contact)
-  if contact.t == 0 then return contact.x, contact.y end
-  local x, y = Walk.place_on(on, box, contact.x)
-  if Walk.room_at(x, y, contact) >= 0 then return x, y end
+-- Puts a body that something has stopped on its way from x along the chord of that curve on the curve itself, where it
+-- may meet that sooner, or on another floor just above the curve.
+function Walk:stop_on(on, box, from, contact)
+  if contact.t == 0 then return end
   local free, blocked = from, contact.x
-  for _ = 1, HALVINGS do
-    local middle = (free + blocked) / 2
-    local _, middle_y = Walk.place_on(on, box, middle)
-    if Walk.room_at(middle, middle_y, contact) >= 0 then free = middle else blocked = middle end
+  local x, y = Walk.place_on(on, box, blocked)
+  if Walk.room_at(x, y, contact) < 0 then
+    for _ = 1, HALVINGS do
+      local middle = (free + blocked) / 2
+      local _, middle_y = Walk.place_on(on, box, middle)
+      if Walk.room_at(middle, middle_y, contact) >= 0 then free = middle else blocked = middle end
+    end
+    x, y = Walk.place_on(on, box, free)
   end
-  return Walk.place_on(on, box, free)
+  local met = y > box.y and self:cast_to(on, box, x, y)
+  box.x, box.y = met and met.x or x, met and met.y or y
 end
 
 -- px; a body so near to a floor is on it.
@@ -344,17 +346,6 @@ function World:depth_below_floor(box, contact, y, sunk)
   return over:sinks(there, contact, contact.y + max(y, 0.0) * (1 - contact.t), box.w * 8) and over.sunk or 0.0
 end
 
--- Whether a box has met the side of a floor that begins up to LIP higher. It is put on that floor.
-function Walk:climbs(box, contact)
-  if box.centre or contact.other or contact.ny ~= 0 then return false end
-  local _, spot_y = self:corner_met(box, contact)
-  local rise = box.y + box.h - spot_y
-  if not (rise > 0) or rise > LIP + Walk.settled(box) then return false end
-  if self:cast(box, 0.0, -rise, nil, 0.0) then return false end
-  box.y = spot_y - box.h
-  return true
-end
-
 -- The floor on which the body goes on, up to `reach` px below it; nil if there is none, or if it is too steep. One that
 -- begins up to LIP higher or lower is one with the floor before: the body is put on it.
 function Walk:floor_ahead(box, reach)
@@ -388,7 +379,7 @@ end
 function Walk:passes(on, box, from, goal_x, goal_y, contact)
   local straight, y = Walk.is_straight(on), box.y
   Walk.lift_onto(on, box)
-  if self:sinks(box, contact, goal_y) or self:climbs(box, contact) then return "goes on", nil end
+  if self:sinks(box, contact, goal_y) or self.terrain:climbs(box, contact, self.others) then return "goes on", nil end
   box.y = y
   if contact.ny < 0 and Walk.leads_above(on, box, contact, goal_x) then
     Walk.lift_onto(on, box)
@@ -396,7 +387,7 @@ function Walk:passes(on, box, from, goal_x, goal_y, contact)
   end
   if contact.ny < 0 and is_level(contact, self.steepest) then return "goes on", self:floor_met(box, contact) end
   if not straight then
-    box.x, box.y = Walk.stop_on(on, box, from, contact)
+    self:stop_on(on, box, from, contact)
   elseif self:joins(on, box) then
     return "goes on", on
   end

@@ -183,12 +183,16 @@ std::optional<Verdict> Judge::judge_contacts(const Body& before, const StepRecor
 bool Judge::is_below_floor(const Body& body, const ContactRecord& contact) const {
   if (body.foot != Foot::centre || contact.normal.y != 0) return false;
   const FineBox box = fine_box({contact.touch.x, contact.touch.y, body.box.w, body.box.h});
-  const FineBox next = box.moved(scaled(kAhead, -contact.normal.x), 0);
-  const Fine rise = scaled(kAhead, tuning_.exact.steepest) + weld_;
-  const auto floor = floor_near(next, body.foot, rise, kDeepestFloor * (box.x1 - box.x0));
+  const FineBox next = box.moved(scaled(ahead_, -contact.normal.x), 0);
+  const Fine rise = scaled(ahead_, tuning_.exact.steepest) + weld_,
+             deepest = kDeepestFloor * (box.x1 - box.x0);
+  const auto here = floor_near(box, body.foot, weld_, deepest);
+  const auto floor = floor_near(next, body.foot, rise, deepest);
   const Fine middle = next.middle();
-  // A slope on which nobody stands may be between the two.
-  if (!floor || has_floor_in({middle, next.y1 - rise, middle, *floor - 1})) return false;
+  // It may be below a one-way floor that leads there, and a slope on which nobody stands may be between the
+  // two.
+  if (!here || !floor || *here - *floor > rise) return false;
+  if (has_floor_in({middle, next.y1 - rise, middle, *floor - 1})) return false;
   // What it touches by rounding alone stops it, too.
   const auto passes_at = [&](Fine y) {
     const FineBox goal = next.moved(0, std::min(y, *floor - next.y1));

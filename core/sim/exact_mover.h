@@ -10,11 +10,15 @@
 #include <talus/collision/cast.h>
 #include "../collision/box_on_piece.h"
 #include "../collision/cast_rounding.h"
+#include "../collision/ground_queries.h"
 
 namespace talus {
 
 // A box within this many times its rounding_slack() of a surface is put on the surface.
 inline constexpr int kSettledSlacks = 4;
+// px; the end of a curve may be so far off the end that it ought to meet, as ends are rounded to it.
+inline constexpr double kMostLip = 0.00390625;
+static_assert(kMostLip * kWeldParts == 1);
 
 template <class Real>
 struct Moving {
@@ -58,6 +62,29 @@ bool is_level_piece(const Contact<Real>& contact, Real steepest) {
 template <class Real>
 [[gnu::always_inline]] inline bool is_level(const Contact<Real>& contact, Real steepest) {
   return contact.piece == nullptr ? contact.normal.y != 0 : is_level_piece(contact, steepest);
+}
+
+// The upper end of a side that a body has met.
+template <class Real>
+BasicVec2<Real> top_of_side(const BasicTerrain<Real>& ground, const Contact<Real>& contact) {
+  const Piece<Real>* piece = contact.piece;
+  if (piece != nullptr) return {piece->x0, piece->y0};
+  const Cell cell{contact.origin % ground.width(), contact.origin / ground.width()};
+  return {ground.x_of(cell.x + (contact.facing == Facing::left ? 0 : 1)), ground.y_of(cell.y)};
+}
+
+// Whether what a body has met is the side of a floor that begins up to kMostLip higher. It is put on that
+// floor.
+template <class Real>
+[[gnu::noinline]] bool climbs(const BasicTerrain<Real>& ground, std::span<const BasicRect<Real>> others,
+                              Moving<Real>& body, const Contact<Real>& contact, CastBudget* budget) {
+  if (contact.is_other || contact.normal.y != 0 || !ground.has_pieces()) return false;
+  const Real top = top_of_side(ground, contact).y, rise = body.box.y + body.box.h - top;
+  const Real slack = kSettledSlacks * rounding_slack<Real>({body.box, {}, body.foot});
+  if (!(rise > 0) || rise > Real(kMostLip) + slack) return false;
+  if (cast_box<Real>(ground, {body.box, {0, -rise}, body.foot}, others, nullptr, budget)) return false;
+  body.box.y = top - body.box.h;
+  return true;
 }
 
 // RestMemo: what a box met that fell straight down while it touched the ground. For a fall of up to
@@ -119,12 +146,14 @@ class Mover {
   // sinks(contact, motion, sunk), if it is given, with the Cast::sunk of its casts, px: more than 0 is a new
   // one, with which it may pass.
   template <class Respond, class Seen, class Sinks>
-  Result move(Moving<Real>& body, Vec motion, Respond respond, Seen seen, Sinks sinks) {
+  [[gnu::always_inline]] Result move(Moving<Real>& body, Vec motion, Respond respond, Seen seen,
+                                     Sinks sinks) {
     Result result;
     Real sunk = 0;              // px, as Cast::sunk
     std::optional<Vec> before;  // normal of the contact before
     const Piece<Real>* followed = nullptr;
     Vec after_following;
+    Real whole = 1;  // the chord and what is left after it, in chords
     while (body.box.x + motion.x != body.box.x || body.box.y + motion.y != body.box.y) {
       if (result.passes == max_passes_) {
         result.capped = true;
@@ -154,11 +183,21 @@ class Mover {
         continue;
       }
       ++result.passes;
-      if (body.foot == Foot::centre && contact.normal.y == 0) {
-        if (const Real depth = sinks(contact, motion, sunk); depth > 0) {
+      if (contact.normal.y == 0) [[unlikely]] {
+        if (const Real depth = body.foot == Foot::centre ? sinks(contact, motion, sunk) : 0; depth > 0) {
           sunk = depth;
           continue;
         }
+        if (climbs_at(contact, body)) {
+          motion = motion * ((followed != nullptr ? whole : 1) - contact.t);
+          followed = nullptr;
+          continue;
+        }
+      }
+      if (followed != nullptr) [[unlikely]] {  // the way that was left at the chord's end is left here, too
+        motion = motion * whole;
+        contact_.t /= whole;
+        followed = nullptr;
       }
       seen(contact, motion);
       const Vec from = body.box.position();
@@ -174,11 +213,9 @@ class Mover {
         break;
       }
       before = contact.normal;
-      followed = nullptr;
-      if (slides && surface_ != nullptr && is_hollow(*surface_)) {
+      if (slides && surface_ != nullptr && is_hollow(*surface_) &&
+          follow(body, motion, after_following, whole))
         followed = surface_;
-        follow(body, motion, after_following);
-      }
     }
     settle(body);
     return result;
@@ -213,6 +250,17 @@ class Mover {
     return contact_;
   }
 
+  // Whether the body climbs over the edge that it has met. Not inline, and move() always is: the steps of
+  // balls are quickest so.
+  [[gnu::noinline]] bool climbs_at(const Contact<Real>& contact, Moving<Real>& body) const {
+    Moving<Real> there = body;
+    there.box.x = contact.position.x;
+    there.box.y = contact.position.y;
+    if (!climbs(terrain_, others_, there, contact, budget_)) return false;
+    body.box = there.box;
+    return true;
+  }
+
   static Real tolerance(Vec motion) { return (std::abs(motion.x) + std::abs(motion.y)) * kRounding<Real>; }
 
   // A curve bends towards the box: a box that slides along it meets it again at once.
@@ -221,8 +269,9 @@ class Mover {
     return terrain_.stretches()[piece.stretch - 1].bends_down != (piece.facing == Facing::up);
   }
 
-  // Turns a motion along the tangent of a hollow curve into the chord to its end on the curve.
-  void follow(const Moving<Real>& body, Vec& motion, Vec& after) {
+  // Turns a motion along the tangent of a hollow curve into the chord to its end on the curve. Returns false
+  // if the body is at the end of the piece, and goes on along the tangent there.
+  bool follow(const Moving<Real>& body, Vec& motion, Vec& after, Real& whole) {
     const Piece<Real>& piece = *surface_;
     Moving<Real> there = body;
     there.box.x = moved_x(body.box, motion.x);
@@ -237,7 +286,10 @@ class Mover {
     const Real sign = motion.x < 0 ? -1 : 1;
     after = used < 1 ? along * (sign * length) : Vec{};
     goal_ = {there.box.x, y};
-    motion = chord;
+    const bool is_at_end = !(used > 0);
+    motion = is_at_end ? after : chord;
+    whole = is_at_end ? 1 : 1 / used;
+    return !is_at_end;
   }
 
   static void advance(Moving<Real>& body, Vec motion) {

@@ -251,7 +251,7 @@ class ExactSolver final : public Solver {
                       Real from, Vec goal, const Contact<Real>& contact) {
     const Real y = moving.box.y;
     way.lift_onto(*floor, moving);
-    if (way.sinks(moving, contact, goal.y) || way.climbs(moving, contact)) {
+    if (way.sinks(moving, contact, goal.y) || climbs<Real>(ground_, others_, moving, contact, &budget_)) {
       floor.reset();
       return AfterContact::goes_on;
     }
@@ -267,7 +267,7 @@ class ExactSolver final : public Solver {
     if (way.is_straight(*floor)) {
       if (way.joins(*floor, moving)) return AfterContact::goes_on;
     } else {
-      put(moving, way.stop_on(*floor, moving.box, from, contact, moving.foot));
+      way.stop_on(*floor, moving, from, contact);
     }
     if (contact.normal.y < 0 && contact.normal.x * moving.velocity.x > 0) return AfterContact::leaves;
     // It may pass the last corner of a ceiling, or go on along a curve that is not where its chord is.

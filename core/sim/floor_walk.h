@@ -19,9 +19,6 @@ namespace talus {
 // px; how far ahead the next piece of floor is looked for: half of the shortest piece.
 inline constexpr double kFloorStep = 0.001953125;
 static_assert(kFloorStep * 2 * kWeldParts == 1);
-// px; the end of a curve may be so far off the end that it ought to meet, as ends are rounded to it.
-inline constexpr double kMostLip = 0.00390625;
-static_assert(kMostLip * kWeldParts == 1);
 // How often the way along a curve to what stops the body is halved: to less than 1/1000 px.
 inline constexpr int kHalvings = 16;
 // The floor under a body is followed over so many pieces to a corner of the body: more than there are under
@@ -102,19 +99,22 @@ class FloorWalk {
   static bool is_straight(const FloorAhead<Real>& floor) {
     return !floor.on_line || floor.contact.piece->stretch == 0;
   }
-  // The place of the body on that curve where something has stopped it that it met on its way from x. It went
-  // along the chord, and on the curve itself it may meet that sooner.
-  Vec stop_on(const FloorAhead<Real>& floor, const BasicRect<Real>& box, Real from,
-              const Contact<Real>& contact, Foot foot) const {
-    if (contact.t == 0) return contact.position;
-    const Vec place = place_on(floor, box, contact.position.x, foot);
-    if (room_at(place, contact) >= 0) return place;
+  // Puts a body that something has stopped on its way from x along the chord of that curve on the curve
+  // itself, where it may meet that sooner, or on another floor just above the curve.
+  void stop_on(const FloorAhead<Real>& floor, Moving<Real>& body, Real from,
+               const Contact<Real>& contact) const {
+    if (contact.t == 0) return;
+    const auto place_at = [&](Real x) { return place_on(floor, body.box, x, body.foot); };
     Real free = from, blocked = contact.position.x;
-    for (int i = 0; i < kHalvings; ++i) {
+    if (room_at(place_at(blocked), contact) >= 0) free = blocked;
+    for (int i = 0; i < kHalvings && free != blocked; ++i) {
       const Real x = (free + blocked) / 2;
-      (room_at(place_on(floor, box, x, foot), contact) >= 0 ? free : blocked) = x;
+      (room_at(place_at(x), contact) >= 0 ? free : blocked) = x;
     }
-    return place_on(floor, box, free, foot);
+    const Vec place = place_at(free);
+    const Contact<Real> met = place.y > body.box.y ? cast_to(floor, body, place) : Contact<Real>{};
+    body.box.x = met ? met.position.x : place.x;
+    body.box.y = met ? met.position.y : place.y;
   }
   // Whether the floor is a curve that goes on above what the body has met below it, on the chord of its way.
   bool leads_above(const FloorAhead<Real>& floor, const Moving<Real>& body, const Contact<Real>& contact,
@@ -222,17 +222,6 @@ class FloorWalk {
 
   // px, as Cast::sunk: how much of the lowest part of its corners meets nothing.
   Real sunk() const { return sunk_; }
-
-  // Whether a box has met the side of a floor that begins up to kMostLip higher. It is put on that floor.
-  bool climbs(Moving<Real>& body, const Contact<Real>& contact) const {
-    if (body.foot == Foot::centre || contact.is_other || contact.normal.y != 0) return false;
-    const Vec spot = *corner_met(body, contact);  // a side has one
-    const Real rise = body.box.y + body.box.h - spot.y;
-    if (!(rise > 0) || rise > Real(kMostLip) + settled(body)) return false;
-    if (cast_box<Real>(ground_, {body.box, {0, -rise}, body.foot}, others_, nullptr, budget_)) return false;
-    body.box.y = spot.y - body.box.h;
-    return true;
-  }
 
  private:
   // Whether it only touches a hill, at its top, which is in its way by rounding alone.
@@ -362,17 +351,14 @@ class FloorWalk {
   // The upper end of what a corner of the body met, or the nearer end of a ceiling that is level or falls
   // from there. Nothing: its middle met it.
   std::optional<Vec> corner_met(const Moving<Real>& body, const Contact<Real>& contact) const {
+    if (contact.facing == Facing::left || contact.facing == Facing::right)
+      return top_of_side(ground_, contact);
     const Piece<Real>* piece = contact.piece;
-    const Cell cell{contact.origin % ground_.width(), contact.origin / ground_.width()};
-    if (contact.facing == Facing::left || contact.facing == Facing::right) {
-      if (piece != nullptr) return Vec{piece->x0, piece->y0};
-      return Vec{ground_.x_of(cell.x + (contact.facing == Facing::left ? 0 : 1)), ground_.y_of(cell.y)};
-    }
     if (piece != nullptr && !contact.on_end) {
       if (contact.facing != Facing::down) return std::nullopt;
       if (piece->y0 != piece->y1) return underside_met(*piece, body.box, contact.position.y);
     }
-    const int column = piece != nullptr ? 0 : solid_column(body.box, cell.y);
+    const int column = piece != nullptr ? 0 : solid_column(body.box, contact.origin / ground_.width());
     const Real x0 = piece != nullptr ? piece->x0 : ground_.x_of(column);
     const Real x1 = piece != nullptr ? piece->x1 : ground_.x_of(column + 1);
     const Real middle = body.box.x + body.box.w / 2;
