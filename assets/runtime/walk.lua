@@ -62,6 +62,7 @@ function Walk:floor_of(contact, box)
   return {met = contact, on_line = on_line, stop = self:end_of(contact, on_line, box)}
 end
 
+function Walk.at(x, y, box) return {x = x, y = y, w = box.w, h = box.h, centre = box.centre} end
 -- What a box meets first on its way. sunk: as that of the walk, which it is by default.
 function Walk:cast(box, way_x, way_y, without, sunk)
   return cast_box(self.terrain, box.x, box.y, box.w, box.h, way_x, way_y, box.centre, self.others, without,
@@ -86,8 +87,7 @@ function Walk:look_ahead(box, reach, step)
   local forgiven = Walk.slack(box)
   step = step or max(AHEAD, 2 * forgiven)
   local rise = min(step * self.steepest, 1.0) + LIP + 2 * forgiven
-  local there = {x = moved_x(box.x, box.w, self.direction * step), y = box.y - rise, w = box.w, h = box.h,
-                 centre = box.centre}
+  local there = Walk.at(moved_x(box.x, box.w, self.direction * step), box.y - rise, box)
   local sunk = self.sunk > 0 and min(self.sunk + rise, box.h) or 0.0
   local found = self:cast(there, 0.0, rise + reach, nil, sunk)
   -- The floor may go on to the foot of something too steep, which is met on the way then.
@@ -128,9 +128,8 @@ function Walk.is_straight(on) return not on.on_line or on.met.edge.form.straight
 function Walk.room_at(x, y, contact) return (x - contact.x) * contact.nx + (y - contact.y) * contact.ny end
 
 -- Puts a body that something has stopped on its way from x along the chord of that curve on the curve itself, where it
--- may meet that sooner, or on another floor just above the curve.
+-- may meet that sooner, or as near to it as what else is there lets it.
 function Walk:stop_on(on, box, from, contact)
-  if contact.t == 0 then return end
   local free, blocked = from, contact.x
   local x, y = Walk.place_on(on, box, blocked)
   if Walk.room_at(x, y, contact) < 0 then
@@ -141,7 +140,8 @@ function Walk:stop_on(on, box, from, contact)
     end
     x, y = Walk.place_on(on, box, free)
   end
-  local met = y > box.y and self:cast_to(on, box, x, y)
+  local met = self:cast_to(on, box, x, y)
+  if met and self:sinks(Walk.at(met.x, met.y, box), met, y) then met = self:cast_to(on, box, x, y) end
   box.x, box.y = met and met.x or x, met and met.y or y
 end
 
@@ -196,18 +196,20 @@ function Walk.lift_onto(on, box)
   box.y = min(box.y, y)
 end
 
--- Puts a body that has met something on that straight floor, which may be a little higher or lower than the one
--- that it came from. Returns whether that moved it by more than rounding does, so that it may pass.
+-- Puts a body that has met something on that floor, which may be a little higher or lower than the one that it came
+-- from. Returns whether that moved it, so that it may pass.
 function Walk:joins(on, box)
+  local before, slack = box.y, Walk.settled(box)
   local _, y = Walk.place_on(on, box, box.x)
-  local way, slack = y - box.y, Walk.settled(box)
-  local is_off = abs(way) > slack
-  if is_off then
-    local met = self:cast(box, 0.0, way)
-    if met and abs(met.y - y) > slack then return false end
+  if abs(y - before) > slack then
+    local met = self:cast(box, 0.0, y - before)
+    if met and abs(met.y - y) > slack then
+      if y > before then box.y = met.y end
+      return box.y - before > slack
+    end
   end
   box.y = y
-  return is_off
+  return y ~= before
 end
 
 -- Whether the body has come to the place that it was cast to, but for rounding, when it meets something.
@@ -342,7 +344,7 @@ end
 function World:depth_below_floor(box, contact, y, sunk)
   local over = setmetatable({terrain = self.terrain, direction = 1, steepest = self.tuning.steepest, sunk = sunk},
                             Walk)
-  local there = {x = contact.x, y = contact.y, w = box.w, h = box.h, centre = true}
+  local there = Walk.at(contact.x, contact.y, box)
   return over:sinks(there, contact, contact.y + max(y, 0.0) * (1 - contact.t), box.w * 8) and over.sunk or 0.0
 end
 
@@ -386,10 +388,10 @@ function Walk:passes(on, box, from, goal_x, goal_y, contact)
     return "shortens", on
   end
   if contact.ny < 0 and is_level(contact, self.steepest) then return "goes on", self:floor_met(box, contact) end
-  if not straight then
+  if straight or contact.t == 0 then
+    if self:joins(on, box) then return "goes on", on end
+  else
     self:stop_on(on, box, from, contact)
-  elseif self:joins(on, box) then
-    return "goes on", on
   end
   if contact.ny < 0 and contact.nx * box.vx > 0 then return "leaves", on end
   -- It may pass the last corner of a ceiling, or go on along a curve that is not where its chord is.
@@ -445,7 +447,8 @@ local function go_along_floor(world, body, box, reach, motion_on, stop_at)
       local after
       contacts = contacts + 1
       after, on = walk:passes(on, box, from, goal_x, goal_y, contact)
-      if after == "shortens" then part = part / 2 end
+      -- What it has met does not stop it, and does not count.
+      if after == "shortens" then part, contacts = part / 2, contacts - 1 end
       if after == "leaves" then return false, x * rest, 0.0 end
       if after == "stops" then
         stop_at(box, contact)

@@ -382,7 +382,8 @@ bool Judge::passes(const FineBox& from, const FineBox& to, Foot foot, Fine floor
   });
 }
 
-// Along a curve a body stops a little before it has no room, as a step goes along its chord.
+// Along a curve a body stops a little before it has no room, and a little beside the curve, as a step goes
+// along its chord.
 Judge::Ahead Judge::ahead_of(const Body& body, int direction) const {
   const Ahead ahead = ahead_of(body, direction, ahead_);
   // A corner of the ground may be in the way between the two places.
@@ -390,8 +391,11 @@ Judge::Ahead Judge::ahead_of(const Body& body, int direction) const {
     const Ahead nearer = ahead_of(body, direction, way);
     if (nearer.way == Way::blocked) return nearer;
   }
-  const bool is_on_curve = ahead.way == Way::free && ground_.has_curve_in(fine_box(body.box));
-  return is_on_curve ? ahead_of(body, direction, kAheadOnCurve) : ahead;
+  const FineBox box = fine_box(body.box);
+  if (ahead.way != Way::free || !ground_.has_curve_in(box)) return ahead;
+  Body there = body;
+  if (const auto floor = floor_near(box, body.foot, kChord, kChord)) there.box.y += px_of(*floor - box.y1);
+  return ahead_of(there, direction, kAheadOnCurve);
 }
 
 Judge::Ahead Judge::ahead_of(const Body& body, int direction, Fine way) const {

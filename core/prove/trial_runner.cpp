@@ -173,7 +173,7 @@ void TrialRunner::try_top(Place place, double x, Top top) {
   const ProveBody& tried = scene_.bodies()[place.body];
   const ProveScene::Speed& speed = scene_.speeds().front();
   place.box = {x - tried.size.x / 2, top.y - tried.size.y, tried.size.x, tried.size.y};
-  if (top.is_steep) return drop(place, false);
+  if (top.is_steep) return drop(place, nullptr);
   const double rise = tried.foot == Foot::box ? tried.size.x / 2 * speed.scene->tuning.exact.steepest : 0;
   const auto y =
       speed.judge->standing_place(place.box, tried.foot, rise + 1.0 / kWeldParts, 1.0 / kWeldParts);
@@ -188,7 +188,7 @@ void TrialRunner::try_place(const Place& place) {
   Trial standing = start_at(body, place.box);
   const bool stands = stand(standing.body);
   if (stands) walk_from(place, standing);
-  drop(place, true);
+  drop(place, stands ? &standing.body : nullptr);
   if (!stands || !place.start.jumps || !is_steered(body.kind, scene_.solver())) return;
   for (const int direction : {0, 1, -1}) jump(place, standing, direction);
 }
@@ -252,9 +252,9 @@ void TrialRunner::jump(const Place& place, Trial trial, int direction) {
   run(trial, place, 0);
 }
 
-// From two cells above the ground, or from one. A body that can stand there is dropped from there if there is
-// no more room. Between two steep sides, where it cannot stand, it has room further up.
-void TrialRunner::drop(const Place& place, bool can_stand) {
+// From two cells above the ground, or from one. A body that stands there is dropped from there if there is no
+// more room. Between two steep sides, where it cannot stand, it has room further up.
+void TrialRunner::drop(const Place& place, const Body* standing) {
   if (!place.start.drops) return;
   const ProveBody& body = scene_.bodies()[place.body];
   const int tile = scene_.ground().tile_size().height;
@@ -265,12 +265,12 @@ void TrialRunner::drop(const Place& place, bool can_stand) {
   };
   int rows = kDropRows;
   while (rows > 0 && !is_free_above(rows)) --rows;
-  if (rows == 0 && !can_stand) {
+  if (rows == 0 && standing == nullptr) {
     rows = kDropRows + 1;
     while (rows <= kMostDropRows && !is_free_above(rows)) ++rows;
     if (rows > kMostDropRows) return;
   }
-  Trial trial = start_at(body, rows == 0 ? place.box : box);
+  Trial trial = start_at(body, rows == 0 ? standing->box : box);
   trial.speed = scene_.speeds().front().scene->tuning.player.run_speed;
   trial.frames = kMostSteps / 2;
   run(trial, place, 0);

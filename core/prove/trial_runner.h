@@ -79,7 +79,7 @@ class TrialRunner {
   void walk(const Place& place, Trial trial, std::size_t speed, int direction, bool at_rest);
   double way_past_joint(const Start& start, int direction) const;
   void jump(const Place& place, Trial trial, int direction);
-  void drop(const Place& place, bool can_stand);
+  void drop(const Place& place, const Body* standing);
   void run(Trial trial, const Place& place, std::size_t speed);
   std::optional<Finding> play(const Trial& trial, std::size_t speed, const Place* place);
   bool is_wedged(const State& state, std::size_t speed);

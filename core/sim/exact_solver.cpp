@@ -216,14 +216,19 @@ class ExactSolver final : public Solver {
         part = 1;
         continue;
       }
-      ++contacts;
       if (past) {
+        ++contacts;
         note_after(motion * rest);
         continue;
       }
       note_after({});
       const auto after = passes(way, floor, moving, from, goal, contact);
-      if (after == AfterContact::shortens) part /= 2;
+      if (after == AfterContact::shortens) {  // what it has met does not stop it, and does not count
+        part /= 2;
+        note_after(motion * rest);
+        continue;
+      }
+      ++contacts;
       if (after == AfterContact::leaves) {
         motion = {motion.x * rest, 0};
         return false;
@@ -264,7 +269,7 @@ class ExactSolver final : public Solver {
       floor = way.floor_met(moving, contact);
       return AfterContact::goes_on;
     }
-    if (way.is_straight(*floor)) {
+    if (way.is_straight(*floor) || contact.t == 0) {
       if (way.joins(*floor, moving)) return AfterContact::goes_on;
     } else {
       way.stop_on(*floor, moving, from, contact);

@@ -100,10 +100,8 @@ class FloorWalk {
     return !floor.on_line || floor.contact.piece->stretch == 0;
   }
   // Puts a body that something has stopped on its way from x along the chord of that curve on the curve
-  // itself, where it may meet that sooner, or on another floor just above the curve.
-  void stop_on(const FloorAhead<Real>& floor, Moving<Real>& body, Real from,
-               const Contact<Real>& contact) const {
-    if (contact.t == 0) return;
+  // itself, where it may meet that sooner, or as near to it as what else is there lets it.
+  void stop_on(const FloorAhead<Real>& floor, Moving<Real>& body, Real from, const Contact<Real>& contact) {
     const auto place_at = [&](Real x) { return place_on(floor, body.box, x, body.foot); };
     Real free = from, blocked = contact.position.x;
     if (room_at(place_at(blocked), contact) >= 0) free = blocked;
@@ -112,9 +110,9 @@ class FloorWalk {
       (room_at(place_at(x), contact) >= 0 ? free : blocked) = x;
     }
     const Vec place = place_at(free);
-    const Contact<Real> met = place.y > body.box.y ? cast_to(floor, body, place) : Contact<Real>{};
-    body.box.x = met ? met.position.x : place.x;
-    body.box.y = met ? met.position.y : place.y;
+    Contact<Real> met = cast_to(floor, body, place);
+    if (met && sinks(at(met.position, body), met, place.y)) met = cast_to(floor, body, place);
+    body = at(met ? met.position : place, body);
   }
   // Whether the floor is a curve that goes on above what the body has met below it, on the chord of its way.
   bool leads_above(const FloorAhead<Real>& floor, const Moving<Real>& body, const Contact<Real>& contact,
@@ -130,18 +128,20 @@ class FloorWalk {
     if (!is_straight(floor))
       body.box.y = std::min(body.box.y, place_on(floor, body.box, body.box.x, body.foot).y);
   }
-  // Puts a body that has met something on that straight floor, which may be a little higher or lower than the
-  // one that it came from. Returns whether that moved it by more than rounding does, so that it may pass.
+  // Puts a body that has met something on that floor, which may be a little higher or lower than the one that
+  // it came from. Returns whether that moved it, so that it may pass.
   bool joins(const FloorAhead<Real>& floor, Moving<Real>& body) const {
-    const Real y = place_on(floor, body.box, body.box.x, body.foot).y, way = y - body.box.y;
-    const bool is_off = std::abs(way) > settled(body);
-    if (is_off) {
+    const Real before = body.box.y, y = place_on(floor, body.box, body.box.x, body.foot).y, way = y - before;
+    if (std::abs(way) > settled(body)) {
       const Cast<Real> upright{body.box, {0, way}, body.foot, sunk_};
       const Contact<Real> met = cast_box<Real>(ground_, upright, others_, nullptr, budget_);
-      if (met && std::abs(met.position.y - y) > settled(body)) return false;
+      if (met && std::abs(met.position.y - y) > settled(body)) {
+        if (way > 0) body.box.y = met.position.y;
+        return body.box.y - before > settled(body);
+      }
     }
     body.box.y = y;
-    return is_off;
+    return y != before;
   }
   // How far a place is from what the body has met, px; less than 0: it is in that.
   static Real room_at(Vec place, const Contact<Real>& contact) {
@@ -224,6 +224,12 @@ class FloorWalk {
   Real sunk() const { return sunk_; }
 
  private:
+  static Moving<Real> at(Vec place, Moving<Real> body) {
+    body.box.x = place.x;
+    body.box.y = place.y;
+    return body;
+  }
+
   // Whether it only touches a hill, at its top, which is in its way by rounding alone.
   bool falls_away(const Contact<Real>& contact, Vec motion, Real slack) const {
     if (contact.t != 0 || contact.piece == nullptr || contact.piece->stretch == 0) return false;
