@@ -163,18 +163,18 @@ end
 function Walk:place_past(contact, box, x, y)
   local edge = contact.edge
   if contact.facing ~= DOWN or edge and not edge.form.straight then return nil end
-  if edge then
-    local way_x = x - contact.x
-    local share = (self:end_of_ceiling(contact, box) - contact.x) / way_x
-    if share > 0 and share < 1 then x, y = contact.x + way_x * share, contact.y + (y - contact.y) * share end
-  end
+  local share = edge and (self:end_of_ceiling(contact, box) - contact.x) / (x - contact.x) or 0
+  local leaves = share > 0 and share < 1
+  if leaves then x, y = contact.x + (x - contact.x) * share, contact.y + (y - contact.y) * share end
   local aside = x - contact.x
   if aside == 0 or abs(aside) > AHEAD then return nil end
   -- Without its lowest part, as the floor would hide what else is there.
   local lip = min(LIP, box.h)
-  local above = {x = contact.x, y = contact.y, w = box.w, h = box.h - lip, centre = box.centre}
+  local above = Walk.at(contact.x, contact.y, box)
+  above.h = box.h - lip
   local rounding = Walk.settled(above)
-  if Walk.room_at(x, y, contact) < -rounding then return nil end
+  -- Where the ceiling goes on, the next cast must meet it.
+  if Walk.room_at(x, y, contact) < -(leaves and rounding or rounding / (2 * SETTLED)) then return nil end
   local met = self:cast(above, aside, edge and y - contact.y or 0.0, edge and (edge.source or edge),
                         max(self.sunk - lip, 0.0))
   if met and abs(met.x - x) > rounding then return nil end
@@ -215,7 +215,7 @@ end
 -- Whether the body has come to the place that it was cast to, but for rounding, when it meets something.
 function Walk.arrives(contact, box, x, y)
   local left_x, left_y = x - contact.x, y - contact.y
-  local most = Walk.settled(box, left_x, left_y)
+  local most = min(Walk.settled(box, left_x, left_y), AHEAD / 2)
   return abs(left_x) <= most and abs(left_y) <= most
 end
 
@@ -437,7 +437,7 @@ local function go_along_floor(world, body, box, reach, motion_on, stop_at)
     box.x, box.y = at_x, at_y
     if arrives then
       local at_end = goal_x == on.stop
-      if contact and not at_end and Walk.is_behind(contact, box) then box.x, box.y = contact.x, contact.y end
+      if contact and Walk.is_behind(contact, box) then box.x, box.y = contact.x, contact.y end
       if not (rest > 0) or (not at_end and part == 1) then return true end
       if at_end then on = nil end
       part = 1.0

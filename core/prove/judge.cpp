@@ -8,8 +8,9 @@ namespace {
 
 // px; how far ahead it is looked whether a body could go on.
 constexpr Fine kAhead = kFinePx / 32, kAheadOnCurve = kFinePx / 4;
-// px; rounding of a place on a map, far more than doubles lose, and about what floats do.
-constexpr Fine kSlack = kFinePx >> 14, kFloatSlack = kFinePx >> 7;
+// px; rounding of a place on a map, far more than doubles lose. What floats do, in sizes of the map.
+constexpr Fine kSlack = kFinePx >> 14;
+constexpr double kFloatRounding = 1.0 / (1 << 19);
 constexpr Fine kChord = kFinePx / 64;  // a curve may be so far from the chord along which a step goes
 constexpr double kSteepGround = 16;    // |dy/dx| of slopes down which bodies on their centre slide
 constexpr Fine kDeep = 16;             // a middle that is less than so many roundings in a slope touches it
@@ -28,13 +29,21 @@ std::array<Fine, 2> shared_x(const RawPart& part, const FineBox& box) {
   return {std::clamp(part.top.x0, box.x0, box.x1), std::clamp(part.top.x1, box.x0, box.x1)};
 }
 
+// px, rounding of a place for the numbers of the solver.
+Fine slack_of(const RawGround& ground, const Tuning& tuning) {
+  if (tuning.solver != SolverKind::exact || tuning.exact.single_precision == 0) return kSlack;
+  const TileSize tile = ground.tile_size();
+  const double size = 1.0 * ground.columns() * tile.width + 1.0 * ground.rows() * tile.height;
+  return std::max(kSlack, fine(size * kFloatRounding));
+}
+
 }  // namespace
 
 Judge::Judge(const RawGround& ground, const Tuning& tuning, double lip)
     : ground_(ground),
       tuning_(tuning),
-      slack_(tuning.solver == SolverKind::exact && tuning.exact.single_precision != 0 ? kFloatSlack : kSlack),
-      weld_(kFinePx / kWeldParts + slack_),
+      slack_(slack_of(ground, tuning)),
+      weld_(kFinePx / kWeldParts + scaled(4 * slack_, tuning.exact.steepest) + slack_),
       ahead_(std::max(kAhead, 64 * slack_)),
       lip_(fine(lip)) {}
 
@@ -216,15 +225,20 @@ std::optional<Verdict> Judge::judge_roll(const Body& before, const Body& after) 
 }
 
 bool Judge::is_free(const Rect& box, Foot foot, Corners corners) const {
-  const FineBox whole = fine_box(box), inner = whole.shrunk(slack_), middle = inner.middle_line();
-  const FineBox core{middle.x0, middle.y0 + kDeep * slack_, middle.x1, middle.y1 - kDeep * slack_};
+  return is_free(box, foot, corners, slack_);
+}
+
+// slack: px, a body that is less deep in the ground is not in it.
+bool Judge::is_free(const Rect& box, Foot foot, Corners corners, Fine slack) const {
+  const FineBox whole = fine_box(box), inner = whole.shrunk(slack), middle = inner.middle_line();
+  const FineBox core{middle.x0, middle.y0 + kDeep * slack, middle.x1, middle.y1 - kDeep * slack};
   // Beside the middle, corners are in the tiles that slopes lead to, and in slopes of any height.
   const Fine sunk = scaled((whole.x1 - whole.x0) / 2, std::max(tuning_.exact.steepest, kSteepGround));
   const FineBox between{inner.x0, inner.y0 + sunk, inner.x1, inner.y1 - sunk};
   std::optional<FloorLine> line;
   return ground_.for_parts(inner, [&](const RawPart& part) {
     if (part.kind != RawPart::Kind::solid || !part.meets(inner)) return true;
-    const bool has_middle = part.meets(core.moved(-slack_, 0)) && part.meets(core.moved(slack_, 0));
+    const bool has_middle = part.meets(core.moved(-slack, 0)) && part.meets(core.moved(slack, 0));
     if (foot == Foot::box || has_middle) return false;
     const bool is_deep = between.y0 < between.y1 && !part.is_sloped() && part.meets(between);
     if (corners == Corners::in_any_floor && !is_deep) return true;
@@ -232,6 +246,14 @@ bool Judge::is_free(const Rect& box, Foot foot, Corners corners) const {
     const auto [from, to] = shared_x(part, whole);
     return line->covers(part, from, to);
   });
+}
+
+bool Judge::touches(const Rect& box, Foot foot) const {
+  FineBox grown = fine_box(box).shrunk(slack_);
+  if (foot == Foot::centre) grown = grown.middle_line();
+  grown.y0 -= 2 * slack_;
+  grown.y1 += 2 * slack_;
+  return !ground_.for_parts(grown, [&](const RawPart& part) { return !part.meets(grown); });
 }
 
 // The floor that is the highest under the foot, from `up` above to `down` below the bottom of the box.
@@ -255,7 +277,7 @@ std::optional<double> Judge::standing_place(const Rect& box, Foot foot, double r
   if (!floor) return std::nullopt;
   Rect there = box;
   there.y = px_of(*floor) - box.h;
-  if (!is_free(there, foot, Corners::in_its_floor)) return std::nullopt;
+  if (!is_free(there, foot, Corners::in_its_floor, kSlack)) return std::nullopt;
   return there.y;
 }
 

@@ -32,6 +32,9 @@ class Judge {
   };
   // Whether a body may be there: it is not in the ground.
   bool is_free(const Rect& box, Foot foot, Corners corners) const;
+  // Whether the bottom or the top of its box, or of the middle of one on its centre, touches ground or a
+  // line: it may be in that, by rounding.
+  bool touches(const Rect& box, Foot foot) const;
   // Whether a line that stops bodies from above is in the box of a body, or at the middle of one on its
   // centre. Such a body is behind the line, and comes out by either side: nothing is said about that.
   bool is_across_line(const Body& body) const;
@@ -76,6 +79,7 @@ class Judge {
   bool falls_through(const Body& before, const Body& after) const;
   bool has_floor_above(const FineBox& box, Foot foot, Fine way) const;
   bool has_floor_in(const FineBox& area) const;
+  bool is_free(const Rect& box, Foot foot, Corners corners, Fine slack) const;
   FineBox inside_of(const Body& body) const;  // what meets lines: the box, or the middle of it
   bool floor_goes_on(const Body& before, const Body& after, int direction) const;
   bool is_on_end(const FineBox& box, Foot foot, bool bottom) const;

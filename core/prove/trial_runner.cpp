@@ -15,6 +15,7 @@ constexpr double kStill = 1e-3;   // px; a smaller motion is none
 constexpr int kMostReach = 16;    // cells; a trial ends further away
 constexpr double kLift =
     1.0 / (1 << 20);  // px; bodies start so much above their floor, as its height is rounded
+constexpr double kFloatLift = 1.0 / (1 << 21);  // the same for single precision, of the height
 constexpr double kIntoEdge = 1.0 / 64;  // px; the cell of an edge is that of the ground so far behind it
 constexpr double kPhaseOfPx = 0.37;     // px; one of the places of a body between two pixels
 constexpr double kBeyondJoint = 2;      // px; walks end so far behind one
@@ -82,7 +83,8 @@ void ProveCounts::add(const ProveCounts& other) {
   steps += other.steps;
 }
 
-TrialRunner::TrialRunner(const ProveScene& scene) : scene_(scene) {
+TrialRunner::TrialRunner(const ProveScene& scene)
+    : scene_(scene), is_single_(scene.speeds().front().scene->single_ground != nullptr) {
   for (const ProveScene::Speed& speed : scene.speeds()) solvers_.push_back(make_solver(speed.scene));
 }
 
@@ -99,6 +101,10 @@ BlockProof TrialRunner::prove(int block) {
     }
   }
   return std::move(proof_);
+}
+
+double TrialRunner::held(double px) const {
+  return is_single_ ? static_cast<double>(static_cast<float>(px)) : px;
 }
 
 TrialRunner::Reach TrialRunner::reach_of(const ProveBody& body) const {
@@ -172,13 +178,13 @@ void TrialRunner::try_cell(Cell cell, std::size_t body) {
 void TrialRunner::try_top(Place place, double x, Top top) {
   const ProveBody& tried = scene_.bodies()[place.body];
   const ProveScene::Speed& speed = scene_.speeds().front();
-  place.box = {x - tried.size.x / 2, top.y - tried.size.y, tried.size.x, tried.size.y};
+  place.box = {held(x - tried.size.x / 2), top.y - tried.size.y, tried.size.x, tried.size.y};
   if (top.is_steep) return drop(place, nullptr);
   const double rise = tried.foot == Foot::box ? tried.size.x / 2 * speed.scene->tuning.exact.steepest : 0;
   const auto y =
       speed.judge->standing_place(place.box, tried.foot, rise + 1.0 / kWeldParts, 1.0 / kWeldParts);
   if (!y) return;
-  place.box.y = *y - kLift;
+  place.box.y = held(*y - (is_single_ ? std::max(kLift, *y * kFloatLift) : kLift));
   ++proof_.counts.places;
   try_place(place);
 }
@@ -260,8 +266,9 @@ void TrialRunner::drop(const Place& place, const Body* standing) {
   const int tile = scene_.ground().tile_size().height;
   Rect box = place.box;
   const auto is_free_above = [&](int rows) {
-    box.y = place.box.y - (rows * tile + kPhaseOfPx);
-    return scene_.speeds().front().judge->is_free(box, body.foot, Judge::Corners::in_its_floor);
+    box.y = held(place.box.y - (rows * tile + kPhaseOfPx));
+    const Judge& judge = *scene_.speeds().front().judge;
+    return judge.is_free(box, body.foot, Judge::Corners::in_its_floor) && !judge.touches(box, body.foot);
   };
   int rows = kDropRows;
   while (rows > 0 && !is_free_above(rows)) --rows;

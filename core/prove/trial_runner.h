@@ -86,8 +86,10 @@ class TrialRunner {
   std::vector<Top> tops_at(Cell cell, double x) const;
   bool is_known(Cell cell, std::size_t body);
   Reach reach_of(const ProveBody& body) const;
+  double held(double px) const;  // rounded as the solver's numbers are
 
   const ProveScene& scene_;
+  const bool is_single_;                          // whether the solver takes single precision
   std::vector<std::unique_ptr<Solver>> solvers_;  // by speed
   State state_;                                   // working storage
   StepRecord record_;

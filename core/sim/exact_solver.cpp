@@ -210,7 +210,7 @@ class ExactSolver final : public Solver {
       if (arrives) note_after(motion * std::max<Real>(rest, 0));
       if (at_end) {
         at_end = goal.x == floor->end;
-        if (contact && !at_end && way.is_behind(contact, moving)) put(moving, contact.position);
+        if (contact && way.is_behind(contact, moving)) put(moving, contact.position);
         if (!(rest > 0) || (!at_end && part == 1)) return true;
         if (at_end) floor.reset();
         part = 1;

@@ -165,7 +165,8 @@ class FloorWalk {
   // Whether the body has come to the place that it was cast to, but for rounding, when it meets something.
   bool arrives(const Contact<Real>& contact, const Moving<Real>& body, Vec goal) const {
     const Vec left = goal - contact.position;
-    const Real slack = kSettledSlacks * rounding_slack<Real>({body.box, left, body.foot});
+    const Real slack =
+        std::min(kSettledSlacks * rounding_slack<Real>({body.box, left, body.foot}), Real(kFloorStep / 2));
     return std::abs(left.x) <= slack && std::abs(left.y) <= slack;
   }
 
@@ -188,9 +189,11 @@ class FloorWalk {
       return std::nullopt;
     Vec place = goal;
     const Vec way = goal - contact.position;
+    bool leaves = false;
     if (piece != nullptr) {
       const Real share = (end_of_ceiling(contact, box, foot) - contact.position.x) / way.x;
-      if (share > 0 && share < 1) place = contact.position + way * share;
+      leaves = share > 0 && share < 1;
+      if (leaves) place = contact.position + way * share;
     }
     const Vec rest = place - contact.position;
     if (rest.x == 0 || std::abs(rest.x) > Real(kFloorStep)) return std::nullopt;
@@ -198,7 +201,8 @@ class FloorWalk {
     const Real lip = std::min(Real(kMostLip), box.h);
     const BasicRect<Real> above{contact.position.x, contact.position.y, box.w, box.h - lip};
     const Real rounding = settled({above, {}, foot});
-    if (room_at(place, contact) < -rounding) return std::nullopt;
+    // Where the ceiling goes on, the next cast must meet it.
+    if (room_at(place, contact) < -(leaves ? rounding : rounding / (2 * kSettledSlacks))) return std::nullopt;
     const Cast<Real> past{above, piece != nullptr ? rest : Vec{rest.x, 0}, foot,
                           std::max<Real>(sunk_ - lip, 0)};
     const Contact<Real> met = cast_box(ground_, past, others_, piece, budget_);
