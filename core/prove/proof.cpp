@@ -28,8 +28,9 @@ std::size_t Proof::of_solver() const {
 std::string summary_of(const Proof& proof) {
   if (proof.counts.trials == 0) return "no place where a body can stand, so nothing was tried";
   const auto count = [](std::int64_t number) { return with_commas(static_cast<std::size_t>(number)); };
-  std::string text = count(proof.counts.places) + " places, " + count(proof.counts.steps) +
-                     " steps of the solver " + std::string(solver_name(proof.solver)) + ", ";
+  std::string text = count(proof.counts.places) + (proof.counts.places == 1 ? " place, " : " places, ") +
+                     count(proof.counts.steps) + " steps of the solver " +
+                     std::string(solver_name(proof.solver)) + ", ";
   if (proof.stands_still) text += "but no walk of a player, as run_speed is 0, ";
   if (proof.findings.empty()) return text + "no finding";
   const std::size_t all = proof.findings.size() + proof.more, of_solver = proof.of_solver();

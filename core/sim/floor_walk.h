@@ -165,6 +165,7 @@ class FloorWalk {
   // Whether the body has come to the place that it was cast to, but for rounding, when it meets something.
   bool arrives(const Contact<Real>& contact, const Moving<Real>& body, Vec goal) const {
     const Vec left = goal - contact.position;
+    // Less than the next piece is looked for ahead, so that it is found from the contact, too.
     const Real slack =
         std::min(kSettledSlacks * rounding_slack<Real>({body.box, left, body.foot}), Real(kFloorStep / 2));
     return std::abs(left.x) <= slack && std::abs(left.y) <= slack;

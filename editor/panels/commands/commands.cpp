@@ -132,7 +132,7 @@ void command_text_button(CommandId id, const Session& session, Actions& actions,
   if (ui.text_button(look.widget.empty() ? id.text : look.widget,
                      look.label.empty() ? command.label : look.label, command.is_checked(session, ui),
                      command.help, keys_of(command, ui), look.enabled && command.is_enabled(session, ui),
-                     look.width))
+                     look.width, look.height))
     command.run(session, actions, ui);
 }
 

@@ -83,6 +83,7 @@ struct CommandButtonLook {
   std::string_view widget = {};  // the button's name; empty: the command's id
   bool enabled = true;           // false: the button cannot be pressed, even if the command is enabled
   float width = 0;               // px of the screen; 0: fits the text
+  float height = 0;              // px of the screen; 0: that of all buttons
 };
 // Draws a button with a text instead.
 void command_text_button(CommandId id, const Session& session, Actions& actions, Ui& ui,

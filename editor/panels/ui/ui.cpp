@@ -98,11 +98,11 @@ bool Ui::icon_button(std::string_view name, Icon icon, bool lit, std::string_vie
 }
 
 bool Ui::text_button(std::string_view name, std::string_view label, bool lit, std::string_view help,
-                     std::string_view key, bool enabled, float width) {
+                     std::string_view key, bool enabled, float width, float height) {
   ImGui::BeginDisabled(!enabled);
   if (lit) push_lit_button();
   // The control stays the same, and keeps the focus, when its label changes.
-  const bool pressed = button(label, name, {width, px(theme::kButton)});
+  const bool pressed = button(label, name, {width, height > 0 ? height : px(theme::kButton)});
   if (lit) ImGui::PopStyleColor(kLitColors);
   ImGui::EndDisabled();
   item(name, help, key, enabled);

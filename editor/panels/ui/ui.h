@@ -106,9 +106,9 @@ class Ui {
   // A square button with an icon; `lit` shows it as switched on.
   bool icon_button(std::string_view name, Icon icon, bool lit, std::string_view help, std::string_view key,
                    bool enabled = true);
-  // A button with text; width 0 fits the text.
+  // A button with text; width 0 fits the text, height 0 is that of all buttons.
   bool text_button(std::string_view name, std::string_view label, bool lit, std::string_view help,
-                   std::string_view key = {}, bool enabled = true, float width = 0);
+                   std::string_view key = {}, bool enabled = true, float width = 0, float height = 0);
   // A choice as high as a button. ImGui::EndCombo() must follow if it returns true.
   bool begin_combo(std::string_view name, const std::string& shown, float width, std::string_view help,
                    std::string_view key = {});

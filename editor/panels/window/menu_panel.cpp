@@ -106,35 +106,21 @@ void draw_picture_of_row(const std::string& file, Ui& ui) {
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (room.y - ImGui::GetTextLineHeight()) / 2);
 }
 
-constexpr float kLayoutPadding = 8;  // px at scale 1, at each side of a layout's name
+constexpr float kLayoutGap = 2;  // px at scale 1, between the buttons of two layouts
 
 float width_of_layouts(const Ui& ui) {
   float width = 0;
   for (const LayoutPreset& preset : layout_presets())
-    width += size_of_text(preset.label).x + 2 * ui.px(kLayoutPadding);
+    width += size_of_text(preset.label).x + 2 * ImGui::GetStyle().FramePadding.x + ui.px(kLayoutGap);
   return width;
 }
 
-// As tabs: the one that is shown has a line below it.
-void draw_layout_tabs(const Session& session, Actions& actions, Ui& ui) {
-  const float height = ImGui::GetFrameHeight();
+void draw_layout_buttons(const Session& session, Actions& actions, Ui& ui) {
   for (const LayoutPreset& preset : layout_presets()) {
-    const std::string id = layout_command(preset);
-    const Command& command = find_command(CommandId{id});
-    const bool is_on = command.is_checked(session, ui);
-    const ImVec2 at = ImGui::GetCursorScreenPos(), text = size_of_text(preset.label);
-    const ImVec2 size{text.x + 2 * ui.px(kLayoutPadding), height};
-    ImGui::PushStyleColor(ImGuiCol_Button, theme::tone(theme::kPanel, 0));
-    if (button("", "menu/" + id, size)) command.run(session, actions, ui);
-    ImGui::PopStyleColor();
-    ui.item("layout/" + std::string(preset.key), command.help, keys_of(command, ui));
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    add_text(list, {at.x + ui.px(kLayoutPadding), at.y + (height - text.y) / 2},
-             theme::tone(is_on ? theme::kText : theme::kMuted), preset.label);
-    if (is_on)
-      list.AddRectFilled({at.x + ui.px(4), at.y + height - ui.px(2)},
-                         {at.x + size.x - ui.px(4), at.y + height}, theme::tone(theme::kAccent));
-    ImGui::SameLine(0, 0);
+    const std::string id = layout_command(preset), widget = "layout/" + std::string(preset.key);
+    command_text_button(CommandId{id}, session, actions, ui,
+                        {.label = preset.label, .widget = widget, .height = ImGui::GetFrameHeight()});
+    ImGui::SameLine(0, ui.px(kLayoutGap));
   }
 }
 
@@ -195,7 +181,7 @@ void MenuPanel::draw_title(const Session& session, Actions& actions, Ui& ui) {
   draw_short_text(title, layouts_at - ui.px(370 + 16), theme::tone(theme::kText));
   ui.item("menu/title", session.path().empty() ? "Not in a file yet." : session.path());
   ImGui::SameLine(layouts_at);
-  draw_layout_tabs(session, actions, ui);
+  draw_layout_buttons(session, actions, ui);
   ImGui::SameLine(solver_at);
   ui.muted(solver);
   ui.tooltip("The solver that moves the bodies, and its steps a second at speed x1.");
