@@ -116,10 +116,14 @@ TrialRunner::Reach TrialRunner::reach_of(const ProveBody& body) const {
 }
 
 // Places whose surroundings are the same have the same findings. Lines that are free of the grid are no part
-// of that comparison, so cells near one are not compared.
-bool TrialRunner::is_known(Cell cell, std::size_t body) {
+// of that comparison, so cells near one have none.
+std::string TrialRunner::surroundings_of(Cell cell, std::size_t body) const {
   const RawGround& ground = scene_.ground();
   const Reach reach = reach_of(scene_.bodies()[body]);
+  const TileSize tile = ground.tile_size();
+  const Rect area{1.0 * (cell.x - reach.columns) * tile.width, 1.0 * (cell.y - reach.up) * tile.height,
+                  (2.0 * reach.columns + 1) * tile.width, (1.0 + reach.up + reach.down) * tile.height};
+  if (ground.has_curve_in(fine_box(area))) return {};
   std::string around(1, static_cast<char>(body));
   for (int y = cell.y - reach.up; y <= cell.y + reach.down; ++y) {
     for (int x = cell.x - reach.columns; x <= cell.x + reach.columns; ++x) {
@@ -128,11 +132,7 @@ bool TrialRunner::is_known(Cell cell, std::size_t body) {
       around.push_back(static_cast<char>(number >> 8));
     }
   }
-  const TileSize tile = ground.tile_size();
-  const Rect area{1.0 * (cell.x - reach.columns) * tile.width, 1.0 * (cell.y - reach.up) * tile.height,
-                  (2.0 * reach.columns + 1) * tile.width, (1.0 + reach.up + reach.down) * tile.height};
-  if (ground.has_curve_in(fine_box(area))) return false;
-  return !surroundings_.insert(std::move(around)).second;
+  return around;
 }
 
 // The tops of the ground that are in a cell, at an x.
@@ -165,14 +165,17 @@ void TrialRunner::try_cell(Cell cell, std::size_t body) {
     });
   };
   if (!is_any([](Top) { return true; })) return;
-  if (is_known(cell, body)) {
-    if (is_any([](Top top) { return !top.is_steep; })) ++proof_.counts.places, ++proof_.counts.alike;
+  const std::string around = surroundings_of(cell, body);
+  if (const auto known = surroundings_.find(around); known != surroundings_.end()) {
+    if (known->second) ++proof_.counts.places, ++proof_.counts.alike;
     return;
   }
-  const std::int64_t most = proof_.counts.places + 1;  // a cell counts once
+  const std::int64_t before = proof_.counts.places;
   for (std::size_t i = 0; i < kStarts.size(); ++i)
     for (const Top top : tops[i]) try_top({cell, body, kStarts[i], {}}, x_of(kStarts[i]), top);
-  proof_.counts.places = std::min(proof_.counts.places, most);
+  const bool is_place = proof_.counts.places > before;
+  proof_.counts.places = before + (is_place ? 1 : 0);  // a cell counts once
+  if (!around.empty()) surroundings_.emplace(around, is_place);
 }
 
 void TrialRunner::try_top(Place place, double x, Top top) {
@@ -349,6 +352,9 @@ std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, 
 // Whether it comes back to its place from every jump.
 bool TrialRunner::is_wedged(const State& state, std::size_t speed) {
   const Rect start = state.bodies.front().box;
+  const bool is_steered = traits_of(state.bodies.front().kind).takes_keys;
+  // A player that does not run comes back from every jump.
+  if (is_steered && !(scene_.speeds()[speed].scene->tuning.player.run_speed > 0)) return false;
   for (const int direction : {0, -1, 1}) {
     Trial keys;
     keys.direction = direction;

@@ -7,7 +7,7 @@
 #include <map>
 #include <memory>
 #include <tuple>
-#include <unordered_set>
+#include <unordered_map>
 #include <vector>
 
 #include "prove_scene.h"
@@ -84,7 +84,7 @@ class TrialRunner {
   std::optional<Finding> play(const Trial& trial, std::size_t speed, const Place* place);
   bool is_wedged(const State& state, std::size_t speed);
   std::vector<Top> tops_at(Cell cell, double x) const;
-  bool is_known(Cell cell, std::size_t body);
+  std::string surroundings_of(Cell cell, std::size_t body) const;
   Reach reach_of(const ProveBody& body) const;
   double held(double px) const;  // rounded as the solver's numbers are
 
@@ -95,7 +95,8 @@ class TrialRunner {
   StepRecord record_;
   BlockProof proof_;  // of the block under trial
   std::map<std::tuple<int, int, FindingKind, std::size_t, int>, std::size_t> found_;  // indices of findings
-  std::unordered_set<std::string> surroundings_;  // that were tried in this block
+  // Of cells that were tried in this block, and whether a body can stand there.
+  std::unordered_map<std::string, bool> surroundings_;
 };
 
 }  // namespace talus

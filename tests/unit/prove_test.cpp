@@ -411,4 +411,21 @@ TEST(Prove, SaysThatPlayersDoNotRun) {
       << summary_of(proof);
 }
 
+// It rests with a corner on a block, and comes back there from every jump, as it does not run.
+TEST(Prove, APlayerThatDoesNotRunIsNotWedged) {
+  Scenery scenery(Foot::centre);
+  scenery.level.tuning.player.run_speed = 0;
+  scenery.level.map.set({6, 8}, 1);
+  scenery.level.map.set({10, 10}, 1);
+  EXPECT_EQ(text_of(scenery.proof()), "");
+}
+
+TEST(Prove, CountsNoPlaceInsideOfGround) {
+  Level level = empty_level();
+  for (int y = 4; y < 20; ++y)
+    for (int x = 0; x < 24; ++x) level.map.set({x, y}, 1);
+  const Proof proof = *prove(ProveScene(level, {.bodies = {{}}}), 1);
+  EXPECT_EQ(proof.counts.places, 24);
+}
+
 }  // namespace talus::prove_test
