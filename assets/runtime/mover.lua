@@ -50,7 +50,7 @@ end
 -- piece, and goes on along the tangent there. Returns whether two sides that it met hold it up.
 local function move(world, body, box, x, y, respond)
   local others = world:others(body, box, x, y)
-  local passes, sunk, before_x, before_y = 0, 0.0, nil, nil
+  local passes, sunk, before_x, before_y = 0, 0.0
   local followed, surface, goal_x, goal_y, after_x, after_y, whole, held
   while box.x + x ~= box.x or box.y + y ~= box.y do
     if passes == world.tuning.max_passes then break end

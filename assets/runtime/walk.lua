@@ -344,8 +344,8 @@ end
 function World:depth_below_floor(box, contact, y, sunk)
   local over = setmetatable({terrain = self.terrain, direction = 1, steepest = self.tuning.steepest, sunk = sunk},
                             Walk)
-  local there = Walk.at(contact.x, contact.y, box)
-  return over:sinks(there, contact, contact.y + max(y, 0.0) * (1 - contact.t), box.w * 8) and over.sunk or 0.0
+  return over:sinks(Walk.at(contact.x, contact.y, box), contact, contact.y + max(y, 0.0) * (1 - contact.t),
+                    box.w * 8) and over.sunk or 0.0
 end
 
 -- The floor on which the body goes on, up to `reach` px below it; nil if there is none, or if it is too steep. One that
@@ -360,8 +360,8 @@ function Walk:floor_ahead(box, reach)
   local way, slack = abs(y - box.y), Walk.settled(box)
   if way <= slack or way > LIP + slack then return on end
   self.sunk = max(self.sunk, LIP + AHEAD)  -- the end that it leaves may be in its corners now
-  self:joins(on, box)
-  return on
+  -- A ceiling may hold it below an end that it leaves.
+  return (self:joins(on, box) or y > box.y) and on or self:look_ahead(box, reach)
 end
 
 -- The floor under a body that a low ceiling has stopped on its way to another floor: that was looked for a little
@@ -420,7 +420,7 @@ local function go_along_floor(world, body, box, reach, motion_on, stop_at)
     local goal_x, goal_y = walk:goal_on(on, box, x * rest * part)
     if goal_x - box.x == 0 then return true end
     local contact = walk:cast_to(on, box, goal_x, goal_y)
-    local at_x, at_y, from, past_x, past_y = goal_x, goal_y, box.x, nil, nil
+    local at_x, at_y, from, past_x, past_y = goal_x, goal_y, box.x
     -- What it has just come to does not stop it if the next piece leads past it.
     local arrives = not contact
     if contact then

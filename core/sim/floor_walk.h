@@ -56,12 +56,12 @@ class FloorWalk {
     auto floor = look_ahead(body, reach);
     if (floor && !floor->on_line && sinks(body, floor->contact, body.box.y)) floor = look_ahead(body, reach);
     if (!floor || body.foot != Foot::centre) return floor;
-    const Real way = std::abs(place_on(*floor, body.box, body.box.x, body.foot).y - body.box.y);
+    const Real y = place_on(*floor, body.box, body.box.x, body.foot).y, way = std::abs(y - body.box.y);
     const Real rounding = settled(body);
     if (way <= rounding || way > Real(kMostLip) + rounding) return floor;
     sunk_ = std::max(sunk_, Real(kMostLip + kFloorStep));  // the end that it leaves may be in its corners now
-    joins(*floor, body);
-    return floor;
+    // A ceiling may hold it below an end that it leaves.
+    return joins(*floor, body) || y > body.box.y ? floor : look_ahead(body, reach);
   }
 
   // The level floor that the body has met, and goes on along. Nothing: it ends there.

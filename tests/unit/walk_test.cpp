@@ -564,6 +564,25 @@ TEST(Walk, EndsBelowACeilingThatItsFloorGoesInto) {
   }
 }
 
+// The slope begins 1/256 px above the floor, under a ceiling that leaves no room for that.
+TEST(Walk, GoesBackFromAnEdgeBelowALowCeiling) {
+  for (const bool one_way : {false, true}) {
+    Scenery scenery;
+    scenery.put({9, 11}, slope(0.00390625, 8, one_way));
+    scenery.fill(2, 13, 9);
+    scenery.player(40, kFloor, Foot::centre, {8, 16});
+    const auto scene = std::make_shared<const Scene>(compile_scene(scenery.level));
+    const auto solver = make_solver(scene);
+    State state = initial_state(*scene);
+    Input right, left;
+    right.right = left.left = true;
+    for (int i = 0; i < 60; ++i) solver->step(state, right, nullptr);
+    EXPECT_EQ(state.bodies[0].box.x, 68) << one_way;
+    for (int i = 0; i < 30; ++i) solver->step(state, left, nullptr);
+    EXPECT_LT(state.bodies[0].box.x, 40) << one_way;
+  }
+}
+
 TEST(Walk, DoesNotStandOnASeamOfAWall) {
   Meeting meeting;
   meeting.put({9, 10}, {.kind = TileShape::Kind::slope, .side = TileShape::Side::ceiling, .heights = {8, 5}});
