@@ -60,7 +60,7 @@ end
 
 -- Whether a body lies on two sides that are too steep to stand on, but hold it up together. Puts it on them.
 function World:stands_between(body, box)
-  local there = {x = box.x, y = box.y, w = box.w, h = box.h, centre = box.centre}
+  local there = Walk.at(box.x, box.y, box)
   if not move(self, body, there, 0.0, LIP, slide) then return false end
   box.x, box.y = there.x, there.y
   return true

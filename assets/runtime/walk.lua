@@ -172,9 +172,10 @@ function Walk:place_past(contact, box, x, y)
   local lip = min(LIP, box.h)
   local above = Walk.at(contact.x, contact.y, box)
   above.h = box.h - lip
-  local rounding = Walk.settled(above)
+  local slack = Walk.slack(above)
+  local rounding = SETTLED * slack
   -- Where the ceiling goes on, the next cast must meet it.
-  if Walk.room_at(x, y, contact) < -(leaves and rounding or rounding / (2 * SETTLED)) then return nil end
+  if Walk.room_at(x, y, contact) < -(leaves and rounding or slack / 2) then return nil end
   local met = self:cast(above, aside, edge and y - contact.y or 0.0, edge and (edge.source or edge),
                         max(self.sunk - lip, 0.0))
   if met and abs(met.x - x) > rounding then return nil end
@@ -219,11 +220,9 @@ function Walk.arrives(contact, box, x, y)
   return abs(left_x) <= most and abs(left_y) <= most
 end
 
--- Whether the body is just behind what it met on its way, by more than the next cast forgives, which would not meet it
--- then. Along a ceiling that is parallel to the floor that does not matter.
-function Walk.is_behind(contact, box)
-  return Walk.room_at(box.x, box.y, contact) < -Walk.slack(box) / 2 and abs(box.x - contact.x) <= AHEAD
-end
+-- Whether the body is behind what it met just before its place, by more than the next cast forgives, which would not
+-- meet it then.
+function Walk.is_behind(contact, box) return Walk.room_at(box.x, box.y, contact) < -Walk.slack(box) / 2 end
 
 -- What the body meets first on its way to a place on the floor.
 function Walk:cast_to(on, box, x, y)

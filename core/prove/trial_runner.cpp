@@ -165,7 +165,7 @@ void TrialRunner::try_cell(Cell cell, std::size_t body) {
     });
   };
   if (!is_any([](Top) { return true; })) return;
-  const std::string around = surroundings_of(cell, body);
+  std::string around = surroundings_of(cell, body);
   if (const auto known = surroundings_.find(around); known != surroundings_.end()) {
     if (known->second) ++proof_.counts.places, ++proof_.counts.alike;
     return;
@@ -175,7 +175,7 @@ void TrialRunner::try_cell(Cell cell, std::size_t body) {
     for (const Top top : tops[i]) try_top({cell, body, kStarts[i], {}}, x_of(kStarts[i]), top);
   const bool is_place = proof_.counts.places > before;
   proof_.counts.places = before + (is_place ? 1 : 0);  // a cell counts once
-  if (!around.empty()) surroundings_.emplace(around, is_place);
+  if (!around.empty()) surroundings_.emplace(std::move(around), is_place);
 }
 
 void TrialRunner::try_top(Place place, double x, Top top) {
@@ -349,12 +349,11 @@ std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, 
   return std::nullopt;
 }
 
-// Whether it comes back to its place from every jump.
+// Whether a player comes back to its place from every jump.
 bool TrialRunner::is_wedged(const State& state, std::size_t speed) {
   const Rect start = state.bodies.front().box;
-  const bool is_steered = traits_of(state.bodies.front().kind).takes_keys;
   // A player that does not run comes back from every jump.
-  if (is_steered && !(scene_.speeds()[speed].scene->tuning.player.run_speed > 0)) return false;
+  if (!(scene_.speeds()[speed].scene->tuning.player.run_speed > 0)) return false;
   for (const int direction : {0, -1, 1}) {
     Trial keys;
     keys.direction = direction;

@@ -27,6 +27,13 @@ struct Moving {
   Foot foot = Foot::box;
 };
 
+template <class Real>
+Moving<Real> moved_to(Moving<Real> body, BasicVec2<Real> place) {
+  body.box.x = place.x;
+  body.box.y = place.y;
+  return body;
+}
+
 // dy/dx of a floor or ceiling with this normal.
 template <class Real>
 Real slope_of(BasicVec2<Real> normal) {
@@ -253,9 +260,7 @@ class Mover {
   // Whether the body climbs over the edge that it has met. Not inline, and move() always is: the steps of
   // balls are quickest so.
   [[gnu::noinline]] bool climbs_at(const Contact<Real>& contact, Moving<Real>& body) const {
-    Moving<Real> there = body;
-    there.box.x = contact.position.x;
-    there.box.y = contact.position.y;
+    Moving<Real> there = moved_to(body, contact.position);
     if (!climbs(terrain_, others_, there, contact, budget_)) return false;
     body.box = there.box;
     return true;

@@ -205,12 +205,12 @@ class ExactSolver final : public Solver {
       const Vec at = past ? *past : contact && !arrives ? contact.position : goal;
       const Real from = moving.box.x;
       rest -= (at.x - moving.box.x) / motion.x;
-      put(moving, at);
+      moving = moved_to(moving, at);
       at_end = !contact || arrives;
       if (arrives) note_after(motion * std::max<Real>(rest, 0));
       if (at_end) {
         at_end = goal.x == floor->end;
-        if (contact && way.is_behind(contact, moving)) put(moving, contact.position);
+        if (contact && way.is_behind(contact, moving)) moving = moved_to(moving, contact.position);
         if (!(rest > 0) || (!at_end && part == 1)) return true;
         if (at_end) floor.reset();
         part = 1;
@@ -286,11 +286,6 @@ class ExactSolver final : public Solver {
     return AfterContact::goes_on;
   }
 
-  static void put(Moving<Real>& moving, Vec place) {
-    moving.box.x = place.x;
-    moving.box.y = place.y;
-  }
-
   // The level ground straight below, within `reach`.
   Contact<Real> floor_under(const State& state, std::size_t index, const Moving<Real>& moving, Real reach) {
     if (budget_.left <= 0 || !gather(state, index, moving, {0, reach})) {
@@ -311,7 +306,7 @@ class ExactSolver final : public Solver {
     Moving<Real> there = moving;
     Mover<Real> mover(ground_, others_, max_passes_, nullptr, &budget_);
     if (!mover.move(there, down, slide, [](const Contact<Real>&, Vec) {}).held) return false;
-    put(moving, there.box.position());
+    moving = moved_to(moving, there.box.position());
     return true;
   }
 
@@ -353,8 +348,7 @@ class ExactSolver final : public Solver {
   // over the side that a corner has met on its way, which ends y px lower. 0: the side stops it.
   Real depth_below_floor(const Moving<Real>& moving, const Contact<Real>& contact, Real y, Real sunk) {
     FloorWalk<Real> over(ground_, others_, 1, numbers_.steepest, &budget_, sunk);
-    Moving<Real> there = moving;
-    put(there, contact.position);
+    const Moving<Real> there = moved_to(moving, contact.position);
     const Real goal_y = contact.position.y + std::max<Real>(y, 0) * (1 - contact.t);
     return over.sinks(there, contact, goal_y, moving.box.w * kDeepestFloor) ? over.sunk() : 0;
   }

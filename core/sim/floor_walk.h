@@ -104,15 +104,18 @@ class FloorWalk {
   void stop_on(const FloorAhead<Real>& floor, Moving<Real>& body, Real from, const Contact<Real>& contact) {
     const auto place_at = [&](Real x) { return place_on(floor, body.box, x, body.foot); };
     Real free = from, blocked = contact.position.x;
-    if (room_at(place_at(blocked), contact) >= 0) free = blocked;
-    for (int i = 0; i < kHalvings && free != blocked; ++i) {
-      const Real x = (free + blocked) / 2;
-      (room_at(place_at(x), contact) >= 0 ? free : blocked) = x;
+    if (room_at(place_at(blocked), contact) >= 0) {
+      free = blocked;
+    } else {
+      for (int i = 0; i < kHalvings; ++i) {
+        const Real x = (free + blocked) / 2;
+        (room_at(place_at(x), contact) >= 0 ? free : blocked) = x;
+      }
     }
     const Vec place = place_at(free);
     Contact<Real> met = cast_to(floor, body, place);
-    if (met && sinks(at(met.position, body), met, place.y)) met = cast_to(floor, body, place);
-    body = at(met ? met.position : place, body);
+    if (met && sinks(moved_to(body, met.position), met, place.y)) met = cast_to(floor, body, place);
+    body = moved_to(body, met ? met.position : place);
   }
   // Whether the floor is a curve that goes on above what the body has met below it, on the chord of its way.
   bool leads_above(const FloorAhead<Real>& floor, const Moving<Real>& body, const Contact<Real>& contact,
@@ -171,12 +174,10 @@ class FloorWalk {
     return std::abs(left.x) <= slack && std::abs(left.y) <= slack;
   }
 
-  // Whether the body is just behind what it met on its way, by more than the next cast forgives, which would
-  // not meet it then. Along a ceiling that is parallel to the floor that does not matter.
+  // Whether the body is behind what it met just before its place, by more than the next cast forgives, which
+  // would not meet it then.
   bool is_behind(const Contact<Real>& contact, const Moving<Real>& body) const {
-    const Vec place = body.box.position();
-    return room_at(place, contact) < -rounding_slack<Real>({body.box, {}, body.foot}) / 2 &&
-           std::abs(place.x - contact.position.x) <= std::max(Real(kFloorStep), settled(body));
+    return room_at(body.box.position(), contact) < -rounding_slack<Real>({body.box, {}, body.foot}) / 2;
   }
 
   // Where the body goes on past a straight ceiling that it has met too early, by rounding: to the goal, or to
@@ -201,9 +202,9 @@ class FloorWalk {
     // Without its lowest part, as the floor would hide what else is there.
     const Real lip = std::min(Real(kMostLip), box.h);
     const BasicRect<Real> above{contact.position.x, contact.position.y, box.w, box.h - lip};
-    const Real rounding = settled({above, {}, foot});
+    const Real slack = rounding_slack<Real>({above, {}, foot}), rounding = kSettledSlacks * slack;
     // Where the ceiling goes on, the next cast must meet it.
-    if (room_at(place, contact) < -(leaves ? rounding : rounding / (2 * kSettledSlacks))) return std::nullopt;
+    if (room_at(place, contact) < -(leaves ? rounding : slack / 2)) return std::nullopt;
     const Cast<Real> past{above, piece != nullptr ? rest : Vec{rest.x, 0}, foot,
                           std::max<Real>(sunk_ - lip, 0)};
     const Contact<Real> met = cast_box(ground_, past, others_, piece, budget_);
@@ -229,12 +230,6 @@ class FloorWalk {
   Real sunk() const { return sunk_; }
 
  private:
-  static Moving<Real> at(Vec place, Moving<Real> body) {
-    body.box.x = place.x;
-    body.box.y = place.y;
-    return body;
-  }
-
   // Whether it only touches a hill, at its top, which is in its way by rounding alone.
   bool falls_away(const Contact<Real>& contact, Vec motion, Real slack) const {
     if (contact.t != 0 || contact.piece == nullptr || contact.piece->stretch == 0) return false;
