@@ -16,9 +16,21 @@ constexpr std::string_view kGlobals[] = {"assert",  "error",    "getmetatable", 
                                          "require", "select",   "self",         "setmetatable", "string",
                                          "table",   "tonumber", "tostring",     "type",         "unpack"};
 
+template <class List>
+bool has(const List& list, std::string_view name) {
+  return std::find(std::begin(list), std::end(list), name) != std::end(list);
+}
+
+enum class Use : std::uint8_t { none, variable, field };  // none: it is no name
+
+struct Token {
+  std::string_view text;
+  Use use = Use::none;
+};
+
 // A name, a string in quotes, a number, or one other character.
-std::vector<std::string_view> tokens_of(std::string_view text) {
-  std::vector<std::string_view> tokens;
+std::vector<Token> tokens_of(std::string_view text) {
+  std::vector<Token> tokens;
   for (std::size_t i = 0; i < text.size();) {
     std::size_t end = i + 1;
     if (is_lua_word(text[i])) {
@@ -27,36 +39,48 @@ std::vector<std::string_view> tokens_of(std::string_view text) {
       while (end < text.size() && text[end] != '"') ++end;
       end = std::min(end + 1, text.size());
     }
-    tokens.push_back(text.substr(i, end - i));
+    tokens.push_back({text.substr(i, end - i)});
     i = end;
   }
   return tokens;
 }
 
+// What a token stands in: a table's braces, or the blocks of statements in them.
+class Nesting {
+ public:
+  void read(std::string_view token) {
+    if (token == "{" || has(kBegins, token)) is_table_.push_back(token == "{");
+    if ((token == "}" || token == "end" || token == "until") && !is_table_.empty()) is_table_.pop_back();
+  }
+  bool is_table() const { return !is_table_.empty() && is_table_.back(); }
+
+ private:
+  static constexpr std::string_view kBegins[] = {"function", "do", "if", "repeat"};
+  std::vector<bool> is_table_;
+};
+
 struct Names {
   std::set<std::string_view> all, locals, fields, methods;
 
-  bool are_renamed(std::string_view name) const {
-    if (fields.count(name) != 0) return false;
-    if (std::find(std::begin(kGlobals), std::end(kGlobals), name) != std::end(kGlobals)) return false;
-    return locals.count(name) != 0 || methods.count(name) != 0;
+  bool are_renamed(const Token& token) const {
+    if (token.use == Use::variable) return locals.count(token.text) != 0 && !has(kGlobals, token.text);
+    return token.use == Use::field && methods.count(token.text) != 0 && fields.count(token.text) == 0;
   }
 };
 
-// `spaced` has the blanks and line breaks between the tokens, too. inner: tables whose methods may get other
-// names.
-Names names_in(const std::vector<std::string_view>& spaced, std::initializer_list<std::string_view> inner) {
-  std::vector<std::string_view> tokens;  // a line break ends a list of locals
-  std::copy_if(spaced.begin(), spaced.end(), std::back_inserter(tokens),
-               [](auto token) { return token != " "; });
+// Finds the names, and how each token uses one. inner: tables whose methods may get other names.
+Names names_in(std::vector<Token>& spaced, std::initializer_list<std::string_view> inner) {
+  std::vector<Token*> tokens;
+  for (Token& token : spaced) {
+    if (token.text != " ") tokens.push_back(&token);  // a line break ends a list of locals
+  }
+  const auto text_at = [&](std::size_t i) { return i < tokens.size() ? tokens[i]->text : ""; };
   Names names;
   enum class List { none, locals, parameters } list = List::none;
-  int braces = 0;
+  Nesting nesting;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
-    const std::string_view token = tokens[i], before = i > 0 ? tokens[i - 1] : "";
-    const std::string_view after = i + 1 < tokens.size() ? tokens[i + 1] : "";
-    if (token == "{") ++braces;
-    if (token == "}") --braces;
+    const std::string_view token = tokens[i]->text, before = text_at(i - 1), after = text_at(i + 1);
+    nesting.read(token);
     if (token == "local" || token == "for") list = List::locals;
     if (token == "function") list = List::parameters;
     const bool ends_locals = token == "=" || token == "in" || token == "\n";
@@ -64,20 +88,20 @@ Names names_in(const std::vector<std::string_view>& spaced, std::initializer_lis
       list = List::none;
     if (!is_lua_name(token)) continue;
     names.all.insert(token);
-    const bool is_key = braces > 0 && (before == "{" || before == ",") && after == "=" && list == List::none;
-    const bool is_concatenated = before == "." && i > 1 && tokens[i - 2] == ".";
-    const bool is_field = before == "." && !is_concatenated;
-    if (is_field || before == ":") {
-      const std::string_view of = i > 1 ? tokens[i - 2] : "";
-      const bool is_inner = std::find(inner.begin(), inner.end(), of) != inner.end();
-      const bool is_defined = i > 2 && tokens[i - 3] == "function";
+    const bool is_key = nesting.is_table() && after == "=" && text_at(i + 2) != "=";
+    const bool is_concatenated = before == "." && text_at(i - 2) == ".";
+    const bool is_member = (before == "." && !is_concatenated) || before == ":";
+    tokens[i]->use = is_key || is_member ? Use::field : Use::variable;
+    if (is_member) {
+      const bool is_inner = has(inner, text_at(i - 2));
+      const bool is_defined = text_at(i - 3) == "function";
       if (is_inner && is_defined) names.methods.insert(token);
       // Who has a method that is called is not known here.
-      if (!is_inner && (is_field || is_defined)) names.fields.insert(token);
+      if (!is_inner && (before == "." || is_defined)) names.fields.insert(token);
     } else if (is_key) {
       names.fields.insert(token);
     } else if (list == List::locals || (list == List::parameters && (before == "(" || before == ",")) ||
-               (before == "function" && i > 1 && tokens[i - 2] == "local")) {
+               (before == "function" && text_at(i - 2) == "local")) {
       names.locals.insert(token);
     }
   }
@@ -95,11 +119,11 @@ std::string short_name(std::size_t n) {
 }  // namespace
 
 std::string with_short_names(const std::string& lua, std::initializer_list<std::string_view> inner) {
-  const std::vector<std::string_view> tokens = tokens_of(lua);
+  std::vector<Token> tokens = tokens_of(lua);
   const Names names = names_in(tokens, inner);
   std::map<std::string_view, std::size_t> bytes;  // that each name takes
-  for (const std::string_view token : tokens) {
-    if (names.are_renamed(token)) bytes[token] += token.size();
+  for (const Token& token : tokens) {
+    if (names.are_renamed(token)) bytes[token.text] += token.text.size();
   }
   std::vector<std::pair<std::string_view, std::size_t>> by_size(bytes.begin(), bytes.end());
   std::stable_sort(by_size.begin(), by_size.end(),
@@ -114,9 +138,9 @@ std::string with_short_names(const std::string& lua, std::initializer_list<std::
     renamed.emplace(name, std::move(shorter));
   }
   std::string text;
-  for (const std::string_view token : tokens) {
-    const auto found = renamed.find(token);
-    text += found == renamed.end() ? token : std::string_view(found->second);
+  for (const Token& token : tokens) {
+    const auto found = names.are_renamed(token) ? renamed.find(token.text) : renamed.end();
+    text += found == renamed.end() ? token.text : std::string_view(found->second);
   }
   return text;
 }

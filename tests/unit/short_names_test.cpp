@@ -17,8 +17,20 @@ TEST(ShortNames, FieldsMethodsKeysAndStringsStay) {
       "local world = {size = 1, name = \"size world\"}\nfunction world:grow(size) self.size = size end\n"
       "function world.make(name) return {world.size, name = name} end\n";
   EXPECT_EQ(with_short_names(code),
-            "local a = {size = 1, name = \"size world\"}\nfunction a:grow(size) self.size = size end\n"
-            "function a.make(name) return {a.size, name = name} end\n");
+            "local a = {size = 1, name = \"size world\"}\nfunction a:grow(c) self.size = c end\n"
+            "function a.make(b) return {a.size, name = b} end\n");
+}
+
+// The locals of a function in a table are no keys, and a comparison in a table is none.
+TEST(ShortNames, OfLocalsThatAreFieldsElsewhere) {
+  const std::string code =
+      "local left, top = 1, 2\nlocal box = {left = left,\ntop = function(left) local top = 1\n"
+      "if left then left, top = top, left end\nreturn top end, left == top, [left] = 1}\n"
+      "for left = 1, 2 do box.left = box.left .. left end\nreturn box\n";
+  EXPECT_EQ(with_short_names(code),
+            "local a, b = 1, 2\nlocal c = {left = a,\ntop = function(a) local b = 1\n"
+            "if a then a, b = b, a end\nreturn b end, a == b, [a] = 1}\n"
+            "for a = 1, 2 do c.left = c.left .. a end\nreturn c\n");
 }
 
 TEST(ShortNames, OfMethodsOfInnerTablesThatNothingElseHas) {
@@ -33,8 +45,8 @@ TEST(ShortNames, OfMethodsOfInnerTablesThatNothingElseHas) {
 }
 
 TEST(ShortNames, NamesOfLuaAndGlobalsStay) {
-  const std::string code = "local floor = math.floor\nprint(floor(x), pairs, type)\n";
-  EXPECT_EQ(with_short_names(code), code);
+  EXPECT_EQ(with_short_names("local floor = math.floor\nprint(floor(x), pairs, type)\n"),
+            "local a = math.floor\nprint(a(x), pairs, type)\n");
   EXPECT_EQ(with_short_names("local function kind(type) return type .. kind end\n"),
             "local function a(type) return type .. a end\n");
 }
