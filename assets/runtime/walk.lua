@@ -121,6 +121,35 @@ function Walk:goal_on(on, box, way)
   return Walk.place_on(on, box, there)
 end
 
+-- Ends a floor where this line begins, if that is up to LIP above it.
+function Walk:end_below(on, box, line, front, slack)
+  local direction = self.direction
+  local x, y = line.x0 - front, line.y0
+  if direction < 0 then x, y = line.x1 - front, line.y1 end
+  if not ((x - box.x) * direction > 0 and (on.stop - x) * direction > 0) then return end
+  local _, top = Walk.place_on(on, box, x)
+  local height = top + box.h - y
+  if height > slack and height <= LIP + slack then on.stop = x end
+end
+
+-- Ends a floor where the bottom of a box on its way to a goal comes below a one-way line that begins up to LIP
+-- higher: such a line has no side that the box could meet. Returns the goal, or that end.
+function Walk:goal_before_line(on, box, goal_x, goal_y)
+  if box.centre or not self.terrain:has_pieces() then return goal_x, goal_y end
+  local slack, front = Walk.settled(box), self.direction > 0 and box.w or 0.0
+  local bottom = box.h - slack
+  for row = floor((min(box.y, goal_y) + (bottom - LIP)) / TILE_H), floor((max(box.y, goal_y) + bottom) / TILE_H) do
+    for column = floor((min(box.x, goal_x) + front) / TILE_W), floor((max(box.x, goal_x) + front) / TILE_W) do
+      local cell = self.terrain:is_detailed(column, row) and self.terrain:detail(column, row)
+      for _, line in ipairs(cell and cell.pieces or {}) do
+        if not line.solid and line.facing == UP then self:end_below(on, box, line, front, slack) end
+      end
+    end
+  end
+  if (goal_x - on.stop) * self.direction > 0 then return Walk.place_on(on, box, on.stop) end
+  return goal_x, goal_y
+end
+
 -- Whether a way along it is the straight one that is cast.
 function Walk.is_straight(on) return not on.on_line or on.met.edge.form.straight end
 
@@ -417,6 +446,7 @@ local function go_along_floor(world, body, box, reach, motion_on, stop_at)
     if not on then return false, x * rest, y * rest end
     x, y = motion_on(n, box, on.met.nx, on.met.ny)
     local goal_x, goal_y = walk:goal_on(on, box, x * rest * part)
+    goal_x, goal_y = walk:goal_before_line(on, box, goal_x, goal_y)
     if goal_x - box.x == 0 then return true end
     local contact = walk:cast_to(on, box, goal_x, goal_y)
     local at_x, at_y, from, past_x, past_y = goal_x, goal_y, box.x

@@ -122,6 +122,9 @@ BasicTerrain<Real>::BasicTerrain(const TerrainSource& source)
   assert(std::none_of(source.shapes.begin(), source.shapes.end(),
                       [&](const TileShape& s) { return problem_of(s, source.tile); }));
   assert(std::none_of(source.curves.begin(), source.curves.end(), [](auto& c) { return problem_of(c); }));
+  one_way_ = std::any_of(source.shapes.begin(), source.shapes.end(), [](auto& s) { return s.one_way; }) ||
+             std::any_of(source.curves.begin(), source.curves.end(),
+                         [](auto& c) { return c.faces != Curve::Faces::both; });
   auto parts = std::make_shared<Parts>(source);
   CurveOutline curves = cut_curves(source.curves);
   for (const auto& stretch : curves.stretches) parts->stretches.push_back(narrow<Real>(stretch));

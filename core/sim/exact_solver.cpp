@@ -191,7 +191,8 @@ class ExactSolver final : public Solver {
       if (rest == 1) note_goal(moving, motion);
       if (at_end) note_turn(state.bodies[index], moving, floor->contact, before * rest);
       if (at_end || contacts > 0) note_after(motion * rest);
-      const Vec goal = way.goal_on(*floor, moving.box, motion.x * rest * part, moving.foot);
+      const Vec goal = way.goal_before_line(
+          *floor, moving, way.goal_on(*floor, moving.box, motion.x * rest * part, moving.foot));
       if (goal.x == moving.box.x) return true;
       const auto contact = way.cast_to(*floor, moving, goal);
       if (!contact && budget_.seen < 1) {

@@ -95,6 +95,26 @@ class FloorWalk {
     return {x, rest_on(*floor.contact.piece, ground_.stretches(), there, foot)};
   }
 
+  // Ends a floor where the bottom of a box on its way to a goal comes below a one-way line that begins up to
+  // kMostLip higher: such a line has no side that the box could meet. Returns the goal, or that end.
+  Vec goal_before_line(FloorAhead<Real>& floor, const Moving<Real>& body, Vec goal) const {
+    if (body.foot == Foot::centre || !ground_.has_one_way()) return goal;
+    const BasicRect<Real>& box = body.box;
+    const Real x = front_of(box), y = box.h - settled(body);
+    const Vec from{std::min(box.x, goal.x), std::min(box.y, goal.y)};
+    const Vec to{std::max(box.x, goal.x), std::max(box.y, goal.y)};
+    const Cell first = cell_near(from + Vec{x, y - Real(kMostLip)}), last = cell_near(to + Vec{x, y});
+    for (Cell cell = first; cell.y <= last.y; ++cell.y) {
+      for (cell.x = first.x; cell.x <= last.x; ++cell.x) {
+        if (budget_ != nullptr && --budget_->left <= 0) return goal;
+        for (const Piece<Real>& piece : ground_.pieces_in(cell)) {
+          if (piece.one_way && piece.facing == Facing::up) end_below(floor, body, piece);
+        }
+      }
+    }
+    return (goal.x - floor.end) * direction_ > 0 ? place_on(floor, box, floor.end, body.foot) : goal;
+  }
+
   // Whether a way along it is the straight one that is cast.
   static bool is_straight(const FloorAhead<Real>& floor) {
     return !floor.on_line || floor.contact.piece->stretch == 0;
@@ -230,6 +250,26 @@ class FloorWalk {
   Real sunk() const { return sunk_; }
 
  private:
+  // px, of the side of a box that goes first.
+  Real front_of(const BasicRect<Real>& box) const { return direction_ > 0 ? box.w : 0; }
+  // The terrain's cell that is nearest to a point.
+  Cell cell_near(Vec point) const {
+    const auto index = [](Real at, int side, int count) {
+      return static_cast<int>(std::clamp<Real>(at / Real(side), 0, Real(count - 1)));
+    };
+    const TileSize tile = ground_.tile_size();
+    return {index(point.x, tile.width, ground_.width()), index(point.y, tile.height, ground_.height())};
+  }
+  // Ends a floor where this line begins, if that is up to kMostLip above it.
+  void end_below(FloorAhead<Real>& floor, const Moving<Real>& body, const Piece<Real>& line) const {
+    const bool right = direction_ > 0;
+    const Real x = (right ? line.x0 : line.x1) - front_of(body.box);
+    if (!((x - body.box.x) * direction_ > 0 && (floor.end - x) * direction_ > 0)) return;
+    const Real bottom = place_on(floor, body.box, x, body.foot).y + body.box.h;
+    const Real height = bottom - (right ? line.y0 : line.y1), slack = settled(body);
+    if (height > slack && height <= Real(kMostLip) + slack) floor.end = x;
+  }
+
   // Whether it only touches a hill, at its top, which is in its way by rounding alone.
   bool falls_away(const Contact<Real>& contact, Vec motion, Real slack) const {
     if (contact.t != 0 || contact.piece == nullptr || contact.piece->stretch == 0) return false;

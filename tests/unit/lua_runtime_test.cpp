@@ -194,6 +194,32 @@ TEST_F(LuaRuntime, GivesTheBitsOfWalksOverLines) {
   expect_same_bits();
 }
 
+// A box goes up a one-way line that begins up to 1/256 px above its floor.
+TEST_F(LuaRuntime, GivesTheBitsOfWalksOntoOneWayRamps) {
+  for (const double lip : {0.0, 1 / 256.0, 2 / 256.0}) {
+    Level level;
+    level.map = TileMap(40, 14);
+    level.tile_shapes[1].kind = TileShape::Kind::solid;
+    level.tile_shapes[2] = {.kind = TileShape::Kind::slope, .one_way = true, .heights = {lip, 5}};
+    for (int x = 0; x < 18; ++x) level.map.set({x, 12}, 1);
+    level.map.set({18, 11}, 2);
+    level.curves = {{"", {Segment{{80, 96 - lip}, {100, 90}}, Curve::Faces::up}, ""}};
+    for (const Vec2 size : {Vec2{8, 8}, Vec2{3, 12.5}}) {
+      Spawn& spawn = level.spawns.emplace_back();
+      spawn.kind = BodyKind::player;
+      spawn.foot = Foot::box;
+      spawn.size = size;
+      spawn.position = {60.3, 96 - size.y};
+    }
+    level.tuning.shared.balls_block = 0;
+    CaseInput right;
+    right.frame = 1;
+    right.right = true;
+    add(level, 90, {right}, "lip " + std::to_string(lip));
+  }
+  expect_same_bits();
+}
+
 TEST_F(LuaRuntime, GivesTheBitsOfWalksOverRipples) {
   for (double wave = 5; wave < 25; wave += 2.93) {
     Level level;

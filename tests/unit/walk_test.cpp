@@ -319,6 +319,29 @@ TEST(Walk, ASmallBoxClimbsALip) {
   }
 }
 
+// A one-way ramp has no side: a box went under it, and fell where the floor below ended.
+TEST(Walk, ABoxGoesUpAOneWayRampThatBeginsALipHigher) {
+  for (const int direction : {1, -1}) {
+    for (const double rise : {2.0, 8.0}) {
+      for (const double width : {2.0, 8.0, 15.0}) {
+        SCOPED_TRACE(std::to_string(direction) + ", " + std::to_string(rise) + ", " + std::to_string(width));
+        Scenery scenery;
+        for (int i = 0; i < 4; ++i) {
+          const double low = i == 0 ? 1 / 256.0 : 0;
+          const TileShape up = direction > 0 ? slope(low, rise, true) : slope(rise, low, true);
+          if (i == 0) scenery.put({20, 11}, up);
+          if (i > 0) scenery.put({20 + i * direction, 11}, slope(rise, rise, true));
+          scenery.level.map.set({20 + i * direction, 12}, 0);
+        }
+        const double begin = direction > 0 ? 160 : 168;
+        scenery.player(begin - 20 * direction - width / 2, kFloor, Foot::box, {width, 8});
+        const Body body = walked(scenery.level, direction, 24);
+        EXPECT_EQ(body.box.bottom(), kFloor - rise);
+      }
+    }
+  }
+}
+
 TEST(Walk, StaysOnItsFloorWhereACeilingKeepsItFromTheNextOne) {
   Meeting meeting;
   for (int x = 0; x < 24; ++x) meeting.level.map.set({x, 12}, 1);

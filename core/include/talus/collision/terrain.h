@@ -101,6 +101,8 @@ class BasicTerrain {
   bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width_ && c.y < height_; }
   // Whether its outline has pieces: those of slopes, profiles, one-way tiles or curves.
   bool has_pieces() const { return pieces_ != 0; }
+  // Whether one of its shapes, used or not, or one of its curves stops what comes from one side alone.
+  bool has_one_way() const { return one_way_; }
 
   // Gives a cell of the terrain another tile, by the number of one of its shapes (both asserted). Only its
   // surroundings are compiled anew.
@@ -230,6 +232,7 @@ class BasicTerrain {
   std::span<const CurveStretch<Real>> stretches_;     // of the parts
   std::vector<std::shared_ptr<const Chunk>> chunks_;  // row by row; null: nothing in it
   std::size_t pieces_ = 0;                            // in all of them
+  bool one_way_ = false;
 };
 
 using Terrain = BasicTerrain<double>;  // in double precision
