@@ -18,6 +18,8 @@ constexpr Fine kMostBevel = 4 * kFinePx;  // the width of a low edge that is not
 constexpr int kMostRises = 16;            // parts that a body is lifted over, one after the other
 constexpr int kDeepestFloor = 8;          // widths of a body; so far below it may be the floor that leads on
 constexpr double kSameSpeed = 1e-6;
+constexpr std::array<Fine, 2> kRiseWays = {kAhead,
+                                           kFinePx};  // so far ahead a rise to a ceiling is looked for
 
 Fine scaled(Fine length, double factor) { return std::llround(static_cast<double>(length) * factor); }
 
@@ -53,7 +55,7 @@ std::optional<Verdict> Judge::judge(const Body& before, const Body& after, const
       is_free(before.box, before.foot, Corners::in_any_floor))
     return Verdict{FindingKind::inside};
   if (falls_through(before, after)) return Verdict{FindingKind::falls_through};
-  const bool walks = tuning_.solver == SolverKind::exact && traits_of(after.kind).takes_keys;
+  const bool walks = is_walker(after);
   if (walks && after.gait.grounded && !has_floor_at_foot(after, Under::corners))
     return Verdict{FindingKind::floats};
   const bool jumps = input.jump && !before.gait.jump_held;
@@ -92,8 +94,21 @@ std::optional<Verdict> Judge::judge_walk(const Body& before, const Body& after, 
   const Ahead ahead = ahead_of(after, direction);
   if (ahead.way == Way::blocked) return std::nullopt;
   if (ahead.way == Way::lip) return lip_of(direction, ahead.edge);
+  if (rises_to_ceiling(fine_box(after.box), after.foot, direction)) return std::nullopt;
   if (moved >= least - slack) return Verdict{FindingKind::slows, most - after.velocity.x * direction};
   return Verdict{FindingKind::stops, least - moved};
+}
+
+// Whether the floor of a body rises just ahead, or by hardly anything further on, to where a ceiling leaves
+// the body no room.
+bool Judge::rises_to_ceiling(const FineBox& box, Foot foot, int direction) const {
+  const Fine most = weld_ + scaled(kAhead, tuning_.exact.steepest);
+  return std::any_of(kRiseWays.begin(), kRiseWays.end(), [&](Fine way) {
+    const FineBox next = box.moved(direction * way, 0);
+    const auto floor = floor_near(next, foot, most, 0);
+    const FineBox there = next.moved(0, floor ? *floor - box.y1 : 0);
+    return floor && !passes(there, there, foot);
+  });
 }
 
 // Of a body that something there has stopped: it ought not to if it is too steep, but low.
@@ -115,13 +130,42 @@ std::optional<Verdict> Judge::ramp_missed(const Body& before, const Body& after,
     const RawLine& top = part.top;
     const Fine x = direction > 0 ? top.x0 : top.x1, y = direction > 0 ? top.y0 : top.y1;
     const Fine height = bottom - y;
-    if (height <= weld_ || height > lip_ + slack_ || top.highest(top.x0, top.x1) >= y) return true;
+    if (height > lip_ + slack_ || top.highest(top.x0, top.x1) >= y) return true;
+    if (height <= weld_) {
+      if (is_walker(after) && leads_to(before, x, y, direction) && goes_under(part, after))
+        missed = Verdict{FindingKind::leaves_floor};
+      return !missed;
+    }
     if (has_floor_to(x, y, direction)) return true;
     missed = lip_of(direction, {height, x, y});
     return false;
   });
   if (missed && is_across_line(before)) return std::nullopt;
   return missed;
+}
+
+// Whether one part of the ground leads from under the front of a body to a point.
+bool Judge::leads_to(const Body& body, Fine x, Fine y, int direction) const {
+  const FineBox box = fine_box(body.box), under = body.foot == Foot::box ? box : box.middle_line();
+  const Fine front = direction > 0 ? under.x1 : under.x0;
+  if ((x - front) * direction < 0) return false;
+  return !ground_.for_parts(
+      {front - weld_, box.y1 - weld_, front + weld_, box.y1 + weld_}, [&](const RawPart& part) {
+        const RawLine& top = part.top;
+        const bool has_both = top.x0 <= std::min(front, x) && top.x1 >= std::max(front, x);
+        return !(part.is_floor() && has_both && std::abs(top.at(front) - box.y1) <= weld_ &&
+                 std::abs(top.at(x) - y) <= weld_);
+      });
+}
+
+// Whether a body is under a one-way floor on which it had room.
+bool Judge::goes_under(const RawPart& part, const Body& body) const {
+  const FineBox box = fine_box(body.box), under = body.foot == Foot::box ? box : box.middle_line();
+  const auto [from, to] = shared_x(part, under);
+  const Fine top = part.top.highest(from, to);
+  if (part.top.is_steeper_than(tuning_.exact.steepest, from) || top >= box.y1 - 2 * weld_) return false;
+  const FineBox there = box.moved(0, top - box.y1);
+  return passes(there, there, body.foot);
 }
 
 // The gap at the end of the floor on which a body stood, if a floor goes on behind it at about that height,
@@ -540,9 +584,11 @@ bool Judge::is_on_end(const FineBox& box, Foot foot, bool bottom) const {
 bool Judge::is_there(const ContactRecord& contact, const Body& body) const {
   const FineBox box = fine_box({contact.touch.x, contact.touch.y, body.box.w, body.box.h});
   const Vec2 n = contact.normal;
-  const FineBox into = box.moved(scaled(kAhead, -n.x), scaled(kAhead, -n.y));
+  // Less than the body's own size, so that it does not pass a line.
+  const Fine ahead = std::min(kAhead, std::min(box.x1 - box.x0, box.y1 - box.y0) / 2);
+  const FineBox into = box.moved(scaled(ahead, -n.x), scaled(ahead, -n.y));
   const bool is_sloped = n.x != 0 && n.y != 0;
-  if (is_sloped && stops_at(box, box.moved(0, n.y < 0 ? kAhead : -kAhead))) return true;
+  if (is_sloped && stops_at(box, box.moved(0, n.y < 0 ? ahead : -ahead))) return true;
   if (stops_at(box, into) || (n.y != 0 && is_on_end(box, body.foot, n.y < 0))) return true;
   const Vec2 side = contact.move - n * dot(contact.move, n);
   const double length = std::sqrt(dot(side, side));
@@ -551,8 +597,8 @@ bool Judge::is_there(const ContactRecord& contact, const Body& body) const {
   if (stops_at(box, into.moved(-x, -y))) return true;
   // Unless a wall goes on beside the corner.
   FineBox strip = box;
-  if (n.y != 0) (n.y < 0 ? strip.y0 : strip.y1) = n.y < 0 ? box.y1 - kAhead : box.y0 + kAhead;
-  if (n.x != 0) (n.x < 0 ? strip.x0 : strip.x1) = n.x < 0 ? box.x1 - kAhead : box.x0 + kAhead;
+  if (n.y != 0) (n.y < 0 ? strip.y0 : strip.y1) = n.y < 0 ? box.y1 - ahead : box.y0 + ahead;
+  if (n.x != 0) (n.x < 0 ? strip.x0 : strip.x1) = n.x < 0 ? box.x1 - ahead : box.x0 + ahead;
   return stops_at(box, into.moved(x, y)) && !stops_at(strip, strip.moved(x, y));
 }
 

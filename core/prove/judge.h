@@ -56,6 +56,12 @@ class Judge {
   };
   std::optional<Verdict> judge_walk(const Body& before, const Body& after, double speed,
                                     const StepRecord& record) const;
+  bool is_walker(const Body& body) const {
+    return tuning_.solver == SolverKind::exact && traits_of(body.kind).takes_keys;
+  }
+  bool rises_to_ceiling(const FineBox& box, Foot foot, int direction) const;
+  bool leads_to(const Body& body, Fine x, Fine y, int direction) const;
+  bool goes_under(const RawPart& part, const Body& body) const;
   bool is_stopped_before(const Body& before, const Body& after, int direction,
                          const StepRecord& record) const;
   std::optional<Verdict> judge_stop(const Body& after, int direction) const;

@@ -19,12 +19,6 @@ auto key_of(const Finding& finding) {
 
 }  // namespace
 
-std::size_t Proof::of_solver() const {
-  return static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(), [](const Finding& finding) {
-    return !info_of(finding.kind).of_level;
-  }));
-}
-
 std::string summary_of(const Proof& proof) {
   if (proof.counts.trials == 0) return "no place where a body can stand, so nothing was tried";
   const auto count = [](std::int64_t number) { return with_commas(static_cast<std::size_t>(number)); };
@@ -33,11 +27,9 @@ std::string summary_of(const Proof& proof) {
                      std::string(solver_name(proof.solver)) + ", ";
   if (proof.stands_still) text += "but no walk of a player, as run_speed is 0, ";
   if (proof.findings.empty()) return text + "no finding";
-  const std::size_t all = proof.findings.size() + proof.more, of_solver = proof.of_solver();
-  text += with_commas(all) + (all == 1 ? " finding" : " findings");
-  if (proof.more == 0)
-    text += ": " + with_commas(proof.findings.size() - of_solver) + " of the level, " +
-            with_commas(of_solver) + " of the solver";
+  const std::size_t all = proof.findings.size() + proof.more;
+  text += with_commas(all) + (all == 1 ? " finding: " : " findings: ") + with_commas(all - proof.of_solver) +
+          " of the level, " + with_commas(proof.of_solver) + " of the solver";
   return text;
 }
 
@@ -108,12 +100,14 @@ Proof ProofRun::proof() const {
   for (Finding& finding : proof.findings) {
     if (!merged.empty() && key_of(merged.back()) == key_of(finding)) {
       add_alike(merged.back(), finding);
-    } else if (merged.size() < kMostFindings) {
-      merged.push_back(std::move(finding));
     } else {
-      ++proof.more;
+      merged.push_back(std::move(finding));
     }
   }
+  proof.of_solver = static_cast<std::size_t>(std::count_if(
+      merged.begin(), merged.end(), [](const Finding& finding) { return !info_of(finding.kind).of_level; }));
+  proof.more = merged.size() - std::min(merged.size(), kMostFindings);
+  merged.resize(merged.size() - proof.more);
   proof.findings = std::move(merged);
   return proof;
 }

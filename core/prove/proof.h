@@ -27,8 +27,8 @@ struct Proof {
   ProveCounts counts;
   std::vector<Finding> findings;  // by row, column, kind, body and direction; at most kMostFindings
   std::size_t more = 0;           // findings that are not listed
+  std::size_t of_solver = 0;      // findings, listed or not, that are faults of the solver
   double share = 1;               // of the level that is proved, 0..1
-  std::size_t of_solver() const;  // how many of the listed ones are faults of the solver
 };
 
 // The certificate as a sentence without a full stop: "480 places, 120,000 steps of the solver exact, no

@@ -174,7 +174,7 @@ TEST(Prove, FallsIntoAPitBesideAWall) {
   scenery.level.map.set({11, 11}, 1);
   scenery.level.map.set({11, 10}, 1);
   scenery.level.tuning.player.run_speed = 4;
-  EXPECT_EQ(scenery.proof().of_solver(), 0u) << text_of(scenery.proof());
+  EXPECT_EQ(scenery.proof().of_solver, 0u) << text_of(scenery.proof());
 }
 
 TEST(Prove, FindsAnEdgeHigherThanASmallBody) {
@@ -301,8 +301,8 @@ TEST(Prove, FindsWhatTheArticleDoes) {
   scenery.level.spawns[0].foot = Foot::box;
   scenery.put({8, 11}, slope(0, 8));
   const Proof proof = scenery.proof();
-  EXPECT_GT(proof.of_solver(), 0u) << "it rounds floors, and sinks into slopes";
-  EXPECT_EQ(proof.of_solver(), proof.findings.size());
+  EXPECT_GT(proof.of_solver, 0u) << "it rounds floors, and sinks into slopes";
+  EXPECT_EQ(proof.of_solver, proof.findings.size());
 }
 
 TEST(Prove, AFindingCanBePlayedAgain) {
@@ -357,7 +357,7 @@ TEST(Prove, TheHardCasesHaveNoFindingOfTheExactSolver) {
     ASSERT_TRUE(level);
     if (level->level.tuning.solver != SolverKind::exact) continue;
     const Proof proof = *prove(ProveScene(level->level, {}), 1);
-    EXPECT_EQ(proof.of_solver(), 0u) << file.path() << "\n" << text_of(proof);
+    EXPECT_EQ(proof.of_solver, 0u) << file.path() << "\n" << text_of(proof);
     ++cases;
   }
   EXPECT_GT(cases, 20);
@@ -371,7 +371,7 @@ TEST(Prove, HasNoFindingOfTheSolverWhereItOnceHadOne) {
     ASSERT_TRUE(level) << file.path();
     const Proof proof = *prove(ProveScene(level->level, {}), 1);
     EXPECT_GT(proof.counts.places, 0) << file.path();
-    EXPECT_EQ(proof.of_solver(), 0u) << file.path() << "\n" << text_of(proof);
+    EXPECT_EQ(proof.of_solver, 0u) << file.path() << "\n" << text_of(proof);
     ++levels;
   }
   EXPECT_GT(levels, 10);
