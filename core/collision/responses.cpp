@@ -90,25 +90,25 @@ class World::Checker {
 
   // bump's loop: only the first contact counts, and each item counts once.
   Vec2 faithful(Vec2 goal) {
-    bool more = may_look(start_.position(), goal) && append_first(start_.position(), goal);
+    bool more = append_first(leg_to(start_.position(), goal));
     while (more) {
       Collision& hit = hits_.back();
       mark(hit.other);
       if (is_user(hit.response)) {
         ScratchPool<Collision>::Lease next(impl_.collisions);
         goal = respond(hit, goal, *next);
-        more = !next->empty() && may_look(hit.touch, goal);
+        more = !next->empty() && may_look(leg_to(hit.touch, goal));
         if (more) append(next->front());
       } else if (hit.response == Response::touch) {
         return hit.touch;
       } else if (hit.response == Response::cross) {
-        more = may_look(start_.position(), goal) && append_first(start_.position(), goal);
+        more = append_first(leg_to(start_.position(), goal));
       } else {
         const bool moves = hit.move != Vec2{};
         // Without motion there is nothing to mirror: the mover is put out of the box that it overlaps.
         if (!moves && hit.response == Response::bounce) goal = hit.touch;
         goal = redirect(hit, goal, moves);
-        more = may_look(hit.touch, goal) && append_first(hit.touch, goal);
+        more = append_first(leg_to(hit.touch, goal));
       }
     }
     if (!impl_.gave_up) return goal;
@@ -116,14 +116,25 @@ class World::Checker {
     return start_.position();
   }
 
-  // Whether a leg may look for contacts. If not, the check gives up.
-  bool may_look(Vec2 from, Vec2 goal) {
+  // A straight part of the mover's way, up to the next contact.
+  struct Leg {
+    Sweep sweep;
+    Rect bounds;
+    CellRange cells;
+  };
+  Leg leg_to(Vec2 from, Vec2 goal) const {
     const Sweep sweep({from.x, from.y, start_.w, start_.h}, goal);
-    const CellRange range = impl_.cells_of(swept_bounds(sweep));
+    const Rect bounds = swept_bounds(sweep);
+    return {sweep, bounds, impl_.cells_of(bounds)};
+  }
+
+  // Whether a leg may look for contacts. If not, the check gives up.
+  bool may_look(const Leg& leg) {
+    if (hits_.size() < kFreeLegs && impl_.is_free(leg.cells)) return true;
     const std::int64_t left = impl_.most_tests - tests_;
-    tests_ += impl_.charge_of(range, hits_.size() >= kFreeLegs, left);
+    tests_ += impl_.charge_of(leg.cells, hits_.size() >= kFreeLegs, left);
     // Counting the entries of many cells takes one test for each cell.
-    if (range.count() > Impl::kFewCells) impl_.looks += std::min(range.count(), left);
+    if (leg.cells.count() > Impl::kFewCells) impl_.looks += std::min(leg.cells.count(), left);
     if (tests_ > impl_.most_tests) impl_.gave_up = true;
     return !impl_.gave_up;
   }
@@ -151,15 +162,16 @@ class World::Checker {
     return from;
   }
 
-  // Appends the first contact from `from` to the goal. Returns false if there is none.
-  bool append_first(Vec2 from, Vec2 goal) {
+  // Appends the first contact of a leg. Returns false if there is none, or if it may not look for one.
+  bool append_first(const Leg& leg) {
+    if (!may_look(leg)) return false;
     std::uint32_t first = Impl::kNoSlot;
     Response first_response{};
     SweepContact first_contact{};
-    const Sweep sweep({from.x, from.y, start_.w, start_.h}, goal);
+    const auto& [sweep, bounds, range] = leg;
     const auto before = [&](std::uint32_t a, std::uint32_t b) {
-      const double da = square_distance(sweep.box, impl_.rects[a]);
-      const double db = square_distance(sweep.box, impl_.rects[b]);
+      const double da = square_distance(leg.sweep.box, impl_.rects[a]);
+      const double db = square_distance(leg.sweep.box, impl_.rects[b]);
       return da != db ? da < db : impl_.items[a].serial < impl_.items[b].serial;
     };
     const auto take = [&](std::uint32_t slot, Response response, const SweepContact& contact) {
@@ -170,8 +182,6 @@ class World::Checker {
         first_contact = contact;
       }
     };
-    const Rect bounds = swept_bounds(sweep);
-    const CellRange range = impl_.cells_of(bounds);
     const bool is_near = near_cells_.covers(range) && bounds.x >= near_area_.x && bounds.y >= near_area_.y &&
                          bounds.right() <= near_area_.right() && bounds.bottom() <= near_area_.bottom();
     const std::int64_t looks = impl_.looks;

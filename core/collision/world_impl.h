@@ -119,8 +119,12 @@ struct World::Impl {
   template <class Callback>
   void for_candidates(const CellRange& range, std::uint32_t except, Callback visit);
 
-  // The work charged for testing a range of cells. Unless `all` is set, the usual case is free: a few cells
-  // with a few items each. The work depends on the items alone, not on how they came to their places.
+  // Whether testing a range of cells is free: the usual case of a few cells with a few items each.
+  bool is_free(const CellRange& range) const {
+    return range.count() <= kFewCells && grid.longest_list() <= kFewInCell;
+  }
+  // The work charged for testing a range of cells. Unless `all` is set, what is_free() tells costs nothing.
+  // The work depends on the items alone, not on how they came to their places.
   std::int64_t charge_of(const CellRange& range, bool all, std::int64_t most) const {
     if (is_long(range)) return static_cast<std::int64_t>(items.size());
     const std::int64_t cells = all || range.count() > kFewCells ? range.count() : 0;

@@ -160,6 +160,23 @@ void WorldSolver::move(Body& body, Placed& placed, Vec2 wanted) {
   if (record_ != nullptr) note_contacts(body.id);
 }
 
+// Returns the result of look(), which may test no more than is left; nothing, and no hits, if that was too
+// little.
+template <class Look>
+std::optional<Vec2> WorldSolver::within_budget(std::vector<Collision>& hits, Look look) {
+  const std::int64_t part = budget_.part();
+  if (part == 0) {
+    hits.clear();
+    return std::nullopt;
+  }
+  const std::int64_t looks = world_.looks();
+  world_.set_most_tests(part);
+  const Vec2 at = look();
+  budget_.spend(1 + (world_.looks() - looks) / kLooksPerWork);
+  if (world_.gave_up()) return std::nullopt;
+  return at;
+}
+
 // The table and the function give the same answers; the function also records what is tested.
 std::optional<Vec2> WorldSolver::run(const Placed& placed, Vec2 goal) {
   if (record_ == nullptr) return check(placed, goal, moving_, hits_);
@@ -179,22 +196,6 @@ std::optional<Vec2> WorldSolver::check(const Placed& placed, Vec2 goal,
     return placed.item ? world_.check(placed.item, goal, responses, hits)
                        : world_.check(placed.box, goal, responses, hits);
   });
-}
-
-// Returns the result of look(), which may test no more than is left; nothing, and no hits, if that was too
-// little.
-std::optional<Vec2> WorldSolver::within_budget(std::vector<Collision>& hits, FunctionRef<Vec2()> look) {
-  const std::int64_t part = budget_.part();
-  if (part == 0) {
-    hits.clear();
-    return std::nullopt;
-  }
-  const std::int64_t looks = world_.looks();
-  world_.set_most_tests(part);
-  const Vec2 at = look();
-  budget_.spend(1 + (world_.looks() - looks) / kLooksPerWork);
-  if (world_.gave_up()) return std::nullopt;
-  return at;
 }
 
 void WorldSolver::place(Placed& placed, const Rect& box) {

@@ -70,7 +70,8 @@ class WorldSolver : public Solver {
   ItemId add(const Rect& box, const Entry& entry);
   int body_at(const State& state, Vec2 point);
   std::optional<Vec2> run(const Placed& placed, Vec2 goal);
-  std::optional<Vec2> within_budget(std::vector<Collision>& hits, FunctionRef<Vec2()> look);
+  template <class Look>
+  std::optional<Vec2> within_budget(std::vector<Collision>& hits, Look look);
   Obstacle obstacle(ItemId item) const;
   void note_test(int body, ItemId other);
   void note_contacts(int body);
