@@ -18,8 +18,9 @@ constexpr Fine kMostBevel = 4 * kFinePx;  // the width of a low edge that is not
 constexpr int kMostRises = 16;            // parts that a body is lifted over, one after the other
 constexpr int kDeepestFloor = 8;          // widths of a body; so far below it may be the floor that leads on
 constexpr double kSameSpeed = 1e-6;
-constexpr std::array<Fine, 2> kRiseWays = {kAhead,
-                                           kFinePx};  // so far ahead a rise to a ceiling is looked for
+constexpr Fine kEndSlacks = 10;  // so many roundings below a floor's end a body has touched it
+// So far ahead a rise to a ceiling is looked for.
+constexpr std::array<Fine, 2> kRiseWays = {kAhead, kFinePx};
 
 Fine scaled(Fine length, double factor) { return std::llround(static_cast<double>(length) * factor); }
 
@@ -409,7 +410,8 @@ std::optional<Verdict> Judge::lip_met(const Body& before, const ContactRecord& c
     return is_on_floor(before) ? judge_stop(body, direction) : std::nullopt;
   }
   const Ahead ahead = ahead_of(body, direction);
-  if (ahead.way != Way::lip) return std::nullopt;
+  // A body that falls past the end of a floor has just touched it, and is hardly lower.
+  if (ahead.way != Way::lip || ahead.edge.height <= weld_ + kEndSlacks * slack_) return std::nullopt;
   return lip_of(direction, ahead.edge);
 }
 
