@@ -70,7 +70,7 @@ std::vector<Command> tab_commands() {
        .run = give_keys_to_panel(panel_id::kHistory),
        .words = "undo steps changes"},
       {.id = "tabs/flag_search",
-       .label = "Tab: Find flags",
+       .label = "Tab: Find",
        .help = "The tiles that have a flag.",
        .run = give_keys_to_panel(panel_id::kFlagSearch),
        .words = "search tiles bits"},

@@ -12,6 +12,7 @@
 #include "export_preview.h"
 #include "panels/commands/commands.h"
 #include "panels/ui/dialog.h"
+#include "panels/ui/floating_window.h"
 #include "panels/ui/fuzzy_match.h"
 #include "panels/ui/text_focus.h"
 
@@ -132,12 +133,11 @@ void ExportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const std::size_t count = session.level().exports.size();
   view.preset = count == 0 ? 0 : std::min(view.preset, count - 1);
   const ImVec2 window = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(ui.px(kExportWidth), window.x - ui.px(32)),
-                            std::min(ui.px(kExportHeight), window.y - ui.px(64))},
-                           ImGuiCond_Appearing);
-  ImGui::SetNextWindowSizeConstraints({ui.px(560), ui.px(360)}, window);
-  if (ImGui::Begin("Export", &view.open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+  if (begin_floating_window({.title = "Export",
+                             .open = &view.open,
+                             .size = {std::min(ui.px(kExportWidth), window.x - ui.px(32)),
+                                      std::min(ui.px(kExportHeight), window.y - ui.px(64))},
+                             .least = {ui.px(560), ui.px(360)}})) {
     ImGui::BeginChild("presets", {ui.px(kPresetList), 0}, false, ImGuiWindowFlags_NavFlattened);
     draw_presets(session, actions, ui);
     ImGui::EndChild();

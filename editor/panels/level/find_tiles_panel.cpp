@@ -7,6 +7,7 @@
 #include "edit/tile_search.h"
 #include "panels/canvas/canvas_layers.h"
 #include "panels/commands/commands.h"
+#include "panels/ui/floating_window.h"
 
 namespace talus {
 namespace {
@@ -56,11 +57,10 @@ void FindTilesPanel::draw_count(std::size_t count, bool of_selection, Ui& ui) co
 
 void FindTilesPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (!ui.view.level.find_tiles_open) return;
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({window.x / 2, ui.px(64)}, ImGuiCond_Appearing, {0.5f, 0});
-  if (ImGui::Begin("Find and replace tiles", &ui.view.level.find_tiles_open,
-                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                       ImGuiWindowFlags_AlwaysAutoResize)) {
+  if (begin_floating_window({.title = "Find and replace tiles",
+                             .open = &ui.view.level.find_tiles_open,
+                             .place = {0.5f, ui.px(64) / ImGui::GetIO().DisplaySize.y},
+                             .pivot = {0.5f, 0}})) {
     const Choices& choices = session.choices();
     const Level& level = session.level();
     const std::size_t count = count_tile(level.map, tile_of(ui.view.level.find_tile), choices.selection);

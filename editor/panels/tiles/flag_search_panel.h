@@ -9,7 +9,7 @@ namespace talus {
 class FlagSearchPanel : public Panel {
  public:
   std::string_view id() const override { return panel_id::kFlagSearch; }
-  std::string_view title() const override { return "Find flags"; }
+  std::string_view title() const override { return "Find"; }
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 
  private:

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "panels/commands/commands.h"
+#include "panels/ui/floating_window.h"
 
 namespace talus {
 namespace {
@@ -118,11 +119,9 @@ void draw_control_keys(Ui& ui) {
 void HelpPanel::draw(const Session&, Actions&, Ui& ui) {
   if (!ui.view.window.help_open) return;
   const ImVec2 window = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(ui.px(880), window.x - ui.px(64)), window.y - ui.px(96)},
-                           ImGuiCond_Appearing);
-  if (ImGui::Begin("Keys and mouse", &ui.view.window.help_open,
-                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+  if (begin_floating_window({.title = "Keys and mouse",
+                             .open = &ui.view.window.help_open,
+                             .size = {std::min(ui.px(880), window.x - ui.px(64)), window.y - ui.px(96)}})) {
     draw_mouse(ui);
     draw_control_keys(ui);
     for (Scope scope : {Scope::play, Scope::everywhere, Scope::cursor, Scope::map, Scope::sprites,

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "panels/ui/floating_window.h"
 #include "tab_places.h"
 
 namespace talus {
@@ -32,11 +33,10 @@ std::optional<std::size_t> draw_saved_layouts(View& view, Ui& ui) {
 void LayoutsPanel::draw(const Session&, Actions&, Ui& ui) {
   View& view = ui.view;
   if (!view.window.layouts_open) return;
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({window.x / 2, window.y / 4}, ImGuiCond_Appearing, {0.5f, 0});
-  if (ImGui::Begin("Layouts", &view.window.layouts_open,
-                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                       ImGuiWindowFlags_AlwaysAutoResize)) {
+  if (begin_floating_window({.title = "Layouts",
+                             .open = &view.window.layouts_open,
+                             .place = {0.5f, 0.25f},
+                             .pivot = {0.5f, 0}})) {
     if (view.layouts.empty()) ui.hint("Arrange the window as you like it, and save that with a name.");
     if (const auto dropped = draw_saved_layouts(view, ui))
       view.layouts.erase(view.layouts.begin() + static_cast<std::ptrdiff_t>(*dropped));

@@ -3,6 +3,8 @@
 
 #include <cstdio>
 
+#include "panels/ui/floating_window.h"
+
 namespace talus {
 namespace {
 
@@ -25,10 +27,11 @@ void MetricsPanel::draw(const Session& session, Actions&, Ui& ui) {
   const FrameMetrics& metrics = ui.view.window.metrics;
   const FrameCost last = metrics.last();
   const Series* steps = session.step_times().series();
-  ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x / 2, ui.px(64)}, ImGuiCond_Appearing, {0.5f, 0});
-  if (ImGui::Begin("Times of the window", &open,
-                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                       ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_AlwaysAutoResize)) {
+  if (begin_floating_window({.title = "Times of the window",
+                             .open = &open,
+                             .place = {0.5f, ui.px(64) / ImGui::GetIO().DisplaySize.y},
+                             .pivot = {0.5f, 0},
+                             .flags = ImGuiWindowFlags_NoNavInputs})) {
     if (ImGui::BeginTable("metrics", 2)) {
       ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, ui.px(180));
       ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, ui.px(72));

@@ -6,6 +6,7 @@
 #include "gamepad_settings.h"
 #include "panels/canvas/overlay_painter.h"
 #include "panels/commands/commands.h"
+#include "panels/ui/floating_window.h"
 #include "start_choice.h"
 
 namespace talus {
@@ -128,11 +129,7 @@ void SettingsPanel::draw_programs(Ui& ui) {
 void SettingsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   bool& open = ui.view.window.settings_open;
   if (!open) return;
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
-  if (ImGui::Begin("Settings", &open,
-                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                       ImGuiWindowFlags_AlwaysAutoResize)) {
+  if (begin_floating_window({.title = "Settings", .open = &open})) {
     ui.begin_row();
     draw_looks(session, actions, ui);
     ImGui::Separator();
