@@ -91,10 +91,10 @@ TEST_F(UiPlay, PaintingInTheRunningPlayView) {
 }
 
 TEST_F(UiPlay, MouseDragsTheBall) {
-  const ImVec2 from = on_ball(), to = on_canvas("play", {164, 40});
-  key(kKeyF5);
-  move(from);
+  const ImVec2 to = on_canvas("play", {164, 40});
+  move(on_ball());
   press();
+  key(kKeyF5);
   EXPECT_EQ(session().choices().body, 1);
   frames(2);
   EXPECT_EQ(session().state().grabbed, 1);
@@ -139,6 +139,25 @@ TEST_F(UiPlay, AClickChoosesABodyAndBesideItClears) {
   EXPECT_EQ(session().choices().body, 1);
   click(on_canvas("play", {180, 20}));
   EXPECT_EQ(session().choices().body, 0);
+}
+
+// It is held where it was pressed.
+TEST_F(UiPlay, AClickDoesNotMoveABody) {
+  key(kKeyF5);
+  frames(200);  // it rests
+  const Vec2 place = ball().box.position();
+  const ImVec2 middle = on_ball();
+  const ImVec2 corner{middle.x + 5, middle.y - 5};
+  move(corner);
+  press();
+  frames(20);
+  EXPECT_EQ(session().state().grabbed, 1);
+  EXPECT_NEAR(ball().box.x, place.x, 0.01);
+  EXPECT_NEAR(ball().box.y, place.y, 0.01);
+  move({corner.x + 20, corner.y - 30});
+  frames(30);
+  EXPECT_LT(ball().box.y, place.y - 4) << "it follows the mouse";
+  release();
 }
 
 TEST_F(UiPlay, OverlaysAreSwitched) {

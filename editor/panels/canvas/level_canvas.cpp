@@ -377,13 +377,24 @@ void LevelCanvas::handle_play_mouse(const Session& session, Actions& actions, co
   const Vec2 at = view.to_level(io.MousePos);
   if (hovered && ImGui::IsMouseClicked(0)) {
     holding_ = true;
-    actions.push_back(action::SelectBody{body_at(session.state(), at, 2.0 / view.zoom)});
+    const int id = body_at(session.state(), at, 2.0 / view.zoom);
+    const Body* const body = session.state().find(id);
+    grip_ = body != nullptr ? std::optional(at - body->box.position()) : std::nullopt;
+    actions.push_back(action::SelectBody{id});
   }
   if (holding_ && !io.MouseDown[0]) {
     holding_ = false;
-    actions.push_back(action::HoldMouse{at, false});
+    actions.push_back(action::HoldMouse{pulled_to(session, at), false});
   }
-  if (holding_) actions.push_back(action::HoldMouse{at, true});
+  if (holding_) actions.push_back(action::HoldMouse{pulled_to(session, at), true});
+}
+
+// Where the mouse is for the steps, which pull a point of the body there that is `drag_offset` from its
+// corner. Here it is held where it was pressed, so that a click does not move it.
+Vec2 LevelCanvas::pulled_to(const Session& session, Vec2 mouse) const {
+  if (!grip_) return mouse;
+  const double offset = session.level().tuning.shared.drag_offset;
+  return mouse - *grip_ + Vec2{offset, offset};
 }
 
 // The tour points at it.
@@ -483,7 +494,7 @@ void LevelCanvas::draw_pull(const Session& session, const CanvasView& view, cons
   const Body* body = session.state().find(session.state().grabbed);
   if (body == nullptr) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImVec2 from = view.to_screen({body->box.x + body->box.w / 2, body->box.y + body->box.h / 2});
+  const ImVec2 from = view.to_screen(grip_ ? body->box.position() + *grip_ : body->box.center());
   const ImVec2 to = ImGui::GetIO().MousePos;
   list.AddLine(from, to, theme::color(theme::kDark, 200), ui.px(2) + 2);
   list.AddLine(from, to, theme::color(theme::kAccent), ui.px(2));

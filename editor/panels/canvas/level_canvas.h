@@ -58,6 +58,7 @@ class LevelCanvas {
   bool has_requests(const View& view) const;
   bool handle_panning(const Session& session, Ui& ui, bool paints, bool hovered);
   void handle_play_mouse(const Session& session, Actions& actions, const CanvasView& view, bool hovered);
+  Vec2 pulled_to(const Session& session, Vec2 mouse) const;
   void draw_layers(const Session& session, const CanvasView& view, const Ui& ui);
   void draw_ground(const Session& session, const LevelAtFrame* then, int place, const CanvasView& view,
                    const Ui& ui) const;
@@ -96,6 +97,7 @@ class LevelCanvas {
   std::unordered_map<int, bool> looks_left_;  // by id of bodies with pictures, which way they went last
   ImVec2 size_;                               // px, of the canvas in the last frame
   bool holding_ = false;                      // whether the left button went down on the play view
+  std::optional<Vec2> grip_;  // px from the corner of the body that was pressed then; nothing: none was
 };
 
 }  // namespace talus
