@@ -32,7 +32,6 @@ bool GameStart::begin(Session& session, const ProgramCommands& commands) {
   if (!preset && has_game_beside(session)) return false;
   if (!can_open(session, ProgramId::love, commands)) return true;
   if (preset && (session.modified() || session.path().empty())) session.apply(action::SaveFile{});
-  if (preset && (session.modified() || session.path().empty())) return true;  // it asks for something
   own_folder_ = preset ? "" : (std::filesystem::path(state_folder()) / "game").string();
   waiting_ = preset ? session.level().exports[*preset] : preset_of_game(own_folder_);
   is_exporting_ = false;
@@ -40,7 +39,9 @@ bool GameStart::begin(Session& session, const ProgramCommands& commands) {
 }
 
 void GameStart::follow(Session& session, const ProgramCommands& commands, OpenCopies& copies) {
-  if (!waiting_ || session.exporting().is_busy() || session.question()) return;
+  if (!waiting_ || session.exporting().is_busy() || session.question() || session.wants_save_as()) return;
+  const bool is_stored = !session.modified() && !session.path().empty();
+  if (own_folder_.empty() && !is_exporting_ && !is_stored) return waiting_.reset();
   const auto preset = game_preset(session.level());
   const bool is_there =
       own_folder_.empty() ? preset && session.level().exports[*preset] == *waiting_ : !preset;

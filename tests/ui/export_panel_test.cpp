@@ -93,6 +93,28 @@ TEST_F(UiExport, TwoClicksExportAndAskNothing) {
   EXPECT_TRUE(level().exports.empty());
 }
 
+TEST_F(UiExport, ALevelWithoutAFileIsSavedFirst) {
+  start("");
+  const auto export_as_map = [this] {
+    click("menu/File");
+    frames(2);
+    move(centre("menu/export_as"));
+    ASSERT_TRUE(frames_until([&] { return find("menu/export_as/tmj") != nullptr; }));
+    click("menu/export_as/tmj");
+    frames(3);
+  };
+  export_as_map();
+  ASSERT_TRUE(session().wants_save_as());
+  session().apply(action::CancelSaveAs{});
+  settle();
+  EXPECT_FALSE(std::filesystem::exists(path("export")));
+  export_as_map();
+  ASSERT_TRUE(session().wants_save_as());
+  session().apply(action::SaveFileAs{path("mine.talus.json")});
+  settle();
+  EXPECT_TRUE(std::filesystem::exists(path(preset(0).path))) << message();
+}
+
 TEST_F(UiExport, AFolderIsWrittenAsPreviewed) {
   start();
   open_window();

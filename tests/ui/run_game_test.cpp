@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "edit/export_presets.h"
 #include "harness.h"
 
 namespace talus::run_game_test {
@@ -52,6 +53,23 @@ TEST_F(UiRunGame, ThePresetIsExportedAndRun) {
   ASSERT_TRUE(frames_until([&] { return std::filesystem::exists(told); }));
   EXPECT_EQ(bytes_of(told), path("my game"));
   EXPECT_TRUE(std::filesystem::exists(path("my game/main.lua")));
+}
+
+TEST_F(UiRunGame, ALevelWithoutAFileIsSavedFirst) {
+  open(test_level());
+  session().apply(action::NewLevel{});
+  frames(3);
+  session().apply(action::EditLevel{
+      add_export(session().level(), {.name = "game", .exporter = "love", .path = "my game", .extra = ""})});
+  frames(2);
+  key(ctrl_shift('l'));
+  frames(2);
+  ASSERT_TRUE(session().wants_save_as());
+  session().apply(action::SaveFileAs{path("mine.talus.json")});
+  frames(3);
+  if (session().question()) click("question/allow");
+  ASSERT_TRUE(frames_until([&] { return std::filesystem::exists(told); }));
+  EXPECT_EQ(bytes_of(told), path("my game"));
 }
 
 }  // namespace talus::run_game_test

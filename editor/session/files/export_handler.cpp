@@ -107,7 +107,17 @@ void ExportHandler::carry_out(const action::PreviewExport& a) {
 
 template <>
 void ExportHandler::carry_out(const action::RunExports& a) {
-  export_presets([&](std::size_t i) { return a.preset.value_or(i) == i; }, false);
+  const std::vector<ExportPreset>& presets = open_.level.exports;
+  const auto is_wanted = [&](std::size_t i) { return a.preset.value_or(i) == i; };
+  bool is_beside_level = false;
+  for (std::size_t i = 0; i < presets.size(); ++i)
+    is_beside_level |= is_wanted(i) && std::filesystem::path(presets[i].path).is_relative();
+  if (open_.path.empty() && is_beside_level) {
+    waits_for_file_ = a;
+    open_.wants_save_as = true;
+    return;
+  }
+  export_presets(is_wanted, false);
 }
 
 template <>
@@ -157,7 +167,15 @@ void ExportHandler::export_presets(FunctionRef<bool(std::size_t)> is_wanted, boo
   exporting_.run(std::move(run));
 }
 
+// If the user has not given the level a file, nothing is exported.
+void ExportHandler::go_on_with_file() {
+  if (!waits_for_file_ || open_.wants_save_as) return;
+  const action::RunExports wanted = *std::exchange(waits_for_file_, std::nullopt);
+  if (!open_.path.empty()) carry_out(wanted);
+}
+
 void ExportHandler::take_exports() {
+  go_on_with_file();
   auto finished = exporting_.advance();
   if (!finished) return;
   if (finished->asks == FinishedRun::Asks::to_allow) return ask_to_allow(*std::move(finished));
@@ -223,6 +241,7 @@ void ExportHandler::answer_to_allow(bool allowed) {
 void ExportHandler::forget_level() {
   open_.permissions.open(open_.path);
   declined_.clear();
+  waits_for_file_.reset();
   if (asked_run_) messages_.take_back_question();
   asked_run_.reset();
 }

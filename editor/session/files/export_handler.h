@@ -33,6 +33,7 @@ class ExportHandler {
   void carry_out(const A& action) = delete;
 
   void export_presets(FunctionRef<bool(std::size_t)> is_wanted, bool on_save);
+  void go_on_with_file();
   void tell_of(const FinishedRun& finished);
   void ask_to_allow(FinishedRun finished);
   void answer_to_allow(bool allowed);
@@ -44,6 +45,7 @@ class ExportHandler {
   std::string not_remembered_;  // why permissions could not be saved, until it is reported; empty: they could
   std::vector<ExportPreset> declined_;    // not allowed when a save asked, which does not ask again
   std::optional<FinishedRun> asked_run_;  // waits for the question's answer
+  std::optional<action::RunExports> waits_for_file_;  // until the user has given the level one, or has not
   Exporting exporting_;
 };
 
