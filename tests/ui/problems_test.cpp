@@ -139,6 +139,23 @@ TEST_F(UiProblems, TheNearestAreListedFirst) {
   }
 }
 
+// A row that moved away under the mouse was not fixed.
+TEST_F(UiProblems, RowsStayWhileOneIsPressed) {
+  start_broken();
+  session().apply(action::Pause{});
+  frames(8);
+  const std::vector<std::size_t> rows = listed_rows(app().ui());
+  move(centre("problems/row" + std::to_string(rows.front())));
+  press();
+  Spawn spawn = level().spawns.at(0);
+  spawn.position.x += 11 * 8;
+  session().apply(action::EditLevel{change_spawn(level(), 0, spawn, "Move")});
+  const auto near = app().ui().view.level.problems.near;
+  frames(8);
+  EXPECT_EQ(app().ui().view.level.problems.near, near);
+  release();
+}
+
 TEST_F(UiProblems, FurtherFixesAreInTheMenuOfTheRow) {
   start_broken();
   key(kKeyF8);

@@ -50,7 +50,10 @@ void ProblemsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   } else {
     draw_bar(session, actions, ui);
   }
-  note_followed_body(session, ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows), ui.view.level.problems);
+  // Also while a button of a row is pressed.
+  const bool is_hovered =
+      ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+  note_followed_body(session, is_hovered, ui.view.level.problems);
   const std::vector<std::size_t> rows = listed_rows(ui);
   if (rows.empty() && !ui.problems->empty())
     ui.hint(session.is_linting() ? looking_text(session) : "No problem of this kind is left.");
