@@ -111,8 +111,8 @@ void take_tour(S, A actions, U ui) {
 std::vector<Command> file_commands() {
   return {
       {.id = "file/new",
-       .label = "New level",
-       .help = "Starts an empty level with tiles of 8x8 px.",
+       .label = "New empty level",
+       .help = "Starts an empty level with tiles of 8x8 px and 16 colours. The welcome page makes others.",
        .key = ctrl('n'),
        .menu = menus::kFileOpen,
        .run = emit<action::NewLevel>},
