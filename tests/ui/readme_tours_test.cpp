@@ -1,6 +1,7 @@
 // The tours of the README, clicked and typed as they say. tests/games/readme_test runs their commands.
 #include <algorithm>
 
+#include "debug/explain.h"
 #include "harness.h"
 #include "level/lint/lint.h"
 #include "panels/level/problem_list.h"
@@ -155,6 +156,29 @@ TEST_F(UiSecondTour, TheSeamIsFoundMendedAndSaved) {
   frames(8);
   EXPECT_TRUE(problems().empty());
   EXPECT_FALSE(level().spawns.front().picture.empty());
+}
+
+TEST_F(UiSecondTour, WhyTellsWhatStopsThePlayer) {
+  start_tour();
+  key(ctrl('r'));
+  click(on_canvas("play", {100, 100}));
+  hold(kKeyRight);
+  frames(140);
+  let_go(kKeyRight);
+  frames(20);
+  const std::int64_t now = session().state().frame;
+  click("tabs/why");
+  frames(2);
+  EXPECT_EQ(session().choices().body, player().id) << "the panel is about the player";
+  click("why/last_stop");
+  ASSERT_TRUE(frames_until([&] { return session().debugger().stop().has_value(); }));
+  EXPECT_LT(session().state().frame, now);
+  EXPECT_FALSE(session().playback().running);
+  const std::string why = explain_step(session().frame_view(), player().id);
+  EXPECT_NE(why.find("stopped by the left side of the tile at (10, 21)"), std::string::npos) << why;
+  key(ctrl_shift('d'));
+  frames(2);
+  EXPECT_EQ(session().choices().body, 0) << "none stays chosen";
 }
 
 // With the seam, its first ramp stops the player.

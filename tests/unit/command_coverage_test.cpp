@@ -69,6 +69,7 @@ const std::map<std::string, std::string> kCommandOfAction = {
     {"SetBreakpoint", "breakpoints/new"},
     {"RemoveBreakpoint", "tabs/breakpoints"},
     {"RunToBreakpoint", "breakpoints/forwards"},
+    {"FindLastStop", "why/last_stop"},
     {"FindParting", "compare/first"},
     {"SetParting", "compare/type_parting"},
     {"CancelSearch", "timeline/cancel"},

@@ -4,6 +4,7 @@
 
 #include "command_table.h"
 #include "debug/compare.h"
+#include "panels/canvas/opening_area.h"
 #include "panels/debugger/compare_choice.h"
 #include "panels/debugger/frame_zoom.h"
 #include "panels/debugger/typed_condition.h"
@@ -31,6 +32,16 @@ void run_to_breakpoint(S session, A actions, U ui) {
   const std::string& typed = ui.view.debugger.new_condition;
   if (is_condition(typed)) add_breakpoint(typed, session, actions);
   actions.push_back(action::RunToBreakpoint{direction});
+}
+
+// The chosen body, or the player.
+const Body* body_in_question(S session) { return followed_body(session.state(), session.choices().body); }
+
+void find_last_stop(S session, A actions, U ui) {
+  const int body = body_in_question(session)->id;
+  actions.push_back(action::SelectBody{body});
+  actions.push_back(action::FindLastStop{body});
+  ui.ask(request::ShowTab(panel_id::kWhy));
 }
 
 void toggle_mark(S session, A actions, U) {
@@ -332,6 +343,14 @@ std::vector<Command> breakpoint_commands() {
        .run = change_stage(1),
        .enabled = has_stages,
        .repeats = true},
+      {.id = "why/last_stop",
+       .label = "Last stop",
+       .help = "Pauses, and goes back to the last frame in which something stopped the chosen body, or the "
+               "player; Why says then what it was.",
+       .menu = menus::kDebugStages,
+       .run = find_last_stop,
+       .enabled = [](S s, const Ui&) { return s.state().frame > 0 && body_in_question(s) != nullptr; },
+       .words = "stuck blocked back"},
       {.id = "why/before",
        .label = "Previous stage",
        .help = "Draws the previous stage; at the first one, draws no stage any more.",

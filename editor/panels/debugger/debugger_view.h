@@ -22,10 +22,11 @@ struct DebuggerView {
   bool shows_times = false;                 // the time of each step is plotted
   std::string new_condition;                // in the field for a new breakpoint, not entered yet
   bool picks_cell = false;                  // the next click on a canvas chooses a cell for a breakpoint
+  bool why_has_chosen = false;              // Why has chosen the player, as no body was chosen
 
   void forget_level() {  // another level is open
     frames = {};
-    picks_cell = false;
+    picks_cell = why_has_chosen = false;
   }
 };
 

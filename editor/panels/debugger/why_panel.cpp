@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cfloat>
 #include <string>
+#include <utility>
 
 #include "debug/explain.h"
+#include "panels/canvas/opening_area.h"
 #include "panels/commands/body_hint.h"
 #include "panels/commands/commands.h"
 
@@ -51,6 +53,10 @@ float height_of(const std::string& lines) {
 void WhyPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const int body = session.choices().body;
   if (session.state().find(body) == nullptr) {
+    const Body* const player = followed_body(session.state(), 0);
+    // Once, as the user may then choose none.
+    if (player != nullptr && !std::exchange(ui.view.debugger.why_has_chosen, true))
+      actions.push_back(action::SelectBody{player->id});
     draw_body_hint(" to see every stage of its step here", "why", session, actions, ui);
     return;
   }
@@ -60,6 +66,7 @@ void WhyPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     return;
   }
   draw_wrapped_text(explain_step(session.frame_view(), body), theme::tone(theme::kText));
+  command_text_button("why/last_stop"_command, session, actions, ui, {.widget = "why/last_stop"});
   ImGui::Spacing();
   command_button("why/before"_command, session, actions, ui);
   ImGui::SameLine();

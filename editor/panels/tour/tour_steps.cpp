@@ -31,10 +31,12 @@ std::function<std::string_view(const Ui&)> at(std::string_view widget) {
   return [widget](const Ui&) { return widget; };
 }
 
-bool has_run(S session, const Ui&, Start start) {
+// Something has stopped the player on its way.
+bool has_been_stopped(S session, const Ui&, Start start) {
   const Input& held = session.playback().input;
-  return session.playback().running && (held.left || held.right) &&
-         std::abs(tour_start(session).player_x - start.player_x) >= kFarEnough;
+  const Body* player = followed_body(session.state(), 0);
+  return session.playback().running && (held.left || held.right) && player != nullptr &&
+         player->velocity.x == 0 && std::abs(player->box.x - start.player_x) >= kFarEnough;
 }
 
 bool is_paused(S session, const Ui&, Start) { return !session.playback().running; }
@@ -51,14 +53,18 @@ bool has_chosen(S session, const Ui&, Start) {
   return session.state().find(session.choices().body) != nullptr;
 }
 
-bool has_opened_stage(S, const Ui& ui, Start) { return ui.view.debugger.stage >= 0; }
+// Why tells of the frame in which the player was stopped.
+bool has_asked_why(S session, const Ui& ui, Start) {
+  const auto& stop = session.debugger().stop();
+  return ui.view.debugger.stage >= 0 || (stop && stop->breakpoint == kStoppedBody);
+}
 
 bool has_gone_back(S session, const Ui&, Start start) { return session.state().frame < start.last_frame; }
 
-// A stage of the step where the panel shows some, else its tab.
-std::string_view stage_or_tab(const Ui& ui) {
-  constexpr std::string_view kStage = "why/stage0";
-  return ui.widgets.find(kStage) != nullptr ? kStage : "tabs/why";
+// The button where the panel shows it, else its tab.
+std::string_view last_stop_or_tab(const Ui& ui) {
+  constexpr std::string_view kLastStop = "why/last_stop";
+  return ui.widgets.find(kLastStop) != nullptr ? kLastStop : "tabs/why";
 }
 
 std::string_view map_or_level(const Ui& ui) {
@@ -71,19 +77,14 @@ void show_why(Ui& ui) {
   ui.ask(request::ShowTab(panel_id::kWhy));
 }
 
-// Of the commands of one kind, as "Left or Right".
-std::string two_keys(CommandId first, CommandId second, const Ui& ui) {
-  return keys_of(first, ui) + " or " + keys_of(second, ui);
-}
-
 std::vector<TourStep> all_steps() {
   return {
       {"run", "Run",
        [](const Ui& ui) {
-         return "Hold " + two_keys("player/left"_command, "player/right"_command, ui) +
-                ": the player runs. " + keys_of("player/jump"_command, ui) + " jumps.";
+         return "Hold " + keys_of("player/right"_command, ui) +
+                ": the player runs up the hill, until something stops it, though the hill looks smooth.";
        },
-       show_play_view, at("play/canvas"), has_run},
+       show_play_view, at("play/canvas"), has_been_stopped},
       {"pause", "Stop the time",
        [](const Ui& ui) {
          return keys_of("play/toggle"_command, ui) + ", or this button, pauses the level.";
@@ -112,10 +113,10 @@ std::vector<TourStep> all_steps() {
       {"why", "Ask why",
        [](const Ui&) {
          return std::string(
-             "Why tells each stage of the body's last step in a sentence. Click a stage: the play view draws "
-             "it.");
+             "Last stop goes back to the frame in which the player was stopped, and Why says what did it. "
+             "Click a sentence below: the play view draws that stage of the step.");
        },
-       show_why, stage_or_tab, has_opened_stage},
+       show_why, last_stop_or_tab, has_asked_why},
       {"back", "Go back in time",
        [](const Ui& ui) {
          return "Every frame is still there. " + keys_of("timeline/back"_command, ui) +

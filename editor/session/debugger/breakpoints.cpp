@@ -5,9 +5,12 @@
 namespace talus {
 
 std::string text_of(const Stop& stop) {
+  const std::string frame = std::to_string(stop.frame);
+  if (stop.breakpoint == kStoppedBody)
+    return "Body " + std::to_string(stop.body) + " was stopped at frame " + frame + ".";
   std::string text = stop.breakpoint != 0 ? "Breakpoint " + std::to_string(stop.breakpoint) + " at frame "
                                           : "They part at frame ";
-  text += std::to_string(stop.frame);
+  text += frame;
   if (stop.body != 0) text += ", body " + std::to_string(stop.body);
   if (stop.hit > 0) text += ", hit " + std::to_string(stop.hit);
   return text + ".";
@@ -103,6 +106,12 @@ void Breakpoints::search_first(ArmedBreakpoint condition) {
   direction_ = SearchDirection::forwards;
   found_.reset();
   search_.emplace(std::vector{std::move(condition)}, -1, direction_);
+}
+
+void Breakpoints::search_last(ArmedBreakpoint condition, std::int64_t before) {
+  direction_ = SearchDirection::backwards;
+  found_.reset();
+  search_.emplace(std::vector{std::move(condition)}, before, direction_);
 }
 
 bool Breakpoints::advance_search(const FrameSource& source, std::int64_t most_frames) {

@@ -11,6 +11,8 @@ namespace talus {
 
 // "Breakpoint 1 at frame 33, body 2." For a search without a breakpoint: "They part at frame 33, body 2."
 std::string text_of(const Stop& stop);
+// Instead of the id of a breakpoint: the body was stopped by what it met.
+inline constexpr int kStoppedBody = -1;
 
 class Breakpoints {
  public:
@@ -45,7 +47,9 @@ class Breakpoints {
 
   // --- Searching
   void search(std::int64_t from, SearchDirection direction);
-  void search_first(ArmedBreakpoint condition);  // in the whole branch, forwards; not one of the list
+  // For a condition that is not one of the list: forwards from frame 0, or back before a frame.
+  void search_first(ArmedBreakpoint condition);
+  void search_last(ArmedBreakpoint condition, std::int64_t before);
   void cancel_search() { search_.reset(); }
   bool searching() const { return search_.has_value(); }
   SearchDirection direction() const { return direction_; }

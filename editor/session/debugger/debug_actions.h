@@ -23,6 +23,9 @@ struct RemoveBreakpoint {
 struct RunToBreakpoint {
   SearchDirection direction = SearchDirection::forwards;
 };
+struct FindLastStop {  // pauses, and shows the last frame before this one in which a body was stopped
+  int body = 0;        // id; 0 finds nothing
+};
 struct FindParting {     // shows the first frame in which a body is apart from the same one on the other side
   double threshold = 0;  // px, finite and >= 0: the distance must be larger
 };
@@ -44,8 +47,9 @@ struct CompareVariant {            // runs the same input through it, beside the
 }  // namespace action
 
 // The actions that DebugHandler carries out.
-using DebugAction = std::variant<action::SetBreakpoint, action::RemoveBreakpoint, action::RunToBreakpoint,
-                                 action::FindParting, action::SetParting, action::CancelSearch,
-                                 action::SetPlot, action::RemovePlot, action::CompareVariant>;
+using DebugAction =
+    std::variant<action::SetBreakpoint, action::RemoveBreakpoint, action::RunToBreakpoint,
+                 action::FindLastStop, action::FindParting, action::SetParting, action::CancelSearch,
+                 action::SetPlot, action::RemovePlot, action::CompareVariant>;
 
 }  // namespace talus

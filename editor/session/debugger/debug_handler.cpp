@@ -27,6 +27,16 @@ void DebugHandler::carry_out(const action::RunToBreakpoint& a) {
 }
 
 template <>
+void DebugHandler::carry_out(const action::FindLastStop& a) {
+  run_.refresh_scene();
+  run_.set_running(false);
+  plays_on_ = false;
+  nothing_found_ = "Nothing has stopped the body before this frame.";
+  follow();
+  debugger_.search_last_stop(run_.timeline(), a.body);
+}
+
+template <>
 void DebugHandler::carry_out(const action::FindParting& a) {
   run_.refresh_scene();
   run_.set_running(false);

@@ -1,6 +1,7 @@
 #include "debugger.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace talus {
 namespace {
@@ -81,6 +82,19 @@ void Debugger::search_parting(double threshold) {
   auto armed = ArmedBreakpoint::arm({.condition = parting_condition(threshold)});
   if (!armed || side_.frames() == nullptr) return;
   breakpoints_.search_first(std::move(*armed));
+}
+
+void Debugger::search_last_stop(const Timeline& timeline, int body) {
+  search_failed_ = false;
+  stop_.reset();
+  const Body* const found = timeline.state().find(body);
+  if (found == nullptr) return;
+  const char* const condition = traits_of(found->kind).takes_keys
+                                    ? "(input.left || input.right) && x == before(x)"
+                                    : "vx == 0 && before(vx) != 0";
+  auto armed = ArmedBreakpoint::arm({.id = kStoppedBody, .condition = condition, .body = body});
+  assert(armed);
+  breakpoints_.search_last(std::move(*armed), timeline.frame() + 1);
 }
 
 bool Debugger::may_step(const Timeline& timeline) {

@@ -27,6 +27,9 @@ class Debugger {
   void compare_with(std::optional<Variant> variant);
   // Searches forwards after the shown frame, or back before it.
   void search(const Timeline& timeline, SearchDirection direction);
+  // Searches the last stretch of frames, up to the shown one, in which a body is stopped: it stays where it
+  // is though a key moves it, or, without keys, has just lost its speed to the side. 0: no body.
+  void search_last_stop(const Timeline& timeline, int body);
   // Searches the first frame in which a body is further than this, px, from the same one on the other side.
   void search_parting(double threshold);
   // A larger distance, px, counts as parted; finite and 0 or more.
