@@ -27,6 +27,9 @@ Fine scaled(Fine length, double factor) { return std::llround(static_cast<double
 // px, to 1/1024: edges are measured a little beside the body.
 double rounded_px(Fine length) { return std::round(px_of(length) * 1024) / 1024; }
 
+// What of a box stands on floors.
+FineBox foot_of(const FineBox& box, Foot foot) { return foot == Foot::centre ? box.middle_line() : box; }
+
 // The x in which a part and a box meet; both must share some.
 std::array<Fine, 2> shared_x(const RawPart& part, const FineBox& box) {
   return {std::clamp(part.top.x0, box.x0, box.x1), std::clamp(part.top.x1, box.x0, box.x1)};
@@ -147,7 +150,7 @@ std::optional<Verdict> Judge::ramp_missed(const Body& before, const Body& after,
 
 // Whether one part of the ground leads from under the front of a body to a point.
 bool Judge::leads_to(const Body& body, Fine x, Fine y, int direction) const {
-  const FineBox box = fine_box(body.box), under = body.foot == Foot::box ? box : box.middle_line();
+  const FineBox box = fine_box(body.box), under = foot_of(box, body.foot);
   const Fine front = direction > 0 ? under.x1 : under.x0;
   if ((x - front) * direction < 0) return false;
   return !ground_.for_parts(
@@ -161,7 +164,7 @@ bool Judge::leads_to(const Body& body, Fine x, Fine y, int direction) const {
 
 // Whether a body is under a one-way floor on which it had room.
 bool Judge::goes_under(const RawPart& part, const Body& body) const {
-  const FineBox box = fine_box(body.box), under = body.foot == Foot::box ? box : box.middle_line();
+  const FineBox box = fine_box(body.box), under = foot_of(box, body.foot);
   const auto [from, to] = shared_x(part, under);
   const Fine top = part.top.highest(from, to);
   if (part.top.is_steeper_than(tuning_.exact.steepest, from) || top >= box.y1 - 2 * weld_) return false;
@@ -294,8 +297,7 @@ bool Judge::is_free(const Rect& box, Foot foot, Corners corners, Fine slack) con
 }
 
 bool Judge::touches(const Rect& box, Foot foot) const {
-  FineBox grown = fine_box(box).shrunk(slack_);
-  if (foot == Foot::centre) grown = grown.middle_line();
+  FineBox grown = foot_of(fine_box(box).shrunk(slack_), foot);
   grown.y0 -= 2 * slack_;
   grown.y1 += 2 * slack_;
   return !ground_.for_parts(grown, [&](const RawPart& part) { return !part.meets(grown); });
@@ -303,7 +305,7 @@ bool Judge::touches(const Rect& box, Foot foot) const {
 
 // The floor that is the highest under the foot, from `up` above to `down` below the bottom of the box.
 std::optional<Fine> Judge::floor_near(const FineBox& box, Foot foot, Fine up, Fine down) const {
-  const FineBox under = foot == Foot::box ? box : box.middle_line();
+  const FineBox under = foot_of(box, foot);
   std::optional<Fine> best;
   ground_.for_parts({under.x0, box.y1 - up, under.x1, box.y1 + down}, [&](const RawPart& part) {
     if (!part.is_floor() || part.top.x1 <= under.x0 || part.top.x0 >= under.x1) return true;
@@ -340,8 +342,7 @@ bool Judge::is_on_floor(const Body& body) const {
 }
 
 FineBox Judge::inside_of(const Body& body) const {
-  const FineBox box = fine_box(body.box).shrunk(slack_);
-  return body.foot == Foot::centre ? box.middle_line() : box;
+  return foot_of(fine_box(body.box).shrunk(slack_), body.foot);
 }
 
 bool Judge::is_across_line(const Body& body) const {
@@ -353,7 +354,7 @@ bool Judge::is_across_line(const Body& body) const {
 // Whether a floor, level or steep, is above the bottom of a box, by as much as a body can rise on a way of
 // this length.
 bool Judge::has_floor_above(const FineBox& box, Foot foot, Fine way) const {
-  const FineBox under = foot == Foot::box ? box : box.middle_line();
+  const FineBox under = foot_of(box, foot);
   const Fine highest = box.y1 - scaled(way, 2 * tuning_.exact.steepest), lowest = box.y1 - weld_;
   return has_floor_in({under.x0, highest, under.x1, lowest});
 }
