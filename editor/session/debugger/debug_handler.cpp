@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace talus {
 
@@ -18,31 +19,19 @@ void DebugHandler::carry_out(const action::RemoveBreakpoint& a) {
 
 template <>
 void DebugHandler::carry_out(const action::RunToBreakpoint& a) {
-  run_.refresh_scene();
-  run_.set_running(false);
-  plays_on_ = a.direction == SearchDirection::forwards;
-  nothing_found_ = "No breakpoint stops before this frame.";
-  follow();
+  prepare_search(a.direction == SearchDirection::forwards, "No breakpoint stops before this frame.");
   debugger_.search(run_.timeline(), a.direction);
 }
 
 template <>
 void DebugHandler::carry_out(const action::FindLastStop& a) {
-  run_.refresh_scene();
-  run_.set_running(false);
-  plays_on_ = false;
-  nothing_found_ = "Nothing has stopped the body before this frame.";
-  follow();
+  prepare_search(false, "Nothing has stopped the body before this frame.");
   debugger_.search_last_stop(run_.timeline(), a.body);
 }
 
 template <>
 void DebugHandler::carry_out(const action::FindParting& a) {
-  run_.refresh_scene();
-  run_.set_running(false);
-  plays_on_ = false;
-  nothing_found_ = "No body is further apart on the two sides, as far as both have been run.";
-  follow();
+  prepare_search(false, "No body is further apart on the two sides, as far as both have been run.");
   debugger_.search_parting(a.threshold);
 }
 
@@ -73,6 +62,14 @@ void DebugHandler::carry_out(const action::CompareVariant& a) {
 
 void DebugHandler::apply(const DebugAction& action) {
   std::visit([this](const auto& a) { carry_out(a); }, action);
+}
+
+void DebugHandler::prepare_search(bool plays_on, std::string nothing_found) {
+  run_.refresh_scene();
+  run_.set_running(false);
+  plays_on_ = plays_on;
+  nothing_found_ = std::move(nothing_found);
+  follow();
 }
 
 void DebugHandler::play(double seconds) {

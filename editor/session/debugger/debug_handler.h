@@ -30,6 +30,8 @@ class DebugHandler {
   template <class A>
   void carry_out(const A& action) = delete;
 
+  // Pauses. plays_on, nothing_found: as the members.
+  void prepare_search(bool plays_on, std::string nothing_found);
   void note_stop();  // the game has stopped at debugger_.stop()
 
   const OpenLevel& open_;
