@@ -140,9 +140,10 @@ function Walk:goal_before_line(on, box, goal_x, goal_y)
   local bottom = box.h - slack
   for row = floor((min(box.y, goal_y) + (bottom - LIP)) / TILE_H), floor((max(box.y, goal_y) + bottom) / TILE_H) do
     for column = floor((min(box.x, goal_x) + front) / TILE_W), floor((max(box.x, goal_x) + front) / TILE_W) do
-      local cell = self.terrain:is_detailed(column, row) and self.terrain:detail(column, row)
-      for _, line in ipairs(cell and cell.pieces or {}) do
-        if not line.solid and line.facing == UP then self:end_below(on, box, line, front, slack) end
+      if self.terrain:is_detailed(column, row) then
+        for _, line in ipairs(self.terrain:detail(column, row).pieces) do
+          if not line.solid and line.facing == UP then self:end_below(on, box, line, front, slack) end
+        end
       end
     end
   end
