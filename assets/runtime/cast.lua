@@ -207,8 +207,9 @@ local function wall(facing, at, y0, y1, open0, open1, piece)
   end
   if t > 1 or t > best_t then return end
   local y = by + t * dy
-  -- A corner of a box on its centre, in the floor, does not touch what is below it.
-  if y + (bh - sunk) > y0 + ((open0 or centre) and slack or -slack) and y < y1 - (open1 and slack or -slack) then
+  -- Rounded as the gaps to the floor and the ceiling at its ends, so that the box meets one of the two. A corner of a
+  -- box on its centre, in the floor, does not touch what is below it.
+  if y0 - (bh - sunk) - y < ((open0 or centre) and -slack or slack) and y - y1 < (open1 and -slack or slack) then
     offer(t, facing, false, piece, at, 0.0, 0.0)
   end
 end

@@ -81,11 +81,18 @@ function Walk:beyond_end(ended, box, rise)
   return self:floor_of(found, box)
 end
 
--- The floor a little further on, so that of two pieces that meet at the foot the next one is found. step: px, so much
--- further on, if it is given.
-function Walk:look_ahead(box, reach, step)
+-- The floor a little further on, so that of two pieces that meet at the foot the next one is found. A foot that is a
+-- point goes over a gap of up to LIP, as the flat bottom of a box does.
+function Walk:look_ahead(box, reach)
+  local step = max(AHEAD, 2 * Walk.slack(box))
+  local on = self:floor_at(box, reach, step)
+  local is_point = box.centre or box.w == 0
+  return (on or not is_point) and on or self:floor_at(box, reach, step + LIP)
+end
+
+-- The floor `step` px further on.
+function Walk:floor_at(box, reach, step)
   local forgiven = Walk.slack(box)
-  step = step or max(AHEAD, 2 * forgiven)
   local rise = min(step * self.steepest, 1.0) + LIP + 2 * forgiven
   local there = Walk.at(moved_x(box.x, box.w, self.direction * step), box.y - rise, box)
   local sunk = self.sunk > 0 and min(self.sunk + rise, box.h) or 0.0
@@ -169,6 +176,7 @@ function Walk:stop_on(on, box, from, contact)
       if Walk.room_at(middle, middle_y, contact) >= 0 then free = middle else blocked = middle end
     end
     x, y = Walk.place_on(on, box, free)
+    box.x, box.y = Walk.place_on(on, box, from)  -- on its way back it would meet what it has passed
   end
   local met = self:cast_to(on, box, x, y)
   if met and self:sinks(Walk.at(met.x, met.y, box), met, y) then met = self:cast_to(on, box, x, y) end
@@ -212,12 +220,19 @@ function Walk:place_past(contact, box, x, y)
   return x, y
 end
 
--- Whether the floor is a curve that goes on above what the body has met below it, on the chord of its way.
-function Walk.leads_above(on, box, contact, goal_x)
+-- Whether the floor is a curve that goes on above what the body has met below it, on the chord of its way from x to
+-- the goal.
+function Walk.leads_above(on, box, contact, from, goal_x)
   if Walk.is_straight(on) then return false end
-  local moved = contact.t > 0
-  local x, y = Walk.place_on(on, box, moved and contact.x or (contact.x + goal_x) / 2)
-  return Walk.room_at(x, y, contact) > (moved and AHEAD or Walk.settled(box))
+  local at, slack = contact.x, Walk.settled(box)
+  local function room(x)
+    local place_x, place_y = Walk.place_on(on, box, x)
+    return Walk.room_at(place_x, place_y, contact)
+  end
+  if abs(at - from) > slack then return room(at) > AHEAD end
+  local way = (goal_x - at) / 2
+  while room(at + way) <= slack and abs(way) > AHEAD do way = way / 2 end
+  return room(at + way) > slack
 end
 
 -- Puts a body that has come below a curve, on the chord of its way, on the curve.
@@ -399,7 +414,7 @@ end
 function Walk:floor_to_joint(on, box)
   if self.joint_asked and not ((box.x - self.joint_asked) * self.direction > 0) then return nil end
   self.joint_asked = box.x
-  local here = self:look_ahead(box, LIP, 0.0)
+  local here = self:floor_at(box, LIP, 0.0)
   if not here or here.stop == on.stop and here.met.nx == on.met.nx then return nil end
   return self:floor_met(box, here.met)
 end
@@ -412,7 +427,7 @@ function Walk:passes(on, box, from, goal_x, goal_y, contact)
   Walk.lift_onto(on, box)
   if self:sinks(box, contact, goal_y) or self.terrain:climbs(box, contact, self.others) then return "goes on", nil end
   box.y = y
-  if contact.ny < 0 and Walk.leads_above(on, box, contact, goal_x) then
+  if contact.ny < 0 and Walk.leads_above(on, box, contact, from, goal_x) then
     Walk.lift_onto(on, box)
     return "shortens", on
   end

@@ -364,9 +364,10 @@ class Caster {
     if (t > 1 || t > best_.t) return;
     const Real y = box_.y + t * dy_;
     const Real h = kSunk && !is_other_ ? box_.h - sunk_ : box_.h;
-    // A corner of a box on its centre, in the floor, does not touch what is below it.
-    const bool is_above = !(y + h > y0 + (open0 || foot_ == Foot::centre ? slack_ : -slack_));
-    if (is_above || !(y < y1 - (open1 ? slack_ : -slack_))) return;
+    // Rounded as the gaps to the floor and the ceiling at its ends, so that the box meets one of the two. A
+    // corner of a box on its centre, in the floor, does not touch what is below it.
+    const bool is_above = !((y0 - h) - y < (open0 || foot_ == Foot::centre ? -slack_ : slack_));
+    if (is_above || !(y - y1 < (open1 ? -slack_ : slack_))) return;
     offer({.t = t, .facing = facing, .piece = piece, .at = at});
   }
 

@@ -19,6 +19,9 @@ namespace talus {
 // px; how far ahead the next piece of floor is looked for: half of the shortest piece.
 inline constexpr double kFloorStep = 0.001953125;
 static_assert(kFloorStep * 2 * kWeldParts == 1);
+// A body that something stops by rounding alone goes on past it by so many roundings, if a kFloorStep is
+// less.
+inline constexpr int kManySlacks = 64;
 // How often the way along a curve to what stops the body is halved: to less than 1/1000 px.
 inline constexpr int kHalvings = 16;
 // The floor under a body is followed over so many pieces to a corner of the body: more than there are under
@@ -131,20 +134,24 @@ class FloorWalk {
         const Real x = (free + blocked) / 2;
         (room_at(place_at(x), contact) >= 0 ? free : blocked) = x;
       }
+      body = moved_to(body, place_at(from));  // on its way back it would meet what it has passed
     }
     const Vec place = place_at(free);
     Contact<Real> met = cast_to(floor, body, place);
     if (met && sinks(moved_to(body, met.position), met, place.y)) met = cast_to(floor, body, place);
     body = moved_to(body, met ? met.position : place);
   }
-  // Whether the floor is a curve that goes on above what the body has met below it, on the chord of its way.
+  // Whether the floor is a curve that goes on above what the body has met below it, on the chord of its way
+  // from x to the goal.
   bool leads_above(const FloorAhead<Real>& floor, const Moving<Real>& body, const Contact<Real>& contact,
-                   Real goal_x) const {
+                   Real from, Real goal_x) const {
     if (is_straight(floor)) return false;
-    const bool moved = contact.t > 0;
-    const Real x = moved ? contact.position.x : (contact.position.x + goal_x) / 2;
-    return room_at(place_on(floor, body.box, x, body.foot), contact) >
-           (moved ? Real(kFloorStep) : settled(body));
+    const Real at = contact.position.x, slack = settled(body);
+    const auto room = [&](Real x) { return room_at(place_on(floor, body.box, x, body.foot), contact); };
+    if (std::abs(at - from) > slack) return room(at) > Real(kFloorStep);
+    Real way = (goal_x - at) / 2;
+    while (room(at + way) <= slack && std::abs(way) > Real(kFloorStep)) way /= 2;
+    return room(at + way) > slack;
   }
   // Puts a body that has come below a curve, on the chord of its way, on the curve.
   void lift_onto(const FloorAhead<Real>& floor, Moving<Real>& body) const {
@@ -218,7 +225,8 @@ class FloorWalk {
       if (leaves) place = contact.position + way * share;
     }
     const Vec rest = place - contact.position;
-    if (rest.x == 0 || std::abs(rest.x) > Real(kFloorStep)) return std::nullopt;
+    const Real most = std::max<Real>(Real(kFloorStep), kManySlacks * rounding_slack<Real>({box, {}, foot}));
+    if (rest.x == 0 || std::abs(rest.x) > most) return std::nullopt;
     // Without its lowest part, as the floor would hide what else is there.
     const Real lip = std::min(Real(kMostLip), box.h);
     const BasicRect<Real> above{contact.position.x, contact.position.y, box.w, box.h - lip};
@@ -285,9 +293,12 @@ class FloorWalk {
 
   // The floor is looked for a little further on, so that of two pieces that meet at the foot the next one is
   // found.
+  // A foot that is a point goes over a gap of up to kMostLip, as the flat bottom of a box does.
   std::optional<FloorAhead<Real>> look_ahead(const Moving<Real>& body, Real reach) const {
-    return look_ahead(body, reach,
-                      std::max<Real>(Real(kFloorStep), 2 * rounding_slack<Real>({body.box, {}, body.foot})));
+    const Real step = std::max<Real>(Real(kFloorStep), 2 * rounding_slack<Real>({body.box, {}, body.foot}));
+    const auto floor = look_ahead(body, reach, step);
+    const bool is_point = body.foot == Foot::centre || body.box.w == 0;
+    return floor || !is_point ? floor : look_ahead(body, reach, step + Real(kMostLip));
   }
   // step: px, so much further on.
   std::optional<FloorAhead<Real>> look_ahead(const Moving<Real>& body, Real reach, Real step) const {

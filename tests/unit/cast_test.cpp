@@ -77,6 +77,19 @@ TEST_F(CastTiles, ACornerAimedAtExactlyIsAFloorOrACeiling) {
   expect_contact(cast(ground_, {28, 28, 4, 4}, {-8, -8}), 0.5, {24, 24}, {0, 1});
 }
 
+// A wall and the floor or ceiling at its end each let a box pass that is off the corner by rounding. Never do
+// both.
+TEST_F(CastTiles, NoRoundingLetsABoxIntoACorner) {
+  constexpr double kUlp = 0x1p-48;  // of the coordinates from 16 to 32
+  for (int off = 0; off < 200; ++off) {
+    const double beside = 24 + off * kUlp, before = 12 - off * kUlp;
+    EXPECT_TRUE(cast(ground_, {beside, 24, 4, 4}, {-0.125, -0.125})) << off;
+    EXPECT_TRUE(cast(ground_, {beside, 12, 4, 4}, {-0.125, 0.125})) << off;
+    EXPECT_TRUE(cast(ground_, {before, 24, 4, 4}, {0.125, -0.125})) << off;
+    EXPECT_TRUE(cast(ground_, {before, 12, 4, 4}, {0.125, 0.125})) << off;
+  }
+}
+
 // A box that comes into a corner meets wall and floor at the same time, and both face it equally. The more
 // level contact counts, whichever is tested first.
 TEST(CastCorners, TheMoreLevelOfTwoSimultaneousContactsCounts) {

@@ -342,6 +342,25 @@ TEST(Walk, ABoxGoesUpAOneWayRampThatBeginsALipHigher) {
   }
 }
 
+// Two polygons that were meant to touch may be as far apart as their points are rounded.
+TEST(Walk, ABodyOnItsCentreGoesOverAGapOfALip) {
+  const double lip = 1.0 / kWeldParts;
+  for (const int direction : {1, -1}) {
+    Scenery scenery;
+    const bool right = direction > 0;
+    const auto x = [&](double at) { return right ? at : 8 - at; };
+    scenery.put({right ? 10 : 29, 11}, {.kind = TileShape::Kind::polygon,
+                                        .points = {{x(0), 8}, {x(8 - lip), lip}, {x(8 - lip), 8}}});
+    scenery.put({right ? 11 : 28, 10}, right ? slope(0, 8) : slope(8, 0));
+    scenery.fill(right ? 11 : 8, right ? 31 : 28, 11);
+    scenery.fill(right ? 12 : 8, right ? 31 : 27, 10);
+    scenery.player(right ? 60 : 252, kFloor, Foot::centre);
+    const Body body = walked(scenery.level, direction, 60);
+    EXPECT_EQ(body.box.bottom(), 80) << direction;
+    EXPECT_GT((body.box.x - 160) * direction, -40) << direction;
+  }
+}
+
 TEST(Walk, StaysOnItsFloorWhereACeilingKeepsItFromTheNextOne) {
   Meeting meeting;
   for (int x = 0; x < 24; ++x) meeting.level.map.set({x, 12}, 1);
@@ -367,6 +386,15 @@ TEST(Walk, StaysOnACurveAboveAnotherFloor) {
   const double turns = (body.box.x + 6 - 237) / 53;
   EXPECT_NEAR(body.box.bottom(), 89 + 12 * std::sin(turns * 2 * std::acos(-1)), 1e-6);
   EXPECT_LT(body.box.x, 268);
+}
+
+// The chord of its way along the curve begins below the slope.
+TEST(Walk, StaysOnACurveThatCrossesASlopeFurtherOn) {
+  Meeting meeting({16, 16}, 10);
+  meeting.put({17, 4}, slope(0, 14.77734375));
+  meeting.sine(200.26953125, 290.51171875, 79.50390625, 8.232740332591675, 21.69099238395499);
+  const Body body = meeting.step({278, 30.76416015625, 4, 40}, Foot::box, -1);
+  EXPECT_LT(body.box.x, 270);
 }
 
 TEST(Walk, PassesAWallBelowOneOfTwoFloorsThatCrossAtItsFoot) {
