@@ -439,8 +439,8 @@ bool Judge::passes(const FineBox& from, const FineBox& to, Foot foot, Fine floor
   const FineBox inner = from.shrunk(slack_), goal = to.shrunk(slack_);
   std::optional<FloorLine> line;
   return ground_.for_parts(hull(inner, goal), [&](const RawPart& part) {
-    // Only the middle of a body on its centre meets a line that it may stand on.
-    if (foot == Foot::centre && part.kind == RawPart::Kind::floor)
+    // Only the middle of a body on its centre meets a sloped line that it may stand on.
+    if (foot == Foot::centre && part.kind == RawPart::Kind::floor && part.is_sloped())
       return !part.stops(inner.middle_line(), goal.middle_line());
     if (foot == Foot::centre && part.stops(inner.middle_line(), goal.middle_line())) return false;
     if (!part.stops(inner, goal)) return true;
@@ -456,7 +456,7 @@ bool Judge::passes(const FineBox& from, const FineBox& to, Foot foot, Fine floor
 Judge::Ahead Judge::ahead_of(const Body& body, int direction) const {
   const Ahead ahead = ahead_of(body, direction, ahead_);
   // A corner of the ground may be in the way between the two places.
-  for (Fine way = ahead_ / 2; ahead.way == Way::free && way >= 4 * slack_; way /= 2) {
+  for (Fine way = ahead_ / 2; ahead.way == Way::free && way >= slack_; way /= 2) {
     const Ahead nearer = ahead_of(body, direction, way);
     if (nearer.way == Way::blocked) return nearer;
   }
