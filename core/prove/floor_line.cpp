@@ -1,7 +1,5 @@
 #include "floor_line.h"
 
-#include <optional>
-
 namespace talus {
 namespace {
 
@@ -57,38 +55,53 @@ void FloorLine::follow(const RawGround& ground, Fine x, Fine y, Fine until, doub
   }
 }
 
-// Where a way along a floor goes into ground, or comes below another floor, found to a slack; else its end.
+// Where a way along a floor goes into ground, or through a line that stops it; else its end.
 Fine FloorLine::end_of_way(const RawGround& ground, const RawLine& top, Fine from, Fine to) const {
-  const bool right = from < to;
-  const Fine left_end = std::min(from, to), right_end = std::max(from, to);
+  const FineBox area{std::min(from, to), top.highest(from, to), std::max(from, to), top.lowest(from, to)};
   Fine end = to;
-  const FineBox area{left_end, top.highest(from, to), right_end, top.lowest(from, to)};
   ground.for_parts(area, [&](const RawPart& part) {
-    const Fine x0 = std::max(part.top.x0, left_end), x1 = std::min(part.top.x1, right_end);
-    if (!part.is_floor() || x1 - x0 <= 2 * slack_) return true;
-    const bool is_line = part.kind == RawPart::Kind::floor;
-    const auto is_above = [&](Fine x) { return top.at(x) <= part.top.at(x) + slack_; };
-    const auto is_below = [&](Fine x) { return !is_line && top.at(x) >= part.bottom.at(x) - slack_; };
-    Fine free = right ? x0 : x1, inside = right ? x0 + slack_ : x1 - slack_;
-    const bool comes_above = is_above(free), comes_below = is_below(free);
-    if (is_line && !comes_above) return true;
-    const auto is_inside = [&](Fine x) {
-      return !(comes_above && is_above(x)) && !(comes_below && is_below(x));
-    };
-    for (const Fine x : {inside, (x0 + x1) / 2, right ? x1 - slack_ : x0 + slack_}) {
-      inside = x;
-      if (is_inside(x)) break;
-      free = x;
-    }
-    if (!is_inside(inside)) return true;
-    while (std::abs(inside - free) > slack_) {
-      const Fine middle = free + (inside - free) / 2;
-      (is_inside(middle) ? inside : free) = middle;
-    }
-    if (right ? free < end : free > end) end = free;
+    if (const auto stop = stop_at(part, top, from, to); stop && std::abs(*stop - from) < std::abs(end - from))
+      end = *stop;
     return true;
   });
   return end;
+}
+
+// Where a part stops that way, found to a slack.
+std::optional<Fine> FloorLine::stop_at(const RawPart& part, const RawLine& top, Fine from, Fine to) const {
+  using Kind = RawPart::Kind;
+  const bool right = from < to;
+  const Fine x0 = std::max(part.top.x0, std::min(from, to)), x1 = std::min(part.top.x1, std::max(from, to));
+  if (part.kind == (right ? Kind::left : Kind::right)) {
+    const Fine y = top.at(x0);
+    const auto [upper, lower] = std::minmax(part.top.y0, part.top.y1);
+    const bool is_met = y > upper + slack_ && y < lower - slack_;
+    return is_met ? std::optional(x0) : std::nullopt;
+  }
+  if (x1 - x0 <= 2 * slack_) return std::nullopt;
+  const auto is_above = [&](Fine x) {
+    return part.kind != Kind::ceiling && top.at(x) <= part.top.at(x) + slack_;
+  };
+  const auto is_below = [&](Fine x) {
+    return part.kind != Kind::floor && top.at(x) >= part.bottom.at(x) - slack_;
+  };
+  Fine free = right ? x0 : x1, inside = right ? x0 + slack_ : x1 - slack_;
+  const bool comes_above = is_above(free), comes_below = is_below(free);
+  if (part.kind != Kind::solid && !comes_above && !comes_below) return std::nullopt;
+  const auto is_inside = [&](Fine x) {
+    return !(comes_above && is_above(x)) && !(comes_below && is_below(x));
+  };
+  for (const Fine x : {inside, (x0 + x1) / 2, right ? x1 - slack_ : x0 + slack_}) {
+    inside = x;
+    if (is_inside(x)) break;
+    free = x;
+  }
+  if (!is_inside(inside)) return std::nullopt;
+  while (std::abs(inside - free) > slack_) {
+    const Fine middle = free + (inside - free) / 2;
+    (is_inside(middle) ? inside : free) = middle;
+  }
+  return free;
 }
 
 Fine FloorLine::at(Fine x) const {

@@ -2,6 +2,7 @@
 // sides. It ends where it goes into other ground.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "raw_ground.h"
@@ -36,6 +37,7 @@ class FloorLine {
   };
   void follow(const RawGround& ground, Fine x, Fine y, Fine until, double steepest);
   Fine end_of_way(const RawGround& ground, const RawLine& top, Fine from, Fine to) const;
+  std::optional<Fine> stop_at(const RawPart& part, const RawLine& top, Fine from, Fine to) const;
 
   std::vector<Stretch> stretches_;  // from left to right; empty: there is no floor at the place
   Fine slack_;
