@@ -37,7 +37,7 @@ void show_layout(const LayoutPreset& preset, View& view) {
   window.alone = false;
   window.left_open = preset.left;
   window.right_open = preset.right;
-  window.right_first = !preset.left;
+  window.first = preset.left ? TabPlace::left : TabPlace::right_top;
   window.dock_open = preset.dock;
   window.focus = Focus::map;
   view.canvas.mode = CanvasMode::play;

@@ -127,14 +127,14 @@ TEST_F(UiLayouts, ClosedColumnsAreRemembered) {
 TEST_F(UiLayouts, TheCanvasComesFirstInASmallWindow) {
   start(save_test_level("level.talus.json"), 900, 600);
   EXPECT_NE(find("sheet/tiles"), nullptr);
-  EXPECT_NE(find("tabs/inspector"), nullptr);
-  EXPECT_GE(width_of("play/canvas"), 380);
+  EXPECT_EQ(find("tabs/inspector"), nullptr);
+  EXPECT_GE(width_of("play/canvas"), 450);
   start(save_test_level("level.talus.json"), 700, 450);
   EXPECT_NE(find("sheet/tiles"), nullptr);
   EXPECT_EQ(find("tabs/inspector"), nullptr) << "there is no room for it";
   EXPECT_GE(width_of("play/canvas"), 350);
-  click("status/problems");
-  frames(2);
+  app().ui().ask(request::ShowTab(panel_id::kProblems));
+  frames(3);
   EXPECT_NE(find("tabs/problems"), nullptr) << "who asks for it sees it";
   EXPECT_EQ(find("sheet/tiles"), nullptr);
   EXPECT_GE(width_of("play/canvas"), 350);
@@ -146,6 +146,25 @@ TEST_F(UiLayouts, TheCanvasComesFirstInASmallWindow) {
       EXPECT_LE(widget.max.x, 700) << widget.name;
     }
   }
+}
+
+TEST_F(UiLayouts, TheMapKeepsHalfOfALowWindow) {
+  start(save_test_level("level.talus.json"), 700, 450);
+  const auto share = [&] {
+    const Widget& canvas = *find("play/canvas");
+    return (canvas.max.x - canvas.min.x) * (canvas.max.y - canvas.min.y) / (700 * 450);
+  };
+  for (const char* layout : {"layout/draw", "layout/play", "layout/debug"}) {
+    click(layout);
+    frames(3);
+    EXPECT_GE(share(), 0.5f) << layout;
+  }
+  EXPECT_NE(find("tabs/why"), nullptr);
+  app().ui().ask(request::ShowTab(panel_id::kInputRoll));
+  frames(3);
+  EXPECT_NE(find("tabs/input_roll"), nullptr) << "the dock takes the place of the column";
+  EXPECT_EQ(find("tabs/why"), nullptr);
+  EXPECT_GE(share(), 0.45f);
 }
 
 TEST_F(UiLayouts, ToolsThatHaveNoRoomAreInAMenu) {

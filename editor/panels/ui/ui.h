@@ -58,7 +58,7 @@ class Ui {
   // y of the bars at the bottom of the window, px of the screen: tooltips stay above them, so that the bars
   // can be read.
   float bars_top = 0;
-  ImVec2 side_min, side_max;  // the right column, px of the screen, for messages
+  ImVec2 side_min, side_max;  // the right column, or else the left one, px of the screen, for messages
   float messages_height = 0;  // px of the screen, that they take at its bottom
 
   ImTextureID sheet(SheetId id) const { return sheets[static_cast<std::size_t>(id)]; }

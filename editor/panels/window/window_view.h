@@ -41,8 +41,8 @@ struct WindowView {
   std::vector<MovedTab> moved_tabs;      // panels that the user has put elsewhere, or closed
   bool left_open = true;                 // the sheet and what is below it are shown
   bool right_open = true;                // the inspector and what is below it are shown
-  bool right_first = false;              // where only one of the two has room it is the right one
   bool dock_open = false;                // the debugger's panels are shown
+  TabPlace first = TabPlace::left;       // the one of these three that is shown where one has room
   bool alone = false;                    // the canvas fills the window: every panel and bar is hidden
   bool full_screen = false;              // the window fills the screen
   double ui_scale = 0;                   // 0: by the window's height; else 1 to 4

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "panels/commands/commands.h"
 #include "panels/panel_ids.h"
@@ -18,6 +19,9 @@ namespace {
 
 // Smallest and fixed sizes, px at scale 1.
 constexpr float kLeftLeast = 236, kRightLeast = 260, kMiddleLeast = 320;
+constexpr float kMostOfNarrowWindow = 0.3f;  // of its width, for a column
+constexpr float kWayBack = 56;               // height at the top, for the button to the panels
+constexpr float kLowWindow = 500;            // without a status bar
 constexpr float kTimeline = 28, kTransport = 30, kStatus = 20;
 constexpr float kSheetTile = 24;  // side of a tile of the sheet, as it opens
 constexpr float kSheetLeast = 164, kFlags = 130, kPalette = 40, kPixelsLeast = 176;
@@ -86,18 +90,32 @@ void show_focus(Region region, Ui& ui) {
 struct Columns {
   float left = 0, right = 0;
 };
+// In a narrow window the canvas and one column have room.
 Columns columns_of(const Ui& ui, float window, bool has_right) {
   const WindowView& view = ui.view.window;
+  const float most = kMostOfNarrowWindow * window;
+  const float left_least = std::min(ui.px(kLeftLeast), most),
+              right_least = std::min(ui.px(kRightLeast), most);
+  const float canvas = std::max(ui.px(kMiddleLeast), window / 2);
+  const bool has_room_for_one = window >= right_least + ui.px(kMiddleLeast);
+  const bool has_room_for_both = window >= left_least + right_least + canvas;
+  const bool is_right_first = view.first == TabPlace::right_top || view.first == TabPlace::right_bottom;
+  const bool left_hides_right = view.left_open && !is_right_first && !has_room_for_both;
   Columns columns;
-  // In a small window the canvas comes first.
-  const bool has_room_for_one = window >= ui.px(kRightLeast + kMiddleLeast);
-  const bool has_room_for_both = window >= ui.px(kLeftLeast + kRightLeast + kMiddleLeast);
-  const bool left_hides_right = view.left_open && !view.right_first && !has_room_for_both;
   if (view.right_open && has_right && has_room_for_one && !left_hides_right)
-    columns.right = part(view.layout.right, window, ui.px(kRightLeast), ui.px(kLeftLeast + kMiddleLeast));
+    columns.right = part(view.layout.right, window, right_least, left_least + canvas);
   if (view.left_open && (has_room_for_both || (columns.right == 0 && has_room_for_one)))
-    columns.left = part(view.layout.left, window, ui.px(kLeftLeast), columns.right + ui.px(kMiddleLeast));
+    columns.left = part(view.layout.left, window, left_least, columns.right + canvas);
   return columns;
+}
+
+// In a low window the canvas and a column have room, or the canvas and the dock. Closes what has none.
+bool make_room_for_dock(const WindowView& view, bool is_low, Columns& columns) {
+  const bool has_column = columns.left > 0 || columns.right > 0;
+  if (!is_low) return true;
+  if (has_column && view.first != TabPlace::dock) return false;
+  columns = {};
+  return true;
 }
 
 // A hidden side cannot keep the keys.
@@ -171,9 +189,9 @@ void Workspace::open_wanted_columns(View& view) const {
     reopen_tab(view.window, id);
     const Region region = region_of(place, view.window);
     if (is_sprite_region(region)) view.window.left_open = true;
-    if (const auto tabs = place_of_region(region)) is_open_at(view.window, *tabs) = true;
-    const bool is_right = region == Region::right_top || region == Region::right_bottom;
-    if (is_right || is_sprite_region(region)) view.window.right_first = is_right;
+    const auto tabs = place_of_region(region);
+    if (tabs && !std::exchange(is_open_at(view.window, *tabs), true)) view.requests.ask(request::KeepZoom{});
+    if (tabs || is_sprite_region(region)) view.window.first = tabs.value_or(TabPlace::left);
   }
 }
 
@@ -196,16 +214,21 @@ void Workspace::draw_regions(Frame& frame, ImVec2 window) {
   for (PanelPlace& place : panels_)
     if (place.region == Region::menu) place.panel->draw(frame.session, frame.actions, ui);
   const float top = ImGui::GetCursorScreenPos().y, bar = ui.px(kSplitterWidth);
-  const float bottom = window.y - ui.px(kStatus) - ui.px(kTransport) - ui.px(kTimeline);
+  const float status = window.y < ui.px(kLowWindow) ? 0 : ui.px(kStatus);
+  const float bottom = window.y - status - ui.px(kTransport) - ui.px(kTimeline);
   ui.bars_top = bottom;
   tab_hand_.begin_frame();
-  const bool has_right =
-      has_panels(Region::right_top, ui.view.window) || has_panels(Region::right_bottom, ui.view.window);
-  const Columns columns = columns_of(ui, window.x, has_right);
+  WindowView& view = ui.view.window;
+  const bool has_right = has_panels(Region::right_top, view) || has_panels(Region::right_bottom, view);
+  Columns columns = columns_of(ui, window.x, has_right);
+  const bool is_low = bottom - top < ui.px(kDockLeast + kAboveDockLeast);
+  const bool has_dock =
+      view.dock_open && has_panels(Region::dock, view) && make_room_for_dock(view, is_low, columns);
   const float left = columns.left, right = columns.right;
-  Layout& layout = ui.view.window.layout;
+  Layout& layout = view.layout;
   if (left > 0) draw_left(frame, {0, top}, {left, bottom - top});
-  const float dock = draw_dock(frame, {left, top}, {window.x - left, bottom - top});
+  if (!has_dock) leave_input_roll(ui.view);
+  const float dock = has_dock ? draw_dock(frame, {left, top}, {window.x - left, bottom - top}) : 0;
   const float height = bottom - top - dock;
   float x = left, end = window.x - right;
   if (left > 0) {
@@ -218,8 +241,9 @@ void Workspace::draw_regions(Frame& frame, ImVec2 window) {
   const float above = draw_enlarged_pixels(frame, {x, top}, {end - x, height});
   draw_region(frame, Region::canvas, {x, top + above}, {end - x, height - above});
   note_tab_areas({x, top + above}, {end, top + height});
-  ui.side_min = {window.x - (right > 0 ? right : ui.px(kRightLeast)), top};
-  ui.side_max = {window.x, top + height};
+  const bool is_at_left = right == 0 && left > 0;
+  ui.side_min = {is_at_left ? 0 : window.x - (right > 0 ? right : ui.px(kRightLeast)), top};
+  ui.side_max = is_at_left ? ImVec2(left, bottom) : ImVec2(window.x, top + height);
   if (right > 0) {
     ImGui::SetCursorScreenPos({end, top});
     const float moved = splitter("layout/right", {bar, height}, SplitterAxis::horizontal, ui);
@@ -228,12 +252,12 @@ void Workspace::draw_regions(Frame& frame, ImVec2 window) {
   }
   draw_region(frame, Region::timeline, {0, bottom}, {window.x, ui.px(kTimeline)});
   draw_region(frame, Region::transport, {0, bottom + ui.px(kTimeline)}, {window.x, ui.px(kTransport)});
-  draw_region(frame, Region::status, {0, window.y - ui.px(kStatus)}, {window.x, ui.px(kStatus)});
+  if (status > 0) draw_region(frame, Region::status, {0, window.y - status}, {window.x, status});
   tab_hand_.end_frame(ui);
   alone_since_ = -1;
 }
 
-// For some seconds a line says how the panels come back.
+// At first for some seconds, and then while the mouse is at the top, a button says how the panels come back.
 void Workspace::draw_alone(Frame& frame, ImVec2 window) {
   constexpr double kShown = 4;  // s
   Ui& ui = frame.ui;
@@ -243,14 +267,19 @@ void Workspace::draw_alone(Frame& frame, ImVec2 window) {
   if (ui.view.window.focus != Focus::shape) ui.view.window.focus = Focus::map;
   draw_region(frame, Region::canvas, {0, 0}, window);
   if (alone_since_ < 0) alone_since_ = ui.time;
-  if (ui.time > alone_since_ + kShown) return;
+  const bool is_first = ui.time <= alone_since_ + kShown;
+  const float mouse = ImGui::GetIO().MousePos.y;
+  if (!is_first && !(mouse >= 0 && mouse < ui.px(kWayBack))) return;
   ui.want_frames();
-  const std::string text = keys_of("view/alone"_command, ui) + " or Esc brings the panels back.";
-  const ImVec2 size = size_of_text(text), at{(window.x - size.x) / 2, ui.px(24)};
-  ImDrawList& list = *ImGui::GetForegroundDrawList();
-  list.AddRectFilled({at.x - ui.px(8), at.y - ui.px(4)}, {at.x + size.x + ui.px(8), at.y + size.y + ui.px(4)},
-                     theme::color(theme::kDark, 220), ui.px(4));
-  add_text(list, at, theme::color(theme::kText), text);
+  ImGui::SetNextWindowPos({window.x / 2, ui.px(8)}, ImGuiCond_Always, {0.5f, 0});
+  ImGui::Begin("way back", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
+                   ImGuiWindowFlags_NoNav);
+  const std::string label = "Show the panels: " + keys_of("view/alone"_command, ui) + " or Esc";
+  command_text_button("view/alone"_command, frame.session, frame.actions, ui,
+                      {.label = label, .widget = "alone/back"});
+  ImGui::End();
 }
 
 // A press is meant for the part under the mouse. Only a move into a side counts: F2 and F3 stay in effect
@@ -355,10 +384,6 @@ void Workspace::draw_right(Frame& frame, ImVec2 at, ImVec2 size) {
 
 float Workspace::draw_dock(Frame& frame, ImVec2 at, ImVec2 room) {
   Ui& ui = frame.ui;
-  if (!ui.view.window.dock_open || !has_panels(Region::dock, ui.view.window)) {
-    leave_input_roll(ui.view);
-    return 0;
-  }
   const float bar = ui.px(kSplitterWidth);
   const float height = part(ui.view.window.layout.dock, room.y, ui.px(kDockLeast), ui.px(kAboveDockLeast));
   const float y = at.y + room.y - height;
