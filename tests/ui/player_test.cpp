@@ -168,6 +168,8 @@ TEST_F(UiPlayer, TypingDoesNotSteer) {
 
 TEST_F(UiPlayer, BodyToolPlacesMovesAndRemoves) {
   key('0');
+  session().apply(action::SelectSpawn{0});
+  frames(2);
   click(on_map({10, 4}));
   ASSERT_EQ(level().spawns.size(), 2u);
   EXPECT_EQ(level().spawns[1].position, (Vec2{80, 32}));

@@ -27,13 +27,18 @@ Spawn new_spawn(const Level& level, BodyKind kind, Vec2 at) {
   return spawn;
 }
 
-// What a new body is like: the chosen one, else the one that was placed last; nothing if there is none yet.
-std::optional<Spawn> next_spawn(const Session& session, Vec2 at) {
-  const Level& level = session.level();
-  if (level.spawns.empty()) return std::nullopt;
+// What a new body is like: the chosen one, else the last one of the kind that was placed last; nothing if
+// none was placed yet.
+std::optional<Spawn> next_spawn(const Session& session, std::optional<BodyKind> placed, Vec2 at) {
+  const std::vector<Spawn>& spawns = session.level().spawns;
   const int chosen = chosen_spawn(session);
-  const Spawn& like = chosen >= 0 ? level.spawns[static_cast<std::size_t>(chosen)] : level.spawns.back();
-  Spawn spawn = new_spawn(level, like.kind, at);
+  if (chosen >= 0) placed = spawns[static_cast<std::size_t>(chosen)].kind;
+  if (!placed) return std::nullopt;
+  Spawn spawn = new_spawn(session.level(), *placed, at);
+  const auto last =
+      std::find_if(spawns.rbegin(), spawns.rend(), [&](const Spawn& s) { return s.kind == *placed; });
+  if (last == spawns.rend()) return spawn;
+  const Spawn& like = chosen >= 0 ? spawns[static_cast<std::size_t>(chosen)] : *last;
   spawn.foot = like.foot;
   spawn.size = like.size;
   spawn.picture = like.picture;
@@ -60,17 +65,18 @@ Vec2 corner_of(const Spawn& spawn, int corner) {
           spawn.position.y + (corner >= 2 ? spawn.size.y : 0)};
 }
 
-// Corners of a small box would leave no place to hold it by.
-bool has_corners(const Spawn& spawn, const CanvasView& view) {
+// Where a corner can be grabbed: outside of a small box, so that there is a place to hold it by.
+Vec2 corner_place(const Spawn& spawn, int corner, const CanvasView& view) {
   constexpr double kLeastSide = 4 * kTipReach;  // px of the screen
-  return std::min(spawn.size.x, spawn.size.y) * view.zoom >= kLeastSide;
+  const auto outside = [&](double side) { return std::max(0.0, (kLeastSide / view.zoom - side) / 2); };
+  const Vec2 off{outside(spawn.size.x), outside(spawn.size.y)};
+  return corner_of(spawn, corner) + Vec2{corner % 2 == 1 ? off.x : -off.x, corner >= 2 ? off.y : -off.y};
 }
 
 // The corner under the mouse; -1: none.
 int corner_at(const Spawn& spawn, const LevelToolUse& use) {
-  if (!has_corners(spawn, use.view)) return -1;
   for (int corner = 0; corner < 4; ++corner) {
-    const Vec2 to = corner_of(spawn, corner) - use.at;
+    const Vec2 to = corner_place(spawn, corner, use.view) - use.at;
     if (std::max(std::abs(to.x), std::abs(to.y)) * use.view.zoom <= kTipReach) return corner;
   }
   return -1;
@@ -104,7 +110,7 @@ class BodyTool : public LevelTool {
   bool press(const LevelToolUse& use, Actions& actions) override;
   void drag(const LevelToolUse& use, Actions& actions) override;
   void release(const LevelToolUse&, Actions&) override { let_go(); }
-  // Asks what the first body of a level shall be.
+  // Asks what the first body shall be.
   void rest(const LevelToolUse& use, Actions& actions) override;
   void cancel(const LevelToolUse& use, Actions& actions) override {
     LevelTool::cancel(use, actions);
@@ -126,11 +132,12 @@ class BodyTool : public LevelTool {
   void draw_box(ImDrawList& list, const CurvePen& pen, const Spawn& spawn, const LevelToolUse& use) const;
   void draw_arrow(ImDrawList& list, const CurvePen& pen, const Spawn& spawn, const LevelToolUse& use) const;
 
-  int held_ = -1;       // index of the held spawn
-  bool pulls_ = false;  // its arrow is held, not its box
-  int corner_ = -1;     // the corner of its box that is held; -1: none
-  Vec2 asked_at_;       // px, where the first body of the level will be
-  Vec2 grip_;           // px, from its corner, or from the arrow's tip, to the mouse
+  int held_ = -1;                   // index of the held spawn
+  bool pulls_ = false;              // its arrow is held, not its box
+  int corner_ = -1;                 // the corner of its box that is held; -1: none
+  Vec2 asked_at_;                   // px, where the first body will be
+  std::optional<BodyKind> placed_;  // the last one that was placed
+  Vec2 grip_;                       // px, from its corner, or from the arrow's tip, to the mouse
 };
 
 bool BodyTool::press(const LevelToolUse& use, Actions& actions) {
@@ -159,12 +166,13 @@ bool BodyTool::press(const LevelToolUse& use, Actions& actions) {
     actions.push_back(action::SelectSpawn{held_});
     return true;
   }
-  const std::optional<Spawn> spawn = next_spawn(session, use.at);
+  const std::optional<Spawn> spawn = next_spawn(session, placed_, use.at);
   if (!spawn) {
     asked_at_ = use.at;
     ImGui::OpenPopup(kFirstBody);
     return false;
   }
+  placed_ = spawn->kind;
   held_ = static_cast<int>(level.spawns.size());
   grip_ = use.at - spawn->position;
   actions.push_back(action::EditLevel{add_spawn(level, *spawn), use.stroke});
@@ -179,7 +187,8 @@ void BodyTool::rest(const LevelToolUse& use, Actions& actions) {
   use.ui.hint("What shall it be? The next ones are like it.");
   for (const BodyTraits& traits : body_kinds()) {
     if (menu_item(capitalized(traits.word), traits.word)) {
-      const Spawn spawn = new_spawn(level, *find_body_kind(traits.word), asked_at_);
+      placed_ = find_body_kind(traits.word);
+      const Spawn spawn = new_spawn(level, *placed_, asked_at_);
       actions.push_back(action::EditLevel{add_spawn(level, spawn)});
       actions.push_back(action::SelectSpawn{static_cast<int>(level.spawns.size())});
     }
@@ -265,10 +274,9 @@ void BodyTool::draw_box(ImDrawList& list, const CurvePen& pen, const Spawn& spaw
     pen.line({middle, bottom - kRestDistance / 2 / use.view.zoom}, {middle, bottom}, color);
   else
     pen.line({spawn.position.x, bottom}, {spawn.position.x + spawn.size.x, bottom}, color);
-  if (!has_corners(spawn, use.view)) return;
   const float half = use.ui.px(3);
   for (int corner = 0; corner < 4; ++corner) {
-    const ImVec2 at = use.view.to_screen(corner_of(spawn, corner));
+    const ImVec2 at = use.view.to_screen(corner_place(spawn, corner, use.view));
     const ImVec2 min{at.x - half, at.y - half}, max{at.x + half, at.y + half};
     list.AddRectFilled({min.x - 1, min.y - 1}, {max.x + 1, max.y + 1}, theme::color(theme::kDark));
     list.AddRectFilled(min, max, theme::color(theme::kAccent));
