@@ -1,6 +1,7 @@
 // The menus of numbers by the right button, and what empty panels offer.
 #include <talus/formats/format.h>
 #include "edit/level_settings.h"
+#include "edit/spawn_tools.h"
 #include "harness.h"
 
 namespace talus::number_menus_test {
@@ -57,6 +58,28 @@ TEST_F(UiNumberMenus, ANumberOfTheTuningGoesBackToItsDefault) {
   click("tuning/menu_reset");
   frames(2);
   EXPECT_EQ(level().tuning.shared.fall_speed, SharedTuning().fall_speed);
+}
+
+TEST_F(UiNumberMenus, AStartIsCopiedOrGoesBack) {
+  Spawn ball;
+  ball.position = {40.25, 40};
+  ball.velocity = {3, 0};
+  session().apply(action::EditLevel{add_spawn(level(), ball)});
+  session().apply(action::SelectSpawn{0});
+  frames(3);
+  click("inspector/start_x", kRight);
+  frames(2);
+  EXPECT_EQ(find("inspector/start_x_reset"), nullptr) << "a place has no default";
+  click("inspector/start_x_copy");
+  frames(2);
+  EXPECT_EQ(std::string(ImGui::GetClipboardText()), "40.25");
+  click("inspector/start_vx", kRight);
+  frames(2);
+  click("inspector/start_vx_reset");
+  frames(2);
+  EXPECT_EQ(level().spawns[0].velocity, Vec2{});
+  key(ctrl('z'));
+  EXPECT_EQ(level().spawns[0].velocity, (Vec2{3, 0}));
 }
 
 TEST_F(UiNumberMenus, AnEmptyPanelOffersThePlayer) {

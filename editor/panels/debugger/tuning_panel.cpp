@@ -8,25 +8,20 @@
 #include <utility>
 #include <vector>
 
+#include "debug/number_text.h"
 #include "edit/level_settings.h"
 #include "panels/commands/commands.h"
+#include "panels/ui/number_field.h"
 #include "panels/ui/text_focus.h"
 
 namespace talus {
 namespace {
 
-std::string short_number(double value) {
-  std::string text = std::to_string(value);
-  while (text.back() == '0') text.pop_back();
-  if (text.back() == '.') text.pop_back();
-  return text;
-}
-
 std::string help_of(const TuningField& field) {
   return std::string(field.help) + "\n" + (field.whole ? "A whole number from " : "From ") +
-         short_number(field.min) + " to " + short_number(field.max) +
+         exact_text(field.min) + " to " + exact_text(field.max) +
          (field.unit.empty() ? "" : " " + std::string(field.unit)) +
-         (field.group.empty() ? "; the article has " : "; the default is ") + short_number(field.standard()) +
+         (field.group.empty() ? "; the article has " : "; the default is ") + exact_text(field.standard()) +
          ".";
 }
 
@@ -50,17 +45,6 @@ void draw_solver(const Session& session, Actions& actions, Ui& ui) {
     ui.item("tuning/solver_" + name);
   }
   ImGui::EndCombo();
-}
-
-// Of a number, by the right button. Returns whether it should get its default.
-bool draw_menu(const std::string& key, double value, double standard, Ui& ui) {
-  if (!ImGui::BeginPopupContextItem(("menu" + key).c_str())) return false;
-  const bool resets = menu_item("Back to " + short_number(standard), "reset", {}, false, value != standard);
-  ui.item("tuning/menu_reset");
-  if (menu_item("Copy", "copy")) ImGui::SetClipboardText(short_number(value).c_str());
-  ui.item("tuning/menu_copy");
-  ImGui::EndPopup();
-  return resets;
 }
 
 // The solvers article and bump move players as balls; exact asks the ground itself instead of boxes.
@@ -142,11 +126,11 @@ void TuningPanel::draw_field(const TuningField& field, const Session& session, A
   if (ImGui::IsItemActivated()) stroke_ = session.next_stroke();
   ui.item("tuning/" + key, help_of(field), "drag, or double click to type; Tab: the next one");
   if (changed) actions.push_back(action::EditLevel{set_tuning(session.level(), tuning), stroke_});
-  const bool resets = draw_menu(key, value, standard, ui);
+  const bool resets = draw_number_menu("tuning/menu", value, standard, ui);
   ImGui::TableNextColumn();
   if (!is_changed) return;
   if (!resets && !ui.icon_button("tuning/reset_" + key, Icon::restart, false,
-                                 "Back to " + short_number(standard) + ".", {}))
+                                 "Back to " + exact_text(standard) + ".", {}))
     return;
   value = standard;
   actions.push_back(action::EditLevel{set_tuning(session.level(), tuning)});

@@ -110,10 +110,12 @@ void SpawnInspector::draw_foot(const Session& session, int index, Actions& actio
 void SpawnInspector::draw_start(const Session& session, int index, Actions& actions, Ui& ui) {
   Spawn spawn = spawn_of(session, index);
   bool changed = false;
-  const auto number = [&](const std::string& part, double& value, const char* help, float speed) {
+  const auto number = [&](const std::string& part, double& value, const char* help, float speed,
+                          std::optional<double> standard = {}) {
     const std::string name = "inspector/start_" + part, format = part + " %.8g";
     double edited = value;
-    if (!draw_number_field({name, format.c_str(), help, kFormField, speed}, edited, session, number_, ui))
+    if (!draw_number_field({name, format.c_str(), help, kFormField, speed, standard}, edited, session,
+                           number_, ui))
       return;
     if (std::abs(edited) > kMaxCoordinate) return refuse(part, actions);
     value = edited;
@@ -124,25 +126,27 @@ void SpawnInspector::draw_start(const Session& session, int index, Actions& acti
   ImGui::SameLine();
   number("y", spawn.position.y, "Where its box's top starts, px.", 1);
   ui.field_label("Speed");
-  number("vx", spawn.velocity.x, "Its speed to the right at the start, px/frame.", 0.05f);
+  number("vx", spawn.velocity.x, "Its speed to the right at the start, px/frame.", 0.05f, 0);
   ImGui::SameLine();
-  number("vy", spawn.velocity.y, "Its speed downwards at the start, px/frame.", 0.05f);
+  number("vy", spawn.velocity.y, "Its speed downwards at the start, px/frame.", 0.05f, 0);
   if (changed) change(session, index, std::move(spawn), "Change how a body starts", number_.stroke, actions);
 }
 
 // The middle of its bottom stays: that is where it stands.
 void SpawnInspector::draw_size(const Session& session, int index, Actions& actions, Ui& ui) {
   const Spawn& spawn = spawn_of(session, index);
+  const Vec2 standard = new_body_size(spawn.kind, session.level().map.tile_size());
   Vec2 size = spawn.size;
   bool changed = false;
-  const auto number = [&](const std::string& part, double& value, const char* help) {
+  const auto number = [&](const std::string& part, double& value, const char* help, double of_new) {
     const std::string name = "inspector/size_" + part, format = part + " %.8g";
-    changed |= draw_number_field({name, format.c_str(), help, kFormField, 1}, value, session, number_, ui);
+    changed |=
+        draw_number_field({name, format.c_str(), help, kFormField, 1, of_new}, value, session, number_, ui);
   };
   ui.field_label("Size");
-  number("w", size.x, "The width of its box, px. The middle of its bottom stays where it is.");
+  number("w", size.x, "The width of its box, px. The middle of its bottom stays where it is.", standard.x);
   ImGui::SameLine();
-  number("h", size.y, "The height of its box, px. Its bottom stays where it is.");
+  number("h", size.y, "The height of its box, px. Its bottom stays where it is.", standard.y);
   if (changed)
     change(session, index, with_size(spawn, size), "Change a body's size", number_.stroke, actions);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "session/session.h"
@@ -13,8 +14,9 @@ struct NumberField {
   std::string_view name;  // of the widget
   const char* format;     // for printf, with one %g: "x %.8g"
   std::string_view help;
-  float width = 84;  // px at scale 1
-  float speed = 1;   // change for each px of the mouse
+  float width = 84;                     // px at scale 1
+  float speed = 1;                      // change for each px of the mouse
+  std::optional<double> standard = {};  // its menu, by the right button, can go back to this
 };
 
 // The state that a panel keeps between frames for all of its fields.
@@ -27,5 +29,9 @@ struct NumberEdit {
 // much.
 bool draw_number_field(const NumberField& field, double& value, const Session& session, NumberEdit& edit,
                        Ui& ui);
+
+// The menu of the item before, by the right button: copies the number, or goes back to its standard. Its rows
+// are registered as name + "_copy" and name + "_reset". Returns whether it shall get the standard.
+bool draw_number_menu(const std::string& name, double value, std::optional<double> standard, Ui& ui);
 
 }  // namespace talus
