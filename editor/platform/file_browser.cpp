@@ -10,9 +10,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "formats/files/atomic_file.h"
+#include "file_picture.h"
 #include "formats/files/real_path.h"
-#include "formats/pictures/any_picture.h"
 #include "panels/files/picture_in_list.h"
 #include "panels/ui/dialog.h"
 #include "panels/ui/long_list.h"
@@ -56,18 +55,6 @@ std::vector<std::string> recent_folders(const std::vector<std::string>& files) {
   return folders;
 }
 
-// Of a file that is a picture; null if it is another file, or large.
-std::shared_ptr<const SheetPicture> picture_in_file(const std::string& path) {
-  constexpr std::uintmax_t kMostBytes = 1 << 20;
-  constexpr int kMostSide = 1024;  // px
-  std::error_code error;
-  if (!fs::is_regular_file(path, error) || fs::file_size(path, error) > kMostBytes || error) return nullptr;
-  const auto bytes = read_file(path);
-  if (!bytes) return nullptr;
-  const auto picture = read_picture(*bytes, kMostSide);
-  return picture ? shared_picture(*picture) : nullptr;
-}
-
 // A field that has the keys keeps its own text: the name of the entry that a key has chosen is put into it.
 int replace_by_choice(ImGuiInputTextCallbackData* data) {
   const auto& name = *static_cast<const std::optional<std::string>*>(data->UserData);
@@ -100,20 +87,26 @@ std::optional<FileBrowser::Answer> FileBrowser::draw(const std::optional<FileReq
   ImGui::BeginGroup();
   draw_short_text(folder_, ImGui::GetContentRegionAvail().x, theme::tone(theme::kText));
   ui.item("files/folder", folder_);
-  const auto picture = picture_of_choice(ui);
-  const float beside = picture != nullptr ? std::floor(ImGui::GetContentRegionAvail().x * 0.4f) : 0;
-  std::optional<Answer> answer = draw_list(ui, {-std::max(beside, 1.0f), -below});
-  if (picture != nullptr) {
+  // The room of the picture is kept, so that no row moves from under the mouse between two clicks.
+  const float beside = request_.names_new() ? 1 : std::floor(ImGui::GetContentRegionAvail().x * 0.4f);
+  std::optional<Answer> answer = draw_list(ui, {-beside, -below});
+  if (!request_.names_new()) {
     ImGui::SameLine();
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const ImVec2 end{at.x + ImGui::GetContentRegionAvail().x, at.y + beside};
-    draw_picture_in(picture, at, end, ui);
-    ui.place("files/picture", at, end);
+    draw_picture(ui);
   }
   ImGui::EndGroup();
   if (auto named = draw_name(ui)) answer = named;
   ImGui::EndPopup();
   return answer;
+}
+
+void FileBrowser::draw_picture(Ui& ui) {
+  const auto picture = picture_of_choice(ui);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float side = ImGui::GetContentRegionAvail().x;
+  const ImVec2 end{at.x + side, at.y + std::floor(side * 9 / 16)};
+  draw_picture_in(picture, at, end, ui);
+  if (picture != nullptr) ui.place("files/picture", at, end);
 }
 
 bool FileBrowser::lists(const std::string& name) const {

@@ -38,6 +38,7 @@ class FileBrowser {
   // The folders that the user keeps, and those of the files that were open last.
   void draw_places(Ui& ui, ImVec2 size);
   std::optional<Answer> draw_list(Ui& ui, ImVec2 size);
+  void draw_picture(Ui& ui);
   // Of the chosen file, if one is known.
   std::shared_ptr<const SheetPicture> picture_of_choice(const Ui& ui);
   std::optional<Answer> draw_name(Ui& ui);

@@ -1,0 +1,45 @@
+#include "file_picture.h"
+
+#include <chrono>
+#include <filesystem>
+
+#include <talus/formats/format.h>
+#include <talus/sim/scene.h>
+#include "formats/files/atomic_file.h"
+#include "formats/pictures/any_picture.h"
+#include "formats/pictures/png_picture.h"
+#include "panels/window/area_picture.h"
+#include "recent_pictures.h"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uintmax_t kMostFileBytes = 1 << 20;
+constexpr int kMostSide = 1024;                             // px, of a picture
+constexpr auto kMostTime = std::chrono::milliseconds(300);  // for a level, so that the dialog does not hang
+
+std::shared_ptr<const SheetPicture> picture_of_level(const std::string& path) {
+  const auto end = Clock::now() + kMostTime;
+  const auto loaded = load_level(path, {}, Progress([end](double) { return Clock::now() < end; }));
+  if (!loaded) return nullptr;
+  const Level& level = loaded->level;
+  return picture_of_start(level, initial_state(compile_scene(level)), RecentPictures::kWidth,
+                          RecentPictures::kHeight);
+}
+
+}  // namespace
+
+std::shared_ptr<const SheetPicture> picture_in_file(const std::string& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error) || fs::file_size(path, error) > kMostFileBytes || error)
+    return nullptr;
+  const auto bytes = read_file(path);
+  if (!bytes) return nullptr;
+  if (const auto picture = read_picture(*bytes, kMostSide)) return shared_picture(*picture);
+  return picture_of_level(path);
+}
+
+}  // namespace talus
