@@ -25,8 +25,8 @@ inline constexpr MenuPlace kFileOpen{"File", 0}, kFileSave{"File", 1}, kFileProg
 inline constexpr MenuPlace kEditUndo{"Edit", 0}, kEditShape{"Edit", 1}, kEditFlags{"Edit", 2},
     kEditProblems{"Edit", 3}, kEditSettings{"Edit", 4};
 
-inline constexpr MenuPlace kMapTools{"Map", 0}, kMapSelection{"Map", 1}, kMapBrushes{"Map", 2},
-    kMapSearch{"Map", 3};
+inline constexpr MenuPlace kMapSelection{"Map", 0}, kMapSearch{"Map", 1};
+inline constexpr MenuPlace kMapTools{"Map/Tools", 0}, kMapBrushes{"Map/Brushes", 0};
 inline constexpr MenuPlace kLayerChoice{"Map/Layers", 0}, kLayerChanges{"Map/Layers", 1},
     kLayerSwitches{"Map/Layers", 2};
 
