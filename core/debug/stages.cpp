@@ -75,8 +75,11 @@ class StageList {
       CastTrace trace = trace_cast(*frame_.ground, {box_, motion, foot_});
       stage.cells = std::move(trace.cells);
       stage.candidates = std::move(trace.candidates);
-      stage.sentence = "looked at " + count_of(stage.cells.size(), "cell") + ", of which " +
-                       count_of(stage.candidates.size(), "side") + " faced the motion";
+      const std::size_t sides = stage.candidates.size();
+      stage.sentence =
+          "looked at " + count_of(stage.cells.size(), "cell") + ": " +
+          (sides == 0 ? "no side faces" : count_of(sides, "side") + (sides == 1 ? " faces" : " face")) +
+          " the motion";
       add_bodies(stage, found);
       return;
     }

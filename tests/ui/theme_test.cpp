@@ -43,6 +43,25 @@ TEST_F(UiTheme, TextHasEnoughContrastToWhatItIsOn) {
   }
 }
 
+TEST_F(UiTheme, DisabledButtonsCanBeRead) {
+  start();
+  const auto over = [](ImU32 top, ImU32 below) {
+    const auto part = [&](int shift) {
+      const double a = ImGui::GetStyle().DisabledAlpha;
+      return static_cast<int>(std::lround((top >> shift & 0xFF) * a + (below >> shift & 0xFF) * (1 - a)));
+    };
+    return IM_COL32(part(IM_COL32_R_SHIFT), part(IM_COL32_G_SHIFT), part(IM_COL32_B_SHIFT), 255);
+  };
+  for (const ThemeKind kind : {ThemeKind::dark, ThemeKind::light}) {
+    app().ui().view.preferences.theme = kind;
+    frames(3);
+    for (const std::uint32_t surface : {theme::kBackground, theme::kPanel, theme::kPopup}) {
+      const ImU32 button = over(theme::tone(theme::kControl), theme::tone(surface));
+      EXPECT_GE(contrast(over(theme::tone(theme::kText), button), button), 4.5) << theme::is_light();
+    }
+  }
+}
+
 // Plates lie on art of any colour.
 TEST_F(UiTheme, TextOnACanvasHasEnoughContrastToItsPlate) {
   const auto plate_over = [](int art) {

@@ -11,7 +11,8 @@
 namespace talus {
 namespace {
 
-constexpr double kTooltipDelay = 0.45;  // s
+constexpr double kTooltipDelay = 0.45;    // s
+constexpr float kMostTooltipWidth = 320;  // px at scale 1
 
 // A button that is switched on shows it under the mouse, too, a little brighter.
 constexpr int kLitColors = 3;
@@ -67,17 +68,27 @@ void Ui::show_tooltip_when_rested(ImGuiID id, std::string_view help, std::string
   if (time - rested_since_ < kTooltipDelay) return;
   place_tooltip();
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(px(320));
+  ImGui::PushTextWrapPos(px(kMostTooltipWidth));
   draw_text(shown_text(help, kMostTooltip));
   if (!key.empty()) draw_text(key, theme::tone(theme::kAccent));
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }
 
-// Dear ImGui puts it beside the mouse, except for the bars at the bottom.
+// Dear ImGui puts it beside the mouse, except beside a menu, which it would cover, and above the bars at the
+// bottom.
 void Ui::place_tooltip() const {
+  const float width = ImGui::GetIO().DisplaySize.x;
+  const ImGuiWindow& window = *ImGui::GetCurrentWindow();
+  if ((window.Flags & ImGuiWindowFlags_Popup) != 0) {
+    const bool is_at_right = window.Pos.x + window.Size.x + px(kMostTooltipWidth) > width;
+    ImGui::SetNextWindowPos({is_at_right ? window.Pos.x - px(4) : window.Pos.x + window.Size.x + px(4),
+                             ImGui::GetItemRectMin().y},
+                            ImGuiCond_Always, {is_at_right ? 1.0f : 0.0f, 0});
+    return;
+  }
   if (ImGui::GetItemRectMin().y < bars_top) return;
-  const float x = ImGui::GetIO().MousePos.x, width = ImGui::GetIO().DisplaySize.x;
+  const float x = ImGui::GetIO().MousePos.x;
   ImGui::SetNextWindowPos({x, bars_top - px(4)}, ImGuiCond_Always, {x > width / 2 ? 1.0f : 0.0f, 1});
 }
 
