@@ -68,24 +68,11 @@ class Caster {
     is_other_ = false;
   }
 
-  void against_terrain() {
+  [[gnu::always_inline]] void against_terrain() {
     const Real length = std::max(std::abs(dx_), std::abs(dy_));
     const auto slice_length = Real(talus::slice_length(terrain_.tile_size()));
     if (length <= slice_length) return slice(0, 1);
-    // There is nothing outside the map, however far the motion goes there. A slice is added at both ends,
-    // which costs nothing and forgives the rounding.
-    Real from = 0, to = 1;
-    clip_to_map<Real>(box_.x, box_.w, dx_, terrain_.x_of(terrain_.width()), slice_length, from, to);
-    clip_to_map<Real>(box_.y, box_.h, dy_, terrain_.y_of(terrain_.height()), slice_length, from, to);
-    if (from > to) return;
-    const auto slices = static_cast<int>(std::ceil((to - from) * length / slice_length)) + 1;
-    for (int i = 0; i < slices; ++i) {
-      const Real end = from + (to - from) * (Real(i + 1) / Real(slices));
-      slice(from + (to - from) * (Real(i) / Real(slices)), end);
-      if (best_.t <= end) return;
-      work_ += kSliceWork;
-      if (budget_ != nullptr && work_ > budget_->left && i + 1 < slices) return give_up(end);
-    }
+    in_slices(length, slice_length);
   }
 
   std::int64_t work() const { return work_; }
@@ -190,6 +177,24 @@ class Caster {
   void give_up(Real end) {
     best_ = {};
     budget_->seen = static_cast<double>(end);
+  }
+
+  // A motion of any length, in parts.
+  [[gnu::noinline]] void in_slices(Real length, Real slice_length) {
+    // There is nothing outside the map, however far the motion goes there. A slice is added at both ends,
+    // which costs nothing and forgives the rounding.
+    Real from = 0, to = 1;
+    clip_to_map<Real>(box_.x, box_.w, dx_, terrain_.x_of(terrain_.width()), slice_length, from, to);
+    clip_to_map<Real>(box_.y, box_.h, dy_, terrain_.y_of(terrain_.height()), slice_length, from, to);
+    if (from > to) return;
+    const auto slices = static_cast<int>(std::ceil((to - from) * length / slice_length)) + 1;
+    for (int i = 0; i < slices; ++i) {
+      const Real end = from + (to - from) * (Real(i + 1) / Real(slices));
+      slice(from + (to - from) * (Real(i) / Real(slices)), end);
+      if (best_.t <= end) return;
+      work_ += kSliceWork;
+      if (budget_ != nullptr && work_ > budget_->left && i + 1 < slices) return give_up(end);
+    }
   }
 
   // ---- Which cells ----

@@ -51,7 +51,7 @@ template <class Real>
 // Whether a box can be cast: its sizes are 0 to kMaxCastSize, and all numbers finite and within
 // kMaxCastReach.
 template <class Real>
-bool is_usable(const Cast<Real>& cast) {
+[[gnu::always_inline]] inline bool is_usable(const Cast<Real>& cast) {
   const BasicRect<Real>& b = cast.box;
   constexpr Real most = Real(kMaxCastSize);
   return b.w >= 0 && b.w <= most && b.h >= 0 && b.h <= most &&

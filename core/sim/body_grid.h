@@ -31,19 +31,18 @@ class BodyGrid {
     return work;
   }
 
-  // Finds the bodies in the cells that the box meets, in order, each once. Every cell and body that it tests
-  // is taken from `left`. Returns false, and no bodies, if there is not enough left.
-  bool near(const Rect& box, std::int64_t& left, std::vector<std::uint32_t>& found) const {
+  // Finds the bodies in the cells that the box meets, but for one, in order, each once. Every cell and body
+  // that it tests is taken from `left`. Returns false, and no bodies, if there is not enough left.
+  bool near(const Rect& box, std::uint32_t but, std::int64_t& left, std::vector<std::uint32_t>& found) const {
     found.clear();
-    const CellRange range = cells_of(box);
-    const bool enough = look(range, left, found);
-    if (!enough || left < 0) {
+    left = look(cells_of(box), left, found);
+    if (left < 0) {
       left = 0;
       found.clear();
       return false;
     }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    std::erase(found, but);
+    if (found.size() > 1) std::sort(found.begin(), found.end());
     return true;
   }
 
@@ -76,20 +75,19 @@ class BodyGrid {
     return work_of_places(passed);
   }
 
-  // Returns false if it ended before it had found all bodies.
-  bool look(const CellRange& range, std::int64_t& left, std::vector<std::uint32_t>& found) const {
+  // Returns what is left; less than 0: it ended before it had found all bodies.
+  std::int64_t look(const CellRange& range, std::int64_t left, std::vector<std::uint32_t>& found) const {
     // A long motion may sweep more cells than there are bodies.
     if (range.count() > static_cast<std::int64_t>(64 + 4 * placed_.size())) {
       left -= work_of_places(placed_.size());
-      if (left < 0) return false;
+      if (left < 0) return left;
       for (std::uint32_t i = 0; i < placed_.size(); ++i) {
         if (placed_[i].meets(range)) found.push_back(i);
       }
-      left -= static_cast<std::int64_t>(found.size());
-      return true;
+      return left - static_cast<std::int64_t>(found.size());
     }
     left -= range.count() + work_of_places(large_.size());
-    if (left < 0) return false;
+    if (left < 0) return left;
     for (const std::uint32_t i : large_) {
       if (placed_[i].meets(range)) found.push_back(i);
     }
@@ -99,11 +97,16 @@ class BodyGrid {
         const CellGrid::List* list = grid_.find(x, y);
         if (list == nullptr) continue;
         left -= static_cast<std::int64_t>(list->size());
-        if (left < 0) return false;
-        for (const CellEntry& entry : *list) found.push_back(entry.index);
+        if (left < 0) return left;
+        // Each in the first of the cells that it shares with the range.
+        const std::uint32_t first =
+            (x == range.left ? 0 : CellEntry::kFirstColumn) | (y == range.top ? 0 : CellEntry::kFirstRow);
+        for (const CellEntry& entry : *list) {
+          if ((entry.bits & first) == first) found.push_back(entry.index);
+        }
       }
     }
-    return true;
+    return left;
   }
 
   void clear() {

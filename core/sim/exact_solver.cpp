@@ -43,6 +43,7 @@ class ExactSolver final : public Solver {
 
   void step(State& state, const Input& input, StepRecord* record) override {
     record_ = record;
+    bodies_ = &state.bodies;
     if (record_ != nullptr) record_->clear();
     if (pairs_) {
       grid_.synchronise(state.bodies);
@@ -361,14 +362,9 @@ class ExactSolver final : public Solver {
     const double length = static_cast<double>(std::abs(motion.x) + std::abs(motion.y));
     const Rect box = widen(moving.box);
     const Rect around{box.x - length, box.y - length, box.w + 2 * length, box.h + 2 * length};
-    if (!grid_.near(around, budget_.left, near_)) return false;
-    others_.clear();
-    other_bodies_.clear();
-    for (const std::uint32_t i : near_) {
-      if (i == index) continue;
-      others_.push_back(narrow(state.bodies[i].box));
-      other_bodies_.push_back(&state.bodies[i]);
-    }
+    if (!grid_.near(around, static_cast<std::uint32_t>(index), budget_.left, near_)) return false;
+    others_.resize(near_.size());
+    for (std::size_t i = 0; i < near_.size(); ++i) others_[i] = narrow(state.bodies[near_[i]].box);
     return true;
   }
 
@@ -419,7 +415,7 @@ class ExactSolver final : public Solver {
   Obstacle obstacle_of(const Contact<Real>& contact) const {
     Obstacle other;
     if (contact.is_other) {
-      const Body& body = *other_bodies_[static_cast<std::size_t>(-1 - contact.origin)];
+      const Body& body = (*bodies_)[near_[static_cast<std::size_t>(-1 - contact.origin)]];
       return {TileRole::ball, body.origin.cell, body.id, body.box};
     }
     const Piece<Real>* piece = contact.piece;
@@ -485,12 +481,12 @@ class ExactSolver final : public Solver {
   StepBudget step_budget_;
   CastBudget budget_;  // of the body that moves: its part of the step's
   BodyGrid grid_;
-  std::vector<std::uint32_t> near_;        // indices of bodies
-  std::vector<BasicRect<Real>> others_;    // boxes of the bodies near the one that moves
-  std::vector<const Body*> other_bodies_;  // the bodies of others_
-  std::vector<RestMemo<Real>> rests_;      // by index of the body; not used with pairs
-  StepRecord* record_ = nullptr;           // of the current step; null: it is not recorded
-  int order_ = 0;                          // of the body's next contact
+  std::vector<std::uint32_t> near_;            // indices of the bodies near the one that moves
+  std::vector<BasicRect<Real>> others_;        // their boxes
+  const std::vector<Body>* bodies_ = nullptr;  // of the state of the current step
+  std::vector<RestMemo<Real>> rests_;          // by index of the body; not used with pairs
+  StepRecord* record_ = nullptr;               // of the current step; null: it is not recorded
+  int order_ = 0;                              // of the body's next contact
 };
 
 }  // namespace
