@@ -312,6 +312,13 @@ TEST_F(UiDebugger, StagesAreWalkedThroughByKey) {
   EXPECT_EQ(app().ui().view.debugger.stage, static_cast<int>(stages.size()) - 2);
   click("why/stage0");
   EXPECT_EQ(app().ui().view.debugger.stage, 0);
+  const auto shown = [&] { return app().ui().view.debugger.shown_stage(ImGui::GetFrameCount()); };
+  move(centre("why/stage1"));
+  frames(2);
+  EXPECT_EQ(shown(), 1) << "the one under the mouse";
+  move(on_canvas("play", {20, 20}));
+  frames(3);
+  EXPECT_EQ(shown(), 0);
 }
 
 }  // namespace talus::debugger_test

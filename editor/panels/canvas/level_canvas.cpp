@@ -461,8 +461,9 @@ void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, co
   if (const auto legend = this->legend(session, view, ui).box()) covered.push_back(*legend);
   OverlaySet overlays = choices.overlays;
   if (ui.view.canvas.hovered_overlay != nullptr) overlays.set(*ui.view.canvas.hovered_overlay, true);
-  draw_overlays(list, session, overlays, view, ui.scale,
-                {pointed_at, ui.view.canvas.labels_all, ui.view.debugger.stage, covered});
+  draw_overlays(
+      list, session, overlays, view, ui.scale,
+      {pointed_at, ui.view.canvas.labels_all, ui.view.debugger.shown_stage(ImGui::GetFrameCount()), covered});
   const bool another_holds = session.state().grabbed != 0 && !holding_;
   if (shows_input_roll(ui.view) || another_holds) draw_mouse_mark(list, session, view, ui);
 }

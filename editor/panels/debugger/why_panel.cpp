@@ -1,4 +1,4 @@
-// The list of stages. The chosen one is drawn in the play view.
+// The list of stages. The one under the mouse, or else the chosen one, is drawn in the play view.
 #include "why_panel.h"
 
 #include <algorithm>
@@ -95,7 +95,11 @@ void WhyPanel::draw_stages(const Session& session, Ui& ui) {
     if (chosen && shown_stage_ != ui.view.debugger.stage) ImGui::SetScrollHereY();
     if (ImGui::Selectable("##stage", chosen, ImGuiSelectableFlags_None, {0, height}))
       ui.view.debugger.stage = chosen ? -1 : static_cast<int>(i);
-    ui.item("why/stage" + std::to_string(i), "Click to draw this stage in the play view.");
+    if (ImGui::IsItemHovered()) {
+      ui.view.debugger.pointed_stage = static_cast<int>(i);
+      ui.view.debugger.pointed_in = ImGui::GetFrameCount();
+    }
+    ui.item("why/stage" + std::to_string(i), "The play view draws this stage. Click to keep it.");
     const ImVec2 next = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos(at);
     ui.heading(title_of(stage.kind));
