@@ -135,7 +135,7 @@ TEST_F(UiSecondTour, TheSeamIsFoundMendedAndSaved) {
   click("problems/fix" + std::to_string(listed_rows(app().ui()).front()));
   frames(8);
   EXPECT_EQ(session().history().edits().back().label,
-            "Lower the left end of tile 9's slope from 8.5 to 8 px, wherever the tile is");
+            "Lower the left end of tile 9's slope from 8.5 to 8 px, in every cell with that tile");
   EXPECT_TRUE(problems().empty());
   key(ctrl('s'));
   frames(2);

@@ -93,15 +93,18 @@ TEST(Fixes, FlagsOfSlopes) {
 TEST(Fixes, SeamsAreFilledOrLevelled) {
   EXPECT_THAT(labels_of(slope_level({"o....", ".a.##", "#####"}), "seam"),
               ElementsAre("Place tile 3, which goes on at the same height, at (2, 1)"));
-  EXPECT_THAT(labels_of(slope_level({"o....", ".a##.", "#####"}), "seam"),
-              ElementsAre("Raise the right end of tile 2's slope from 4 to 8 px, wherever the tile is"));
-  EXPECT_THAT(labels_of(slope_level({"o....", "...b#", "#####"}), "seam"),
-              ElementsAre("Place tile 2, which goes on at the same height, at (2, 1)",
-                          "Lower the left end of tile 3's slope from 4 to 0 px, wherever the tile is"));
+  EXPECT_THAT(
+      labels_of(slope_level({"o....", ".a##.", "#####"}), "seam"),
+      ElementsAre("Raise the right end of tile 2's slope from 4 to 8 px, in every cell with that tile"));
+  EXPECT_THAT(
+      labels_of(slope_level({"o....", "...b#", "#####"}), "seam"),
+      ElementsAre("Place tile 2, which goes on at the same height, at (2, 1)",
+                  "Lower the left end of tile 3's slope from 4 to 0 px, in every cell with that tile"));
   Level hanging = slope_level({"#####", ".^...", "....o", "....."});
   hanging.tile_shapes[kHangingSign].heights = {2, 5};
-  EXPECT_THAT(labels_of(hanging, "seam-ceiling"),
-              ElementsAre("Lower the left end of tile 7's slope from 2 to 0 px, wherever the tile is"));
+  EXPECT_THAT(
+      labels_of(hanging, "seam-ceiling"),
+      ElementsAre("Lower the left end of tile 7's slope from 2 to 0 px, in every cell with that tile"));
 }
 
 TEST(Fixes, AFixThatBreaksAnotherJoinIsNotOffered) {
@@ -143,7 +146,7 @@ TEST(Fixes, SteepFloorsAreLowered) {
   level.tile_shapes[kSlopeA].heights = {0, 20};
   EXPECT_THAT(
       labels_of(level, "too-steep"),
-      ElementsAre("Lower the right end of tile 2's slope from 20 to 16 px, wherever the tile is",
+      ElementsAre("Lower the right end of tile 2's slope from 20 to 16 px, in every cell with that tile",
                   "Let floors rise by 3 px for each px, in the whole level (steepest floor, in Tuning)"));
 }
 

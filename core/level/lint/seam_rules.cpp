@@ -139,7 +139,7 @@ class SeamFixer {
     edits_.push_back(single_change(std::string(height > now ? "Raise" : "Lower") + " the " +
                                        (left ? "right" : "left") + " end of " + tile_text(tile) +
                                        "'s slope from " + px_text(now) + " to " + px_text(height) +
-                                       " px, wherever the tile is",
+                                       " px, in every cell with that tile",
                                    TileShapeChange{tile, level_.tile_shapes[tile], after}));
   }
 

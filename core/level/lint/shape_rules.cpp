@@ -145,7 +145,7 @@ void fix_steepness(const LintContext& context, const Problem& problem, std::vect
     high = low + width * steepest;
     out.push_back(single_change("Lower the " + std::string(rises ? "right" : "left") + " end of " +
                                     tile_text(tile) + "'s slope from " + from + " to " + px_text(high) +
-                                    " px, wherever the tile is",
+                                    " px, in every cell with that tile",
                                 TileShapeChange{tile, level.tile_shapes[tile], shape}));
   }
   Tuning tuning = level.tuning;

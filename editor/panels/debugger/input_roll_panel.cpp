@@ -130,9 +130,8 @@ void InputRollPanel::draw_mouse_place(const Session& session, Actions& actions, 
   if (session.state().frame < 1) return;  // a range may have begun at a later frame
   const Vec2 now = session.timeline().current().input(session.state().frame).mouse;
   ui.begin_row();
-  draw_text(chosen.first == chosen.last ? "Mouse in the step to this frame"
-                                        : ("Mouse in the steps to frames " + std::to_string(chosen.first) +
-                                           " to " + std::to_string(chosen.last)));
+  const std::string first = std::to_string(chosen.first), last = std::to_string(chosen.last);
+  draw_text(first == last ? "Mouse in frame " + first : "Mouse in frames " + first + " to " + last);
   const auto field = [&](const char* axis, double Vec2::*part) {
     const std::string name = std::string("input_roll/mouse_") + axis;
     ImGui::SameLine();
