@@ -103,13 +103,13 @@ std::optional<Verdict> Judge::judge_walk(const Body& before, const Body& after, 
   return Verdict{FindingKind::stops, least - moved};
 }
 
-// Whether the floor of a body rises just ahead, or by hardly anything further on, to where a ceiling leaves
-// the body no room.
+// Whether the floor of a body leads just ahead, rising by hardly anything further on, to where a ceiling
+// leaves the body no room.
 bool Judge::rises_to_ceiling(const FineBox& box, Foot foot, int direction) const {
   const Fine most = weld_ + scaled(kAhead, tuning_.exact.steepest);
   return std::any_of(kRiseWays.begin(), kRiseWays.end(), [&](Fine way) {
     const FineBox next = box.moved(direction * way, 0);
-    const auto floor = floor_near(next, foot, most, 0);
+    const auto floor = floor_near(next, foot, most, scaled(way, tuning_.exact.steepest));
     const FineBox there = next.moved(0, floor ? *floor - box.y1 : 0);
     return floor && !passes(there, there, foot);
   });
@@ -122,8 +122,8 @@ std::optional<Verdict> Judge::judge_stop(const Body& after, int direction) const
   return lip_of(direction, *bevel);
 }
 
-// A one-way floor that leads up, and begins so little above the floor that it is meant to go on from it: the
-// body has gone under it.
+// A one-way floor that leads up, or goes on where the body's own floor ends, and begins so little above that
+// floor that it is meant to go on from it: the body has gone under it.
 std::optional<Verdict> Judge::ramp_missed(const Body& before, const Body& after, int direction) const {
   if (!after.gait.grounded) return std::nullopt;
   const FineBox inner = inside_of(after);
@@ -134,7 +134,11 @@ std::optional<Verdict> Judge::ramp_missed(const Body& before, const Body& after,
     const RawLine& top = part.top;
     const Fine x = direction > 0 ? top.x0 : top.x1, y = direction > 0 ? top.y0 : top.y1;
     const Fine height = bottom - y;
-    if (height > lip_ + slack_ || top.highest(top.x0, top.x1) >= y) return true;
+    if (height > lip_ + slack_) return true;
+    if (top.highest(top.x0, top.x1) >= y) {
+      const auto line = height > weld_ ? floor_under(before) : std::nullopt;
+      if (!line || std::abs(line->end(direction) - x) > weld_) return true;
+    }
     if (height <= weld_) {
       if (is_walker(after) && leads_to(before, x, y, direction) && goes_under(part, after))
         missed = Verdict{FindingKind::leaves_floor};
@@ -172,12 +176,12 @@ bool Judge::goes_under(const RawPart& part, const Body& body) const {
   return passes(there, there, body.foot);
 }
 
-// The gap at the end of the floor on which a body stood, if a floor goes on behind it at about that height,
-// and the body is too wide to fall through.
-std::optional<Verdict> Judge::gap_after(const Body& before, int direction) const {
-  const FineBox box = fine_box(before.box);
+// The floor on which a body stands, as far to both sides as the body is wide, from where it is the nearest to
+// the body's middle.
+std::optional<FloorLine> Judge::floor_under(const Body& body) const {
+  const FineBox box = fine_box(body.box);
   const Fine width = box.x1 - box.x0;
-  std::optional<Fine> foot;  // where its floor is the nearest to its middle
+  std::optional<Fine> foot;
   ground_.for_parts({box.x0, box.y1 - weld_, box.x1, box.y1 + weld_}, [&](const RawPart& part) {
     const Fine x = std::clamp(box.middle(), part.top.x0, part.top.x1);
     const bool holds = part.is_floor() && std::abs(part.top.at(x) - box.y1) <= weld_;
@@ -186,8 +190,17 @@ std::optional<Verdict> Judge::gap_after(const Body& before, int direction) const
   });
   if (!foot) return std::nullopt;
   const FloorLine line(ground_, *foot, box.y1, *foot - width, *foot + width, tuning_.exact.steepest, weld_);
-  if (line.is_empty()) return std::nullopt;
-  const Fine end = line.end(direction), y = line.at_end(direction, box.y1);
+  return line.is_empty() ? std::nullopt : std::optional(line);
+}
+
+// The gap at the end of the floor on which a body stood, if a floor goes on behind it at about that height,
+// and the body is too wide to fall through.
+std::optional<Verdict> Judge::gap_after(const Body& before, int direction) const {
+  const FineBox box = fine_box(before.box);
+  const Fine width = box.x1 - box.x0;
+  const auto line = floor_under(before);
+  if (!line) return std::nullopt;
+  const Fine end = line->end(direction), y = line->at_end(direction, box.y1);
   const Fine last = end + direction * width;
   std::optional<Fine> narrowest;
   ground_.for_parts({std::min(end, last), y - lip_, std::max(end, last), y + lip_}, [&](const RawPart& part) {
@@ -392,8 +405,11 @@ bool Judge::has_floor_at_foot(const Body& body, Under under) const {
   const bool by_middle = under == Under::middle_of_slopes && body.foot == Foot::centre;
   return !ground_.for_parts({box.x0, box.y1 - weld_, box.x1, box.y1 + weld_}, [&](const RawPart& part) {
     if (!part.is_floor()) return true;
-    const FineBox& foot = by_middle && part.top.y0 != part.top.y1 ? middle : box;
-    if (part.top.x1 < foot.x0 || part.top.x0 > foot.x1) return true;
+    const bool is_at_middle = by_middle && part.top.y0 != part.top.y1;
+    const FineBox& foot = is_at_middle ? middle : box;
+    // What rolls beside a wall touches ground that is under another part of the wall.
+    const Fine least = under == Under::middle_of_slopes && !is_at_middle ? slack_ : 0;
+    if (part.top.x1 - foot.x0 < least || foot.x1 - part.top.x0 < least) return true;
     const auto [from, to] = shared_x(part, foot);
     return !(part.top.highest(from, to) <= box.y1 + weld_ && part.top.lowest(from, to) >= box.y1 - weld_);
   });

@@ -67,6 +67,7 @@ class Judge {
   std::optional<Verdict> judge_stop(const Body& after, int direction) const;
   std::optional<Verdict> ramp_missed(const Body& before, const Body& after, int direction) const;
   std::optional<Verdict> gap_after(const Body& before, int direction) const;
+  std::optional<FloorLine> floor_under(const Body& body) const;
   bool has_floor_to(Fine x, Fine y, int direction) const;
   std::optional<Verdict> judge_contacts(const Body& before, const StepRecord& record, bool jumps) const;
   bool is_below_floor(const Body& body, const ContactRecord& contact) const;

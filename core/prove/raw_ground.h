@@ -116,8 +116,8 @@ class RawGround {
       for (int x = std::max(first_column, 0); x <= std::min(last_column, width_ - 1); ++x) {
         const std::span<const RawPart> parts = parts_of({x, y});
         for (const RawPart& part : parts) {
-          const RawPart here = part.moved(x * tile_width_, y * tile_height_);
-          if (touches(here, area) && !use(here)) return false;
+          const RawPart here = on_map(part.moved(x * tile_width_, y * tile_height_));
+          if (here.top.x0 <= here.top.x1 && touches(here, area) && !use(here)) return false;
         }
       }
     }
@@ -134,6 +134,17 @@ class RawGround {
     return part.top.x0 <= area.x1 && part.top.x1 >= area.x0 &&
            std::min(part.top.y0, part.top.y1) <= area.y1 &&
            std::max(part.bottom.y0, part.bottom.y1) >= area.y0;
+  }
+  // A part without what reaches over the left or the right edge of the map, where nothing stops bodies; x1 is
+  // less than x0 if that is all of it.
+  RawPart on_map(const RawPart& part) const {
+    const Fine end = width_ * tile_width_;
+    if (part.top.x0 >= 0 && part.top.x1 <= end) return part;
+    const Fine x0 = std::max<Fine>(part.top.x0, 0), x1 = std::min(part.top.x1, end);
+    const auto cut = [&](const RawLine& line) {
+      return RawLine{x0, line.at(x0), x1, line.at(x1), line.curve};
+    };
+    return {part.kind, cut(part.top), cut(part.bottom)};
   }
   // The cell at a coordinate: -1 for all before the first one, `cells` for all behind the last one. Whole px
   // are divided, as that is much quicker.

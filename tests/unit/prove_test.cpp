@@ -143,6 +143,34 @@ TEST(Prove, FindsTheEndOfALineJustAboveTheFloor) {
   }
 }
 
+// The body goes under it, as it has no side, and falls where its own floor ends.
+TEST(Prove, FindsAOneWayFloorThatGoesOnHigher) {
+  for (const Foot foot : {Foot::box, Foot::centre}) {
+    Scenery scenery(foot);
+    for (int x = 0; x < 24; ++x) scenery.level.map.set({x, 12}, 0);
+    scenery.level.curves = {{"", {Segment{{0, 96}, {100, 96}}, Curve::Faces::up}, ""},
+                            {"", {Segment{{100, 95.75}, {192, 95.75}}, Curve::Faces::up}, ""}};
+    const Proof proof = scenery.proof();
+    ASSERT_EQ(kinds_of(proof), std::set<std::string>{"lip"}) << text_of(proof);
+    EXPECT_EQ(proof.findings[0].amount, 0.25);
+  }
+}
+
+TEST(Prove, HasNoFindingBesideAWallOfManyParts) {
+  Scenery scenery(Foot::box);
+  scenery.put({8, 8}, slope(0.5, 0.5));
+  for (int y = 9; y < 12; ++y) scenery.level.map.set({8, y}, 1);
+  EXPECT_EQ(scenery.proof().findings.size(), 0u) << text_of(scenery.proof());
+}
+
+TEST(Prove, HasNoFindingWhereAShapeLeavesTheMap) {
+  Scenery scenery(Foot::box);
+  TileShape wide = slope(0, 8);
+  wide.tiles = 2;
+  scenery.put({23, 11}, wide);
+  EXPECT_EQ(scenery.proof().findings.size(), 0u) << text_of(scenery.proof());
+}
+
 // The line of a ramp leads onto a plate; below the line there is no place to begin.
 TEST(Prove, HasNoFindingUnderAOneWayRamp) {
   Scenery scenery;
