@@ -80,7 +80,7 @@ class FloorWalk {
   std::optional<FloorAhead<Real>> floor_to_joint(const FloorAhead<Real>& floor, const Moving<Real>& body) {
     if (joint_asked_ && !((body.box.x - *joint_asked_) * direction_ > 0)) return std::nullopt;
     joint_asked_ = body.box.x;
-    const auto here = look_ahead(body, Real(kMostLip), 0);
+    const auto here = floor_at(body, Real(kMostLip), 0);
     if (!here || (here->end == floor.end && here->contact.normal.x == floor.contact.normal.x))
       return std::nullopt;
     return floor_met(body, here->contact);
@@ -292,16 +292,15 @@ class FloorWalk {
   }
 
   // The floor is looked for a little further on, so that of two pieces that meet at the foot the next one is
-  // found.
-  // A foot that is a point goes over a gap of up to kMostLip, as the flat bottom of a box does.
+  // found. A foot that is a point goes over a gap of up to kMostLip, as the flat bottom of a box does.
   std::optional<FloorAhead<Real>> look_ahead(const Moving<Real>& body, Real reach) const {
     const Real step = std::max<Real>(Real(kFloorStep), 2 * rounding_slack<Real>({body.box, {}, body.foot}));
-    const auto floor = look_ahead(body, reach, step);
+    const auto floor = floor_at(body, reach, step);
     const bool is_point = body.foot == Foot::centre || body.box.w == 0;
-    return floor || !is_point ? floor : look_ahead(body, reach, step + Real(kMostLip));
+    return floor || !is_point ? floor : floor_at(body, reach, step + Real(kMostLip));
   }
-  // step: px, so much further on.
-  std::optional<FloorAhead<Real>> look_ahead(const Moving<Real>& body, Real reach, Real step) const {
+  // The floor `step` px further on.
+  std::optional<FloorAhead<Real>> floor_at(const Moving<Real>& body, Real reach, Real step) const {
     const Real slack = rounding_slack<Real>({body.box, {}, body.foot});
     const Real rise = std::min<Real>(step * steepest_, 1) + Real(kMostLip) + 2 * slack;
     BasicRect<Real> there = body.box;
