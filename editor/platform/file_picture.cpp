@@ -23,10 +23,12 @@ constexpr auto kMostTime = std::chrono::milliseconds(300);  // for a level, so t
 
 std::shared_ptr<const SheetPicture> picture_of_level(const std::string& path) {
   const auto end = Clock::now() + kMostTime;
-  const auto loaded = load_level(path, {}, Progress([end](double) { return Clock::now() < end; }));
+  const Progress progress([end](double) { return Clock::now() < end; });
+  const auto loaded = load_level(path, {}, progress.part(0, 0.5));
   if (!loaded) return nullptr;
-  const Level& level = loaded->level;
-  return picture_of_start(level, initial_state(compile_scene(level)), RecentPictures::kWidth,
+  const auto scene = compile_scene(loaded->level, progress.part(0.5, 1).function());
+  if (!scene) return nullptr;
+  return picture_of_start(loaded->level, initial_state(*scene), RecentPictures::kWidth,
                           RecentPictures::kHeight);
 }
 
