@@ -111,8 +111,8 @@ Columns columns_of(const Ui& ui, float window, bool has_right) {
 
 // In a low window the canvas and a column have room, or the canvas and the dock. Closes what has none.
 bool make_room_for_dock(const WindowView& view, bool is_low, Columns& columns) {
-  const bool has_column = columns.left > 0 || columns.right > 0;
   if (!is_low) return true;
+  const bool has_column = columns.left > 0 || columns.right > 0;
   if (has_column && view.first != TabPlace::dock) return false;
   columns = {};
   return true;
