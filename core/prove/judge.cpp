@@ -10,6 +10,7 @@ namespace {
 constexpr Fine kAhead = kFinePx / 32, kAheadOnCurve = kFinePx / 4;
 // px; rounding of a place on a map, far more than doubles lose. What floats do, in sizes of the map.
 constexpr Fine kSlack = kFinePx >> 14;
+constexpr Fine kRounding = 4;  // of a few sums of such numbers
 constexpr double kFloatRounding = 1.0 / (1 << 19);
 constexpr Fine kChord = kFinePx / 64;  // a curve may be so far from the chord along which a step goes
 constexpr double kSteepGround = 16;    // |dy/dx| of slopes down which bodies on their centre slide
@@ -50,6 +51,7 @@ Judge::Judge(const RawGround& ground, const Tuning& tuning, double lip)
       tuning_(tuning),
       slack_(slack_of(ground, tuning)),
       weld_(kFinePx / kWeldParts + scaled(4 * slack_, tuning.exact.steepest) + slack_),
+      least_weld_(kFinePx / kWeldParts + kRounding),
       ahead_(std::max(kAhead, 64 * slack_)),
       lip_(fine(lip)) {}
 
@@ -252,16 +254,21 @@ std::optional<Verdict> Judge::judge_contacts(const Body& before, const StepRecor
 // Whether a body on its centre has met a side that lies below the floor below its middle.
 bool Judge::is_below_floor(const Body& body, const ContactRecord& contact) const {
   if (body.foot != Foot::centre || contact.normal.y != 0) return false;
-  const FineBox box = fine_box({contact.touch.x, contact.touch.y, body.box.w, body.box.h});
+  const FineBox touch = fine_box({contact.touch.x, contact.touch.y, body.box.w, body.box.h});
+  // Not in what it touches, by rounding.
+  const FineBox box = touch.moved(scaled(slack_, contact.normal.x), 0);
   const FineBox next = box.moved(scaled(ahead_, -contact.normal.x), 0);
   const Fine rise = scaled(ahead_, tuning_.exact.steepest) + weld_,
              deepest = kDeepestFloor * (box.x1 - box.x0);
   const auto here = floor_near(box, body.foot, weld_, deepest);
   const auto floor = floor_near(next, body.foot, rise, deepest);
-  const Fine middle = next.middle();
+  const Fine from = box.middle(), middle = next.middle();
   // It may be below a one-way floor that leads there, and a slope on which nobody stands may be between the
   // two.
   if (!here || !floor || *here - *floor > rise) return false;
+  const FloorLine line(ground_, from, *here, std::min(from, middle), std::max(from, middle),
+                       tuning_.exact.steepest, least_weld_);
+  if (!line.reaches(from, middle)) return false;
   if (has_floor_in({middle, next.y1 - rise, middle, *floor - 1})) return false;
   // What it touches by rounding alone stops it, too.
   const auto passes_at = [&](Fine y) {
@@ -303,7 +310,7 @@ bool Judge::is_free(const Rect& box, Foot foot, Corners corners, Fine slack) con
     if (foot == Foot::box || has_middle) return false;
     const bool is_deep = between.y0 < between.y1 && !part.is_sloped() && part.meets(between);
     if (corners == Corners::in_any_floor && !is_deep) return true;
-    if (!line) line = floor_line(whole, whole.y1);
+    if (!line) line = floor_line(whole, whole.y1, weld_);
     const auto [from, to] = shared_x(part, whole);
     return line->covers(part, from, to);
   });
@@ -461,7 +468,7 @@ bool Judge::passes(const FineBox& from, const FineBox& to, Foot foot, Fine floor
     if (foot == Foot::centre && part.stops(inner.middle_line(), goal.middle_line())) return false;
     if (!part.stops(inner, goal)) return true;
     if (foot == Foot::box) return false;
-    if (!line) line = floor_line(to, floor);
+    if (!line) line = floor_line(to, floor, least_weld_);
     const auto [x0, x1] = shared_x(part, to);
     return line->covers(part, x0, x1);
   });
@@ -533,7 +540,7 @@ std::optional<Judge::Edge> Judge::edge_at(const FineBox& box, Foot foot, int dir
   if (foot == Foot::box) return Edge{*rise, front, top};
   // Corners beside the middle may be in the floor, and an edge begins where that ends, or above it.
   const FloorLine line(ground_, middle, box.y1, std::min(middle, front), std::max(middle, front),
-                       tuning_.exact.steepest, weld_);
+                       tuning_.exact.steepest, least_weld_);
   if (!line.reaches(middle, next.middle()) ||
       stops_middle(box, next.moved(0, line.at(next.middle()) - box.y1)))
     return Edge{*rise, middle, top};

@@ -97,15 +97,16 @@ class Judge {
   std::optional<Edge> bevel_at(const FineBox& box, Foot foot, int direction) const;
   std::optional<Edge> edge_at(const FineBox& box, Foot foot, int direction, Fine way) const;
   std::optional<Fine> rise_onto(const FineBox& from, FineBox box, Foot foot) const;
-  FloorLine floor_line(const FineBox& box, Fine floor) const {
-    return {ground_, box.middle(), floor, box.x0, box.x1, tuning_.exact.steepest, weld_};
+  FloorLine floor_line(const FineBox& box, Fine floor, Fine weld) const {
+    return {ground_, box.middle(), floor, box.x0, box.x1, tuning_.exact.steepest, weld};
   }
 
   const RawGround& ground_;
   const Tuning& tuning_;
-  const Fine slack_;  // how far off a place may be by the solver's rounding
-  const Fine weld_;   // how far apart two ends may be that count as one
-  const Fine ahead_;  // how far ahead its way is looked at: far more than roundings
+  const Fine slack_;       // how far off a place may be by the solver's rounding
+  const Fine weld_;        // how far apart two ends may be that count as one
+  const Fine least_weld_;  // two ends that are nearer must count as one
+  const Fine ahead_;       // how far ahead its way is looked at: far more than roundings
   const Fine lip_;
 };
 
