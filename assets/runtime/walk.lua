@@ -332,12 +332,16 @@ function Walk:leads_into_ground(on, box, goal_x, goal_y)
       abs(met.x - box.x) <= AHEAD then
     return false
   end
-  return overlaps_ground(self.terrain, met.x - LIP / 2, met.y - 2 * LIP, LIP, LIP)
+  return self:is_in_ground(met.x, met.y)
 end
 
+-- Whether what is just above a point is ground.
+function Walk:is_in_ground(x, y) return overlaps_ground(self.terrain, x - LIP / 2, y - 2 * LIP, LIP, LIP) end
+
 -- Whether the floor goes on from the middle of the body to a place, and is not below it there. fall: px; a floor up
--- to so far below the middle of a body in the air counts.
-function Walk:floor_leads_over(box, spot_x, spot_y, fall)
+-- to so far below the middle of a body in the air counts. beyond: px; so far behind the place it must not go into the
+-- ground, either.
+function Walk:floor_leads_over(box, spot_x, spot_y, fall, beyond)
   local point = {x = box.x + box.w / 2, y = box.y, w = 0.0, h = box.h, centre = false}
   local direction = spot_x < point.x and -1 or 1
   local under = setmetatable({terrain = self.terrain, direction = direction, steepest = self.steepest, sunk = 0.0},
@@ -347,13 +351,14 @@ function Walk:floor_leads_over(box, spot_x, spot_y, fall)
     local falls = i == 1 and fall > 0
     local on = under:look_ahead(point, falls and fall or 1.0)
     if not on then return false end
-    if falls then
-      local _, y = Walk.place_on(on, point, point.x)
-      point.y = y
-    end
+    local x, y = Walk.place_on(on, point, point.x)
+    if falls then point.y = y end
+    -- The body may be far below a curve, on a chord of it.
+    if i == 1 and not Walk.is_straight(on) and self:is_in_ground(x, y + point.h) then return false end
     local goal_x, goal_y = under:goal_on(on, point, spot_x - point.x)
     if goal_x == point.x then return false end
-    if under:leads_into_ground(on, point, goal_x, goal_y) then return false end
+    local further_x, further_y = under:goal_on(on, point, spot_x + direction * beyond - point.x)
+    if under:leads_into_ground(on, point, further_x, further_y) then return false end
     -- Another floor may cross it, further on or just here.
     local met = under:cast_to(on, point, goal_x, goal_y)
     if met and met.facing == UP then
@@ -378,8 +383,11 @@ function Walk:sinks(box, contact, goal_y, fall)
   local spot_x, spot_y = self:corner_met(box, contact)
   if not spot_x then return false end
   local by_px = max(max(box.y, goal_y) + box.h - spot_y, AHEAD)
-  if contact.facing == DOWN or by_px > box.h then by_px = box.h end
-  if not (by_px > self.sunk) or not self:floor_leads_over(box, spot_x, spot_y, fall or 0) then return false end
+  local is_ceiling = contact.facing == DOWN
+  if is_ceiling or by_px > box.h then by_px = box.h end
+  if not (by_px > self.sunk) then return false end
+  -- A floor may begin to go into the ceiling just where a corner of the body has met that.
+  if not self:floor_leads_over(box, spot_x, spot_y, fall or 0, is_ceiling and 128 * AHEAD or 0.0) then return false end
   self.sunk = by_px
   return true
 end

@@ -247,9 +247,11 @@ class FloorWalk {
     const auto spot = corner_met(body, contact);
     if (!spot) return false;
     const Real depth = std::max(std::max(body.box.y, goal_y) + body.box.h - spot->y, Real(kFloorStep));
-    const bool is_all = contact.facing == Facing::down || depth > body.box.h;
-    const Real sunk = is_all ? body.box.h : depth;
-    if (!(sunk > sunk_) || !floor_leads_over(body, *spot, fall)) return false;
+    const bool is_ceiling = contact.facing == Facing::down;
+    const Real sunk = is_ceiling || depth > body.box.h ? body.box.h : depth;
+    // A floor may begin to go into the ceiling just where a corner of the body has met that.
+    const Real beyond = is_ceiling ? 128 * Real(kFloorStep) : 0;
+    if (!(sunk > sunk_) || !floor_leads_over(body, *spot, fall, beyond)) return false;
     sunk_ = sunk;
     return true;
   }
@@ -445,16 +447,21 @@ class FloorWalk {
     const Moving<Real> foot{{box.x, box.y + box.h, 0, 0}, {}, Foot::box};
     const Vec to{goal.x, goal.y + box.h};
     const Contact<Real> met = cast_to(floor, foot, to);
-    constexpr Real lip = Real(kMostLip);
-    if (!met || met.facing != Facing::down || !(room_at(to, met) < -lip) ||
+    if (!met || met.facing != Facing::down || !(room_at(to, met) < -Real(kMostLip)) ||
         std::abs(met.position.x - foot.box.x) <= Real(kFloorStep))
       return false;
-    return overlaps_ground<Real>(ground_, {met.position.x - lip / 2, met.position.y - 2 * lip, lip, lip});
+    return is_in_ground(met.position);
+  }
+  // Whether what is just above a point is ground.
+  bool is_in_ground(Vec point) const {
+    constexpr Real lip = Real(kMostLip);
+    return overlaps_ground<Real>(ground_, {point.x - lip / 2, point.y - 2 * lip, lip, lip});
   }
 
   // Whether the floor goes on from the middle of the body to the x of the spot, and is not below it there.
-  // fall: px; a floor up to so far below the middle of a body in the air counts.
-  bool floor_leads_over(const Moving<Real>& body, Vec spot, Real fall) const {
+  // fall: px; a floor up to so far below the middle of a body in the air counts. beyond: px; so far behind
+  // the spot it must not go into the ground, either.
+  bool floor_leads_over(const Moving<Real>& body, Vec spot, Real fall, Real beyond) const {
     const Real middle = body.box.x + body.box.w / 2;
     Moving<Real> point{{middle, body.box.y, 0, body.box.h}, {}, Foot::box};
     const Real direction = spot.x < middle ? -1 : 1;
@@ -463,10 +470,15 @@ class FloorWalk {
       const bool falls = i == 0 && fall > 0;
       const auto floor = walk.look_ahead(point, falls ? fall : 1);
       if (!floor) return false;
-      if (falls) point.box.y = walk.place_on(*floor, point.box, point.box.x, point.foot).y;
+      const Vec place = walk.place_on(*floor, point.box, point.box.x, point.foot);
+      if (falls) point.box.y = place.y;
+      // The body may be far below a curve, on a chord of it.
+      if (i == 0 && !is_straight(*floor) && is_in_ground({place.x, place.y + point.box.h})) return false;
       Vec goal = walk.goal_on(*floor, point.box, spot.x - point.box.x, point.foot);
       if (goal.x == point.box.x) return false;
-      if (walk.leads_into_ground(*floor, point.box, goal)) return false;
+      const Real further = spot.x + direction * beyond - point.box.x;
+      if (walk.leads_into_ground(*floor, point.box, walk.goal_on(*floor, point.box, further, point.foot)))
+        return false;
       // Another floor may cross it, further on or just here.
       const Contact<Real> met = walk.cast_to(*floor, point, goal);
       if (met && met.facing == Facing::up) {
