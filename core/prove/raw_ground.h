@@ -52,6 +52,7 @@ struct RawLine {
   Fine highest(Fine from, Fine to) const { return std::min(at(from), at(to)); }
   Fine lowest(Fine from, Fine to) const { return std::max(at(from), at(to)); }
   bool is_steeper_than(double limit, Fine x) const;  // |dy/dx| at x
+  bool is_level_at(Fine y) const { return y0 == y && y1 == y && curve == nullptr; }
   friend bool operator==(const RawLine&, const RawLine&) = default;
 };
 
@@ -136,11 +137,14 @@ class RawGround {
            std::max(part.bottom.y0, part.bottom.y1) >= area.y0;
   }
   // A part without what reaches over the left or the right edge of the map, where nothing stops bodies; x1 is
-  // less than x0 if that is all of it.
+  // less than x0 if that is all of it, or if it is a level line that counts to the row outside of the map.
   RawPart on_map(const RawPart& part) const {
     const Fine end = width_ * tile_width_;
-    if (part.top.x0 >= 0 && part.top.x1 <= end) return part;
-    const Fine x0 = std::max<Fine>(part.top.x0, 0), x1 = std::min(part.top.x1, end);
+    const bool is_outside =
+        (part.kind == RawPart::Kind::floor && part.top.is_level_at(height_ * tile_height_)) ||
+        (part.kind == RawPart::Kind::ceiling && part.bottom.is_level_at(0));
+    if (part.top.x0 >= 0 && part.top.x1 <= end && !is_outside) return part;
+    const Fine x0 = std::max<Fine>(part.top.x0, 0), x1 = is_outside ? x0 - 1 : std::min(part.top.x1, end);
     const auto cut = [&](const RawLine& line) {
       return RawLine{x0, line.at(x0), x1, line.at(x1), line.curve};
     };
