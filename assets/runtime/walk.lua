@@ -423,8 +423,13 @@ function Walk:floor_to_joint(on, box)
   if self.joint_asked and not ((box.x - self.joint_asked) * self.direction > 0) then return nil end
   self.joint_asked = box.x
   local here = self:floor_at(box, LIP, 0.0)
-  if not here or here.stop == on.stop and here.met.nx == on.met.nx then return nil end
-  return self:floor_met(box, here.met)
+  if not here then return nil end
+  local under = (here.stop ~= on.stop or here.met.nx ~= on.met.nx) and self:floor_met(box, here.met)
+  if under then return under end
+  -- Or its flat bottom has gone on along the end of a floor, from just before that end.
+  local next_on = self:look_ahead(box, LIP)
+  if next_on and (next_on.stop ~= on.stop or next_on.met.nx ~= on.met.nx) then return next_on end
+  return nil
 end
 
 -- What a walking body does that went from x to a goal and met something. Returns how it goes on, and the floor that

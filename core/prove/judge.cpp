@@ -403,8 +403,20 @@ bool Judge::floor_goes_on(const Body& before, const Body& after, int direction) 
     const FineBox there = to.moved(0, y - to.y1);
     return !has_floor_above(there, after.foot, kFinePx + std::abs(to.x0 - from.x0));
   };
-  if (before.foot == Foot::centre) return leads(from.middle(), to.middle());
+  if (before.foot == Foot::centre)
+    return leads(from.middle(), to.middle()) && !was_on_end_behind(from.middle(), to, direction);
   return leads(from.x0, to.x0) || leads(from.x1, to.x1);
+}
+
+// Whether the flat bottom of a body stood on the end of a floor that is behind the x of its middle, and so
+// left the floor on which its middle was.
+bool Judge::was_on_end_behind(Fine middle, const FineBox& box, int direction) const {
+  const FineBox behind = direction > 0 ? FineBox{box.x0 - slack_, box.y1 - weld_, middle, box.y1 + weld_}
+                                       : FineBox{middle, box.y1 - weld_, box.x1 + slack_, box.y1 + weld_};
+  return !ground_.for_parts(behind, [&](const RawPart& part) {
+    const Fine x = direction > 0 ? part.top.x1 : part.top.x0, y = direction > 0 ? part.top.y1 : part.top.y0;
+    return !(part.is_floor() && x >= behind.x0 && x <= behind.x1 && y >= behind.y0 && y <= behind.y1);
+  });
 }
 
 bool Judge::has_floor_at_foot(const Body& body, Under under) const {

@@ -80,10 +80,16 @@ class FloorWalk {
   std::optional<FloorAhead<Real>> floor_to_joint(const FloorAhead<Real>& floor, const Moving<Real>& body) {
     if (joint_asked_ && !((body.box.x - *joint_asked_) * direction_ > 0)) return std::nullopt;
     joint_asked_ = body.box.x;
+    const auto is_other = [&](const FloorAhead<Real>& next) {
+      return next.end != floor.end || next.contact.normal.x != floor.contact.normal.x;
+    };
     const auto here = floor_at(body, Real(kMostLip), 0);
-    if (!here || (here->end == floor.end && here->contact.normal.x == floor.contact.normal.x))
-      return std::nullopt;
-    return floor_met(body, here->contact);
+    if (!here) return std::nullopt;
+    const auto under = is_other(*here) ? floor_met(body, here->contact) : std::nullopt;
+    if (under) return under;
+    // Or its flat bottom has gone on along the end of a floor, from just before that end.
+    const auto next = look_ahead(body, Real(kMostLip));
+    return next && is_other(*next) ? next : std::nullopt;
   }
 
   // Where the body is after it went `way` px to the side on that floor, or to the floor's end.
