@@ -35,16 +35,21 @@ void set_gl_attributes() {
   SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
 }
 
-// Four fifths of the display, but at least the size that the layout is made for, if there is room.
-ImVec2 first_size(bool offscreen) {
-  const ImVec2 designed{1280, 720};
+struct WindowSize {
+  int width, height;
+};
+
+// As wanted, if the display has room for it. 0: four fifths of the display, but at least the size that the
+// layout is made for.
+WindowSize size_on_display(WindowSize wanted, bool offscreen) {
+  const WindowSize designed{1280, 720};
   SDL_Rect room{};
-  if (offscreen || SDL_GetDisplayUsableBounds(0, &room) != 0) return designed;
-  const auto most = [](int whole, float least) {
-    const auto all = static_cast<float>(whole);
-    return std::min(std::max(std::floor(all * 0.8f), least), all);
+  const bool is_known = !offscreen && SDL_GetDisplayUsableBounds(0, &room) == 0;
+  const auto size = [&](int asked, int least, int all) {
+    const int most = is_known ? all : std::max(asked, least);
+    return std::min(asked > 0 ? asked : std::max(most * 4 / 5, least), most);
   };
-  return {most(room.w, designed.x), most(room.h, designed.y)};
+  return {size(wanted.width, designed.width, room.w), size(wanted.height, designed.height, room.h)};
 }
 
 // Latin with all its accents, Greek and Cyrillic, dashes and quotes: names of files and presets have them.
@@ -100,11 +105,10 @@ std::string GlWindow::start(const WindowOptions& options) {
     return "No screen to open a window on: neither an X server nor a Wayland compositor answers.";
   }
   set_gl_attributes();
-  const ImVec2 first = first_size(options.offscreen);
-  const int width = options.width > 0 ? options.width : static_cast<int>(first.x);
-  const int height = options.height > 0 ? options.height : static_cast<int>(first.y);
-  window_ = SDL_CreateWindow(options.title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width,
-                             height, SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
+  const WindowSize size = size_on_display({options.width, options.height}, options.offscreen);
+  window_ =
+      SDL_CreateWindow(options.title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, size.width,
+                       size.height, SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
   if (window_ == nullptr) return std::string("Cannot open a window with OpenGL: ") + SDL_GetError() + ".";
   SDL_SetWindowMinimumSize(window_, kLeastWidth, kLeastHeight);
   gl_ = SDL_GL_CreateContext(window_);

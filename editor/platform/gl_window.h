@@ -17,7 +17,8 @@ namespace talus {
 
 struct WindowOptions {
   std::string title = "Talus";
-  int width = 0, height = 0;  // px of the screen; 0: most of the display, or 1280x720 without one
+  // px of the screen, at most the size of the display; 0: most of the display, or 1280x720 without one
+  int width = 0, height = 0;
   bool offscreen = false;     // without any display, by SDL's driver of that name
 };
 
