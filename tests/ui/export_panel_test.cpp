@@ -72,6 +72,8 @@ TEST_F(UiExport, APresetIsAddedShownAndWritten) {
   settle();
   EXPECT_EQ(std::filesystem::file_size(path("out/game.tic")), size);
   EXPECT_EQ(message().substr(0, 39), "Exported cart: 2 files to out/game.tic.");
+  click("message/copy_place");
+  EXPECT_EQ(ImGui::GetClipboardText(), path("out/game.tic"));
   EXPECT_EQ(shown().files[0].place, PlannedFile::Place::same);
 }
 

@@ -120,6 +120,9 @@ void MessagePanel::draw_message(const Message& message, float width, float most_
                most_height - ui.px(2 * theme::kButton + 32), ui);
   draw_copy_all("message/copy_all", message.text, ui);
   if (message.offers_ground) draw_ground_button(session, actions, ui);
+  if (!message.place.empty() && ui.text_button("message/copy_place", "Copy the path", false,
+                                               "Copies where it was written: " + shown_line(message.place)))
+    ImGui::SetClipboardText(message.place.c_str());
 }
 
 void MessagePanel::draw(const Session& session, Actions& actions, Ui& ui) {

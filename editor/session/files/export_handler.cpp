@@ -58,6 +58,13 @@ std::string written_text(const std::vector<ExportOutcome>& outcomes) {
          too_large;
 }
 
+// The path of what was written last, empty if nothing was.
+std::string last_place(const std::vector<ExportOutcome>& outcomes) {
+  const auto last = std::find_if(outcomes.rbegin(), outcomes.rend(),
+                                 [](const ExportOutcome& outcome) { return outcome.written; });
+  return last == outcomes.rend() ? std::string() : last->output;
+}
+
 std::string problems_text(const std::vector<ExportOutcome>& outcomes) {
   std::string text;
   for (const ExportOutcome& outcome : outcomes) {
@@ -196,7 +203,8 @@ void ExportHandler::tell_of(const FinishedRun& finished) {
   const bool adds = finished.run.on_save && message;
   const bool is_error = !problems.empty() || (adds && message->is_error);
   if (adds) text = message->text + "\n" + text;
-  is_error ? messages_.tell_error(std::move(text)) : messages_.tell(std::move(text));
+  is_error ? messages_.tell_error(std::move(text))
+           : messages_.tell(std::move(text), last_place(finished.outcomes));
 }
 
 // If the level was left meanwhile, nothing is written.

@@ -9,6 +9,7 @@ struct Message {
   std::string text;
   bool is_error = false;
   bool offers_ground = false;  // with a button that makes the tiles of the chosen layer ground
+  std::string place = {};      // path of what was exported, with a button that copies it; empty: none
 };
 
 // Something that would lose unsaved changes waits for an answer.

@@ -15,7 +15,10 @@ class MessageHandler {
   void apply(const MessageAction& action);
 
   // Each replaces the message before, which goes among the earlier ones if it waits for the user.
-  void tell(std::string text) { show({std::move(text), false, false}); }
+  // place: as Message::place.
+  void tell(std::string text, std::string place = {}) {
+    show({std::move(text), false, false, std::move(place)});
+  }
   void tell_error(std::string text) { show({std::move(text), true, false}); }
   void offer_ground(std::string text) { show({std::move(text), false, true}); }
   void add(const std::string& sentence);  // appends to the message; does nothing if there is none
