@@ -129,8 +129,8 @@ TEST_F(UiWelcome, ANewLevelInTrueColourPlaysAtOnce) {
 
 TEST_F(UiWelcome, ANewLevelMayBeEmptyInThePalette) {
   start_at_welcome();
-  click("welcome/tile8");
-  click("welcome/colours/Palette");
+  click("welcome/tile16");
+  click("welcome/colours/Palette");  // which has tiles of 8x8 px
   click("welcome/content/Empty");
   click("welcome/new");
   EXPECT_FALSE(shows_page());

@@ -87,12 +87,12 @@ void begin_page_column(const char* name, float width) {
   ImGui::BeginChild(name, {width, 0}, false, ImGuiWindowFlags_NavFlattened);
 }
 
-// Two choices side by side, each half of the width. has_first: whether the first can be chosen.
+// Two choices side by side, each half of the width.
 bool draw_choice_pair(const char* widget, const char* first, const char* second, bool is_second,
-                      const char* help, Ui& ui, bool has_first = true) {
+                      const char* help, Ui& ui) {
   const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
   const std::string name = widget;
-  if (ui.text_button(name + "/" + first, first, !is_second, help, {}, has_first, half)) is_second = false;
+  if (ui.text_button(name + "/" + first, first, !is_second, help, {}, true, half)) is_second = false;
   ImGui::SameLine();
   if (ui.text_button(name + "/" + second, second, is_second, help, {}, true, half)) is_second = true;
   return is_second;
@@ -169,12 +169,12 @@ void WelcomePanel::draw_new_level(const Session& session, Actions& actions, Ui& 
                        "Tiles of " + text + "x" + text + " px.", {}, true, quarter))
       side_ = side;
   }
-  const bool has_palette = side_ == kCartTileSize;
+  const bool was_true_colour = content.in_true_colour || side_ != kCartTileSize;
   const bool in_true_colour = draw_choice_pair(
-      "welcome/colours", "Palette", "True colour", content.in_true_colour || !has_palette,
-      "Tiles in 16 colours of a palette, as TIC-80 has them, which then have 8x8 px; or in any colours.", ui,
-      has_palette);
-  if (has_palette) content.in_true_colour = in_true_colour;
+      "welcome/colours", "Palette", "True colour", was_true_colour,
+      "Tiles in 16 colours of a palette, as TIC-80 has them, which then have 8x8 px; or in any colours.", ui);
+  if (in_true_colour != was_true_colour) content.in_true_colour = in_true_colour;
+  if (!in_true_colour) side_ = kCartTileSize;
   content.plays = draw_choice_pair("welcome/content", "Empty", "Playable", content.plays,
                                    "An empty map, or one with ground, slopes and a player.", ui);
   const bool creates =
