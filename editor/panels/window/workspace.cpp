@@ -25,8 +25,9 @@ constexpr float kLowWindow = 500;            // without a status bar
 constexpr float kTimeline = 28, kTransport = 30, kStatus = 20;
 constexpr float kSheetTile = 24;  // side of a tile of the sheet, as it opens
 constexpr float kSheetLeast = 164, kFlags = 130, kPalette = 40, kPixelsLeast = 176;
-constexpr float kPictureColors = 64;  // height of the palette of a sheet in true colour
-constexpr float kMargin = 6;          // px at scale 1, above and below the content of a region
+constexpr float kPictureColors = 64;     // height of the palette of a sheet in true colour
+constexpr float kMargin = 6;             // px at scale 1, above and below the content of a region
+constexpr float kMostTabsOfRoom = 1.2f;  // of the width of a region; so wide tabs can be made to fit
 constexpr float kRightTopLeast = 180, kRightBottomLeast = 80;
 constexpr float kDockLeast = 120, kAboveDockLeast = 300;
 
@@ -133,13 +134,15 @@ void leave_hidden_shape(View& view) {
   if (view.window.focus == Focus::shape && !is_shown) view.window.focus = Focus::map;
 }
 
-// Tabs for which a narrow region has no room are in a list.
+// Tabs get a little narrower where that gives all of them room; else those that have none are in a list.
 ImGuiTabBarFlags flags_of_tabs(const std::vector<Panel*>& here) {
   const ImGuiStyle& style = ImGui::GetStyle();
   float width = 0;
   for (const Panel* panel : here)
     width += size_of_text(panel->title()).x + 2 * style.FramePadding.x + style.ItemInnerSpacing.x;
-  if (width <= ImGui::GetContentRegionAvail().x) return ImGuiTabBarFlags_None;
+  const float room = ImGui::GetContentRegionAvail().x;
+  if (width <= room) return ImGuiTabBarFlags_None;
+  if (width <= kMostTabsOfRoom * room) return ImGuiTabBarFlags_FittingPolicyResizeDown;
   return ImGuiTabBarFlags_FittingPolicyScroll | ImGuiTabBarFlags_TabListPopupButton |
          ImGuiTabBarFlags_NoTabListScrollingButtons;
 }
