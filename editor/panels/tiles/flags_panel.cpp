@@ -21,6 +21,14 @@ constexpr float kFlagRow = 20, kRowGap = 4, kMoreWidth = 20;  // px at scale 1
 // A cart has no more flags. Those that it gets from its companion have lamps, too.
 bool has_lamps_to_add(const Level& level) { return level.cart == nullptr && shown_flags(level) < kMaxFlags; }
 
+// The ring of an unlit lamp; on light ground a tint is too pale.
+ImU32 ring_color(int flag) {
+  if (!theme::is_light()) return flag_color(flag, 200);
+  constexpr float kDarker = 0.6f;
+  const ImVec4 tint = ImGui::ColorConvertU32ToFloat4(flag_color(flag, 255));
+  return ImGui::GetColorU32({tint.x * kDarker, tint.y * kDarker, tint.z * kDarker, 1});
+}
+
 void draw_lamp_light(ImDrawList& list, ImVec2 centre, float radius, FlagLamp lamp, int flag) {
   const ImU32 unlit = theme::is_light() ? theme::tone(theme::kBackground) : theme::color(theme::kDark);
   list.AddCircleFilled(centre, radius, unlit, 20);
@@ -29,7 +37,7 @@ void draw_lamp_light(ImDrawList& list, ImVec2 centre, float radius, FlagLamp lam
     list.PathArcTo(centre, radius - 1, 1.5707963f, 4.7123890f, 12);
     list.PathFillConvex(flag_color(flag, 255));
   }
-  list.AddCircle(centre, radius, flag_color(flag, 200), 20);
+  list.AddCircle(centre, radius, ring_color(flag), 20);
 }
 
 std::string lamp_help(const Level& level, FlagLamp lamp, int flag) {
