@@ -140,7 +140,7 @@ constexpr Glyph kGlyphs[] = {
     {Icon::lock, 0xf023, "L"},         {Icon::unlock, 0xf09c, "U"},      {Icon::plus, 0xf067, "+"},
     {Icon::copy, 0xf24d, "++"},        {Icon::arrow_up, 0xf062, "^"},    {Icon::arrow_down, 0xf063, "v"},
     {Icon::merge_down, 0xf103, "_"},   {Icon::follow, 0xf05b, "+"},      {Icon::close, 0xf00d, "x"},
-    {Icon::folder, 0xf07b, "G"},       {Icon::hand, 0xf245, "^"},        {Icon::more, 0xf142, ":"},
+    {Icon::folder, 0xf07b, "G"},       {Icon::hand, 0xf25a, "^"},        {Icon::more, 0xf142, ":"},
 };
 
 const Glyph* find_glyph(Icon icon) {
