@@ -49,13 +49,31 @@ void draw_frames(const BodyPicture& picture, BodyAct act, const Level& level, Ui
   }
 }
 
+// The heading, which folds what is below it. is_wanted: else it is folded at first. Returns whether that is
+// shown.
+bool draw_folding_heading(bool is_wanted, Ui& ui) {
+  const auto& fonts = ImGui::GetIO().Fonts->Fonts;
+  const bool has_bold = fonts.Size > kBoldFont;
+  if (has_bold) ImGui::PushFont(fonts[kBoldFont]);
+  ImGui::PushID(is_wanted ? 1 : 0);  // each has a state of its own
+  const bool is_open = ImGui::TreeNodeEx(
+      "Picture", ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth |
+                     (is_wanted ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None));
+  ImGui::PopID();
+  if (has_bold) ImGui::PopFont();
+  ui.item("inspector/picture");
+  return is_open;
+}
+
 }  // namespace
 
 void BodyPictureFields::draw(const Session& session, int index, Actions& actions, Ui& ui) {
-  ui.heading("Picture");
+  const Spawn spawn = spawn_of(session, index);
+  const bool is_wanted = traits_of(spawn.kind).takes_keys || !spawn.picture.empty();
+  if (!draw_folding_heading(is_wanted, ui)) return;
   ui.begin_row();
   for (int act = 0; act < kBodyActs; ++act) draw_act(static_cast<BodyAct>(act), session, index, actions, ui);
-  if (!spawn_of(session, index).picture.empty()) draw_frame(session, index, actions, ui);
+  if (!spawn.picture.empty()) draw_frame(session, index, actions, ui);
   ui.end_row();
 }
 

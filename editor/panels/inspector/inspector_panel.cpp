@@ -128,7 +128,8 @@ void draw_body_row(const char* label, const char* unit, Vec2 v, const NumberMenu
   ImGui::PopID();
 }
 
-void draw_body(const Body& body, const NumberMenu& menu, Ui& ui) {
+// has_form: a form with its size follows.
+void draw_body(const Body& body, bool has_form, const NumberMenu& menu, Ui& ui) {
   if (!ImGui::BeginTable("body", 4, ImGuiTableFlags_SizingFixedFit)) return;
   ImGui::TableSetupColumn("");
   ImGui::TableSetupColumn("x", ImGuiTableColumnFlags_WidthFixed, ui.px(72));
@@ -141,7 +142,7 @@ void draw_body(const Body& body, const NumberMenu& menu, Ui& ui) {
   ui.right_aligned("y", theme::tone(theme::kMuted));
   draw_body_row("position", "px", body.box.position(), menu, "x", "y", ui);
   draw_body_row("velocity", "px/frame", body.velocity, menu, "vx", "vy", ui);
-  draw_body_row("size", "px", {body.box.w, body.box.h}, menu, "w", "h", ui);
+  if (!has_form) draw_body_row("size", "px", {body.box.w, body.box.h}, menu, "w", "h", ui);
   ImGui::EndTable();
 }
 
@@ -286,7 +287,7 @@ void InspectorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
                                           std::to_string(body->origin.cell.y) + ")";
   if (session.state().grabbed == body->id && session.playback().input.mouse_down) name += ", held";
   draw_text(name);
-  draw_body(*body, {session, actions, body->id}, ui);
+  draw_body(*body, spawn >= 0, {session, actions, body->id}, ui);
   if (spawn >= 0) spawn_.draw(session, spawn, actions, ui);
   ImGui::Spacing();
   if (session.state().frame == 0) {
