@@ -302,6 +302,18 @@ TEST_F(UiKeys, TooltipOfABarStaysAboveTheBars) {
   }
 }
 
+TEST_F(UiKeys, TooltipOfAMenuStaysBesideIt) {
+  start();
+  click("menu/File");
+  frames(2);
+  const Widget entry = *find("menu/export_as");
+  move({(entry.min.x + entry.max.x) / 2, entry.min.y - (entry.max.y - entry.min.y)});  // the entry above it
+  frames(60);
+  const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
+  ASSERT_TRUE(tooltip != nullptr && tooltip->Active);
+  EXPECT_GE(tooltip->Rect().Min.x, entry.max.x);
+}
+
 TEST_F(UiKeys, NoTooltipInADialog) {
   start();
   key(ctrl('o'));

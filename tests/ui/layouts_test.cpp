@@ -99,6 +99,33 @@ TEST_F(UiLayouts, TheCanvasCanBeAlone) {
   EXPECT_NE(find("sheet/tiles"), nullptr);
 }
 
+TEST_F(UiLayouts, TheMouseFindsTheWayBackToThePanels) {
+  start();
+  key(ctrl(' '));
+  move({640, 400});
+  frames(2);
+  EXPECT_NE(find("alone/back"), nullptr) << "at first it is shown";
+  frames(5 * 60);
+  EXPECT_EQ(find("alone/back"), nullptr);
+  move({100, 10});
+  frames(2);
+  click("alone/back");
+  frames(2);
+  EXPECT_NE(find("menu/File"), nullptr);
+}
+
+TEST_F(UiLayouts, AColumnThatOpensKeepsTheZoom) {
+  start();
+  key(alt('.'));
+  frames(3);
+  const auto zoom = [&] { return on_canvas("play", {108, 0}).x - on_canvas("play", {100, 0}).x; };
+  const double before = zoom(), width = width_of("play/canvas");
+  app().ui().ask(request::ShowTab(panel_id::kLayers));
+  frames(5);
+  EXPECT_LT(width_of("play/canvas"), width - 100);
+  EXPECT_EQ(zoom(), before);
+}
+
 TEST_F(UiLayouts, AColumnOpensForThePanelThatIsAskedFor) {
   start();
   key(alt(','));
