@@ -82,12 +82,12 @@ function Walk:beyond_end(ended, box, rise)
 end
 
 -- The floor a little further on, so that of two pieces that meet at the foot the next one is found. A foot that is a
--- point goes over a gap of up to LIP, as the flat bottom of a box does.
-function Walk:look_ahead(box, reach)
+-- point goes over a gap, of up to LIP if it is not given, as the flat bottom of a box does.
+function Walk:look_ahead(box, reach, gap)
   local step = max(AHEAD, 2 * Walk.slack(box))
   local on = self:floor_at(box, reach, step)
   local is_point = box.centre or box.w == 0
-  return (on or not is_point) and on or self:floor_at(box, reach, step + LIP)
+  return (on or not is_point) and on or self:floor_at(box, reach, step + (gap or LIP))
 end
 
 -- The floor `step` px further on.
@@ -349,7 +349,8 @@ function Walk:floor_leads_over(box, spot_x, spot_y, fall, beyond)
   for i = 1, UNDER do
     if point.x == spot_x then break end
     local falls = i == 1 and fall > 0
-    local on = under:look_ahead(point, falls and fall or 1.0)
+    -- A middle that is just before a floor is not on it.
+    local on = under:look_ahead(point, falls and fall or 1.0, i == 1 and 0.0 or LIP)
     if not on then return false end
     local x, y = Walk.place_on(on, point, point.x)
     if falls then point.y = y end

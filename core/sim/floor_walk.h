@@ -300,12 +300,13 @@ class FloorWalk {
   }
 
   // The floor is looked for a little further on, so that of two pieces that meet at the foot the next one is
-  // found. A foot that is a point goes over a gap of up to kMostLip, as the flat bottom of a box does.
-  std::optional<FloorAhead<Real>> look_ahead(const Moving<Real>& body, Real reach) const {
+  // found. A foot that is a point goes over a gap, as the flat bottom of a box does.
+  std::optional<FloorAhead<Real>> look_ahead(const Moving<Real>& body, Real reach,
+                                             Real gap = Real(kMostLip)) const {
     const Real step = std::max<Real>(Real(kFloorStep), 2 * rounding_slack<Real>({body.box, {}, body.foot}));
     const auto floor = floor_at(body, reach, step);
     const bool is_point = body.foot == Foot::centre || body.box.w == 0;
-    return floor || !is_point ? floor : floor_at(body, reach, step + Real(kMostLip));
+    return floor || !is_point ? floor : floor_at(body, reach, step + gap);
   }
   // The floor `step` px further on.
   std::optional<FloorAhead<Real>> floor_at(const Moving<Real>& body, Real reach, Real step) const {
@@ -474,7 +475,9 @@ class FloorWalk {
     FloorWalk walk(ground_, {}, direction, steepest_, budget_);
     for (int i = 0; i < kMostPiecesUnder && point.box.x != spot.x; ++i) {
       const bool falls = i == 0 && fall > 0;
-      const auto floor = walk.look_ahead(point, falls ? fall : 1);
+      // A middle that is just before a floor is not on it.
+      const Real gap = i == 0 ? 0 : Real(kMostLip);
+      const auto floor = walk.look_ahead(point, falls ? fall : 1, gap);
       if (!floor) return false;
       const Vec place = walk.place_on(*floor, point.box, point.box.x, point.foot);
       if (falls) point.box.y = place.y;
