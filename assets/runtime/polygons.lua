@@ -332,7 +332,9 @@ local function strip_at(terrain, column, row)
     local tile = terrain:outline(column, y)
     if tile and tile.full then bodies[#bodies + 1] = new_body(terrain, tile.columns[0][1], column, y, true) end
   end
-  for y = row - terrain.touched_bottom, row - terrain.touched_top do
+  -- What reaches over the map's left or right side is no ground.
+  local last = column >= 0 and column < terrain.width and row - terrain.touched_top or -huge
+  for y = row - terrain.touched_bottom, last do
     for x = column - terrain.touched_right + 1, column - terrain.touched_left - 1 do
       local tile = terrain:outline(x, y)
       if tile and tile.line and row >= y + tile.top and row <= y + tile.bottom then

@@ -188,7 +188,9 @@ local function strip_at(terrain, column, row)
     local tile = terrain:outline(column, y)
     if tile and tile.full then bodies[#bodies + 1] = new_body(terrain, tile, column, y, column) end
   end
-  for y = row - terrain.touched_bottom, row - terrain.touched_top do
+  -- What reaches over the map's left or right side is no ground.
+  local last = column >= 0 and column < terrain.width and row - terrain.touched_top or -huge
+  for y = row - terrain.touched_bottom, last do
     for x = column - terrain.touched_right + 1, column do
       local tile = terrain:outline(x, y)
       if tile and tile.line and column - x < tile.width and row >= y + tile.top

@@ -62,8 +62,9 @@ void OutlineCompiler::note_lines(std::array<Cell, 2> area) {
       const TileOutline& shape = **next++;
       if (!shape.line) continue;
       lines_.emplace_back(c, &shape);
-      const int first = std::max(c.x + shape.first_column, first_column_);
-      const int last = std::min(c.x + shape.first_column + shape.width() - 1, area[1].x + 1);
+      // What reaches over the map's left or right side is no ground.
+      const int first = std::max({c.x + shape.first_column, first_column_, 0});
+      const int last = std::min({c.x + shape.first_column + shape.width() - 1, area[1].x + 1, width_ - 1});
       for (int column = first; column <= last; ++column) {
         std::vector<Part>& parts = parts_of_columns_[static_cast<std::size_t>(column - first_column_)];
         for (const TileColumn& part : shape.in_column(column - c.x))
