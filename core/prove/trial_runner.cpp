@@ -23,7 +23,9 @@ constexpr int kDropRows = 2;            // cells above its floor from which a bo
 constexpr int kMostDropRows = 12;       // the same between steep sides
 constexpr double kSlowWay = 1;          // px; the slowest body goes so far, over a joint
 
-int cells_of(double px, int tile) { return std::min(kMostReach, 1 + static_cast<int>(std::ceil(px / tile))); }
+int cells_of(double px, int tile) {
+  return 1 + static_cast<int>(std::ceil(std::min(px / tile, kMostReach - 1.0)));
+}
 
 Cell cell_at(Vec2 place, const RawGround& ground) {
   const TileSize tile = ground.tile_size();

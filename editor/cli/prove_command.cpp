@@ -23,6 +23,7 @@ struct ProveCommand {
   bool json = false;
 };
 
+constexpr double kLeastLip = 0.01, kMostLipAsked = 256;       // px
 constexpr std::string_view kFootWords[] = {"box", "centre"};  // by Foot
 
 // The number that the text begins with, which is then without it; nothing if there is none.
@@ -55,6 +56,13 @@ std::optional<ProveBody> body_of(std::string_view text) {
     if (text == ":" + std::string(kFootWords[static_cast<std::size_t>(foot)])) return body;
   }
   return std::nullopt;
+}
+
+// Also "nan" is no number between two others.
+std::string check_lip(const std::string& given) {
+  std::string_view text = given;
+  const auto px = take_number(text);
+  return px && text.empty() && *px >= kLeastLip && *px <= kMostLipAsked ? "" : "must be 0.01 to 256 px";
 }
 
 nlohmann::ordered_json json_of(const ProveBody& body) {
@@ -155,7 +163,7 @@ void add_prove_command(CLI::App& program, CommandContext& context) {
       ->expected(1, static_cast<int>(kMostBodies));
   command
       ->add_option("--lip", options->lip, "Higher edges are meant as walls, px; default: a quarter of a tile")
-      ->check(CLI::Range(0.01, 256.0));
+      ->check(check_lip, "0.01 to 256");
   command
       ->add_option("--threads", options->threads, "Default: one for each processor; the answer is the same")
       ->check(CLI::Range(1, 256));

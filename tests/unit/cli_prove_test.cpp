@@ -78,4 +78,13 @@ TEST(CliProve, RefusesBodiesThatAreNone) {
   }
 }
 
+TEST(CliProve, RefusesALipThatIsNone) {
+  for (const char* lip : {"nan", "inf", "0", "-1", "257", "1px", ""}) {
+    const CliAnswer answer = cli_answer({"prove", kStep, "--lip", lip});
+    EXPECT_EQ(answer.status, 2) << lip;
+    EXPECT_THAT(answer.err, HasSubstr("must be 0.01 to 256 px")) << lip;
+  }
+  EXPECT_NE(cli_answer({"prove", kStep, "--lip", "0.01"}).status, 2);
+}
+
 }  // namespace talus::cli_prove_test

@@ -72,6 +72,14 @@ struct Planted {
   int column;  // of the higher ground
 };
 
+TEST(Prove, AnswersForAGravityOfAlmostNothing) {
+  for (const double gravity : {1e-12, 1e-100, 1e-300}) {
+    Scenery flat;
+    flat.level.tuning.player.gravity = gravity;
+    EXPECT_EQ(text_of(flat.proof()), "") << gravity;
+  }
+}
+
 TEST(Prove, FindsPlantedEdges) {
   const Planted all[] = {
       {"two slopes that do not meet", {slope(0, 4), slope(4.5, 8)}, "lip", 9},
