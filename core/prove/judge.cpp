@@ -57,6 +57,7 @@ Judge::Judge(const RawGround& ground, const Tuning& tuning, double lip)
 
 std::optional<Verdict> Judge::judge(const Body& before, const Body& after, const Input& input,
                                     const StepRecord& record) const {
+  if (!ground_.has_row_at(fine_box(after.box).y1 - weld_)) return std::nullopt;
   if (!is_free(after.box, after.foot, Corners::in_any_floor) &&
       is_free(before.box, before.foot, Corners::in_any_floor))
     return Verdict{FindingKind::inside};
@@ -403,6 +404,8 @@ bool Judge::floor_goes_on(const Body& before, const Body& after, int direction) 
     const FineBox there = to.moved(0, y - to.y1);
     return !has_floor_above(there, after.foot, kFinePx + std::abs(to.x0 - from.x0));
   };
+  // A body that just touches two ends, and has not moved, is on no floor.
+  if (before.box.x == after.box.x && !has_floor_at_foot(after, Under::middle_of_slopes)) return false;
   if (before.foot == Foot::centre)
     return leads(from.middle(), to.middle()) && !was_on_end_behind(from.middle(), to, direction);
   return leads(from.x0, to.x0) || leads(from.x1, to.x1);

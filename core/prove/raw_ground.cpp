@@ -228,12 +228,41 @@ void RawGround::add_shape(const TileShape& shape) {
 }
 
 // Where a curve runs at an x is computed as the solvers do; everything else about it is not.
+// The part of a line between the map's upper and lower edge, beyond which nothing stops bodies.
+std::optional<RawLine> RawGround::between_edges(const RawLine& line) const {
+  const Fine lowest = height_ * tile_height_;
+  const auto is_on_map = [&](Fine y) { return y >= 0 && y <= lowest; };
+  if (is_on_map(line.y0) && is_on_map(line.y1)) return line;
+  if (std::max(line.y0, line.y1) < 0 || std::min(line.y0, line.y1) > lowest) return std::nullopt;
+  if (line.x0 == line.x1)
+    return RawLine{line.x0, std::clamp<Fine>(line.y0, 0, lowest), line.x1,
+                   std::clamp<Fine>(line.y1, 0, lowest), nullptr};
+  const bool falls = line.y0 < line.y1;
+  // Where it comes from an end to the edge beyond which that end is.
+  const auto cut = [&](Fine from, Fine to, Fine edge, bool begins_above) {
+    while (std::abs(to - from) > 1) {
+      const Fine middle = from + (to - from) / 2;
+      (begins_above == (line.at(middle) < edge) ? from : to) = middle;
+    }
+    return to;
+  };
+  RawLine on_map = line;
+  if (!is_on_map(line.y0)) on_map.x0 = cut(line.x0, line.x1, falls ? 0 : lowest, falls);
+  if (!is_on_map(line.y1)) on_map.x1 = cut(line.x1, line.x0, falls ? lowest : 0, !falls);
+  on_map.y0 = std::clamp<Fine>(line.at(on_map.x0), 0, lowest);
+  on_map.y1 = std::clamp<Fine>(line.at(on_map.x1), 0, lowest);
+  return on_map;
+}
+
 void RawGround::add_curves(std::span<const Curve> curves) {
   if (curves.empty()) return;
   CurveOutline outline = cut_curves(curves);
   stretches_ = std::make_shared<const std::vector<CurveStretch<double>>>(std::move(outline.stretches));
   curves_in_.resize(static_cast<std::size_t>(width_));
-  const auto add = [&](const RawPart& part) {
+  const auto add = [&](RawPart part) {
+    const auto line = between_edges(part.top);
+    if (!line) return;
+    part.top = part.bottom = *line;
     const int from = std::clamp(column_of(part.top.x0), 0, width_ - 1);
     const int to = std::clamp(column_of(part.top.x1), 0, width_ - 1);
     for (int column = from; column <= to; ++column)

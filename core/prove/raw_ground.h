@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -100,6 +101,8 @@ class RawGround {
     return !curves_.empty() && !for_curves(area, [&](const RawPart& part) { return !touches(part, area); });
   }
 
+  // Whether there may be ground at that y.
+  bool has_row_at(Fine y) const { return y >= 0 && y <= height_ * tile_height_; }
   bool is_solid_at(Fine x, Fine y) const {
     const FineBox point{x - 1, y - 1, x + 1, y + 1};
     return !for_parts(
@@ -177,6 +180,7 @@ class RawGround {
     return true;
   }
   void add_shape(const TileShape& shape);
+  std::optional<RawLine> between_edges(const RawLine& line) const;
   void add_curves(std::span<const Curve> curves);
 
   int width_, height_;  // cells
