@@ -19,7 +19,7 @@ struct WindowOptions {
   std::string title = "Talus";
   // px of the screen, at most the size of the display; 0: most of the display, or 1280x720 without one
   int width = 0, height = 0;
-  bool offscreen = false;     // without any display, by SDL's driver of that name
+  bool offscreen = false;  // without any display, by SDL's driver of that name
 };
 
 struct WindowStyle {
