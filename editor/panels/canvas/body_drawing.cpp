@@ -42,15 +42,6 @@ void draw_figure(ImDrawList& list, ImVec2 from, ImVec2 to, Foot foot, int alpha)
                      theme::color(theme::kText, alpha));
 }
 
-void draw_ball(ImDrawList& list, ImVec2 from, ImVec2 to, int alpha) {
-  const ImVec2 centre{(from.x + to.x) / 2, (from.y + to.y) / 2};
-  const float radius = (to.x - from.x) / 2, gleam = radius * 0.35f;
-  list.AddCircleFilled(centre, radius, theme::color(theme::kWarning, alpha));
-  list.AddCircle(centre, radius, theme::color(theme::kDark, alpha));
-  list.AddCircleFilled({centre.x - gleam, centre.y - gleam}, radius * 0.25f,
-                       theme::color(theme::kText, alpha));
-}
-
 BodyDrawing::BodyDrawing(const Level& level, std::int64_t step)
     : level_(level), step_(step), layers_(ground_layers(level)), first_ball_(first_ball_tile(level)) {}
 
@@ -91,7 +82,8 @@ void BodyDrawing::draw(ImDrawList& list, const Body& body, bool looks_left, cons
     const UvRect uv = ui.uv_of(tile);
     list.AddImage(ui.clear_sheet(SheetId::tiles), from, to, uv.from, uv.to, IM_COL32(255, 255, 255, alpha));
   } else {
-    draw_ball(list, from, to, alpha);
+    list.AddCircleFilled({(from.x + to.x) / 2, (from.y + to.y) / 2}, (to.x - from.x) / 2,
+                         theme::color(theme::kText, alpha));
   }
 }
 

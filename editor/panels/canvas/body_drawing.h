@@ -13,8 +13,6 @@ const BodyPicture* picture_of_body(const Level& level, const Body& body);
 // A box with a face, and its foot: the whole bottom side, or the middle of it. from, to: px of the screen.
 // `alpha`: 0 to 255.
 void draw_figure(ImDrawList& list, ImVec2 from, ImVec2 to, Foot foot, int alpha);
-// A ball as wide as the box, for one without a picture. The same parameters.
-void draw_ball(ImDrawList& list, ImVec2 from, ImVec2 to, int alpha);
 
 // Where a picture is drawn: its frame stands on the bottom of the box.
 Rect place_of_picture(const BodyPicture& picture, const Rect& box, TileSize tile);

@@ -107,7 +107,8 @@ void LevelPreview::draw_body(const BodyDrawing& drawing, const Body& body, const
     const Cell place = level_.sheet(SheetId::tiles).layout().place_of(tile);
     return list.AddImage(ui.small_pictures->texture(image_of({place.x, place.y, 1, 1})), from, to);
   }
-  draw_ball(list, from, to, 255);
+  list.AddCircleFilled({(from.x + to.x) / 2, (from.y + to.y) / 2}, (to.x - from.x) / 2,
+                       theme::color(theme::kText));
 }
 
 void LevelPreview::draw(ImVec2 min, ImVec2 max, Ui& ui) const {
