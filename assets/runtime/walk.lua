@@ -352,10 +352,12 @@ function Walk:floor_leads_over(box, spot_x, spot_y, fall, beyond)
     -- A middle that is just before a floor is not on it.
     local on = under:look_ahead(point, falls and fall or 1.0, i == 1 and 0.0 or LIP)
     if not on then return false end
-    local x, y = Walk.place_on(on, point, point.x)
-    if falls then point.y = y end
-    -- The body may be far below a curve, on a chord of it.
-    if i == 1 and not Walk.is_straight(on) and self:is_in_ground(x, y + point.h) then return false end
+    if i == 1 then
+      local x, y = Walk.place_on(on, point, point.x)
+      if falls then point.y = y end
+      -- The body may be far below a curve, on a chord of it.
+      if not Walk.is_straight(on) and self:is_in_ground(x, y + point.h) then return false end
+    end
     local goal_x, goal_y = under:goal_on(on, point, spot_x - point.x)
     if goal_x == point.x then return false end
     local further_x, further_y = under:goal_on(on, point, spot_x + direction * beyond - point.x)

@@ -479,10 +479,12 @@ class FloorWalk {
       const Real gap = i == 0 ? 0 : Real(kMostLip);
       const auto floor = walk.look_ahead(point, falls ? fall : 1, gap);
       if (!floor) return false;
-      const Vec place = walk.place_on(*floor, point.box, point.box.x, point.foot);
-      if (falls) point.box.y = place.y;
-      // The body may be far below a curve, on a chord of it.
-      if (i == 0 && !is_straight(*floor) && is_in_ground({place.x, place.y + point.box.h})) return false;
+      if (i == 0) {
+        const Vec place = walk.place_on(*floor, point.box, point.box.x, point.foot);
+        if (falls) point.box.y = place.y;
+        // The body may be far below a curve, on a chord of it.
+        if (!is_straight(*floor) && is_in_ground({place.x, place.y + point.box.h})) return false;
+      }
       Vec goal = walk.goal_on(*floor, point.box, spot.x - point.box.x, point.foot);
       if (goal.x == point.box.x) return false;
       const Real further = spot.x + direction * beyond - point.box.x;
