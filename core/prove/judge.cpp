@@ -57,6 +57,7 @@ Judge::Judge(const RawGround& ground, const Tuning& tuning, double lip)
 
 std::optional<Verdict> Judge::judge(const Body& before, const Body& after, const Input& input,
                                     const StepRecord& record) const {
+  // Where its foot is beyond the map, there is no ground to judge it by.
   if (!ground_.has_row_at(fine_box(after.box).y1 - weld_)) return std::nullopt;
   if (!is_free(after.box, after.foot, Corners::in_any_floor) &&
       is_free(before.box, before.foot, Corners::in_any_floor))

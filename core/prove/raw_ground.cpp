@@ -227,12 +227,10 @@ void RawGround::add_shape(const TileShape& shape) {
   }
 }
 
-// Where a curve runs at an x is computed as the solvers do; everything else about it is not.
 // The part of a line between the map's upper and lower edge, beyond which nothing stops bodies.
 std::optional<RawLine> RawGround::between_edges(const RawLine& line) const {
   const Fine lowest = height_ * tile_height_;
-  const auto is_on_map = [&](Fine y) { return y >= 0 && y <= lowest; };
-  if (is_on_map(line.y0) && is_on_map(line.y1)) return line;
+  if (has_row_at(line.y0) && has_row_at(line.y1)) return line;
   if (std::max(line.y0, line.y1) < 0 || std::min(line.y0, line.y1) > lowest) return std::nullopt;
   if (line.x0 == line.x1)
     return RawLine{line.x0, std::clamp<Fine>(line.y0, 0, lowest), line.x1,
@@ -246,14 +244,15 @@ std::optional<RawLine> RawGround::between_edges(const RawLine& line) const {
     }
     return to;
   };
-  RawLine on_map = line;
-  if (!is_on_map(line.y0)) on_map.x0 = cut(line.x0, line.x1, falls ? 0 : lowest, falls);
-  if (!is_on_map(line.y1)) on_map.x1 = cut(line.x1, line.x0, falls ? lowest : 0, !falls);
-  on_map.y0 = std::clamp<Fine>(line.at(on_map.x0), 0, lowest);
-  on_map.y1 = std::clamp<Fine>(line.at(on_map.x1), 0, lowest);
-  return on_map;
+  RawLine between = line;
+  if (!has_row_at(line.y0)) between.x0 = cut(line.x0, line.x1, falls ? 0 : lowest, falls);
+  if (!has_row_at(line.y1)) between.x1 = cut(line.x1, line.x0, falls ? lowest : 0, !falls);
+  between.y0 = std::clamp<Fine>(line.at(between.x0), 0, lowest);
+  between.y1 = std::clamp<Fine>(line.at(between.x1), 0, lowest);
+  return between;
 }
 
+// Where a curve runs at an x is computed as the solvers do; everything else about it is not.
 void RawGround::add_curves(std::span<const Curve> curves) {
   if (curves.empty()) return;
   CurveOutline outline = cut_curves(curves);

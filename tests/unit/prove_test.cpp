@@ -65,13 +65,6 @@ TEST(Prove, FindsNothingOnAGoodHill) {
   }
 }
 
-struct Planted {
-  const char* what;
-  std::vector<TileShape> shapes;  // in row 11, from column 8 on
-  const char* found;
-  int column;  // of the higher ground
-};
-
 TEST(Prove, AnswersForAGravityOfAlmostNothing) {
   for (const double gravity : {1e-12, 1e-100, 1e-300}) {
     Scenery flat;
@@ -79,6 +72,13 @@ TEST(Prove, AnswersForAGravityOfAlmostNothing) {
     EXPECT_EQ(text_of(flat.proof()), "") << gravity;
   }
 }
+
+struct Planted {
+  const char* what;
+  std::vector<TileShape> shapes;  // in row 11, from column 8 on
+  const char* found;
+  int column;  // of the higher ground
+};
 
 TEST(Prove, FindsPlantedEdges) {
   const Planted all[] = {
