@@ -327,14 +327,16 @@ local function cuts_of(bodies, left, right)
 end
 
 local function strip_at(terrain, column, row)
+  -- What reaches over the map's left or right side is no ground.
+  if column < 0 or column >= terrain.width then
+    return {column = column, bodies = {}, cuts = {}, left = {}, right = {}}
+  end
   local bodies = {}
   for y = row - 1, row + 1 do
     local tile = terrain:outline(column, y)
     if tile and tile.full then bodies[#bodies + 1] = new_body(terrain, tile.columns[0][1], column, y, true) end
   end
-  -- What reaches over the map's left or right side is no ground.
-  local last = column >= 0 and column < terrain.width and row - terrain.touched_top or -huge
-  for y = row - terrain.touched_bottom, last do
+  for y = row - terrain.touched_bottom, row - terrain.touched_top do
     for x = column - terrain.touched_right + 1, column - terrain.touched_left - 1 do
       local tile = terrain:outline(x, y)
       if tile and tile.line and row >= y + tile.top and row <= y + tile.bottom then

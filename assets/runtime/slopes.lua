@@ -183,14 +183,16 @@ local function covers_of(bodies, left)
 end
 
 local function strip_at(terrain, column, row)
+  -- What reaches over the map's left or right side is no ground.
+  if column < 0 or column >= terrain.width then
+    return {column = column, bodies = {}, left = {}, right = {}}
+  end
   local bodies = {}
   for y = row - 1, row + 1 do
     local tile = terrain:outline(column, y)
     if tile and tile.full then bodies[#bodies + 1] = new_body(terrain, tile, column, y, column) end
   end
-  -- What reaches over the map's left or right side is no ground.
-  local last = column >= 0 and column < terrain.width and row - terrain.touched_top or -huge
-  for y = row - terrain.touched_bottom, last do
+  for y = row - terrain.touched_bottom, row - terrain.touched_top do
     for x = column - terrain.touched_right + 1, column do
       local tile = terrain:outline(x, y)
       if tile and tile.line and column - x < tile.width and row >= y + tile.top

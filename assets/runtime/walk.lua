@@ -360,8 +360,9 @@ function Walk:floor_leads_over(box, spot_x, spot_y, fall, beyond)
     end
     local goal_x, goal_y = under:goal_on(on, point, spot_x - point.x)
     if goal_x == point.x then return false end
-    local further_x, further_y = under:goal_on(on, point, spot_x + direction * beyond - point.x)
-    if under:leads_into_ground(on, point, further_x, further_y) then return false end
+    local ahead_x, ahead_y = goal_x, goal_y
+    if beyond > 0 then ahead_x, ahead_y = under:goal_on(on, point, spot_x + direction * beyond - point.x) end
+    if under:leads_into_ground(on, point, ahead_x, ahead_y) then return false end
     -- Another floor may cross it, further on or just here.
     local met = under:cast_to(on, point, goal_x, goal_y)
     if met and met.facing == UP then

@@ -488,8 +488,8 @@ class FloorWalk {
       Vec goal = walk.goal_on(*floor, point.box, spot.x - point.box.x, point.foot);
       if (goal.x == point.box.x) return false;
       const Real further = spot.x + direction * beyond - point.box.x;
-      if (walk.leads_into_ground(*floor, point.box, walk.goal_on(*floor, point.box, further, point.foot)))
-        return false;
+      const Vec ahead = beyond > 0 ? walk.goal_on(*floor, point.box, further, point.foot) : goal;
+      if (walk.leads_into_ground(*floor, point.box, ahead)) return false;
       // Another floor may cross it, further on or just here.
       const Contact<Real> met = walk.cast_to(*floor, point, goal);
       if (met && met.facing == Facing::up) {
