@@ -402,7 +402,8 @@ TEST(Prove, TheHardCasesHaveNoFindingOfTheExactSolver) {
 // Random levels in which a body stopped, sank or floated, without what does not matter to that.
 TEST(Prove, HasNoFindingOfTheSolverWhereItOnceHadOne) {
   int levels = 0;
-  for (const auto& file : std::filesystem::directory_iterator(source_path("tests/prove"))) {
+  for (const auto& file : std::filesystem::recursive_directory_iterator(source_path("tests/prove"))) {
+    if (!file.is_regular_file()) continue;
     const auto level = load_level(file.path().string());
     ASSERT_TRUE(level) << file.path();
     const Proof proof = *prove(ProveScene(level->level, {}), 1);
