@@ -51,11 +51,14 @@ local function meet(world, body, box, contact, x, y)
   return slide_along(nx, ny, rest_x, rest_y)
 end
 
--- The level ground straight below, within `reach`.
+-- The y on the level ground straight below, within `reach`, or at the foot of something too steep.
 local function floor_under(world, body, box, reach)
-  local found = cast_box(world.terrain, box.x, box.y, box.w, box.h, 0.0, reach, box.centre,
-                         world:others(body, box, 0.0, reach))
-  return found and is_level(found, world.tuning.steepest) and found or nil
+  local others, steepest = world:others(body, box, 0.0, reach), world.tuning.steepest
+  local found = cast_box(world.terrain, box.x, box.y, box.w, box.h, 0.0, reach, box.centre, others)
+  if not found or is_level(found, steepest) then return found and found.y end
+  local on = cast_box(world.terrain, box.x, box.y, box.w, box.h, 0.0, reach, box.centre, others,
+                      found.edge and (found.edge.source or found.edge))
+  return on and is_level(on, steepest) and on.y - found.y <= Walk.settled(box) and found.y or nil
 end
 
 -- Whether a body lies on two sides that are too steep to stand on, but hold it up together. Puts it on them.
@@ -91,9 +94,9 @@ local function run(world, body, box, input)
   if held and y > 0 then return stand(body, box) end
   if box.landed then stand(body, box) end
   if not body.grounded then return end
-  local ground_below = floor_under(world, body, box, reach_down(n, box.x - start))
-  if ground_below then
-    box.y = ground_below.y
+  local floor_y = floor_under(world, body, box, reach_down(n, box.x - start))
+  if floor_y then
+    box.y = floor_y
     stand(body, box)
   elseif walked and world:stands_between(body, box) then
     stand(body, box)

@@ -129,27 +129,28 @@ function Walk:goal_on(on, box, way)
 end
 
 -- Ends a floor where this line begins, if that is up to LIP above it.
-function Walk:end_below(on, box, line, front, slack)
+function Walk:end_below(on, box, line, foot, slack)
   local direction = self.direction
-  local x, y = line.x0 - front, line.y0
-  if direction < 0 then x, y = line.x1 - front, line.y1 end
+  local x, y = line.x0 - foot, line.y0
+  if direction < 0 then x, y = line.x1 - foot, line.y1 end
   if not ((x - box.x) * direction > 0 and (on.stop - x) * direction > 0) then return end
   local _, top = Walk.place_on(on, box, x)
   local height = top + box.h - y
   if height > slack and height <= LIP + slack then on.stop = x end
 end
 
--- Ends a floor where the bottom of a box on its way to a goal comes below a one-way line that begins up to LIP
--- higher: such a line has no side that the box could meet. Returns the goal, or that end.
+-- Ends a floor where the foot of a body on its way to a goal comes below a one-way line that begins up to LIP
+-- higher: such a line has no side that the body could meet. Returns the goal, or that end.
 function Walk:goal_before_line(on, box, goal_x, goal_y)
-  if box.centre or not self.terrain:has_pieces() then return goal_x, goal_y end
-  local slack, front = Walk.settled(box), self.direction > 0 and box.w or 0.0
+  if not self.terrain:has_pieces() then return goal_x, goal_y end
+  local slack, foot = Walk.settled(box), self.direction > 0 and box.w or 0.0
+  if box.centre then foot = box.w / 2 end
   local bottom = box.h - slack
   for row = floor((min(box.y, goal_y) + (bottom - LIP)) / TILE_H), floor((max(box.y, goal_y) + bottom) / TILE_H) do
-    for column = floor((min(box.x, goal_x) + front) / TILE_W), floor((max(box.x, goal_x) + front) / TILE_W) do
+    for column = floor((min(box.x, goal_x) + foot) / TILE_W), floor((max(box.x, goal_x) + foot) / TILE_W) do
       if self.terrain:is_detailed(column, row) then
         for _, line in ipairs(self.terrain:detail(column, row).pieces) do
-          if not line.solid and line.facing == UP then self:end_below(on, box, line, front, slack) end
+          if not line.solid and line.facing == UP then self:end_below(on, box, line, foot, slack) end
         end
       end
     end

@@ -27,6 +27,12 @@ struct Moving {
   Foot foot = Foot::box;
 };
 
+// px; a body so near to a surface is on it.
+template <class Real>
+Real settled(const Moving<Real>& body) {
+  return kSettledSlacks * rounding_slack<Real>({body.box, {}, body.foot});
+}
+
 template <class Real>
 Moving<Real> moved_to(Moving<Real> body, BasicVec2<Real> place) {
   body.box.x = place.x;
@@ -87,8 +93,7 @@ template <class Real>
                               Moving<Real>& body, const Contact<Real>& contact, CastBudget* budget) {
   if (contact.is_other || contact.normal.y != 0 || !ground.has_pieces()) return false;
   const Real top = top_of_side(ground, contact).y, rise = body.box.y + body.box.h - top;
-  const Real slack = kSettledSlacks * rounding_slack<Real>({body.box, {}, body.foot});
-  if (!(rise > 0) || rise > Real(kMostLip) + slack) return false;
+  if (!(rise > 0) || rise > Real(kMostLip) + settled(body)) return false;
   if (cast_box<Real>(ground, {body.box, {0, -rise}, body.foot}, others, nullptr, budget)) return false;
   body.box.y = top - body.box.h;
   return true;
@@ -314,7 +319,7 @@ class Mover {
   // Whether a body is at a place, but for rounding.
   static bool is_settled(const Moving<Real>& body, Vec place) {
     const Real off = std::abs(body.box.x - place.x) + std::abs(body.box.y - place.y);
-    return off <= kSettledSlacks * rounding_slack<Real>({body.box, {}, body.foot});
+    return off <= settled(body);
   }
 
   const BasicTerrain<Real>& terrain_;

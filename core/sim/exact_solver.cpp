@@ -288,15 +288,20 @@ class ExactSolver final : public Solver {
     return AfterContact::goes_on;
   }
 
-  // The level ground straight below, within `reach`.
+  // The level ground straight below, within `reach`, or at the foot of something too steep.
   Contact<Real> floor_under(const State& state, std::size_t index, const Moving<Real>& moving, Real reach) {
     if (budget_.left <= 0 || !gather(state, index, moving, {0, reach})) {
       note_cut_short();
       return {};
     }
-    Contact<Real> floor =
-        cast_box<Real>(ground_, {moving.box, {0, reach}, moving.foot}, others_, nullptr, &budget_);
-    if (floor && !is_level(floor, numbers_.steepest)) floor.t = std::numeric_limits<Real>::infinity();
+    const Cast<Real> down{moving.box, {0, reach}, moving.foot};
+    const Contact<Real> met = cast_box<Real>(ground_, down, others_, nullptr, &budget_);
+    if (!met || is_level(met, numbers_.steepest)) return met;
+    Contact<Real> floor = cast_box<Real>(ground_, down, others_, met.piece, &budget_);
+    const bool is_foot =
+        floor && is_level(floor, numbers_.steepest) && floor.position.y - met.position.y <= settled(moving);
+    if (!is_foot) return {};
+    floor.position.y = met.position.y;
     return floor;
   }
 

@@ -104,12 +104,12 @@ class FloorWalk {
     return {x, rest_on(*floor.contact.piece, ground_.stretches(), there, foot)};
   }
 
-  // Ends a floor where the bottom of a box on its way to a goal comes below a one-way line that begins up to
-  // kMostLip higher: such a line has no side that the box could meet. Returns the goal, or that end.
+  // Ends a floor where the foot of a body on its way to a goal comes below a one-way line that begins up to
+  // kMostLip higher: such a line has no side that the body could meet. Returns the goal, or that end.
   Vec goal_before_line(FloorAhead<Real>& floor, const Moving<Real>& body, Vec goal) const {
-    if (body.foot == Foot::centre || !ground_.has_one_way()) return goal;
+    if (!ground_.has_one_way()) return goal;
     const BasicRect<Real>& box = body.box;
-    const Real x = front_of(box), y = box.h - settled(body);
+    const Real x = foot_of(body), y = box.h - settled(body);
     const Vec from{std::min(box.x, goal.x), std::min(box.y, goal.y)};
     const Vec to{std::max(box.x, goal.x), std::max(box.y, goal.y)};
     const Cell first = cell_near(from + Vec{x, y - Real(kMostLip)}), last = cell_near(to + Vec{x, y});
@@ -266,8 +266,10 @@ class FloorWalk {
   Real sunk() const { return sunk_; }
 
  private:
-  // px, of the side of a box that goes first.
-  Real front_of(const BasicRect<Real>& box) const { return direction_ > 0 ? box.w : 0; }
+  // px from the left side of a body: its middle, or the side of a box that goes first.
+  Real foot_of(const Moving<Real>& body) const {
+    return body.foot == Foot::centre ? body.box.w / 2 : direction_ > 0 ? body.box.w : 0;
+  }
   // The terrain's cell that is nearest to a point.
   Cell cell_near(Vec point) const {
     const auto index = [](Real at, int side, int count) {
@@ -279,7 +281,7 @@ class FloorWalk {
   // Ends a floor where this line begins, if that is up to kMostLip above it.
   void end_below(FloorAhead<Real>& floor, const Moving<Real>& body, const Piece<Real>& line) const {
     const bool right = direction_ > 0;
-    const Real x = (right ? line.x0 : line.x1) - front_of(body.box);
+    const Real x = (right ? line.x0 : line.x1) - foot_of(body);
     if (!((x - body.box.x) * direction_ > 0 && (floor.end - x) * direction_ > 0)) return;
     const Real bottom = place_on(floor, body.box, x, body.foot).y + body.box.h;
     const Real height = bottom - (right ? line.y0 : line.y1), slack = settled(body);
@@ -292,11 +294,6 @@ class FloorWalk {
     if (contact.facing != Facing::up || !ground_.stretches()[contact.piece->stretch - 1].bends_down)
       return false;
     return -dot(contact.normal, motion) <= slack;
-  }
-
-  // px; a body so near to a floor is on it.
-  static Real settled(const Moving<Real>& body) {
-    return kSettledSlacks * rounding_slack<Real>({body.box, {}, body.foot});
   }
 
   // The floor is looked for a little further on, so that of two pieces that meet at the foot the next one is
