@@ -102,9 +102,19 @@ std::optional<Verdict> Judge::judge_walk(const Body& before, const Body& after, 
   const Ahead ahead = ahead_of(after, direction);
   if (ahead.way == Way::blocked) return std::nullopt;
   if (ahead.way == Way::lip) return lip_of(direction, ahead.edge);
+  if (!slows && moved >= most / std::hypot(1.0, steepest_on_curve(steepest)) - slack &&
+      has_landed_on_curve(before, after, direction))
+    return std::nullopt;
   if (rises_to_ceiling(fine_box(after.box), after.foot, direction)) return std::nullopt;
   if (moved >= least - slack) return Verdict{FindingKind::slows, most - after.velocity.x * direction};
   return Verdict{FindingKind::stops, least - moved};
+}
+
+// Whether a body has left its floor and come to a curve within a step: what lands on a curve goes its way
+// along the curve, not to the side.
+bool Judge::has_landed_on_curve(const Body& before, const Body& after, int direction) const {
+  return ground_.has_curve_in(hull(fine_box(before.box), fine_box(after.box))) &&
+         !floor_goes_on(before, after, direction);
 }
 
 // Whether the floor of a body leads just ahead, rising by hardly anything further on, to where a ceiling
@@ -241,7 +251,9 @@ bool Judge::is_stopped_before(const Body& before, const Body& after, int directi
 // jumps: it leaves its floor by a jump. Low edges there are found by those who walk.
 std::optional<Verdict> Judge::judge_contacts(const Body& before, const StepRecord& record, bool jumps) const {
   for (const ContactRecord& contact : record.contacts) {
-    const bool is_ground = contact.handled && !contact.overlaps && contact.other.body == 0;
+    // A curve that leaves the map may be met just beyond the edge, where there is no ground to judge it by.
+    const bool is_ground = contact.handled && !contact.overlaps && contact.other.body == 0 &&
+                           ground_.has_row_at(fine(contact.touch.y + before.box.h) - weld_);
     const bool is_placed = tuning_.solver == SolverKind::article && contact.slope.has_value();
     if (is_ground && !is_placed && !is_there(contact, before)) return Verdict{FindingKind::ghost};
     const bool is_exact = tuning_.solver == SolverKind::exact,
@@ -426,12 +438,14 @@ bool Judge::was_on_end_behind(Fine middle, const FineBox& box, int direction) co
 bool Judge::has_floor_at_foot(const Body& body, Under under) const {
   const FineBox box = fine_box(body.box), middle = box.middle_line();
   const bool by_middle = under == Under::middle_of_slopes && body.foot == Foot::centre;
-  return !ground_.for_parts({box.x0, box.y1 - weld_, box.x1, box.y1 + weld_}, [&](const RawPart& part) {
+  const FineBox around{box.x0 - weld_, box.y1 - weld_, box.x1 + weld_, box.y1 + weld_};
+  return !ground_.for_parts(around, [&](const RawPart& part) {
     if (!part.is_floor()) return true;
     const bool is_at_middle = by_middle && part.top.y0 != part.top.y1;
     const FineBox& foot = is_at_middle ? middle : box;
-    // What rolls beside a wall touches ground that is under another part of the wall.
-    const Fine least = under == Under::middle_of_slopes && !is_at_middle ? slack_ : 0;
+    // What rolls beside a wall touches ground that is under another part of the wall. What walks goes over
+    // gaps.
+    const Fine least = under == Under::corners ? -weld_ : is_at_middle ? 0 : slack_;
     if (part.top.x1 - foot.x0 < least || foot.x1 - part.top.x0 < least) return true;
     const auto [from, to] = shared_x(part, foot);
     return !(part.top.highest(from, to) <= box.y1 + weld_ && part.top.lowest(from, to) >= box.y1 - weld_);
@@ -480,7 +494,7 @@ bool Judge::passes(const FineBox& from, const FineBox& to, Foot foot, Fine floor
   return ground_.for_parts(hull(inner, goal), [&](const RawPart& part) {
     // Only the middle of a body on its centre meets a sloped line that it may stand on.
     if (foot == Foot::centre && part.kind == RawPart::Kind::floor && part.is_sloped())
-      return !part.stops(inner.middle_line(), goal.middle_line());
+      return !part.stops(inner.middle_line(), goal.middle_line()) && !ends_under(part.top, inner, goal);
     if (foot == Foot::centre && part.stops(inner.middle_line(), goal.middle_line())) return false;
     if (!part.stops(inner, goal)) return true;
     if (foot == Foot::box) return false;
@@ -488,6 +502,16 @@ bool Judge::passes(const FineBox& from, const FineBox& to, Foot foot, Fine floor
     const auto [x0, x1] = shared_x(part, to);
     return line->covers(part, x0, x1);
   });
+}
+
+// Whether a line, from which no floor goes on there, ends under the flat bottom of a body that stands on its
+// centre, and so keeps it from going down.
+bool Judge::ends_under(const RawLine& line, const FineBox& from, const FineBox& to) const {
+  const auto ends_at = [&](Fine x, Fine y, int direction) {
+    const bool is_beside = direction > 0 ? x > to.middle() && x < to.x1 : x > to.x0 && x < to.middle();
+    return is_beside && from.y1 <= y && to.y1 > y && !has_floor_to(x, y, direction);
+  };
+  return ends_at(line.x0, line.y0, 1) || ends_at(line.x1, line.y1, -1);
 }
 
 // Along a curve a body stops a little before it has no room, and a little beside the curve, as a step goes

@@ -59,6 +59,7 @@ class Judge {
   bool is_walker(const Body& body) const {
     return tuning_.solver == SolverKind::exact && traits_of(body.kind).takes_keys;
   }
+  bool has_landed_on_curve(const Body& before, const Body& after, int direction) const;
   bool rises_to_ceiling(const FineBox& box, Foot foot, int direction) const;
   bool leads_to(const Body& body, Fine x, Fine y, int direction) const;
   bool goes_under(const RawPart& part, const Body& body) const;
@@ -81,6 +82,7 @@ class Judge {
   bool passes(const FineBox& from, const FineBox& to, Foot foot) const {
     return passes(from, to, foot, to.y1);
   }
+  bool ends_under(const RawLine& line, const FineBox& from, const FineBox& to) const;
   bool stops_at(const FineBox& from, const FineBox& to) const;
   bool stops_middle(const FineBox& from, const FineBox& to) const;
   bool falls_through(const Body& before, const Body& after) const;

@@ -118,10 +118,17 @@ class RawGround {
     const int first_row = row_of(area.y0 - 1) - down_, last_row = row_of(area.y1) + up_;
     for (int y = std::max(first_row, 0); y <= std::min(last_row, height_ - 1); ++y) {
       for (int x = std::max(first_column, 0); x <= std::min(last_column, width_ - 1); ++x) {
-        const std::span<const RawPart> parts = parts_of({x, y});
-        for (const RawPart& part : parts) {
-          const RawPart here = on_map(part.moved(x * tile_width_, y * tile_height_));
-          if (here.top.x0 <= here.top.x1 && touches(here, area) && !use(here)) return false;
+        const Fine cell_x = x * tile_width_, cell_y = y * tile_height_;
+        const FineBox from_cell = area.moved(-cell_x, -cell_y);
+        const bool may_leave_map = reaches_edge({x, y});
+        for (const RawPart& part : parts_of({x, y})) {
+          if (!touches(part, from_cell)) continue;
+          RawPart here = part.moved(cell_x, cell_y);
+          if (may_leave_map) {
+            here = on_map(here);
+            if (is_empty(here) || !touches(here, area)) continue;
+          }
+          if (!use(here)) return false;
         }
       }
     }
@@ -139,8 +146,15 @@ class RawGround {
            std::min(part.top.y0, part.top.y1) <= area.y1 &&
            std::max(part.bottom.y0, part.bottom.y1) >= area.y0;
   }
-  // A part without what reaches over the left or the right edge of the map, where nothing stops bodies; x1 is
-  // less than x0 if that is all of it, or if it is a level line that counts to the row outside of the map.
+  // Whether a part of a cell may touch an edge of the map, or reach over it.
+  bool reaches_edge(Cell cell) const {
+    return cell.x < left_ || cell.x + right_ >= width_ || cell.y <= up_ || cell.y + down_ + 1 >= height_;
+  }
+  static bool is_empty(const RawPart& part) {
+    return part.top.x0 > part.top.x1 || (part.kind == RawPart::Kind::solid && part.top.x0 == part.top.x1);
+  }
+  // A part without what reaches over the left or the right edge of the map, where nothing stops bodies; empty
+  // if that is all of it, or if it is a level line that counts to the row outside of the map.
   RawPart on_map(const RawPart& part) const {
     const Fine end = width_ * tile_width_;
     const bool is_outside =
