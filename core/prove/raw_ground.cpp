@@ -189,7 +189,7 @@ bool RawGround::is_same_in(const RawGround& other, Cell first, Cell last) const 
   last = {std::min(last.x, width_ - 1), std::min(last.y, height_ - 1)};
   for (int y = first.y; y <= last.y; ++y) {
     for (int x = first.x; x <= last.x; ++x) {
-      const std::span<const RawPart> here = parts_of({x, y}), there = other.parts_of({x, y});
+      const std::span<const RawPart> here = parts_in(x, y), there = other.parts_in(x, y);
       if (!std::equal(here.begin(), here.end(), there.begin(), there.end())) return false;
     }
   }

@@ -116,12 +116,16 @@ class RawGround {
     // What ends at the border of a cell touches the next one.
     const int first_column = column_of(area.x0 - 1) - right_, last_column = column_of(area.x1) + left_;
     const int first_row = row_of(area.y0 - 1) - down_, last_row = row_of(area.y1) + up_;
+    // Whether a part of one of the cells may touch an edge of the map, or reach over it.
+    const bool may_leave_map = first_column < left_ || last_column + right_ >= width_ || first_row <= up_ ||
+                               last_row + down_ + 1 >= height_;
     for (int y = std::max(first_row, 0); y <= std::min(last_row, height_ - 1); ++y) {
       for (int x = std::max(first_column, 0); x <= std::min(last_column, width_ - 1); ++x) {
+        const std::span<const RawPart> parts = parts_in(x, y);
+        if (parts.empty()) continue;
         const Fine cell_x = x * tile_width_, cell_y = y * tile_height_;
         const FineBox from_cell = area.moved(-cell_x, -cell_y);
-        const bool may_leave_map = reaches_edge({x, y});
-        for (const RawPart& part : parts_of({x, y})) {
+        for (const RawPart& part : parts) {
           if (!touches(part, from_cell)) continue;
           RawPart here = part.moved(cell_x, cell_y);
           if (may_leave_map) {
@@ -146,10 +150,6 @@ class RawGround {
            std::min(part.top.y0, part.top.y1) <= area.y1 &&
            std::max(part.bottom.y0, part.bottom.y1) >= area.y0;
   }
-  // Whether a part of a cell may touch an edge of the map, or reach over it.
-  bool reaches_edge(Cell cell) const {
-    return cell.x < left_ || cell.x + right_ >= width_ || cell.y <= up_ || cell.y + down_ + 1 >= height_;
-  }
   static bool is_empty(const RawPart& part) {
     return part.top.x0 > part.top.x1 || (part.kind == RawPart::Kind::solid && part.top.x0 == part.top.x1);
   }
@@ -168,17 +168,21 @@ class RawGround {
     return {part.kind, cut(part.top), cut(part.bottom)};
   }
   // The cell at a coordinate: -1 for all before the first one, `cells` for all behind the last one. Whole px
-  // are divided, as that is much quicker.
+  // are divided, as 32-bit numbers, as that is much quicker.
   static int cell_at(Fine at, int side, int cells) {
     if (at < 0) return -1;
     const Fine px = at >> kFineBits;
-    return px >= Fine{side} * cells ? cells : static_cast<int>(px) / side;
+    if (px >= Fine{side} * cells) return cells;
+    return static_cast<int>(static_cast<unsigned>(px) / static_cast<unsigned>(side));
   }
   int column_of(Fine x) const { return cell_at(x, tile_.width, width_); }
   int row_of(Fine y) const { return cell_at(y, tile_.height, height_); }
-  std::span<const RawPart> parts_of(Cell cell) const {
-    const TileNumber number = number_at(cell);
-    return {parts_.data() + first_[number], parts_.data() + first_[number + 1]};
+  // Of a cell of the map.
+  std::span<const RawPart> parts_in(int x, int y) const {
+    const std::size_t cell =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    const std::uint32_t* first = &first_[cells_[cell]];
+    return {parts_.data() + first[0], parts_.data() + first[1]};
   }
   template <class Use>
   bool for_curves(const FineBox& area, Use use) const {
