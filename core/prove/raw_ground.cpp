@@ -15,6 +15,12 @@ constexpr Fine kFineWeld = kFinePx / kWeldParts;
 
 Fine welded(double px) { return fine(weld(px)); }
 
+// Rounded down; divisor > 0.
+template <class Number>
+Fine floor_of(Number number, Number divisor) {
+  return static_cast<Fine>(number >= 0 ? number / divisor : -((-number + divisor - 1) / divisor));
+}
+
 // The sign of y minus the height of a straight line at x; the line goes on beyond its ends.
 int side_of(const RawLine& line, Fine x, Fine y) {
   const Wide left = Wide{y - line.y0} * (line.x1 - line.x0), right = Wide{x - line.x0} * (line.y1 - line.y0);
@@ -120,8 +126,12 @@ Fine RawLine::at(Fine x) const {
   if (x <= x0) return y0;
   if (x >= x1) return y1;
   if (curve != nullptr) return std::clamp(fine(curve->y_at(px_of(x))), std::min(y0, y1), std::max(y0, y1));
-  const Wide product = Wide{x - x0} * (y1 - y0), width = x1 - x0;
-  return y0 + static_cast<Fine>(product >= 0 ? product / width : -((-product + width - 1) / width));
+  if (y0 == y1) return y0;
+  // Of most lines the product fits into 64 bits, where a division is much quicker.
+  constexpr Fine kShort = Fine{1} << 31;
+  const Fine width = x1 - x0, height = y1 - y0;
+  if (width < kShort && std::abs(height) < kShort) return y0 + floor_of<Fine>((x - x0) * height, width);
+  return y0 + floor_of<Wide>(Wide{x - x0} * height, width);
 }
 
 bool RawLine::is_steeper_than(double limit, Fine x) const {
