@@ -89,7 +89,8 @@ std::optional<Verdict> Judge::judge_walk(const Body& before, const Body& after, 
   const double moved = (after.box.x - before.box.x) * direction, rise = before.box.y - after.box.y;
   if (moved > most + slack) return Verdict{FindingKind::jumps, moved - most};
   // A curve may get steeper within the step.
-  if (rise > most * steepest + slack && !ground_.has_curve_in(fine_box(after.box)))
+  if (rise > most * steepest + slack &&
+      !ground_.has_curve_in(hull(fine_box(before.box), fine_box(after.box))))
     return Verdict{FindingKind::jumps, rise - most * steepest};
   if (!after.gait.grounded) {
     if (floor_goes_on(before, after, direction)) return Verdict{FindingKind::leaves_floor};
