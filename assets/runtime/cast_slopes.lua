@@ -79,7 +79,10 @@ local function piece_ends(up, piece, lift)
 end
 
 local function against_piece(piece)
-  if ignored and (piece.source or piece) == ignored then return end
+  if ignored then
+    local source = piece.source or piece
+    if source == ignored or source.is_ignored then return end
+  end
   if piece.facing == LEFT then
     if dx > 0 then wall(LEFT, piece.x0, piece.y0, piece.y1, piece.convex0, piece.convex1, piece) end
     return

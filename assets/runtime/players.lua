@@ -54,11 +54,17 @@ end
 -- The y on the level ground straight below, within `reach`, or at the foot of something too steep.
 local function floor_under(world, body, box, reach)
   local others, steepest = world:others(body, box, 0.0, reach), world.tuning.steepest
-  local found = cast_box(world.terrain, box.x, box.y, box.w, box.h, 0.0, reach, box.centre, others)
+  local function cast(without)
+    return cast_box(world.terrain, box.x, box.y, box.w, box.h, 0.0, reach, box.centre, others, without)
+  end
+  local found = cast()
   if not found or is_level(found, steepest) then return found and found.y end
-  local on = cast_box(world.terrain, box.x, box.y, box.w, box.h, 0.0, reach, box.centre, others,
-                      found.edge and (found.edge.source or found.edge))
-  return on and is_level(on, steepest) and on.y - found.y <= Walk.settled(box) and found.y or nil
+  local side = found.edge.source or found.edge
+  local on = cast(side)
+  if on and on.edge and not is_level(on, steepest) then  -- the same side once more, or another one behind it
+    on = Walk.without(on.edge.source or on.edge, cast, side)
+  end
+  return on and is_level(on, steepest) and on.y - found.y <= LIP and found.y or nil
 end
 
 -- Whether a body lies on two sides that are too steep to stand on, but hold it up together. Puts it on them.

@@ -5,6 +5,8 @@ has.walk = true
 
 local Walk = {}  -- of one body in one step
 Walk.__index = Walk
+Walk.MOST_SAG = 2.0 ^ -20  -- px; where a curve crosses another floor, its chord may be so much below it
+Walk.PARTS_OF_WAY = 16  -- two curves are compared between so many equal parts of a way
 
 local AHEAD = 0.001953125  -- px; how far ahead the next piece of floor is looked for
 local HALVINGS = 16  -- how often the way along a curve to what stops the body is halved: to less than 1/1000 px
@@ -230,7 +232,7 @@ function Walk.leads_above(on, box, contact, from, goal_x)
     local place_x, place_y = Walk.place_on(on, box, x)
     return Walk.room_at(place_x, place_y, contact)
   end
-  if abs(at - from) > slack then return room(at) > AHEAD end
+  if abs(at - from) > slack then return room(at) > max(Walk.MOST_SAG, slack) end
   local way = (goal_x - at) / 2
   while room(at + way) <= slack and abs(way) > AHEAD do way = way / 2 end
   return room(at + way) > slack
@@ -270,6 +272,29 @@ end
 -- meet it then.
 function Walk.is_behind(contact, box) return Walk.room_at(box.x, box.y, contact) < -Walk.slack(box) / 2 end
 
+-- Calls cast(...), which has a piece that stops nothing, while another one stops nothing, too.
+function Walk.without(piece, cast, ...)
+  piece.is_ignored = true
+  local contact = cast(...)
+  piece.is_ignored = nil
+  return contact
+end
+
+-- Whether the floor is a curve that is nowhere below the other floor that the body has met on its chord: it may touch
+-- that, or be the same there.
+function Walk:stays_above(on, box, contact, goal_x)
+  if contact.facing ~= UP or not contact.edge or contact.on_end then return false end
+  local met, from, slack = self:floor_of(contact, box), contact.x, Walk.settled(box)
+  local to = (goal_x - met.stop) * self.direction > 0 and met.stop or goal_x
+  local part = (to - from) / Walk.PARTS_OF_WAY
+  for i = 0, Walk.PARTS_OF_WAY do
+    local _, y = Walk.place_on(on, box, from + part * i)
+    local _, met_y = Walk.place_on(met, box, from + part * i)
+    if y > met_y + slack then return false end
+  end
+  return true
+end
+
 -- What the body meets first on its way to a place on the floor.
 function Walk:cast_to(on, box, x, y)
   local line = on.on_line and on.met.edge or nil
@@ -279,8 +304,13 @@ function Walk:cast_to(on, box, x, y)
   local straight = Walk.is_straight(on)
   local parallel = line and straight and line.form.along(line, way_x) or 0.0
   if straight and abs(way_y - parallel) <= slack then way_y = parallel end
-  local contact = self:cast(box, way_x, way_y, not straight and line.source or nil)
-  local piece = straight and contact and contact.t == 0 and contact.edge
+  if not straight then
+    local met = self:cast(box, way_x, way_y, line.source)
+    if not met or not self:stays_above(on, box, met, x) then return met end
+    return Walk.without(met.edge.source or met.edge, self.cast, self, box, way_x, way_y, line.source)
+  end
+  local contact = self:cast(box, way_x, way_y)
+  local piece = contact and contact.t == 0 and contact.edge
   if piece and piece.form.falls_away and piece.form.falls_away(contact, way_x, way_y, slack) then
     return self:cast(box, way_x, way_y, piece.source or piece)
   end
@@ -449,7 +479,10 @@ function Walk:passes(on, box, from, goal_x, goal_y, contact)
     Walk.lift_onto(on, box)
     return "shortens", on
   end
-  if contact.ny < 0 and is_level(contact, self.steepest) then return "goes on", self:floor_met(box, contact) end
+  if contact.ny < 0 and is_level(contact, self.steepest) then
+    Walk.lift_onto(on, box)  -- its own curve may cross what it has met once more
+    return "goes on", self:floor_met(box, contact)
+  end
   if straight or contact.t == 0 then
     if self:joins(on, box) then return "goes on", on end
   else

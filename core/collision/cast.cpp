@@ -40,8 +40,8 @@ template <class Real, bool kSunk = false, class Log = NoLog>
 class Caster {
  public:
   // budget: null means no limit. with_curves: false lets curves stop the box with their ends alone.
-  Caster(const BasicTerrain<Real>& terrain, const Cast<Real>& cast, const Piece<Real>* ignored,
-         CastBudget* budget, bool with_curves, Log log = {})
+  Caster(const BasicTerrain<Real>& terrain, const Cast<Real>& cast, Ignored<Real> ignored, CastBudget* budget,
+         bool with_curves, Log log = {})
       : terrain_(terrain),
         has_pieces_(terrain.has_pieces()),
         with_curves_(with_curves),
@@ -378,8 +378,13 @@ class Caster {
 
   // ---- Pieces ----
 
+  bool is_ignored(const Piece<Real>& piece) const {
+    return is_copy(piece, *ignored_.first) ||
+           (ignored_.second != nullptr && is_copy(piece, *ignored_.second));
+  }
+
   void against_piece(const Piece<Real>& piece) {
-    if (ignored_ != nullptr && is_copy(piece, *ignored_)) return;
+    if (ignored_.first != nullptr && is_ignored(piece)) return;
     origin_ = piece.origin;
     if (piece.is_wall()) {
       if (piece.facing == Facing::left ? dx_ > 0 : dx_ < 0)
@@ -578,7 +583,7 @@ class Caster {
   const BasicTerrain<Real>& terrain_;
   const bool has_pieces_;
   const bool with_curves_;
-  const Piece<Real>* ignored_;
+  Ignored<Real> ignored_;
   const BasicRect<Real> box_;
   const Real dx_, dy_;
   const Foot foot_;
@@ -605,7 +610,7 @@ template <bool kSunk = false, class Real>
 [[gnu::always_inline]] inline Contact<Real> contact_of_box(const BasicTerrain<Real>& terrain,
                                                            const Cast<Real>& cast,
                                                            std::span<const BasicRect<Real>> others,
-                                                           const Piece<Real>* ignored, CastBudget* budget,
+                                                           Ignored<Real> ignored, CastBudget* budget,
                                                            bool with_curves) {
   if (budget != nullptr) budget->seen = 1;
   Caster<Real, kSunk> caster(terrain, cast, ignored, budget, with_curves);
@@ -620,7 +625,7 @@ template <bool kSunk = false, class Real>
 template <class Real>
 [[gnu::noinline]] Contact<Real> contact_on_centre(const BasicTerrain<Real>& terrain, const Cast<Real>& cast,
                                                   std::span<const BasicRect<Real>> others,
-                                                  const Piece<Real>* ignored, CastBudget* budget) {
+                                                  Ignored<Real> ignored, CastBudget* budget) {
   const Contact<Real> contact = cast.sunk > 0
                                     ? contact_of_box<true>(terrain, cast, others, ignored, budget, true)
                                     : contact_of_box(terrain, cast, others, ignored, budget, true);
@@ -642,8 +647,7 @@ template <class Real>
 CastTrace traced(const Terrain& terrain, const Cast<double>& cast, bool with_curves) {
   CastTrace trace;
   CastBudget budget{TraceLog::kMost};
-  Caster<double, false, TraceLog> caster(terrain, cast, nullptr, &budget, with_curves,
-                                         TraceLog(terrain, trace));
+  Caster<double, false, TraceLog> caster(terrain, cast, {}, &budget, with_curves, TraceLog(terrain, trace));
   caster.against_terrain();
   trace.contact = caster.contact();
   return trace;
@@ -653,7 +657,7 @@ CastTrace traced(const Terrain& terrain, const Cast<double>& cast, bool with_cur
 
 template <class Real>
 Contact<Real> cast_box(const BasicTerrain<Real>& terrain, const Cast<Real>& cast,
-                       std::span<const BasicRect<Real>> others, const Piece<Real>* ignored,
+                       std::span<const BasicRect<Real>> others, std::type_identity_t<Ignored<Real>> ignored,
                        CastBudget* budget) {
   if (!is_usable(cast)) return {};
   if (cast.foot == Foot::centre && terrain.has_pieces())
@@ -681,7 +685,7 @@ Real rest_on(const Piece<Real>& piece, std::span<const CurveStretch<Real>> stret
   template Real rest_on(const Piece<Real>&, std::span<const CurveStretch<Real>>, const BasicRect<Real>&, \
                         Foot);                                                                           \
   template Contact<Real> cast_box(const BasicTerrain<Real>&, const Cast<Real>&,                          \
-                                  std::span<const BasicRect<Real>>, const Piece<Real>*, CastBudget*)
+                                  std::span<const BasicRect<Real>>, Ignored<Real>, CastBudget*)
 TALUS_CAST(double);
 TALUS_CAST(float);
 #undef TALUS_CAST

@@ -268,6 +268,7 @@ class ExactSolver final : public Solver {
       return AfterContact::shortens;
     }
     if (contact.normal.y < 0 && is_level(contact, numbers_.steepest)) {
+      way.lift_onto(*floor, moving);  // its own curve may cross what it has met once more
       floor = way.floor_met(moving, contact);
       return AfterContact::goes_on;
     }
@@ -298,8 +299,10 @@ class ExactSolver final : public Solver {
     const Contact<Real> met = cast_box<Real>(ground_, down, others_, nullptr, &budget_);
     if (!met || is_level(met, numbers_.steepest)) return met;
     Contact<Real> floor = cast_box<Real>(ground_, down, others_, met.piece, &budget_);
+    if (floor && !is_level(floor, numbers_.steepest))  // the same side once more, or another one behind it
+      floor = cast_box<Real>(ground_, down, others_, {met.piece, floor.piece}, &budget_);
     const bool is_foot =
-        floor && is_level(floor, numbers_.steepest) && floor.position.y - met.position.y <= settled(moving);
+        floor && is_level(floor, numbers_.steepest) && floor.position.y - met.position.y <= Real(kMostLip);
     if (!is_foot) return {};
     floor.position.y = met.position.y;
     return floor;

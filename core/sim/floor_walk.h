@@ -24,6 +24,10 @@ static_assert(kFloorStep * 2 * kWeldParts == 1);
 inline constexpr int kManySlacks = 64;
 // How often the way along a curve to what stops the body is halved: to less than 1/1000 px.
 inline constexpr int kHalvings = 16;
+// px; where a curve crosses another floor, its chord may be so much below it.
+inline constexpr double kMostSag = 1.0 / (1 << 20);
+// Two curves are compared at both ends of a way, and between so many equal parts of it.
+inline constexpr int kPartsOfWay = 16;
 // The floor under a body is followed over so many pieces to a corner of the body: more than there are under
 // any body but on lines with points closer than 1/16 px. The budget of the casts is a limit, too.
 inline constexpr int kMostPiecesUnder = 1024;
@@ -154,7 +158,7 @@ class FloorWalk {
     if (is_straight(floor)) return false;
     const Real at = contact.position.x, slack = settled(body);
     const auto room = [&](Real x) { return room_at(place_on(floor, body.box, x, body.foot), contact); };
-    if (std::abs(at - from) > slack) return room(at) > Real(kFloorStep);
+    if (std::abs(at - from) > slack) return room(at) > std::max(Real(kMostSag), slack);
     Real way = (goal_x - at) / 2;
     while (room(at + way) <= slack && std::abs(way) > Real(kFloorStep)) way /= 2;
     return room(at + way) > slack;
@@ -192,9 +196,13 @@ class FloorWalk {
     // A ceiling that is parallel to the floor must not come nearer by the rounding of the two places.
     const Real along = line != nullptr ? cast.motion.x * line->slope : 0;
     if (is_straight(floor) && std::abs(cast.motion.y - along) <= slack) cast.motion.y = along;
-    const Piece<Real>* ignored = is_straight(floor) ? nullptr : line;
-    const Contact<Real> contact = cast_box(ground_, cast, others_, ignored, budget_);
-    if (!is_straight(floor) || !falls_away(contact, cast.motion, slack)) return contact;
+    if (!is_straight(floor)) {
+      const Contact<Real> contact = cast_box(ground_, cast, others_, line, budget_);
+      if (!stays_above(floor, body, contact, goal)) return contact;
+      return cast_box(ground_, cast, others_, {line, contact.piece}, budget_);
+    }
+    const Contact<Real> contact = cast_box(ground_, cast, others_, {}, budget_);
+    if (!falls_away(contact, cast.motion, slack)) return contact;
     return cast_box(ground_, cast, others_, contact.piece, budget_);
   }
 
@@ -286,6 +294,22 @@ class FloorWalk {
     const Real bottom = place_on(floor, body.box, x, body.foot).y + body.box.h;
     const Real height = bottom - (right ? line.y0 : line.y1), slack = settled(body);
     if (height > slack && height <= Real(kMostLip) + slack) floor.end = x;
+  }
+
+  // Whether the floor is a curve that is nowhere below the other floor that the body has met on its chord: it
+  // may touch that, or be the same there.
+  bool stays_above(const FloorAhead<Real>& floor, const Moving<Real>& body, const Contact<Real>& contact,
+                   Vec goal) const {
+    if (!contact || contact.facing != Facing::up || contact.piece == nullptr || contact.on_end) return false;
+    const FloorAhead<Real> met = floor_of(contact, body.box, body.foot);
+    const Real from = contact.position.x, slack = settled(body);
+    const Real to = (goal.x - met.end) * direction_ > 0 ? met.end : goal.x, part = (to - from) / kPartsOfWay;
+    for (int i = 0; i <= kPartsOfWay; ++i) {
+      const Real x = from + part * static_cast<Real>(i);
+      if (place_on(floor, body.box, x, body.foot).y > place_on(met, body.box, x, body.foot).y + slack)
+        return false;
+    }
+    return true;
   }
 
   // Whether it only touches a hill, at its top, which is in its way by rounding alone.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <type_traits>
 
 #include <talus/collision/terrain.h>
 
@@ -48,13 +49,24 @@ struct CastBudget {
   double seen = 1;
 };
 
+// Pieces that stop nothing in one cast.
+template <class Real>
+struct Ignored {
+  const Piece<Real>* first = nullptr;   // null: none
+  const Piece<Real>* second = nullptr;  // one more, beside a first one; null: none
+
+  Ignored() = default;
+  // A piece, and perhaps another one, as the two fields.
+  Ignored(const Piece<Real>* piece, const Piece<Real>* other = nullptr) : first(piece), second(other) {}
+};
+
 // The first contact. Of contacts at the same time the most opposing one counts, then the more level one. Two
 // mirror images count as one that faces straight up or down. A corner that is aimed at exactly counts as a
-// floor or ceiling. `ignored`: a piece that stops nothing this time; may be null. `others`: boxes that stop
-// it as tiles do. A box that cannot be cast (see kMaxCastSize) has no contact. budget: null: no limit.
+// floor or ceiling. `others`: boxes that stop it as tiles do. A box that cannot be cast (see kMaxCastSize)
+// has no contact. budget: null: no limit.
 template <class Real>
 Contact<Real> cast_box(const BasicTerrain<Real>& terrain, const Cast<Real>& cast,
-                       std::span<const BasicRect<Real>> others = {}, const Piece<Real>* ignored = nullptr,
-                       CastBudget* budget = nullptr);
+                       std::span<const BasicRect<Real>> others = {},
+                       std::type_identity_t<Ignored<Real>> ignored = {}, CastBudget* budget = nullptr);
 
 }  // namespace talus
