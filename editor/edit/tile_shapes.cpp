@@ -125,6 +125,9 @@ std::optional<Line> fit_line(const std::vector<double>& columns, double step, To
 }
 
 std::optional<Line> fit_line(const std::vector<double>& columns, double pixel) {
+  const double first = columns.front();
+  const bool is_level = std::all_of(columns.begin(), columns.end(), [&](double h) { return h == first; });
+  if (is_level) return Line{first, first};
   for (double step = 1; step >= 0.25; step /= 2) {
     for (const Tolerance& tolerance : {kNear, kThroughPixels, kBeyondPixels})
       if (const auto line = fit_line(columns, step, {tolerance.least * pixel, tolerance.most * pixel}))

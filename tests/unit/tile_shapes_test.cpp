@@ -270,6 +270,12 @@ TEST(TileShapes, SuggestionsInTrueColourLookAtOpacity) {
   EXPECT_EQ(suggest_shape(ramp, 1), (TileShape{.kind = Kind::slope, .heights = {0, 8}}));
 }
 
+TEST(TileShapes, SuggestionsForLevelTopsAreExact) {
+  const Level level = level_in_true_color([](int x, int y) { return x >= 16 ? y >= 1 : y < 3; });
+  EXPECT_EQ(suggest_shape(level, 0), sloped({3, 3}, Side::ceiling));
+  EXPECT_EQ(suggest_shape(level, 1), sloped({15, 15}));
+}
+
 TEST(TileShapes, OpaqueTilesInTrueColourBecomeGround) {
   const Level level = level_in_true_color([](int x, int y) { return x >= 16 || y < 3; });
   constexpr std::array<TileNumber, 2> kBoth = {0, 1};
