@@ -2,18 +2,19 @@
 #include "slope_tiles.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <map>
 #include <utility>
 #include <vector>
 
 #include "../collision/tile_outlines.h"
+#include "slope_layer.h"
 #include "tile_color.h"
 
 namespace talus {
 namespace {
 
-using Result = tl::expected<SlopeTiles, std::string>;
+constexpr const char* kNoBlankTiles = "there are too few blank tiles to draw the slope with";
 
 tl::unexpected<std::string> failure(std::string message) {
   return tl::unexpected<std::string>(std::move(message));
@@ -36,7 +37,7 @@ struct Line {
     return (from.y == to.y && !before && !after) || (x0 >= from.x && x1 <= to.x);
   }
   double y_of(const TileShape& shape, Vec2 base, double x) const {
-    return base.y - height_of_line(shape, std::clamp(x - base.x, 0.0, 1.0 * tile.width), tile);
+    return base.y - height_of_line(shape, std::clamp(x - base.x, 0.0, 1.0 * shape.tiles * tile.width), tile);
   }
 };
 
@@ -48,14 +49,17 @@ void join(const Level& level, Line& line) {
     const int column = map.column_at(end.x);
     if (map.x_of(column) == end.x || column >= map.width()) return;  // the tile ends where the line does
     const int first = std::max(map.row_at(end.y) - 1, 0);
-    for (Cell c{column, first}; c.y < std::min(first + kMaxShapeTiles + 2, map.height()); ++c.y) {
-      const TileShape shape = shape_of_cell(level, map.at(c));
-      if (!has_heights(shape) || shape.side != TileShape::Side::floor || shape.tiles != 1) continue;
-      if (problem_of(shape, line.tile)) continue;
-      base = {map.x_of(c.x), map.y_of(c.y + 1)};
-      if (std::abs(line.y_of(shape, base, end.x) - end.y) > kSlopeTileGrain) continue;
-      found = shape;
-      return;
+    for (Cell c{0, first}; c.y < std::min(first + kMaxShapeTiles + 2, map.height()); ++c.y) {
+      for (c.x = std::max(column - kMaxShapeTiles + 1, 0); c.x <= column; ++c.x) {
+        const TileShape shape = shape_of_cell(level, map.at(c));
+        if (!has_heights(shape) || shape.side != TileShape::Side::floor || c.x + shape.tiles <= column)
+          continue;
+        if (problem_of(shape, line.tile)) continue;
+        base = {map.x_of(c.x), map.y_of(c.y + 1)};
+        if (std::abs(line.y_of(shape, base, end.x) - end.y) > kSlopeTileGrain) continue;
+        found = shape;
+        return;
+      }
     }
   };
   find(line.from, line.before, line.before_base);
@@ -76,85 +80,112 @@ bool is_floor(const TileShape& shape, TileSize tile) {
   return shape.kind == Kind::solid || shape.side == TileShape::Side::floor;
 }
 
-constexpr int kMostFill = 64;  // rows below a slope in which a fill looks for ground
+// The colour of a pixel of the ground that so many others are above.
+std::uint8_t color_at_depth(double depth, const SlopeTilesOptions& options) {
+  const auto above = static_cast<std::size_t>(depth);
+  const bool is_edge = above < options.edge_colors.size() && options.edge_colors[above] != 0;
+  return is_edge ? options.edge_colors[above] : options.ground_color;
+}
 
-// Collects what to place. A cell keeps the first tile that it is given.
-class Layer {
+// The part of the ground along a line that a cell shows, on an image that fills the cell.
+TileImage image_of(Cell cell, const Line& line, const SlopeTilesOptions& options) {
+  const auto [width, height] = line.tile;
+  const double px_wide = 1.0 * width / kCartTileSize, px_high = 1.0 * height / kCartTileSize;
+  TileImage image{};
+  for (int x = 0; x < kCartTileSize; ++x) {
+    const double floor =
+        (line.y_at(1.0 * cell.x * width + (x + 0.5) * px_wide) - 1.0 * cell.y * height) / px_high;
+    for (int y = 0; y < kCartTileSize; ++y)
+      if (y + 0.5 >= floor) image[y * kCartTileSize + x] = color_at_depth(y + 0.5 - floor, options);
+  }
+  return image;
+}
+
+// A floor that is too low for the middle of a pixel is a line of pixels all the same, so that it is seen.
+TileImage with_line(TileImage image, const SlopeTilesOptions& options) {
+  if (image == TileImage{}) std::fill(image.end() - kCartTileSize, image.end(), color_at_depth(0, options));
+  return image;
+}
+
+// How many pixels of a tile of the sheet are drawn where those of an image are not, or the other way round.
+int pixels_unlike(const Level& level, TileNumber tile, const TileImage& image) {
+  std::uint64_t wanted = 0;
+  for (std::size_t i = 0; i < image.size(); ++i) wanted |= std::uint64_t{image[i] != 0} << i;
+  return std::popcount(wanted ^ drawn_pixels(level, tile));
+}
+
+// ---- Tiles with a given look and shape ----
+
+class TileSupply {
  public:
-  explicit Layer(const Level& level) : level_(level), map_(level.map) {}
-
-  void place(Cell cell, TileNumber tile) { tiles_.try_emplace({cell.x, cell.y}, tile); }
-  // A cell with a part of the floor in it. The tile SlopeTilesOptions::below goes under it.
-  void own(Cell cell) { owners_.push_back(cell); }
-
-  // The row of the lowest cell with a part of the floor in it.
-  int lowest_row() const {
-    int row = 0;
-    for (const Cell& cell : owners_) row = std::max(row, cell.y);
-    return row;
+  explicit TileSupply(const Level& level)
+      : level_(level), used_(static_cast<std::size_t>(level.tile_count())) {
+    for (const TileNumber tile : level.map.cells().tiles()) used_[tile] = true;
   }
 
-  // below: goes under each owner, and further down if the ground is filled, but not below `last` in a column
-  // without a full tile.
-  Result take(std::vector<SlopeTiles::Drawn> drawn, std::optional<TileNumber> below, bool fills, int last) {
-    for (const Cell& cell : owners_) {
-      if (!below) break;
-      const int end = fills ? std::min(end_of_fill(cell, last), map_.height()) : cell.y + 2;
-      for (Cell under{cell.x, cell.y + 1}; under.y < end; ++under.y)
-        if (map_.contains(under) && !is_ball_tile(level_, map_.tile_at(under))) place(under, *below);
+  // A tile that already looks like this, or was drawn so, or can be drawn so; nothing if there are no more
+  // blank tiles. A blank image without a shape is tile 0.
+  std::optional<TileNumber> tile_with(const TileImage& image, const TileShape& shape) {
+    if (image == TileImage{} && shape == TileShape()) return 0;
+    for (const SlopeTiles::Drawn& drawn : drawn_) {
+      if (drawn.image == image && drawn.shape == shape) return drawn.tile;
     }
-    SlopeTiles result{std::move(drawn), {}};
-    for (const auto& [at, tile] : tiles_) {
-      const Cell cell = {at.first, at.second};
-      if (!map_.contains(cell)) return failure("the slope's tiles would leave the map");
-      result.placed.push_back({cell, tile});
+    const Sheet& sheet = level_.sheet(SheetId::tiles);
+    for (int tile = 1; tile < level_.tile_count(); ++tile) {
+      if (sheet.images[tile] == image && level_.tile_shapes[tile] == shape && sheet.flags[tile] == 0)
+        return static_cast<TileNumber>(tile);
     }
-    return result;
+    for (int tile = 1; tile < level_.tile_count(); ++tile)
+      if (is_alike(tile, image, shape)) return static_cast<TileNumber>(tile);
+    for (int tile = 1; tile < level_.tile_count(); ++tile) {
+      const bool blank = is_blank(level_, static_cast<TileNumber>(tile)) &&
+                         level_.tile_shapes[tile] == TileShape() && sheet.flags[tile] == 0 && !used_[tile];
+      if (!blank) continue;
+      used_[tile] = true;
+      drawn_.push_back({static_cast<TileNumber>(tile), image, shape});
+      return static_cast<TileNumber>(tile);
+    }
+    return {};
   }
+  std::vector<SlopeTiles::Drawn> take() { return std::move(drawn_); }
 
  private:
-  // The row of the first full tile under a cell; the one after `last` if there is none near.
-  int end_of_fill(Cell cell, int last) const {
-    const int bottom = std::min(map_.height(), std::max(last, cell.y) + kMostFill);
-    for (Cell under{cell.x, cell.y + 1}; under.y < bottom && map_.contains(under); ++under.y)
-      if (is_full(shape_of_cell(level_, map_.at(under)))) return under.y;
-    return last + 1;
+  // Whether a tile of the sheet has this shape, and shows it by the same pixels, in any colours.
+  bool is_alike(int tile, const TileImage& image, const TileShape& shape) const {
+    const Sheet& sheet = level_.sheet(SheetId::tiles);
+    const FlagSet flags = sheet.flags[tile];
+    const int solid = level_.roles.solid;
+    const bool is_plain = flags == 0 || (shape.kind == TileShape::Kind::solid && has_flag(flags, solid) &&
+                                         flags == flag_bit(solid));
+    if (!is_plain || shape_of_tile(level_, static_cast<TileNumber>(tile)) != shape) return false;
+    return pixels_unlike(level_, static_cast<TileNumber>(tile), image) == 0;
   }
 
   const Level& level_;
-  const TileMap& map_;
-  std::map<std::pair<int, int>, TileNumber> tiles_;  // by column and row
-  std::vector<Cell> owners_;
+  std::vector<bool> used_;  // by tile: whether it is on the map, or drawn
+  std::vector<SlopeTiles::Drawn> drawn_;
 };
 
 // ---- Drawing ----
 
 class Drawer {
  public:
-  Drawer(const Level& level, const Line& line, const SlopeTilesOptions& options)
+  Drawer(const Level& level, const Line& line, const SlopeTilesOptions& options, SlopeLayer& layer,
+         TileSupply& supply)
       : level_(level),
         size_(level.map.tile_size()),
         line_(line),
         options_(options),
-        layer_(level),
-        used_(static_cast<std::size_t>(level.tile_count())) {
-    for (const TileNumber tile : level.map.cells().tiles()) used_[tile] = true;
-  }
+        layer_(layer),
+        supply_(supply) {}
 
-  Result run() {
+  // Returns an error, or nothing.
+  std::optional<std::string> run() {
     const int end = cells_up_to(line_.to.x, size_.width);
     for (int column = level_.map.column_at(line_.from.x); column < end; ++column) {
-      if (auto problem = draw_column(column)) return failure(*std::move(problem));
+      if (auto problem = draw_column(column)) return problem;
     }
-    std::optional<TileNumber> below = options_.below;
-    const int last = layer_.lowest_row() + (below ? 1 : 0);
-    if (options_.fills && !below) {
-      TileImage full;
-      full.fill(options_.ground_color);
-      below = tile_with(full, {.kind = TileShape::Kind::solid});
-      if (!below) return failure("there is no blank tile to fill the ground with");
-    }
-    return layer_.take(std::move(drawn_), below, options_.fills, last);
+    return {};
   }
 
  private:
@@ -183,74 +214,11 @@ class Drawer {
     const Cell owner = {column, bottom_row - 1};
     layer_.own(owner);
     for (int row = owner.y; row == owner.y || level_.map.y_of(row + 1) > highest; --row) {
-      const TileImage image = image_of({column, row});
-      const auto tile = row == owner.y ? tile_with(with_line(image), shape) : tile_with(image, TileShape());
-      if (!tile) return "there are too few blank tiles to draw the slope with";
+      const TileImage image = image_of({column, row}, line_, options_);
+      const auto tile = row == owner.y ? supply_.tile_with(with_line(image, options_), shape)
+                                       : supply_.tile_with(image, TileShape());
+      if (!tile) return kNoBlankTiles;
       if (*tile != 0) layer_.place({column, row}, *tile);
-    }
-    return {};
-  }
-
-  // The part of the ground that a cell shows, on an image that fills the cell.
-  TileImage image_of(Cell cell) const {
-    const double px_wide = 1.0 * size_.width / kCartTileSize, px_high = 1.0 * size_.height / kCartTileSize;
-    TileImage image{};
-    // Colour 0 would be no edge.
-    const std::uint8_t edge = options_.line_color == 0 ? options_.ground_color : options_.line_color;
-    for (int x = 0; x < kCartTileSize; ++x) {
-      const double floor =
-          line_.y_at(level_.map.x_of(cell.x) + (x + 0.5) * px_wide) - level_.map.y_of(cell.y);
-      for (int y = 0; y < kCartTileSize; ++y) {
-        if ((y + 0.5) * px_high < floor) continue;
-        image[y * kCartTileSize + x] = (y - 0.5) * px_high < floor ? edge : options_.ground_color;
-      }
-    }
-    return image;
-  }
-
-  // A floor that is too low for the middle of a pixel is a line of pixels all the same, so that it is seen.
-  TileImage with_line(TileImage image) const {
-    if (image == TileImage{})
-      std::fill(image.end() - kCartTileSize, image.end(),
-                options_.line_color == 0 ? options_.ground_color : options_.line_color);
-    return image;
-  }
-
-  // Whether a tile of the sheet has this shape, and shows it by the same pixels, in any colours.
-  bool is_alike(int tile, const TileImage& image, const TileShape& shape) const {
-    const Sheet& sheet = level_.sheet(SheetId::tiles);
-    const FlagSet flags = sheet.flags[tile];
-    const int solid = level_.roles.solid;
-    const bool is_plain = flags == 0 || (shape.kind == TileShape::Kind::solid && has_flag(flags, solid) &&
-                                         flags == flag_bit(solid));
-    if (!is_plain || shape_of_tile(level_, static_cast<TileNumber>(tile)) != shape) return false;
-    const std::uint64_t drawn = drawn_pixels(level_, static_cast<TileNumber>(tile));
-    for (std::size_t i = 0; i < image.size(); ++i)
-      if ((image[i] != 0) != ((drawn >> i & 1) != 0)) return false;
-    return true;
-  }
-
-  // A tile that already looks like this, or was drawn so, or can be drawn so; nothing if there are no more
-  // blank tiles. A blank image without a shape is tile 0.
-  std::optional<TileNumber> tile_with(const TileImage& image, const TileShape& shape) {
-    if (image == TileImage{} && shape == TileShape()) return 0;
-    for (const SlopeTiles::Drawn& drawn : drawn_) {
-      if (drawn.image == image && drawn.shape == shape) return drawn.tile;
-    }
-    const Sheet& sheet = level_.sheet(SheetId::tiles);
-    for (int tile = 1; tile < level_.tile_count(); ++tile) {
-      if (sheet.images[tile] == image && level_.tile_shapes[tile] == shape && sheet.flags[tile] == 0)
-        return static_cast<TileNumber>(tile);
-    }
-    for (int tile = 1; tile < level_.tile_count(); ++tile)
-      if (is_alike(tile, image, shape)) return static_cast<TileNumber>(tile);
-    for (int tile = 1; tile < level_.tile_count(); ++tile) {
-      const bool blank = is_blank(level_, static_cast<TileNumber>(tile)) &&
-                         level_.tile_shapes[tile] == TileShape() && sheet.flags[tile] == 0 && !used_[tile];
-      if (!blank) continue;
-      used_[tile] = true;
-      drawn_.push_back({static_cast<TileNumber>(tile), image, shape});
-      return static_cast<TileNumber>(tile);
     }
     return {};
   }
@@ -259,37 +227,37 @@ class Drawer {
   TileSize size_;  // of the map's cells
   const Line& line_;
   const SlopeTilesOptions& options_;
-  Layer layer_;
-  std::vector<bool> used_;  // by tile: whether it is on the map, or drawn
-  std::vector<SlopeTiles::Drawn> drawn_;
+  SlopeLayer& layer_;
+  TileSupply& supply_;
 };
 
 // ---- Choosing from a set ----
 
 class Chooser {
  public:
-  Chooser(const Level& level, const Line& line, const SlopeTilesOptions& options)
-      : level_(level), size_(level.map.tile_size()), line_(line), options_(options), layer_(level) {
+  Chooser(const Level& level, const Line& line, const SlopeTilesOptions& options, SlopeLayer& layer)
+      : level_(level), size_(level.map.tile_size()), line_(line), options_(options), layer_(layer) {
     for (const TileNumber tile : options.set) {
       TileShape shape = shape_of_tile(level, tile);
       if (is_floor(shape, size_)) candidates_.push_back({tile, std::move(shape)});
     }
   }
 
-  Result run() {
-    if (candidates_.empty()) return failure("the set has no tile with a floor");
+  // Returns an error, or nothing.
+  std::optional<std::string> run() {
+    if (candidates_.empty()) return "the set has no tile with a floor";
     int column = level_.map.column_at(line_.from.x);
     std::optional<double> floor;  // px, at the end of the last tile
     while (column < cells_up_to(line_.to.x, size_.width)) {
       const std::optional<Choice> best = choose(column, floor);
-      if (!best) return failure("the set has no tile that begins where the tile before it ends");
-      if (best->off > size_.height)
-        return failure("the tiles of the set would leave the line by more than a tile");
+      if (!best) return "the set has no tile that begins where the tile before it ends";
+      if (best->off > options_.most_off.value_or(size_.height))
+        return "the tiles of the set would leave the line by more than a tile";
       lay(*best, column);
       column += best->candidate->shape.tiles;
       floor = best->end;
     }
-    return layer_.take({}, options_.below, options_.fills, layer_.lowest_row() + 1);
+    return {};
   }
 
  private:
@@ -313,6 +281,7 @@ class Chooser {
       const double row = std::round(wanted / size_.height);
       if (floor && row * size_.height != wanted) continue;
       const Choice choice = judged(candidate, column, static_cast<int>(row));
+      if (options_.most_off && !looks_right(choice, column)) continue;
       if (!best || choice.off < best->off) best = choice;
     }
     return best;
@@ -330,17 +299,33 @@ class Chooser {
   }
 
   void lay(const Choice& choice, int column) {
+    for (int i = 0; i < choice.candidate->shape.tiles; ++i) layer_.own({column + i, choice.bottom_row - 1});
+    for_each_part(choice, column, [&](Cell cell, TileNumber tile) { layer_.place(cell, tile); });
+  }
+
+  // Whether its tiles show the line, but for some tufts of grass.
+  bool looks_right(const Choice& choice, int column) const {
+    bool is_right = true;
+    for_each_part(choice, column, [&](Cell cell, TileNumber tile) {
+      TileImage image = image_of(cell, line_, options_);
+      if (cell.y == choice.bottom_row - 1) image = with_line(image, options_);
+      is_right = is_right && pixels_unlike(level_, tile, image) <= kCartTileSize;
+    });
+    return is_right;
+  }
+
+  // Calls see(cell, tile) for its own cell, and for those beside and above it that show a part of it.
+  template <typename See>
+  void for_each_part(const Choice& choice, int column, See see) const {
     const TileShape& shape = choice.candidate->shape;
     const SheetLayout sheet = level_.sheet(SheetId::tiles).layout();
     const Cell place = sheet.place_of(choice.candidate->tile);
     for (int i = 0; i < shape.tiles; ++i) {
-      const Cell owner = {column + i, choice.bottom_row - 1};
-      layer_.own(owner);
       for (int up = 0; up < cells_up_to(highest_of(shape, size_), size_.height); ++up) {
         const Cell part = {place.x + i, place.y - up};
         const bool is_own = i == 0 && up == 0;
         if (is_own || (sheet.contains(part) && is_mere_picture(sheet.tile_at(part))))
-          layer_.place({owner.x, owner.y - up}, static_cast<TileNumber>(sheet.tile_at(part)));
+          see(Cell{column + i, choice.bottom_row - 1 - up}, static_cast<TileNumber>(sheet.tile_at(part)));
       }
     }
   }
@@ -354,9 +339,35 @@ class Chooser {
   TileSize size_;  // of the map's cells
   const Line& line_;
   const SlopeTilesOptions& options_;
-  Layer layer_;
+  SlopeLayer& layer_;
   std::vector<Candidate> candidates_;
 };
+
+// Cuts the old ground off above the slope, and fills it below. Returns an error, or nothing.
+std::optional<std::string> fit_to_ground(const Level& level, const SlopeTilesOptions& options,
+                                         SlopeLayer& layer, TileSupply& supply) {
+  if (options.fills) layer.cut();
+  std::optional<TileNumber> below = options.below;
+  const bool is_drawn = options.set.empty();
+  const int last = layer.lowest_row() + (below || !is_drawn ? 1 : 0);
+  if (options.fills && !below && is_drawn) {
+    TileImage full;
+    full.fill(options.ground_color);
+    below = supply.tile_with(full, {.kind = TileShape::Kind::solid});
+    if (!below) return "there is no blank tile to fill the ground with";
+  }
+  if (below) layer.fill(*below, options.fills, last);
+  if (!options.fills) return {};
+  const bool can_draw = level.sheet(SheetId::tiles).picture == nullptr;
+  for (const SlopeLayer::Rest& rest : layer.rests()) {
+    if (!can_draw) return "an end is in the middle of a slope of several tiles: let it be at an end of that";
+    const auto tile =
+        supply.tile_with(level.sheet(SheetId::tiles).images[level.map.tile_at(rest.cell)], rest.shape);
+    if (!tile) return kNoBlankTiles;
+    layer.place(rest.cell, *tile);
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -373,8 +384,16 @@ tl::expected<SlopeTiles, std::string> slope_tiles(const Level& level, Vec2 a, Ve
   if (options.set.empty() && level.sheet(SheetId::tiles).picture != nullptr)
     return failure(
         "the tiles are in true colour, so no slope can be drawn on them: choose tiles with slopes");
-  if (options.set.empty()) join(level, line);
-  return options.set.empty() ? Drawer(level, line, options).run() : Chooser(level, line, options).run();
+  join(level, line);
+  SlopeLayer layer(level);
+  TileSupply supply(level);
+  auto problem = options.set.empty() ? Drawer(level, line, options, layer, supply).run()
+                                     : Chooser(level, line, options, layer).run();
+  if (!problem) problem = fit_to_ground(level, options, layer, supply);
+  if (problem) return failure(*std::move(problem));
+  return layer.placed().map([&](std::vector<SlopeTiles::Placed> placed) {
+    return SlopeTiles{supply.take(), std::move(placed)};
+  });
 }
 
 }  // namespace talus

@@ -36,11 +36,17 @@ struct SlopeTilesOptions {
   std::span<const TileNumber> set = {};
   // The tile under each column of the slope; nothing: no tile is put there, unless the ground is filled.
   std::optional<TileNumber> below = {};
-  // Whether the ground under the slope is filled: each column down to the next full tile, or, if it has none,
-  // down to the row of the slope's lower end. Without `below`, a full tile is drawn for it.
+  // Whether the ground follows the slope. It is filled below it: each column down to the next full tile, or,
+  // if it has none, down to the row of the slope's lower end. Without `below`, a full tile is drawn for it.
+  // It is cut off above it, up to 8 rows; what is deeper inside of old ground is left out. Of old slopes of
+  // several cells, what is left is kept.
   bool fills = false;
-  std::uint8_t line_color = 5;     // 0..15, colour of the topmost pixels of drawn tiles
-  std::uint8_t ground_color = 15;  // 0..15, colour of the pixels below
+  // px, by how much the tiles of a set may leave the line; nothing: a tile's height.
+  std::optional<double> most_off = {};
+  // 0..15, the colours of drawn tiles: of the topmost pixels of each column, downwards, and of those below.
+  // Colour 0 would be a hole: the ground's is taken.
+  std::vector<std::uint8_t> edge_colors = {5};
+  std::uint8_t ground_color = 15;
 };
 
 // The heights of drawn tiles are rounded to this, as a terrain's are.

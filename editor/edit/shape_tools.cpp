@@ -61,12 +61,16 @@ Edit put_slope_tiles(const Level& level, const SlopeTiles& tiles, Within within)
 
 namespace {
 
-// Its slopes and a full tile; empty without a slope.
+// Its slopes and a full tile that have no flag but those of ground; empty without a slope.
 std::vector<TileNumber> floors_of_sheet(const Level& level) {
+  FlagSet ground = 0;
+  for (const int flag : {level.roles.solid, level.roles.up_slope, level.roles.down_slope})
+    if (flag != FlagRoles::kUnused) ground |= flag_bit(flag);
   std::vector<TileNumber> floors;
   std::optional<TileNumber> full;
   for (int i = 0; i < level.tile_count(); ++i) {
     const auto tile = static_cast<TileNumber>(i);
+    if ((level.tile_flags(tile) & ~ground) != 0) continue;
     const TileShape shape = shape_of_tile(level, tile);
     if (has_heights(shape) && shape.side == TileShape::Side::floor && !shape.one_way) floors.push_back(tile);
     if (!full && is_full(shape)) full = tile;
@@ -75,34 +79,59 @@ std::vector<TileNumber> floors_of_sheet(const Level& level) {
   return floors;
 }
 
-// Drawn tiles look like the ground that they belong to, unless most of its pixels are clear.
-void take_colors_of_ground(const Level& level, SlopeTilesOptions& options) {
-  const auto& images = level.sheet(SheetId::tiles).images;
-  const auto take = [](std::uint8_t& color, std::span<const std::uint8_t> pixels) {
-    if (const std::uint8_t main = main_color(pixels); main != 0) color = main;
-  };
-  if (const TileNumber top = level.auto_tiles.of(GroundPart::top))
-    take(options.line_color, std::span(images[top]).first(kCartTileSize));
-  if (options.below) take(options.ground_color, images[*options.below]);
-}
-
 constexpr int kMostRowsDown = 64;
+constexpr int kMostEdge = 3;  // rows of pixels of the top of the ground that its slopes have as an edge
 
-// The tile to fill the ground with that the level suggests.
-std::optional<TileNumber> tile_for_inside(const Level& level, Vec2 a, Vec2 b) {
-  const TileNumber inside = level.auto_tiles.of(GroundPart::inside);
-  if (inside != 0 && is_full(shape_of_tile(level, inside))) return inside;
+// Full tiles of the ground on which an end of a slope stands.
+struct GroundTiles {
+  TileNumber top = 0;     // the first one downwards
+  TileNumber inside = 0;  // the one below that; if there is none, the same
+};
+
+// At the lower end, else at the upper one; nothing if there is no ground near.
+std::optional<GroundTiles> ground_tiles_at(const Level& level, Vec2 a, Vec2 b) {
+  const auto full_at = [&](Cell cell) -> std::optional<TileNumber> {
+    if (!level.map.contains(cell)) return std::nullopt;
+    const MapCell tile = level.map.at(cell);
+    if (tile.turn != TileTurn::none || !is_full(shape_of_tile(level, tile.tile))) return std::nullopt;
+    return tile.tile;
+  };
   for (const Vec2 end : {a.y > b.y ? a : b, a.y > b.y ? b : a}) {
     const Cell under = level.map.cell_at(end);
     for (Cell cell = under; cell.y < under.y + kMostRowsDown; ++cell.y) {
       for (cell.x = under.x; cell.x >= under.x - 1; --cell.x) {  // it may be at the border of two columns
-        if (!level.map.contains(cell)) continue;
-        const MapCell tile = level.map.at(cell);
-        if (tile.turn == TileTurn::none && is_full(shape_of_tile(level, tile.tile))) return tile.tile;
+        if (const auto top = full_at(cell))
+          return GroundTiles{*top, full_at({cell.x, cell.y + 1}).value_or(*top)};
       }
     }
   }
   return std::nullopt;
+}
+
+// Drawn tiles look like the ground that they belong to, unless most of its pixels are clear.
+void take_look_of_ground(const Level& level, Vec2 a, Vec2 b, SlopeTilesOptions& options) {
+  const std::optional<GroundTiles> near = ground_tiles_at(level, a, b);
+  const TileNumber inside = level.auto_tiles.of(GroundPart::inside);
+  if (options.fills && !options.below) {
+    if (inside != 0 && is_full(shape_of_tile(level, inside)))
+      options.below = inside;
+    else if (near)
+      options.below = near->inside;
+  }
+  const auto& images = level.sheet(SheetId::tiles).images;
+  if (options.below)
+    if (const std::uint8_t main = main_color(images[*options.below]); main != 0) options.ground_color = main;
+  TileNumber top = level.auto_tiles.of(GroundPart::top);
+  if (top == 0 && near) top = near->top;
+  std::vector<std::uint8_t> edge;
+  for (int row = 0; top != 0 && row < kMostEdge; ++row) {
+    const auto pixels =
+        std::span(images[top]).subspan(static_cast<std::size_t>(row * kCartTileSize), kCartTileSize);
+    const std::uint8_t color = main_color(pixels);
+    if (color == 0 || color == options.ground_color) break;
+    edge.push_back(color);
+  }
+  if (!edge.empty() || near) options.edge_colors = std::move(edge);
 }
 
 // The first and last column and row of the cells that the edit changes; nothing if it changes none.
@@ -147,7 +176,7 @@ tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, co
     return tl::unexpected("the slope is too steep to stand on: it may rise by " + px_text(steepest) +
                           " px for each px (steepest floor, in Tuning)");
   SlopeTilesOptions options;
-  options.line_color = line_color;
+  options.edge_colors = {line_color};
   bool has_slope = false;
   std::vector<TileNumber> set;  // of the stamp, without those that are turned
   for (const auto [tile, turn] : stamp.tiles) {
@@ -158,12 +187,17 @@ tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, co
     has_slope = has_slope || (has_heights(shape) && shape.side == TileShape::Side::floor);
   }
   options.fills = fills;
-  if (fills && !options.below) options.below = tile_for_inside(level, a, b);
+  take_look_of_ground(level, a, b, options);
   const bool can_draw = level.sheet(SheetId::tiles).picture == nullptr;
-  if (can_draw) take_colors_of_ground(level, options);
-  if (!has_slope) set = can_draw ? std::vector<TileNumber>() : floors_of_sheet(level);
+  if (!has_slope) set = floors_of_sheet(level);
   options.set = set;
-  return slope_tiles(level, a, b, options).map([&](const SlopeTiles& tiles) {
+  if (!has_slope && can_draw) options.most_off = kSlopeTileGrain / 2;
+  auto laid = slope_tiles(level, a, b, options);
+  if (!laid && !has_slope && can_draw) {
+    options.set = {};
+    laid = slope_tiles(level, a, b, options);
+  }
+  return laid.map([&](const SlopeTiles& tiles) {
     Edit edit = put_slope_tiles(level, tiles, within);
     if (fills) fit_ground(level, edit, within);
     keep_bodies_out(level, edit);

@@ -21,13 +21,14 @@ Edit set_curves(const Level& level, std::vector<LevelCurve> curves, std::string 
 Edit put_slope_tiles(const Level& level, const SlopeTiles& tiles, Within within = {});
 
 // The slope tool: tiles along the line between two points, px. If `stamp` has sloped floors, these are laid;
-// if not, blank tiles are drawn, in the main colour of the tile that goes below. Their edge has the main
-// colour of the first row of the top of the ground that is painted; if there is none, `line_color` (0..15).
-// The first full tile of `stamp` goes below; if it has none, the inside of the ground that is painted, or the
-// full tile on which an end of the line stands, or a drawn one. Ground that it covers gets the part that
-// fits. Cells outside of `within` are left out. fills: whether the ground below is filled, see
-// SlopeTilesOptions. Bodies that it would bury start above it. The error is one sentence; a floor too steep
-// to stand on is one, too.
+// else tiles of the sheet that follow the line exactly and look like it; else blank tiles are drawn, in the
+// main colour of the tile that goes below. Their edge has the colours of the upper rows of the top of the
+// ground: of the tile that is painted there, else of the ground on which an end of the line stands; without
+// either, `line_color` (0..15). The first full tile of `stamp` goes below; if it has none, the inside of the
+// ground that is painted, or the tile under the top of that ground, or a drawn one. Ground that it covers
+// gets the part that fits. Cells outside of `within` are left out. fills: whether the ground follows the
+// slope, see SlopeTilesOptions. Bodies that it would bury start above it. The error is one sentence; a floor
+// too steep to stand on is one, too.
 tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, const Stamp& stamp,
                                           std::uint8_t line_color, Within within = {}, bool fills = true);
 

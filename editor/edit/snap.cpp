@@ -6,6 +6,7 @@
 
 #include "collision/tile_outlines.h"
 #include "curve_tools.h"
+#include "level/slope_layer.h"
 
 namespace talus {
 namespace {
@@ -14,6 +15,7 @@ using To = SnappedPoint::To;
 
 constexpr double kEndReach = 6, kTileReach = 2;  // px of the screen
 constexpr double kSlopeEndReach = 0.875;         // of a tile; below it the next slope would miss by a tile
+constexpr double kFloorReach = 1.5;  // tiles; a step of one would be a notch where a slope comes down to it
 
 class NearestEnd {
  public:
@@ -65,13 +67,13 @@ class NearestEnd {
   std::optional<Vec2> found_;
 };
 
-// The y of the nearest floor within half a tile above or below a point at the side of a column; slopes of
+// The y of the nearest floor of a slope within kFloorReach of a point at the side of a column; slopes of
 // several tiles have one there between their ends.
 std::optional<double> floor_near(const Level& level, Vec2 point) {
   const TileMap& map = level.map;
   const TileSize tile = map.tile_size();
   std::optional<double> found;
-  double least = tile.height / 2.0;
+  double least = kFloorReach * tile.height;
   const int row = map.row_at(point.y), column = map.column_at(point.x);
   for (Cell at{0, row - 1}; at.y <= row + kMaxShapeTiles; ++at.y) {
     for (at.x = column - kMaxShapeTiles; at.x <= column; ++at.x) {
@@ -89,19 +91,37 @@ std::optional<double> floor_near(const Level& level, Vec2 point) {
   return found;
 }
 
-// The top of the solid ground that a point at a corner of cells is inside of: of full cells to both sides. y:
-// px, of the point; it is the result where there is none, or no top.
-double top_of_ground(const Level& level, double x, double y) {
-  const TileMap& map = level.map;
-  const auto is_open = [&](Cell cell) {
-    return map.contains(cell) && !is_full(shape_of_cell(level, map.at(cell)));
-  };
-  const int column = static_cast<int>(x / map.tile_size().width);
-  const int row = static_cast<int>(y / map.tile_size().height);
-  for (int top = row; top > 0; --top)
-    if (is_open({column - 1, top - 1}) || is_open({column, top - 1})) return map.y_of(top);
-  return y;
-}
+// Full cells beside the side of a column.
+class FullCells {
+ public:
+  FullCells(const Level& level, double x) : level_(level), column_(level.map.column_at(x)) {}
+
+  // Whether one of the two columns has a floor at the upper side of a row.
+  bool have_top(int row) const {
+    const auto is_top = [&](Cell cell, Cell above) { return has(cell) && !has_ground(above); };
+    return is_top({column_ - 1, row}, {column_ - 1, row - 1}) || is_top({column_, row}, {column_, row - 1});
+  }
+  // The upper side of the ground that a row is inside of; the row itself if it is not, or if that is more
+  // than kMostCut rows up.
+  int top_above(int row) const {
+    for (int top = row; top > 0 && row - top <= kMostCut; --top)
+      if (is_open({column_ - 1, top - 1}) || is_open({column_, top - 1})) return top;
+    return row;
+  }
+
+ private:
+  bool has(Cell cell) const {
+    return level_.map.contains(cell) && is_full(shape_of_cell(level_, level_.map.at(cell)));
+  }
+  bool has_ground(Cell cell) const {
+    return level_.map.contains(cell) &&
+           shape_of_cell(level_, level_.map.at(cell)).kind != TileShape::Kind::none;
+  }
+  bool is_open(Cell cell) const { return level_.map.contains(cell) && !has(cell); }
+
+  const Level& level_;
+  int column_;  // to the right of that side
+};
 
 // A coordinate at the border of a tile, if there is one near. side: px, of a tile.
 std::optional<double> at_border(double px, int side, double reach) {
@@ -131,9 +151,14 @@ Vec2 snap_slope_end(const Level& level, Vec2 point, double zoom) {
   nearest.try_tiles();
   if (const auto end = nearest.found(); end && std::fmod(end->x, tile.width) == 0) return *end;
   const double x = std::round(point.x / tile.width) * tile.width;
-  const double y = std::round(point.y / tile.height) * tile.height;
+  const int row = static_cast<int>(std::round(point.y / tile.height));
+  const FullCells full(level, x);
+  const double off = std::abs(level.map.y_of(row) - point.y);
   const auto floor = floor_near(level, {x, point.y});
-  return onto_map(level.map, {x, floor ? *floor : top_of_ground(level, x, y)});
+  if (floor && !(full.have_top(row) && off <= std::abs(*floor - point.y)))
+    return onto_map(level.map, {x, *floor});
+  const double top = level.map.y_of(full.top_above(row));
+  return onto_map(level.map, {x, floor_near(level, {x, top}).value_or(top)});
 }
 
 Vec2 onto_map(const TileMap& map, Vec2 point) {

@@ -24,8 +24,8 @@ struct SnappedPoint {
 SnappedPoint snap(const Level& level, Vec2 point, const SnapRules& rules);
 
 // Where an end of a slope of tiles goes: to the nearest end of a sloped tile's line within 6 px of the screen
-// or 7/8 of a tile; else to the nearest side of a column, and there to a floor within half a tile, else to
-// the side of a row, and out of solid ground up to its top. zoom: as in SnapRules.
+// or 7/8 of a tile; else to the nearest side of a column, and there to the floor of a slope within 1.5 tiles,
+// else to the side of a row, and out of solid ground up to its top, within 8 rows. zoom: as in SnapRules.
 Vec2 snap_slope_end(const Level& level, Vec2 point, double zoom);
 
 // The nearest point on the map, edges included: where a drag that goes beside the map should begin or end.

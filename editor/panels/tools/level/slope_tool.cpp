@@ -58,7 +58,7 @@ class SlopeTool : public LevelTool {
 
   std::string hint(const LevelToolUse& use) const override {
     if (!use.from) return {};
-    return "Alt: no snapping. Ctrl: the ground below is not filled.";
+    return "Alt: no snapping. Ctrl: the ground below and above stays.";
   }
 
  private:
