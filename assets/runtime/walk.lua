@@ -5,8 +5,9 @@ has.walk = true
 
 local Walk = {}  -- of one body in one step
 Walk.__index = Walk
-Walk.MOST_SAG = 2.0 ^ -20  -- px; where a curve crosses another floor, its chord may be so much below it
+Walk.MOST_SAG = 2.0 ^ -20  -- px; where a curve leads over an end, its chord may be so much below it
 Walk.PARTS_OF_WAY = 16  -- two curves are compared between so many equal parts of a way
+Walk.MOST_PASSED = 8  -- on its chord a body passes so many floors that its curve is above
 
 local AHEAD = 0.001953125  -- px; how far ahead the next piece of floor is looked for
 local HALVINGS = 16  -- how often the way along a curve to what stops the body is halved: to less than 1/1000 px
@@ -181,8 +182,11 @@ function Walk:stop_on(on, box, from, contact)
     x, y = Walk.place_on(on, box, free)
     box.x, box.y = Walk.place_on(on, box, from)  -- on its way back it would meet what it has passed
   end
-  local met = self:cast_to(on, box, x, y)
-  if met and self:sinks(Walk.at(met.x, met.y, box), met, y) then met = self:cast_to(on, box, x, y) end
+  local met
+  local stop = on.stop
+  met, x, y = self:cast_to(on, box, x, y)
+  if met and self:sinks(Walk.at(met.x, met.y, box), met, y) then met, x, y = self:cast_to(on, box, x, y) end
+  on.stop = stop
   box.x, box.y = met and met.x or x, met and met.y or y
 end
 
@@ -280,41 +284,75 @@ function Walk.without(piece, cast, ...)
   return contact
 end
 
--- Whether the floor is a curve that is nowhere below the other floor that the body has met on its chord: it may touch
--- that, or be the same there.
-function Walk:stays_above(on, box, contact, goal_x)
-  if contact.facing ~= UP or not contact.edge or contact.on_end then return false end
-  local met, from, slack = self:floor_of(contact, box), contact.x, Walk.settled(box)
-  local to = (goal_x - met.stop) * self.direction > 0 and met.stop or goal_x
+-- Up to where a curve that is the floor is above the other floor that the body has met on its chord, or the same as
+-- that, px, x of the box; nil: up to the goal. If what it met is no line of a floor, that is where it is.
+function Walk:end_above(on, box, contact, goal_x)
+  local from = contact.x
+  if contact.facing ~= UP or not contact.edge or contact.on_end then return from end
+  local met, slack, direction = self:floor_of(contact, box), Walk.settled(box), self.direction
+  local function is_below(x)
+    local _, y = Walk.place_on(on, box, x)
+    local _, met_y = Walk.place_on(met, box, x)
+    return y > met_y + slack
+  end
+  local ends = (goal_x - met.stop) * direction > 0
+  local to = ends and met.stop or goal_x
   local part = (to - from) / Walk.PARTS_OF_WAY
   for i = 0, Walk.PARTS_OF_WAY do
-    local _, y = Walk.place_on(on, box, from + part * i)
-    local _, met_y = Walk.place_on(met, box, from + part * i)
-    if y > met_y + slack then return false end
+    local below = from + part * i
+    if is_below(below) then
+      local above = i == 0 and below or below - part
+      for _ = 1, i > 0 and HALVINGS or 0 do
+        local x = (above + below) / 2
+        if is_below(x) then below = x else above = x end
+      end
+      return above
+    end
   end
-  return true
+  -- Behind the end another piece of that floor may go on.
+  local beyond = from + direction * 2 * AHEAD
+  if (to - beyond) * direction > 0 then beyond = to end
+  return ends and (goal_x - beyond) * direction > 0 and beyond or nil
 end
 
--- What the body meets first on its way to a place on the floor.
+-- Along the chord of a curve; see cast_to. It passes floors that the curve is above.
+function Walk:cast_along_chord(on, box, x, y)
+  local contact, passed
+  for count = 0, Walk.MOST_PASSED do
+    contact = self:cast(box, x - box.x, y - box.y, on.met.edge.source)
+    if not contact or count == Walk.MOST_PASSED then break end
+    local stop = self:end_above(on, box, contact, x)
+    if stop then
+      if (stop - contact.x) * self.direction <= AHEAD then break end
+      on.stop = stop
+      x, y = Walk.place_on(on, box, stop)
+    end
+    passed = passed or {}
+    passed[count + 1] = contact.edge.source or contact.edge
+    passed[count + 1].is_ignored = true
+  end
+  if passed then
+    for i = 1, #passed do passed[i].is_ignored = nil end
+  end
+  return contact, x, y
+end
+
+-- What the body meets first on its way to a place on the floor, and that place. Where the floor is a curve that goes
+-- below another one on the way, it ends, and so does the way.
 function Walk:cast_to(on, box, x, y)
+  if not Walk.is_straight(on) then return self:cast_along_chord(on, box, x, y) end
   local line = on.on_line and on.met.edge or nil
   local way_x, way_y = x - box.x, y - box.y
   local slack = Walk.settled(box, way_x, way_y)
   -- A ceiling that is parallel to the floor must not come nearer by the rounding of the two places.
-  local straight = Walk.is_straight(on)
-  local parallel = line and straight and line.form.along(line, way_x) or 0.0
-  if straight and abs(way_y - parallel) <= slack then way_y = parallel end
-  if not straight then
-    local met = self:cast(box, way_x, way_y, line.source)
-    if not met or not self:stays_above(on, box, met, x) then return met end
-    return Walk.without(met.edge.source or met.edge, self.cast, self, box, way_x, way_y, line.source)
-  end
+  local parallel = line and line.form.along(line, way_x) or 0.0
+  if abs(way_y - parallel) <= slack then way_y = parallel end
   local contact = self:cast(box, way_x, way_y)
   local piece = contact and contact.t == 0 and contact.edge
   if piece and piece.form.falls_away and piece.form.falls_away(contact, way_x, way_y, slack) then
-    return self:cast(box, way_x, way_y, piece.source or piece)
+    return self:cast(box, way_x, way_y, piece.source or piece), x, y
   end
-  return contact
+  return contact, x, y
 end
 
 -- Where a corner of the body has met a sloped ceiling at this y, which may be the underside of the line that it walks
@@ -358,7 +396,9 @@ end
 -- goal. It meets the underside of the line that it walks on by rounding alone.
 function Walk:leads_into_ground(on, box, goal_x, goal_y)
   goal_y = goal_y + box.h
-  local met = self:cast_to(on, {x = box.x, y = box.y + box.h, w = 0.0, h = 0.0, centre = false}, goal_x, goal_y)
+  local met
+  local under = {x = box.x, y = box.y + box.h, w = 0.0, h = 0.0, centre = false}
+  met, goal_x, goal_y = self:cast_to(on, under, goal_x, goal_y)
   if not met or met.facing ~= DOWN or not (Walk.room_at(goal_x, goal_y, met) < -LIP) or
       abs(met.x - box.x) <= AHEAD then
     return false
@@ -395,7 +435,8 @@ function Walk:floor_leads_over(box, spot_x, spot_y, fall, beyond)
     if beyond > 0 then ahead_x, ahead_y = under:goal_on(on, point, spot_x + direction * beyond - point.x) end
     if under:leads_into_ground(on, point, ahead_x, ahead_y) then return false end
     -- Another floor may cross it, further on or just here.
-    local met = under:cast_to(on, point, goal_x, goal_y)
+    local met
+    met, goal_x, goal_y = under:cast_to(on, point, goal_x, goal_y)
     if met and met.facing == UP then
       local is_here = met.t == 0 and is_level(met, self.steepest)
       local crossing = is_here and under:floor_met(point, met) or nil
@@ -515,7 +556,8 @@ local function go_along_floor(world, body, box, reach, motion_on, stop_at)
     local goal_x, goal_y = walk:goal_on(on, box, x * rest * part)
     goal_x, goal_y = walk:goal_before_line(on, box, goal_x, goal_y)
     if goal_x - box.x == 0 then return true end
-    local contact = walk:cast_to(on, box, goal_x, goal_y)
+    local contact
+    contact, goal_x, goal_y = walk:cast_to(on, box, goal_x, goal_y)
     local at_x, at_y, from, past_x, past_y = goal_x, goal_y, box.x
     -- What it has just come to does not stop it if the next piece leads past it.
     local arrives = not contact

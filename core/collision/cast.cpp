@@ -379,8 +379,9 @@ class Caster {
   // ---- Pieces ----
 
   bool is_ignored(const Piece<Real>& piece) const {
-    return is_copy(piece, *ignored_.first) ||
-           (ignored_.second != nullptr && is_copy(piece, *ignored_.second));
+    if (is_copy(piece, *ignored_.first)) return true;
+    return std::any_of(ignored_.more.begin(), ignored_.more.end(),
+                       [&](const Piece<Real>* other) { return is_copy(piece, *other); });
   }
 
   void against_piece(const Piece<Real>& piece) {

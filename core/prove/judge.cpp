@@ -87,7 +87,8 @@ std::optional<Verdict> Judge::judge_walk(const Body& before, const Body& after, 
   const double least =
       tuning_.player.surface_speed != 0 ? most / std::hypot(1.0, steepest_on_curve(steepest)) : most;
   const double moved = (after.box.x - before.box.x) * direction, rise = before.box.y - after.box.y;
-  if (moved > most + slack) return Verdict{FindingKind::jumps, moved - most};
+  if (moved > most + slack && !has_landed_on_curve(before, after, direction))
+    return Verdict{FindingKind::jumps, moved - most};
   // A curve may get steeper within the step.
   if (rise > most * steepest + slack &&
       !ground_.has_curve_in(hull(fine_box(before.box), fine_box(after.box))))
@@ -177,7 +178,7 @@ bool Judge::leads_to(const Body& body, Fine x, Fine y, int direction) const {
         const RawLine& top = part.top;
         const bool has_both = top.x0 <= std::min(front, x) && top.x1 >= std::max(front, x);
         return !(part.is_floor() && has_both && std::abs(top.at(front) - box.y1) <= weld_ &&
-                 std::abs(top.at(x) - y) <= weld_);
+                 std::abs(top.at(x) - y) <= least_weld_);
       });
 }
 
@@ -527,7 +528,11 @@ Judge::Ahead Judge::ahead_of(const Body& body, int direction) const {
   const FineBox box = fine_box(body.box);
   if (ahead.way != Way::free || !ground_.has_curve_in(box)) return ahead;
   Body there = body;
-  if (const auto floor = floor_near(box, body.foot, kChord, kChord)) there.box.y += px_of(*floor - box.y1);
+  if (const auto floor = floor_near(box, body.foot, kChord, kChord)) {
+    // On the chord it has just the room that it has not on its curve.
+    if (*floor < box.y1 && !passes(box, box.moved(0, *floor - box.y1), body.foot)) return {Way::blocked};
+    there.box.y += px_of(*floor - box.y1);
+  }
   return ahead_of(there, direction, kAheadOnCurve);
 }
 

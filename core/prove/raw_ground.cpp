@@ -166,6 +166,10 @@ bool RawPart::stops(const FineBox& from, const FineBox& to) const {
   if (!meets(to)) return false;
   if (kind == Kind::solid) return true;
   if (meets(from)) return false;
+  // A curve has a slope of its own at each place: all that counts is on which side the body comes from.
+  const Fine x0 = std::max(from.x0, top.x0), x1 = std::min(from.x1, top.x1);
+  if (top.curve != nullptr && x0 <= x1)
+    return kind == Kind::floor ? from.y1 <= top.highest(x0, x1) : from.y0 >= top.lowest(x0, x1);
   const Wide dx = to.x0 - from.x0, dy = to.y0 - from.y0;
   // Against the normal, which points up from a floor, or against an end.
   const Wide into = dy * (top.x1 - top.x0) - dx * (top.y1 - top.y0);

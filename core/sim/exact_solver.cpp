@@ -192,8 +192,8 @@ class ExactSolver final : public Solver {
       if (rest == 1) note_goal(moving, motion);
       if (at_end) note_turn(state.bodies[index], moving, floor->contact, before * rest);
       if (at_end || contacts > 0) note_after(motion * rest);
-      const Vec goal = way.goal_before_line(
-          *floor, moving, way.goal_on(*floor, moving.box, motion.x * rest * part, moving.foot));
+      Vec goal = way.goal_before_line(*floor, moving,
+                                      way.goal_on(*floor, moving.box, motion.x * rest * part, moving.foot));
       if (goal.x == moving.box.x) return true;
       const auto contact = way.cast_to(*floor, moving, goal);
       if (!contact && budget_.seen < 1) {
@@ -300,7 +300,7 @@ class ExactSolver final : public Solver {
     if (!met || is_level(met, numbers_.steepest)) return met;
     Contact<Real> floor = cast_box<Real>(ground_, down, others_, met.piece, &budget_);
     if (floor && !is_level(floor, numbers_.steepest))  // the same side once more, or another one behind it
-      floor = cast_box<Real>(ground_, down, others_, {met.piece, floor.piece}, &budget_);
+      floor = cast_box<Real>(ground_, down, others_, {met.piece, std::array{floor.piece}}, &budget_);
     const bool is_foot =
         floor && is_level(floor, numbers_.steepest) && floor.position.y - met.position.y <= Real(kMostLip);
     if (!is_foot) return {};

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -24,10 +25,12 @@ static_assert(kFloorStep * 2 * kWeldParts == 1);
 inline constexpr int kManySlacks = 64;
 // How often the way along a curve to what stops the body is halved: to less than 1/1000 px.
 inline constexpr int kHalvings = 16;
-// px; where a curve crosses another floor, its chord may be so much below it.
+// px; where a curve leads over an end, its chord may be so much below it.
 inline constexpr double kMostSag = 1.0 / (1 << 20);
 // Two curves are compared at both ends of a way, and between so many equal parts of it.
 inline constexpr int kPartsOfWay = 16;
+// On its chord a body passes so many floors that its curve is above.
+inline constexpr std::size_t kMostPassed = 8;
 // The floor under a body is followed over so many pieces to a corner of the body: more than there are under
 // any body but on lines with points closer than 1/16 px. The budget of the casts is a limit, too.
 inline constexpr int kMostPiecesUnder = 1024;
@@ -134,7 +137,7 @@ class FloorWalk {
   }
   // Puts a body that something has stopped on its way from x along the chord of that curve on the curve
   // itself, where it may meet that sooner, or as near to it as what else is there lets it.
-  void stop_on(const FloorAhead<Real>& floor, Moving<Real>& body, Real from, const Contact<Real>& contact) {
+  void stop_on(FloorAhead<Real> floor, Moving<Real>& body, Real from, const Contact<Real>& contact) {
     const auto place_at = [&](Real x) { return place_on(floor, body.box, x, body.foot); };
     Real free = from, blocked = contact.position.x;
     if (room_at(place_at(blocked), contact) >= 0) {
@@ -146,7 +149,7 @@ class FloorWalk {
       }
       body = moved_to(body, place_at(from));  // on its way back it would meet what it has passed
     }
-    const Vec place = place_at(free);
+    Vec place = place_at(free);
     Contact<Real> met = cast_to(floor, body, place);
     if (met && sinks(moved_to(body, met.position), met, place.y)) met = cast_to(floor, body, place);
     body = moved_to(body, met ? met.position : place);
@@ -188,19 +191,16 @@ class FloorWalk {
     return dot(place - contact.position, contact.normal);
   }
 
-  // What the body meets first on its way to a place on the floor.
-  Contact<Real> cast_to(const FloorAhead<Real>& floor, const Moving<Real>& body, Vec goal) const {
+  // What the body meets first on its way to a place on the floor. Where the floor is a curve that goes below
+  // another one on the way, it ends, and so does the way.
+  Contact<Real> cast_to(FloorAhead<Real>& floor, const Moving<Real>& body, Vec& goal) const {
+    if (!is_straight(floor)) return cast_along_chord(floor, body, goal);
     const Piece<Real>* line = floor.on_line ? floor.contact.piece : nullptr;
     Cast<Real> cast{body.box, goal - body.box.position(), body.foot, sunk_};
     const Real slack = kSettledSlacks * rounding_slack(cast);
     // A ceiling that is parallel to the floor must not come nearer by the rounding of the two places.
     const Real along = line != nullptr ? cast.motion.x * line->slope : 0;
-    if (is_straight(floor) && std::abs(cast.motion.y - along) <= slack) cast.motion.y = along;
-    if (!is_straight(floor)) {
-      const Contact<Real> contact = cast_box(ground_, cast, others_, line, budget_);
-      if (!stays_above(floor, body, contact, goal)) return contact;
-      return cast_box(ground_, cast, others_, {line, contact.piece}, budget_);
-    }
+    if (std::abs(cast.motion.y - along) <= slack) cast.motion.y = along;
     const Contact<Real> contact = cast_box(ground_, cast, others_, {}, budget_);
     if (!falls_away(contact, cast.motion, slack)) return contact;
     return cast_box(ground_, cast, others_, contact.piece, budget_);
@@ -296,20 +296,51 @@ class FloorWalk {
     if (height > slack && height <= Real(kMostLip) + slack) floor.end = x;
   }
 
-  // Whether the floor is a curve that is nowhere below the other floor that the body has met on its chord: it
-  // may touch that, or be the same there.
-  bool stays_above(const FloorAhead<Real>& floor, const Moving<Real>& body, const Contact<Real>& contact,
-                   Vec goal) const {
-    if (!contact || contact.facing != Facing::up || contact.piece == nullptr || contact.on_end) return false;
-    const FloorAhead<Real> met = floor_of(contact, body.box, body.foot);
-    const Real from = contact.position.x, slack = settled(body);
-    const Real to = (goal.x - met.end) * direction_ > 0 ? met.end : goal.x, part = (to - from) / kPartsOfWay;
-    for (int i = 0; i <= kPartsOfWay; ++i) {
-      const Real x = from + part * static_cast<Real>(i);
-      if (place_on(floor, body.box, x, body.foot).y > place_on(met, body.box, x, body.foot).y + slack)
-        return false;
+  // The same along the chord of a curve. It passes floors that the curve is above.
+  Contact<Real> cast_along_chord(FloorAhead<Real>& floor, const Moving<Real>& body, Vec& goal) const {
+    std::array<const Piece<Real>*, kMostPassed> passed{};
+    for (std::size_t count = 0;; ++count) {
+      const Cast<Real> cast{body.box, goal - body.box.position(), body.foot, sunk_};
+      const Contact<Real> contact = cast_box<Real>(
+          ground_, cast, others_, {floor.contact.piece, std::span(passed).first(count)}, budget_);
+      if (!contact || count == passed.size()) return contact;
+      if (const auto end = end_above(floor, body, contact, goal)) {
+        if ((*end - contact.position.x) * direction_ <= Real(kFloorStep)) return contact;
+        floor.end = *end;
+        goal = place_on(floor, body.box, *end, body.foot);
+      }
+      passed[count] = contact.piece;
     }
-    return true;
+  }
+
+  // Up to where a curve that is the floor is above the other floor that the body has met on its chord, or the
+  // same as that, px, x of the box. Nothing: up to the goal. If what it met is no line of a floor, that is
+  // where it is.
+  std::optional<Real> end_above(const FloorAhead<Real>& floor, const Moving<Real>& body,
+                                const Contact<Real>& contact, Vec goal) const {
+    const Real from = contact.position.x;
+    if (contact.facing != Facing::up || contact.piece == nullptr || contact.on_end) return from;
+    const FloorAhead<Real> met = floor_of(contact, body.box, body.foot);
+    const Real slack = settled(body);
+    const auto is_below = [&](Real x) {
+      return place_on(floor, body.box, x, body.foot).y > place_on(met, body.box, x, body.foot).y + slack;
+    };
+    const bool ends = (goal.x - met.end) * direction_ > 0;
+    const Real to = ends ? met.end : goal.x, part = (to - from) / kPartsOfWay;
+    for (int i = 0; i <= kPartsOfWay; ++i) {
+      Real below = from + part * static_cast<Real>(i);
+      if (!is_below(below)) continue;
+      Real above = i == 0 ? below : below - part;
+      for (int k = 0; k < kHalvings && i > 0; ++k) {
+        const Real x = (above + below) / 2;
+        (is_below(x) ? below : above) = x;
+      }
+      return above;
+    }
+    // Behind the end another piece of that floor may go on.
+    const Real beyond = direction_ > 0 ? std::max(to, from + 2 * Real(kFloorStep))
+                                       : std::min(to, from - 2 * Real(kFloorStep));
+    return ends && (goal.x - beyond) * direction_ > 0 ? std::optional(beyond) : std::nullopt;
   }
 
   // Whether it only touches a hill, at its top, which is in its way by rounding alone.
@@ -470,10 +501,10 @@ class FloorWalk {
   // Whether a floor goes through a ceiling into the ground on the way of a box, so that not even its foot
   // gets to the goal. It meets the underside of the line that it walks on by rounding alone. Not inline,
   // which would keep the compiler from putting hotter functions into the steps of balls.
-  [[gnu::noinline]] bool leads_into_ground(const FloorAhead<Real>& floor, const BasicRect<Real>& box,
+  [[gnu::noinline]] bool leads_into_ground(FloorAhead<Real> floor, const BasicRect<Real>& box,
                                            Vec goal) const {
     const Moving<Real> foot{{box.x, box.y + box.h, 0, 0}, {}, Foot::box};
-    const Vec to{goal.x, goal.y + box.h};
+    Vec to{goal.x, goal.y + box.h};
     const Contact<Real> met = cast_to(floor, foot, to);
     if (!met || met.facing != Facing::down || !(room_at(to, met) < -Real(kMostLip)) ||
         std::abs(met.position.x - foot.box.x) <= Real(kFloorStep))
@@ -498,7 +529,7 @@ class FloorWalk {
       const bool falls = i == 0 && fall > 0;
       // A middle that is just before a floor is not on it.
       const Real gap = i == 0 ? 0 : Real(kMostLip);
-      const auto floor = walk.look_ahead(point, falls ? fall : 1, gap);
+      auto floor = walk.look_ahead(point, falls ? fall : 1, gap);
       if (!floor) return false;
       if (i == 0) {
         const Vec place = walk.place_on(*floor, point.box, point.box.x, point.foot);

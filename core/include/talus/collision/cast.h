@@ -52,12 +52,13 @@ struct CastBudget {
 // Pieces that stop nothing in one cast.
 template <class Real>
 struct Ignored {
-  const Piece<Real>* first = nullptr;   // null: none
-  const Piece<Real>* second = nullptr;  // one more, beside a first one; null: none
+  const Piece<Real>* first = nullptr;             // null: none
+  std::span<const Piece<Real>* const> more = {};  // others beside a first one; none of them is null
 
   Ignored() = default;
-  // A piece, and perhaps another one, as the two fields.
-  Ignored(const Piece<Real>* piece, const Piece<Real>* other = nullptr) : first(piece), second(other) {}
+  // A piece, and perhaps others, as the two fields.
+  Ignored(const Piece<Real>* piece, std::span<const Piece<Real>* const> others = {})
+      : first(piece), more(others) {}
 };
 
 // The first contact. Of contacts at the same time the most opposing one counts, then the more level one. Two
