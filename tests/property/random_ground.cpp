@@ -11,7 +11,7 @@ namespace {
 
 using reference::Exact;
 using reference::Part;
-using Kind = TileShape::Kind;
+using ShapeKind = TileShape::Kind;
 
 constexpr int kShapeKinds = 12;
 
@@ -22,12 +22,12 @@ TileSize random_tile_size(Dice& dice) {
 
 TileShape random_shape(Dice& dice, TileSize tile, GroundKinds kinds) {
   TileShape shape;
-  shape.kind = dice.one_in(3) ? Kind::profile : Kind::slope;
+  shape.kind = dice.one_in(3) ? ShapeKind::profile : ShapeKind::slope;
   shape.side = dice.one_in(3) ? TileShape::Side::ceiling : TileShape::Side::floor;
   shape.tiles = dice.one_in(2) ? 1 : 1 + dice.up_to(3);
   shape.one_way = kinds.one_way && dice.one_in(3);
-  if (shape.one_way && dice.one_in(3)) return {.kind = Kind::solid, .side = shape.side, .one_way = true};
-  const int count = shape.kind == Kind::slope ? 2 : 3 + dice.up_to(4);
+  if (shape.one_way && dice.one_in(3)) return {.kind = ShapeKind::solid, .side = shape.side, .one_way = true};
+  const int count = shape.kind == ShapeKind::slope ? 2 : 3 + dice.up_to(4);
   const double side = tile.height, most = dice.one_in(4) ? 3 * side : side;
   const double parts = dice.one_in(3) ? 4096 : 1;  // finer than the rounding of heights
   for (int i = 0; i < count; ++i) {
@@ -177,11 +177,11 @@ Exact rounded(double value) { return reference::rounded_to_256th(value); }
 
 void add_shape(const TileShape& shape, TileSize tile, int column, int row, std::vector<Part>& parts) {
   for (const TileShape& part : shape.parts) add_shape(part, tile, column, row, parts);
-  if (shape.kind == Kind::group) return;
-  if (shape.kind == Kind::polygon) return add_polygon(shape, tile, column, row, parts);
+  if (shape.kind == ShapeKind::group) return;
+  if (shape.kind == ShapeKind::polygon) return add_polygon(shape, tile, column, row, parts);
   const bool floor = shape.side == TileShape::Side::floor;
   const Exact left = column * tile.width, top = row * tile.height, bottom = top + tile.height;
-  const bool solid = shape.kind == Kind::solid;
+  const bool solid = shape.kind == ShapeKind::solid;
   const double side = tile.height;
   const std::vector<double> heights = solid ? std::vector<double>{side, side} : shape.heights;
   const Exact width = tile.width * (solid ? 1 : shape.tiles), count = static_cast<int>(heights.size()) - 1;
@@ -296,7 +296,7 @@ reference::ExactGround RandomGround::exact() const {
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const TileShape& shape = shapes[cells[static_cast<std::size_t>(y) * width + x]];
-      if (shape.kind != Kind::none) add_shape(shape, tile, x, y, ground.parts);
+      if (shape.kind != ShapeKind::none) add_shape(shape, tile, x, y, ground.parts);
     }
   }
   for (const Curve& curve : curves) {
@@ -329,7 +329,7 @@ RandomGround random_ground(Dice& dice, int width, int height, GroundKinds kinds)
   ground.width = width, ground.height = height;
   if (dice.one_in(2)) ground.tile = random_tile_size(dice);
   ground.cells.resize(static_cast<std::size_t>(width) * height);
-  ground.shapes[1] = {.kind = Kind::solid};
+  ground.shapes[1] = {.kind = ShapeKind::solid};
   for (int i = 2; i < kShapeKinds; ++i) ground.shapes[i] = random_shape(dice, ground.tile, kinds);
   for (int i = 2; kinds.polygons && i < kShapeKinds; ++i) {
     if (i % 3 == 0) ground.shapes[i] = random_polygon(dice, ground.tile, kinds.one_way);
