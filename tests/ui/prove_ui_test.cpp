@@ -2,6 +2,7 @@
 #include "harness.h"
 #include "panels/canvas/fix_preview.h"
 #include "panels/commands/commands.h"
+#include "panels/level/problem_list.h"
 #include "session/checks/prover.h"
 
 namespace talus::prove_ui_test {
@@ -78,6 +79,33 @@ TEST_F(UiProve, AnEditIsProvedAndAfterwardsAFindingIsGone) {
   frames(2);
   EXPECT_EQ(find("proof/stale"), nullptr);
   EXPECT_EQ(find("proof/row0"), nullptr);
+}
+
+TEST_F(UiProve, StopsFollowingEditsAfterTheProof) {
+  start_lipped();
+  EXPECT_EQ(find("problems/cancel_proof"), nullptr);
+  click("problems/prove");
+  ASSERT_TRUE(proof_ends());
+  frames(2);
+  click("problems/cancel_proof");
+  frames(2);
+  EXPECT_EQ(find("problems/cancel_proof"), nullptr);
+  session().apply(action::EditLevel{Edit{"Paint", {CellChange{{20, 15}, 7, 0}}}});
+  frames(4);
+  EXPECT_FALSE(session().prover().running());
+  EXPECT_NE(find("proof/stale"), nullptr);
+}
+
+TEST_F(UiProve, FindingsAreCountedWithTheProblems) {
+  start_lipped();
+  const std::size_t problems = app().ui().problems->size();
+  click("problems/prove");
+  ASSERT_TRUE(proof_ends());
+  frames(2);
+  ASSERT_EQ(session().prover().found()->findings.size(), 2u);
+  const std::string text = problems_text(session(), app().ui());
+  EXPECT_NE(text.find("2 findings"), std::string::npos) << text;
+  EXPECT_EQ(text.find("problem") != std::string::npos, problems > 0) << text;
 }
 
 TEST_F(UiProve, AFindingOffersTheFixOfItsProblem) {

@@ -107,6 +107,25 @@ TEST(Fixes, SeamsAreFilledOrLevelled) {
       ElementsAre("Lower the left end of tile 7's slope from 2 to 0 px, in every cell with that tile"));
 }
 
+TEST(Fixes, PixelsMoveWithTheEndOfASlope) {
+  Level level = slope_level({"o....", ".a##.", "#####"});
+  TileImage& image = level.sheet(SheetId::tiles).images[kSlopeA];
+  image = {};
+  for (int x = 0; x < 8; ++x) {  // green above brown, rising from 0 to 4 px
+    const int top = 8 - (x + 1) / 2;
+    for (int y = top; y < 8; ++y) image[static_cast<std::size_t>(y * 8 + x)] = y == top ? 5 : 9;
+  }
+  const auto fixes = fixes_for(level, level, {}, first_of(level, "seam"));
+  ASSERT_EQ(fixes.size(), 1u);
+  apply_edit(level, fixes[0]);  // the right end goes up to 8 px
+  const TileImage& moved = level.sheet(SheetId::tiles).images[kSlopeA];
+  EXPECT_EQ(moved[0 * 8 + 7], 5);
+  EXPECT_EQ(moved[1 * 8 + 7], 9);
+  EXPECT_EQ(moved[7 * 8 + 7], 9);
+  EXPECT_EQ(moved[4 * 8 + 3], 5);
+  EXPECT_EQ(moved[3 * 8 + 3], 0);
+}
+
 TEST(Fixes, AFixThatBreaksAnotherJoinIsNotOffered) {
   // Raising tile 2 to the wall would make a step to tile 3 beside it.
   const Level level = slope_level({"o........", ".a#..ab#.", "#########"});

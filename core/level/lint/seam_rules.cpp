@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../level_text.h"
+#include "collision/tile_outlines.h"
 #include "fix_parts.h"
 #include "rule_group.h"
 #include "seam_finder.h"
@@ -122,6 +123,38 @@ class SeamFixer {
     }
   }
 
+  // Moves the pixels of each column of a tile with its line; not in true colour, nor of a slope that reaches
+  // over several tiles, nor if nothing would be seen.
+  void move_pixels(TileNumber tile, const TileShape& before, const TileShape& after, Edit& edit) const {
+    const Sheet& sheet = level_.sheet(SheetId::tiles);
+    const TileSize size = level_.map.tile_size();
+    const auto is_high = [&](const TileShape& shape) {
+      return *std::max_element(shape.heights.begin(), shape.heights.end()) > size.height;
+    };
+    if (sheet.picture != nullptr || before.tiles != 1 || is_high(before) || is_high(after)) return;
+    const TileImage& old = sheet.images[tile];
+    const bool is_floor = before.side == TileShape::Side::floor;
+    TileImage moved{};
+    for (int x = 0; x < kCartTileSize; ++x) {
+      const auto row_of = [&](const TileShape& shape) {
+        const double height = height_of_line(shape, (x + 0.5) * size.width / kCartTileSize, size);
+        return static_cast<int>(std::lround(height * kCartTileSize / size.height));
+      };
+      // Of the old picture; its last row goes on behind it.
+      const auto color_at = [&](int y) -> std::uint8_t {
+        if (y >= 0 && y < kCartTileSize) return old[y * kCartTileSize + x];
+        return is_floor == (y > 0) ? old[(is_floor ? kCartTileSize - 1 : 0) * kCartTileSize + x] : 0;
+      };
+      const int grown = row_of(after) - row_of(before);
+      for (int y = 0; y < kCartTileSize; ++y)
+        moved[y * kCartTileSize + x] = color_at(is_floor ? y + grown : y - grown);
+    }
+    if (moved == TileImage{}) return;
+    for (int pixel = 0; pixel < kCartTileSize * kCartTileSize; ++pixel)
+      if (old[pixel] != moved[pixel])
+        edit.changes.emplace_back(PixelChange{SheetId::tiles, tile, pixel, old[pixel], moved[pixel]});
+  }
+
   // Adds the fix that raises or lowers the end of a slope's tile to the other side.
   void change_height(bool left) {
     const Cell at = left ? seam_.left_tile : seam_.right_tile;
@@ -141,6 +174,7 @@ class SeamFixer {
                                        "'s slope from " + px_text(now) + " to " + px_text(height) +
                                        " px, in every cell with that tile",
                                    TileShapeChange{tile, level_.tile_shapes[tile], after}));
+    move_pixels(tile, *before, after, edits_.back());
   }
 
   // Sorts the fixes by the number of problems that they leave around. Fixes that leave more problems than

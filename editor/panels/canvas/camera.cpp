@@ -113,12 +113,14 @@ void Camera::keep_in_sight(Vec2 point, ImVec2 canvas) {
   if (!shows_whole()) scroll(missing(point, room_in_sight(canvas), canvas));
 }
 
-void Camera::follow(Vec2 point, Vec2 map, ImVec2 canvas) {
-  if (shows_whole()) return;
+bool Camera::follow(Vec2 point, Vec2 map, ImVec2 canvas) {
+  if (shows_whole()) return false;
   const Vec2 by = missing(point, {canvas.x / 3, canvas.y / 3}, canvas);
-  if (by == Vec2{}) return;
+  if (by == Vec2{}) return false;
+  const Vec2 before = offset_;
   offset_ = offset_ - by;
   stay_on_map(map, canvas);
+  return offset_ != before;
 }
 
 void Camera::fit(Vec2 level, ImVec2 canvas) {

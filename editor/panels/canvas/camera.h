@@ -46,8 +46,8 @@ class Camera {
   // Scrolls as little as needed to show the point with some room around it; the world view shows it anyway.
   void keep_in_sight(Vec2 point, ImVec2 canvas);
   // Scrolls as little as needed to have the point in the middle third of the canvas, as far as the map goes;
-  // the world view stays. `map` is the map's size.
-  void follow(Vec2 point, Vec2 map, ImVec2 canvas);
+  // the world view stays. `map` is the map's size. Returns whether it scrolled.
+  bool follow(Vec2 point, Vec2 map, ImVec2 canvas);
   // Sets the largest zoom at which a level of this size, in px, fits, and centres it.
   void fit(Vec2 level, ImVec2 canvas);
   // Shows an area of the map, px of the level, as large as it fits. The zoom is a step if one is close: the

@@ -242,10 +242,9 @@ void LevelCanvas::take_requests(const Session& session, Ui& ui, ImVec2 size) {
       v.canvas.mode == CanvasMode::two_maps ? mine : !is_play() || v.canvas.mode == CanvasMode::play;
   if (const auto shown = centres ? v.requests.take<request::ShowCell>() : std::nullopt) {
     const Vec2 place = session.level().map.box_of(shown->cell).center();
-    if (!camera_.is_in_sight(place, size)) {
-      camera_.leave_whole(place, size);
-      let_go(ui);
-    }
+    const bool is_in_sight = camera_.is_in_sight(place, size);
+    if (!is_in_sight) camera_.leave_whole(place, size);
+    if (camera_.follow(place, map, size) || !is_in_sight) let_go(ui);
   }
   if (!mine) return;
   if (const auto zoom = v.requests.take<request::Zoom>())

@@ -9,6 +9,7 @@
 
 #include "level/lint/fixes.h"
 #include "panels/canvas/opening_area.h"
+#include "proof_rows.h"
 
 namespace talus {
 namespace {
@@ -38,13 +39,17 @@ void put_nearest_first(std::vector<std::size_t>& rows, const std::vector<Problem
 }  // namespace
 
 std::string problems_text(const Session& session, const Ui& ui) {
-  const std::size_t count = ui.problems->size();
-  const std::string found =
-      count == 0 ? "no problems" : std::to_string(count) + (count == 1 ? " problem" : " problems");
+  const auto counted = [](std::size_t number, std::string_view word) {
+    return std::to_string(number).append(" ").append(word).append(number == 1 ? "" : "s");
+  };
+  const std::size_t count = ui.problems->size(), findings = findings_of(session);
+  std::string found = count == 0 && findings == 0 ? "no problems" : "";
+  if (count > 0) found = counted(count, "problem");
+  if (findings > 0) found.append(count > 0 ? ", " : "").append(counted(findings, "finding"));
   if (!session.is_linting()) return found;
   const std::string looking =
       "looking... " + std::to_string(static_cast<int>(session.lint_progress() * 100)) + " %";
-  return count == 0 ? looking : found + ", " + looking;
+  return count == 0 && findings == 0 ? looking : found + ", " + looking;
 }
 
 bool lists_problems(const Ui& ui) {

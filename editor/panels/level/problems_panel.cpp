@@ -45,7 +45,10 @@ void ProblemsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_proof_button(session, actions, ui);
   if (!ui.problems->empty() && !session.prover().running()) ImGui::SameLine();
   if (ui.problems->empty()) {
-    ui.hint(session.is_linting() ? looking_text(session) : "No problem found in this level.");
+    if (session.is_linting())
+      ui.hint(looking_text(session));
+    else if (findings_of(session) == 0)
+      ui.hint("No problem found in this level.");
     ui.view.level.problems.kind = nullptr;
   } else {
     draw_bar(session, actions, ui);
@@ -63,7 +66,7 @@ void ProblemsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 
 void ProblemsPanel::draw_bar(const Session& session, Actions& actions, Ui& ui) {
   ui.begin_row();
-  draw_kinds(ui);
+  draw_kinds(session, ui);
   const auto button = [&](CommandId id, std::string_view label) {
     ImGui::SameLine();
     command_text_button(id, session, actions, ui, {.label = label});
@@ -84,7 +87,7 @@ void ProblemsPanel::draw_bar(const Session& session, Actions& actions, Ui& ui) {
   ui.end_row();
 }
 
-void ProblemsPanel::draw_kinds(Ui& ui) {
+void ProblemsPanel::draw_kinds(const Session& session, Ui& ui) {
   const LintRule*& kind = ui.view.level.problems.kind;
   const auto count = [&](const LintRule& rule) {
     return std::count_if(ui.problems->begin(), ui.problems->end(),
@@ -93,7 +96,8 @@ void ProblemsPanel::draw_kinds(Ui& ui) {
   const auto text = [&](std::string_view label, std::ptrdiff_t number) {
     return std::string(label) + " (" + std::to_string(number) + ")";
   };
-  const std::string all = text("all", static_cast<std::ptrdiff_t>(ui.problems->size()));
+  const std::string all =
+      text("all", static_cast<std::ptrdiff_t>(ui.problems->size() + findings_of(session)));
   const std::string preview = kind == nullptr ? all : text(kind->label, count(*kind));
   const float others = ui.px(kind == nullptr ? 64 : 126);
   if (!ui.begin_combo("problems/kind", preview,
@@ -149,8 +153,9 @@ void ProblemsPanel::draw_rows(const std::vector<std::size_t>& rows, const Sessio
     ImGui::TableSetColumnIndex(1);
     ui.hint(looking_text(session));
   }
-  draw_proof_rows(is_wide, session, actions, ui,
-                  [&](Cell cell, std::size_t row) { draw_fix_near(cell, row, session, actions, ui); });
+  if (ui.view.level.problems.kind == nullptr)
+    draw_proof_rows(is_wide, session, actions, ui,
+                    [&](Cell cell, std::size_t row) { draw_fix_near(cell, row, session, actions, ui); });
   ImGui::EndTable();
 }
 

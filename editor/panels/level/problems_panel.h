@@ -24,7 +24,7 @@ class ProblemsPanel : public Panel {
   };
 
   void draw_bar(const Session& session, Actions& actions, Ui& ui);
-  void draw_kinds(Ui& ui);
+  void draw_kinds(const Session& session, Ui& ui);
   void draw_seam(const Session& session, Actions& actions, Ui& ui);
   void draw_rows(const std::vector<std::size_t>& rows, const Session& session, Actions& actions, Ui& ui);
   void draw_row(std::size_t index, const Session& session, Actions& actions, Ui& ui);

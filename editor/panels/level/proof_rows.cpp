@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::size_t kMostFindingRows = 500;
 
+std::size_t count_of(const Proof& proof) { return proof.findings.size() + proof.more; }
+
 std::span<const Finding> shown_findings(const Session& session) {
   const Proof* proof = session.prover().found();
   if (proof == nullptr) return {};
@@ -77,6 +79,11 @@ void draw_finding(const Finding& finding, std::size_t index, bool is_wide, Actio
 
 }  // namespace
 
+std::size_t findings_of(const Session& session) {
+  const Proof* proof = session.prover().found();
+  return proof == nullptr ? 0 : count_of(*proof);
+}
+
 float width_of_places(const Session& session) {
   float widest = 0;
   for (const Finding& finding : shown_findings(session))
@@ -97,11 +104,12 @@ void go_to_next_finding(const Session& session, Actions& actions, Ui& ui) {
 
 void draw_proof_button(const Session& session, Actions& actions, Ui& ui) {
   const Prover& prover = session.prover();
-  if (!prover.running()) {
+  if (!prover.running())
     command_text_button("problems/prove"_command, session, actions, ui, {.label = "Prove"});
-    return;
-  }
-  command_text_button("problems/cancel_proof"_command, session, actions, ui, {.label = "Cancel"});
+  if (!prover.follows_edits()) return;
+  if (!prover.running()) ImGui::SameLine();
+  command_text_button("problems/cancel_proof"_command, session, actions, ui, {.label = "Stop"});
+  if (!prover.running()) return;
   ImGui::SameLine();
   ui.label("proved: " + std::to_string(static_cast<int>(prover.progress() * 100)) + " %");
 }
@@ -114,7 +122,7 @@ void draw_proof_rows(bool is_wide, const Session& session, Actions& actions, Ui&
   ImGui::PushID("proof");
   for (std::size_t i = 0; i < shown.size(); ++i) draw_finding(shown[i], i, is_wide, actions, ui, draw_fix);
   ImGui::PopID();
-  const std::size_t all = proof->findings.size() + proof->more;
+  const std::size_t all = count_of(*proof);
   if (all == shown.size()) return;
   begin_message();
   ui.hint("... and " + std::to_string(all - shown.size()) + " more.");

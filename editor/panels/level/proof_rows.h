@@ -7,6 +7,9 @@
 
 namespace talus {
 
+// How many findings the proof has, listed or not; 0: there is no proof.
+std::size_t findings_of(const Session& session);
+
 // px of the screen, of the widest place of a row.
 float width_of_places(const Session& session);
 

@@ -11,6 +11,7 @@
 #include "panels/canvas/canvas_layers.h"
 #include "panels/commands/commands.h"
 #include "panels/level/problem_list.h"
+#include "panels/level/proof_rows.h"
 #include "panels/panel_ids.h"
 #include "panels/sprites/tile_number.h"
 #include "panels/tiles/flag_label.h"
@@ -213,7 +214,9 @@ void StatusPanel::draw(const Session& session, Actions&, Ui& ui) {
   const bool warns = !ui.view.window.autosave_problem.empty();
   draw_file(session, warns ? places.file : draw_layer_part(session, places.file, end, ui), end, ui);
   ImGui::SameLine(end);
-  ui.right_aligned(problems, theme::tone(ui.problems->empty() ? theme::kMuted : theme::kWarning));
+  ui.right_aligned(
+      problems,
+      theme::tone(ui.problems->empty() && findings_of(session) == 0 ? theme::kMuted : theme::kWarning));
   ui.item("status/problems", "Click: the Problems tab.");
   if (ImGui::IsItemClicked()) ui.ask(request::ShowTab(panel_id::kProblems));
 }

@@ -30,7 +30,8 @@ class Prover {
   const Proof* found() const { return proof_ ? &*proof_ : nullptr; }  // null: there is none
   bool is_stale() const { return is_stale_; }  // whether the level has changed since found() was begun
   bool running() const { return job_ != nullptr; }
-  double progress() const;  // of what is being proved, 0..1; 1: nothing is
+  bool follows_edits() const { return follows_; }  // whether it proves the level again after a change
+  double progress() const;                         // of what is being proved, 0..1; 1: nothing is
 
  private:
   struct Job;
@@ -40,7 +41,7 @@ class Prover {
   std::optional<Proof> proof_;
   double shown_ = 0;  // share of the job that proof_ holds
   bool is_stale_ = false;
-  bool follows_ = false;  // whether a change is proved, too
+  bool follows_ = false;
   Cell near_;
 };
 
