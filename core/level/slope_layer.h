@@ -24,6 +24,7 @@ class SlopeLayer {
 
   // The row of the lowest cell with a part of the floor in it.
   int lowest_row() const;
+  bool is_empty() const { return floor_.empty(); }  // whether no part of the floor is left
 
   // Cuts off the old ground above the slope. Where that is higher than kMostCut rows, or reaches up to the
   // map's upper edge, the slope is inside of the ground, and the column stays as it was.

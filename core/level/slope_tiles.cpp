@@ -347,6 +347,7 @@ class Chooser {
 std::optional<std::string> fit_to_ground(const Level& level, const SlopeTilesOptions& options,
                                          SlopeLayer& layer, TileSupply& supply) {
   if (options.fills) layer.cut();
+  if (layer.is_empty()) return "the line is deep inside of the ground";
   std::optional<TileNumber> below = options.below;
   const bool is_drawn = options.set.empty();
   const int last = layer.lowest_row() + (below || !is_drawn ? 1 : 0);

@@ -400,7 +400,7 @@ void App::handle_events() {
     Actions actions;
     window_->process_event(event);
     last_event_ = options_.clock();
-    note_waits_ = false;
+    if (is_by_user(event)) note_waits_ = false;
     const bool is_press = event.type == SDL_KEYDOWN || event.type == SDL_MOUSEBUTTONDOWN ||
                           event.type == SDL_CONTROLLERBUTTONDOWN;
     // What is pressed on the welcome page does not touch the level behind it.

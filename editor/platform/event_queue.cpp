@@ -53,6 +53,13 @@ bool is_command_key(const SDL_Event& e) {
 
 }  // namespace
 
+bool is_by_user(const SDL_Event& event) {
+  const bool is_pad = event.type == SDL_CONTROLLERBUTTONDOWN || event.type == SDL_CONTROLLERAXISMOTION;
+  const bool is_chosen = event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_FOCUS_GAINED;
+  return is_mouse(event) || is_key(event) || is_text(event) || is_pad || is_chosen ||
+         event.type == SDL_DROPFILE;
+}
+
 void EventQueue::begin_frame(bool hold_presses) {
   SDL_Event event;
   while (SDL_PollEvent(&event)) waiting_.push_back(event);

@@ -24,6 +24,10 @@ struct MousePlace {
   float x = 0, y = 0;  // px of the window
 };
 
+// Whether the user is there: a key, the mouse, a gamepad, a file that is dropped, or the window that is
+// chosen. SDL also sends events of its own, such as that a sound device was found.
+bool is_by_user(const SDL_Event& event);
+
 class EventQueue {
  public:
   // Takes the waiting events. Call it once in a frame, before next(). hold_presses: presses and typed text

@@ -302,6 +302,10 @@ TEST_F(UiRecovery, AFileChangedOutsideIsReadAgain) {
   ASSERT_TRUE(save_level(other, *find_format("native"), level_file()));
   frames(90);
   EXPECT_EQ(tile_at({1, 1}), 6);
+  SDL_Event event = {};
+  event.type = SDL_WINDOWEVENT;
+  event.window.event = SDL_WINDOWEVENT_EXPOSED;
+  SDL_PushEvent(&event);
   frames(900);
   ASSERT_TRUE(session().message()) << "it waits for the user to come back";
   move({640, 400});

@@ -236,6 +236,17 @@ TEST(ShapeTools, SlopeTooSteepToStandOnIsRefused) {
   EXPECT_TRUE(lay_slope(level, {32, 96}, {40, 80}, {}, 12));
 }
 
+TEST(ShapeTools, SlopeDeepInsideOfTheGroundIsNotLaid) {
+  Level level = level_with_floor();
+  for (int y = 0; y < 17; ++y)
+    for (int x = 10; x < 20; ++x) level.map.set({x, y}, 1);
+  EXPECT_EQ(lay_slope(level, {96, 120}, {120, 112}, {}, 12).error(), "the line is deep inside of the ground");
+  const Level laid =
+      after(level, lay_slope(level, {64, 96}, {96, 80}, {}, 12));  // up to the mountain, and in
+  EXPECT_NE(laid.map.at({9, 11}), 0);
+  EXPECT_EQ(laid.map.at({10, 10}), 1);
+}
+
 TEST(ShapeTools, SlopeThatCannotBeLaidSaysWhy) {
   Level level = level_with_slopes();
   EXPECT_EQ(lay_slope(level, {16, 40}, {16, 40}, {}, 12).error(), "drag from one end to the other");
