@@ -250,7 +250,9 @@ class Chooser {
     std::optional<double> floor;  // px, at the end of the last tile
     while (column < cells_up_to(line_.to.x, size_.width)) {
       const std::optional<Choice> best = choose(column, floor);
-      if (!best) return "the set has no tile that begins where the tile before it ends";
+      if (!best)
+        return floor ? "the set has no tile that goes on where the one before it ends"
+                     : "the set has no tile that follows the line";
       if (best->off > options_.most_off.value_or(size_.height))
         return "the tiles of the set would leave the line by more than a tile";
       lay(*best, column);
@@ -281,6 +283,7 @@ class Chooser {
       const double row = std::round(wanted / size_.height);
       if (floor && row * size_.height != wanted) continue;
       const Choice choice = judged(candidate, column, static_cast<int>(row));
+      if (goes_back(choice, column)) continue;
       if (options_.most_off && !looks_right(choice, column)) continue;
       if (!best || choice.off < best->off) best = choice;
     }
@@ -296,6 +299,17 @@ class Chooser {
       choice.off = std::max(choice.off, std::abs(y - line_.y_at(level_.map.x_of(column) + x)));
     }
     return choice;
+  }
+
+  // Whether it falls where the line rises, or rises where it falls.
+  bool goes_back(const Choice& choice, int column) const {
+    const double left = level_.map.x_of(column), right = left + choice.candidate->shape.tiles * size_.width;
+    const double rise = choice.end - height_at_begin(choice), wanted = line_.y_at(right) - line_.y_at(left);
+    return left >= line_.from.x && right <= line_.to.x && (wanted == 0 ? rise != 0 : rise * wanted < 0);
+  }
+  // px, y of its floor at its left side.
+  double height_at_begin(const Choice& choice) const {
+    return level_.map.y_of(choice.bottom_row) - height_of_line(choice.candidate->shape, 0, size_);
   }
 
   void lay(const Choice& choice, int column) {

@@ -96,6 +96,8 @@ int cells_beyond(Fine length, Fine tile) {
   return length <= 0 ? 0 : static_cast<int>((length + tile - 1) / tile);
 }
 
+constexpr double kUpright = 64;  // |dy/dx| of a curve that is a wall
+
 // The free ends of lines that stop bodies from both sides: an end stops what comes from the side, too.
 std::vector<RawPart> free_ends(std::span<const Piece<double>> pieces) {
   struct Ends {
@@ -165,11 +167,14 @@ bool RawPart::stops(const FineBox& from, const FineBox& to) const {
   }
   if (!meets(to)) return false;
   if (kind == Kind::solid) return true;
-  if (meets(from)) return false;
-  // A curve has a slope of its own at each place: all that counts is on which side the body comes from.
+  // A curve has a slope of its own at each place: all that counts is on which side the body comes from. Where
+  // it is upright, as at the end of a semicircle, a body beside it is in it by rounding.
   const Fine x0 = std::max(from.x0, top.x0), x1 = std::min(from.x1, top.x1);
-  if (top.curve != nullptr && x0 <= x1)
-    return kind == Kind::floor ? from.y1 <= top.highest(x0, x1) : from.y0 >= top.lowest(x0, x1);
+  if (top.curve != nullptr && x0 <= x1) {
+    const Fine depth = kind == Kind::floor ? from.y1 - top.highest(x0, x1) : top.lowest(x0, x1) - from.y0;
+    return depth <= (top.is_steeper_than(kUpright, x0) ? kFinePx / kWeldParts : 0);
+  }
+  if (meets(from)) return false;
   const Wide dx = to.x0 - from.x0, dy = to.y0 - from.y0;
   // Against the normal, which points up from a floor, or against an end.
   const Wide into = dy * (top.x1 - top.x0) - dx * (top.y1 - top.y0);

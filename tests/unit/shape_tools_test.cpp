@@ -45,6 +45,20 @@ TEST(ShapeTools, SlopeInTrueColourTakesTheSlopesOfTheSheet) {
   EXPECT_FALSE(lay_slope(level, {16, 40}, {32, 32}, {1, 1, {1}}, 12)) << "none can be drawn";
 }
 
+// The only slope rises by 8 px in a tile, so that the floor goes on level now and then.
+TEST(ShapeTools, SlopesOfTheSheetNeverFallWhereTheLineRises) {
+  Level level = level_with_slopes();
+  Sheet& sheet = level.sheet(SheetId::tiles);
+  sheet.flags[3] = 0;
+  level.tile_shapes[5] = {.kind = TileShape::Kind::slope, .heights = {0, 8}};
+  level.tile_shapes[6] = {.kind = TileShape::Kind::slope, .heights = {8, 0}};
+  for (const double rise : {8.0, 16.0, 24.0}) {
+    const Level laid = after(level, lay_slope(level, {16, 80}, {112, 80 - rise}, {3, 1, {5, 6, 1}}, 12));
+    for (int x = 0; x < 30; ++x)
+      for (int y = 0; y < 17; ++y) EXPECT_NE(laid.map.at({x, y}), 6) << rise << ": " << x << "," << y;
+  }
+}
+
 TEST(ShapeTools, SlopeIsDrawnIfTheStampHasNone) {
   const Level level = level_with_slopes();
   const Level laid = after(level, lay_slope(level, {32, 32}, {16, 40}, {1, 1, {1}}, 12));

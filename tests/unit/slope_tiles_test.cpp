@@ -170,7 +170,7 @@ TEST(SlopeTiles, ASetThatCannotFollowTheLineIsAnError) {
   EXPECT_EQ(error_of(level, {0, 128}, {120, 8}, {.set = kSet}),
             "the tiles of the set would leave the line by more than a tile");
   EXPECT_EQ(error_of(level, {0, 40}, {120, 40}, {.set = kUpOnly}),
-            "the tiles of the set would leave the line by more than a tile");
+            "the set has no tile that follows the line");
   EXPECT_EQ(error_of(level, {0, 40}, {120, 40}, {.set = kPicture}), "the set has no tile with a floor");
 }
 
