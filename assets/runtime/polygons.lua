@@ -466,7 +466,9 @@ end
 -- Whether there is ground right (or left) of a point.
 local function goes_on_at(strips, x, y, to_the_right)
   for _, body in ipairs(strip_beside(strips, x, to_the_right).bodies) do
-    if body.column.solid and y >= body.highest and y <= body.lowest and is_beside(body, x, to_the_right) then
+    -- The ends of its range are rounded, unlike its lines.
+    local may_be = y >= body.highest - 1 / WELD and y <= body.lowest + 1 / WELD
+    if body.column.solid and may_be and is_beside(body, x, to_the_right) then
       local from, to = range_at(body, x, to_the_right)
       if from <= y and y <= to and is_thick(body, x, to_the_right) then return true end
     end
@@ -519,7 +521,8 @@ function goes_on(terrain, strips, piece, first)
     if up then outward = outward or fall <= 0 else outward = outward or fall >= 0 end
   end
   for _, body in ipairs(strip_beside(strips, x, not first).bodies) do
-    if y >= body.highest and y <= body.lowest and has_side(body, up) and is_beside(body, x, not first) then
+    local may_be = y >= body.highest - 1 / WELD and y <= body.lowest + 1 / WELD
+    if may_be and has_side(body, up) and is_beside(body, x, not first) then
       for _, in_tile in ipairs(up and body.column.top or body.column.bottom) do
         local line = line_moved(in_tile, body.corner_x, body.corner_y)
         local reaches

@@ -357,7 +357,7 @@ end
 -- Whether there is ground right (or left) of a point.
 local function goes_on_at(strips, x, y, to_the_right)
   for _, body in ipairs(strip_beside(strips, x, to_the_right).bodies) do
-    if body.tile.solid and y >= body.highest and y <= body.lowest then
+    if body.tile.solid and y >= body.highest - 1 / WELD and y <= body.lowest + 1 / WELD then
       local from, to = range_at(body, x, to_the_right)
       if from <= y and y <= to and is_thick(body, x, to_the_right) then return true end
     end
@@ -403,7 +403,7 @@ local function goes_on(terrain, strips, piece, first)
     if up then outward = outward or fall <= 0 else outward = outward or fall >= 0 end
   end
   for _, body in ipairs(strip_beside(strips, x, not first).bodies) do
-    if y >= body.highest and y <= body.lowest and has_side(body, up) then
+    if y >= body.highest - 1 / WELD and y <= body.lowest + 1 / WELD and has_side(body, up) then
       for _, in_tile in ipairs(up and body.column.top or body.column.bottom) do
         local line = line_moved(in_tile, body.corner_x, body.corner_y)
         local reaches

@@ -91,6 +91,10 @@ class OutlineCompiler {
     bool is_beside(double x, bool to_the_right) const {
       return to_the_right ? left <= x && x < right : left < x && x <= right;
     }
+    // Whether it may have a point at y: the ends of its range are rounded, unlike its lines.
+    bool may_be_at(double y) const {
+      return y >= highest - 1.0 / kWeldParts && y <= lowest + 1.0 / kWeldParts;
+    }
     const std::vector<OutlineLine>& lines(bool top) const { return top ? column->top : column->bottom; }
     double height_at(bool top, double x, bool to_the_right) const;
     Interval range_at(double x, bool to_the_right) const;  // as at_left, just right (or left) of x

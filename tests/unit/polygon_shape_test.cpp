@@ -157,6 +157,21 @@ TEST(PolygonShape, SidesAreOneLineHoweverTheGroundIsCut) {
                 {{16, 16}, {22, 20}}, {{16, 16}, {24, 20}}, {{16, 24}, {22, 20}}, {{16, 24}, {24, 20}}}));
 }
 
+// Where a side comes to the next column its height is rounded: it is no end all the same.
+TEST(PolygonShape, ASideGoesOnOverTheBorderOfACell) {
+  for (int i = 0; i < 200; ++i) {
+    const TileShape shape = polygon({{1.25, 0.5}, {14.5, 5 + i / 256.0}, {1.25, 7.75}});
+    for (const Cell cell : {Cell{2, 2}, Cell{3, 2}}) {
+      const Terrain terrain = one_tile(shape);
+      for (const Piece<double>& piece : terrain.pieces_in(cell)) {
+        if (piece.facing != Facing::up) continue;
+        EXPECT_TRUE(piece.x1 != 24 || !piece.last1) << i;
+        EXPECT_TRUE(piece.x0 != 24 || !piece.last0) << i;
+      }
+    }
+  }
+}
+
 TEST(PolygonShape, ReachesOverCellsOnAllSides) {
   const Terrain ground = one_tile(polygon({{-8, -8}, {16, -8}, {16, 12}, {-8, 12}}));
   EXPECT_EQ(cast(ground, {0, 20, 2, 2}, {40, 0}).position, (Vec2{6, 20}));
