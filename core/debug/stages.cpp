@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "explain.h"
+#include "level/level_text.h"
 #include "number_text.h"
 
 namespace talus {
@@ -13,9 +14,6 @@ constexpr std::size_t kMostNames = 4;  // in a sentence
 
 bool is_more_than(Vec2 v, double least) { return std::abs(v.x) > least || std::abs(v.y) > least; }
 bool is_told(Vec2 v) { return is_more_than(v, kLeastShown); }
-std::string count_of(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
 
 // "the tile at (12, 9), body 3 and 2 more".
 std::string names_of(const Scene& scene, const std::vector<Obstacle>& all) {
@@ -77,8 +75,8 @@ class StageList {
       stage.candidates = std::move(trace.candidates);
       const std::size_t sides = stage.candidates.size();
       stage.sentence =
-          "looked at " + count_of(stage.cells.size(), "cell") + ": " +
-          (sides == 0 ? "no side faces" : count_of(sides, "side") + (sides == 1 ? " faces" : " face")) +
+          "looked at " + count_text(stage.cells.size(), "cell") + ": " +
+          (sides == 0 ? "no side faces" : count_text(sides, "side") + (sides == 1 ? " faces" : " face")) +
           " the motion";
       add_bodies(stage, found);
       return;

@@ -7,6 +7,7 @@
 #include "../formats/pictures/png_sheet.h"
 #include "../formats/tiled/tiled_properties.h"
 #include "../level/bump_boxes.h"
+#include "../level/level_text.h"
 #include "export_targets.h"
 #include "plain_data.h"
 #include "tiled_model.h"
@@ -126,8 +127,7 @@ FormatResult<Exported> export_sti(const ExportRequest& request) {
   leave_ground_to_slopes(map);
   std::vector<std::string> dropped = std::move(made.dropped);
   if (const std::size_t curves = map.layers.back().objects.size(); curves > 0)
-    dropped.push_back("collision, which bump.lua cannot have, with " + std::to_string(curves) + " curve" +
-                      (curves == 1 ? "" : "s"));
+    dropped.push_back("collision, which bump.lua cannot have, with " + count_text(curves, "curve"));
   for (std::string& phrase : dropped_by_bump(request.level)) dropped.push_back(std::move(phrase));
   tell_body_pictures(request.level, dropped);
   map.layers.push_back(slope_layer(ground, collides_in_cells, request.progress.part(0.2, 0.5)));

@@ -18,6 +18,10 @@ std::string px_text(double px) {
   return text;
 }
 
+std::string count_text(std::size_t count, std::string_view noun) {
+  return std::to_string(count).append(" ").append(noun).append(count == 1 ? "" : "s");
+}
+
 std::string role_label(TileRole role) {
   for (const FlagRoleInfo& info : flag_role_infos()) {
     if (info.role == role) return std::string(info.label);

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "level_text.h"
 #include "resize.h"
 #include "transform.h"
 
@@ -158,8 +159,7 @@ void add_marks(const std::vector<Cell>& places, Cell step, const MarkedCells& ce
 }
 
 std::string words_for_way(int cells, const char* noun, const char* less, const char* more) {
-  const int count = std::abs(cells);
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s") + " further " +
+  return count_text(static_cast<std::size_t>(std::abs(cells)), noun) + " further " +
          (cells > 0 ? less : more);
 }
 

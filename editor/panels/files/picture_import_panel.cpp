@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "level/level_text.h"
 #include "panels/sprites/tile_number.h"
 #include "panels/ui/dialog.h"
 
@@ -26,10 +27,6 @@ ImVec2 size_of_picture(const SheetLayout& sheet, const Ui& ui) {
 }
 
 SheetId sheet_of(PngPart part) { return part == PngPart::sprites ? SheetId::sprites : SheetId::tiles; }
-
-std::string count_of(int count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
 
 void draw_palette(const Palette& palette, ImVec2 at, float length, Ui& ui) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -78,10 +75,10 @@ std::string text_of_changes(const PngImport& import) {
   std::string text = is_palette ? "" : text_of_fit(import);
   if (plan.edit.empty()) return text + "Nothing changes: the level has all of this already.";
   if (!is_palette)
-    text += "Changes " + count_of(plan.pixels, "pixel") + " of " + count_of(plan.tiles, "tile") + ".";
+    text += "Changes " + count_text(plan.pixels, "pixel") + " of " + count_text(plan.tiles, "tile") + ".";
   if (is_palette || import.options.take_palette)
-    text += (is_palette ? "Changes " : "\nChanges ") + count_of(plan.colors, "colour") +
-            ", and so the look of " + count_of(plan.tiles_recolored, "image") + " that are there.";
+    text += (is_palette ? "Changes " : "\nChanges ") + count_text(plan.colors, "colour") +
+            ", and so the look of " + count_text(plan.tiles_recolored, "image") + " that are there.";
   return text;
 }
 
@@ -100,7 +97,7 @@ void draw_match(const PngImportPlan& plan, Ui& ui) {
   if (plan.approximated == 0) return ui.hint("Every pixel keeps its own colour.");
   const std::string place = std::to_string(plan.farthest.x) + ", " + std::to_string(plan.farthest.y);
   const std::string text =
-      "In the nearest colour instead of their own: " + count_of(plan.approximated, "pixel") +
+      "In the nearest colour instead of their own: " + count_text(plan.approximated, "pixel") +
       ". The one at (" + place + ") changes most:";
   draw_text(text);
   ui.item("import/match");

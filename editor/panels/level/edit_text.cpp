@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <talus/level/tuning.h>
+#include "level/level_text.h"
 #include "panels/sprites/tile_number.h"
 
 namespace talus {
@@ -11,16 +12,12 @@ namespace {
 
 constexpr std::size_t kMostFields = 2;  // of a tuning change; so many are named
 
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 // "Paint tiles" with the number in its middle, "Fill rectangle" with it at its end.
 std::string with_count(const std::string& label, std::size_t count, const std::string& what) {
   const std::string plural = what + "s";
   if (label.ends_with(" " + plural))
-    return label.substr(0, label.size() - plural.size()) + counted(count, what);
-  return label + ": " + counted(count, what);
+    return label.substr(0, label.size() - plural.size()) + count_text(count, what);
+  return label + ": " + count_text(count, what);
 }
 
 std::string describe_cells(const Edit& edit) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "level/level_text.h"
 #include "level/lint/fixes.h"
 #include "panels/canvas/opening_area.h"
 #include "proof_rows.h"
@@ -39,13 +40,10 @@ void put_nearest_first(std::vector<std::size_t>& rows, const std::vector<Problem
 }  // namespace
 
 std::string problems_text(const Session& session, const Ui& ui) {
-  const auto counted = [](std::size_t number, std::string_view word) {
-    return std::to_string(number).append(" ").append(word).append(number == 1 ? "" : "s");
-  };
   const std::size_t count = ui.problems->size(), findings = findings_of(session);
   std::string found = count == 0 && findings == 0 ? "no problems" : "";
-  if (count > 0) found = counted(count, "problem");
-  if (findings > 0) found.append(count > 0 ? ", " : "").append(counted(findings, "finding"));
+  if (count > 0) found = count_text(count, "problem");
+  if (findings > 0) found.append(count > 0 ? ", " : "").append(count_text(findings, "finding"));
   if (!session.is_linting()) return found;
   const std::string looking =
       "looking... " + std::to_string(static_cast<int>(session.lint_progress() * 100)) + " %";

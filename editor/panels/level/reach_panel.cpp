@@ -3,14 +3,11 @@
 
 #include <string>
 
+#include "level/level_text.h"
 #include "panels/commands/commands.h"
 
 namespace talus {
 namespace {
-
-std::string count_text(std::size_t count, std::string_view what) {
-  return std::to_string(count) + " " + std::string(what) + (count == 1 ? "" : "s");
-}
 
 std::string found_text(const ReachSearch& found) {
   return count_text(found.cells(), "cell") + " reached, in " + count_text(found.known(), "state") +

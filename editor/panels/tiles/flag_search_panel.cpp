@@ -5,14 +5,11 @@
 
 #include "flag_choice.h"
 #include "flag_label.h"
+#include "level/level_text.h"
 #include "panels/commands/commands.h"
 
 namespace talus {
 namespace {
-
-std::string counted_text(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
 
 std::string place_text(const Level& level, SearchedLayers layers) {
   if (level.layers.count() == 1) return " of the map";
@@ -43,8 +40,8 @@ void FlagSearchPanel::draw(const Session& session, Actions& actions, Ui& ui) {
             keys_of("flags/brush"_command, ui) + ").");
     return;
   }
-  const std::string text = counted_text(use_.tiles.size(), "tile") + ", " +
-                           counted_text(use_.cell_count, "cell") +
+  const std::string text = count_text(use_.tiles.size(), "tile") + ", " +
+                           count_text(use_.cell_count, "cell") +
                            place_text(session.level(), ui.view.level.flag_layers);
   ui.muted(text);
   ui.item("flag_search/count");
@@ -106,7 +103,7 @@ void FlagSearchPanel::draw_tiles(const Session& session, Actions& actions, Ui& u
     add_text(list, {at.x + side + ui.px(8), at.y}, theme::tone(theme::kText), "#" + number);
     ImGui::TableSetColumnIndex(1);
     const std::size_t cells = use_.cells[static_cast<std::size_t>(tile)];
-    ui.muted(cells == 0 ? "not on the map" : counted_text(cells, "cell"));
+    ui.muted(cells == 0 ? "not on the map" : count_text(cells, "cell"));
   }
   ImGui::EndTable();
 }
