@@ -284,10 +284,11 @@ local function is_beside(body, x, to_the_right)
   return body.left < x and x <= body.right
 end
 
+-- Its y are from highest to lowest, a little more than needed, as these are rounded unlike its lines.
 local function new_body(terrain, column, x, y, full)
   return {column = column, full = full, corner_x = x * TILE_W, corner_y = y * TILE_H,
           origin = y * terrain.width + x, left = x * TILE_W + column.left, right = x * TILE_W + column.right,
-          highest = y * TILE_H + column.highest, lowest = y * TILE_H + column.lowest}
+          highest = y * TILE_H + column.highest - 1 / WELD, lowest = y * TILE_H + column.lowest + 1 / WELD}
 end
 
 -- The parts of a vertical line that have ground just right (or left) of it, from the top.
@@ -466,9 +467,7 @@ end
 -- Whether there is ground right (or left) of a point.
 local function goes_on_at(strips, x, y, to_the_right)
   for _, body in ipairs(strip_beside(strips, x, to_the_right).bodies) do
-    -- The ends of its range are rounded, unlike its lines.
-    local may_be = y >= body.highest - 1 / WELD and y <= body.lowest + 1 / WELD
-    if body.column.solid and may_be and is_beside(body, x, to_the_right) then
+    if body.column.solid and y >= body.highest and y <= body.lowest and is_beside(body, x, to_the_right) then
       local from, to = range_at(body, x, to_the_right)
       if from <= y and y <= to and is_thick(body, x, to_the_right) then return true end
     end
@@ -521,8 +520,7 @@ function goes_on(terrain, strips, piece, first)
     if up then outward = outward or fall <= 0 else outward = outward or fall >= 0 end
   end
   for _, body in ipairs(strip_beside(strips, x, not first).bodies) do
-    local may_be = y >= body.highest - 1 / WELD and y <= body.lowest + 1 / WELD
-    if may_be and has_side(body, up) and is_beside(body, x, not first) then
+    if y >= body.highest and y <= body.lowest and has_side(body, up) and is_beside(body, x, not first) then
       for _, in_tile in ipairs(up and body.column.top or body.column.bottom) do
         local line = line_moved(in_tile, body.corner_x, body.corner_y)
         local reaches

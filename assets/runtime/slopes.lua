@@ -145,11 +145,12 @@ end
 -- A body that is not solid stops with one side only.
 local function has_side(body, top) return body.tile.solid or body.tile.is_floor == top end
 
+-- Its y are from highest to lowest, a little more than needed, as these are rounded unlike its lines.
 local function new_body(terrain, tile, x, y, strip)
   local column = tile.columns[strip - x]
   local body = {tile = tile, column = column, corner_x = x * TILE_W, corner_y = y * TILE_H,
       origin = y * terrain.width + x,
-                highest = y * TILE_H + column.highest, lowest = y * TILE_H + column.lowest}
+                highest = y * TILE_H + column.highest - 1 / WELD, lowest = y * TILE_H + column.lowest + 1 / WELD}
   local left, right = strip * TILE_W, (strip + 1) * TILE_W
   body.left_from, body.left_to = range_at(body, left, true)
   body.right_from, body.right_to = range_at(body, right, false)
@@ -357,7 +358,7 @@ end
 -- Whether there is ground right (or left) of a point.
 local function goes_on_at(strips, x, y, to_the_right)
   for _, body in ipairs(strip_beside(strips, x, to_the_right).bodies) do
-    if body.tile.solid and y >= body.highest - 1 / WELD and y <= body.lowest + 1 / WELD then
+    if body.tile.solid and y >= body.highest and y <= body.lowest then
       local from, to = range_at(body, x, to_the_right)
       if from <= y and y <= to and is_thick(body, x, to_the_right) then return true end
     end
@@ -403,7 +404,7 @@ local function goes_on(terrain, strips, piece, first)
     if up then outward = outward or fall <= 0 else outward = outward or fall >= 0 end
   end
   for _, body in ipairs(strip_beside(strips, x, not first).bodies) do
-    if y >= body.highest - 1 / WELD and y <= body.lowest + 1 / WELD and has_side(body, up) then
+    if y >= body.highest and y <= body.lowest and has_side(body, up) then
       for _, in_tile in ipairs(up and body.column.top or body.column.bottom) do
         local line = line_moved(in_tile, body.corner_x, body.corner_y)
         local reaches

@@ -100,12 +100,11 @@ OutlineCompiler::Body::Body(const TileOutlines& tiles, const TileColumn& of, Cel
       is_full(full),
       left(corner.x + column->left),
       right(corner.x + column->right),
-      highest(corner.y + column->highest),
-      lowest(corner.y + column->lowest),
-      at_left(full ? Interval{highest, lowest}
+      highest(corner.y + column->highest - 1.0 / kWeldParts),
+      lowest(corner.y + column->lowest + 1.0 / kWeldParts),
+      at_left(full ? Interval{corner.y + column->highest, corner.y + column->lowest}
                    : Interval{height_at(true, left, true), height_at(false, left, true)}),
-      at_right(full ? Interval{highest, lowest}
-                    : Interval{height_at(true, right, false), height_at(false, right, false)}) {}
+      at_right(full ? at_left : Interval{height_at(true, right, false), height_at(false, right, false)}) {}
 
 double OutlineCompiler::Body::height_at(bool top, double x, bool to_the_right) const {
   const double in_tile = x - corner.x;  // exact for ends of lines, which are welded
@@ -404,7 +403,8 @@ void OutlineCompiler::compile_tip(const Body& body, Vec2 at, bool first, Cell ce
 bool OutlineCompiler::goes_on_at(double x, double y, bool to_the_right) const {
   const std::vector<Body>& bodies = strip_beside(x, to_the_right).bodies;
   return std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) {
-    if (body.one_way() || !body.may_be_at(y) || !body.is_beside(x, to_the_right)) return false;
+    if (body.one_way() || y < body.highest || y > body.lowest || !body.is_beside(x, to_the_right))
+      return false;
     const Interval range = body.range_at(x, to_the_right);
     return range.from <= y && y <= range.to && body.is_thick(x, to_the_right);
   });
@@ -442,7 +442,7 @@ OutlineCompiler::Next OutlineCompiler::next_of(const Piece<double>& piece, bool 
     next.outward = next.outward || (up ? dy <= 0 : dy >= 0);
   };
   for (const Body& body : strip_beside(x, !first).bodies) {
-    if (!body.may_be_at(y) || !body.has(up) || !body.is_beside(x, !first)) continue;
+    if (y < body.highest || y > body.lowest || !body.has(up) || !body.is_beside(x, !first)) continue;
     for (const OutlineLine& in_tile : body.lines(up)) {
       const double x0 = in_tile.x0 + body.corner.x, x1 = in_tile.x1 + body.corner.x;
       const bool reaches_on = first ? x0 < x && x <= x1 : x0 <= x && x < x1;

@@ -73,9 +73,10 @@ class OutlineCompiler {
     const TileColumn* column;  // of the tile's outline
     Vec2 corner;               // px, of the tile's own cell
     std::int32_t origin;
-    bool is_full;                // of a full tile
-    double left, right;          // x of its ends
-    double highest, lowest;      // the range of its y
+    bool is_full;        // of a full tile
+    double left, right;  // x of its ends
+    // px, its y are within this range, which is a little larger, as its ends are rounded unlike its lines
+    double highest, lowest;
     Interval at_left, at_right;  // from its top to its bottom, just inside of its left and right end
 
     Body(const TileOutlines& tiles, const TileColumn& of, Cell cell, bool is_full, int map_width);
@@ -90,10 +91,6 @@ class OutlineCompiler {
     // Whether it covers a place just right (or left) of x.
     bool is_beside(double x, bool to_the_right) const {
       return to_the_right ? left <= x && x < right : left < x && x <= right;
-    }
-    // Whether it may have a point at y: the ends of its range are rounded, unlike its lines.
-    bool may_be_at(double y) const {
-      return y >= highest - 1.0 / kWeldParts && y <= lowest + 1.0 / kWeldParts;
     }
     const std::vector<OutlineLine>& lines(bool top) const { return top ? column->top : column->bottom; }
     double height_at(bool top, double x, bool to_the_right) const;
