@@ -10,9 +10,6 @@
 
 namespace talus {
 
-// Old ground that is higher above a slope than so many rows is not cut off: it may be a whole mountain.
-inline constexpr int kMostCut = 8;
-
 // Collects what to place. A cell keeps the first tile that it is given.
 class SlopeLayer {
  public:

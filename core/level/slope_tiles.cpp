@@ -118,10 +118,7 @@ int pixels_unlike(const Level& level, TileNumber tile, const TileImage& image) {
 
 class TileSupply {
  public:
-  explicit TileSupply(const Level& level)
-      : level_(level), used_(static_cast<std::size_t>(level.tile_count())) {
-    for (const TileNumber tile : level.map.cells().tiles()) used_[tile] = true;
-  }
+  explicit TileSupply(const Level& level) : level_(level) {}
 
   // A tile that already looks like this, or was drawn so, or can be drawn so; nothing if there are no more
   // blank tiles. A blank image without a shape is tile 0.
@@ -137,6 +134,7 @@ class TileSupply {
     }
     for (int tile = 1; tile < level_.tile_count(); ++tile)
       if (is_alike(tile, image, shape)) return static_cast<TileNumber>(tile);
+    if (used_.empty()) note_used();
     for (int tile = 1; tile < level_.tile_count(); ++tile) {
       const bool blank = is_blank(level_, static_cast<TileNumber>(tile)) &&
                          level_.tile_shapes[tile] == TileShape() && sheet.flags[tile] == 0 && !used_[tile];
@@ -150,6 +148,11 @@ class TileSupply {
   std::vector<SlopeTiles::Drawn> take() { return std::move(drawn_); }
 
  private:
+  // Looks at the whole map, and so only when a tile is to be drawn.
+  void note_used() {
+    used_.resize(static_cast<std::size_t>(level_.tile_count()));
+    for (const TileNumber tile : level_.map.cells().tiles()) used_[tile] = true;
+  }
   // Whether a tile of the sheet has this shape, and shows it by the same pixels, in any colours.
   bool is_alike(int tile, const TileImage& image, const TileShape& shape) const {
     const Sheet& sheet = level_.sheet(SheetId::tiles);
@@ -162,7 +165,7 @@ class TileSupply {
   }
 
   const Level& level_;
-  std::vector<bool> used_;  // by tile: whether it is on the map, or drawn
+  std::vector<bool> used_;  // by tile: whether it is on the map, or drawn; empty: not known yet
   std::vector<SlopeTiles::Drawn> drawn_;
 };
 

@@ -30,6 +30,9 @@ struct SlopeTiles {
   std::vector<Placed> placed;  // by column, each from top to bottom
 };
 
+// Old ground that is higher above a slope than so many rows is not cut off: it may be a whole mountain.
+inline constexpr int kMostCut = 8;
+
 struct SlopeTilesOptions {
   // The tiles to choose from: floors and solid tiles, as shape_of_tile says. A slope of several cells brings
   // the tiles beside and above it on the sheet. Empty: blank tiles are drawn.
@@ -38,8 +41,8 @@ struct SlopeTilesOptions {
   std::optional<TileNumber> below = {};
   // Whether the ground follows the slope. It is filled below it: each column down to the next full tile, or,
   // if it has none, down to the row of the slope's lower end. Without `below`, a full tile is drawn for it.
-  // It is cut off above it, up to 8 rows; what is deeper inside of old ground is left out. Of old slopes of
-  // several cells, what is left is kept.
+  // It is cut off above it, up to kMostCut rows; what is deeper inside of old ground is left out. Of old
+  // slopes of several cells, what is left is kept.
   bool fills = false;
   // px, by how much the tiles of a set may leave the line; nothing: a tile's height.
   std::optional<double> most_off = {};

@@ -6,7 +6,7 @@
 
 #include "collision/tile_outlines.h"
 #include "curve_tools.h"
-#include "level/slope_layer.h"
+#include "level/slope_tiles.h"
 
 namespace talus {
 namespace {
