@@ -17,7 +17,8 @@ namespace talus {
 namespace {
 
 constexpr std::array<double, 3> kShares = {1, 0.37, 0.05};  // of the fastest speed
-constexpr double kLeastSpeed = 1;                           // px/frame, of bodies that start at rest
+constexpr double kLeastSpeed = 1;                           // px/frame, of bodies without keys
+constexpr double kBeyondCell = 2;                           // px; they roll so much further than a cell
 
 RawGround ground_of_any(const Level& level) {
   if (has_object_ground(level)) return ground_of_any(with_object_tiles(level));
@@ -38,13 +39,19 @@ void add_body(std::vector<ProveBody>& bodies, const ProveBody& body) {
   }
 }
 
+// px/frame, with which a body rolls over a cell, before the grip of the floor stops it, or half a cell a
+// frame.
+double rolling_speed(const SharedTuning& tuning, int cell) {
+  const double kept = (1 - tuning.drift_blend) * tuning.floor_grip;  // in a frame
+  const double wanted = (cell + kBeyondCell) * (1 - kept);
+  return std::max({kLeastSpeed, std::min(wanted, cell / 2.0), std::abs(tuning.drift_speed)});
+}
+
 std::vector<ProveBody> bodies_of(const Scene& scene) {
   std::vector<ProveBody> bodies;
-  const double drift = std::max(kLeastSpeed, std::abs(scene.tuning.shared.drift_speed));
   for (const SceneItem& item : scene.items) {
     if (item.role != TileRole::ball) continue;
-    const double speed = std::max(drift, std::abs(item.velocity.x));
-    add_body(bodies, {item.kind, {item.box.w, item.box.h}, item.foot, speed});
+    add_body(bodies, {item.kind, {item.box.w, item.box.h}, item.foot, std::abs(item.velocity.x)});
   }
   return bodies;
 }
@@ -64,6 +71,8 @@ ProveScene::ProveScene(const Level& level, const ProveOptions& options) : ground
     left_out_ = bodies_.size() - kMostBodies;
     bodies_.resize(kMostBodies);
   }
+  const double rolling = rolling_speed(scene.tuning.shared, level.map.tile_size().width);
+  for (ProveBody& body : bodies_) body.speed = std::max(body.speed, rolling);
   LoneBody tried;
   tried.spawn.size = bodies_[0].size;
   lip_ = options.lip > 0 ? options.lip : highest_lip(level.map.tile_size());

@@ -16,7 +16,9 @@ struct ProveBody {
   BodyKind kind = BodyKind::player;
   Vec2 size = {8, 8};  // px
   Foot foot = Foot::centre;
-  double speed = 0;  // px/frame, the fastest of a body that takes no keys; of others the tuning says it
+  // px/frame, the fastest of a body that takes no keys, or less than rolls it over a cell: then that. Of
+  // others the tuning says it.
+  double speed = 0;
   friend bool operator==(const ProveBody&, const ProveBody&) = default;
 };
 

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kMostSteps = 240;   // of one trial
 constexpr int kJumpHeld = 12;     // frames
+constexpr int kRollFrames = 24;   // at least, of a body without keys: the floor slows it
 constexpr int kStillFrames = 20;  // after so many frames without a motion a body rests
 constexpr double kStill = 1e-3;   // px; a smaller motion is none
 constexpr int kMostReach = 16;    // cells; a trial ends further away
@@ -251,7 +252,8 @@ void TrialRunner::walk(const Place& place, Trial trial, std::size_t speed, int d
   if (!at_rest) trial.body.velocity.x = direction * trial.speed;
   const bool is_slowest = speed + 1 == solvers_.size();
   const double way = is_slowest ? kSlowWay : way_past_joint(place.start, direction);
-  trial.frames = std::min(kMostSteps, 2 + static_cast<int>(way / std::max(trial.speed, 0.01)));
+  const int frames = 2 + static_cast<int>(way / std::max(trial.speed, 0.01));
+  trial.frames = std::clamp(frames, is_steered(body.kind, scene_.solver()) ? 0 : kRollFrames, kMostSteps);
   run(trial, place, speed);
 }
 

@@ -49,7 +49,7 @@ std::optional<ProveBody> body_of(std::string_view text) {
   text.remove_prefix(1);
   const auto height = take_number(text);
   if (!is_size(height)) return std::nullopt;
-  ProveBody body{*kind, {*width, *height}, traits_of(*kind).foot, 1};
+  ProveBody body{*kind, {*width, *height}, traits_of(*kind).foot};
   if (text.empty()) return body;
   for (const Foot foot : {Foot::box, Foot::centre}) {
     body.foot = foot;

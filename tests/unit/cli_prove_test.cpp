@@ -30,7 +30,7 @@ TEST(CliProve, ListsFindingsAndFails) {
       answer.out,
       HasSubstr(":cell 48,18: a player of 10x15 px on its centre that runs to the right is stopped by a "
                 "low edge of 0.5"));
-  EXPECT_THAT(answer.out, HasSubstr("6 findings: 6 of the level, 0 of the solver"));
+  EXPECT_THAT(answer.out, HasSubstr("12 findings: 12 of the level, 0 of the solver"));
 }
 
 TEST(CliProve, PrintsJson) {
@@ -38,8 +38,8 @@ TEST(CliProve, PrintsJson) {
   EXPECT_EQ(answer.status, kExitBad);
   const auto proof = nlohmann::json::parse(answer.out);
   EXPECT_EQ(proof["solver"], "exact");
-  ASSERT_EQ(proof["findings"].size(), 6u);
-  const auto& first = proof["findings"][0];
+  ASSERT_EQ(proof["findings"].size(), 12u);
+  const auto& first = proof["findings"][1];
   EXPECT_EQ(first["kind"], "lip");
   EXPECT_EQ(first["of"], "level");
   EXPECT_EQ(first["body"]["foot"], "centre");

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <utility>
 
 #include <talus/formats/format.h>
 #include "paths.h"
@@ -124,8 +125,10 @@ TEST(Prove, FindsEdgesOfOtherForms) {
     BodyKind kind;
     Foot foot;
   };
-  constexpr Tried kTried[] = {
-      {BodyKind::player, Foot::box}, {BodyKind::player, Foot::centre}, {BodyKind::ball, Foot::box}};
+  constexpr Tried kTried[] = {{BodyKind::player, Foot::box},
+                              {BodyKind::player, Foot::centre},
+                              {BodyKind::ball, Foot::box},
+                              {BodyKind::ball, Foot::centre}};
   for (const Planted& planted : all) {
     for (const auto [kind, foot] : kTried) {
       SCOPED_TRACE(std::string(planted.what) + " before a " + std::string(traits_of(kind).word));
@@ -136,6 +139,24 @@ TEST(Prove, FindsEdgesOfOtherForms) {
         scenery.put({8 + static_cast<int>(i), 11}, planted.shapes[i]);
       const Proof proof = scenery.proof();
       EXPECT_EQ(kinds_of(proof), std::set<std::string>{planted.found}) << text_of(proof);
+    }
+  }
+}
+
+// The floor stops a slow one before it comes to the next cell.
+TEST(Prove, FindsEdgesBeforeSmallBalls) {
+  for (const int tile : {8, 16, 24}) {
+    Level level;
+    level.map = TileMap(24, 8, {tile, tile});
+    level.tile_shapes[1].kind = TileShape::Kind::solid;
+    level.tile_shapes[2] = slope(tile - tile / 8.0, tile - tile / 8.0);
+    for (int x = 0; x < 24; ++x) level.map.set({x, 4}, x < 12 ? 1 : 2);
+    for (const double size : {2, 3, 4, 6, 8}) {
+      for (const Foot foot : {Foot::box, Foot::centre}) {
+        const ProveBody ball{.kind = BodyKind::ball, .size = {size, size}, .foot = foot};
+        const Proof proof = *prove(ProveScene(level, {.bodies = {ball}}), 1);
+        EXPECT_EQ(kinds_of(proof), std::set<std::string>{"lip"}) << tile << ", " << size;
+      }
     }
   }
 }
@@ -418,11 +439,14 @@ TEST(Prove, TheMeadowHasItsSixSeams) {
   const auto level = load_level(source_path("assets/platformer/meadow.tmx"));
   ASSERT_TRUE(level);
   const Proof proof = *prove(ProveScene(level->level, {}), 1);
-  EXPECT_EQ(proof.findings.size(), 6u) << text_of(proof);
+  EXPECT_EQ(proof.findings.size(), 12u) << text_of(proof);
+  std::set<std::pair<double, double>> seams;
   for (const Finding& finding : proof.findings) {
     EXPECT_EQ(finding.kind, FindingKind::lip);
     EXPECT_NEAR(finding.amount, 0.5, 0.001);
+    seams.emplace(finding.place.x, finding.place.y);
   }
+  EXPECT_EQ(seams.size(), 6u) << "one for the player and one for the ball";
 }
 
 TEST(Prove, SaysWhatItAssumesAndWhenThereWasNothingToTry) {
