@@ -151,8 +151,8 @@ TEST_F(UiSpawn, SizeIsDraggedByACorner) {
   frames(2);
   const Vec2 start = spawn().position, size = spawn().size;
   const ImVec2 zero = on_canvas("map", {0, 0}), at = on_canvas("map", {4, 6});
-  const auto drag_corner = [&](const char* corner, float x, float y) {
-    const ImVec2 from = centre(corner);
+  const auto drag_corner = [&](const char* item, float x, float y) {
+    const ImVec2 from = centre(item);
     drag(from, {from.x + x * (at.x - zero.x), from.y + y * (at.y - zero.y)});
     frames(2);
   };

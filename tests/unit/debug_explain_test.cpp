@@ -254,7 +254,11 @@ TEST_F(Steps, TellOfAPlayerBetweenTwoSteepSides) {
   level.tile_shapes[3] = {.kind = TileShape::Kind::polygon, .points = {{12, 0}, {16, 40}, {0, 40}}};
   level.map.set({13, 10}, 2);
   level.map.set({15, 10}, 3);
-  level.spawns.push_back({.position = {116, 100}, .kind = BodyKind::player, .foot = Foot::box});
+  Spawn player;
+  player.position = {116, 100};
+  player.kind = BodyKind::player;
+  player.foot = Foot::box;
+  level.spawns = {player};
   EXPECT_EQ(step(RecordedFrames(level, 60), 60),
             "Body 1 stands still between two sides that are too steep to stand on alone: nothing moves it.");
 }
