@@ -314,11 +314,28 @@ std::optional<BasicVec2<Real>> way_out(const BasicTerrain<Real>& ground, const B
   return answer(std::nullopt);
 }
 
+template <class Real>
+std::optional<Real> free_above(const BasicTerrain<Real>& ground, const BasicRect<Real>& box, Foot foot) {
+  if (!is_box(box)) return std::nullopt;
+  const auto tile = static_cast<Real>(ground.tile_size().height);
+  const Real bottom = std::floor(box.bottom() / tile) * tile;
+  for (int i = 0; i <= kMostCellsUp; ++i) {
+    const BasicRect<Real> up{box.x, bottom - static_cast<Real>(i) * tile - box.h, box.w, box.h};
+    if (up.y >= box.y || overlaps_ground(ground, up, foot)) continue;
+    const auto floor = cast_box<Real>(ground, {up, {0, box.y - up.y}, foot});
+    return floor ? floor.position.y : up.y;
+  }
+  return std::nullopt;
+}
+
 template bool overlaps_ground(const BasicTerrain<double>&, const BasicRect<double>&, Foot);
 template bool overlaps_ground(const BasicTerrain<float>&, const BasicRect<float>&, Foot);
 template std::optional<BasicVec2<double>> way_out(const BasicTerrain<double>&, const BasicRect<double>&, Foot,
                                                   CastBudget*);
 template std::optional<BasicVec2<float>> way_out(const BasicTerrain<float>&, const BasicRect<float>&, Foot,
                                                  CastBudget*);
+
+template std::optional<double> free_above(const BasicTerrain<double>&, const BasicRect<double>&, Foot);
+template std::optional<float> free_above(const BasicTerrain<float>&, const BasicRect<float>&, Foot);
 
 }  // namespace talus

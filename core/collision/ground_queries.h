@@ -45,4 +45,12 @@ template <class Real>
 std::optional<BasicVec2<Real>> way_out(const BasicTerrain<Real>& ground, const BasicRect<Real>& box,
                                        Foot foot = Foot::box, CastBudget* budget = nullptr);
 
+inline constexpr int kMostCellsUp = 16;  // how far up free_above() looks
+
+// Returns the y (px, of the box's top) of the nearest place straight above that is free of the ground,
+// standing on it; nothing if there is none within kMostCellsUp cells.
+template <class Real>
+std::optional<Real> free_above(const BasicTerrain<Real>& ground, const BasicRect<Real>& box,
+                               Foot foot = Foot::box);
+
 }  // namespace talus

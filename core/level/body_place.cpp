@@ -49,14 +49,9 @@ std::optional<Vec2> free_place(const Level& level, const Spawn& spawn) {
   const Rect box = box_of(spawn);
   const LocalGround ground = ground_around(level, box, std::max(kMostCellsUp, kMostAway) + 1);
   const Foot foot = spawn.used_foot();
-  for (int i = 0; i <= kMostCellsUp; ++i) {
-    Rect up = box;
-    up.y = level.map.y_of(level.map.row_at(box.bottom()) - i) - box.h;
-    const Rect local = ground.to_local(up);
-    if (up.y >= box.y || !is_on_map(level, up) || overlaps_ground(ground.terrain, local, foot)) continue;
-    if (const auto floor = floor_below(ground.terrain, local, box.y - up.y, foot))
-      up.y = floor->y - box.h + ground.corner.y;
-    return up.position();
+  if (const auto y = free_above(ground.terrain, ground.to_local(box), foot)) {
+    const Vec2 up{box.x, *y + ground.corner.y};
+    if (is_on_map(level, {up.x, up.y, box.w, box.h})) return up;
   }
   if (const auto out = way_out(ground.terrain, ground.to_local(box), foot)) {
     const Vec2 there = box.position() + *out;

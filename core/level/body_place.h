@@ -7,14 +7,12 @@
 
 namespace talus {
 
-inline constexpr int kMostCellsUp = 16;  // how far up a free place is looked for
-
 // Whether the body starts in the ground of tiles.
 bool starts_in_ground(const Level& level, const Spawn& spawn);
 
-// Returns the nearest place (px, of the top left corner) straight above that is free of the ground; if there
-// is none, the end of the shortest way out of the ground that stays on the map; otherwise the nearest free
-// corner of a cell. Nothing: the ground around is full.
+// Returns the nearest place (px, of the top left corner) straight above that is free of the ground, as
+// free_above() does; if there is none on the map, the end of the shortest way out of the ground that stays on
+// the map; otherwise the nearest free corner of a cell. Nothing: the ground around is full.
 std::optional<Vec2> free_place(const Level& level, const Spawn& spawn);
 
 }  // namespace talus

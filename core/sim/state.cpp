@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <map>
 #include <tuple>
+
+#include "collision/ground_queries.h"
 
 namespace talus {
 namespace {
@@ -21,6 +24,19 @@ Body body_at_start(const SceneItem& item, int id) {
 
 auto origin_key(const BodyOrigin& origin) {
   return std::make_tuple(origin.spawn, origin.cell.x, origin.cell.y);
+}
+
+// Lifts a body that the edited ground has buried so deep that the step would find no way out, or only one
+// that is longer than the body.
+template <class Real>
+void lift_out_of(const BasicTerrain<Real>* ground, Body& body) {
+  if (ground == nullptr) return;
+  const auto real = [](double px) { return static_cast<Real>(px); };
+  const BasicRect<Real> box{real(body.box.x), real(body.box.y), real(body.box.w), real(body.box.h)};
+  if (!overlaps_ground(*ground, box, body.foot)) return;
+  const auto out = way_out(*ground, box, body.foot);
+  if (out && std::abs(out->x) <= box.w && std::abs(out->y) <= box.h) return;
+  if (const auto y = free_above(*ground, box, body.foot)) body.box.y = *y;
 }
 
 // FNV-1a by Fowler, Noll and Vo, a byte at a time from the lowest, so that byte order does not matter.
@@ -61,6 +77,8 @@ State carry_over(const State& state, const Scene& edited) {
     body.kind = item.kind;
     body.foot = item.foot;
     body.is_clear = false;
+    lift_out_of(edited.ground.get(), body);
+    lift_out_of(edited.single_ground.get(), body);
   }
   std::sort(next.bodies.begin(), next.bodies.end(), [](const Body& a, const Body& b) { return a.id < b.id; });
   if (next.find(next.grabbed) == nullptr) next.grabbed = 0;

@@ -59,6 +59,31 @@ TEST(CarryOver, KindAndFootFollowTheSpawn) {
   EXPECT_EQ(next.bodies[0].box, state.bodies[0].box);
 }
 
+// Neither a slope that is drawn over the running player nor a filled rectangle may bury it.
+TEST(CarryOver, LiftsBodiesOutOfNewGround) {
+  for (const bool single : {false, true}) {
+    for (const BodyKind kind : {BodyKind::player, BodyKind::ball}) {
+      Level level = level_of({"........", "........", "........", "........", "........", "########"});
+      level.tuning.solver = SolverKind::exact;
+      level.tuning.exact.single_precision = single ? 1 : 0;
+      level.spawns.resize(1);
+      level.spawns[0].position = {28, 32};
+      level.spawns[0].kind = kind;
+      level.spawns[0].size = {8, 8};
+      const State state = initial_state(compile_scene(level));
+      EXPECT_EQ(carry_over(state, compile_scene(level)).bodies[0].box.y, 32);
+      for (int y = 2; y < 5; ++y)
+        for (int x = 0; x < 8; ++x) level.map.set({x, y}, 1);
+      EXPECT_EQ(carry_over(state, compile_scene(level)).bodies[0].box, (Rect{28, 8, 8, 8}));
+      level.map.set({3, 2}, 3);
+      level.map.set({4, 2}, 4);
+      const double y = carry_over(state, compile_scene(level)).bodies[0].box.y;
+      EXPECT_GT(y, 8) << "on the slope";
+      EXPECT_LT(y, 16);
+    }
+  }
+}
+
 TEST(StateHash, ChangesWithTheLastBitOfAnyNumber) {
   const State state = initial_state(compile_scene(level_of({"o"})));
   const std::uint64_t hash = state_hash(state);

@@ -59,7 +59,8 @@ State initial_state(const Scene& scene);
 
 // The state that continues in an edited scene. A body keeps its place and velocity while its origin exists,
 // and gets the kind and the foot that the origin has now. A new origin makes a new body with the next free
-// id. A body whose origin is gone is removed.
+// id. A body whose origin is gone is removed. `exact`: a body that the edited ground buries deeper than
+// the body is large is lifted straight up out of it, if a place within 16 cells is free.
 State carry_over(const State& state, const Scene& edited);
 
 // 64-bit FNV-1a over the frame and the bits of every body, equal on every machine.
