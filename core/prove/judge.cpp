@@ -279,12 +279,12 @@ bool Judge::is_below_floor(const Body& body, const ContactRecord& contact) const
   const auto here = floor_near(box, body.foot, weld_, deepest);
   const auto floor = floor_near(next, body.foot, rise, deepest);
   const Fine from = box.middle(), middle = next.middle();
-  // It may be below a one-way floor that leads there, and a slope on which nobody stands may be between the
-  // two.
+  // It may be below a one-way floor that leads there, or before the end of a line just above its floor, and a
+  // slope on which nobody stands may be between the two.
   if (!here || !floor || *here - *floor > rise) return false;
   const FloorLine line(ground_, from, *here, std::min(from, middle), std::max(from, middle),
                        tuning_.exact.steepest, least_weld_);
-  if (!line.reaches(from, middle)) return false;
+  if (!line.reaches(from, middle) || std::abs(line.at(middle) - *floor) > weld_) return false;
   if (has_floor_in({middle, next.y1 - rise, middle, *floor - 1})) return false;
   // What it touches by rounding alone stops it, too.
   const auto passes_at = [&](Fine y) {
@@ -635,8 +635,8 @@ bool Judge::stops_middle(const FineBox& from, const FineBox& to) const {
 }
 
 // Whether the bottom (or top) of a box is on an end of a sloped floor (or ceiling). A body on its centre may
-// be on an end of a level one, too.
-bool Judge::is_on_end(const FineBox& box, Foot foot, bool bottom) const {
+// be on an end of a level one, too. only_upright: of a curve that is upright there.
+bool Judge::is_on_end(const FineBox& box, Foot foot, bool bottom, bool only_upright) const {
   const Fine at = bottom ? box.y1 : box.y0;
   const auto is_on = [&](Fine x, Fine y) {
     return x >= box.x0 - slack_ && x <= box.x1 + slack_ && std::abs(y - at) <= weld_;
@@ -647,7 +647,10 @@ bool Judge::is_on_end(const FineBox& box, Foot foot, bool bottom) const {
         bottom ? part.is_floor() : part.kind == RawPart::Kind::solid || part.kind == RawPart::Kind::ceiling;
     if (!faces || (part.kind == RawPart::Kind::solid && !part.is_sloped() && foot == Foot::box)) return true;
     const RawLine& line = bottom ? part.top : part.bottom;
-    return !is_on(line.x0, line.y0) && !is_on(line.x1, line.y1);
+    const auto is_end = [&](Fine x, Fine y) {
+      return is_on(x, y) && (!only_upright || line.is_upright_curve(x));
+    };
+    return !is_end(line.x0, line.y0) && !is_end(line.x1, line.y1);
   });
 }
 
@@ -656,12 +659,17 @@ bool Judge::is_on_end(const FineBox& box, Foot foot, bool bottom) const {
 bool Judge::is_there(const ContactRecord& contact, const Body& body) const {
   const FineBox box = fine_box({contact.touch.x, contact.touch.y, body.box.w, body.box.h});
   const Vec2 n = contact.normal;
-  // Less than the body's own size, so that it does not pass a line.
+  // Less than the body's own size, so that it does not pass a line. It may pass the end of a steep one, so
+  // less is tried, too.
   const Fine ahead = std::min(kAhead, std::min(box.x1 - box.x0, box.y1 - box.y0) / 2);
   const FineBox into = box.moved(scaled(ahead, -n.x), scaled(ahead, -n.y));
   const bool is_sloped = n.x != 0 && n.y != 0;
   if (is_sloped && stops_at(box, box.moved(0, n.y < 0 ? ahead : -ahead))) return true;
-  if (stops_at(box, into) || (n.y != 0 && is_on_end(box, body.foot, n.y < 0))) return true;
+  if (is_on_end(box, body.foot, n.y <= 0, n.y == 0)) return true;
+  // What it touches by rounding is before it.
+  const FineBox before = box.moved(scaled(slack_, n.x), scaled(slack_, n.y));
+  for (Fine way = ahead; way > slack_; way /= 4)
+    if (stops_at(before, box.moved(scaled(way, -n.x), scaled(way, -n.y)))) return true;
   const Vec2 side = contact.move - n * dot(contact.move, n);
   const double length = std::sqrt(dot(side, side));
   if (!(length > 0)) return false;

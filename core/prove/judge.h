@@ -92,7 +92,7 @@ class Judge {
   FineBox inside_of(const Body& body) const;  // what meets lines: the box, or the middle of it
   bool floor_goes_on(const Body& before, const Body& after, int direction) const;
   bool was_on_end_behind(Fine middle, const FineBox& box, int direction) const;
-  bool is_on_end(const FineBox& box, Foot foot, bool bottom) const;
+  bool is_on_end(const FineBox& box, Foot foot, bool bottom, bool only_upright) const;
   enum class Under { corners, middle_of_slopes };  // what stands on slopes
   bool has_floor_at_foot(const Body& body, Under under) const;
   bool is_there(const ContactRecord& contact, const Body& body) const;

@@ -143,6 +143,8 @@ bool RawLine::is_steeper_than(double limit, Fine x) const {
   return std::abs(along.y) > limit * std::abs(along.x);
 }
 
+bool RawLine::is_upright_curve(Fine x) const { return curve != nullptr && is_steeper_than(kUpright, x); }
+
 bool RawPart::meets(const FineBox& box) const {
   const bool is_wall = top.x0 == top.x1;
   const bool is_beside =
@@ -172,7 +174,7 @@ bool RawPart::stops(const FineBox& from, const FineBox& to) const {
   const Fine x0 = std::max(from.x0, top.x0), x1 = std::min(from.x1, top.x1);
   if (top.curve != nullptr && x0 <= x1) {
     const Fine depth = kind == Kind::floor ? from.y1 - top.highest(x0, x1) : top.lowest(x0, x1) - from.y0;
-    return depth <= (top.is_steeper_than(kUpright, x0) ? kFinePx / kWeldParts : 0);
+    return depth <= (top.is_upright_curve(x0) ? kFinePx / kWeldParts : 0);
   }
   if (meets(from)) return false;
   const Wide dx = to.x0 - from.x0, dy = to.y0 - from.y0;

@@ -53,6 +53,7 @@ struct RawLine {
   Fine highest(Fine from, Fine to) const { return std::min(at(from), at(to)); }
   Fine lowest(Fine from, Fine to) const { return std::max(at(from), at(to)); }
   bool is_steeper_than(double limit, Fine x) const;  // |dy/dx| at x
+  bool is_upright_curve(Fine x) const;               // whether it is a curve that is like a wall at x
   bool is_level_at(Fine y) const { return y0 == y && y1 == y && curve == nullptr; }
   friend bool operator==(const RawLine&, const RawLine&) = default;
 };
