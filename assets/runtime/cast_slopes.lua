@@ -35,13 +35,13 @@ end
 
 -- The place of a box at x on the piece.
 function Line.place(piece, x, t, t_low)
-  -- A box that falls straight down keeps its x. On a steep line y gives the place.
+  -- A box that falls straight down keeps its x. On a steep line, but for its ends, y gives the place.
   local by_y = dx ~= 0 and is_steep(piece)
   if by_y and best_t == 0 then
     x = moved_x(bx, bw, (by - rest_on(piece, x, bw, bh, centre)) / piece.slope)
   end
   x = clamp(x, best_first, best_last)
-  if by_y then return x, rounded(along(by, t, t_low, dy)) end
+  if by_y and x ~= best_first and x ~= best_last then return x, rounded(along(by, t, t_low, dy)) end
   return x, rest_on(piece, x, bw, bh, centre)
 end
 

@@ -113,12 +113,12 @@ class Caster {
     const Twofold<Real> t = time_of_best();
     if (best_.is_wall()) return {limit(best_.facing, best_.at), (box_.y + t * dy_).rounded()};
     // A box that falls straight down keeps its x. On a steep line y determines the place, as one rounding of
-    // x there moves y by many roundings.
+    // x there moves y by many roundings; but not at an end, where the next line may be much less steep.
     const bool by_y = dx_ != 0 && !best_.is_level() && is_steep(*best_.piece);
     Real x = best_.t == 0 ? box_.x : exact_x(t * dx_);
     if (by_y && best_.t == 0) x = moved_x(box_, (box_.y - rest(*best_.piece, x)) / best_.piece->slope);
     x = std::clamp(x, best_.first_x, best_.last_x);
-    if (by_y) return {x, (box_.y + t * dy_).rounded()};
+    if (by_y && x != best_.first_x && x != best_.last_x) return {x, (box_.y + t * dy_).rounded()};
     return {x, best_.is_level() ? limit(best_.facing, best_.at) : rest(*best_.piece, x)};
   }
 
