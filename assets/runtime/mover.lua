@@ -33,10 +33,13 @@ function World:others() end
 -- floor leads over the side that a corner has met on its way, which ends y px lower; 0: the side stops it.
 function World:depth_below_floor() return 0.0 end
 
+-- The y of the upper end of a side that a body has met.
+function Terrain.top_of_side(contact) return contact.edge and contact.edge.y0 or contact.row * TILE_H end
+
 -- Whether what a box has met is the side of a floor that begins up to LIP higher. It is put on that floor.
 function Terrain:climbs(box, contact, others)
   if contact.other or contact.ny ~= 0 or not self:has_pieces() then return false end
-  local top = contact.edge and contact.edge.y0 or contact.row * TILE_H
+  local top = Terrain.top_of_side(contact)
   local rise = box.y + box.h - top
   if not (rise > 0) or rise > LIP + SETTLED * rounding_slack(box.x, box.y, box.w, box.h, 0.0, 0.0) then return false end
   if cast_box(self, box.x, box.y, box.w, box.h, 0.0, -rise, box.centre, others, nil, 0.0) then return false end

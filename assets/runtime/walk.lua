@@ -228,10 +228,14 @@ function Walk:place_past(contact, box, x, y)
 end
 
 -- Whether the floor is a curve that goes on above what the body has met below it, on the chord of its way from x to
--- the goal.
+-- the goal: another floor, or the upper end of a side.
 function Walk.leads_above(on, box, contact, from, goal_x)
   if Walk.is_straight(on) then return false end
   local at, slack = contact.x, Walk.settled(box)
+  if contact.ny == 0 then
+    local _, y = Walk.place_on(on, box, at)
+    return not contact.other and y < contact.y and y + box.h <= Terrain.top_of_side(contact)
+  end
   local function room(x)
     local place_x, place_y = Walk.place_on(on, box, x)
     return Walk.room_at(place_x, place_y, contact)
@@ -516,7 +520,7 @@ function Walk:passes(on, box, from, goal_x, goal_y, contact)
   Walk.lift_onto(on, box)
   if self:sinks(box, contact, goal_y) or self.terrain:climbs(box, contact, self.others) then return "goes on", nil end
   box.y = y
-  if contact.ny < 0 and Walk.leads_above(on, box, contact, from, goal_x) then
+  if contact.ny <= 0 and Walk.leads_above(on, box, contact, from, goal_x) then
     Walk.lift_onto(on, box)
     return "shortens", on
   end

@@ -263,7 +263,7 @@ class ExactSolver final : public Solver {
       return AfterContact::goes_on;
     }
     moving.box.y = y;
-    if (contact.normal.y < 0 && way.leads_above(*floor, moving, contact, from, goal.x)) {
+    if (contact.normal.y <= 0 && way.leads_above(*floor, moving, contact, from, goal.x)) {
       way.lift_onto(*floor, moving);
       return AfterContact::shortens;
     }

@@ -155,11 +155,15 @@ class FloorWalk {
     body = moved_to(body, met ? met.position : place);
   }
   // Whether the floor is a curve that goes on above what the body has met below it, on the chord of its way
-  // from x to the goal.
+  // from x to the goal: another floor, or the upper end of a side.
   bool leads_above(const FloorAhead<Real>& floor, const Moving<Real>& body, const Contact<Real>& contact,
                    Real from, Real goal_x) const {
     if (is_straight(floor)) return false;
     const Real at = contact.position.x, slack = settled(body);
+    if (contact.normal.y == 0) {
+      const Real y = place_on(floor, body.box, at, body.foot).y;
+      return !contact.is_other && y < contact.position.y && y + body.box.h <= top_of_side(ground_, contact).y;
+    }
     const auto room = [&](Real x) { return room_at(place_on(floor, body.box, x, body.foot), contact); };
     if (std::abs(at - from) > slack) return room(at) > std::max(Real(kMostSag), slack);
     Real way = (goal_x - at) / 2;
