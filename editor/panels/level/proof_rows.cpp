@@ -27,18 +27,23 @@ void begin_message() {
   ImGui::TableSetColumnIndex(1);
 }
 
-void draw_summary(const Proof& proof, bool is_stale, Ui& ui) {
-  begin_message();
+// How much was proved; while it runs, the button says that.
+std::string title_of(const Proof& proof, bool is_running) {
+  if (is_running) return "So far: ";
   const int percent = static_cast<int>(proof.share * 100);
-  draw_wrapped_text((proof.share < 1 ? "Proof of " + std::to_string(percent) + " %: " : "Proof: ") +
-                    summary_of(proof) + ".");
+  return proof.share < 1 ? "Proof of " + std::to_string(percent) + " %: " : "Proof: ";
+}
+
+void draw_summary(const Proof& proof, const Prover& prover, Ui& ui) {
+  begin_message();
+  draw_wrapped_text(title_of(proof, prover.running()) + summary_of(proof) + ".");
   if (ui.view.requests.take<request::ShowProof>()) ImGui::SetScrollHereY(0);
   ui.item("proof/summary");
   if (proof.left_out > 0)
     ui.hint(std::to_string(proof.left_out) +
             (proof.left_out == 1 ? " kind of body was" : " kinds of bodies were") + " not tried.");
   if (proof.assumes_body) ui.hint("The level has no bodies, so a player was tried.");
-  if (!is_stale) return;
+  if (!prover.is_stale() || prover.running()) return;
   draw_wrapped_text("The level has changed since: prove it again.", theme::tone(theme::kWarning));
   ui.item("proof/stale");
 }
@@ -117,7 +122,7 @@ void draw_proof_button(const Session& session, Actions& actions, Ui& ui) {
 void draw_proof_rows(bool is_wide, const Session& session, Actions& actions, Ui& ui, DrawFix draw_fix) {
   const Proof* proof = session.prover().found();
   if (proof == nullptr) return;
-  draw_summary(*proof, session.prover().is_stale() && !session.prover().running(), ui);
+  draw_summary(*proof, session.prover(), ui);
   const std::span<const Finding> shown = shown_findings(session);
   ImGui::PushID("proof");
   for (std::size_t i = 0; i < shown.size(); ++i) draw_finding(shown[i], i, is_wide, actions, ui, draw_fix);
