@@ -246,11 +246,14 @@ function Walk.leads_above(on, box, contact, from, goal_x)
   return room(at + way) > slack
 end
 
--- Puts a body that has come below a curve, on the chord of its way, on the curve.
-function Walk.lift_onto(on, box)
+-- Puts a body that has come below a curve, on the chord of its way, on the curve, or as near to it as a ceiling lets
+-- it.
+function Walk:lift_onto(on, box)
   if Walk.is_straight(on) then return end
   local _, y = Walk.place_on(on, box, box.x)
-  box.y = min(box.y, y)
+  if y >= box.y then return end
+  local met = self:cast(box, 0.0, y - box.y)
+  box.y = met and met.y or y
 end
 
 -- Puts a body that has met something on that floor, which may be a little higher or lower than the one that it came
@@ -517,15 +520,15 @@ end
 -- in one go; "leaves": the floor has ended.
 function Walk:passes(on, box, from, goal_x, goal_y, contact)
   local straight, y = Walk.is_straight(on), box.y
-  Walk.lift_onto(on, box)
+  self:lift_onto(on, box)
   if self:sinks(box, contact, goal_y) or self.terrain:climbs(box, contact, self.others) then return "goes on", nil end
   box.y = y
   if contact.ny <= 0 and Walk.leads_above(on, box, contact, from, goal_x) then
-    Walk.lift_onto(on, box)
+    self:lift_onto(on, box)
     return "shortens", on
   end
   if contact.ny < 0 and is_level(contact, self.steepest) then
-    Walk.lift_onto(on, box)  -- its own curve may cross what it has met once more
+    self:lift_onto(on, box)  -- its own curve may cross what it has met once more
     return "goes on", self:floor_met(box, contact)
   end
   if straight or contact.t == 0 then

@@ -170,10 +170,15 @@ class FloorWalk {
     while (room(at + way) <= slack && std::abs(way) > Real(kFloorStep)) way /= 2;
     return room(at + way) > slack;
   }
-  // Puts a body that has come below a curve, on the chord of its way, on the curve.
+  // Puts a body that has come below a curve, on the chord of its way, on the curve, or as near to it as a
+  // ceiling lets it.
   void lift_onto(const FloorAhead<Real>& floor, Moving<Real>& body) const {
-    if (!is_straight(floor))
-      body.box.y = std::min(body.box.y, place_on(floor, body.box, body.box.x, body.foot).y);
+    if (is_straight(floor)) return;
+    const Real y = place_on(floor, body.box, body.box.x, body.foot).y;
+    if (!(y < body.box.y)) return;
+    const Cast<Real> up{body.box, {0, y - body.box.y}, body.foot, sunk_};
+    const Contact<Real> met = cast_box<Real>(ground_, up, others_, nullptr, budget_);
+    body.box.y = met ? met.position.y : y;
   }
   // Puts a body that has met something on that floor, which may be a little higher or lower than the one that
   // it came from. Returns whether that moved it, so that it may pass.
