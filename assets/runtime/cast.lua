@@ -160,10 +160,12 @@ local function straight_time(from, to, gap, last_gap, closing, forgiven, up, y, 
   return clamp(t, from, to)
 end
 
-local function flat_in_reach(first, last, rest, open_first, open_last, up, y, piece)
+-- covered: a box that comes along the line that covers the end touches the end by rounding alone.
+local function flat_in_reach(first, last, rest, open_first, open_last, up, y, piece, covered)
   local closing = up and dy or -dy
   if not (closing > 0) then return end
   local from, to, gap, last_gap = window_of(first, last, rest, rest, open_first, open_last, up, nil)
+  if covered and last_gap >= -slack then return end
   local t = straight_time(from, to, gap, last_gap, closing, slack, up, y, nil)
   if t then offer(t, up and UP or DOWN, piece ~= nil, piece, y, first, last) end
 end

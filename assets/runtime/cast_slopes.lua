@@ -62,19 +62,21 @@ local function piece_ends(up, piece, lift)
   if up and centre then
     if sunk > 0 then return end
     local half = bw / 2
-    if piece.last0 then flat_in_reach(piece.x0 - bw, piece.x0 - half, piece.y0 - lift, true, false, up,
-        piece.y0, piece) end
-    if piece.last1 then flat_in_reach(piece.x1 - half, piece.x1, piece.y1 - lift, false, true, up, piece.y1,
-        piece) end
+    if piece.last0 then flat_in_reach(piece.x0 - bw, piece.x0 - half, piece.y0 - lift, true, piece.covered0, up,
+        piece.y0, piece, piece.covered0) end
+    if piece.last1 then flat_in_reach(piece.x1 - half, piece.x1, piece.y1 - lift, piece.covered1, true, up, piece.y1,
+        piece, piece.covered1) end
     return
   end
   -- Beyond a crest the ground goes on. Unlike beside a ledge, nothing may slip through beside it.
   if (piece.y1 < piece.y0) == up then
-    if piece.convex1 then
-      flat_in_reach(piece.x1 - bw, piece.x1, piece.y1 - lift, false, piece.last1, up, piece.y1, piece)
+    if piece.convex1 or piece.covered1 then
+      flat_in_reach(piece.x1 - bw, piece.x1, piece.y1 - lift, piece.covered1, piece.last1, up, piece.y1, piece,
+                    piece.covered1)
     end
-  elseif piece.convex0 then
-    flat_in_reach(piece.x0 - bw, piece.x0, piece.y0 - lift, piece.last0, false, up, piece.y0, piece)
+  elseif piece.convex0 or piece.covered0 then
+    flat_in_reach(piece.x0 - bw, piece.x0, piece.y0 - lift, piece.last0, piece.covered0, up, piece.y0, piece,
+                  piece.covered0)
   end
 end
 

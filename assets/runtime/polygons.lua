@@ -510,12 +510,14 @@ end
 -- ---- Ends ----
 
 -- The other lines that face the same way and begin where this one ends: whether there are any, and whether one
--- of them does not fall back from the open side. Replaces that of slopes.lua, which mark_end() calls.
+-- of them does not fall back from the open side; and whether lines alone that bodies from below pass rise from the
+-- end of a solid floor, which do not count else. Replaces that of slopes.lua, which mark_end() calls.
 function goes_on(terrain, strips, piece, first)
   local x, y = first and piece.x0 or piece.x1, first and piece.y0 or piece.y1
   local up = piece.facing == UP
-  local any, outward = false, false
-  local function note(fall)
+  local any, outward, covers = false, false, false
+  local function note(fall, passed)
+    if passed and fall < 0 and up and piece.solid and piece.form == Line then covers = true return end
     any = true
     if up then outward = outward or fall <= 0 else outward = outward or fall >= 0 end
   end
@@ -526,13 +528,13 @@ function goes_on(terrain, strips, piece, first)
         local reaches
         if first then reaches = line.x0 < x and x <= line.x1 else reaches = line.x0 <= x and x < line.x1 end
         if reaches and line_at(line, x) == y and (not body.column.solid or is_thick(body, x, not first)) then
-          note((first and line.y0 or line.y1) - y)
+          note((first and line.y0 or line.y1) - y, not body.column.solid)
         end
       end
     end
   end
   terrain:note_free(piece, first, x, y, note)
-  return any, outward
+  return any, outward, covers and not outward
 end
 
 -- The pieces in a cell, and the directions that they face.

@@ -123,8 +123,8 @@ end
 function Terrain:note_free(piece, first, x, y, note)
   for _, other in ipairs(self.free) do
     if not other.is_tip and not is_wall(other) and other.facing == piece.facing then
-      if first and other.x1 == x and other.y1 == y then note(other.y0 - other.y1) end
-      if not first and other.x0 == x and other.y0 == y then note(other.y1 - other.y0) end
+      if first and other.x1 == x and other.y1 == y then note(other.y0 - other.y1, true) end
+      if not first and other.x0 == x and other.y0 == y then note(other.y1 - other.y0, true) end
     end
   end
 end

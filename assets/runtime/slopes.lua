@@ -394,12 +394,14 @@ end
 -- ---- Ends ----
 
 -- The other lines that face the same way and begin where this one ends: whether there are any, and whether one
--- of them does not fall back from the open side.
+-- of them does not fall back from the open side; and whether lines alone that bodies from below pass rise from the
+-- end of a solid floor, which do not count else.
 local function goes_on(terrain, strips, piece, first)
   local x, y = first and piece.x0 or piece.x1, first and piece.y0 or piece.y1
   local up = piece.facing == UP
-  local any, outward = false, false
-  local function note(fall)
+  local any, outward, covers = false, false, false
+  local function note(fall, passed)
+    if passed and fall < 0 and up and piece.solid and piece.form == Line then covers = true return end
     any = true
     if up then outward = outward or fall <= 0 else outward = outward or fall >= 0 end
   end
@@ -410,25 +412,26 @@ local function goes_on(terrain, strips, piece, first)
         local reaches
         if first then reaches = line.x0 < x and x <= line.x1 else reaches = line.x0 <= x and x < line.x1 end
         if reaches and line_at(line, x) == y and (not body.tile.solid or is_thick(body, x, not first)) then
-          note((first and line.y0 or line.y1) - y)
+          note((first and line.y0 or line.y1) - y, not body.tile.solid)
         end
       end
     end
   end
   terrain:note_free(piece, first, x, y, note)
-  return any, outward
+  return any, outward, covers and not outward
 end
 
 local function mark_end(terrain, strips, piece, first)
   -- A piece in several cells is marked at its ends, in the cells of these ends.
   local y = first and piece.y0 or piece.y1
   local far = y < strips.y * TILE_H or y > (strips.y + 1) * TILE_H
-  local any, outward = far, far
-  if not far then any, outward = goes_on(terrain, strips, piece, first) end
+  local any, outward, covers = far, far, false
+  if not far then any, outward, covers = goes_on(terrain, strips, piece, first) end
+  local convex = not outward and not covers
   if first then
-    piece.convex0, piece.last0, piece.far0 = not outward, not any, far
+    piece.convex0, piece.last0, piece.far0, piece.covered0 = convex, not any, far, covers
   else
-    piece.convex1, piece.last1, piece.far1 = not outward, not any, far
+    piece.convex1, piece.last1, piece.far1, piece.covered1 = convex, not any, far, covers
   end
 end
 

@@ -339,10 +339,12 @@ class Caster {
     }
   }
 
-  void flat(const Reach& reach, bool up, Real y, const Piece<Real>* piece) {
+  // is_covered: a box that comes along the line that covers the end touches the end by rounding alone.
+  void flat(const Reach& reach, bool up, Real y, const Piece<Real>* piece, bool is_covered = false) {
     const Real closing = up ? dy_ : -dy_;
     if (!(closing > 0)) return;
     const auto window = window_of(reach, up, [&](Real) { return reach.first_y; });
+    if (is_covered && window.last_gap >= -slack_) return;
     Real t;
     const auto exact = [&] { return level_time(up, y); };
     if (straight_time(window, closing, slack_, t, exact)) offer_flat(t, reach, up, y, piece);
@@ -422,22 +424,22 @@ class Caster {
     if (up && foot_ == Foot::centre) {
       if constexpr (kSunk) return;
       if (piece.last0)
-        flat({piece.x0 - box_.w, piece.x0 - half, piece.y0 - lift, piece.y0 - lift, true, false}, up,
-             piece.y0, &piece);
+        flat({piece.x0 - box_.w, piece.x0 - half, piece.y0 - lift, piece.y0 - lift, true, piece.covered0}, up,
+             piece.y0, &piece, piece.covered0);
       if (piece.last1)
-        flat({piece.x1 - half, piece.x1, piece.y1 - lift, piece.y1 - lift, false, true}, up, piece.y1,
-             &piece);
+        flat({piece.x1 - half, piece.x1, piece.y1 - lift, piece.y1 - lift, piece.covered1, true}, up,
+             piece.y1, &piece, piece.covered1);
       return;
     }
     // Beyond a crest the ground continues. Unlike beside a ledge, nothing may slip through there.
     if (piece.rises_to_the_right() == up) {
-      if (piece.convex1)
-        flat({piece.x1 - box_.w, piece.x1, piece.y1 - lift, piece.y1 - lift, false, piece.last1}, up,
-             piece.y1, &piece);
+      if (piece.convex1 || piece.covered1)
+        flat({piece.x1 - box_.w, piece.x1, piece.y1 - lift, piece.y1 - lift, piece.covered1, piece.last1}, up,
+             piece.y1, &piece, piece.covered1);
     } else {
-      if (piece.convex0)
-        flat({piece.x0 - box_.w, piece.x0, piece.y0 - lift, piece.y0 - lift, piece.last0, false}, up,
-             piece.y0, &piece);
+      if (piece.convex0 || piece.covered0)
+        flat({piece.x0 - box_.w, piece.x0, piece.y0 - lift, piece.y0 - lift, piece.last0, piece.covered0}, up,
+             piece.y0, &piece, piece.covered0);
     }
   }
 

@@ -425,8 +425,10 @@ void OutlineCompiler::mark_ends(Piece<double>& piece, Cell cell) const {
   const Next next1 = near1 ? next_of(piece, false) : Next{true, true};
   piece.far0 = !near0;
   piece.far1 = !near1;
-  piece.convex0 = !next0.outward;
-  piece.convex1 = !next1.outward;
+  piece.convex0 = !next0.outward && !next0.covers;
+  piece.convex1 = !next1.outward && !next1.covers;
+  piece.covered0 = next0.covers;
+  piece.covered1 = next1.covers;
   piece.last0 = !next0.any;
   piece.last1 = !next1.any;
 }
@@ -434,10 +436,14 @@ void OutlineCompiler::mark_ends(Piece<double>& piece, Cell cell) const {
 // The other lines that face the same way and begin where this one ends.
 OutlineCompiler::Next OutlineCompiler::next_of(const Piece<double>& piece, bool first) const {
   const double x = first ? piece.x0 : piece.x1, y = first ? piece.y0 : piece.y1;
-  const bool up = piece.facing == Facing::up;
+  const bool up = piece.facing == Facing::up, is_solid_floor = up && !piece.one_way && piece.origin >= 0;
   Next next;
   // dy: how much the line that goes on falls, seen from this end.
-  const auto note = [&](double dy) {
+  const auto note = [&](double dy, bool is_passed_from_below) {
+    if (is_solid_floor && is_passed_from_below && dy < 0) {
+      next.covers = true;
+      return;
+    }
     next.any = true;
     next.outward = next.outward || (up ? dy <= 0 : dy >= 0);
   };
@@ -448,14 +454,14 @@ OutlineCompiler::Next OutlineCompiler::next_of(const Piece<double>& piece, bool 
       const bool reaches_on = first ? x0 < x && x <= x1 : x0 <= x && x < x1;
       if (!reaches_on || in_tile.moved_at(body.corner, x) != y) continue;
       if (body.one_way() || body.is_thick(x, !first))
-        note((first ? in_tile.y0 : in_tile.y1) + body.corner.y - y);
+        note((first ? in_tile.y0 : in_tile.y1) + body.corner.y - y, body.one_way());
     }
   }
-  if (curves_.empty()) return next;
   for (const CurveEnds::End& end : curve_ends_.at({x, y}, !first)) {
     const Piece<double>& curve = curves_[end.piece];
-    if (curve.facing == piece.facing) note(first ? curve.y0 - curve.y1 : curve.y1 - curve.y0);
+    if (curve.facing == piece.facing) note(first ? curve.y0 - curve.y1 : curve.y1 - curve.y0, true);
   }
+  next.covers = next.covers && !next.outward;
   return next;
 }
 

@@ -21,7 +21,7 @@ Piece<Real> narrow(const Piece<double>& p) {
   n.slope_rest = static_cast<Real>(p.slope - static_cast<double>(n.slope) + p.slope_rest);
   n.origin = p.origin, n.stretch = p.stretch, n.facing = p.facing;
   n.convex0 = p.convex0, n.convex1 = p.convex1, n.last0 = p.last0, n.last1 = p.last1, n.one_way = p.one_way,
-  n.far0 = p.far0, n.far1 = p.far1;
+  n.far0 = p.far0, n.far1 = p.far1, n.covered0 = p.covered0, n.covered1 = p.covered1;
   return n;
 }
 

@@ -103,4 +103,41 @@ TEST(BelowFloor, ABodyUnderTheSlopeIsStoppedByTheBlock) {
   EXPECT_EQ(path(level, 100).back().x, 8 * (kRamp + 7) - 4);
 }
 
+// It comes from below the one-way slope that goes on where a solid floor ends at (64, 64).
+TEST(BelowFloor, ABodyUnderTheSlopeLandsOnTheEndOfItsFloor) {
+  for (const bool is_block : {false, true}) {
+    for (const bool is_segment : {false, true}) {
+      for (const bool to_left : {false, true}) {
+        for (const Foot foot : {Foot::box, Foot::centre}) {
+          Level level;
+          level.tuning.solver = SolverKind::exact;
+          level.map = TileMap(16, 14);
+          const double rise = to_left ? 8 : -8, low = to_left ? 0 : 8;
+          level.tile_shapes[1].kind = TileShape::Kind::solid;
+          level.tile_shapes[2] = {.kind = TileShape::Kind::slope, .heights = {low, 8 - low}};
+          level.tile_shapes[3] = {.kind = TileShape::Kind::slope, .one_way = true, .heights = {low, 8 - low}};
+          level.map.set({to_left ? 7 : 8, 8}, is_block ? 1 : 2);
+          if (is_segment)
+            level.curves.push_back({"", {Segment{{64, 64}, {64 + rise, 56}}, Curve::Faces::up}, ""});
+          else
+            level.map.set({to_left ? 8 : 7, 7}, 3);
+          put(level, BodyKind::player, {8, 8}, to_left ? 64 : 56, kFloor - 63.5);
+          level.spawns[0].foot = foot;
+          const auto scene = std::make_shared<const Scene>(compile_scene(level));
+          const auto solver = make_solver(scene);
+          State state = initial_state(*scene);
+          Input input;
+          input.left = to_left;
+          input.right = !to_left;
+          for (int i = 0; i < 10 && !state.bodies[0].gait.grounded; ++i) solver->step(state, input);
+          const Body& body = state.bodies[0];
+          EXPECT_TRUE(body.gait.grounded);
+          EXPECT_EQ(body.box.bottom(), 64) << is_block << is_segment << to_left << static_cast<int>(foot);
+          EXPECT_TRUE(to_left ? body.box.x < 64 : body.box.right() > 64);
+        }
+      }
+    }
+  }
+}
+
 }  // namespace talus::below_floor_test

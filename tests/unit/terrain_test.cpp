@@ -183,8 +183,8 @@ TEST(Terrain, ACurveJoinsTheFloor) {
   EXPECT_THAT(outline_of(map.compile()),
               UnorderedElementsAre("down |(0,24 8,24)|", "down |(24,24 32,24)|", "left (0,16 0,24)",
                                    "left (24,16 24,24)", "right (32,16 32,24)", "right (8,16 8,24)",
-                                   "up 24,16 32,16)|", "up thin (16,12 24,16", "up thin 16,12 24,16",
-                                   "up thin 8,16 16,12", "up thin 8,16 16,12)", "up |(0,16 8,16"));
+                                   "up |24,16 32,16)|", "up thin (16,12 24,16", "up thin 16,12 24,16",
+                                   "up thin 8,16 16,12", "up thin 8,16 16,12)", "up |(0,16 8,16|"));
 }
 
 TEST(Terrain, ALineThatFacesBothSidesHasTips) {

@@ -81,8 +81,10 @@ constexpr Real steepest_on_curve(Real steepest) {
 //
 // An end is convex if the outline turns away from the open side there: a floor's end that a box can stand on
 // with only its bottom side, or a wall's end that a box can pass by. An end is last if no floor goes on
-// there. An end of a piece in several cells is far if it is outside of the cell of this copy: the copy that
-// has the end in its cell knows what is around it, and is the only one that stops a box there.
+// there. The end of a solid floor is covered if only lines that bodies from below pass rise from it: what is
+// under such a line stands on the end. It is last, too, as those do not count. An end of a piece in several
+// cells is far if it is outside of the cell of this copy: the copy that has the end in its cell knows what is
+// around it, and is the only one that stops a box there.
 template <class Real>
 struct Piece {
   Real x0 = 0;                 // px, of the first end
@@ -103,6 +105,8 @@ struct Piece {
   bool one_way : 1 = false;    // bodies that come from behind pass it
   bool far0 : 1 = false;       // the first end is far
   bool far1 : 1 = false;       // the second end is far
+  bool covered0 : 1 = false;   // the first end is covered
+  bool covered1 : 1 = false;   // the second end is covered
 
   bool rises_to_the_right() const { return y1 < y0; }  // its second end is the higher one
   bool is_wall() const { return facing == Facing::left || facing == Facing::right; }  // it is vertical
