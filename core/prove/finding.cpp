@@ -52,8 +52,8 @@ const FindingInfo& info_of(FindingKind kind) {
 
 Input input_of(const Trial& trial, int frame) {
   Input input;
-  input.left = trial.direction < 0;
-  input.right = trial.direction > 0;
+  input.left = trial.direction < 0 && frame >= trial.run_from;
+  input.right = trial.direction > 0 && frame >= trial.run_from;
   input.jump = frame <= trial.jump_frames;
   return input;
 }

@@ -40,6 +40,7 @@ struct Trial {
   Body body;            // at its start, alone in the level
   double speed = 1.5;   // px/frame, the run_speed of its tuning
   int direction = 0;    // key that is held: -1 left, 1 right, 0 none
+  int run_from = 1;     // the frame from which that key is held, 1 or later
   int jump_frames = 0;  // frames, from the start, in which the jump key is held
   int frames = 0;       // the most steps that it takes
 };

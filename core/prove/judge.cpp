@@ -59,9 +59,7 @@ std::optional<Verdict> Judge::judge(const Body& before, const Body& after, const
                                     const StepRecord& record) const {
   // Where its foot is beyond the map, there is no ground to judge it by.
   if (!ground_.has_row_at(fine_box(after.box).y1 - weld_)) return std::nullopt;
-  if (!is_free(after.box, after.foot, Corners::in_any_floor) &&
-      is_free(before.box, before.foot, Corners::in_any_floor))
-    return Verdict{FindingKind::inside};
+  if (comes_into_ground(before, after)) return Verdict{FindingKind::inside};
   if (falls_through(before, after)) return Verdict{FindingKind::falls_through};
   const bool walks = is_walker(after);
   if (walks && after.gait.grounded && !has_floor_at_foot(after, Under::corners))
@@ -77,6 +75,11 @@ std::optional<Verdict> Judge::judge(const Body& before, const Body& after, const
   }
   if (auto met = judge_contacts(before, record, walks && before.gait.grounded)) return met;
   return judge_roll(before, after);
+}
+
+bool Judge::comes_into_ground(const Body& before, const Body& after) const {
+  return !is_free(after.box, after.foot, Corners::in_any_floor) &&
+         is_free(before.box, before.foot, Corners::in_any_floor);
 }
 
 std::optional<Verdict> Judge::judge_walk(const Body& before, const Body& after, double speed,

@@ -25,6 +25,9 @@ class Judge {
   std::optional<Verdict> judge(const Body& before, const Body& after, const Input& input,
                                const StepRecord& record) const;
 
+  // Whether it was not in the ground, and is.
+  bool comes_into_ground(const Body& before, const Body& after) const;
+
   // The ground in which the corners of a body on its centre may be, beside its middle.
   enum class Corners {
     in_its_floor,  // the floor that its middle stands on, and what is below that
@@ -36,7 +39,8 @@ class Judge {
   // line: it may be in that, by rounding.
   bool touches(const Rect& box, Foot foot) const;
   // Whether a line that stops bodies from above is in the box of a body, or at the middle of one on its
-  // centre. Such a body is behind the line, and comes out by either side: nothing is said about that.
+  // centre. Such a body is behind the line, and comes out by either side: all that is said is whether it
+  // comes into the ground.
   bool is_across_line(const Body& body) const;
   // Whether a floor is at its foot that is not too steep to stand on.
   bool is_on_floor(const Body& body) const;

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kMostSteps = 240;   // of one trial
 constexpr int kJumpHeld = 12;     // frames
+constexpr int kLongJump = 60;     // frames; such jumps come as high as a jump can
 constexpr int kRollFrames = 24;   // at least, of a body without keys: the floor slows it
 constexpr int kStillFrames = 20;  // after so many frames without a motion a body rests
 constexpr double kStill = 1e-3;   // px; a smaller motion is none
@@ -74,7 +75,7 @@ bool is_steered(BodyKind kind, SolverKind solver) {
 const std::array<TrialRunner::Start, 5> TrialRunner::kStarts = {{
     {.walks = true, .walks_slower = true, .from_rest = true, .jumps = true, .drops = true},
     {.px = kPhaseOfPx, .walks = true, .jumps = true, .drops = true, .slowest = -1},
-    {.share = 0.5, .walks = true},
+    {.share = 0.5, .walks = true, .jumps = true},
     {.share = 0.5, .px = 2 * kPhaseOfPx, .walks = true, .walks_slower = true, .drops = true, .slowest = -1},
     {.share = 1, .px = -kPhaseOfPx, .slowest = 1},
 }};
@@ -202,7 +203,9 @@ void TrialRunner::try_place(const Place& place) {
   if (stands) walk_from(place, standing);
   drop(place, stands ? &standing.body : nullptr);
   if (!stands || !place.start.jumps || !is_steered(body.kind, scene_.solver())) return;
-  for (const int direction : {0, 1, -1}) jump(place, standing, direction);
+  for (const int direction : {0, 1, -1}) jump(place, standing, {.direction = direction, .held = kJumpHeld});
+  for (const int direction : {1, -1})  // onto what is beside it
+    jump(place, standing, {.direction = direction, .run_from = kJumpHeld, .held = kLongJump});
 }
 
 void TrialRunner::walk_from(const Place& place, const Trial& standing) {
@@ -257,10 +260,11 @@ void TrialRunner::walk(const Place& place, Trial trial, std::size_t speed, int d
   run(trial, place, speed);
 }
 
-void TrialRunner::jump(const Place& place, Trial trial, int direction) {
-  trial.direction = direction;
+void TrialRunner::jump(const Place& place, Trial trial, Jump jump) {
+  trial.direction = jump.direction;
+  trial.run_from = jump.run_from;
   trial.speed = scene_.speeds().front().scene->tuning.player.run_speed;
-  trial.jump_frames = kJumpHeld;
+  trial.jump_frames = jump.held;
   trial.frames = kMostSteps;
   run(trial, place, 0);
 }
@@ -319,16 +323,22 @@ std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, 
   const Reach reach = place != nullptr ? reach_of(scene_.bodies()[place->body]) : Reach();
   int still = 0;
   for (int frame = 1; frame <= trial.frames; ++frame) {
-    if (judge.is_across_line(body) || leaves_map(body.box, scene_.ground())) break;
+    if (leaves_map(body.box, scene_.ground())) break;
     const Body before = body;
+    const bool is_across = judge.is_across_line(body);
     const Input input = input_of(trial, frame);
     solvers_[speed]->step(state_, input, &record_);
     ++proof_.counts.steps;
     if (meets_ground_above_map(body.box, scene_.ground())) break;
-    std::optional<Verdict> verdict = judge.judge(before, body, input, record_);
+    std::optional<Verdict> verdict;
+    if (!is_across)
+      verdict = judge.judge(before, body, input, record_);
+    else if (judge.comes_into_ground(before, body))
+      verdict = Verdict{FindingKind::inside};
     still =
         std::abs(body.box.x - before.box.x) + std::abs(body.box.y - before.box.y) < kStill ? still + 1 : 0;
-    const bool has_landed = takes_keys && !walks && body.gait.grounded && frame > trial.jump_frames;
+    const bool has_landed =
+        takes_keys && !walks && body.gait.grounded && frame > std::min(trial.jump_frames, kJumpHeld);
     const bool hangs =
         body.gait.grounded ? has_landed && !judge.is_on_floor(body) : takes_keys && still == kStillFrames;
     if (!verdict && hangs && is_wedged(state_, speed)) verdict = Verdict{FindingKind::wedged};
@@ -361,13 +371,13 @@ bool TrialRunner::is_wedged(const State& state, std::size_t speed) {
   for (const int direction : {0, -1, 1}) {
     Trial keys;
     keys.direction = direction;
-    keys.jump_frames = kJumpHeld;
+    keys.jump_frames = kLongJump;
     State tried = state;
     const Body& body = tried.bodies.front();
     for (int frame = 1; frame <= kMostSteps; ++frame) {
       solvers_[speed]->step(tried, input_of(keys, frame));
       ++proof_.counts.steps;
-      if (frame > kJumpHeld && body.gait.grounded) break;
+      if (frame > kLongJump && body.gait.grounded) break;
     }
     if (std::abs(body.box.x - start.x) + std::abs(body.box.y - start.y) > 1) return false;
   }

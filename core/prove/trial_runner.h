@@ -66,6 +66,12 @@ class TrialRunner {
     bool is_steep;
     friend auto operator<=>(const Top&, const Top&) = default;
   };
+  // The keys of a jump, as those of a Trial.
+  struct Jump {
+    int direction = 0;
+    int run_from = 1;
+    int held = 0;  // frames
+  };
   // By which columns and rows trials may go away from their cell.
   struct Reach {
     int columns, up, down;
@@ -78,7 +84,7 @@ class TrialRunner {
   void walk_from(const Place& place, const Trial& standing);
   void walk(const Place& place, Trial trial, std::size_t speed, int direction, bool at_rest);
   double way_past_joint(const Start& start, int direction) const;
-  void jump(const Place& place, Trial trial, int direction);
+  void jump(const Place& place, Trial trial, Jump jump);
   void drop(const Place& place, const Body* standing);
   void run(Trial trial, const Place& place, std::size_t speed);
   std::optional<Finding> play(const Trial& trial, std::size_t speed, const Place* place);

@@ -88,6 +88,7 @@ nlohmann::ordered_json json_of(const Finding& finding) {
             {"grounded", body.gait.grounded}}},
           {"direction", trial.direction},
           {"run_speed", trial.speed},
+          {"run_from", trial.run_from},
           {"jump_frames", trial.jump_frames},
           {"message", message_of(finding)}};
 }

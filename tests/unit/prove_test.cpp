@@ -299,11 +299,15 @@ TEST(Prove, FindsAFunnelThatHoldsABody) {
 
 // There is no room for the body above its ground, and just a little more further up.
 TEST(Prove, FindsACleftThatHoldsABody) {
-  Scenery scenery(Foot::box);
-  scenery.put({9, 4}, {.kind = TileShape::Kind::polygon, .points = {{0, 0}, {8, 64}, {0, 64}}});
-  scenery.put({10, 4}, {.kind = TileShape::Kind::polygon, .points = {{8, 0}, {8, 64}, {0, 64}}});
-  const Proof proof = scenery.proof();
-  EXPECT_EQ(kinds_of(proof), std::set<std::string>{"wedged"}) << text_of(proof);
+  const auto put_cleft = [](int depth) {
+    const double y = 8.0 * depth;
+    Scenery scenery(Foot::box);
+    scenery.put({9, 12 - depth}, {.kind = TileShape::Kind::polygon, .points = {{0, 0}, {8, y}, {0, y}}});
+    scenery.put({10, 12 - depth}, {.kind = TileShape::Kind::polygon, .points = {{8, 0}, {8, y}, {0, y}}});
+    return scenery.proof();
+  };
+  EXPECT_EQ(kinds_of(put_cleft(9)), std::set<std::string>{"wedged"});
+  EXPECT_EQ(kinds_of(put_cleft(8)), std::set<std::string>()) << "a long jump to the side leads out";
 }
 
 // A body on its centre steps off the end of a ramp, and comes below the ramp behind the gap.
