@@ -37,4 +37,10 @@ function Terrain:is_detailed() return false end
 function Terrain:has_pieces() return false end
 
 -- Gives a cell another tile.
-function Terrain:set_tile(x, y, tile) self.tiles[y * self.width + x] = tile end
+function Terrain:set_tile(x, y, tile)
+  local cell = y * self.width + x
+  if x < 0 or x >= self.width or y % 1 ~= 0 or not self.tiles[cell] then
+    error("the level has no cell " .. x .. ", " .. y, 2)
+  end
+  self.tiles[cell] = tile
+end

@@ -33,7 +33,7 @@ constexpr LuaPart kLuaParts[] = {
     {"players", {"players"}, {"walk"}},
     {"pairs", {"pairs"}},
     {"mouse", {"mouse"}},
-    {"end", {"module"}},
+    {"end", {"luajit", "module"}},
 };
 
 // The part that has the rule.

@@ -48,6 +48,7 @@ FormatResult<std::string> lua_runtime(const ExportRequest& request, LuaForm form
   if (!parts) return tl::unexpected(parts.error());
   std::vector<std::string> texts;
   for (const std::string& file : lua_part_files(*parts)) {
+    if (form == LuaForm::small && file == "luajit") continue;  // for carts, which TIC-80 runs by Lua 5.3
     FormatResult<std::string> text = request.read_asset("runtime/" + file + ".lua");
     if (!text) return text;
     texts.push_back(std::move(*text));

@@ -77,6 +77,13 @@ class LuaRuntime : public FolderTest {
                 static_cast<long long>(differences));
   }
 
+  // What a program prints that has the module and the level, in Lua 5.3.
+  std::string printed(const Level& level, const std::string& program) {
+    put("program.lua", "local talus = dofile('" + runtime_file(lua_parts(level, "").value()) +
+                           "')\nlocal level = (function()\n" + lua_level(level) + "end)()\n" + program);
+    return output_of("cd '" + folder_.string() + "' && lua5.3 program.lua 2>&1");
+  }
+
   int levels() const { return levels_; }
   std::int64_t body_frames() const { return body_frames_; }
 
@@ -136,6 +143,23 @@ class LuaRuntime : public FolderTest {
   int levels_ = 0;
   std::int64_t frames_ = 0, body_frames_ = 0;
 };
+
+TEST_F(LuaRuntime, RefusesTilesForCellsThatAreNotThere) {
+  Level level;
+  level.map = TileMap(80, 17);
+  level.tile_shapes[1].kind = TileShape::Kind::solid;
+  const std::string program =
+      "local world = talus.new(level)\n"
+      "for _, cell in ipairs {{500, 0}, {-1, 3}, {2, 17}, {2, -1}, {0.5, 0}, {0, 0.5}} do\n"
+      "  print(pcall(world.terrain.set_tile, world.terrain, cell[1], cell[2], 1))\n"
+      "end\n"
+      "world.terrain:set_tile(79, 16, 1)\n"
+      "for y = 0, 16 do for x = 0, 79 do if world:overlaps(8 * x, 8 * y, 8, 8) then print(x, y) end end "
+      "end\n";
+  const std::string no = "false\tthe level has no cell ";
+  EXPECT_EQ(printed(level, program), no + "500, 0\n" + no + "-1, 3\n" + no + "2, 17\n" + no + "2, -1\n" + no +
+                                         "0.5, 0\n" + no + "0, 0.5\n79\t16\n");
+}
 
 TEST_F(LuaRuntime, GivesTheBitsOfEveryHardCase) {
   for (const auto& entry : fs::directory_iterator(source_path("assets/hard_cases"))) {
