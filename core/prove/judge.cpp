@@ -471,7 +471,11 @@ std::optional<Verdict> Judge::lip_met(const Body& before, const ContactRecord& c
   const Ahead ahead = ahead_of(body, direction);
   // A body that falls past the end of a floor has just touched it, and is hardly lower.
   if (ahead.way != Way::lip || ahead.edge.height <= weld_ + kEndSlacks * slack_) return std::nullopt;
-  return lip_of(direction, ahead.edge);
+  Edge edge = ahead.edge;
+  // One that bounces is above its floor.
+  const FineBox box = fine_box(body.box);
+  if (const auto floor = floor_near(box, body.foot, 0, lip_)) edge.height += *floor - box.y1;
+  return edge.height > lip_ + slack_ ? std::nullopt : std::optional(lip_of(direction, edge));
 }
 
 Verdict Judge::lip_of(int direction, const Edge& edge) const {
@@ -586,7 +590,7 @@ std::optional<Judge::Edge> Judge::edge_at(const FineBox& box, Foot foot, int dir
   const auto rise = rise_onto(box, next, foot);
   if (!rise) return std::nullopt;
   const Fine top = box.y1 - *rise, middle = box.middle(), front = direction > 0 ? box.x1 : box.x0;
-  if (foot == Foot::box) return Edge{*rise, front, top};
+  if (foot == Foot::box || *rise == 0) return Edge{*rise, front, top};
   // Corners beside the middle may be in the floor, and an edge begins where that ends, or above it.
   const FloorLine line(ground_, middle, box.y1, std::min(middle, front), std::max(middle, front),
                        tuning_.exact.steepest, least_weld_);

@@ -20,7 +20,7 @@ auto key_of(const Finding& finding) {
 }  // namespace
 
 std::string summary_of(const Proof& proof) {
-  if (proof.counts.trials == 0) return "no place where a body can stand, so nothing was tried";
+  if (proof.counts.steps == 0) return "no place where a body can stand, so nothing was tried";
   const auto count = [](std::int64_t number) { return with_commas(static_cast<std::size_t>(number)); };
   std::string text = count(proof.counts.places) + (proof.counts.places == 1 ? " place, " : " places, ") +
                      count(proof.counts.steps) + " steps of the solver " +

@@ -40,10 +40,9 @@ Cell cell_at(Vec2 place, const RawGround& ground) {
 Vec2 foot_of(const Rect& box) { return {box.x + box.w / 2, box.bottom()}; }
 
 // Ground ends at the sides of the map, wherever the shapes of its tiles reach.
-bool meets_ground_above_map(const Rect& box, const RawGround& ground) {
-  return box.y < 0 && !ground.for_parts(fine_box(box), [](const RawPart& part) {
-    return std::min(part.top.y0, part.top.y1) >= 0;
-  });
+bool meets_ground_above_map(const FineBox& box, const RawGround& ground) {
+  return box.y0 < 0 &&
+         !ground.for_parts(box, [](const RawPart& part) { return std::min(part.top.y0, part.top.y1) >= 0; });
 }
 
 bool leaves_map(const Rect& box, const RawGround& ground) {
@@ -75,7 +74,7 @@ bool is_steered(BodyKind kind, SolverKind solver) {
 const std::array<TrialRunner::Start, 5> TrialRunner::kStarts = {{
     {.walks = true, .walks_slower = true, .from_rest = true, .jumps = true, .drops = true},
     {.px = kPhaseOfPx, .walks = true, .jumps = true, .drops = true, .slowest = -1},
-    {.share = 0.5, .walks = true, .jumps = true},
+    {.share = 0.5, .walks = true, .jumps_onto_sides = true},
     {.share = 0.5, .px = 2 * kPhaseOfPx, .walks = true, .walks_slower = true, .drops = true, .slowest = -1},
     {.share = 1, .px = -kPhaseOfPx, .slowest = 1},
 }};
@@ -202,10 +201,12 @@ void TrialRunner::try_place(const Place& place) {
   const bool stands = stand(standing.body);
   if (stands) walk_from(place, standing);
   drop(place, stands ? &standing.body : nullptr);
-  if (!stands || !place.start.jumps || !is_steered(body.kind, scene_.solver())) return;
-  for (const int direction : {0, 1, -1}) jump(place, standing, {.direction = direction, .held = kJumpHeld});
-  for (const int direction : {1, -1})  // onto what is beside it
-    jump(place, standing, {.direction = direction, .run_from = kJumpHeld, .held = kLongJump});
+  if (!stands || !is_steered(body.kind, scene_.solver())) return;
+  if (place.start.jumps)
+    for (const int direction : {0, 1, -1}) jump(place, standing, {.direction = direction, .held = kJumpHeld});
+  if (place.start.jumps_onto_sides)
+    for (const int direction : {1, -1})
+      jump(place, standing, {.direction = direction, .run_from = kJumpHeld, .held = kLongJump});
 }
 
 void TrialRunner::walk_from(const Place& place, const Trial& standing) {
@@ -329,7 +330,7 @@ std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, 
     const Input input = input_of(trial, frame);
     solvers_[speed]->step(state_, input, &record_);
     ++proof_.counts.steps;
-    if (meets_ground_above_map(body.box, scene_.ground())) break;
+    if (meets_ground_above_map(hull(fine_box(before.box), fine_box(body.box)), scene_.ground())) break;
     std::optional<Verdict> verdict;
     if (!is_across)
       verdict = judge.judge(before, body, input, record_);

@@ -48,6 +48,7 @@ class TrialRunner {
     bool walks_slower = false;
     bool from_rest = false;  // walks that begin at rest
     bool jumps = false;
+    bool jumps_onto_sides = false;  // straight up, and then to a side
     bool drops = false;
     int slowest = 0;  // -1 or 1: the side to which it goes at the slowest speed
   };

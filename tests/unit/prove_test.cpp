@@ -355,6 +355,34 @@ TEST(Prove, BallsRollOverTheSmallestEdge) {
     EXPECT_EQ(text_of(level, {.kind = BodyKind::ball, .size = {12, 20}, .foot = foot}), "");
 }
 
+// A ball that bounces meets the edge above its floor.
+TEST(Prove, MeasuresAnEdgeFromTheFloorOfABouncingBall) {
+  for (const bool mirrored : {false, true}) {
+    Level level = empty_level();
+    level.tile_shapes[2] = mirrored ? slope(1.8984375, 0) : slope(0, 1.8984375);
+    level.tile_shapes[3] = mirrored ? slope(8, 4) : slope(4, 8);
+    for (int x = 0; x < 24; ++x) level.map.set({x, 9}, 1);
+    level.map.set({13, 8}, mirrored ? 3 : 2);
+    level.map.set({14, 8}, mirrored ? 2 : 3);
+    EXPECT_EQ(text_of(level, {.kind = BodyKind::ball, .size = {8, 8}, .foot = Foot::box}), "");
+  }
+}
+
+// A body on its centre comes to a ceiling that falls with the floor, before its middle does.
+TEST(Prove, ALowCeilingIsNoEdge) {
+  Level level;
+  level.map = TileMap(6, 12, {18, 12});
+  level.tile_shapes[2] = slope(6, 12);
+  level.tile_shapes[1].kind = TileShape::Kind::solid;
+  level.tile_shapes[3] = {
+      .kind = TileShape::Kind::slope, .side = TileShape::Side::ceiling, .heights = {9, 3}};
+  level.map.set({1, 9}, 2);
+  level.map.set({2, 9}, 1);
+  level.map.set({3, 9}, 1);
+  level.map.set({1, 7}, 3);
+  EXPECT_EQ(text_of(level, {.size = {18, 20}, .foot = Foot::centre}), "");
+}
+
 TEST(Prove, FindsWhatTheArticleDoes) {
   Scenery scenery;
   scenery.level.tuning.solver = SolverKind::article;
