@@ -281,12 +281,15 @@ std::optional<TileShape> suggest_shape(const Level& level, int tile, int tiles) 
   tiles = std::min({tiles, sheet.columns - sheet.place_of(tile).x, sheet.count - tile});
   const Columns columns(level, tile, tiles);
   if (columns.opaque == 0) return std::nullopt;
+  const TileShape now = shape_of_tile(level, static_cast<TileNumber>(tile));
+  const bool hangs =
+      now.one_way ? now.side == Side::ceiling : sum(columns.from_top) < sum(columns.from_bottom);
   TileShape shape;
-  const bool hangs = sum(columns.from_top) < sum(columns.from_bottom);
+  shape.one_way = now.one_way;
   shape.side = hangs ? Side::ceiling : Side::floor;
   const std::vector<double>& heights = hangs ? columns.from_top : columns.from_bottom;
   if (std::all_of(heights.begin(), heights.end(), [](double height) { return height == kCartTileSize; }))
-    return TileShape{.kind = Kind::solid};
+    return TileShape{.kind = Kind::solid, .one_way = shape.one_way};
   shape.tiles = tiles;
   if (const auto line = fit_line(heights, columns.pixel)) {
     shape.kind = Kind::slope;

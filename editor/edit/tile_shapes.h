@@ -31,12 +31,12 @@ CellRect tiles_of_shape(const Level& level, int tile, const TileShape& shape);
 std::optional<int> tile_reaching_over(const Level& level, int tile);
 
 // Suggests a shape from the opaque pixels of a tile and of those to its right: in true colour the pixels that
-// are at least half opaque, whatever their colour; else those that are not colour 0. A floor
-// goes along the topmost pixel of each column, a ceiling along the lowest; the one with fewer clear pixels
-// behind it is taken. A full tile is solid. It is a line if all columns are within half a pixel of one, or if
-// one runs through their last pixels or the first clear ones, as stairs are drawn; else it is a profile. An
-// image of 8x8 pixels covers a tile of any size. Returns nothing if all pixels are clear. tiles:
-// 1..kMaxShapeTiles, cut off at the sheet's edge.
+// are at least half opaque, whatever their colour; else those that are not colour 0. A floor goes along the
+// topmost pixel of each column, a ceiling along the lowest; the one with fewer clear pixels behind it is
+// taken. A full tile is solid. It is a line if all columns are within half a pixel of one, or if one runs
+// through their last pixels or the first clear ones, as stairs are drawn; else it is a profile. An image of
+// 8x8 pixels covers a tile of any size. What is one-way keeps its side. Returns nothing if all pixels are
+// clear. tiles: 1..kMaxShapeTiles, cut off at the sheet's edge.
 std::optional<TileShape> suggest_shape(const Level& level, int tile, int tiles = 1);
 // The same for each single tile of the area. Tiles without an opaque pixel keep their shapes.
 Edit suggest_shapes(const Level& level, const SpriteArea& area);

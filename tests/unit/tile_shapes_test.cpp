@@ -270,6 +270,12 @@ TEST(TileShapes, SuggestionsInTrueColourLookAtOpacity) {
   EXPECT_EQ(suggest_shape(ramp, 1), (TileShape{.kind = Kind::slope, .heights = {0, 8}}));
 }
 
+TEST(TileShapes, SuggestionsKeepOneWayPlanksOneWay) {
+  Level plank = level_in_true_color([](int, int y) { return y < 5; });
+  plank.tile_shapes[1] = {.kind = Kind::slope, .one_way = true, .heights = {7, 7}};
+  EXPECT_EQ(suggest_shape(plank, 1), (TileShape{.kind = Kind::solid, .one_way = true}));
+}
+
 TEST(TileShapes, SuggestionsForLevelTopsAreExact) {
   const Level level = level_in_true_color([](int x, int y) { return x >= 16 ? y >= 1 : y < 3; });
   EXPECT_EQ(suggest_shape(level, 0), sloped({3, 3}, Side::ceiling));

@@ -59,8 +59,9 @@ std::vector<Command> shape_commands() {
   return {
       {.id = "shape/suggest",
        .label = "Suggest the shape from pixels",
-       .help = "Proposes a shape from the opaque pixels of each selected tile; colour 0 is clear. One undo "
-               "takes it back.",
+       .help =
+           "Proposes a shape from the pixels of each selected tile: those that are not colour 0, in true "
+           "colour those that are more opaque than clear. What is one-way stays so. One undo takes it back.",
        .menu = menus::kEditShape,
        .run = suggest,
        .enabled = has_tiles},

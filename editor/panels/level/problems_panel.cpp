@@ -48,7 +48,9 @@ void ProblemsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     if (session.is_linting())
       ui.hint(looking_text(session));
     else if (findings_of(session) == 0)
-      ui.hint("No problem found in this level.");
+      ui.hint(session.prover().found() == nullptr
+                  ? "No problem found in this level. Prove plays it, and finds more."
+                  : "No problem found in this level.");
     ui.view.level.problems.kind = nullptr;
   } else {
     draw_bar(session, actions, ui);
