@@ -121,8 +121,8 @@ class OutlineCompiler {
   struct Next {
     bool any = false;      // whether another line that faces the same way continues
     bool outward = false;  // whether one of these does not fall back from the open side
-    bool covers =
-        false;  // whether lines alone that bodies from below pass rise from the end of a solid floor
+    // Whether lines alone that bodies from below pass rise from the end of a solid floor.
+    bool covers = false;
   };
 
   const TileOutline& tile(Cell cell) const {

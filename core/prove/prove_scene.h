@@ -16,8 +16,8 @@ struct ProveBody {
   BodyKind kind = BodyKind::player;
   Vec2 size = {8, 8};  // px
   Foot foot = Foot::centre;
-  // px/frame, the fastest of a body that takes no keys, or less than rolls it over a cell: then that. Of
-  // others the tuning says it.
+  // px/frame, the fastest speed of a body that takes no keys. One that does not roll it over a cell is raised
+  // to one that does. Bodies that take keys have their speed from the tuning.
   double speed = 0;
   friend bool operator==(const ProveBody&, const ProveBody&) = default;
 };
