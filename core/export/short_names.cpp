@@ -59,7 +59,7 @@ class Nesting {
   std::vector<bool> is_table_;
 };
 
-struct Names {
+struct LuaNames {
   std::set<std::string_view> all, locals, fields, methods;
 
   bool are_renamed(const Token& token) const {
@@ -69,13 +69,13 @@ struct Names {
 };
 
 // Finds the names, and how each token uses one. inner: tables whose methods may get other names.
-Names names_in(std::vector<Token>& spaced, std::initializer_list<std::string_view> inner) {
+LuaNames names_in(std::vector<Token>& spaced, std::initializer_list<std::string_view> inner) {
   std::vector<Token*> tokens;
   for (Token& token : spaced) {
     if (token.text != " ") tokens.push_back(&token);  // a line break ends a list of locals
   }
   const auto text_at = [&](std::size_t i) { return i < tokens.size() ? tokens[i]->text : ""; };
-  Names names;
+  LuaNames names;
   enum class List { none, locals, parameters } list = List::none;
   Nesting nesting;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
@@ -120,7 +120,7 @@ std::string short_name(std::size_t n) {
 
 std::string with_short_names(const std::string& lua, std::initializer_list<std::string_view> inner) {
   std::vector<Token> tokens = tokens_of(lua);
-  const Names names = names_in(tokens, inner);
+  const LuaNames names = names_in(tokens, inner);
   std::map<std::string_view, std::size_t> bytes;  // that each name takes
   for (const Token& token : tokens) {
     if (names.are_renamed(token)) bytes[token.text] += token.text.size();
