@@ -28,8 +28,6 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostCorners = 1024;  // of a collision shape; far more than 64 px can show
-
 const auto kXOfSpawn = [](const Spawn* base) { return base->position.x; };
 const auto kXOfCurve = [](const std::pair<const LevelCurve*, TiledObject>& base) {
   return base.second.position.x;
