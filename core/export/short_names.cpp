@@ -11,10 +11,10 @@
 namespace talus {
 namespace {
 
-constexpr std::string_view kGlobals[] = {"assert",  "error",    "getmetatable", "ipairs",       "math",
-                                         "next",    "pairs",    "print",        "rawget",       "rawset",
-                                         "require", "select",   "self",         "setmetatable", "string",
-                                         "table",   "tonumber", "tostring",     "type",         "unpack"};
+constexpr std::string_view kGlobals[] = {"assert",   "error",    "getmetatable", "ipairs", "math",
+                                         "next",     "pairs",    "print",        "rawget", "rawset",
+                                         "require",  "select",   "setmetatable", "string", "table",
+                                         "tonumber", "tostring", "type",         "unpack"};
 
 template <class List>
 bool has(const List& list, std::string_view name) {
@@ -43,6 +43,25 @@ std::vector<Token> tokens_of(std::string_view text) {
     i = end;
   }
   return tokens;
+}
+
+// With the first parameter of methods by name, as one that can be short: `function Walk.at(self, x)` for
+// `function Walk:at(x)`.
+std::vector<Token> with_named_self(const std::vector<Token>& tokens) {
+  std::vector<Token> named;
+  bool is_head = false, is_method = false;  // of a function, up to its parameters
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const std::string_view text = tokens[i].text;
+    if (text == "function") is_head = true;
+    const bool is_colon = is_head && text == ":";
+    named.push_back(is_colon ? Token{"."} : tokens[i]);
+    is_method = is_method || is_colon;
+    if (text != "(") continue;
+    if (is_method) named.push_back({"self"});
+    if (is_method && i + 1 < tokens.size() && tokens[i + 1].text != ")") named.push_back({","});
+    is_head = is_method = false;
+  }
+  return named;
 }
 
 // What a token stands in: a table's braces, or the blocks of statements in them.
@@ -119,7 +138,7 @@ std::string short_name(std::size_t n) {
 }  // namespace
 
 std::string with_short_names(const std::string& lua, std::initializer_list<std::string_view> inner) {
-  std::vector<Token> tokens = tokens_of(lua);
+  std::vector<Token> tokens = with_named_self(tokens_of(lua));
   const LuaNames names = names_in(tokens, inner);
   std::map<std::string_view, std::size_t> bytes;  // that each name takes
   for (const Token& token : tokens) {

@@ -17,7 +17,7 @@ TEST(ShortNames, FieldsMethodsKeysAndStringsStay) {
       "local world = {size = 1, name = \"size world\"}\nfunction world:grow(size) self.size = size end\n"
       "function world.make(name) return {world.size, name = name} end\n";
   EXPECT_EQ(with_short_names(code),
-            "local a = {size = 1, name = \"size world\"}\nfunction a:grow(c) self.size = c end\n"
+            "local a = {size = 1, name = \"size world\"}\nfunction a.grow(c,d) c.size = d end\n"
             "function a.make(b) return {a.size, name = b} end\n");
 }
 
@@ -39,9 +39,9 @@ TEST(ShortNames, OfMethodsOfInnerTablesThatNothingElseHas) {
       "function Walk.slack(walk) return walk:turn() + Walk.slack(walk) end\n"
       "function World:floor() return (\"\"):format() end\nfunction Walk:floor() return self:format() end\n";
   EXPECT_EQ(with_short_names(code, {"Walk"}),
-            "local a, c = {}, {}\nfunction a:e() return self.ahead end\nfunction a.ahead() end\n"
-            "function a.d(b) return b:e() + a.d(b) end\n"
-            "function c:floor() return (\"\"):format() end\nfunction a:floor() return self:format() end\n");
+            "local a, d = {}, {}\nfunction a.f(b) return b.ahead end\nfunction a.ahead() end\n"
+            "function a.e(c) return c:f() + a.e(c) end\n"
+            "function d.floor(b) return (\"\"):format() end\nfunction a.floor(b) return b:format() end\n");
 }
 
 TEST(ShortNames, NamesOfLuaAndGlobalsStay) {
