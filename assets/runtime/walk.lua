@@ -516,9 +516,9 @@ function Walk:floor_to_joint(on, box)
 end
 
 -- What a walking body does that went from x to a goal and met something. Returns how it goes on, and the floor that
--- it goes on along, or nil if it has to look for it. "shortens": along its curve, of which it takes half of that part
--- in one go; "leaves": the floor has ended.
-function Walk:passes(on, box, from, goal_x, goal_y, contact)
+-- it goes on along, or nil if it has to look for it. reach: px, as for floor_ahead(). "shortens": along its curve, of
+-- which it takes half of that part in one go; "leaves": the floor has ended.
+function Walk:passes(on, box, reach, from, goal_x, goal_y, contact)
   local straight, y = Walk.is_straight(on), box.y
   self:lift_onto(on, box)
   if self:sinks(box, contact, goal_y) or self.terrain:climbs(box, contact, self.others) then return "goes on", nil end
@@ -533,6 +533,10 @@ function Walk:passes(on, box, from, goal_x, goal_y, contact)
   end
   if straight or contact.t == 0 then
     if self:joins(on, box) then return "goes on", on end
+    -- From the foot of a low side, the floor ahead is the one that begins at its top.
+    local low, next_on = box.y, contact.ny == 0 and contact.t > 0 and self:floor_ahead(box, reach)
+    if next_on and self:joins(next_on, box) then return "goes on", next_on end
+    box.y = low
   else
     self:stop_on(on, box, from, contact)
   end
@@ -591,7 +595,7 @@ local function go_along_floor(world, body, box, reach, motion_on, stop_at)
     else
       local after
       contacts = contacts + 1
-      after, on = walk:passes(on, box, from, goal_x, goal_y, contact)
+      after, on = walk:passes(on, box, reach, from, goal_x, goal_y, contact)
       -- What it has met does not stop it, and does not count.
       if after == "shortens" then part, contacts = part / 2, contacts - 1 end
       if after == "leaves" then return false, x * rest, 0.0 end

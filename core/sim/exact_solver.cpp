@@ -224,7 +224,7 @@ class ExactSolver final : public Solver {
         continue;
       }
       note_after({});
-      const auto after = passes(way, floor, moving, from, goal, contact);
+      const auto after = passes(way, floor, moving, reach, from, goal, contact);
       if (after == AfterContact::shortens) {  // what it has met does not stop it, and does not count
         part /= 2;
         note_after(motion * rest);
@@ -253,9 +253,9 @@ class ExactSolver final : public Solver {
   };
 
   // What a walking body does that went from x to a goal and met something. If it goes on, `floor` is the one
-  // that it goes on along, or nothing if it has to look for it.
+  // that it goes on along, or nothing if it has to look for it. reach: as for FloorWalk::floor_ahead().
   AfterContact passes(FloorWalk<Real>& way, std::optional<FloorAhead<Real>>& floor, Moving<Real>& moving,
-                      Real from, Vec goal, const Contact<Real>& contact) {
+                      Real reach, Real from, Vec goal, const Contact<Real>& contact) {
     const Real y = moving.box.y;
     way.lift_onto(*floor, moving);
     if (way.sinks(moving, contact, goal.y) || climbs<Real>(ground_, others_, moving, contact, &budget_)) {
@@ -274,6 +274,14 @@ class ExactSolver final : public Solver {
     }
     if (way.is_straight(*floor) || contact.t == 0) {
       if (way.joins(*floor, moving)) return AfterContact::goes_on;
+      // From the foot of a low side, the floor ahead is the one that begins at its top.
+      Moving<Real> there = moving;
+      const auto next = contact.normal.y == 0 && contact.t > 0 ? way.floor_ahead(there, reach) : std::nullopt;
+      if (next && way.joins(*next, there)) {
+        floor = next;
+        moving = there;
+        return AfterContact::goes_on;
+      }
     } else {
       way.stop_on(*floor, moving, from, contact);
     }

@@ -319,6 +319,25 @@ TEST(Walk, ASmallBoxClimbsALip) {
   }
 }
 
+// An edge of two lips stopped a box for a step, on its way to the left alone.
+TEST(Walk, ABoxPassesAnEdgeOfTwoLipsBothWays) {
+  for (const int direction : {1, -1}) {
+    for (const double start : {152.0, 152.37, 152.74, 153.25}) {
+      SCOPED_TRACE(std::to_string(direction) + ", " + std::to_string(start));
+      Scenery scenery;
+      scenery.player(start, kFloor, Foot::box);
+      const Body level = walked(scenery.level, direction, 40);
+      for (int x = 16; x < 23; ++x) {
+        if (x == 16) scenery.put({x, 12}, slope(8 - 2 / 256.0, 8 - 2 / 256.0));
+        if (x != 16) scenery.level.map.set({x, 12}, 2);
+      }
+      const Body body = walked(scenery.level, direction, 40);
+      EXPECT_NEAR(body.box.x, level.box.x, 1e-9);
+      EXPECT_EQ(body.box.bottom(), kFloor);
+    }
+  }
+}
+
 // A one-way ramp has no side: a box went under it, and fell where the floor below ended.
 TEST(Walk, ABoxGoesUpAOneWayRampThatBeginsALipHigher) {
   for (const int direction : {1, -1}) {
