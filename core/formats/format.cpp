@@ -135,6 +135,7 @@ FormatResult<LoadedLevel> read_level(std::string_view bytes, const FormatContext
   noting.dropped = &loaded.dropped;
   noting.linked = &loaded.linked;
   noting.refused = &loaded.refused;
+  noting.missing = &loaded.missing;
   auto level = read_guarded([&] { return format->read(bytes, noting); });
   if (!level) return tl::unexpected(level.error());
   loaded.level = *std::move(level);

@@ -17,11 +17,13 @@ std::string place_of(const Problem& problem, int tile_count) {
 }
 
 void check(CommandContext& context, const std::string& file) {
-  const std::optional<Level> level = load_or_fail(context, file);
-  if (!level) return;
-  for (const Problem& problem : lint(*level)) {
+  const auto loaded = load_file_or_fail(context, file);
+  if (!loaded) return;
+  fail_for_missing(context, file, *loaded);
+  const Level& level = loaded->level;
+  for (const Problem& problem : lint(level)) {
     const bool is_error = problem.severity == Severity::error;
-    const std::string place = place_of(problem, level->tile_count());
+    const std::string place = place_of(problem, level.tile_count());
     say(context.out, file + (place.empty() ? "" : ":") + place + (is_error ? ": error: " : ": warning: ") +
                          problem.message + " [" + std::string(problem.rule->code) + "]");
     if (is_error) context.status = kExitBad;
@@ -37,6 +39,7 @@ void add_check_command(CLI::App& program, CommandContext& context) {
   command->add_option("FILE", *file, "Level or cart")->required();
   add_part_options(*command, context);
   add_outside_option(*command, context);
+  add_missing_option(*command, context);
   command->callback([&context, file] { check(context, *file); });
 }
 

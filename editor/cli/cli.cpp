@@ -124,6 +124,28 @@ void add_outside_option(CLI::App& command, CommandContext& context) {
                    "default numbered boxes stand for them");
 }
 
+void add_missing_option(CLI::App& command, CommandContext& context) {
+  command.add_flag(
+      "--allow-missing", context.allows_missing,
+      "Go on without the tilesets and pictures that FILE names and that cannot be read; numbered "
+      "boxes stand for them");
+}
+
+bool fail_for_missing(CommandContext& context, const std::string& file, const LoadedLevel& loaded) {
+  const std::vector<std::string>& missing = loaded.missing;
+  if (missing.empty() || context.allows_missing) return false;
+  constexpr std::size_t kMostNamed = 5;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(missing.size(), kMostNamed); ++i)
+    names += (i == 0 ? "" : ", ") + missing[i];
+  if (missing.size() > kMostNamed) names += " and others";
+  fail(context, file, "",
+       "names " + std::to_string(missing.size()) + (missing.size() == 1 ? " file" : " files") +
+           " that could not be read: " + names + ": --allow-missing goes on without " +
+           (missing.size() == 1 ? "it" : "them"));
+  return true;
+}
+
 std::array<CLI::Option*, 2> add_part_options(CLI::App& command, CommandContext& context) {
   return {command.add_option("--layer", context.choices.layer,
                              "Take one tile layer of several alone: its name, or its number, from 1"),

@@ -24,6 +24,9 @@ struct CommandContext {
   std::vector<std::string> inputs = {};
   // Whether files that a map names are read wherever they lie: see add_outside_option().
   bool reads_outside = false;
+  // Whether a level is taken without the files that it names and that cannot be read: see
+  // add_missing_option().
+  bool allows_missing = false;
   ImportChoices choices =
       {};  // what is taken of a file that has several levels or layers: see add_part_options()
 };
@@ -51,6 +54,12 @@ void fail(CommandContext& context, const std::string& file, const std::string& p
 
 // --allow-outside, for a command that reads a level: reads_outside.
 void add_outside_option(CLI::App& command, CommandContext& context);
+
+// --allow-missing, for a command whose result is wrong without the files that a level names: allows_missing.
+void add_missing_option(CLI::App& command, CommandContext& context);
+// Reports the files that a level names and that could not be read, unless that option allows them. Returns
+// whether it did.
+bool fail_for_missing(CommandContext& context, const std::string& file, const LoadedLevel& loaded);
 
 // --layer and --level, for a command that reads a level: choices. Returns both.
 std::array<CLI::Option*, 2> add_part_options(CLI::App& command, CommandContext& context);

@@ -112,11 +112,12 @@ void export_presets(CommandContext& context, const ExportOptions& options, Level
 
 void export_file(CommandContext& context, ExportOptions& options) {
   context.inputs.clear();
-  const std::optional<Level> level = load_or_fail(context, options.input);
-  if (!level) return;
-  if (options.allow_code && !options.may_bring_code) options.may_bring_code = level->exports;
-  if (options.takes_presets()) return export_presets(context, options, *level);
-  carry_out(context, {.level = *level,
+  const auto loaded = load_file_or_fail(context, options.input);
+  if (!loaded || fail_for_missing(context, options.input, *loaded)) return;
+  const Level& level = loaded->level;
+  if (options.allow_code && !options.may_bring_code) options.may_bring_code = level.exports;
+  if (options.takes_presets()) return export_presets(context, options, level);
+  carry_out(context, {.level = level,
                       .input = options.input,
                       .exporter = options.target + (options.playable ? "-playable" : ""),
                       .output = options.output,
@@ -209,6 +210,7 @@ void add_export_command(CLI::App& program, CommandContext& context) {
       "--allow-outside", options->rules.allow_outside,
       "Read the tilesets and pictures that a map names also outside of the folder of FILE; let presets write "
       "there, and exports through links that lead out of their folder");
+  add_missing_option(*command, context);
   command->add_flag(
       "--allow-code", options->allow_code,
       "Let presets write the level's own code, as carts hold it, though nobody has allowed that in "

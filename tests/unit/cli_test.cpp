@@ -60,6 +60,33 @@ TEST(Cli, TextOfAFileCannotStartALineOfTheLog) {
   EXPECT_EQ(cli_answer({"check", "a", "::error::b"}).err.find("\n::"), std::string::npos);
 }
 
+// A script must not ship numbered boxes in place of pictures.
+TEST_F(CliSim, MissingFilesEndExportsAndChecks) {
+  const std::string map =
+      put("m.tmx", R"(<map orientation="orthogonal" width="2" height="1" tilewidth="8" tileheight="8">
+ <tileset firstgid="1" source="town.tsx"/>
+ <tileset firstgid="101" name="trees" tilewidth="8" tileheight="8" tilecount="1" columns="1"><image source="trees.png"/></tileset>
+ <layer id="1" name="ground" width="2" height="1"><data encoding="csv">1,101</data></layer>
+</map>)");
+  const std::string error =
+      map +
+      ": error: names 2 files that could not be read: town.tsx, trees.png: --allow-missing goes on "
+      "without them\n";
+  const std::vector<std::string> to_json = {"export", map, "--to", "json", "-o", path("out.json")};
+  for (std::vector<std::string> words : {std::vector<std::string>{"check", map}, to_json}) {
+    const CliAnswer answer = cli_answer(words);
+    EXPECT_EQ(answer.status, kExitBad);
+    EXPECT_THAT(answer.err, HasSubstr(error));
+    EXPECT_FALSE(std::filesystem::exists(path("out.json")));
+  }
+  std::vector<std::string> words = to_json;
+  words.emplace_back("--allow-missing");
+  EXPECT_EQ(cli_answer(words).status, kExitGood);
+  EXPECT_TRUE(std::filesystem::exists(path("out.json")));
+  EXPECT_EQ(cli_answer({"check", map, "--allow-missing"}).status, kExitGood);
+  EXPECT_EQ(cli_answer({"sim", map, "--frames", "1"}).status, kExitGood);
+}
+
 TEST_F(CliSim, InputIsReadWithBounds) {
   std::string keys;
   for (int i = 0; i < 100'000; ++i) keys += "[";

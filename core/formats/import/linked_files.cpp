@@ -20,6 +20,13 @@ std::size_t pixels_of_picture(std::string_view bytes) {
   return fits ? static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) : 0;
 }
 
+// names: null: nobody asks for them. A file may name a million others.
+void add_once(const std::string& name, std::vector<std::string>* names) {
+  constexpr std::size_t kMost = 1000;
+  if (names == nullptr || names->size() == kMost) return;
+  if (std::find(names->begin(), names->end(), name) == names->end()) names->push_back(name);
+}
+
 }  // namespace
 
 tl::unexpected<FormatError> error_in(const std::string& file, const FormatError& error) {
@@ -43,12 +50,9 @@ bool LinkedFiles::may_be_read(const std::string& real) const {
                      [&](const std::string& folder) { return is_within(real, folder); });
 }
 
-void LinkedFiles::refuse(const std::string& name) {
-  constexpr std::size_t kMost = 1000;
-  std::vector<std::string>* const refused = context_.refused;
-  if (refused == nullptr || refused->size() == kMost) return;
-  if (std::find(refused->begin(), refused->end(), name) == refused->end()) refused->push_back(name);
-}
+void LinkedFiles::refuse(const std::string& name) { add_once(name, context_.refused); }
+
+void LinkedFiles::note_missing(const std::string& name) const { add_once(name, context_.missing); }
 
 FormatResult<std::string> LinkedFiles::place_of(const std::string& name) {
   std::error_code failure;
@@ -90,6 +94,7 @@ FormatResult<std::string> LinkedFiles::read(const std::string& name, const std::
 
 std::shared_ptr<const LinkedPicture> LinkedFiles::picture(const std::string& name, const std::string& of) {
   const auto dropped = [&](const FormatError& error) {
+    if (!is_data_name(name)) note_missing(with_slashes(name));
     drops_.add(of + ", " + (error.place.empty() ? "which" : error.place + ":") + " " + error.message);
     LinkedPicture missing;
     missing.is_missing = true;

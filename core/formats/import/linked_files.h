@@ -37,7 +37,8 @@ tl::unexpected<FormatError> error_in(const std::string& file, const FormatError&
 std::string with_slashes(std::string path);
 
 // All names are relative to the folder of the context. Its `linked` gets the path of each file that is read,
-// or would be if it were there; its `refused` gets the names of those that lie where nothing is read.
+// or would be if it were there; its `refused` gets the names of those that lie where nothing is read, and its
+// `missing` the names of all that are not read.
 class LinkedFiles {
  public:
   // Both must outlive it.
@@ -47,6 +48,8 @@ class LinkedFiles {
   // places on other machines; so are those of anything but files, and of files that lie, after all links are
   // followed, neither in the folder of the context nor in ImportChoices::outside.
   FormatResult<std::string> place_of(const std::string& name);
+  // Says that a file, which the content calls so, cannot be read; picture() says it itself.
+  void note_missing(const std::string& name) const;
   // Says that the content names a file, which is not read by read().
   void note(const std::string& place) const;
   // The bytes of a file. place: from place_of(). All files together may have kMaxFileBytes.

@@ -186,6 +186,7 @@ FormatResult<void> TiledFiles::read_tileset(TiledTileset& tileset) {
     return error_in(source, {"", "is a tileset in a file beside the map, but the map has no file"});
   const auto miss = [&](const FormatError& error) {
     drops_.add("the tileset, " + error.place + ": " + error.message);
+    files_.note_missing(source);
     tileset.is_missing = true;
     return FormatResult<void>();
   };
@@ -260,6 +261,7 @@ FormatResult<const TiledTemplate*> TiledFiles::find_template(const std::string& 
       known = wrong(error_in(path, {"", tiled_too_many("template", kMaxTiledTemplates)}));
     else
       known = of_file = std::make_shared<const Template>(template_in(path, *place));
+    if (!*known) files_.note_missing(path);
   }
   if (!*known) return tl::unexpected(known->error());
   return &**known;

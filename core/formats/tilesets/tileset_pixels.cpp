@@ -242,10 +242,12 @@ FormatResult<void> read_linked_tilesets(const FormatContext& context, Level& lev
     TilesetLink& link = *set.link;
     const std::string of = "the picture of the tileset " + quoted_name(set.name);
     const std::string name = linked_name(context.folder, link.path);
-    if (!name.empty())
+    if (!name.empty()) {
       pictures.push_back(files.picture(name, of));
-    else
+    } else {
       drops.add(of + ", file " + link.path + ": lies outside of the folder of the level");
+      files.note_missing(link.path);
+    }
     link.is_missing = name.empty() || pictures.back()->is_missing;
     const RgbaPicture* const picture = link.is_missing ? nullptr : &pictures.back()->rgba;
     const bool is_inside = !linked_path_in(context.folder, link.path).empty();

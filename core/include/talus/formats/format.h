@@ -94,6 +94,8 @@ struct FormatContext {
   // Gets the name of each file that the content names, and that was not read for where it lies: see
   // ImportChoices::outside.
   std::vector<std::string>* refused = nullptr;
+  // Gets the name of each file that the content names, and that could not be read: also of the refused ones.
+  std::vector<std::string>* missing = nullptr;
   Progress progress = {};  // receives how much a reader has read; may stop the reading, which is an error
 };
 
@@ -146,6 +148,7 @@ struct LoadedLevel {
   std::vector<std::string> dropped = {};  // what a level cannot hold, one phrase each
   std::vector<std::string> linked = {};   // paths of the files that it names, such as a map's tilesets
   std::vector<std::string> refused = {};  // as in FormatContext, each name once
+  std::vector<std::string> missing = {};  // as in FormatContext, each name once
   std::string path = {};  // path of the file; if its companion was named, path of the file that it belongs to
   CompanionFile companion = {};  // pass it to save_level()
   std::string note = {};         // a note on the companion, a sentence without full stop; empty: no note
