@@ -1,3 +1,4 @@
+-- Copyright (c) 2026 the Talus authors. MIT license, see LICENSE-talus.txt.
 -- Talus: boxes on slopes, swept exactly. Talus made this file for one level; parts that the level does not use
 -- are left out. Lua 5.3, 5.4 and LuaJIT give the same bits as the program: every sum is made in the same order.
 -- Lengths in pixels, y down; velocities in px a step.

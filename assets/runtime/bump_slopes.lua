@@ -1,3 +1,4 @@
+-- Copyright (c) 2026 the Talus authors. MIT license, see LICENSE-talus.txt.
 -- Slopes for bump.lua (https://github.com/kikito/bump.lua), as one more response. Made by Talus; one file,
 -- for Lua 5.1 to 5.4 and LuaJIT. Pixels, y down, velocities in px a step.
 --

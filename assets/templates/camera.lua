@@ -1,3 +1,4 @@
+-- Copyright (c) 2026 the Talus authors. MIT license, see LICENSE-talus.txt.
 -- Where a game looks in its level. camera(level) gives the area that is used, {left, top, right, bottom} in px,
 -- and a function: from the bodies and the size of the view in px, the view's top left corner. The first body
 -- that takes keys, or else the first one, is in the middle as far as the area goes; an area smaller than the view is, too.

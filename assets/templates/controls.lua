@@ -1,3 +1,4 @@
+-- Copyright (c) 2026 the Talus authors. MIT license, see LICENSE-talus.txt.
 -- What is held for the players, on the keyboard and on gamepads: controls() gives {left, right, jump}.
 local KEYS = {left = {"left", "a"}, right = {"right", "d"}, jump = {"up", "w", "space"}}
 local BUTTONS = {left = {"dpleft"}, right = {"dpright"}, jump = {"a", "b"}}

@@ -1,3 +1,4 @@
+-- Copyright (c) 2026 the Talus authors. MIT license, see LICENSE-talus.txt.
 -- The points of a level's curve, for drawing it: {x, y, x, y, ...}, px, every half px or closer.
 local function y_at(curve, x)
   local t = (x - curve.x0) / (curve.x1 - curve.x0)

@@ -1,3 +1,4 @@
+-- Copyright (c) 2026 the Talus authors. MIT license, see LICENSE-talus.txt.
 -- Which frame of its picture a body shows: frames(body, step) gives the tile at its top left, and whether it looks to
 -- the left. A body with vx 0 looks where it went last. step: those made so far. Frames lie side by side on the sheet.
 local function act_of(body)

@@ -1,3 +1,4 @@
+-- Copyright (c) 2026 the Talus authors. MIT license, see LICENSE-talus.txt.
 -- Draws a level in LÖVE 11 as Talus's editor does, from its sheet: a picture of the tiles in which colour 0 is
 -- clear. pictures(level, file) gives
 --   draw_ground(x, y)  the layers from the back to the front; a cell with a ball, which is a body, shows

@@ -26,7 +26,7 @@ FormatResult<Exported> export_bump(const ExportRequest& request) {
     out.dropped.push_back(std::to_string(curves) + (curves == 1 ? " curve" : " curves") +
                           ", which bump does not know");
   for (std::string& phrase : dropped_by_bump(request.level)) out.dropped.push_back(std::move(phrase));
-  return out;
+  return with_license(request, std::move(out));
 }
 
 }  // namespace talus

@@ -192,7 +192,8 @@ class CHeader {
 
 void CHeader::put_head() {
   line(
-      R"(/* A level exported by Talus, in C99. Lengths are px in 24.8 fixed point (256 is 1 px), x to the right,
+      R"(/* Copyright (c) 2026 the Talus authors. SPDX-License-Identifier: MIT */
+/* A level exported by Talus, in C99. Lengths are px in 24.8 fixed point (256 is 1 px), x to the right,
    y down. The floor of a tile is measured from the tile's top. */
 #ifndef ^_INCLUDED
 #define ^_INCLUDED

@@ -45,7 +45,8 @@ FormatResult<std::string> game_code(const ExportRequest& request) {
   }
   // A text that begins with code keeps none of its comments: space in a cart is short.
   return "-- title:  level\n-- author: made with Talus\n-- desc:   arrows run, up or A jumps, the mouse "
-         "drags, B starts again\n-- script: lua\ntalus=(function()\n" +
+         "drags, B starts again\n-- license: MIT, (c) 2026 the Talus authors\n-- script: "
+         "lua\ntalus=(function()\n" +
          with_short_names(join_lua({"\n", *runtime}), {"Terrain", "Walk"}) + "end)()\nlevel=(function()\n" +
          lua_level(level, LuaForm::small) + "end)()\n" + join_lua(game);
 }

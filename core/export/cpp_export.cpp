@@ -12,7 +12,7 @@ FormatResult<Exported> export_cpp(const ExportRequest& request) {
     if (!text) return tl::unexpected(text.error());
     out.files.push_back({name, std::move(*text), true});
   }
-  return out;
+  return with_license(request, std::move(out));
 }
 
 }  // namespace talus

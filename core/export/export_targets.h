@@ -5,6 +5,11 @@
 
 namespace talus {
 
+inline constexpr std::string_view kLicenseFile = "LICENSE-talus.txt";
+// The same with the license of the code in it, as kLicenseFile: each file with code names that in its first
+// line.
+FormatResult<Exported> with_license(const ExportRequest& request, Exported exported);
+
 // Formats that Talus also reads, and the sheets and the palette as pictures.
 FormatResult<Exported> export_native(const ExportRequest& request);
 FormatResult<Exported> export_tic(const ExportRequest& request);

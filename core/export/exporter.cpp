@@ -40,14 +40,14 @@ constexpr std::string_view kPictureWord = "-picture-";
 constexpr Names<1> kSheetBeside = {"*-tiles.png"};
 constexpr Names<2> kMapBeside = {"*-tiles.png", "*-picture-#.png"};
 constexpr Names<1> kCompanion = {"**.talus.json"};
-constexpr Names<11> kLoveFiles = {"talus.lua",  "level.lua",    "sheet.png",    "main.lua",
+constexpr Names<12> kLoveFiles = {"talus.lua",  "level.lua",    "sheet.png",    "main.lua",
                                   "conf.lua",   "camera.lua",   "controls.lua", "curve_points.lua",
-                                  "frames.lua", "pictures.lua", "pictures.png"};
-constexpr Names<2> kRuntimeFiles = {"talus.lua", "level.lua"};
-constexpr Names<10> kBumpFiles = {"level.lua",    "sheet.png",   "bump_slopes.lua", "main.lua",
-                                  "conf.lua",     "camera.lua",  "controls.lua",    "frames.lua",
-                                  "pictures.lua", "pictures.png"};
-constexpr Names<3> kCppFiles = {"level.talus.json", "main.cpp", "CMakeLists.txt"};
+                                  "frames.lua", "pictures.lua", "pictures.png", kLicenseFile};
+constexpr Names<3> kRuntimeFiles = {"talus.lua", "level.lua", kLicenseFile};
+constexpr Names<11> kBumpFiles = {"level.lua",    "sheet.png",    "bump_slopes.lua", "main.lua",
+                                  "conf.lua",     "camera.lua",   "controls.lua",    "frames.lua",
+                                  "pictures.lua", "pictures.png", kLicenseFile};
+constexpr Names<4> kCppFiles = {"level.talus.json", "main.cpp", "CMakeLists.txt", kLicenseFile};
 constexpr Names<10> kCsvFiles = {"map.csv",      "flags.csv", "sprite_flags.csv", "flag_names.csv",
                                  "polygons.csv", "lines.csv", "bodies.csv",       "roles.csv",
                                  "tuning.csv",   "sizes.csv"};
@@ -118,6 +118,13 @@ FormatResult<Exported> write_one(const Exporter& exporter, const ExportRequest& 
 }
 
 }  // namespace
+
+FormatResult<Exported> with_license(const ExportRequest& request, Exported exported) {
+  FormatResult<std::string> text = request.read_asset("templates/" + std::string(kLicenseFile));
+  if (!text) return tl::unexpected(text.error());
+  exported.files.push_back({std::string(kLicenseFile), *std::move(text)});
+  return exported;
+}
 
 Exported exported_file(std::string bytes, std::vector<std::string> dropped) {
   Exported exported;

@@ -15,9 +15,9 @@ FormatResult<Exported> export_lua_runtime(const ExportRequest& request) {
   if (!runtime) return tl::unexpected(runtime.error());
   std::string level = lua_level(request.level, LuaForm::readable, request.progress, request.layered);
   const std::size_t code = runtime->size() + level.size();
-  return Exported{{{"talus.lua", std::move(*runtime)}, {"level.lua", std::move(level)}},
-                  dropped_solver(request.level),
-                  code};
+  return with_license(request, {{{"talus.lua", std::move(*runtime)}, {"level.lua", std::move(level)}},
+                                dropped_solver(request.level),
+                                code});
 }
 
 void add_drawn_level(const ExportRequest& request, Exported& out) {
@@ -50,7 +50,7 @@ FormatResult<Exported> export_love(const ExportRequest& request) {
     if (!text) return tl::unexpected(text.error());
     out.files.push_back({name.substr(name.find('/') + 1), std::move(*text), name.starts_with("love/")});
   }
-  return out;
+  return with_license(request, std::move(out));
 }
 
 }  // namespace talus

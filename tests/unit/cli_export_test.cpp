@@ -31,7 +31,7 @@ class CliExport : public FolderTest {
 TEST_F(CliExport, OneFileGoesToStandardOutput) {
   const std::pair<const char*, const char*> beginnings[] = {{"lua", "-- A level exported by Talus"},
                                                             {"json", "{\n \"width\":240,"},
-                                                            {"c", "/* A level exported by Talus"},
+                                                            {"c", "/* Copyright (c) 2026 the Talus authors."},
                                                             {"png", "\x89PNG\r\n"},
                                                             {"svg", "<?xml version=\"1.0\"?>\n<svg "}};
   for (const auto& [format, beginning] : beginnings) {

@@ -1,4 +1,5 @@
 // Games in Lua move by the exact solver, whatever solver the level has, and contain the code that draws them.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "export/exporter.h"
@@ -50,7 +51,28 @@ TEST(ExportLove, WritesAFolderThatNeedsNothingElse) {
   for (const ExportedFile& file : exported(Level(), "love").files) names.push_back(file.name);
   EXPECT_EQ(names, (std::vector<std::string>{"talus.lua", "level.lua", "sheet.png", "main.lua", "conf.lua",
                                              "camera.lua", "controls.lua", "curve_points.lua", "frames.lua",
-                                             "pictures.lua"}));
+                                             "pictures.lua", "LICENSE-talus.txt"}));
+}
+
+// Data has no license: level.lua is the maker's.
+TEST(ExportLove, AndOthersNameTheLicenseOfCode) {
+  const std::string notice = "Copyright (c) 2026 the Talus authors";
+  const auto first_line = [](const std::string& text) { return text.substr(0, text.find('\n')); };
+  for (const char* id : {"love", "bump", "cpp", "lua-runtime"}) {
+    const Exported made = exported(Level(), id);
+    for (const ExportedFile& file : made.files) {
+      SCOPED_TRACE(std::string(id) + "/" + file.name);
+      const bool is_code =
+          file.name.ends_with(".lua") || file.name.ends_with(".cpp") || file.name == "CMakeLists.txt";
+      if (is_code && file.name != "level.lua")
+        EXPECT_THAT(first_line(file.bytes), testing::HasSubstr(notice));
+    }
+    EXPECT_EQ(made.files.back().name, "LICENSE-talus.txt");
+    EXPECT_EQ(made.files.back().bytes, read_file(source_path("LICENSE")).value());
+  }
+  EXPECT_THAT(first_line(exported(Level(), "c").files.front().bytes), testing::HasSubstr(notice));
+  const std::string cart = exported(Level(), "tic-text-playable").files.front().bytes;
+  EXPECT_THAT(cart.substr(0, 300), testing::HasSubstr("-- license: MIT, (c) 2026 the Talus authors\n"));
 }
 
 // A cart with sounds, music, a second bank, a binary chunk and code of its own.

@@ -1,3 +1,4 @@
+-- Copyright (c) 2026 the Talus authors. MIT license, see LICENSE-talus.txt.
 -- A level made with Talus, moved by bump.lua, in LÖVE 11. bump.lua is one file, under the MIT license, and is
 -- not in this folder: get it from https://github.com/kikito/bump.lua and put it here. Then run: love .
 local is_found, bump = pcall(require, "bump")

@@ -1,3 +1,4 @@
+// Copyright (c) 2026 the Talus authors. MIT license, see LICENSE-talus.txt.
 // A game in the terminal: plays a level made with Talus, to the same doubles as the editor.
 //   game [FILE [FRAMES [KEYS]]]
 // FILE: a level or a TIC-80 cart; by default level.talus.json beside this file. Without FRAMES it plays at 60

@@ -1,3 +1,4 @@
+-- Copyright (c) 2026 the Talus authors. MIT license, see LICENSE-talus.txt.
 function love.conf(t)
   t.identity = "talus-level"
   t.version = "11.4"

@@ -1,3 +1,4 @@
+-- Copyright (c) 2026 the Talus authors. MIT license, see LICENSE-talus.txt.
 -- A level made with Talus, in LÖVE 11: `love .` runs it. It is yours to change; talus.lua tells what a world
 -- can do. `love . --trace FRAMES` prints frame, id, x, y, vx and vy of every body in every frame, and ends.
 local talus, level = require "talus", require "level"
