@@ -437,19 +437,24 @@ TEST(Prove, TriesAFewKindsOfBodiesAlone) {
   EXPECT_EQ(proof.left_out, 21 - 1 - kMostBodies) << "one has the size of the first";
 }
 
-// What Talus comes with keeps its promise.
-TEST(Prove, TheHardCasesHaveNoFindingOfTheExactSolver) {
-  int cases = 0;
-  for (const auto& file : std::filesystem::directory_iterator(source_path("assets/hard_cases"))) {
-    if (file.path().extension() != ".json") continue;
-    const auto level = load_level(file.path().string());
-    ASSERT_TRUE(level);
-    if (level->level.tuning.solver != SolverKind::exact) continue;
-    const Proof proof = *prove(ProveScene(level->level, {}), 1);
-    EXPECT_EQ(proof.of_solver, 0u) << file.path() << "\n" << text_of(proof);
-    ++cases;
+// What Talus comes with, and real carts, keep its promise, whatever solver they are for.
+TEST(Prove, HasNoFindingOfTheSolverInCartsAndExamples) {
+  std::vector<std::string> files;
+  for (const char* folder : {"assets", "assets/hard_cases", "tests/golden/article", "tests/golden/carts"}) {
+    for (const auto& file : std::filesystem::directory_iterator(source_path(folder))) {
+      const std::string extension = file.path().extension().string();
+      const bool is_level = extension == ".json" || extension == ".lua" || extension == ".tic";
+      if (is_level) files.push_back(file.path().string());
+    }
   }
-  EXPECT_GT(cases, 20);
+  EXPECT_GT(files.size(), 40u);
+  for (const std::string& file : files) {
+    auto level = load_level(file);
+    ASSERT_TRUE(level) << file;
+    level->level.tuning.solver = SolverKind::exact;
+    const Proof proof = *prove(ProveScene(level->level, {}), 1);
+    EXPECT_EQ(proof.of_solver, 0u) << file << "\n" << text_of(proof);
+  }
 }
 
 // Random levels in which a body stopped, sank or floated, without what does not matter to that.
