@@ -66,9 +66,8 @@ TEST(Lint, OnlyTheFirstThousandAreListed) {
 
 TEST(Lint, NothingWillMove) {
   Level level = level_of({"..", "##"});
-  EXPECT_THAT(
-      problems(level),
-      ElementsAre("W no-balls: no ball is on the map and none is placed by hand, so nothing will move"));
+  EXPECT_THAT(problems(level),
+              ElementsAre("W no-bodies: there is no player and no ball, so nothing will move"));
   level.spawns.push_back({});
   EXPECT_THAT(problems(level), IsEmpty());
 }

@@ -64,7 +64,7 @@ TEST(SessionLint, AnotherLevelHasItsOwnProblems) {
   session.apply(action::NewLevel{});
   look_at_all(session);
   ASSERT_EQ(session.listed_problems().size(), 1u);
-  EXPECT_EQ(session.listed_problems()[0].rule->code, "no-balls");
+  EXPECT_EQ(session.listed_problems()[0].rule->code, "no-bodies");
 }
 
 }  // namespace talus::session_lint_test

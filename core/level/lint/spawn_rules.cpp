@@ -31,9 +31,9 @@ constexpr LintRule kOutside{.code = "spawn-outside",
 constexpr LintRule kTooFast{.code = "spawn-too-fast",
                             .label = "body that is too fast",
                             .by_hand = "Give the body a lower speed in the inspector."};
-constexpr LintRule kNoBalls{.code = "no-balls",
-                            .label = "nothing to move",
-                            .by_hand = "Place a body with the body tool, or a ball tile."};
+constexpr LintRule kNoBodies{.code = "no-bodies",
+                             .label = "nothing to move",
+                             .by_hand = "Place a player or a ball with the body tool, or paint a ball tile."};
 
 constexpr double kFastest = 4096;  // px/frame; the solvers limit speeds to this after a step
 
@@ -158,7 +158,7 @@ void check_spawns(const LintContext& context, std::vector<Problem>& out) {
   SpawnLinter linter(context, out);
   for (int i = 0; i < static_cast<int>(context.level.spawns.size()); ++i) linter.check(i);
   if (context.has_balls || !context.level.spawns.empty()) return;
-  report(out, kNoBalls, "no ball is on the map and none is placed by hand, so nothing will move");
+  report(out, kNoBodies, "there is no player and no ball, so nothing will move");
 }
 
 void check_ball(const LintContext& context, Cell cell, int tile, std::vector<Problem>& out) {
@@ -246,7 +246,7 @@ void fix_inside(const LintContext& context, const Problem& problem, std::vector<
 }  // namespace
 
 const RuleGroup& spawn_rules() {
-  static constexpr const LintRule* kRules[] = {&kInSolid, &kInSlope, &kOutside, &kTooFast, &kNoBalls};
+  static constexpr const LintRule* kRules[] = {&kInSolid, &kInSlope, &kOutside, &kTooFast, &kNoBodies};
   static constexpr RuleGroup kGroup{.rules = kRules, .check_area = check_balls, .check_level = check_spawns};
   return kGroup;
 }
