@@ -137,6 +137,8 @@ function Terrain:with_middle(contact, x, y, w, h, motion_x, motion_y, without)
   middle_alone = false
   if hit and hit.t < (contact and contact.t or huge) then
     hit.x = moved_x(x, w, hit.x - middle)
+    -- The middle is on the line of a level floor, where the flat bottom of a box would be on its end.
+    hit.on_end = hit.on_end and hit.edge.y0 ~= hit.edge.y1
     return hit
   end
   return contact

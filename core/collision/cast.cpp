@@ -641,6 +641,8 @@ template <class Real>
   const bool is_known = budget == nullptr || static_cast<double>(hit.t) <= budget->seen;
   if (is_known && hit.t < contact.t) {
     hit.position.x = moved_x(cast.box, hit.position.x - middle.box.x);
+    // The middle is on the line of a level floor, where the flat bottom of a box would be on its end.
+    hit.on_end = hit.on_end && hit.piece->y0 != hit.piece->y1;
     return hit;
   }
   if (budget != nullptr && static_cast<double>(contact.t) > budget->seen) return {};

@@ -319,6 +319,26 @@ TEST(Walk, ASmallBoxClimbsALip) {
   }
 }
 
+// From just as far before the slope as a cast forgives, the middle of the body met the level floor once more,
+// which led the body on through the air for a step.
+TEST(Walk, LeavesALevelFloorFromJustBeforeItsEnd) {
+  for (const int direction : {1, -1}) {
+    Scenery scenery;
+    const bool right = direction > 0;
+    const int first = right ? 16 : 15;
+    scenery.put({first, 11}, right ? slope(8, 4) : slope(4, 8));
+    scenery.put({first + direction, 11}, right ? slope(4, 0) : slope(0, 4));
+    for (int i = 1; i < 8; ++i) scenery.put({first - i * direction, 11}, slope(8, 8));
+    for (int ulps = 0; ulps <= 40; ++ulps) {
+      SCOPED_TRACE(std::to_string(direction) + ", " + std::to_string(ulps));
+      scenery.level.spawns.clear();
+      scenery.player(124 - direction * ulps * 0x1p-46, kFloor - 8, Foot::centre);
+      const Body body = walked(scenery.level, direction, 1);
+      EXPECT_NEAR(body.box.bottom(), kFloor - 8 + std::abs(body.box.x - 124) / 2, 1e-9);
+    }
+  }
+}
+
 // An edge of two lips stopped a box for a step, on its way to the left alone.
 TEST(Walk, ABoxPassesAnEdgeOfTwoLipsBothWays) {
   for (const int direction : {1, -1}) {
