@@ -501,8 +501,9 @@ end
 
 -- The floor under a body that a low ceiling has stopped on its way to another floor: that was looked for a little
 -- further on, and the body goes straight to it from before the joint. nil: it is on that floor, or it has not moved
--- since this was asked.
-function Walk:floor_to_joint(on, box)
+-- since this was asked, or it has met something else.
+function Walk:floor_to_joint(on, box, contact)
+  if contact.facing ~= DOWN then return nil end
   if self.joint_asked and not ((box.x - self.joint_asked) * self.direction > 0) then return nil end
   self.joint_asked = box.x
   local here = self:floor_at(box, LIP, 0.0)
@@ -531,22 +532,23 @@ function Walk:passes(on, box, reach, from, goal_x, goal_y, contact)
     self:lift_onto(on, box)  -- its own curve may cross what it has met once more
     return "goes on", self:floor_met(box, contact)
   end
-  if straight or contact.t == 0 then
-    if self:joins(on, box) then return "goes on", on end
-    -- From the foot of a low side, the floor ahead is the one that begins at its top.
-    local low, next_on = box.y, contact.ny == 0 and contact.t > 0 and self:floor_ahead(box, reach)
+  local at_floor = straight or contact.t == 0
+  if not at_floor then self:stop_on(on, box, from, contact) end
+  local joins = at_floor and self:joins(on, box)
+  local to_joint = self:floor_to_joint(on, box, contact)
+  if to_joint then return "goes on", to_joint end
+  if joins then return "goes on", on end
+  -- From the foot of a low side, the floor ahead is the one that begins at its top.
+  if at_floor and contact.ny == 0 and contact.t > 0 then
+    local low, next_on = box.y, self:floor_ahead(box, reach)
     if next_on and self:joins(next_on, box) then return "goes on", next_on end
     box.y = low
-  else
-    self:stop_on(on, box, from, contact)
   end
   if contact.ny < 0 and contact.nx * box.vx > 0 then return "leaves", on end
   -- It may pass the last corner of a ceiling, or go on along a curve that is not where its chord is.
   local has_room = contact.facing == DOWN
   if not straight then has_room = Walk.room_at(box.x, box.y, contact) > AHEAD end
-  if has_room and contact.t > 0 then return "goes on", on end
-  local to_joint = contact.facing == DOWN and self:floor_to_joint(on, box)
-  return to_joint and "goes on" or "stops", to_joint or on
+  return has_room and contact.t > 0 and "goes on" or "stops", on
 end
 
 -- Takes a body along the floor that it stands on. motion_on(n, box, nx, ny): its motion in a whole step on a floor

@@ -272,29 +272,30 @@ class ExactSolver final : public Solver {
       floor = way.floor_met(moving, contact);
       return AfterContact::goes_on;
     }
-    if (way.is_straight(*floor) || contact.t == 0) {
-      if (way.joins(*floor, moving)) return AfterContact::goes_on;
-      // From the foot of a low side, the floor ahead is the one that begins at its top.
+    const bool is_at_floor = way.is_straight(*floor) || contact.t == 0;
+    if (!is_at_floor) way.stop_on(*floor, moving, from, contact);
+    const bool joins = is_at_floor && way.joins(*floor, moving);
+    if (const auto to_joint = way.floor_to_joint(*floor, moving, contact)) {
+      floor = to_joint;
+      return AfterContact::goes_on;
+    }
+    if (joins) return AfterContact::goes_on;
+    // From the foot of a low side, the floor ahead is the one that begins at its top.
+    if (is_at_floor && contact.normal.y == 0 && contact.t > 0) {
       Moving<Real> there = moving;
-      const auto next = contact.normal.y == 0 && contact.t > 0 ? way.floor_ahead(there, reach) : std::nullopt;
+      const auto next = way.floor_ahead(there, reach);
       if (next && way.joins(*next, there)) {
         floor = next;
         moving = there;
         return AfterContact::goes_on;
       }
-    } else {
-      way.stop_on(*floor, moving, from, contact);
     }
     if (contact.normal.y < 0 && contact.normal.x * moving.velocity.x > 0) return AfterContact::leaves;
     // It may pass the last corner of a ceiling, or go on along a curve that is not where its chord is.
     const bool has_room = way.is_straight(*floor)
                               ? contact.facing == Facing::down
                               : way.room_at(moving.box.position(), contact) > Real(kFloorStep);
-    if (has_room && contact.t > 0) return AfterContact::goes_on;
-    const auto to_joint = contact.facing == Facing::down ? way.floor_to_joint(*floor, moving) : std::nullopt;
-    if (!to_joint) return AfterContact::stops;
-    floor = to_joint;
-    return AfterContact::goes_on;
+    return has_room && contact.t > 0 ? AfterContact::goes_on : AfterContact::stops;
   }
 
   // The level ground straight below, within `reach`, or at the foot of something too steep.

@@ -83,8 +83,10 @@ class FloorWalk {
 
   // The floor under a body that a low ceiling has stopped on its way to another floor: that was looked for a
   // little further on, and the body goes straight to it from before the joint. Nothing: it is on that floor,
-  // or it has not moved since this was asked.
-  std::optional<FloorAhead<Real>> floor_to_joint(const FloorAhead<Real>& floor, const Moving<Real>& body) {
+  // or it has not moved since this was asked, or it has met something else.
+  std::optional<FloorAhead<Real>> floor_to_joint(const FloorAhead<Real>& floor, const Moving<Real>& body,
+                                                 const Contact<Real>& contact) {
+    if (contact.facing != Facing::down) return std::nullopt;
     if (joint_asked_ && !((body.box.x - *joint_asked_) * direction_ > 0)) return std::nullopt;
     joint_asked_ = body.box.x;
     const auto is_other = [&](const FloorAhead<Real>& next) {
