@@ -317,7 +317,9 @@ class Chooser {
 
   void lay(const Choice& choice, int column) {
     for (int i = 0; i < choice.candidate->shape.tiles; ++i) layer_.own({column + i, choice.bottom_row - 1});
-    for_each_part(choice, column, [&](Cell cell, TileNumber tile) { layer_.place(cell, tile); });
+    for_each_part(choice, column, [&](Cell cell, TileNumber tile) {
+      if (tile != 0) layer_.place(cell, tile);
+    });
   }
 
   // Whether its tiles show the line, but for some tufts of grass.
@@ -331,7 +333,8 @@ class Chooser {
     return is_right;
   }
 
-  // Calls see(cell, tile) for its own cell, and for those beside and above it that show a part of it.
+  // Calls see(cell, tile) for its own cell, and for those beside and above it that show a part of it; tile 0:
+  // the sheet has no picture of that part.
   template <typename See>
   void for_each_part(const Choice& choice, int column, See see) const {
     const TileShape& shape = choice.candidate->shape;
@@ -341,8 +344,9 @@ class Chooser {
       for (int up = 0; up < cells_up_to(highest_of(shape, size_), size_.height); ++up) {
         const Cell part = {place.x + i, place.y - up};
         const bool is_own = i == 0 && up == 0;
-        if (is_own || (sheet.contains(part) && is_mere_picture(sheet.tile_at(part))))
-          see(Cell{column + i, choice.bottom_row - 1 - up}, static_cast<TileNumber>(sheet.tile_at(part)));
+        const bool is_seen = is_own || (sheet.contains(part) && is_mere_picture(sheet.tile_at(part)));
+        see(Cell{column + i, choice.bottom_row - 1 - up},
+            static_cast<TileNumber>(is_seen ? sheet.tile_at(part) : 0));
       }
     }
   }

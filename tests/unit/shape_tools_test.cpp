@@ -234,6 +234,17 @@ TEST(ShapeTools, SlopesUseTilesWithTheSameShapeAgain) {
   EXPECT_TRUE(laid.sheets == level.sheets) << "in the user's colours";
 }
 
+// The tiles of a steep slope reach into the cells above them, whose pictures are tiles of their own.
+TEST(ShapeTools, ASteepSlopeThatIsLaidAgainStays) {
+  for (const Vec2 end : {Vec2{64, 48}, Vec2{56, 60}, Vec2{32, 96}}) {
+    const Vec2 from = end.x == 32 ? Vec2{64, 48} : Vec2{32, 96};
+    const Level once = after(level_with_floor(), lay_slope(level_with_floor(), from, end, {}, 12));
+    const Level again = after(once, lay_slope(once, from, end, {}, 12));
+    EXPECT_TRUE(again.map == once.map) << end.x << "," << end.y;
+    EXPECT_TRUE(again.sheets == once.sheets) << "no tile is drawn anew";
+  }
+}
+
 TEST(ShapeTools, SlopeIsNotFilledIfTheUserWantsNone) {
   const Level level = level_with_floor();
   const Level laid = after(level, lay_slope(level, {32, 96}, {64, 64}, {}, 12, {}, false));
