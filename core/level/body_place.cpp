@@ -38,20 +38,31 @@ std::optional<Vec2> nearest_free_corner(const Level& level, const Rect& box, con
   return nearest;
 }
 
+// box: in the level.
+bool is_in_ground(const Level& level, const LocalGround& ground, const Rect& box, Foot foot) {
+  const Rect here = ground.to_local(box);
+  if (overlaps_ground(ground.terrain, here, foot)) return true;
+  if (!overlaps_ground(ground.terrain, here)) return false;
+  // The corners of a body on its centre may be in the ground beside a slope on which its middle stands.
+  const Rect middle{here.x + here.w / 2, here.y, 0, here.h};
+  return !floor_below(ground.terrain, middle, here.w / 2 * level.tuning.exact.steepest + 1);
+}
+
 }  // namespace
 
 bool starts_in_ground(const Level& level, const Spawn& spawn) {
-  const LocalGround ground = ground_around(level, box_of(spawn), 0);
-  return overlaps_ground(ground.terrain, ground.to_local(box_of(spawn)), spawn.used_foot());
+  return is_in_ground(level, ground_around(level, box_of(spawn), kMaxShapeTiles), box_of(spawn),
+                      spawn.used_foot());
 }
 
 std::optional<Vec2> free_place(const Level& level, const Spawn& spawn) {
   const Rect box = box_of(spawn);
   const LocalGround ground = ground_around(level, box, std::max(kMostCellsUp, kMostAway) + 1);
   const Foot foot = spawn.used_foot();
-  if (const auto y = free_above(ground.terrain, ground.to_local(box), foot)) {
-    const Vec2 up{box.x, *y + ground.corner.y};
-    if (is_on_map(level, {up.x, up.y, box.w, box.h})) return up;
+  for (const Foot above : {foot, Foot::box}) {
+    const auto y = free_above(ground.terrain, ground.to_local(box), above);
+    const Rect up{box.x, y.value_or(0) + ground.corner.y, box.w, box.h};
+    if (y && is_on_map(level, up) && !is_in_ground(level, ground, up, foot)) return up.position();
   }
   if (const auto out = way_out(ground.terrain, ground.to_local(box), foot)) {
     const Vec2 there = box.position() + *out;

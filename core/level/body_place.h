@@ -7,7 +7,8 @@
 
 namespace talus {
 
-// Whether the body starts in the ground of tiles.
+// Whether the body starts in the ground of tiles: also one on its centre that has a corner there, and no
+// slope under its middle.
 bool starts_in_ground(const Level& level, const Spawn& spawn);
 
 // Returns the nearest place (px, of the top left corner) straight above that is free of the ground, as

@@ -221,6 +221,16 @@ TEST(ShapeTools, BodiesThatASlopeWouldBuryStartAboveIt) {
   EXPECT_TRUE(undone == level);
 }
 
+// Its middle is just beside the slope, and half of it would be in the ground under that.
+TEST(ShapeTools, ABodyBesideASlopeStartsAboveIt) {
+  Level level = level_with_floor();
+  for (int y = 12; y < 17; ++y) level.map.set({1, y}, 0);
+  level.spawns = {Spawn{"", {12, 88}, {}, "", BodyKind::player, {8, 8}, Foot::centre}};
+  const Level laid = after(level, lay_slope(level, {16, 80}, {48, 56}, {}, 12));
+  EXPECT_EQ(laid.spawns[0].position, (Vec2{12, 69}));
+  EXPECT_TRUE(lint(laid).empty()) << lint(laid)[0].message;
+}
+
 TEST(ShapeTools, SlopesUseTilesWithTheSameShapeAgain) {
   Level level = level_with_floor();
   TileImage image{};
