@@ -12,7 +12,7 @@ struct LocalGround {
   Rect to_local(Rect box) const { return {box.x - corner.x, box.y - corner.y, box.w, box.h}; }
 };
 
-// cells: the ground is right up to this many px around the box, 0..1024.
+// cells: the ground is right up to this many cells around the box, 0..1024.
 LocalGround ground_around(const Level& level, const Rect& box, int cells);
 
 }  // namespace talus
