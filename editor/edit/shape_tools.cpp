@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <span>
 #include <utility>
@@ -97,11 +98,13 @@ std::optional<GroundTiles> ground_tiles_at(const Level& level, Vec2 a, Vec2 b) {
     return tile.tile;
   };
   for (const Vec2 end : {a.y > b.y ? a : b, a.y > b.y ? b : a}) {
-    const Cell under = level.map.cell_at(end);
-    for (Cell cell = under; cell.y < under.y + kMostRowsDown; ++cell.y) {
-      for (cell.x = under.x; cell.x >= under.x - 1; --cell.x) {  // it may be at the border of two columns
-        if (const auto top = full_at(cell))
-          return GroundTiles{*top, full_at({cell.x, cell.y + 1}).value_or(*top)};
+    const Cell at = level.map.cell_at(end);
+    // It may be at the border of two columns: that under the slope comes first.
+    const bool is_right_end = end.x == std::max(a.x, b.x) && level.map.x_of(at.x) == end.x;
+    const int under = is_right_end ? at.x - 1 : at.x, beside = is_right_end ? at.x : at.x - 1;
+    for (int y = at.y; y < at.y + kMostRowsDown; ++y) {
+      for (const int x : {under, beside}) {
+        if (const auto top = full_at({x, y})) return GroundTiles{*top, full_at({x, y + 1}).value_or(*top)};
       }
     }
   }
@@ -132,6 +135,24 @@ void take_look_of_ground(const Level& level, Vec2 a, Vec2 b, SlopeTilesOptions& 
     edge.push_back(color);
   }
   if (!edge.empty() || near) options.edge_colors = std::move(edge);
+}
+
+// The top of the ground that the slope covers becomes its inside, in a level without auto-tiles.
+void cover_top(const Level& level, const GroundTiles& ground, Within within, Edit& edit) {
+  std::map<int, int> lowest;  // changed row, by column
+  for (const Change& change : edit.changes) {
+    const auto* put = std::get_if<CellChange>(&change);
+    if (put == nullptr) continue;
+    int& row = lowest[put->cell.x];
+    row = std::max(row, put->cell.y);
+  }
+  for (const auto& [column, row] : lowest) {
+    const Cell under{column, row + 1};
+    if (!level.map.contains(under) || (within && !within->contains(under))) continue;
+    const MapCell before = level.map.at(under);
+    if (before == MapCell(ground.top) && ground.inside != ground.top)
+      edit.changes.emplace_back(CellChange{under, before, ground.inside});
+  }
 }
 
 // The first and last column and row of the cells that the edit changes; nothing if it changes none.
@@ -200,6 +221,8 @@ tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, co
   return laid.map([&](const SlopeTiles& tiles) {
     Edit edit = put_slope_tiles(level, tiles, within);
     if (fills) fit_ground(level, edit, within);
+    const auto ground = ground_tiles_at(level, a, b);
+    if (fills && ground && level.auto_tiles.of(GroundPart::top) == 0) cover_top(level, *ground, within, edit);
     keep_bodies_out(level, edit);
     return edit;
   });

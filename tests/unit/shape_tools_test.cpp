@@ -100,6 +100,25 @@ TEST(ShapeTools, GroundThatASlopeCoversGetsThePartThatFits) {
   EXPECT_EQ(unfilled.map.at({2, 6}), 2) << "only where the ground is filled";
 }
 
+// Grass on the ground, without auto-tiles: a hill has it on both sides, and none inside.
+TEST(ShapeTools, AHillHasTheTopOfTheGroundThatItCovers) {
+  Level level = level_with_slopes();
+  Sheet& sheet = level.sheet(SheetId::tiles);
+  sheet.flags[2] = 1;
+  std::fill_n(sheet.images[2].begin(), 8, std::uint8_t{6});  // its first row
+  for (int x = 0; x < 30; ++x) {
+    for (int y = 6; y < 17; ++y) level.map.set({x, y}, y == 6 && x < 10 ? 2 : 1);
+  }
+  level = after(level, lay_slope(level, {32, 48}, {56, 20}, {1, 1, {0}}, 12));
+  level = after(level, lay_slope(level, {56, 20}, {80, 48}, {1, 1, {0}}, 12));
+  for (int x = 3; x < 11; ++x) EXPECT_EQ(level.map.at({x, 6}), x < 4 ? 2 : 1) << x;
+  for (const Cell cell : {Cell{4, 5}, Cell{9, 5}}) {
+    const TileImage& image = level.sheet(SheetId::tiles).images[level.map.tile_at(cell)];
+    EXPECT_GT(std::count(image.begin(), image.end(), 6), 0)
+        << cell.x << ": the ground beside it may have none";
+  }
+}
+
 TEST(ShapeTools, SlopeStaysInsideTheSelection) {
   const Level level = level_with_slopes();
   const CellRect selection{2, 0, 2, 17};
