@@ -212,7 +212,7 @@ function Walk:place_past(contact, box, x, y)
   local leaves = share > 0 and share < 1
   if leaves then x, y = contact.x + (x - contact.x) * share, contact.y + (y - contact.y) * share end
   local aside = x - contact.x
-  if aside == 0 or abs(aside) > AHEAD then return nil end
+  if aside == 0 then return nil end
   -- Without its lowest part, as the floor would hide what else is there.
   local lip = min(LIP, box.h)
   local above = Walk.at(contact.x, contact.y, box)

@@ -20,9 +20,6 @@ namespace talus {
 // px; how far ahead the next piece of floor is looked for: half of the shortest piece.
 inline constexpr double kFloorStep = 0.001953125;
 static_assert(kFloorStep * 2 * kWeldParts == 1);
-// A body that something stops by rounding alone goes on past it by so many roundings, if a kFloorStep is
-// less.
-inline constexpr int kManySlacks = 64;
 // How often the way along a curve to what stops the body is halved: to less than 1/1000 px.
 inline constexpr int kHalvings = 16;
 // px; where a curve leads over an end, its chord may be so much below it.
@@ -234,7 +231,7 @@ class FloorWalk {
 
   // Where the body goes on past a straight ceiling that it has met too early, by rounding: to the goal, or to
   // where it leaves that piece of the ceiling, if it is in it there by a rounding of its height at most.
-  // Where floor and ceiling are almost parallel, that is many roundings of the way. Nothing: the ceiling, or
+  // Where floor and ceiling are almost parallel, that may be the whole way. Nothing: the ceiling, or
   // something else on that way, stops it.
   std::optional<Vec> place_past(const Contact<Real>& contact, const BasicRect<Real>& box, Vec goal,
                                 Foot foot) const {
@@ -250,8 +247,7 @@ class FloorWalk {
       if (leaves) place = contact.position + way * share;
     }
     const Vec rest = place - contact.position;
-    const Real most = std::max<Real>(Real(kFloorStep), kManySlacks * rounding_slack<Real>({box, {}, foot}));
-    if (rest.x == 0 || std::abs(rest.x) > most) return std::nullopt;
+    if (rest.x == 0) return std::nullopt;
     // Without its lowest part, as the floor would hide what else is there.
     const Real lip = std::min(Real(kMostLip), box.h);
     const BasicRect<Real> above{contact.position.x, contact.position.y, box.w, box.h - lip};
