@@ -293,6 +293,18 @@ TEST(Lint, ASpawnHasItsOwnSize) {
                   "W spawn-outside (1, 0): player 1 at 8, 0 px is partly or wholly off the map"));
 }
 
+// Just below the top of a slope, a corner of a body on its centre is in the block that follows.
+TEST(Lint, ABodyThatStandsOnASlopeIsInNoBlock) {
+  Level level = level_of({"....", "..##", "####"});
+  level.tuning.solver = SolverKind::exact;
+  level.tile_shapes[5] = {.kind = TileShape::Kind::slope, .heights = {0, 8}};
+  level.map.set({1, 1}, 5);
+  level.spawns = {{"", {11, 1}, {}, "", BodyKind::player, {8, 8}, Foot::centre}};
+  EXPECT_EQ(lint(level).size(), 0U) << lint(level)[0].message;
+  level.spawns[0].foot = Foot::box;
+  EXPECT_THAT(problems(level), ElementsAre(testing::HasSubstr("starts inside the solid tile at (2, 1)")));
+}
+
 TEST(Lint, ModifiersDoNotConflict) {
   Level level = level_of({"o#"});
   level.roles.one_way = 6;

@@ -94,9 +94,11 @@ class SpawnLinter {
     return false;
   }
 
-  // Reports the first solid tile that the body overlaps. Returns false if there is none.
+  // Reports the first solid tile that the body overlaps. Returns false if there is none, or if only a corner
+  // of a body that stands on a slope is in it.
   bool is_in_solid(int index, const std::string& subject, std::optional<Cell> cell) {
     const Spawn& spawn = level_.spawns[static_cast<std::size_t>(index)];
+    if (level_.tuning.solver == SolverKind::exact && !starts_in_ground(level_, spawn)) return false;
     return any_cell(spawn.position, spawn.position + spawn.size, [&](Cell at) {
       if (!tiles_[level_.map.tile_at(at)].solid) return false;
       report(out_, kInSolid, subject + " starts inside the solid tile at " + cell_text(at), cell, -1, index);
