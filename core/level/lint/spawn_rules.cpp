@@ -98,12 +98,15 @@ class SpawnLinter {
   // of a body that stands on a slope is in it.
   bool is_in_solid(int index, const std::string& subject, std::optional<Cell> cell) {
     const Spawn& spawn = level_.spawns[static_cast<std::size_t>(index)];
-    if (level_.tuning.solver == SolverKind::exact && !starts_in_ground(level_, spawn)) return false;
-    return any_cell(spawn.position, spawn.position + spawn.size, [&](Cell at) {
-      if (!tiles_[level_.map.tile_at(at)].solid) return false;
-      report(out_, kInSolid, subject + " starts inside the solid tile at " + cell_text(at), cell, -1, index);
-      return true;
+    std::optional<Cell> met;
+    any_cell(spawn.position, spawn.position + spawn.size, [&](Cell at) {
+      if (tiles_[level_.map.tile_at(at)].solid) met = at;
+      return met.has_value();
     });
+    if (!met) return false;
+    if (level_.tuning.solver == SolverKind::exact && !starts_in_ground(level_, spawn)) return false;
+    report(out_, kInSolid, subject + " starts inside the solid tile at " + cell_text(*met), cell, -1, index);
+    return true;
   }
 
   // Reports the first slope below whose floor the body starts, as the article computes that floor. Returns
