@@ -112,8 +112,8 @@ std::optional<GroundTiles> ground_tiles_at(const Level& level, Vec2 a, Vec2 b) {
 }
 
 // Drawn tiles look like the ground that they belong to, unless most of its pixels are clear.
-void take_look_of_ground(const Level& level, Vec2 a, Vec2 b, SlopeTilesOptions& options) {
-  const std::optional<GroundTiles> near = ground_tiles_at(level, a, b);
+void take_look_of_ground(const Level& level, const std::optional<GroundTiles>& near,
+                         SlopeTilesOptions& options) {
   const TileNumber inside = level.auto_tiles.of(GroundPart::inside);
   if (options.fills && !options.below) {
     if (inside != 0 && is_full(shape_of_tile(level, inside)))
@@ -208,7 +208,8 @@ tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, co
     has_slope = has_slope || (has_heights(shape) && shape.side == TileShape::Side::floor);
   }
   options.fills = fills;
-  take_look_of_ground(level, a, b, options);
+  const std::optional<GroundTiles> ground = ground_tiles_at(level, a, b);
+  take_look_of_ground(level, ground, options);
   const bool can_draw = level.sheet(SheetId::tiles).picture == nullptr;
   if (!has_slope) set = floors_of_sheet(level);
   options.set = set;
@@ -221,7 +222,6 @@ tl::expected<Edit, std::string> lay_slope(const Level& level, Vec2 a, Vec2 b, co
   return laid.map([&](const SlopeTiles& tiles) {
     Edit edit = put_slope_tiles(level, tiles, within);
     if (fills) fit_ground(level, edit, within);
-    const auto ground = ground_tiles_at(level, a, b);
     if (fills && ground && level.auto_tiles.of(GroundPart::top) == 0) cover_top(level, *ground, within, edit);
     keep_bodies_out(level, edit);
     return edit;
