@@ -14,6 +14,7 @@
 #include "formats/last_catch.h"
 #include "formats/text/append_number.h"
 #include "formats/text/utf8_text.h"
+#include "level/level_text.h"
 #include "platform/user_folder.h"
 #include "progress_line.h"
 #include "session/files/read_permissions.h"
@@ -140,9 +141,8 @@ bool fail_for_missing(CommandContext& context, const std::string& file, const Lo
     names += (i == 0 ? "" : ", ") + missing[i];
   if (missing.size() > kMostNamed) names += " and others";
   fail(context, file, "",
-       "names " + std::to_string(missing.size()) + (missing.size() == 1 ? " file" : " files") +
-           " that could not be read: " + names + ": --allow-missing goes on without " +
-           (missing.size() == 1 ? "it" : "them"));
+       "names " + count_text(missing.size(), "file") + " that could not be read: " + names +
+           ": --allow-missing goes on without " + (missing.size() == 1 ? "it" : "them"));
   return true;
 }
 
@@ -196,7 +196,7 @@ std::optional<LoadedLevel> load_file_or_fail(CommandContext& context, const std:
   for (const std::string& what : loaded->dropped)
     say(context.err, file + ": warning: not in the level: " + what);
   if (const std::size_t count = loaded->refused.size(); count > 0) {
-    say(context.err, file + ": warning: names " + std::to_string(count) + (count == 1 ? " file" : " files") +
+    say(context.err, file + ": warning: names " + count_text(count, "file") +
                          " outside of its folder: --allow-outside reads " + (count == 1 ? "it" : "them"));
   }
   if (const auto ways = ways_to_ground(loaded->level))
