@@ -142,7 +142,7 @@ void cover_top(const Level& level, const GroundTiles& ground, Within within, Edi
   std::map<int, int> lowest;  // changed row, by column
   for (const Change& change : edit.changes) {
     const auto* put = std::get_if<CellChange>(&change);
-    if (put == nullptr) continue;
+    if (put == nullptr || put->after == MapCell()) continue;  // what is cut off covers nothing
     int& row = lowest[put->cell.x];
     row = std::max(row, put->cell.y);
   }

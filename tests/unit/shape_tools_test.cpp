@@ -119,6 +119,21 @@ TEST(ShapeTools, AHillHasTheTopOfTheGroundThatItCovers) {
   }
 }
 
+TEST(ShapeTools, GroundFromWhichTheTopIsCutOffKeepsItsGrass) {
+  Level level = level_with_slopes();
+  Sheet& sheet = level.sheet(SheetId::tiles);
+  sheet.flags[1] = 0;
+  sheet.flags[2] = sheet.flags[4] = 1;  // 2: the grass, 4: inside
+  std::fill_n(sheet.images[2].begin(), 8, std::uint8_t{6});
+  for (int x = 0; x < 30; ++x) {
+    for (int y = 6; y < 17; ++y) level.map.set({x, y}, y == 6 ? 2 : 4);
+  }
+  level.map.set({5, 5}, 4);
+  const Level laid = after(level, lay_slope(level, {32, 48}, {64, 48}, {1, 1, {0}}, 12));
+  EXPECT_EQ(laid.map.at({5, 5}), 0);
+  for (int x = 4; x < 8; ++x) EXPECT_EQ(laid.map.at({x, 6}), 2) << x;
+}
+
 TEST(ShapeTools, SlopeStaysInsideTheSelection) {
   const Level level = level_with_slopes();
   const CellRect selection{2, 0, 2, 17};
