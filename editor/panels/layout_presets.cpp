@@ -11,6 +11,7 @@ std::span<const LayoutPreset> layout_presets() {
        "The sheet and its tools beside the level.",
        true,
        true,
+       true,
        false,
        {panel_id::kInspector, panel_id::kLayers}},
       {"play",
@@ -19,11 +20,13 @@ std::span<const LayoutPreset> layout_presets() {
        false,
        true,
        false,
-       {panel_id::kTuning, panel_id::kProblems}},
+       false,
+       {panel_id::kTuning}},
       {"debug",
        "Debug",
        "Why the chosen body moved as it did, and the recorded input below.",
        false,
+       true,
        true,
        true,
        {panel_id::kWhy, panel_id::kProblems, panel_id::kInputRoll}}};
@@ -37,6 +40,7 @@ void show_layout(const LayoutPreset& preset, View& view) {
   window.alone = false;
   window.left_open = preset.left;
   window.right_open = preset.right;
+  window.right_low_open = preset.right_low;
   window.first = preset.left ? TabPlace::left : TabPlace::right_top;
   window.dock_open = preset.dock;
   window.focus = Focus::map;
@@ -51,7 +55,7 @@ void show_layout(const LayoutPreset& preset, View& view) {
 bool is_shown(const LayoutPreset& preset, const View& view) {
   const WindowView& window = view.window;
   return !window.alone && window.left_open == preset.left && window.right_open == preset.right &&
-         window.dock_open == preset.dock;
+         window.right_low_open == preset.right_low && window.dock_open == preset.dock;
 }
 
 }  // namespace talus

@@ -14,7 +14,7 @@ struct LayoutPreset {
   std::string_view key;                // "debug"
   std::string_view label;              // on its button
   std::string_view help;               // a sentence
-  bool left, right, dock;              // whether they are open: see WindowView
+  bool left, right, right_low, dock;   // whether they are open: see WindowView
   std::vector<std::string_view> tabs;  // ids of the panels in front
 };
 // In the order of their buttons. A new layout is a row here.

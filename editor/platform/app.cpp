@@ -200,6 +200,7 @@ void App::take_settings(const Settings& settings) {
   ui_.view.layouts = settings.layouts;
   ui_.view.window.left_open = settings.left_open;
   ui_.view.window.right_open = settings.right_open;
+  ui_.view.window.right_low_open = settings.right_low_open;
   ui_.view.window.dock_open = settings.dock_open;
   ui_.view.canvas.legend_folded = settings.legend_folded;
   ui_.view.canvas.labels_all = settings.labels_all;
@@ -235,6 +236,7 @@ Settings App::current_settings() const {
   settings.layouts = ui_.view.layouts;
   settings.left_open = ui_.view.window.left_open;
   settings.right_open = ui_.view.window.right_open;
+  settings.right_low_open = ui_.view.window.right_low_open;
   settings.dock_open = ui_.view.window.dock_open;
   settings.legend_folded = ui_.view.canvas.legend_folded;
   settings.labels_all = ui_.view.canvas.labels_all;

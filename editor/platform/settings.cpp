@@ -46,6 +46,7 @@ Fields<SavedLayout> saved_layout_fields() {
           choice("canvas", &SavedLayout::canvas, CanvasMode::play, canvas_names()),
           toggle("left_column", &SavedLayout::left_open, true),
           toggle("right_column", &SavedLayout::right_open, true),
+          toggle("right_column_below", &SavedLayout::right_low_open, true),
           toggle("debugger", &SavedLayout::dock_open, false),
           texts("tabs", &SavedLayout::tabs, kMaxTabs),
           objects("moved_tabs", &SavedLayout::moved_tabs, moved_tab_fields(), "panel", kMaxTabs)};
@@ -99,6 +100,7 @@ const Fields<Settings>& settings_fields() {
       objects("layouts", &Settings::layouts, saved_layout_fields(), "name", kMaxLayouts),
       toggle("left_column", &Settings::left_open, true),
       toggle("right_column", &Settings::right_open, true),
+      toggle("right_column_below", &Settings::right_low_open, true),
       toggle("debugger", &Settings::dock_open, false),
       toggle("legend_folded", &Settings::legend_folded, false),
       toggle("labels_all", &Settings::labels_all, false),

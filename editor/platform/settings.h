@@ -28,6 +28,7 @@ struct Settings {
   std::vector<MovedTab> moved_tabs;       // at most kMaxTabs; unknown ids do nothing
   std::vector<SavedLayout> layouts;       // at most kMaxLayouts
   bool left_open{}, right_open{};         // the columns beside the canvas
+  bool right_low_open{};                  // the lower part of the right one
   bool dock_open{};                       // the debugger's panels
   bool legend_folded{};                   // the overlays' legend has no names
   bool labels_all{};                      // the overlays label every body

@@ -194,6 +194,26 @@ TEST_F(UiLayouts, TheMapKeepsHalfOfALowWindow) {
   EXPECT_GE(share(), 0.45f);
 }
 
+TEST_F(UiLayouts, PlayHasTheHandAndTheTuningAlone) {
+  start();
+  click("layout/play");
+  frames(3);
+  EXPECT_EQ(find("map/fill"), nullptr) << "nobody paints without the sheet";
+  EXPECT_EQ(find("tabs/problems"), nullptr);
+  const Widget* tuning = find("tabs/tuning");
+  ASSERT_NE(tuning, nullptr);
+  click("canvas/more");
+  frames(2);
+  click("map/fill");
+  frames(2);
+  EXPECT_EQ(session().choices().map_tool, MapTool::fill);
+  EXPECT_NE(find("map/erase"), nullptr) << "now somebody does";
+  click("status/problems");
+  frames(3);
+  EXPECT_NE(find("tabs/problems"), nullptr) << "who asks for it sees it";
+  EXPECT_NE(find("tabs/tuning"), nullptr);
+}
+
 TEST_F(UiLayouts, ToolsThatHaveNoRoomAreInAMenu) {
   start(save_test_level("level.talus.json"), 1152, 700);
   const float row = find("canvas/play")->min.y;

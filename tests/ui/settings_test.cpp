@@ -73,6 +73,7 @@ TEST_F(UiSettings, EverySettingIsTakenAndStoredAgain) {
          {"canvas", "both"},
          {"left_column", false},
          {"right_column", true},
+         {"right_column_below", false},
          {"debugger", true},
          {"tabs", {"why"}},
          {"moved_tabs", {{{"panel", "why"}, {"place", "closed"}}}}}}},

@@ -46,6 +46,14 @@ TEST_F(UiSheetView, ColumnsThatFitAreNotCut) {
   }
 }
 
+TEST_F(UiSheetView, ASheetWithLessThanItsRoomBeginsAtTheTop) {
+  start(save_sheet("level.talus.json", 4, 16), 1920, 1080);
+  const Widget *sheet = find("sheet/tiles"), *room = find("sheet/canvas");
+  EXPECT_LT(sheet->max.y, room->max.y) << "the sheet is lower than its room";
+  EXPECT_EQ(sheet->min.x, room->min.x);
+  EXPECT_EQ(sheet->min.y, room->min.y);
+}
+
 TEST_F(UiSheetView, ItHasTheWholeRoomOfItsPanel) {
   start(save_sheet("level.talus.json", 16, 256));
   const Widget *room = find("sheet/canvas"), *header = find("sheet/show_tiles");

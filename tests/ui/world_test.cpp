@@ -101,8 +101,8 @@ TEST_F(UiWorld, ThingsOutOfSightHaveNoLabel) {
   click(on_map({6, 6}));
   frames(2);
   click("map/first_body_player");
-  for (int i = 0; i < 300 && find("map/chosen_body") == nullptr; ++i)
-    frames();  // its ground is compiled first
+  ASSERT_TRUE(frames_until([&] { return find("map/chosen_body") != nullptr; }))
+      << "its ground is compiled first";
   scroll_away_and_back("map/chosen_body");
   click("map/segment");
   drag(on_map({10, 10}), on_map({14, 10}));

@@ -54,9 +54,10 @@ Vec2 room_in_sight(ImVec2 canvas) {
   return {std::min<double>(kKeptInSight, canvas.x / 4), std::min<double>(kKeptInSight, canvas.y / 4)};
 }
 
-// A map that is smaller than the canvas lies in its middle; else nothing beside the map is shown.
-double kept_on_map(double offset, double map, double canvas) {
-  return map <= canvas ? std::round((canvas - map) / 2) : std::clamp(offset, std::round(canvas - map), 0.0);
+// A map that is smaller than the canvas has `share` of the room before it; else only the map is shown.
+double kept_on_map(double offset, double map, double canvas, double share) {
+  return map <= canvas ? std::round((canvas - map) * share)
+                       : std::clamp(offset, std::round(canvas - map), 0.0);
 }
 
 }  // namespace
@@ -157,14 +158,15 @@ void Camera::show_corner(float least, float most, Vec2 map, ImVec2 canvas) {
   while (step_ + 1 < static_cast<int>(kZooms.size()) && zoom() < least) ++step_;
   const auto fits = static_cast<float>(room.x / map.x);
   if (zoom() > fits && fits >= least) between_ = fits;
+  share_before_ = 0;
   offset_ = {};
   stay_on_map(map, canvas);
   untouched_ = true;
 }
 
 void Camera::stay_on_map(Vec2 map, ImVec2 canvas) {
-  offset_ = {kept_on_map(offset_.x, map.x * zoom(), canvas.x),
-             kept_on_map(offset_.y, map.y * zoom(), canvas.y)};
+  offset_ = {kept_on_map(offset_.x, map.x * zoom(), canvas.x, share_before_),
+             kept_on_map(offset_.y, map.y * zoom(), canvas.y, share_before_)};
 }
 
 void Camera::toggle_whole(Vec2 map, ImVec2 canvas) {

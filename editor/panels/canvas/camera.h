@@ -55,7 +55,7 @@ class Camera {
   void show(const Rect& area, bool may_be_cut, Vec2 map, ImVec2 canvas);
   // Shows the map from its top left corner, at the largest step at which its width fits; but not below
   // `least` and else not above `most`, screen px per px of the level. Where the step from `least` on would
-  // cut it, but a zoom between two steps does not, it has that.
+  // cut it, but a zoom between two steps does not, it has that. From now on a smaller map lies in the corner.
   void show_corner(float least, float most, Vec2 map, ImVec2 canvas);
   // The world view: shows the whole map, or goes back.
   void toggle_whole(Vec2 map, ImVec2 canvas);
@@ -67,7 +67,8 @@ class Camera {
   void limit(Vec2 map, ImVec2 canvas);
   // Keeps a part of the map in sight.
   void clamp(Vec2 map, ImVec2 canvas);
-  // Shows nothing beside the map; one that is smaller than the canvas lies in its middle.
+  // Shows nothing beside the map; one that is smaller than the canvas lies in its middle, or in its corner
+  // after show_corner().
   void stay_on_map(Vec2 map, ImVec2 canvas);
   // tile: px of the level, of a cell.
   CanvasView view(ImVec2 min, ImVec2 size, TileSize tile) const;
@@ -87,6 +88,7 @@ class Camera {
   Vec2 offset_;                   // px of the screen, from the canvas's corner to the level's
   bool untouched_ = true;
   bool kept_ = false;
+  double share_before_ = 0.5;    // of the room that a smaller map leaves, how much lies left of it and above
   std::optional<Place> before_;  // the view before the world view
 };
 

@@ -85,12 +85,17 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
   const bool has_play = mode == CanvasMode::play || mode == CanvasMode::both;
   row.add_gap();
   if (has_play) row.add({"canvas/paint_in_play"_command}, session, actions);
+  // Who plays without the sheet beside it is not painting.
+  const bool folds = ui.view.canvas.has_hand() && !ui.view.window.left_open;
   for (const CommandId& tool :
        {"map/stamp"_command, "map/pan"_command, "map/select"_command, "map/fill"_command, "map/line"_command,
         "map/rectangle"_command, "map/ellipse"_command, "map/slope"_command, "map/segment"_command,
         "map/curve"_command, "map/body"_command, "map/object"_command, "map/ground"_command,
         "map/erase"_command, "map/pick"_command})
-    row.add({tool}, session, actions);
+    if (folds)
+      row.fold(tool);
+    else
+      row.add({tool}, session, actions);
   row.add_gap();
   row.add({"canvas/zoom_out"_command, "canvas/zoom_in"_command}, session, actions);
   if (has_play) row.add({"canvas/follow"_command}, session, actions);

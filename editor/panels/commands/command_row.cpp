@@ -30,12 +30,14 @@ void CommandRow::add(std::initializer_list<CommandId> ids, const Session& sessio
 void CommandRow::end(const Session& session, Actions& actions, const std::function<void()>& draw_last,
                      float width) {
   const bool has_room = hidden_.empty() && takes(width);
-  if (has_room) return draw_last();
+  if (has_room) draw_last();
+  std::vector<CommandId> in_menu = folded_;
+  in_menu.insert(in_menu.end(), hidden_.begin(), hidden_.end());
+  if (has_room && in_menu.empty()) return;
   ImGui::SameLine();
-  if (ui_.icon_button(name_ + "/more", Icon::more, false, "What has no room in this row.", {}))
-    ImGui::OpenPopup("more");
+  if (ui_.icon_button(name_ + "/more", Icon::more, false, "More tools.", {})) ImGui::OpenPopup("more");
   if (!ImGui::BeginPopup("more")) return;
-  for (const CommandId id : hidden_) {
+  for (const CommandId id : in_menu) {
     const Command& command = find_command(id);
     if (menu_item(command.label, command.id, keys_of(command, ui_), command.is_checked(session, ui_),
                   command.is_enabled(session, ui_)))
@@ -43,7 +45,7 @@ void CommandRow::end(const Session& session, Actions& actions, const std::functi
     ui_.item(command.id, command.help);
   }
   const bool was_empty = actions.empty();
-  draw_last();
+  if (!has_room) draw_last();
   if (was_empty && !actions.empty()) ImGui::CloseCurrentPopup();  // something was chosen in it
   ImGui::EndPopup();
 }

@@ -10,8 +10,8 @@
 
 namespace talus {
 
-// Buttons with icons, one after the other on the current line. Those for which the window has no room are in
-// a menu behind a button at the end.
+// Buttons with icons, one after the other on the current line. Those that are folded, and those for which
+// the window has no room, are in a menu behind a button at the end.
 class CommandRow {
  public:
   // name: prefix of the menu's button: "canvas" has "canvas/more".
@@ -21,6 +21,8 @@ class CommandRow {
   void add_gap() { gap_ = kGroupGap; }
   // Commands that belong together: all have room, or all are in the menu.
   void add(std::initializer_list<CommandId> ids, const Session& session, Actions& actions);
+  // Puts a command into the menu.
+  void fold(CommandId id) { folded_.push_back(id); }
   // Must follow the last button. draw_last: draws one more control, `width` px of the screen wide, at the end
   // of the row or in the menu.
   void end(const Session& session, Actions& actions, const std::function<void()>& draw_last, float width);
@@ -35,7 +37,8 @@ class CommandRow {
   Ui& ui_;
   float gap_ = 0;                  // px at scale 1, before the next button
   float end_;                      // px of the screen: the right side of the window
-  std::vector<CommandId> hidden_;  // those in the menu
+  std::vector<CommandId> folded_;  // those in the menu that fold() put there
+  std::vector<CommandId> hidden_;  // those in the menu that have no room
 };
 
 }  // namespace talus

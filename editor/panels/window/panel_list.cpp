@@ -126,11 +126,22 @@ std::optional<TabPlace> place_of_region(Region region) {
   return std::nullopt;
 }
 
-bool& is_open_at(WindowView& window, TabPlace place) {
+bool is_open_at(const WindowView& window, TabPlace place) {
   assert(place != TabPlace::closed);
-  return place == TabPlace::left   ? window.left_open
-         : place == TabPlace::dock ? window.dock_open
-                                   : window.right_open;
+  if (place == TabPlace::left) return window.left_open;
+  if (place == TabPlace::dock) return window.dock_open;
+  return window.right_open && (place == TabPlace::right_top || window.right_low_open);
+}
+
+void open_place(WindowView& window, TabPlace place) {
+  assert(place != TabPlace::closed);
+  if (place == TabPlace::left)
+    window.left_open = true;
+  else if (place == TabPlace::dock)
+    window.dock_open = true;
+  else
+    window.right_open = true;
+  if (place == TabPlace::right_bottom) window.right_low_open = true;
 }
 
 bool has_tabs(Region region) { return place_of_region(region).has_value(); }

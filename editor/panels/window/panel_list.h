@@ -36,9 +36,11 @@ std::vector<PanelPlace> make_panels();
 // The region of a place that is not closed, and back; nothing: its panels have no tabs.
 Region region_of_place(TabPlace place);
 std::optional<TabPlace> place_of_region(Region region);
-// Whether what holds a place, the left or the right column or the dock, is open. The place must not be closed
-// (asserted).
-bool& is_open_at(WindowView& window, TabPlace place);
+// Whether what holds a place, the left column, a part of the right one or the dock, is open. The place must
+// not be TabPlace::closed (asserted).
+bool is_open_at(const WindowView& window, TabPlace place);
+// Opens it. The same must be true of the place.
+void open_place(WindowView& window, TabPlace place);
 // Whether the panels of a region have tabs, by which they can be moved to another such region.
 bool has_tabs(Region region);
 struct TabInfo {

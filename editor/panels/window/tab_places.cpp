@@ -16,7 +16,7 @@ void move_tab(WindowView& window, const std::string& panel, TabPlace place) {
   std::erase_if(window.moved_tabs, [&](const MovedTab& moved) { return moved.panel == panel; });
   window.moved_tabs.push_back({panel, place});
   if (place == TabPlace::closed) return;
-  is_open_at(window, place) = true;
+  open_place(window, place);
   window.wanted_tabs.push_back(panel);
 }
 
@@ -30,7 +30,7 @@ void save_layout(View& view, const std::string& name) {
   std::erase_if(saved, [&](const SavedLayout& layout) { return layout.name == name; });
   if (saved.size() == kMaxLayouts) saved.erase(saved.begin());
   saved.push_back({name, window.layout, view.canvas.mode, window.left_open, window.right_open,
-                   window.dock_open, window.tabs, window.moved_tabs});
+                   window.right_low_open, window.dock_open, window.tabs, window.moved_tabs});
 }
 
 void show_layout(const SavedLayout& layout, View& view) {
@@ -39,6 +39,7 @@ void show_layout(const SavedLayout& layout, View& view) {
   window.layout = layout.sizes;
   window.left_open = layout.left_open;
   window.right_open = layout.right_open;
+  window.right_low_open = layout.right_low_open;
   window.dock_open = layout.dock_open;
   window.moved_tabs = layout.moved_tabs;
   window.wanted_tabs = layout.tabs;

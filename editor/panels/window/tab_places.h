@@ -18,7 +18,7 @@ struct SavedLayout {
   std::string name;  // not empty; no two are the same
   Layout sizes;
   CanvasMode canvas = CanvasMode::play;
-  bool left_open = true, right_open = true, dock_open = false;
+  bool left_open = true, right_open = true, right_low_open = true, dock_open = false;
   std::vector<std::string> tabs;  // as WindowView::tabs
   std::vector<MovedTab> moved_tabs;
   friend bool operator==(const SavedLayout&, const SavedLayout&) = default;

@@ -41,6 +41,7 @@ struct WindowView {
   std::vector<MovedTab> moved_tabs;      // panels that the user has put elsewhere, or closed
   bool left_open = true;                 // the sheet and what is below it are shown
   bool right_open = true;                // the inspector and what is below it are shown
+  bool right_low_open = true;            // in an open right column, what is below the inspector is shown
   bool dock_open = false;                // the debugger's panels are shown
   TabPlace first = TabPlace::left;       // the one of these three that is shown where one has room
   bool alone = false;                    // the canvas fills the window: every panel and bar is hidden

@@ -193,7 +193,10 @@ void Workspace::open_wanted_columns(View& view) const {
     const Region region = region_of(place, view.window);
     if (is_sprite_region(region)) view.window.left_open = true;
     const auto tabs = place_of_region(region);
-    if (tabs && !std::exchange(is_open_at(view.window, *tabs), true)) view.requests.ask(request::KeepZoom{});
+    if (tabs && !is_open_at(view.window, *tabs)) {
+      open_place(view.window, *tabs);
+      view.requests.ask(request::KeepZoom{});
+    }
     if (tabs || is_sprite_region(region)) view.window.first = tabs.value_or(TabPlace::left);
   }
 }
@@ -368,7 +371,9 @@ float Workspace::draw_enlarged_pixels(Frame& frame, ImVec2 at, ImVec2 room) {
 
 void Workspace::draw_right(Frame& frame, ImVec2 at, ImVec2 size) {
   Ui& ui = frame.ui;
-  // A region without panels leaves its room to the other.
+  // A region without panels, or that is not shown, leaves its room to the other.
+  if (!ui.view.window.right_low_open && has_panels(Region::right_top, ui.view.window))
+    return draw_region(frame, Region::right_top, at, size);
   for (const Region alone : {Region::right_top, Region::right_bottom})
     if (!has_panels(alone == Region::right_top ? Region::right_bottom : Region::right_top, ui.view.window))
       return draw_region(frame, alone, at, size);
