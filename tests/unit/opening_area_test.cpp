@@ -80,6 +80,20 @@ TEST(OpeningArea, TilesThatAreOnlyDrawnDoNotCount) {
   EXPECT_EQ(opening_area(level, State()).area, (Rect{0, 0, 240, 136}));
 }
 
+TEST(OpeningArea, NothingIsShownBesideWhatALevelUses) {
+  Level level = level_of(240, 136);
+  const State balls = state_of({body_at(16, 20)});
+  level.map.set({2, 1}, 1);
+  level.map.set({29, 16}, 1);
+  EXPECT_EQ(opening_area(level, balls).bounds, (Rect{16, 8, 224, 128}));
+  EXPECT_EQ(opening_area(level, State()).bounds, (Rect{16, 8, 224, 128}));
+  const Rect whole{0, 0, 1920, 1088};
+  EXPECT_EQ(opening_area(level, state_of({body_at(16, 20, BodyKind::player)})).bounds, whole)
+      << "the view goes with the player";
+  level.objects.emplace_back();
+  EXPECT_EQ(opening_area(level, balls).bounds, whole) << "pictures may lie there";
+}
+
 TEST(FollowedBody, IsTheChosenOneElseThePlayer) {
   const State state = state_of({body_at(0, 0), body_at(8, 8, BodyKind::player), body_at(16, 0)});
   EXPECT_EQ(followed_body(state, 0)->id, 2);
@@ -89,7 +103,7 @@ TEST(FollowedBody, IsTheChosenOneElseThePlayer) {
 
 float zoom_for(Rect area, bool may_be_cut) {
   Camera camera;
-  camera.show(area, may_be_cut, {10'000, 10'000}, kCanvas);
+  camera.show(area, may_be_cut, {0, 0, 10'000, 10'000}, kCanvas);
   return camera.zoom();
 }
 
@@ -103,15 +117,23 @@ TEST(CameraShow, TakesAWholeZoomThatIsClose) {
 
 TEST(CameraShow, ShowsNothingBesideTheMap) {
   Camera camera;
-  camera.show({0, 0, 200, 100}, false, {1000, 100}, kCanvas);
+  camera.show({0, 0, 200, 100}, false, {0, 0, 1000, 100}, kCanvas);
   const CanvasView view = camera.view({0, 0}, kCanvas, {});
   EXPECT_EQ(view.visible().x, 0) << "the map goes on to the right";
   EXPECT_NEAR(view.visible().center().y, 50, 0.5) << "a low map lies in the middle";
 }
 
+TEST(CameraShow, APartThatIsLowLiesInTheMiddle) {
+  Camera camera;
+  camera.show({100, 40, 200, 100}, false, {100, 40, 300, 60}, kCanvas);
+  const Rect seen = camera.view({0, 0}, kCanvas, {}).visible();
+  EXPECT_EQ(seen.x, 100) << "the part goes on to the right";
+  EXPECT_NEAR(seen.center().y, 70, 0.5);
+}
+
 TEST(CameraShow, ZoomingFromBetweenTwoStepsGoesToThem) {
   Camera camera;
-  const auto at_1_875 = [&] { camera.show({0, 0, 320, 100}, false, {10'000, 10'000}, kCanvas); };
+  const auto at_1_875 = [&] { camera.show({0, 0, 320, 100}, false, {0, 0, 10'000, 10'000}, kCanvas); };
   at_1_875();
   EXPECT_TRUE(camera.is_untouched());
   camera.zoom_at({0, 0}, 1);
@@ -124,7 +146,7 @@ TEST(CameraShow, ZoomingFromBetweenTwoStepsGoesToThem) {
 
 TEST(CameraShow, TheWorldViewGoesBackToAZoomBetweenSteps) {
   Camera camera;
-  camera.show({0, 0, 320, 100}, false, {10'000, 10'000}, kCanvas);
+  camera.show({0, 0, 320, 100}, false, {0, 0, 10'000, 10'000}, kCanvas);
   camera.toggle_whole({10'000, 10'000}, kCanvas);
   EXPECT_LT(camera.zoom(), 1);
   camera.toggle_whole({10'000, 10'000}, kCanvas);

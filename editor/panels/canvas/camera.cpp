@@ -131,7 +131,7 @@ void Camera::fit(Vec2 level, ImVec2 canvas) {
   untouched_ = true;
 }
 
-void Camera::show(const Rect& area, bool may_be_cut, Vec2 map, ImVec2 canvas) {
+void Camera::show(const Rect& area, bool may_be_cut, const Rect& bounds, ImVec2 canvas) {
   before_.reset();
   between_.reset();
   const ImVec2 room = fitted(canvas);
@@ -145,7 +145,7 @@ void Camera::show(const Rect& area, bool may_be_cut, Vec2 map, ImVec2 canvas) {
       between_ = static_cast<float>(exact);
   }
   centre(area.center(), canvas);
-  stay_on_map(map, canvas);
+  stay_on(bounds, canvas);
   untouched_ = true;
 }
 
@@ -164,9 +164,12 @@ void Camera::show_corner(float least, float most, Vec2 map, ImVec2 canvas) {
   untouched_ = true;
 }
 
-void Camera::stay_on_map(Vec2 map, ImVec2 canvas) {
-  offset_ = {kept_on_map(offset_.x, map.x * zoom(), canvas.x, share_before_),
-             kept_on_map(offset_.y, map.y * zoom(), canvas.y, share_before_)};
+void Camera::stay_on_map(Vec2 map, ImVec2 canvas) { stay_on({0, 0, map.x, map.y}, canvas); }
+
+void Camera::stay_on(const Rect& bounds, ImVec2 canvas) {
+  const double left = std::round(bounds.x * zoom()), top = std::round(bounds.y * zoom());
+  offset_ = {kept_on_map(offset_.x + left, bounds.w * zoom(), canvas.x, share_before_) - left,
+             kept_on_map(offset_.y + top, bounds.h * zoom(), canvas.y, share_before_) - top};
 }
 
 void Camera::toggle_whole(Vec2 map, ImVec2 canvas) {

@@ -51,8 +51,9 @@ class Camera {
   // Sets the largest zoom at which a level of this size, in px, fits, and centres it.
   void fit(Vec2 level, ImVec2 canvas);
   // Shows an area of the map, px of the level, as large as it fits. The zoom is a step if one is close: the
-  // lower one, or, if the area may be cut at its edges, the upper one. `map` is the map's size.
-  void show(const Rect& area, bool may_be_cut, Vec2 map, ImVec2 canvas);
+  // lower one, or, if the area may be cut at its edges, the upper one. Shows nothing beside `bounds`, px of
+  // the level; if they are smaller than the canvas they lie in its middle.
+  void show(const Rect& area, bool may_be_cut, const Rect& bounds, ImVec2 canvas);
   // Shows the map from its top left corner, at the largest step at which its width fits; but not below
   // `least` and else not above `most`, screen px per px of the level. Where the step from `least` on would
   // cut it, but a zoom between two steps does not, it has that. From now on a smaller map lies in the corner.
@@ -74,6 +75,7 @@ class Camera {
   CanvasView view(ImVec2 min, ImVec2 size, TileSize tile) const;
 
  private:
+  void stay_on(const Rect& bounds, ImVec2 canvas);
   struct Place {
     int step;
     std::optional<float> between;

@@ -221,10 +221,9 @@ void LevelCanvas::start_afresh(const Session& session, const Ui& ui, ImVec2 size
 void LevelCanvas::show_opening(const Session& session, const Ui& ui, ImVec2 size) {
   const TileMap& map = session.level().map;
   camera_ = Camera();
-  const Vec2 whole = size_in_pixels(map);
   if (!ui.view.canvas.opens_on_player) return camera_.fit(size_of_screen(map), size);
   const OpeningArea shown = opening_area(session.level(), session.state());
-  camera_.show(shown.area, shown.may_be_cut, whole, size);
+  camera_.show(shown.area, shown.may_be_cut, shown.bounds, size);
 }
 
 // Whether the requests of the view are for this canvas, of the two that may be shown.

@@ -14,6 +14,8 @@ namespace {
 constexpr double kLeastOfScreen = 0.8;  // of a screen's width and height, that are shown at least
 constexpr double kMostScreens = 2;      // that a view shows of what is spread out
 
+Rect whole_map(const TileMap& map) { return {0, 0, map.px_width(), map.px_height()}; }
+
 // An area of this size about a point, moved onto the map. At most as large as the map.
 Rect area_about(Vec2 centre, Vec2 size, const TileMap& map) {
   const Vec2 whole = size_in_pixels(map);
@@ -72,9 +74,30 @@ Rect area_of_ground(const Level& level) {
   const std::vector<LayerCells> layers = ground_layers(level);
   const auto first = first_screen_with_tiles(layers, map);
   if (!first) return area_about({}, size_of_screen(map), map);
-  if (is_spread({0, 0, map.px_width(), map.px_height()}, map)) return *first;
+  if (is_spread(whole_map(map), map)) return *first;
   return with_room(*tiles_within(layers, {0, 0, map.width(), map.height()}, map), map.tile_size().height,
                    map);
+}
+
+// A cart's map has more room than most carts use.
+Rect used_part(const Level& level, const State& state) {
+  const TileMap& map = level.map;
+  if (level.layers.count() != 1 || !level.objects.empty()) return whole_map(map);
+  auto used = tiles_within(ground_layers(level), {0, 0, map.width(), map.height()}, map);
+  for (const Body& body : state.bodies) used = used ? joined_rect(*used, body.box) : body.box;
+  return used.value_or(whole_map(map));
+}
+
+// What of a level without a body that the keys steer is shown first.
+OpeningArea area_without_player(const Level& level, const State& state) {
+  const TileMap& map = level.map;
+  const Rect used = used_part(level, state);
+  if (state.bodies.empty()) return {area_of_ground(level), false, used};
+  Rect bounds = state.bodies.front().box;
+  for (const Body& body : state.bodies) bounds = joined_rect(bounds, body.box);
+  if (is_spread(bounds, map))
+    return {area_about(state.bodies.front().box.center(), size_of_screen(map), map), true, used};
+  return {with_room(bounds, 2.0 * map.tile_size().height, map), false, used};
 }
 
 }  // namespace
@@ -94,13 +117,8 @@ const Body* followed_body(const State& state, int chosen) {
 OpeningArea opening_area(const Level& level, const State& state) {
   const TileMap& map = level.map;
   if (const Body* player = followed_body(state, 0))
-    return {area_about(player->box.center(), size_of_screen(map), map), true};
-  if (state.bodies.empty()) return {area_of_ground(level)};
-  Rect bounds = state.bodies.front().box;
-  for (const Body& body : state.bodies) bounds = joined_rect(bounds, body.box);
-  if (is_spread(bounds, map))
-    return {area_about(state.bodies.front().box.center(), size_of_screen(map), map), true};
-  return {with_room(bounds, 2.0 * map.tile_size().height, map)};
+    return {area_about(player->box.center(), size_of_screen(map), map), true, whole_map(map)};
+  return area_without_player(level, state);
 }
 
 }  // namespace talus

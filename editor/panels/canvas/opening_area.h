@@ -15,6 +15,9 @@ Vec2 size_of_screen(const TileMap& map);
 struct OpeningArea {
   Rect area;                // px of the level, on the map
   bool may_be_cut = false;  // whether whole pixels are worth more than its edges
+  // Beyond which nothing is shown if the canvas has room for it: the map, or, without a body that the keys
+  // steer, the part of a map of one layer that tiles and bodies take. px of the level.
+  Rect bounds;
 };
 
 // The body that the view goes with: the chosen one, else the first that the keys steer; null if there is
