@@ -44,6 +44,14 @@ class UiCursor : public UiTest {
   }
 };
 
+TEST_F(UiCursor, EnterWithAltIsAnotherKey) {
+  press_key(alt(kKeyEnter));
+  EXPECT_TRUE(app().ui().view.window.full_screen);
+  EXPECT_FALSE(app().ui().view.canvas.cursor.on());
+  press_key(alt(kKeyEnter));
+  EXPECT_FALSE(app().ui().view.window.full_screen);
+}
+
 TEST_F(UiCursor, EnterShowsItAndEscapeEndsIt) {
   key(kKeyF3);
   EXPECT_FALSE(hovered());

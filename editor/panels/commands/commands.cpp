@@ -10,11 +10,17 @@
 namespace talus {
 namespace {
 
-bool answers(const Command& command, KeyChord chord, const KeyBindings& bindings) {
-  const CommandKeys keys = command_keys(command, bindings);
-  return std::any_of(keys.begin(), keys.end(), [&](KeyChord key) {
-    return key && (key == chord || (command.any_modifiers && key.key == chord.key));
-  });
+// How much a chord is meant for a command; 0: not at all. The cursor's commands come first, and then those
+// that have just this chord: Alt+Enter is not Enter.
+int answer(const Command& command, KeyChord chord, const KeyBindings& bindings) {
+  const int of_cursor = command.scope == Scope::cursor ? 2 : 0;
+  int best = 0;
+  for (const KeyChord key : command_keys(command, bindings)) {
+    if (!key) continue;
+    if (key == chord) return of_cursor + 2;
+    if (command.any_modifiers && key.key == chord.key) best = of_cursor + 1;
+  }
+  return best;
 }
 
 }  // namespace
@@ -104,11 +110,13 @@ bool has_focus(const Command& command, const Session& session, const View& view)
 
 bool run_key(KeyChord chord, bool repeated, const Session& session, Actions& actions, Ui& ui) {
   const Command* found = nullptr;
+  int best = 0;
   for (const Command& command : commands()) {
-    const bool comes_first = found == nullptr || command.scope == Scope::cursor;
-    if (comes_first && command.scope != Scope::play && answers(command, chord, ui.view.preferences.keys) &&
-        has_focus(command, session, ui.view))
-      found = &command;
+    if (command.scope == Scope::play) continue;
+    const int its = answer(command, chord, ui.view.preferences.keys);
+    if (its <= best || !has_focus(command, session, ui.view)) continue;
+    found = &command;
+    best = its;
   }
   if (found == nullptr) return false;
   ui.view.canvas.cursor.work_by(chord.key);
