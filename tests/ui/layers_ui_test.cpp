@@ -114,6 +114,22 @@ TEST_F(UiLayers, MoveWithTheViewInPlayOnly) {
   EXPECT_EQ(color_at(lower("play")), 13);
 }
 
+TEST_F(UiLayers, EndWithTheMap) {
+  const Vec2 size{level().map.px_width(), level().map.px_height()};
+  const Vec2 beside{size.x + 4, 46};
+  TileLayer looks = layer(kFront);
+  looks.offset = {size.x - 80, 0};  // its tile lies beside the map now
+  set_looks(kFront, looks);
+  session().apply(action::ChooseLayer{0});
+  frames(2);
+  EXPECT_NE(color_at(on_canvas("map", beside)), 4);
+  EXPECT_NE(color_at(on_canvas("play", beside)), 4);
+  session().apply(action::ChooseLayer{kFront});
+  frames(2);
+  EXPECT_EQ(color_at(on_canvas("map", beside)), 4) << "the layer that is painted on is whole";
+  EXPECT_NE(color_at(on_canvas("play", beside)), 4);
+}
+
 TEST_F(UiLayers, AreDrawnFarAway) {
   const std::string file = path("large.talus.json");
   Level large = test_level();

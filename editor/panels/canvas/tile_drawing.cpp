@@ -76,14 +76,25 @@ ImU32 color_of_layer(const Level& level, int layer) {
   return layer_color(shown_looks(level.layers.groups, level.layers.list[static_cast<std::size_t>(layer)]));
 }
 
+// The middle of the view of a game, whose camera stays on the map. Layers with parallax cover the map then,
+// as they are made to.
+Vec2 camera_place(const TileMap& map, const CanvasView& view) {
+  const Rect seen = view.visible();
+  const auto along = [](double centre, double side, double whole) {
+    return side >= whole ? whole / 2 : std::clamp(centre, side / 2, whole - side / 2);
+  };
+  return {along(seen.center().x, seen.w, map.px_width()), along(seen.center().y, seen.h, map.px_height())};
+}
+
 // The view in which the map is where a layer is drawn; nothing if the layer is not drawn.
-std::optional<CanvasView> view_of(const LayerLooks& layer, const CanvasView& view, bool moves) {
+std::optional<CanvasView> view_of(const LayerLooks& layer, const TileMap& map, const CanvasView& view,
+                                  bool moves) {
   if (!layer.visible || layer.opacity <= 0) return std::nullopt;
-  const Rect visible = view.visible();
   Vec2 by = layer.offset;
   if (moves) {
-    by.x += visible.center().x * (1 - layer.parallax.x);
-    by.y += visible.center().y * (1 - layer.parallax.y);
+    const Vec2 camera = camera_place(map, view);
+    by.x += camera.x * (1 - layer.parallax.x);
+    by.y += camera.y * (1 - layer.parallax.y);
   }
   if (by == Vec2{}) return view;
   CanvasView there = view;  // whole px of the screen keep pixel art sharp
@@ -91,12 +102,35 @@ std::optional<CanvasView> view_of(const LayerLooks& layer, const CanvasView& vie
   return there;
 }
 
+// In play every layer ends where the map does. Else pictures and the layer that is painted on are whole.
+bool ends_with_map(const Level& level, bool has_tiles, int layer, bool is_play) {
+  return is_play || (has_tiles && layer != level.layers.chosen);
+}
+
+// Until it goes out of scope, and if it is on, nothing is drawn beside the map.
+class ClipToMap {
+ public:
+  ClipToMap(ImDrawList& list, const TileMap& map, const CanvasView& view, bool is_on)
+      : list_(is_on ? &list : nullptr) {
+    if (is_on)
+      list.PushClipRect(view.to_screen({0, 0}), view.to_screen({map.px_width(), map.px_height()}), true);
+  }
+  ClipToMap(const ClipToMap&) = delete;
+  ClipToMap& operator=(const ClipToMap&) = delete;
+  ~ClipToMap() {
+    if (list_ != nullptr) list_->PopClipRect();
+  }
+
+ private:
+  ImDrawList* list_;
+};
+
 // layer: index in Level::objects.
 void draw_others(ImDrawList& list, const Level& level, int layer, const CanvasView& view, const Ui& ui,
                  bool moves) {
   const ObjectLayer& others = level.objects[static_cast<std::size_t>(layer)];
   const LayerLooks looks = shown_looks(level.layers.groups, others);
-  if (const auto there = view_of(looks, view, moves))
+  if (const auto there = view_of(looks, level.map, view, moves))
     draw_pictures(list, others, *there, ui, layer_color(looks));
 }
 
@@ -202,12 +236,13 @@ void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, co
                        theme::color(level.palette[back_is_opaque ? plain.value_or(0) : 0]));
   const std::vector<int> tiles = tiles_at(level, looks.time);
   for (const auto& [has_tiles, layer] : layers_in_order(level)) {
+    const ClipToMap clip(list, level.map, view, ends_with_map(level, has_tiles, layer, looks.parallax));
     if (!has_tiles) {
       draw_others(list, level, layer, view, ui, looks.parallax);
       continue;
     }
     const TileLayer& look = level.layers.list[static_cast<std::size_t>(layer)];
-    const auto there = view_of(shown_looks(level.layers.groups, look), view, looks.parallax);
+    const auto there = view_of(shown_looks(level.layers.groups, look), level.map, view, looks.parallax);
     if (!there) continue;
     const bool at_back = layer == 0, is_opaque = at_back && back_is_opaque;
     const bool skip_tile_0 = is_opaque ? plain.has_value() : plain == 0;
@@ -230,13 +265,14 @@ void draw_far_tiles(ImDrawList& list, const Level& level, const CanvasView& view
     list.AddRectFilled(view.corner_of({cells.x0, cells.y0}), view.corner_of({cells.x1, cells.y1}),
                        theme::color(level.palette[0]));
   for (const auto& [has_tiles, layer] : layers_in_order(level)) {
+    const ClipToMap clip(list, level.map, view, ends_with_map(level, has_tiles, layer, parallax));
     if (!has_tiles) {
       draw_others(list, level, layer, view, ui, parallax);
       continue;
     }
     const LayerLooks its =
         shown_looks(level.layers.groups, level.layers.list[static_cast<std::size_t>(layer)]);
-    const auto there = view_of(its, view, parallax);
+    const auto there = view_of(its, level.map, view, parallax);
     if (!there) continue;
     const CellSpan span = visible_cells(level.map, *there);
     if (span.empty()) continue;

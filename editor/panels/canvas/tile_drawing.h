@@ -15,7 +15,7 @@ inline constexpr double kMsPerFrame = 1000.0 / 60;  // ms, that a frame of the s
 // How the tiles of a map are drawn.
 struct TileLooks {
   bool hide_balls = false;  // leaves out ball tiles, as in play
-  bool parallax = false;    // layers move with the view by their parallax, as in play
+  bool parallax = false;    // layers move with the view by their parallax and end with the map, as in play
   std::optional<double> time =
       {};  // ms since the start of animations, as in play; none: tiles show themselves
 };
