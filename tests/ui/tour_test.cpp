@@ -52,7 +52,10 @@ TEST_F(UiTour, GoesFromRunningToWhyAndBack) {
   EXPECT_EQ(step(), "why");
   ASSERT_NE(find("why/last_stop"), nullptr) << "the panel is shown";
   click("why/last_stop");
-  ASSERT_TRUE(frames_until([&] { return step() == "back"; }));
+  ASSERT_TRUE(frames_until([&] { return session().debugger().stop().has_value(); }));
+  EXPECT_EQ(step(), "why") << "it asks for a sentence, too";
+  click("why/stage0");
+  EXPECT_EQ(step(), "back");
   const std::string why = explain_step(session().frame_view(), session().choices().body);
   EXPECT_NE(why.find("stopped by the left side of the tile at (10, 21)"), std::string::npos) << why;
   key(shift(kKeyF10));
@@ -69,6 +72,25 @@ TEST_F(UiTour, WaitsForTheDeed) {
   skip_to("overlays");
   frames(60);
   EXPECT_EQ(step(), "overlays");
+}
+
+TEST_F(UiTour, ShowsTheSheetThatItAsksFor) {
+  begin();
+  click("layout/debug");
+  frames(2);
+  ASSERT_EQ(find("sheet/canvas"), nullptr);
+  skip_to("paint");
+  frames(2);
+  EXPECT_NE(find("sheet/canvas"), nullptr);
+}
+
+TEST_F(UiTour, ChoosingABodyIsAskedForAlsoIfOneIsChosen) {
+  begin();
+  session().apply(action::SelectBody{1});
+  skip_to("choose");
+  EXPECT_EQ(session().choices().body, 0);
+  frames(10);
+  EXPECT_EQ(step(), "choose");
 }
 
 TEST_F(UiTour, EveryStepPointsAtWhatIsThere) {

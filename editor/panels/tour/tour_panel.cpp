@@ -42,12 +42,12 @@ void draw_frame_around(const Widget& target, float width) {
 
 }  // namespace
 
-void TourPanel::draw(const Session& session, Actions&, Ui& ui) {
+void TourPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   TourView& tour = ui.view.tour;
   wait_for_level(session, ui.view);
   if (!tour.open || ui.view.window.welcome_open) return start_.reset();
   tour.step = std::clamp(tour.step, 0, count());
-  follow(session, ui);
+  follow(session, actions, ui);
   const bool is_over = tour.step == count();
   const Widget* target = is_over ? nullptr : ui.widgets.find(tour_steps()[tour.step].target(ui));
   if (target != nullptr) draw_frame_around(*target, ui.px(kFrame));
@@ -83,7 +83,7 @@ void TourPanel::wait_for_level(const Session& session, View& view) {
   tour.opens_after = -1;
 }
 
-void TourPanel::follow(const Session& session, Ui& ui) {
+void TourPanel::follow(const Session& session, Actions& actions, Ui& ui) {
   int& step = ui.view.tour.step;
   if (step == count()) return;
   if (std::exchange(level_number_, ui.view.canvas.level_number) != ui.view.canvas.level_number)
@@ -95,7 +95,7 @@ void TourPanel::follow(const Session& session, Ui& ui) {
   }
   if (start_) return;
   start_ = tour_start(session);
-  tour_steps()[step].show(ui);
+  tour_steps()[step].show(session, actions, ui);
 }
 
 void TourPanel::draw_note(Ui& ui) {

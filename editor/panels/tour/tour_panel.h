@@ -16,7 +16,7 @@ class TourPanel : public Panel {
 
  private:
   // Goes to the next step if this one is done.
-  void follow(const Session& session, Ui& ui);
+  void follow(const Session& session, Actions& actions, Ui& ui);
   void draw_note(Ui& ui);
   void draw_end(Ui& ui);
 

@@ -10,22 +10,31 @@ namespace talus {
 namespace {
 
 using S = const Session&;
+using A = Actions&;
 using Start = const TourStart&;
 
 constexpr double kFarEnough = 16;  // px that the player has run
 
-void show_play_view(Ui& ui) {
+void show_play_view(S, A, Ui& ui) {
   if (ui.view.canvas.mode != CanvasMode::play) ui.view.canvas.mode = CanvasMode::both;
   ui.view.canvas.follow_body = true;
 }
 
-// Where a click chooses a body, also after the step that paints.
-void take_up_hand(Ui& ui) {
-  show_play_view(ui);
+// Where a click chooses a body, also after the step that paints. None is chosen yet.
+void take_up_hand(S session, A actions, Ui& ui) {
+  show_play_view(session, actions, ui);
   ui.view.canvas.paint_in_play = false;
+  find_command("play/no_body"_command).run(session, actions, ui);
 }
 
-void show_nothing(Ui&) {}
+void show_sheet(S, A, Ui& ui) {
+  WindowView& window = ui.view.window;
+  window.alone = false;
+  window.left_open = true;
+  window.first = TabPlace::left;
+}
+
+void show_nothing(S, A, Ui&) {}
 
 std::function<std::string_view(const Ui&)> at(std::string_view widget) {
   return [widget](const Ui&) { return widget; };
@@ -53,10 +62,10 @@ bool has_chosen(S session, const Ui&, Start) {
   return session.state().find(session.choices().body) != nullptr;
 }
 
-// Why tells of the frame in which the player was stopped.
+// A stage is drawn of the frame in which the player was stopped.
 bool has_asked_why(S session, const Ui& ui, Start) {
   const auto& stop = session.debugger().stop();
-  return ui.view.debugger.stage >= 0 || (stop && stop->breakpoint == kStoppedBody);
+  return ui.view.debugger.stage >= 0 && stop && stop->breakpoint == kStoppedBody;
 }
 
 bool has_gone_back(S session, const Ui&, Start start) { return session.state().frame < start.last_frame; }
@@ -67,12 +76,14 @@ std::string_view last_stop_or_tab(const Ui& ui) {
   return ui.widgets.find(kLastStop) != nullptr ? kLastStop : "tabs/why";
 }
 
-std::string_view map_or_level(const Ui& ui) {
+// The sheet until a tile is taken up.
+std::string_view sheet_or_level(const Ui& ui) {
+  if (ui.view.canvas.has_hand()) return "sheet/canvas";
   constexpr std::string_view kMap = "map/canvas";
   return ui.widgets.find(kMap) != nullptr ? kMap : "play/canvas";
 }
 
-void show_why(Ui& ui) {
+void show_why(S, A, Ui& ui) {
   ui.view.debugger.stage = -1;
   ui.ask(request::ShowTab(panel_id::kWhy));
 }
@@ -100,11 +111,11 @@ std::vector<TourStep> all_steps() {
          return std::string(
              "Click a tile on the sheet at the left, and paint with it on the map. Undo takes it back.");
        },
-       show_nothing, map_or_level, has_edited},
+       show_sheet, sheet_or_level, has_edited},
       {"overlays", "See the physics",
        [](const Ui&) {
          return std::string(
-             "The eye has overlays that answer a question together. Choose what the article draws.");
+             "The eye has overlays that answer a question together. Choose \"What the article draws\".");
        },
        show_play_view, at("overlay/presets"), has_switched},
       {"choose", "Choose a body",
@@ -113,8 +124,8 @@ std::vector<TourStep> all_steps() {
       {"why", "Ask why",
        [](const Ui&) {
          return std::string(
-             "Last stop goes back to the frame in which the player was stopped, and Why says what did it. "
-             "Click a sentence below: the play view draws that stage of the step.");
+             "\"Last stop\" goes back to the frame in which the player was stopped, and Why says what did "
+             "it. Then click a sentence below: the play view draws that stage of the step.");
        },
        show_why, last_stop_or_tab, has_asked_why},
       {"back", "Go back in time",

@@ -29,7 +29,7 @@ struct TourStep {
   // What to do, with the keys that the user has chosen for it.
   std::function<std::string(const Ui&)> text;
   // Brings what it points at into sight, when the step begins.
-  std::function<void(Ui&)> show;
+  std::function<void(const Session&, Actions&, Ui&)> show;
   // The widget that it points at now.
   std::function<std::string_view(const Ui&)> target;
   std::function<bool(const Session&, const Ui&, const TourStart&)> is_done;
