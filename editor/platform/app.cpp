@@ -479,7 +479,7 @@ bool App::capture_key(KeyChord chord, bool repeated) {
 
 void App::open_wanted_program() {
   const ProgramCommands& commands = ui_.view.preferences.programs;
-  game_start_.follow(*session_, commands, copies_);
+  game_start_.follow(*session_, commands);
   const auto wanted = ui_.view.requests.take<request::OpenProgram>();
   if (!wanted || (wanted->program == ProgramId::love && game_start_.begin(*session_, commands))) return;
   open_in_program(*session_, wanted->program, commands, copies_);

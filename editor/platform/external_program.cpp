@@ -12,7 +12,6 @@
 #include <system_error>
 
 #include "export/export_plan.h"
-#include "game_start.h"
 
 namespace talus {
 namespace {
@@ -93,14 +92,6 @@ std::string whole_path_of(const std::string& path) {
   std::error_code error;
   const fs::path whole = fs::absolute(path, error);
   return error ? path : whole.string();
-}
-
-// The folder that the level's game is exported to, if the user has allowed that; empty if there is none.
-std::string game_folder(const Session& session) {
-  const auto preset = game_preset(session.level());
-  if (!preset || !session.allows_export(*preset)) return "";
-  const auto output = output_of(session.level().exports[*preset], session.path());
-  return output ? whole_path_of(*output) : "";
 }
 
 void tell_of_command(Session& session, ProgramId program, const std::string& error) {
@@ -195,13 +186,12 @@ void open_in_program(Session& session, ProgramId program, const ProgramCommands&
   const ProgramInfo& info = program_infos()[static_cast<std::size_t>(program)];
   const auto file = file_for(session, info, copies);
   if (!file) return;
-  const std::string folder = program == ProgramId::love ? game_folder(session) : "";
-  start_program(session, program, commands, {whole_path_of(file->path), folder, file->note});
+  start_program(session, program, commands, {whole_path_of(file->path), "", file->note});
 }
 
 void run_game(Session& session, const ProgramCommands& commands, const std::string& folder) {
-  const std::string file = (fs::path(folder) / "main.lua").string();
-  start_program(session, ProgramId::love, commands, {file, folder, ""});
+  const std::string whole = whole_path_of(folder);
+  start_program(session, ProgramId::love, commands, {(fs::path(whole) / "main.lua").string(), whole, ""});
 }
 
 }  // namespace talus

@@ -30,12 +30,11 @@ bool can_open(Session& session, ProgramId program, const ProgramCommands& comman
 
 // Opens the level in the program, with absolute paths, which no program takes for options. It saves the level
 // to its own file if the program reads that format; if not, it writes a copy, which `copies` keeps up to
-// date. LÖVE gets the folder of the level's exported game or, without one, the folder of the level's file. A
-// message says what was done, or what went wrong.
+// date. LÖVE gets the folder of the level's file. A message says what was done, or what went wrong.
 void open_in_program(Session& session, ProgramId program, const ProgramCommands& commands,
                      OpenCopies& copies);
 
-// Runs the game in a folder, which is absolute, in LÖVE. A message says what was done, or what went wrong.
+// Runs the game in a folder in LÖVE. A message says what was done, or what went wrong.
 void run_game(Session& session, const ProgramCommands& commands, const std::string& folder);
 
 }  // namespace talus

@@ -31,17 +31,16 @@ bool GameStart::begin(Session& session, const ProgramCommands& commands) {
   const auto preset = game_preset(session.level());
   if (!preset && has_game_beside(session)) return false;
   if (!can_open(session, ProgramId::love, commands)) return true;
-  if (preset && (session.modified() || session.path().empty())) session.apply(action::SaveFile{});
+  if (preset && session.path().empty()) session.apply(action::SaveFile{});  // the preset's path begins there
   own_folder_ = preset ? "" : (std::filesystem::path(state_folder()) / "game").string();
   waiting_ = preset ? session.level().exports[*preset] : preset_of_game(own_folder_);
   is_exporting_ = false;
   return true;
 }
 
-void GameStart::follow(Session& session, const ProgramCommands& commands, OpenCopies& copies) {
+void GameStart::follow(Session& session, const ProgramCommands& commands) {
   if (!waiting_ || session.exporting().is_busy() || session.question() || session.wants_save_as()) return;
-  const bool is_stored = !session.modified() && !session.path().empty();
-  if (own_folder_.empty() && !is_exporting_ && !is_stored) return waiting_.reset();
+  if (own_folder_.empty() && session.path().empty()) return waiting_.reset();
   const auto preset = game_preset(session.level());
   const bool is_there =
       own_folder_.empty() ? preset && session.level().exports[*preset] == *waiting_ : !preset;
@@ -52,15 +51,11 @@ void GameStart::follow(Session& session, const ProgramCommands& commands, OpenCo
                                              : Action(action::ExportGame{own_folder_}));
   }
   const auto& run = session.exporting().last_run();
-  const bool is_written = std::any_of(run.begin(), run.end(), [&](const ExportOutcome& outcome) {
+  const auto written = std::find_if(run.begin(), run.end(), [&](const ExportOutcome& outcome) {
     return outcome.written && outcome.task.preset == *waiting_;
   });
   waiting_.reset();
-  if (!is_written) return;
-  if (own_folder_.empty())
-    open_in_program(session, ProgramId::love, commands, copies);
-  else
-    run_game(session, commands, own_folder_);
+  if (written != run.end()) run_game(session, commands, written->output);
 }
 
 }  // namespace talus

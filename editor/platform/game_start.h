@@ -5,7 +5,6 @@
 #include <string>
 
 #include <talus/level/exports.h>
-#include "open_copies.h"
 #include "session/session.h"
 
 namespace talus {
@@ -15,13 +14,13 @@ std::optional<std::size_t> game_preset(const Level& level);
 
 class GameStart {
  public:
-  // Exports the level's game, which follow() starts: by its preset, for which the level is saved first, or
-  // else into a folder of Talus's own state. Returns false if the level has no such preset, but a game is in
-  // the folder of its file.
+  // Exports the level's game as it is now, saved or not, and follow() starts it. By its preset, which asks
+  // for a file if the level has none, or else into a folder of Talus's own state. Returns false if the level
+  // has no such preset, but a game is in the folder of its file.
   bool begin(Session& session, const ProgramCommands& commands);
   // Call it after each frame's actions: starts the game once it is written. If the export fails, the session
   // has said why, and the wait ends.
-  void follow(Session& session, const ProgramCommands& commands, OpenCopies& copies);
+  void follow(Session& session, const ProgramCommands& commands);
 
  private:
   std::optional<ExportPreset> waiting_;  // the preset whose export it waits for

@@ -53,6 +53,17 @@ TEST_F(UiRunGame, ThePresetIsExportedAndRun) {
   ASSERT_TRUE(frames_until([&] { return std::filesystem::exists(told); }));
   EXPECT_EQ(bytes_of(told), path("my game"));
   EXPECT_TRUE(std::filesystem::exists(path("my game/main.lua")));
+
+  const std::string saved = bytes_of(session().path());
+  std::filesystem::remove(told);
+  click(on_sheet(1));
+  click(on_map({12, 9}));
+  const std::string game = bytes_of(path("my game/level.lua"));
+  key(ctrl_shift('l'));
+  ASSERT_TRUE(frames_until([&] { return std::filesystem::exists(told); }));
+  EXPECT_NE(bytes_of(path("my game/level.lua")), game) << "the edit is in the game";
+  EXPECT_EQ(bytes_of(session().path()), saved) << "the level is not saved for it";
+  EXPECT_TRUE(session().modified());
 }
 
 TEST_F(UiRunGame, ALevelWithoutAFileIsSavedFirst) {
