@@ -40,8 +40,8 @@ Rgb color_on_map(const Level& level, TileNumber tile, int x, int y) {
   return {mixed(over[0], under.r), mixed(over[1], under.g), mixed(over[2], under.b)};
 }
 
-bool is_blank(const Level& level, TileNumber tile) {
-  const Sheet& sheet = level.sheet(SheetId::tiles);
+bool is_blank(const Level& level, TileNumber tile, SheetId id) {
+  const Sheet& sheet = level.sheet(id);
   if (sheet.picture != nullptr) return is_clear(*sheet.picture, sheet.layout(), tile, level.map.tile_size());
   const TileImage& image = sheet.images[tile];
   return std::all_of(image.begin(), image.end(), [](std::uint8_t color) { return color == 0; });

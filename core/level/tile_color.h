@@ -19,8 +19,8 @@ std::uint8_t main_color(std::span<const std::uint8_t> pixels);
 
 // Whether a picture of tiles of that size shows nothing of a tile.
 bool is_clear(const SheetPicture& picture, const SheetLayout& layout, TileNumber tile, TileSize size);
-// Whether nothing is seen of a tile of the level: in true colour, if its sheet has it.
-bool is_blank(const Level& level, TileNumber tile);
+// Whether nothing is seen of a tile of the level, or of a sprite: in true colour, if its sheet has it.
+bool is_blank(const Level& level, TileNumber tile, SheetId sheet = SheetId::tiles);
 // Which pixels of a tile's image of 8x8 are drawn, row by row, from the lowest bit: those that are at least
 // half opaque in true colour, if its sheet has it, else those that are not colour 0.
 std::uint64_t drawn_pixels(const Level& level, TileNumber tile);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "level/tile_color.h"
+
 namespace talus {
 namespace {
 
@@ -23,6 +25,13 @@ Spawn with_size(Spawn spawn, Vec2 size) {
   spawn.position.y += spawn.size.y - size.y;
   spawn.size = size;
   return spawn;
+}
+
+bool shows_nothing(const Level& level, const SpriteArea& area) {
+  for (int y = 0; y < area.tiles.h; ++y)
+    for (int x = 0; x < area.tiles.w; ++x)
+      if (!is_blank(level, static_cast<TileNumber>(area.tile_at(level, x, y)), area.sheet)) return false;
+  return true;
 }
 
 tl::expected<BodyPicture, std::string> with_frames(const Level& level, const Spawn& spawn, BodyAct act,

@@ -14,6 +14,9 @@ namespace talus {
 // stands.
 Spawn with_size(Spawn spawn, Vec2 size);
 
+// Whether all of these images are blank: a body with them could not be seen.
+bool shows_nothing(const Level& level, const SpriteArea& area);
+
 // The picture of a body whose act has these images of a sheet, cut into frames from the left to the right.
 // The first act that gets frames says how large a frame is, and on which sheet all are: as high as the
 // images, and as wide as the body if that is as high, else as wide as high. An error, one sentence, if the

@@ -13,6 +13,16 @@ class UiSpawn : public UiTest {
     click("map/body");
   }
   // Places the first body of the level.
+  // A level whose second row of tiles and sprites is drawn.
+  void start_drawn() {
+    Level drawn = test_level();
+    for (Sheet& sheet : drawn.sheets)
+      for (std::size_t image = 16; image < 32; ++image) sheet.images[image].fill(5);
+    ASSERT_TRUE(save_level(drawn, *find_format("native"), path("drawn.talus.json")));
+    start(path("drawn.talus.json"));
+    key(kKeyF3);
+    click("map/body");
+  }
   void place_first(const char* kind = "player") {
     click(on_canvas("map", {100, 60}));
     frames(2);
@@ -182,6 +192,7 @@ TEST_F(UiSpawn, SizeIsTypedOverWhereTheBodyStands) {
 
 // Of tiles that are chosen on the sheet.
 TEST_F(UiSpawn, AnActGetsThePictureOfTheChosenTiles) {
+  start_drawn();
   place_first();
   session().apply(action::SelectTiles{{SheetId::tiles, {2, 1, 3, 1}}});
   frames(2);
@@ -203,7 +214,21 @@ TEST_F(UiSpawn, AnActGetsThePictureOfTheChosenTiles) {
   EXPECT_EQ(spawn().picture[BodyAct::run].count, 3);
 }
 
+TEST_F(UiSpawn, NoActGetsAPictureOfBlankTiles) {
+  place_first();
+  for (const SheetId sheet : {SheetId::tiles, SheetId::sprites}) {
+    session().apply(action::SelectTiles{{sheet, {2, 1, 3, 1}}});
+    frames(2);
+    click("inspector/picture_run");
+    frames(2);
+    EXPECT_TRUE(spawn().picture.empty()) << "the body could not be seen";
+    ASSERT_TRUE(session().message());
+    EXPECT_NE(session().message()->text.find("are blank: choose those of the body"), std::string::npos);
+  }
+}
+
 TEST_F(UiSpawn, AnActGetsThePictureOfTheChosenSprites) {
+  start_drawn();
   place_first();
   session().apply(action::SelectTiles{{SheetId::sprites, {2, 1, 3, 1}}});
   frames(2);

@@ -88,7 +88,10 @@ void BodyPictureFields::draw_act(BodyAct act, const Session& session, int index,
                      "Shows the chosen " + images + " of the sheet " + std::string(help) +
                          ": frames side by side, as high as these " + images + ".")) {
     const auto taken = with_frames(session.level(), spawn_of(session, index), act, area);
-    if (taken)
+    if (shows_nothing(session.level(), area))
+      actions.push_back(action::ShowMessage{
+          "The chosen " + images + " are blank: choose those of the body on the sheet first.", true});
+    else if (taken)
       change_picture(session, index, *taken, 0, actions);
     else
       actions.push_back(action::ShowMessage{taken.error(), true});
