@@ -36,14 +36,32 @@ class UiPlayer : public UiTest {
 
 TEST_F(UiPlayer, KeysOfAPausedPlayerSayHowToPlay) {
   click(on_canvas("play", {84, 20}));
-  EXPECT_EQ(find("play/paused"), nullptr);
+  EXPECT_EQ(find("play/body_note"), nullptr);
   hold(kKeyRight);
   frames(2);
-  EXPECT_NE(find("play/paused"), nullptr);
+  EXPECT_NE(find("play/body_note"), nullptr);
   key(kKeyF5);
   frames(2);
-  EXPECT_EQ(find("play/paused"), nullptr);
+  EXPECT_EQ(find("play/body_note"), nullptr);
   let_go(kKeyRight);
+}
+
+TEST_F(UiPlayer, OneThatLeavesTheMapIsNotLostWithoutAWord) {
+  Level level = session().level();
+  level.map = TileMap(30, 17);  // without ground
+  ASSERT_TRUE(save_level(level, *find_format("native"), path("fall.talus.json")));
+  start(path("fall.talus.json"));
+  key(kKeyF5);
+  frames(3);
+  EXPECT_EQ(find("play/body_note"), nullptr);
+  frames(200);
+  ASSERT_GT(player().box.y, level.map.px_height());
+  const Widget *note = find("play/body_note"), *canvas = find("play/canvas");
+  ASSERT_NE(note, nullptr);
+  EXPECT_TRUE(note->min.y >= canvas->min.y && note->max.y <= canvas->max.y) << "it is in sight";
+  key(ctrl('r'));
+  frames(3);
+  EXPECT_EQ(find("play/body_note"), nullptr);
 }
 
 TEST_F(UiPlayer, ArrowsRunAndJumpWhileItPlays) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "body_drawing.h"
+#include "body_note.h"
 #include "canvas_layers.h"
 #include "case_note.h"
 #include "fix_preview.h"
@@ -162,7 +163,10 @@ void LevelCanvas::draw(const Session& session, Actions& actions, Ui& ui, ImVec2 
   if (paints && session.choices().selection) draw_selection(list, *session.choices().selection, view, ui);
   if (paints && !camera_hand_.is_moving() && !camera_.shows_whole() && !sheet_overlay_.has_mouse())
     hand_.draw(list, use(session, view, ui));
-  if (is_play() && !session.playback().running) draw_paused(session, view, ui);
+  if (is_play()) {
+    if (holding_ && !session.playback().running) draw_pull(session, view, ui);
+    draw_note_on_body(session, view, ui);
+  }
   draw_captions(session, view, ui);
   sheet_overlay_.draw(list, session, view, ui);
   if (has_minimap(ui)) minimap_.draw(list, session.level(), view, ui, name_ + "/overview");
@@ -466,17 +470,12 @@ void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, co
   if (shows_input_roll(ui.view) || another_holds) draw_mouse_mark(list, session, view, ui);
 }
 
-// A held ball moves only with the steps, and so does a player whose keys are pressed: without steps, a plate
-// above it says which keys play.
-void LevelCanvas::draw_paused(const Session& session, const CanvasView& view, Ui& ui) const {
-  const Input& keys = session.playback().input;
-  if (holding_) draw_pull(session, view, ui);
-  if (!holding_ && !keys.left && !keys.right && !keys.jump) return;
+// A plate above the body that the user looks at, or where it went out of sight.
+void LevelCanvas::draw_note_on_body(const Session& session, const CanvasView& view, Ui& ui) const {
   const Body* const held = session.state().find(session.state().grabbed);
   const Body* const body = held != nullptr ? held : followed_body(session.state(), session.choices().body);
-  if (body == nullptr) return;
-  const std::string text = "Paused: " + keys_of("play/toggle"_command, ui) + " plays, " +
-                           keys_of("play/step"_command, ui) + " steps";
+  const std::string text = body != nullptr ? body_note(*body, holding_, session, ui) : "";
+  if (text.empty()) return;
   const ImVec2 top = view.to_screen({body->box.center().x, body->box.y});
   const float gap = ui.px(4);
   const ImVec2 size = size_of_plate(text, ui);
@@ -485,7 +484,7 @@ void LevelCanvas::draw_paused(const Session& session, const CanvasView& view, Ui
                   within(top.y - size.y - 3 * gap, captions_box(session, view, ui).max.y + gap,
                          view.max.y - size.y - gap)};
   draw_plate(*ImGui::GetWindowDrawList(), at, text, theme::color(theme::kText), ui);
-  ui.place(name_ + "/paused", at, {at.x + size.x, at.y + size.y});
+  ui.place(name_ + "/body_note", at, {at.x + size.x, at.y + size.y});
 }
 
 // A line to where a held ball is pulled.

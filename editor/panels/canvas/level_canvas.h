@@ -62,7 +62,7 @@ class LevelCanvas {
   void draw_layers(const Session& session, const CanvasView& view, const Ui& ui);
   void draw_ground(const Session& session, const LevelAtFrame* then, int place, const CanvasView& view,
                    const Ui& ui) const;
-  void draw_paused(const Session& session, const CanvasView& view, Ui& ui) const;
+  void draw_note_on_body(const Session& session, const CanvasView& view, Ui& ui) const;
   void draw_pull(const Session& session, const CanvasView& view, const Ui& ui) const;
   struct Caption {
     std::string text;
