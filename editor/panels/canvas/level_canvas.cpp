@@ -312,12 +312,13 @@ bool LevelCanvas::pick_cell(const Session& session, Ui& ui, Cell cell, bool hove
   return true;
 }
 
-// Only as the body moves on: in a pause the user may zoom in elsewhere.
+// Only as the body moves on: in a pause the user may zoom in elsewhere, and choose or place another body.
 void LevelCanvas::follow_body(const Session& session, const Ui& ui) {
   const Body* body = followed_body(session.state(), session.choices().body);
   if (!is_play() || !ui.view.canvas.follow_body || body == nullptr) return followed_.reset();
   const std::pair now(session.state().frame, body->id);
-  if (holding_ || followed_ == now) return;
+  const bool is_paused_at = followed_ && followed_->first == now.first && !session.playback().running;
+  if (holding_ || is_paused_at || followed_ == now) return;
   followed_ = now;
   camera_.follow(body->box.center(), size_in_pixels(session.level().map), size_);
 }
