@@ -95,6 +95,17 @@ TEST_F(UiExport, TwoClicksExportAndAskNothing) {
   EXPECT_TRUE(level().exports.empty());
 }
 
+TEST_F(UiExport, TheWindowOffersATargetInAClick) {
+  start();
+  open_window();
+  click("export/first/tmj");
+  settle();
+  ASSERT_EQ(level().exports.size(), 1u);
+  EXPECT_EQ(preset(0).exporter, "tmj");
+  EXPECT_TRUE(std::filesystem::exists(path(preset(0).path)));
+  EXPECT_NE(find("export/export"), nullptr) << "it can be exported again";
+}
+
 TEST_F(UiExport, ALevelWithoutAFileIsSavedFirst) {
   start("");
   const auto export_as_map = [this] {

@@ -9,6 +9,7 @@
 #include "edit/export_presets.h"
 #include "export/lua_parts.h"
 #include "export/preset_clash.h"
+#include "export_as.h"
 #include "export_preview.h"
 #include "panels/commands/commands.h"
 #include "panels/ui/dialog.h"
@@ -143,13 +144,10 @@ void ExportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     ImGui::EndChild();
     ImGui::SameLine(0, ui.px(12));
     ImGui::BeginChild("preset", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
-    if (count > 0) {
+    if (count > 0)
       draw_preset(session, actions, ui);
-    } else {
-      ui.hint(
-          "A preset says what is written for your game, and where. It is kept with the level, and "
-          "`talus export FILE --all` in a build script writes the same.\n\nAdd one to begin.");
-    }
+    else
+      draw_first_targets(session, actions, ui);
     ImGui::EndChild();
     ui.place("export/window", ImGui::GetWindowPos(),
              {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
@@ -160,6 +158,22 @@ void ExportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const ExportTask task = session.export_task(view.preset);
   if (!session.exporting().previews(session.revision(), task) && session.exporting().takes_preview(task))
     actions.push_back(action::PreviewExport{view.preset});
+}
+
+// All that a level without presets needs is a click.
+void ExportPanel::draw_first_targets(const Session& session, Actions& actions, Ui& ui) {
+  ui.heading("Export for");
+  ui.hint(
+      "A click writes it into the folder of the level, and keeps that as a preset, which Export writes "
+      "again, "
+      "and `talus export FILE --all` in a build script.");
+  ImGui::Spacing();
+  ImGui::BeginChild("targets", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
+  for (const Exporter& exporter : exporters()) {
+    if (selectable(exporter_title(exporter), exporter.id, false)) export_as(exporter, session, actions);
+    ui.item("export/first/" + std::string(exporter.id), exporter.purpose);
+  }
+  ImGui::EndChild();
 }
 
 void ExportPanel::draw_presets(const Session& session, Actions& actions, Ui& ui) {

@@ -12,6 +12,7 @@ class ExportPanel : public Panel {
   void draw(const Session& session, Actions& actions, Ui& ui) override;
 
  private:
+  static void draw_first_targets(const Session& session, Actions& actions, Ui& ui);
   void draw_presets(const Session& session, Actions& actions, Ui& ui);
   void draw_preset_buttons(const Session& session, Actions& actions, Ui& ui);
   void draw_preset(const Session& session, Actions& actions, Ui& ui);

@@ -7,10 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "edit/export_presets.h"
-#include "export/preset_clash.h"
 #include "panel_list.h"
 #include "panels/commands/commands.h"
+#include "panels/files/export_as.h"
 #include "panels/files/picture_in_list.h"
 #include "panels/layout_presets.h"
 #include "panels/ui/shown_text.h"
@@ -26,23 +25,8 @@ std::string keys_from_here(const Command& command, const Session& session, const
   return keys_of(focus_command(command.scope), ui) + " then " + key;
 }
 
-void export_as(const Exporter& exporter, const Session& session, Actions& actions) {
-  const std::vector<ExportPreset>& presets = session.level().exports;
-  const auto known = find_export(session.level(), exporter.id);
-  if (!known) {
-    if (presets.size() >= kMaxExports)
-      return actions.push_back(action::ShowMessage{
-          "The level has as many presets of exports as it can have: delete one in the window of exports.",
-          true});
-    const ExportPreset preset = with_target({}, exporter, presets, session.file_name(), session.path());
-    actions.push_back(action::EditLevel{add_export(session.level(), preset)});
-    actions.push_back(action::SetExportPath{presets.size(), preset.path});
-  }
-  actions.push_back(action::RunExports{known.value_or(presets.size())});
-}
-
 void draw_command(const Command& command, const Session& session, Actions& actions, Ui& ui) {
-  const std::string keys = "    " + keys_from_here(command, session, ui);  // apart from labels
+  const std::string keys = keys_from_here(command, session, ui);
   const bool enabled = command.is_enabled(session, ui);
   if (menu_item(command.label, {}, keys, command.is_checked(session, ui), enabled))
     command.run(session, actions, ui);
@@ -174,7 +158,8 @@ void MenuPanel::draw_end_of_section(const std::string& menu, int section, const 
 
 void MenuPanel::draw_title(const Session& session, Actions& actions, Ui& ui) {
   const std::string title = session.file_names() + (session.modified() ? " *" : "");
-  const std::string solver = std::string(solver_name(session.level().tuning.solver)) + "   60 Hz";
+  const std::string solver =
+      "solver: " + std::string(solver_name(session.level().tuning.solver)) + "   60 Hz";
   const float solver_at = ImGui::GetWindowWidth() - size_of_text(solver).x - ui.px(8);
   const float layouts_at = solver_at - width_of_layouts(ui) - ui.px(16);
   ImGui::SameLine(ui.px(370));
