@@ -43,6 +43,9 @@ TEST_F(UiProblems, ABrokenLevelIsRepairedFromThePanelAlone) {
   click("problems/fix" + row_of("spawn-in-solid"));
   EXPECT_EQ(level().spawns[0].position, (Vec2{204, 96}));  // on top of the wall
   EXPECT_EQ(last_edit(), "Move body \"hero\" up by 12 px to 204, 96 px");
+  EXPECT_EQ(app().ui().view.canvas.marked_cell, std::nullopt) << "there is no problem any more";
+  ASSERT_TRUE(session().message());
+  EXPECT_EQ(session().message()->text, last_edit() + ": done. Ctrl+Z takes it back.");
   frames(4);
 
   click("problems/fix" + row_of("flags-conflict"));

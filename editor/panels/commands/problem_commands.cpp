@@ -57,7 +57,7 @@ std::vector<Command> problem_commands() {
        .help = "Does what the problem's Fix button says.",
        .key = alt(kKeyF8),
        .menu = menus::kEditProblems,
-       .run = [](S session, A actions, U ui) { fix_problem(*chosen_problem(ui), session, actions); },
+       .run = [](S session, A actions, U ui) { fix_problem(*chosen_problem(ui), 0, session, actions, ui); },
        .enabled = has_chosen},
       {.id = "problems/fix_kind",
        .label = "Fix all of this kind",

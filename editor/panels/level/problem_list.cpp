@@ -10,6 +10,7 @@
 #include "level/level_text.h"
 #include "level/lint/fixes.h"
 #include "panels/canvas/opening_area.h"
+#include "panels/commands/commands.h"
 #include "proof_rows.h"
 
 namespace talus {
@@ -126,11 +127,16 @@ void go_to_next_problem(int direction, const Session& session, Actions& actions,
   go_to_problem(rows[static_cast<std::size_t>((row % count + count) % count)], session, actions, ui);
 }
 
-void fix_problem(const Problem& problem, const Session& session, Actions& actions) {
-  const std::vector<Edit> fixes =
+void fix_problem(const Problem& problem, std::size_t choice, const Session& session, Actions& actions,
+                 Ui& ui) {
+  std::vector<Edit> fixes =
       fixes_for(session.level(), session.linted_level(), session.lint_options(), problem);
-  if (!fixes.empty()) {
-    actions.push_back(action::EditLevel{fixes.front()});
+  if (choice < fixes.size()) {
+    const std::string done =
+        fixes[choice].label + ": done. " + keys_of("edit/undo"_command, ui) + " takes it back.";
+    actions.push_back(action::EditLevel{std::move(fixes[choice])});
+    actions.push_back(action::ShowMessage{done});
+    ui.view.canvas.marked_cell.reset();
   } else {
     actions.push_back(action::ShowMessage{"There is no safe fix here: nothing was changed. " +
                                           std::string(problem.rule->by_hand)});

@@ -35,9 +35,10 @@ void go_to_next_problem(int direction, const Session& session, Actions& actions,
 // The chosen problem, if it still exists.
 const Problem* chosen_problem(const Ui& ui);
 
-// Applies the first fix of a problem, or of all listed problems of its kind. A message says what was done, to
-// how many, and what cannot be fixed.
-void fix_problem(const Problem& problem, const Session& session, Actions& actions);
+// Applies a fix of a problem, by its index in fixes_for(), or the first one of all listed problems of its
+// kind. A message says what was done, to how many, and what cannot be fixed.
+void fix_problem(const Problem& problem, std::size_t choice, const Session& session, Actions& actions,
+                 Ui& ui);
 void fix_all_problems(const LintRule& rule, const Session& session, Actions& actions, const Ui& ui);
 
 }  // namespace talus

@@ -171,7 +171,7 @@ void ProblemsPanel::draw_fix_near(Cell cell, std::size_t row, const Session& ses
     if (!is_near) continue;
     const Remedy& remedy = remedy_of(problem, session);
     if (remedy.fixes.empty()) continue;
-    if (ImGui::SmallButton("Fix")) fix_problem(problem, session, actions);
+    if (ImGui::SmallButton("Fix")) fix_problem(problem, 0, session, actions, ui);
     preview(problem, 0, session, ui);
     ui.item("proof/fix" + std::to_string(row), remedy.fixes.front() + ".");
     return;
@@ -211,7 +211,7 @@ void ProblemsPanel::draw_row(std::size_t index, const Session& session, Actions&
     draw_menu(problem, remedy, session, actions, ui);
     ImGui::TableSetColumnIndex(2);
     if (!remedy.fixes.empty()) {
-      if (ImGui::SmallButton("Fix")) fix_problem(problem, session, actions);
+      if (ImGui::SmallButton("Fix")) fix_problem(problem, 0, session, actions, ui);
       preview(problem, 0, session, ui);
       ui.item("problems/fix" + row, remedy.fixes.front() + ".",
               is_chosen ? keys_of("problems/fix"_command, ui) : "");
@@ -225,11 +225,7 @@ void ProblemsPanel::draw_menu(const Problem& problem, const Remedy& remedy, cons
                               Actions& actions, Ui& ui) {
   if (!ImGui::BeginPopupContextItem("fixes")) return;
   for (std::size_t i = 0; i < remedy.fixes.size(); ++i) {
-    if (menu_item(remedy.fixes[i], std::to_string(i))) {
-      std::vector<Edit> fixes =
-          fixes_for(session.level(), session.linted_level(), session.lint_options(), problem);
-      if (i < fixes.size()) actions.push_back(action::EditLevel{std::move(fixes[i])});
-    }
+    if (menu_item(remedy.fixes[i], std::to_string(i))) fix_problem(problem, i, session, actions, ui);
     preview(problem, i, session, ui);
     ui.item("problems/choice" + std::to_string(i));
   }
