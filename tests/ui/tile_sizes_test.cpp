@@ -1,6 +1,7 @@
 // Levels whose tiles are not 8x8 px, in the window: what is pointed at, painted, drawn, placed and searched.
 #include "harness.h"
 #include "level/single_change.h"
+#include "level/tile_color.h"
 #include "overlay/overlay.h"
 #include "panels/window/status_panel.h"
 
@@ -163,6 +164,7 @@ TEST_F(UiTileSizes, ANewLevelHasGroundAndAPlayer) {
   const auto plays = [](const Spawn& spawn) { return spawn.kind == BodyKind::player; };
   EXPECT_TRUE(std::any_of(level().spawns.begin(), level().spawns.end(), plays));
   EXPECT_EQ(find("pixels/canvas"), nullptr) << "its tiles are drawn already";
+  EXPECT_FALSE(is_blank(level(), session().choices().stamp.tiles[0].tile)) << "one paints at once";
 }
 
 TEST_F(UiTileSizes, ANewLevelIsDrawnAtTheSizeOfItsTiles) {

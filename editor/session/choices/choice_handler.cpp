@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "level/tile_color.h"
+
 namespace talus {
 
 template <>
@@ -136,6 +138,14 @@ void ChoiceHandler::fit_level() {
 void ChoiceHandler::fit_stamp(Stamp& stamp) const {
   const auto is_unknown = [&](MapCell cell) { return cell.tile >= open_.level.tile_count(); };
   std::replace_if(stamp.tiles.begin(), stamp.tiles.end(), is_unknown, MapCell());
+}
+
+void ChoiceHandler::choose_first_tile() {
+  int first = 0;
+  while (first < open_.level.tile_count() && is_blank(open_.level, static_cast<TileNumber>(first))) ++first;
+  if (first == open_.level.tile_count()) first = 0;
+  const Cell place = open_.level.sheet(SheetId::tiles).layout().place_of(first);
+  carry_out(action::SelectTiles{{SheetId::tiles, {place.x, place.y, 1, 1}}});
 }
 
 void ChoiceHandler::forget_level() {

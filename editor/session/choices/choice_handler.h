@@ -22,6 +22,8 @@ class ChoiceHandler {
   PixelSelection& pixels() { return choices_.pixels; }
   void fit_level();     // cuts what is chosen at the edges of map and sheets, which may have become smaller
   void forget_level();  // another level is open
+  // The first tile that can be seen, to paint a new level with; tile 0 if there is none.
+  void choose_first_tile();
 
  private:
   // For each action of ChoiceAction, in choice_handler.cpp.

@@ -31,6 +31,7 @@ class LevelHandler {
   void edit_by_user(const Edit& wanted, int stroke = 0);
   void edit(const Edit& wanted, int stroke = 0);  // by any part of the program
   void replace(Level opened);                     // opens another level, without a history
+  void choose_first_tile() { choices_.choose_first_tile(); }
   // See UndoStack.
   void mark_saved() { open_.history.mark_saved(); }
   void forget_saved() { open_.history.forget_saved(); }

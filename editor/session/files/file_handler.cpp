@@ -268,11 +268,13 @@ void FileHandler::discard_and_do(const DiscardingAction& discarding) {
     recover(*saved);
   } else if (const auto* fresh = std::get_if<action::NewLevel>(&discarding)) {
     replace_level(new_level(fresh->tile, fresh->width, fresh->height, fresh->content), {}, nullptr);
+    level_.choose_first_tile();
     name_ = kUnnamed;
   } else if (const auto* chosen = std::get_if<TakeImport>(&discarding)) {
     open_import(std::move(*chosen->import));
   } else if (const auto* made = std::get_if<TakeNewLevel>(&discarding)) {
     replace_level(*made->level, {}, nullptr);
+    level_.choose_first_tile();
     name_ = made->name;
   } else {
     wants_quit_ = true;
