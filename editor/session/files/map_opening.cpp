@@ -42,10 +42,10 @@ void FileHandler::offer_ground(const std::string& told) {
   const auto ways = ways_to_ground(open_.level);
   if (!ways) return;
   const auto& message = messages_.message();
-  const std::string opened = message && message->text != told ? message->text + " " : "";
+  const std::string opened = message && message->text != told ? " " + message->text : "";
   messages_.offer_ground(
-      opened + "Nothing on this map is ground yet: make the tiles of the chosen layer ground here, " + *ways +
-      ".");
+      "Nothing on this map is ground yet: make the tiles of the chosen layer ground here, " + *ways + "." +
+      opened);
 }
 
 }  // namespace talus
