@@ -38,7 +38,7 @@ TEST(OpeningArea, IsAScreenAroundThePlayer) {
   const Level level = level_of(200, 100);
   const Body player = body_at(1000, 400, BodyKind::player);
   const OpeningArea shown = opening_area(level, state_of({body_at(8, 8), player}));
-  EXPECT_EQ(shown.area, (Rect{1004 - 120, 404 - 68, 240, 136}));
+  EXPECT_EQ(shown.area, (Rect{1004 - 120, 404 - 68 - 17, 240, 136}));
   EXPECT_TRUE(shown.may_be_cut);
 }
 

@@ -31,6 +31,12 @@ Rect with_room(const Rect& bounds, double room, const TileMap& map) {
                     {std::max(bounds.w + 2 * room, least.x), std::max(bounds.h + 2 * room, least.y)}, map);
 }
 
+// What is below it is mostly ground, so it stands below the middle, but in the middle third.
+Rect area_around_player(const Body& player, const TileMap& map) {
+  const Vec2 size = size_of_screen(map);
+  return area_about(player.box.center() - Vec2{0, size.y / 8}, size, map);
+}
+
 bool is_spread(const Rect& bounds, const TileMap& map) {
   const Vec2 most = size_of_screen(map) * kMostScreens;
   return bounds.w > most.x || bounds.h > most.y;
@@ -117,7 +123,7 @@ const Body* followed_body(const State& state, int chosen) {
 OpeningArea opening_area(const Level& level, const State& state) {
   const TileMap& map = level.map;
   if (const Body* player = followed_body(state, 0))
-    return {area_about(player->box.center(), size_of_screen(map), map), true, whole_map(map)};
+    return {area_around_player(*player, map), true, whole_map(map)};
   return area_without_player(level, state);
 }
 

@@ -23,9 +23,9 @@ struct OpeningArea {
 // The body that the view goes with: the chosen one, else the first that the keys steer; null if there is
 // none.
 const Body* followed_body(const State& state, int chosen);
-// A screen around the body that the keys steer; else what the bodies take, or a screen around the first one
-// if they are far from each other; else what the tiles of ground take, or the first screen that has some;
-// else the first screen.
+// A screen around the body that the keys steer, which is a little below its middle; else what the bodies
+// take, or a screen around the first one if they are far from each other; else what the tiles of ground take,
+// or the first screen that has some; else the first screen.
 OpeningArea opening_area(const Level& level, const State& state);
 
 }  // namespace talus
