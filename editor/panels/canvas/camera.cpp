@@ -98,6 +98,10 @@ void Camera::centre(Vec2 point, ImVec2 canvas) {
   offset_ = {std::round(canvas.x / 2 - point.x * zoom()), std::round(canvas.y / 2 - point.y * zoom())};
 }
 
+void Camera::keep_middle(ImVec2 before, ImVec2 now) {
+  offset_ = {offset_.x + (now.x - before.x) / 2, offset_.y + (now.y - before.y) / 2};
+}
+
 Vec2 Camera::missing(Vec2 point, Vec2 room, ImVec2 canvas) const {
   const auto along = [](double at, double beside, double size) {
     return std::round(at - std::clamp(at, beside, size - beside));

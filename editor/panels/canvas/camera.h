@@ -40,6 +40,8 @@ class Camera {
   void zoom_at(ImVec2 at, int steps);
   void scroll(Vec2 pixels);  // px of the screen
   void centre(Vec2 point, ImVec2 canvas);
+  // What was in the middle of a canvas stays there when the canvas has another size.
+  void keep_middle(ImVec2 before, ImVec2 now);
   // Whether the point is on the canvas, with some room around it, and large enough to be seen, which it is
   // not in the world view.
   bool is_in_sight(Vec2 point, ImVec2 canvas) const;
