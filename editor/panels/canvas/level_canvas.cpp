@@ -217,7 +217,7 @@ void LevelCanvas::start_afresh(const Session& session, const Ui& ui, ImVec2 size
   const bool was_compiling = std::exchange(compiling_, session.compile_progress().has_value());
   const bool has_bodies_now = was_compiling && !compiling_ && session.history().edits().empty();
   level_number_ = ui.view.canvas.level_number;
-  size_ = size;
+  if (resized) camera_.keep_middle(std::exchange(size_, size), size);
   if (resized) followed_.reset();  // the body stays in sight
   if (another || ((resized || has_bodies_now) && camera_.is_untouched())) show_opening(session, ui, size);
 }
@@ -575,8 +575,9 @@ void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, 
 
 // A child has the mouse before the canvas below it.
 void LevelCanvas::offer_player(const Session& session, const CanvasView& view, Actions& actions, Ui& ui) {
-  const std::string text = "No body yet: paint a tile that has the ball flag, or place a body (" +
-                           keys_of("map/body"_command, ui) + ")";
+  const std::string text =
+      "No body yet: paint a tile that has the ball flag, or place one with the body tool (" +
+      keys_of("map/body"_command, ui) + ")";
   const float low = ui.px(10), height = ImGui::GetFrameHeight();
   draw_low_plates(*ImGui::GetWindowDrawList(), view, text, low + height + ui.px(8), true,
                   theme::color(theme::kText), ui);

@@ -224,7 +224,7 @@ std::vector<Command> map_tool_commands() {
        .words = "spawn object entity player start"},
       {.id = "map/erase",
        .label = "Erase",
-       .help = "Paints tile 0.",
+       .help = "Makes cells empty: paints tile 0.",
        .key = KeyChord{'e'},
        .menu = menus::kMapTools,
        .icon = Icon::erase,

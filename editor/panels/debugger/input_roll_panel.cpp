@@ -12,9 +12,9 @@
 namespace talus {
 namespace {
 
-constexpr float kColumn = 12, kRow = 18, kLabels = 56;  // px at scale 1
-constexpr int kRulerStep = 10;                          // frames
-constexpr float kNumber = 72;                           // px at scale 1, of a field
+constexpr float kColumn = 12, kRow = 18, kMostRow = 36, kLabels = 56;  // px at scale 1
+constexpr int kRulerStep = 10;                                         // frames
+constexpr float kNumber = 72;                                          // px at scale 1, of a field
 
 bool holds(const Branch& branch, std::int64_t frame, InputKey key) {
   Input input = branch.input(frame);
@@ -34,8 +34,12 @@ void InputRollPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const Columns view = visible_frames(session, ImGui::GetContentRegionAvail().x - ui.px(kLabels), column);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, ui.px(2)));
   draw_ruler(session, actions, ui, view, column);
+  const float gaps = ui.px(2) * static_cast<float>(kInputRows.size() + 1);
+  const float room = ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeight() - gaps;
+  const float height =
+      std::clamp(std::floor(room / static_cast<float>(kInputRows.size())), ui.px(kRow), ui.px(kMostRow));
   for (int row = 0; row < static_cast<int>(kInputRows.size()); ++row)
-    draw_row(row, session, ui, view, column);
+    draw_row(row, session, ui, view, {column, height});
   ImGui::PopStyleVar();
   draw_mouse_place(session, actions, ui);
   if (stroke_ && !ImGui::IsMouseDown(0)) {
@@ -86,14 +90,15 @@ void InputRollPanel::draw_ruler(const Session& session, Actions& actions, Ui& ui
   }
 }
 
-void InputRollPanel::draw_row(int index, const Session& session, Ui& ui, Columns view, float column) {
+void InputRollPanel::draw_row(int index, const Session& session, Ui& ui, Columns view, ImVec2 cell) {
   const auto [key, label] = kInputRows[static_cast<std::size_t>(index)];
   ImGui::PushID(index);
-  const float height = ui.px(kRow);
+  const auto [column, height] = cell;
   const ImVec2 start = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool has_keys = ui.view.window.focus == Focus::input && ui.view.debugger.input_row == index;
-  add_text(list, start, theme::tone(has_keys ? theme::kAccent : theme::kMuted), label);
+  const float above = std::floor((height - ImGui::GetTextLineHeight()) / 2);
+  add_text(list, {start.x, start.y + above}, theme::tone(has_keys ? theme::kAccent : theme::kMuted), label);
   ImGui::Dummy({ui.px(kLabels), height});
   ImGui::SameLine();
   const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -25,7 +25,8 @@ class InputRollPanel final : public Panel {
   };
   Columns visible_frames(const Session& session, float width, float column);
   void draw_ruler(const Session& session, Actions& actions, Ui& ui, Columns view, float column);
-  void draw_row(int index, const Session& session, Ui& ui, Columns view, float column);
+  // cell: px of the screen, of a frame in the row.
+  void draw_row(int index, const Session& session, Ui& ui, Columns view, ImVec2 cell);
   void draw_mouse_place(const Session& session, Actions& actions, Ui& ui);
   static void take_keys(View& view, int row);
   void handle_row(InputKey key, const Session& session, Columns view, ImVec2 at, float column);

@@ -17,12 +17,26 @@
 namespace talus {
 namespace {
 
+// "px/frame²"
+std::string unit_of(const TuningField& field) {
+  std::string unit(field.unit);
+  if (unit.ends_with("^2")) unit.replace(unit.size() - 2, 2, "²");
+  return unit;
+}
+
 std::string help_of(const TuningField& field) {
   return std::string(field.help) + "\n" + (field.whole ? "A whole number from " : "From ") +
          exact_text(field.min) + " to " + exact_text(field.max) +
-         (field.unit.empty() ? "" : " " + std::string(field.unit)) +
+         (field.unit.empty() ? "" : " " + unit_of(field)) +
          (field.group.empty() ? "; the article has " : "; the default is ") + exact_text(field.standard()) +
          ".";
+}
+
+// A narrow column has no room for the unit, which the tooltip has.
+std::string format_of(const TuningField& field, double value) {
+  const std::string number = field.whole ? "%.0f" : "%.6g", unit = " " + unit_of(field);
+  const float room = ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().FramePadding.x;
+  return size_of_text(exact_text(value) + unit).x > room ? number : number + unit;
 }
 
 void draw_solver(const Session& session, Actions& actions, Ui& ui) {
@@ -118,7 +132,7 @@ void TuningPanel::draw_field(const TuningField& field, const Session& session, A
   ImGui::SetNextItemWidth(-1);
   take_text_focus("tuning/" + key, ui);
   const double range = field.max - field.min;
-  const std::string format = (field.whole ? "%.0f " : "%.6g ") + std::string(field.unit);
+  const std::string format = format_of(field, value);
   const bool changed =
       ImGui::DragScalar(("##" + key).c_str(), ImGuiDataType_Double, &value, static_cast<float>(range / 1000),
                         &field.min, &field.max, format.c_str(), ImGuiSliderFlags_AlwaysClamp);

@@ -256,8 +256,10 @@ void draw_hard_case(const HardCase& hard, Ui& ui) {
 }
 
 void draw_no_body_hint(const Session& session, Actions& actions, Ui& ui) {
-  ui.hint("No body in this level: paint a tile that has the ball flag on the map, or place a body (" +
-          keys_of("map/body"_command, ui) + ").");
+  ui.hint(
+      "No body in this level: paint a tile that has the ball flag on the map, or place one with the body "
+      "tool (" +
+      keys_of("map/body"_command, ui) + ").");
   command_text_button("player/place"_command, session, actions, ui, {.widget = "inspector/place_player"});
 }
 

@@ -87,8 +87,11 @@ std::string SheetFinder::text_of(const Session& session, int tile) {
     text += " of " + shown_text(level.tilesets[static_cast<std::size_t>(set)].name);
   const auto number = static_cast<TileNumber>(tile);
   std::string shape, flags;
-  for (const std::string& word : words_of_shape(shape_of_tile(level, number)))
-    shape += (shape.empty() ? ": " : ", ") + word;
+  const TileShape its = shape_of_tile(level, number);
+  if (its.kind == TileShape::Kind::none)
+    shape = ", no shape";
+  else
+    for (const std::string& word : words_of_shape(its)) shape += (shape.empty() ? ": " : ", ") + word;
   for (int flag = 0; flag < kMaxFlags; ++flag) {
     if (!has_flag(level.tile_flags(number), flag)) continue;
     const std::string name = flag_name(level, flag);

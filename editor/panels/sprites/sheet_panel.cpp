@@ -310,9 +310,14 @@ void SheetPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
     ImGui::SameLine();
   }
   const bool in_rgba = is_in_rgba(session.level(), area.sheet);
-  for (const CommandId id :
-       {"sheet/zoom_out"_command, "sheet/zoom_in"_command, "pixels/show"_command, "pixels/enlarge"_command}) {
-    if (id == "pixels/show"_command && !in_rgba) continue;
+  std::vector<CommandId> buttons = {"sheet/zoom_out"_command, "sheet/zoom_in"_command};
+  if (in_rgba) buttons.push_back("pixels/show"_command);
+  buttons.push_back("pixels/enlarge"_command);
+  const float needed =
+      static_cast<float>(buttons.size()) * (ui.px(theme::kButton) + ImGui::GetStyle().ItemSpacing.x);
+  if (needed > ImGui::GetContentRegionAvail().x)
+    buttons.erase(buttons.begin(), buttons.begin() + 2);  // the wheel zooms, too
+  for (const CommandId id : buttons) {
     command_button(id, session, actions, ui);
     ImGui::SameLine();
   }

@@ -124,7 +124,7 @@ void FlagsPanel::draw_eight(const Session& session, Actions& actions, Ui& ui, in
     if (field.first >= first && field.first < first + kCartFlags) draw_field(session, actions, ui, field);
 }
 
-// In line with the panel's tab, if there is room.
+// In line with the panel's tab; what has no room there is left out: the word, and then the number.
 void FlagsPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
   const Level& level = session.level();
   const Command& brush = find_command("flags/brush"_command);
@@ -134,9 +134,11 @@ void FlagsPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
   const float gap = ui.px(theme::kGap), more = has_more ? ui.px(kMoreWidth) + gap : 0;
   const ImGuiTabBar* tabs = ImGui::GetCurrentContext()->CurrentTabBar;
   const float used = tabs != nullptr ? tabs->BarRect.Min.x + tabs->WidthAllTabs - ImGui::GetWindowPos().x : 0;
+  const float without_number = ImGui::GetWindowWidth() - ui.px(8) - more - width;
+  const bool has_number = used <= without_number - number - gap;
   float hex = ImGui::CalcTextSize("hex").x + gap;
-  float x = ImGui::GetWindowWidth() - ui.px(8) - more - width - number - gap;
-  if (x - hex < used) hex = 0;  // the word is left out
+  float x = has_number ? without_number - number - gap : without_number;
+  if (!has_number || x - hex < used) hex = 0;
   x -= hex;
   if (used <= x)
     ImGui::SameLine(x);
@@ -151,15 +153,17 @@ void FlagsPanel::draw_header(const Session& session, Actions& actions, Ui& ui) {
   if (on) ImGui::PopStyleColor();
   if (pressed) brush.run(session, actions, ui);
   ui.item("flags/brush", brush.help, keys_of(brush, ui));
-  ImGui::SameLine(0, gap);
   if (hex > 0) {
+    ImGui::SameLine(0, gap);
     const ImVec2 at = ImGui::GetCursorScreenPos();  // a text item would be lowered as the text of tabs is
     ImGui::GetWindowDrawList()->AddText({at.x, at.y + ui.px(1)}, theme::tone(theme::kMuted), "hex");
     ImGui::Dummy({hex - gap, 1});
-    ImGui::SameLine(0, gap);
   }
-  ImGui::SetNextItemWidth(number);
-  draw_number(session, actions, ui);
+  if (has_number) {
+    ImGui::SameLine(0, gap);
+    ImGui::SetNextItemWidth(number);
+    draw_number(session, actions, ui);
+  }
   ImGui::PopStyleVar();
 }
 

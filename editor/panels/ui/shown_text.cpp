@@ -189,7 +189,7 @@ bool begin_tab_item(std::string_view text, std::string_view id, ImGuiTabItemFlag
 
 bool menu_item(std::string_view text, std::string_view id, std::string_view keys, bool checked,
                bool enabled) {
-  const std::string shown = shown_line(keys);
+  const std::string shown = keys.empty() ? "" : "    " + shown_line(keys);  // apart from the texts
   return ImGui::MenuItem(label_of(text, id).c_str(), shown.empty() ? nullptr : shown.c_str(), checked,
                          enabled);
 }

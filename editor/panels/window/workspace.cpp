@@ -29,7 +29,7 @@ constexpr float kPictureColors = 64;     // height of the palette of a sheet in 
 constexpr float kMargin = 6;             // px at scale 1, above and below the content of a region
 constexpr float kMostTabsOfRoom = 1.2f;  // of the width of a region; so wide tabs can be made to fit
 constexpr float kRightTopLeast = 180, kRightBottomLeast = 80;
-constexpr float kDockLeast = 120, kAboveDockLeast = 300;
+constexpr float kDockLeast = 120, kDockWanted = 164, kAboveDockLeast = 300;
 
 // A part of `whole`, with `least` for itself and `rest` for the others, if there is room for both.
 float part(double fraction, float whole, float least, float rest) {
@@ -393,7 +393,10 @@ void Workspace::draw_right(Frame& frame, ImVec2 at, ImVec2 size) {
 float Workspace::draw_dock(Frame& frame, ImVec2 at, ImVec2 room) {
   Ui& ui = frame.ui;
   const float bar = ui.px(kSplitterWidth);
-  const float height = part(ui.view.window.layout.dock, room.y, ui.px(kDockLeast), ui.px(kAboveDockLeast));
+  // In a low window the input roll leaves its last line to the canvas.
+  const bool is_low = room.y < ui.px(kDockWanted + kAboveDockLeast);
+  const float height = part(ui.view.window.layout.dock, room.y, ui.px(is_low ? kDockLeast : kDockWanted),
+                            ui.px(kAboveDockLeast));
   const float y = at.y + room.y - height;
   ImGui::SetCursorScreenPos({at.x, y});
   const float moved = splitter("layout/dock", {room.x, bar}, SplitterAxis::vertical, ui);
