@@ -6,8 +6,8 @@
 
 namespace talus {
 
-// Exports by the level's first preset with that target, or by a new one, which the level keeps. A message says
-// where it was written, or why there is no room for another preset.
+// Exports by the level's first preset with that target, or by a new one, which the level keeps. A message
+// says where it was written, or why there is no room for another preset.
 void export_as(const Exporter& exporter, const Session& session, Actions& actions);
 
 }  // namespace talus
