@@ -1,4 +1,5 @@
 // Bodies placed by hand: placed, moved, given a velocity by an arrow, named, copied and removed.
+#include "edit/level_settings.h"
 #include "edit/spawn_tools.h"
 #include "harness.h"
 
@@ -212,6 +213,18 @@ TEST_F(UiSpawn, AnActGetsThePictureOfTheChosenTiles) {
   EXPECT_TRUE(spawn().picture.empty());
   key(ctrl('z'));
   EXPECT_EQ(spawn().picture[BodyAct::run].count, 3);
+}
+
+TEST_F(UiSpawn, APlayerOffersTheSolverThatItNeeds) {
+  place_first();
+  Tuning tuning = level().tuning;
+  tuning.solver = SolverKind::bump;
+  session().apply(action::EditLevel{set_tuning(level(), tuning)});
+  frames(2);
+  click("inspector/exact");
+  frames(2);
+  EXPECT_EQ(level().tuning.solver, SolverKind::exact);
+  EXPECT_EQ(find("inspector/exact"), nullptr);
 }
 
 TEST_F(UiSpawn, NoActGetsAPictureOfBlankTiles) {

@@ -28,6 +28,8 @@ void InputRollPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     ui.hint(
         "Nothing was played yet. This strip shows what is held in each frame, and can change it: click a "
         "frame, or drag over several, and a new branch plays the new input.");
+    command_text_button("play/toggle"_command, session, actions, ui,
+                        {.label = "Play", .widget = "input_roll/play"});
     return;
   }
   const float column = ui.px(kColumn);

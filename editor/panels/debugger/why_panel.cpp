@@ -61,8 +61,8 @@ void WhyPanel::draw(const Session& session, Actions& actions, Ui& ui) {
     return;
   }
   if (session.state().frame == 0) {
-    ui.hint("No step yet: make one (" + keys_of("play/step"_command, ui) +
-            "), and see here what happens in it.");
+    ui.hint("No step yet: make one, and see here what happens in it.");
+    command_text_button("play/step"_command, session, actions, ui, {.widget = "why/step"});
     return;
   }
   draw_wrapped_text(explain_step(session.frame_view(), body), theme::tone(theme::kText));

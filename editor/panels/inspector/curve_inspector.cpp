@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "chosen_curve.h"
+#include "exact_hint.h"
 #include "panels/commands/commands.h"
 #include "panels/ui/text_field.h"
 
@@ -141,8 +142,7 @@ void CurveInspector::draw(const Session& session, Actions& actions, Ui& ui) {
     actions.push_back(action::EditLevel{remove_curve(session.level(), curve)});
     actions.push_back(action::SelectCurve{});
   }
-  if (session.level().tuning.solver != SolverKind::exact)
-    ui.hint("Curves stop bodies only with the exact solver: see Tuning.");
+  draw_exact_hint("Curves stop bodies only with the exact solver.", "inspector/exact", session, actions, ui);
   shown_ = curve;
 }
 

@@ -293,8 +293,8 @@ void InspectorPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   if (spawn >= 0) spawn_.draw(session, spawn, actions, ui);
   ImGui::Spacing();
   if (session.state().frame == 0) {
-    ui.hint("No step yet: make one (" + keys_of("play/step"_command, ui) +
-            "), and its contacts are listed here.");
+    ui.hint("No step yet: make one, and its contacts are listed here.");
+    command_text_button("play/step"_command, session, actions, ui, {.widget = "inspector/step"});
     return;
   }
   const int contacts = count_contacts(session.record(), body->id);

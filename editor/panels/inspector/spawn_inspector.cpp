@@ -11,6 +11,7 @@
 #include "chosen_spawn.h"
 #include "edit/body_frames.h"
 #include "edit/spawn_tools.h"
+#include "exact_hint.h"
 #include "level/single_change.h"
 #include "overlay/number_label.h"
 #include "panels/commands/commands.h"
@@ -55,10 +56,9 @@ void SpawnInspector::draw(const Session& session, int index, Actions& actions, U
   draw_start(session, index, actions, ui);
   draw_size(session, index, actions, ui);
   ui.end_row();
+  if (traits_of(spawn_of(session, index).kind).takes_keys)
+    draw_exact_hint("Players run only with the exact solver.", "inspector/exact", session, actions, ui);
   picture_.draw(session, index, actions, ui);
-  if (traits_of(spawn_of(session, index).kind).takes_keys &&
-      session.level().tuning.solver != SolverKind::exact)
-    ui.hint("Players run only with the exact solver: see Tuning.");
 }
 
 void SpawnInspector::draw_name(const Session& session, int index, Actions& actions, Ui& ui) {
@@ -138,15 +138,18 @@ void SpawnInspector::draw_size(const Session& session, int index, Actions& actio
   const Vec2 standard = new_body_size(spawn.kind, session.level().map.tile_size());
   Vec2 size = spawn.size;
   bool changed = false;
-  const auto number = [&](const std::string& part, double& value, const char* help, double of_new) {
+  const auto number = [&](const std::string& part, double& value, const std::string& help, double of_new) {
     const std::string name = "inspector/size_" + part, format = part + " %.8g";
     changed |=
         draw_number_field({name, format.c_str(), help, kFormField, 1, of_new}, value, session, number_, ui);
   };
   ui.field_label("Size");
-  number("w", size.x, "The width of its box, px. The middle of its bottom stays where it is.", standard.x);
+  const std::string by_hand =
+      " With the body tool (" + keys_of("map/body"_command, ui) + ") the box on the map has handles.";
+  number("w", size.x, "The width of its box, px. The middle of its bottom stays where it is." + by_hand,
+         standard.x);
   ImGui::SameLine();
-  number("h", size.y, "The height of its box, px. Its bottom stays where it is.", standard.y);
+  number("h", size.y, "The height of its box, px. Its bottom stays where it is." + by_hand, standard.y);
   if (changed)
     change(session, index, with_size(spawn, size), "Change a body's size", number_.stroke, actions);
 }
