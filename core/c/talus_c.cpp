@@ -171,7 +171,7 @@ int talus_body_at(const talus_game* game, int32_t index, talus_body* body) {
   const talus::State& state = game->state;
   const talus::Body& found = state.bodies[static_cast<std::size_t>(index)];
   *body = {.id = found.id,
-           .is_player = talus::traits_of(found.kind).takes_keys ? 1 : 0,
+           .kind = static_cast<int32_t>(found.kind),
            .is_grounded = found.gait.grounded ? 1 : 0,
            .is_held = state.grabbed == found.id ? 1 : 0,
            .x = found.box.x,
@@ -181,6 +181,12 @@ int talus_body_at(const talus_game* game, int32_t index, talus_body* body) {
            .vx = found.velocity.x,
            .vy = found.velocity.y};
   return 1;
+}
+
+const char* talus_kind_word(int32_t kind) {
+  const auto kinds = talus::body_kinds();
+  const bool is_known = kind >= 0 && static_cast<std::size_t>(kind) < kinds.size();
+  return is_known ? kinds[static_cast<std::size_t>(kind)].word.data() : nullptr;
 }
 
 uint64_t talus_hash(const talus_game* game) { return game == nullptr ? 0 : talus::state_hash(game->state); }

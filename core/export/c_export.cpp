@@ -309,29 +309,25 @@ void CHeader::put_floors() {
 
 void CHeader::put_bodies() {
   line(
-      R"(/* All bodies at their start: the top left corner, the size, the velocity in px a frame. tile: of the map, that
-   is the body and is not to be drawn then; -1: none. stands_on_centre: the middle of its bottom side stands on
-   slopes; else all of it. */
+      R"(/* All bodies at their start: the top left corner, the size, the velocity in px a frame. kind: its word, such as
+   "ball". tile: of the map, that is the body and is not to be drawn then; -1: none. stands_on_centre: the middle
+   of its bottom side stands on slopes; else all of it. */
 typedef struct @_body {
-  const char *name;
-  int32_t is_player, tile, stands_on_centre, x, y, w, h, vx, vy;
+  const char *name, *kind;
+  int32_t tile, stands_on_centre, x, y, w, h, vx, vy;
 } @_body;
 static const @_body @_bodies[^_BODIES + 1] = { /* the last one is empty */)");
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const PlainBody body = bodies_.at(i);
     const Spawn& s = body.start;
-    const std::vector<std::int64_t> numbers = {traits_of(s.kind).takes_keys,
-                                               body.tile,
-                                               s.used_foot() == Foot::centre,
-                                               fixed(s.position.x),
-                                               fixed(s.position.y),
-                                               fixed(s.size.x),
-                                               fixed(s.size.y),
-                                               fixed(s.velocity.x),
-                                               fixed(s.velocity.y)};
-    text_ += "{" + c_string(s.name) + "," + c_list(numbers).substr(1) + ",\n";
+    const std::vector<std::int64_t> numbers = {body.tile,           s.used_foot() == Foot::centre,
+                                               fixed(s.position.x), fixed(s.position.y),
+                                               fixed(s.size.x),     fixed(s.size.y),
+                                               fixed(s.velocity.x), fixed(s.velocity.y)};
+    const std::string words = c_string(s.name) + "," + c_string(traits_of(s.kind).word);
+    text_ += "{" + words + "," + c_list(numbers).substr(1) + ",\n";
   }
-  line("{\"\",0,-1,0,0,0,0,0,0,0}};\n");
+  line("{\"\",\"\",-1,0,0,0,0,0,0,0}};\n");
 }
 
 void CHeader::put_tuning() {

@@ -201,9 +201,9 @@ TEST_F(AddedBodyKinds, MoveInCAsInTheProgram) {
   talus_body crate, runner;
   ASSERT_EQ(talus_body_at(game.get(), 1, &crate) + talus_body_at(game.get(), 2, &runner), 2);
   EXPECT_EQ(crate.w, 16);
-  EXPECT_EQ(crate.is_player, 0);
+  EXPECT_STREQ(talus_kind_word(crate.kind), "crate");
   EXPECT_EQ(runner.w, 6);
-  EXPECT_EQ(runner.is_player, 1);
+  EXPECT_STREQ(talus_kind_word(runner.kind), "runner");
   EXPECT_GT(runner.x, 40);
 }
 

@@ -10,7 +10,7 @@ int main(void) {
   printf("%d %d %d %d\n", tile, cave_flags[tile], cave_sprite_flags[255], (int)cave_floors[cave_shapes[cave_shape_of[tile]].row][0]);
   for (int i = 0; i <= CAVE_BODIES; ++i) {
     const cave_body *body = &cave_bodies[i];
-    printf("%s %d %d %d %d %d\n", body->name, (int)body->is_player, (int)body->tile, (int)body->stands_on_centre,
+    printf("%s %s %d %d %d %d\n", body->name, body->kind, (int)body->tile, (int)body->stands_on_centre,
            (int)body->x, (int)body->y);
   }
   printf("%s %.17g %.17g %.17g\n", CAVE_SOLVER, CAVE_TUNING_FALL_BLEND, CAVE_TUNING_EXACT_GRAVITY,

@@ -79,7 +79,7 @@ static void check_odd_map(void) {
 static void check_mouse(talus_game* game) {
   talus_body start, body;
   MUST(talus_body_at(game, 0, &start));
-  MUST(start.id == 1 && start.is_player == 0 && start.is_held == 0 && start.w == 8 && start.h == 8);
+  MUST(start.id == 1 && !strcmp(talus_kind_word(start.kind), "ball") && start.is_held == 0 && start.w == 8 && start.h == 8);
   talus_step(game, 8, start.x + 4, start.y + 4, 1);
   MUST(talus_body_at(game, 0, &body) && body.is_held == 1);
   talus_step(game, 0, start.x + 54, start.y + 4, 1);

@@ -130,14 +130,15 @@ TEST_F(ExportCFloors, TablesBodiesAndTuningAreRead) {
   level.sheet(SheetId::sprites).flags[255] = 3;
   const std::string tuning = "exact 0.074999999999999997 0 3.5\n";
   EXPECT_EQ(run(level, {{12, 0}, {4, 0}, {12, 9}}),
-            "7 129 3 0\n 0 -1 0 0 0\n" + tuning + "2048\n2147483647\n2147483647\n");
+            "7 129 3 0\n  -1 0 0 0\n" + tuning + "2048\n2147483647\n2147483647\n");
   Spawn& spawn = level.spawns.emplace_back();
   spawn.name = "a\"?\?/b";
   spawn.position = {1.5, 0};
   spawn.kind = BodyKind::player;
   level.sheet(SheetId::tiles).flags[60] = 2;  // a ball
   level.map.set({1, 0}, 60);
-  EXPECT_EQ(run(level, {}), "7 129 3 0\n 0 60 0 2048 0\na\"?\?/b 1 -1 1 384 0\n 0 -1 0 0 0\n" + tuning);
+  EXPECT_EQ(run(level, {}),
+            "7 129 3 0\n ball 60 0 2048 0\na\"?\?/b player -1 1 384 0\n  -1 0 0 0\n" + tuning);
 }
 
 TEST_F(ExportCFloors, AreExactInTheDemo) {

@@ -31,7 +31,7 @@ enum { TALUS_LEFT = 1, TALUS_RIGHT = 2, TALUS_JUMP = 4 };
 /* A body of the current frame. */
 typedef struct talus_body {
   int32_t id;          /* from 1, in the order of the map's ball tiles, columns from the left, then spawns */
-  int32_t is_player;   /* 1: a player, or of another kind that does what the keys say; else 0 */
+  int32_t kind;        /* from 0; see talus_kind_word() */
   int32_t is_grounded; /* 1: it stood on ground after the last frame; solver `exact` alone, else 0 */
   int32_t is_held;     /* 1: the mouse holds it; else 0 */
   double x;            /* px, left side of its box */
@@ -81,6 +81,10 @@ int32_t talus_body_count(const talus_game* game);
 /* The body at an index from 0, by id, into *body. 1; 0 if the game or `body` is null or there is no such
    body, and then nothing is written. */
 int talus_body_at(const talus_game* game, int32_t index, talus_body* body);
+
+/* The word of a kind of bodies, as files have it: "ball", "player". Compare words: another version of the
+   library may number kinds otherwise. The text stays valid. Null: there is no such kind. */
+const char* talus_kind_word(int32_t kind);
 
 /* A number of the frame and all bits of all bodies, which `talus sim --hash` prints in hexadecimal: equal for
    equal games on every machine. Null: 0. */

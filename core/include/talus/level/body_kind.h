@@ -28,7 +28,7 @@ enum class BodyLook : std::uint8_t {
 
 // The properties of a kind.
 struct BodyTraits {
-  std::string_view word;           // in files, in exports, on screen: "ball"; no two kinds share one
+  std::string_view word;           // in files, exports, C and on screen: "ball"; a literal, no two are equal
   std::string_view help;           // one sentence: "A ball falls and bounces."
   BodyRule rule = BodyRule::fall;  // what moves it
   bool takes_keys = false;         // whether it does what the keys say; its Gait is part of hashes then
