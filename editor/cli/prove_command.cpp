@@ -143,10 +143,12 @@ void prove_file(CommandContext& context, const ProveCommand& options) {
 }
 
 std::string check_body(const std::string& text) {
-  return body_of(text) ? ""
-                       : "must be KIND:WxH or KIND:WxH:FOOT, as in player:8x12:centre: player or ball, sides "
-                         "of 1/256 to 1024 px, "
-                         "box or centre";
+  if (body_of(text)) return "";
+  std::string kinds;
+  for (const BodyTraits& traits : body_kinds())
+    kinds += (kinds.empty() ? "" : " or ") + std::string(traits.word);
+  return "must be KIND:WxH or KIND:WxH:FOOT, as in player:8x12:centre: " + kinds +
+         ", sides of 1/256 to 1024 px, box or centre";
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ constexpr LintRule kTooFast{.code = "spawn-too-fast",
                             .by_hand = "Give the body a lower speed in the inspector."};
 constexpr LintRule kNoBodies{.code = "no-bodies",
                              .label = "nothing to move",
-                             .by_hand = "Place a player or a ball with the body tool, or paint a ball tile."};
+                             .by_hand = "Place a body with the body tool, or paint a ball tile."};
 
 constexpr double kFastest = 4096;  // px/frame; the solvers limit speeds to this after a step
 

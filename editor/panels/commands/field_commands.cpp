@@ -84,7 +84,7 @@ std::vector<Command> body_fields() {
        .enabled = shows_spawn,
        .words = "spawn object entity rename inspector"},
       {.id = "bodies/kind",
-       .label = "Make the body a ball or a player...",
+       .label = "Kind of the body...",
        .help = "Opens the list of kinds for the chosen body.",
        .run = go_to_field(panel_id::kInspector, "inspector/kind"),
        .enabled = shows_spawn,

@@ -214,7 +214,7 @@ std::vector<Command> map_tool_commands() {
        .words = "line edge collision"},
       {.id = "map/body",
        .label = "Place bodies",
-       .help = "Places a ball or a player, as the inspector says, or moves a body; the arrow of the chosen "
+       .help = "Places a body, of the kind that the inspector says, or moves one; the arrow of the chosen "
                "body is its velocity at the start.",
        .key = KeyChord{'0'},
        .menu = menus::kMapTools,
