@@ -123,6 +123,8 @@ void put_first_scene(Level& level) {
   const TileSize tile = level.map.tile_size();
   level.tuning.shared.slope_width = tile.width;  // else a slope is two tiles wide
   level.tuning.shared.slope_height = tile.height;
+  level.tuning.exact.gravity = level.tuning.player.gravity;  // all bodies fall alike, by the closed form
+  level.tuning.exact.rebound = 1;
   Spawn& player = level.spawns.emplace_back();
   player.kind = BodyKind::player;
   player.size = {1.0 * tile.width, 1.0 * tile.height};

@@ -48,6 +48,23 @@ TEST(NewLevel, ThePlayerRunsOverItsSlopes) {
   }
 }
 
+TEST(NewLevel, ItsBallsFallAsItsPlayerDoesByTheClosedForm) {
+  for (const int side : {8, 16, 24, 32}) {
+    Level level = new_level({side, side}, 60, 34, {.plays = true});
+    const double gravity = level.tuning.player.gravity;
+    EXPECT_EQ(level.tuning.exact.gravity, gravity);
+    level.spawns = {Spawn{.name = "", .position = {14.0 * side, 6.0 * side}, .extra = ""}};
+    const auto scene = std::make_shared<const Scene>(compile_scene(level));
+    const auto solver = make_solver(scene);
+    State state = initial_state(*scene);
+    const auto ball = [&]() -> const Body& { return state.bodies.back(); };
+    const double from = ball().box.y;
+    for (int i = 0; i < 10; ++i) solver->step(state, {});
+    // The velocity of a frame is that at its end, so the flight itself begins with half of a frame's gravity.
+    EXPECT_NEAR(ball().box.y, from + gravity / 2 * 10 + gravity * 100 / 2, 1e-9) << side;
+  }
+}
+
 TEST(NewLevel, ItHasNoProblems) {
   for (const TileSize tile : {TileSize{8, 8}, TileSize{16, 16}})
     EXPECT_TRUE(lint(new_level(tile, 60, 34, {.plays = true})).empty());
