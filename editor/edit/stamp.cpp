@@ -1,6 +1,8 @@
 // Takes and repeats stamps.
 #include "stamp.h"
 
+#include "formats/tilesets/displaced_tile.h"
+
 namespace talus {
 namespace {
 
@@ -23,6 +25,12 @@ Stamp stamp_of_sheet(const SheetLayout& sheet, CellRect tiles) {
   return stamp_of(tiles, {0, 0, sheet.columns, sheet.rows()}, [&](int x, int y) {
     return MapCell(sheet.contains({x, y}) ? static_cast<TileNumber>(sheet.tile_at({x, y})) : TileNumber{0});
   });
+}
+
+Stamp stamp_of_tiles(const Level& level, CellRect tiles) {
+  Stamp stamp = stamp_of_sheet(level.sheet(SheetId::tiles).layout(), tiles);
+  if (tiles.contains({0, 0}) && stamp.tiles.size() > 1) stamp.tiles.front() = MapCell(displaced_tile(level));
+  return stamp;
 }
 
 Stamp stamp_of_map(const Level& level, CellRect cells) {

@@ -1,7 +1,9 @@
 // The sheet with a tab a tileset, the field that finds tiles, and the marks of used ones.
+#include <filesystem>
 #include <fstream>
 
 #include "formats/pictures/png_picture.h"
+#include "formats/tilesets/displaced_tile.h"
 #include "harness.h"
 
 namespace talus::tilesets_ui_test {
@@ -43,6 +45,24 @@ TEST_F(UiTilesets, ATabShowsOneAloneAndItsTilesArePainted) {
   frames(2);
   click(on_sheet(15));
   EXPECT_EQ(chosen_tile(), 15);
+}
+
+// Its first tile is drawn, so tile 0, the empty one, is in its place.
+TEST_F(UiTilesets, TheFirstTileOfAMapOfTiledIsSeenInItsPlace) {
+  std::filesystem::copy(source_path("assets/platformer"), path("platformer"));
+  start(path("platformer/meadow.tmx"));
+  const TileNumber first = displaced_tile(level());
+  ASSERT_NE(first, 0);
+  EXPECT_EQ(session().choices().stamp.tiles, std::vector<MapCell>{first}) << "one does not paint emptiness";
+  const float top = find("sheet/tiles")->min.y;
+  click(in_tab({1, 0}, 12));
+  click(in_tab({0, 0}, 12));
+  frames(3);
+  EXPECT_EQ(session().choices().stamp.tiles, std::vector<MapCell>{first});
+  EXPECT_EQ(chosen_tile(), first) << "flags and pixels are those of the tile that is seen there";
+  EXPECT_EQ(find("sheet/tiles")->min.y, top) << "the sheet does not go to where it really is";
+  drag(in_tab({0, 0}, 12), in_tab({1, 1}, 12));
+  EXPECT_EQ(session().choices().stamp.tiles, (std::vector<MapCell>{first, 1, 12, 13}));
 }
 
 TEST_F(UiTilesets, ManyAreTabsThatScroll) {

@@ -36,8 +36,7 @@ void propose_ground(S session, A actions, U ui) {
   std::vector<TileNumber> among;
   const SpriteArea& area = session.choices().area;
   if (area.sheet == SheetId::tiles && area.tiles.w * area.tiles.h > 1) {
-    for (const MapCell cell : stamp_of_sheet(ui.layout(SheetId::tiles), area.tiles).tiles)
-      among.push_back(cell.tile);
+    for (const MapCell cell : stamp_of_tiles(session.level(), area.tiles).tiles) among.push_back(cell.tile);
   } else {
     among.resize(static_cast<std::size_t>(session.level().tile_count()));
     std::iota(among.begin(), among.end(), TileNumber{0});

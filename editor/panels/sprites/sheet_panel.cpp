@@ -12,6 +12,7 @@
 
 #include "edit/pixel_color.h"
 #include "edit/stamp.h"
+#include "formats/tilesets/displaced_tile.h"
 #include "formats/tilesets/new_tileset.h"
 #include "level/single_change.h"
 #include "panels/canvas/canvas_layers.h"
@@ -33,9 +34,10 @@ void draw_frame(ImDrawList& list, CellRect tiles, ImVec2 at, float cell, ImU32 c
 }
 
 // The tiles that the stamp paints, if the selection does not show them already.
-void mark_stamp(ImDrawList& list, const Choices& choices, ImVec2 at, float cell, const Ui& ui) {
-  const SheetLayout& sheet = ui.layout(SheetId::tiles);
-  if (choices.area.sheet != SheetId::tiles || choices.stamp == stamp_of_sheet(sheet, choices.area.tiles))
+void mark_stamp(ImDrawList& list, const Session& session, ImVec2 at, float cell, const Ui& ui) {
+  const Choices& choices = session.choices();
+  if (choices.area.sheet != SheetId::tiles ||
+      choices.stamp == stamp_of_tiles(session.level(), choices.area.tiles))
     return;
   std::set<TileNumber> tiles;
   for (const MapCell& painted : choices.stamp.tiles) tiles.insert(painted.tile);
@@ -54,6 +56,14 @@ CellRect shown_part(const Session& session, const Ui& ui) {
   const Tileset& set = sets[index];
   const Cell first = sheet.place_of(set.first);
   return {first.x, first.y, set.columns, (set.count - 1) / sheet.columns + 1};
+}
+
+// Where the chosen tiles are seen: a displaced tile in the place that its tileset gives it.
+CellRect place_of_choice(const Session& session, const Ui& ui) {
+  const SpriteArea& area = session.choices().area;
+  const TileNumber displaced = area.sheet == SheetId::tiles ? displaced_tile(session.level()) : TileNumber{0};
+  const bool is_it = displaced != 0 && area.tiles == ui.place_on_sheet(displaced);
+  return is_it ? CellRect{0, 0, 1, 1} : area.tiles;
 }
 
 // Calls use(tile, its corner) for the tiles of some columns and rows that can be seen.
@@ -155,8 +165,8 @@ void SheetPanel::follow_choice(const Session& session, Ui& ui) {
   const int asked = std::exchange(ui.view.sprites.shown_tile, -1);
   const bool is_new = asked >= 0 || area.tiles != shown_choice_;
   shown_choice_ = area.tiles;
-  const CellRect part = shown_part(session, ui);
-  if (is_new && !drag_from_ && part.contains({area.tiles.x, area.tiles.y})) camera_.show(area.tiles);
+  const CellRect part = shown_part(session, ui), place = place_of_choice(session, ui);
+  if (is_new && !drag_from_ && part.contains({place.x, place.y})) camera_.show(place);
 }
 
 void SheetPanel::draw_layers(ImDrawList& list, const Session& session, const SheetView& view, const Ui& ui) {
@@ -168,6 +178,11 @@ void SheetPanel::draw_layers(ImDrawList& list, const Session& session, const She
   // Art is made for the dark of the canvas.
   if (theme::is_light()) list.AddRectFilled(view.min(), view.max(), theme::color(theme::kOutside));
   list.AddImage(ui.sheet(area.sheet), view.min(), view.max(), uv.from, uv.to);
+  const TileNumber displaced = area.sheet == SheetId::tiles ? displaced_tile(session.level()) : TileNumber{0};
+  if (displaced != 0 && part.contains({0, 0})) {  // it is seen in its place, too
+    const UvRect its = ui.uv_of(displaced);
+    list.AddImage(ui.sheet(area.sheet), at, {at.x + cell, at.y + cell}, its.from, its.to);
+  }
   if (area.sheet == SheetId::tiles && session.choices().overlays.has(overlay::shapes)) {
     const std::uint32_t color = overlay_color(overlay::shapes, session.choices().overlay_palette);
     draw_sheet_shapes(list, session.level(), at, cell, color, ui);
@@ -176,8 +191,8 @@ void SheetPanel::draw_layers(ImDrawList& list, const Session& session, const She
   if (const auto pattern = session.choices().flag_overlay)
     tint_tiles(list, session.level().sheet(area.sheet), *pattern, part, at, cell);
   if (area.sheet == SheetId::tiles) draw_marks(list, session, view, ui);
-  mark_stamp(list, session.choices(), at, cell, ui);
-  draw_frame(list, area.tiles, at, cell, theme::color(theme::kText), ui);
+  mark_stamp(list, session, at, cell, ui);
+  draw_frame(list, place_of_choice(session, ui), at, cell, theme::color(theme::kText), ui);
 }
 
 // Dims what is not found or not used, and gives used tiles a corner.
@@ -335,18 +350,26 @@ void SheetPanel::handle_mouse(const Session& session, Actions& actions, Ui& ui, 
   const Cell pointed = view.place_at(io.MousePos);
   const Cell tile = layout.nearest({std::clamp(pointed.x, part.x, part.x + part.w - 1),
                                     std::clamp(pointed.y, part.y, part.y + part.h - 1)});
-  const int number = layout.tile_at(tile);
+  const int displaced = sheet == SheetId::tiles ? displaced_tile(session.level()) : 0;
+  const auto tile_at = [&](Cell place) {
+    return place == Cell{0, 0} && displaced != 0 ? displaced : layout.tile_at(place);
+  };
+  const int number = tile_at(tile);
   const bool paints = session.choices().map_tool == MapTool::flag;
   const bool hovered = ImGui::IsItemHovered() && part.contains(pointed);
   if (hovered) ui.view.canvas.hover.tile = number;
   if (hovered && (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1))) drag_from_ = tile;
   const bool selects = !paints || io.MouseDown[1];
-  if (drag_from_ && selects) actions.push_back(action::SelectTiles{{sheet, spanned(*drag_from_, tile)}});
+  if (drag_from_ && selects) {
+    const CellRect chosen = spanned(*drag_from_, tile);
+    const bool is_displaced = displaced != 0 && chosen == CellRect{0, 0, 1, 1};
+    actions.push_back(action::SelectTiles{{sheet, is_displaced ? ui.place_on_sheet(displaced) : chosen}});
+  }
   if (paints) {
     if (flag_brush_.active() && is_drag_cancelled()) flag_brush_.cancel(session, actions);
     flag_brush_.update(
         session, actions, sheet, tile,
-        [&](Cell c) { return layout.contains(c) ? std::optional(layout.tile_at(c)) : std::nullopt; },
+        [&](Cell c) { return layout.contains(c) ? std::optional(tile_at(c)) : std::nullopt; },
         hovered && ImGui::IsMouseClicked(0), io.MouseDown[0]);
     ui.tooltip(flag_brush_.text(session, sheet, number), "the right button selects");
   } else if (sheet == SheetId::tiles && hovered && !io.MouseDown[0]) {

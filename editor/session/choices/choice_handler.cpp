@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "formats/tilesets/displaced_tile.h"
 #include "level/tile_color.h"
 
 namespace talus {
@@ -32,8 +33,7 @@ void ChoiceHandler::carry_out(const action::SelectTiles& a) {
   const SpriteArea area = cut_to_sheet(open_.level, a.area);
   if (!(area == choices_.area)) choices_.pixels.drop();
   choices_.area = area;
-  if (area.sheet == SheetId::tiles)
-    choices_.stamp = stamp_of_sheet(open_.level.sheet(SheetId::tiles).layout(), area.tiles);
+  if (area.sheet == SheetId::tiles) choices_.stamp = stamp_of_tiles(open_.level, area.tiles);
 }
 
 template <>
@@ -148,6 +148,14 @@ void ChoiceHandler::choose_first_tile() {
   carry_out(action::SelectTiles{{SheetId::tiles, {place.x, place.y, 1, 1}}});
 }
 
+// Nobody means to paint with the empty tile in its place.
+void ChoiceHandler::choose_displaced_tile() {
+  const TileNumber displaced = displaced_tile(open_.level);
+  if (displaced == 0 || !(choices_.area == SpriteArea{SheetId::tiles, {0, 0, 1, 1}})) return;
+  const Cell place = open_.level.sheet(SheetId::tiles).layout().place_of(displaced);
+  carry_out(action::SelectTiles{{SheetId::tiles, {place.x, place.y, 1, 1}}});
+}
+
 void ChoiceHandler::forget_level() {
   show_overlay(overlay::answer, false);
   choices_.body = 0;
@@ -155,6 +163,7 @@ void ChoiceHandler::forget_level() {
   choices_.selection.reset();
   choices_.pixels.drop();
   fit_level();
+  choose_displaced_tile();
 }
 
 }  // namespace talus

@@ -31,6 +31,7 @@ class ChoiceHandler {
   void carry_out(const A& action) = delete;
 
   void fit_stamp(Stamp& stamp) const;
+  void choose_displaced_tile();
 
   const OpenLevel& open_;
   Choices choices_;

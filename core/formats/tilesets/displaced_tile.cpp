@@ -1,0 +1,22 @@
+#include "displaced_tile.h"
+
+#include <algorithm>
+
+#include "../tiled/tiled_map.h"
+
+namespace talus {
+
+TileNumber displaced_tile(const Level& level) {
+  if (level.tiled == nullptr) return 0;
+  const std::vector<std::uint32_t>& tiles = level.tiled->frame.tiles;
+  // By its neighbour at the right, of the same tileset, which is not turned.
+  const bool is_displaced = level.tiled->frame.is_0_empty && tiles.size() > 1 && tiles[0] == 0 &&
+                            tiles[1] > 1 && tiles[1] < kTiledFlipXY;
+  if (!is_displaced) return 0;
+  const auto found = std::find(tiles.begin(), tiles.end(), tiles[1] - 1);
+  const auto number = found - tiles.begin();
+  return found == tiles.end() || number >= level.tile_count() ? TileNumber{0}
+                                                              : static_cast<TileNumber>(number);
+}
+
+}  // namespace talus
