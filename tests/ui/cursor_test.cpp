@@ -74,7 +74,7 @@ TEST_F(UiCursor, EnterShowsItAndEscapeEndsIt) {
 TEST_F(UiCursor, ARowIsPaintedByHoldingSpaceInOneUndo) {
   // The arrows choose a tile of the sheet from the program's first frame on.
   key(kKeyF2);
-  go(KeyChord{kKeyRight}, 3);
+  go(KeyChord{kKeyRight}, 2);  // from the first that is drawn
   EXPECT_EQ(session().choices().stamp.tiles, std::vector<MapCell>{3});
   key(kKeyF3);
   press_key(kKeyEnter);

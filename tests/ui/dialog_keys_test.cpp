@@ -197,7 +197,8 @@ TEST_F(UiDialogKeys, ArrowsMoveInTheListOfRecoveredWork) {
   paint({12, 9});
   crash_and_start();
   press_key(kEscapeKey);
-  press_key(ctrl('n'));
+  session().apply(action::NewLevel{});
+  frames(2);
   paint({3, 3});
   crash_and_start();
   ASSERT_NE(find("recovery/recover1"), nullptr);

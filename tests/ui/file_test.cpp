@@ -72,7 +72,7 @@ TEST_F(UiFile, DemoIsACopyThatAsksForAPlace) {
   EXPECT_TRUE(session().path().empty());
   key(kEscape);
   frames(3);
-  key(ctrl('n'));
+  session().apply(action::NewLevel{});
   EXPECT_EQ(session().file_name(), "untitled");
 }
 
@@ -247,7 +247,7 @@ TEST_F(UiFile, QuestionAnsweredWithCancel) {
 }
 
 TEST_F(UiFile, NewLevelSavedThroughTheQuestionAsksForAName) {
-  key(ctrl('n'));
+  session().apply(action::NewLevel{});
   frames(2);
   EXPECT_TRUE(session().path().empty());
   change_the_level();

@@ -69,7 +69,7 @@ TEST_F(UiPicture, ADroppedPictureOpensTheImportDialog) {
   EXPECT_EQ(tile_at({1, 1}), 1) << "the level is still open";
   click("import/apply");
   frames(3);
-  EXPECT_EQ(image(0)[0], 6);
+  EXPECT_EQ(image(1)[0], 6) << "the chosen tile, the first that is drawn";
 }
 
 TEST_F(UiPicture, ADroppedPictureThatIsTooLargeBecomesTiles) {

@@ -256,7 +256,7 @@ TEST_F(UiRecovery, LaterKeepsTheWorkForTheNextStart) {
 }
 
 TEST_F(UiRecovery, ALevelWithoutAFileIsRecoveredToo) {
-  key(ctrl('n'));
+  session().apply(action::NewLevel{});
   frames(2);
   paint({12, 9});
   frames(kFiveSeconds);

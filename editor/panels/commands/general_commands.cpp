@@ -108,19 +108,25 @@ void take_tour(S, A actions, U ui) {
   actions.push_back(action::OpenFile{ui.view.files.tour_level, true});
 }
 
+// A tool takes the play view from the hand, but not beside the map: there the same key gives it back.
+void take_up_hand(S, A, U ui) {
+  CanvasesView& canvas = ui.view.canvas;
+  canvas.paint_in_play = canvas.mode == CanvasMode::both && !canvas.paint_in_play;
+}
+
 std::vector<Command> file_commands() {
   return {
-      {.id = "file/new",
-       .label = "New empty level",
-       .help = "Starts an empty level with tiles of 8x8 px and 16 colours. The welcome page makes others.",
+      {.id = "file/new_sized",
+       .label = "New level...",
+       .help = "Asks for the size of the tiles and of the map, and whether there are ground and a player.",
        .key = ctrl('n'),
        .menu = menus::kFileOpen,
-       .run = emit<action::NewLevel>},
-      {.id = "file/new_sized",
-       .label = "New level of a size...",
-       .help = "Asks for the size of the tiles and of the map, and starts an empty level.",
-       .menu = menus::kFileOpen,
        .run = [](S, A, U ui) { ui.view.level.new_level_open = true; }},
+      {.id = "file/new",
+       .label = "New empty level",
+       .help = "Starts an empty level with blank tiles of 8x8 px and 16 colours.",
+       .menu = menus::kFileOpen,
+       .run = emit<action::NewLevel>},
       {.id = "file/new_from_tiles",
        .label = "New level from tiles...",
        .help = "Cuts a PNG into tiles, and starts an empty level with them.",
@@ -342,7 +348,7 @@ std::vector<Command> canvas_commands() {
        .key = KeyChord{'p'},
        .menu = menus::kPlayBody,
        .icon = Icon::hand,
-       .run = toggle<&View::canvas, &CanvasesView::paint_in_play>,
+       .run = take_up_hand,
        .checked = [](S, const Ui& ui) { return !ui.view.canvas.paint_in_play; },
        .words = "paint in the play view pointer arrow grab"},
   };

@@ -25,7 +25,7 @@ std::string problem_of(TileSize tile, int width, int height) {
 
 void NewLevelPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const auto is_open = [](const Session&, const View& view) { return view.level.new_level_open; };
-  if (!begin_dialog("New level of a size", is_open, {0, 0}, session, ui)) return;
+  if (!begin_dialog("New level", is_open, {0, 0}, session, ui)) return;
   draw_tile_sizes(ui);
   ImGui::Spacing();
   draw_map_sizes(ui);

@@ -141,18 +141,10 @@ void ChoiceHandler::fit_stamp(Stamp& stamp) const {
 }
 
 void ChoiceHandler::choose_first_tile() {
-  int first = 0;
+  int first = displaced_tile(open_.level);
   while (first < open_.level.tile_count() && is_blank(open_.level, static_cast<TileNumber>(first))) ++first;
   if (first == open_.level.tile_count()) first = 0;
   const Cell place = open_.level.sheet(SheetId::tiles).layout().place_of(first);
-  carry_out(action::SelectTiles{{SheetId::tiles, {place.x, place.y, 1, 1}}});
-}
-
-// Nobody means to paint with the empty tile in its place.
-void ChoiceHandler::choose_displaced_tile() {
-  const TileNumber displaced = displaced_tile(open_.level);
-  if (displaced == 0 || !(choices_.area == SpriteArea{SheetId::tiles, {0, 0, 1, 1}})) return;
-  const Cell place = open_.level.sheet(SheetId::tiles).layout().place_of(displaced);
   carry_out(action::SelectTiles{{SheetId::tiles, {place.x, place.y, 1, 1}}});
 }
 
@@ -163,7 +155,8 @@ void ChoiceHandler::forget_level() {
   choices_.selection.reset();
   choices_.pixels.drop();
   fit_level();
-  choose_displaced_tile();
+  const auto is_unseen = [&](MapCell cell) { return is_blank(open_.level, cell.tile); };
+  if (std::ranges::all_of(choices_.stamp.tiles, is_unseen)) choose_first_tile();
 }
 
 }  // namespace talus

@@ -22,7 +22,7 @@ class ChoiceHandler {
   PixelSelection& pixels() { return choices_.pixels; }
   void fit_level();     // cuts what is chosen at the edges of map and sheets, which may have become smaller
   void forget_level();  // another level is open
-  // The first tile that can be seen, to paint a new level with; tile 0 if there is none.
+  // The first tile that can be seen, to paint with; tile 0 if there is none.
   void choose_first_tile();
 
  private:
@@ -31,7 +31,6 @@ class ChoiceHandler {
   void carry_out(const A& action) = delete;
 
   void fit_stamp(Stamp& stamp) const;
-  void choose_displaced_tile();
 
   const OpenLevel& open_;
   Choices choices_;
