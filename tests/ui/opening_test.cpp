@@ -194,6 +194,36 @@ TEST_F(UiOpening, TheViewFollowsThePlayer) {
   EXPECT_EQ(on_canvas("map", {1000, 700}).x, map_before) << "the map stays where one paints";
 }
 
+// A body that is chosen stays under the mouse; the view goes with it once it leaves.
+TEST_F(UiOpening, ChoosingABodyDoesNotMoveTheView) {
+  start(source_path("assets/demo.talus.json"));
+  session().apply(action::Pause{});
+  frames(5);
+  const Body body = session().state().bodies.front();
+  const ImVec2 before = on_canvas("play", {0, 0});
+  click(on_canvas("play", body.box.center()));
+  frames(4);
+  ASSERT_EQ(session().choices().body, body.id);
+  EXPECT_EQ(on_canvas("play", {0, 0}).x, before.x);
+  EXPECT_EQ(on_canvas("play", {0, 0}).y, before.y);
+  key(kKeyF5);
+  frames(10);
+  EXPECT_EQ(on_canvas("play", {0, 0}).x, before.x) << "it is in sight";
+  EXPECT_EQ(on_canvas("play", {0, 0}).y, before.y);
+}
+
+TEST_F(UiOpening, AnEmptyLevelOffersNoPlayerThatWouldFall) {
+  start();
+  session().apply(action::NewLevel{});
+  frames(3);
+  EXPECT_EQ(find("play/place_player"), nullptr);
+  click("play/new_level");
+  frames(3);
+  click("new_level/apply");
+  frames(3);
+  EXPECT_TRUE(session().playback().running) << "it has ground and a player";
+}
+
 TEST_F(UiOpening, PanningLetsGoAndTheButtonFollowsAgain) {
   start(save(far_level(), "far.talus.json"));
   const ImVec2 from = centre("play/canvas");

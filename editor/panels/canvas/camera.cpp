@@ -118,13 +118,32 @@ void Camera::keep_in_sight(Vec2 point, ImVec2 canvas) {
   if (!shows_whole()) scroll(missing(point, room_in_sight(canvas), canvas));
 }
 
+Vec2 Camera::missing_to_middle(Vec2 point, ImVec2 canvas) const {
+  Vec2 by = missing(point, {canvas.x / 3, canvas.y / 3}, canvas);
+  if (!bounds_ || !is_on_canvas(point, canvas)) return by;
+  const auto is_whole = [&](double offset, double from, double size, double room) {
+    const double first = offset + from * zoom();
+    return first >= -1 && first + size * zoom() <= room + 1;
+  };
+  if (is_whole(offset_.x, bounds_->x, bounds_->w, canvas.x)) by.x = 0;
+  if (is_whole(offset_.y, bounds_->y, bounds_->h, canvas.y)) by.y = 0;
+  return by;
+}
+
+bool Camera::is_in_middle(Vec2 point, ImVec2 canvas) const {
+  return missing_to_middle(point, canvas) == Vec2{};
+}
+
 bool Camera::follow(Vec2 point, Vec2 map, ImVec2 canvas) {
   if (shows_whole()) return false;
-  const Vec2 by = missing(point, {canvas.x / 3, canvas.y / 3}, canvas);
+  const Vec2 by = missing_to_middle(point, canvas);
   if (by == Vec2{}) return false;
   const Vec2 before = offset_;
   offset_ = offset_ - by;
+  const Vec2 free = offset_;
   stay_on_map(map, canvas);
+  if (by.x == 0) offset_.x = free.x;  // a smaller part of the map lies in the middle
+  if (by.y == 0) offset_.y = free.y;
   return offset_ != before;
 }
 
@@ -150,6 +169,7 @@ void Camera::show(const Rect& area, bool may_be_cut, const Rect& bounds, ImVec2 
   }
   centre(area.center(), canvas);
   stay_on(bounds, canvas);
+  bounds_ = bounds;
   untouched_ = true;
 }
 

@@ -45,11 +45,16 @@ class Camera {
   // Whether the point is on the canvas, with some room around it, and large enough to be seen, which it is
   // not in the world view.
   bool is_in_sight(Vec2 point, ImVec2 canvas) const;
+  // Whether the point is on the canvas at all.
+  bool is_on_canvas(Vec2 point, ImVec2 canvas) const { return missing(point, {}, canvas) == Vec2{}; }
   // Scrolls as little as needed to show the point with some room around it; the world view shows it anyway.
   void keep_in_sight(Vec2 point, ImVec2 canvas);
   // Scrolls as little as needed to have the point in the middle third of the canvas, as far as the map goes;
-  // the world view stays. `map` is the map's size. Returns whether it scrolled.
+  // the world view stays, and so does a side along which all that show() was given is seen. `map` is the
+  // map's size. Returns whether it scrolled.
   bool follow(Vec2 point, Vec2 map, ImVec2 canvas);
+  // Whether follow() would not scroll.
+  bool is_in_middle(Vec2 point, ImVec2 canvas) const;
   // Sets the largest zoom at which a level of this size, in px, fits, and centres it.
   void fit(Vec2 level, ImVec2 canvas);
   // Shows an area of the map, px of the level, as large as it fits. The zoom is a step if one is close: the
@@ -85,6 +90,8 @@ class Camera {
   };
   // px of the screen to scroll by until the point has so much room around it.
   Vec2 missing(Vec2 point, Vec2 room, ImVec2 canvas) const;
+  // The same until it is in the middle third, along the sides that have more to show.
+  Vec2 missing_to_middle(Vec2 point, ImVec2 canvas) const;
 
   int step_ = 16;                 // 2x
   std::optional<float> between_;  // the zoom, if it is one between step_ and the next
@@ -92,6 +99,7 @@ class Camera {
   Vec2 offset_;                   // px of the screen, from the canvas's corner to the level's
   bool untouched_ = true;
   bool kept_ = false;
+  std::optional<Rect> bounds_;   // px of the level, that show() was given
   double share_before_ = 0.5;    // of the room that a smaller map leaves, how much lies left of it and above
   std::optional<Place> before_;  // the view before the world view
 };

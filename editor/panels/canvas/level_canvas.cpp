@@ -22,6 +22,7 @@
 #include "panels/inspector/chosen_curve.h"
 #include "panels/tiles/flag_label.h"
 #include "panels/ui/wrapped_text.h"
+#include "plates.h"
 #include "play_keys.h"
 #include "selection_drawing.h"
 #include "shape_drawing.h"
@@ -40,42 +41,6 @@ int body_at(const State& state, Vec2 p, double tolerance) {
       found = body.id;
   }
   return found;
-}
-
-ImVec2 pad_of_plate(const Ui& ui) { return {ui.px(6), ui.px(2)}; }
-
-ImVec2 size_of_plate(const std::string& text, const Ui& ui) {
-  const ImVec2 size = size_of_text(text), pad = pad_of_plate(ui);
-  return {size.x + 2 * pad.x, size.y + 2 * pad.y};
-}
-
-// A text on a dark plate, readable over any art.
-void draw_plate(ImDrawList& list, ImVec2 at, const std::string& text, ImU32 color, const Ui& ui) {
-  const ImVec2 size = size_of_plate(text, ui), pad = pad_of_plate(ui);
-  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, theme::color(theme::kDark, theme::kPlateAlpha),
-                     ui.px(3));
-  add_text(list, {at.x + pad.x, at.y + pad.y}, color, text);
-}
-
-// A text as lines that each fit on a plate.
-std::vector<std::string> plate_lines(const std::string& text, const CanvasView& view, const Ui& ui) {
-  const float width = view.max.x - view.min.x - ui.px(4 + 12 + 4);
-  const auto fits = [width](std::string_view line) { return size_of_text(line).x <= width; };
-  const auto lines = lines_between_words(text, fits);
-  return {lines.begin(), lines.end()};
-}
-
-// A text on plates below one another, above `low` px from the bottom of the canvas.
-void draw_low_plates(ImDrawList& list, const CanvasView& view, const std::string& text, float low,
-                     bool in_middle, ImU32 color, const Ui& ui) {
-  const std::vector<std::string> lines = plate_lines(text, view, ui);
-  const float left = view.min.x + ui.px(4), height = ImGui::GetTextLineHeight() + ui.px(4);
-  float at = view.max.y - low - height * static_cast<float>(lines.size());
-  for (const std::string& line : lines) {
-    const float room = view.max.x - view.min.x - size_of_plate(line, ui).x;
-    draw_plate(list, {in_middle ? std::max(left, view.min.x + room / 2) : left, at}, line, color, ui);
-    at += height;
-  }
 }
 
 std::string zoom_text(float zoom) {
@@ -315,12 +280,18 @@ bool LevelCanvas::pick_cell(const Session& session, Ui& ui, Cell cell, bool hove
 // Only as the body moves on: in a pause the user may zoom in elsewhere, and choose or place another body.
 void LevelCanvas::follow_body(const Session& session, const Ui& ui) {
   const Body* body = followed_body(session.state(), session.choices().body);
+  if (body == nullptr) followed_body_ = 0;
   if (!is_play() || !ui.view.canvas.follow_body || body == nullptr) return followed_.reset();
   const std::pair now(session.state().frame, body->id);
   const bool is_paused_at = followed_ && followed_->first == now.first && !session.playback().running;
   if (holding_ || is_paused_at || followed_ == now) return;
+  const Vec2 place = body->box.center();
+  // Else the body would go from under the mouse that has chosen it.
+  const bool is_other = std::exchange(followed_body_, body->id) != body->id;
   followed_ = now;
-  camera_.follow(body->box.center(), size_in_pixels(session.level().map), size_);
+  waits_for_body_ = (waits_for_body_ || is_other) && camera_.is_on_canvas(place, size_) &&
+                    !camera_.is_in_middle(place, size_);
+  if (!waits_for_body_) camera_.follow(place, size_in_pixels(session.level().map), size_);
 }
 
 // The user has moved the view by hand.
@@ -471,7 +442,7 @@ void LevelCanvas::draw_layers(const Session& session, const CanvasView& view, co
   if (shows_input_roll(ui.view) || another_holds) draw_mouse_mark(list, session, view, ui);
 }
 
-// A plate above the body that the user looks at, or where it went out of sight.
+// A plate above the body that the user looks at, or in the middle if it is out of sight.
 void LevelCanvas::draw_note_on_body(const Session& session, const CanvasView& view, Ui& ui) const {
   const Body* const held = session.state().find(session.state().grabbed);
   const Body* const body = held != nullptr ? held : followed_body(session.state(), session.choices().body);
@@ -481,9 +452,12 @@ void LevelCanvas::draw_note_on_body(const Session& session, const CanvasView& vi
   const float gap = ui.px(4);
   const ImVec2 size = size_of_plate(text, ui);
   const auto within = [](float at, float least, float most) { return std::max(least, std::min(at, most)); };
-  const ImVec2 at{within(top.x - size.x / 2, view.min.x + gap, view.max.x - size.x - gap),
-                  within(top.y - size.y - 3 * gap, captions_box(session, view, ui).max.y + gap,
-                         view.max.y - size.y - gap)};
+  const float highest = captions_box(session, view, ui).max.y + gap;
+  ImVec2 at{within(top.x - size.x / 2, view.min.x + gap, view.max.x - size.x - gap),
+            within(top.y - size.y - 3 * gap, highest, view.max.y - size.y - gap)};
+  const bool is_in_sight =
+      top.x >= view.min.x && top.x <= view.max.x && top.y >= view.min.y && top.y <= view.max.y;
+  if (!is_in_sight) at = {(view.min.x + view.max.x - size.x) / 2, (highest + view.max.y - size.y) / 2};
   draw_plate(*ImGui::GetWindowDrawList(), at, text, theme::color(theme::kText), ui);
   ui.place(name_ + "/body_note", at, {at.x + size.x, at.y + size.y});
 }
@@ -573,22 +547,37 @@ void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, 
   }
 }
 
+bool LevelCanvas::has_ground_tiles(const Session& session) {
+  if (looked_for_ground_at_ == session.revision()) return has_ground_tiles_;
+  looked_for_ground_at_ = session.revision();
+  const std::vector<LayerCells> layers = ground_layers(session.level());
+  has_ground_tiles_ = std::ranges::any_of(layers, [](LayerCells cells) {
+    return std::ranges::any_of(cells->tiles(), [](TileNumber tile) { return tile != 0; });
+  });
+  return has_ground_tiles_;
+}
+
 // A child has the mouse before the canvas below it.
 void LevelCanvas::offer_player(const Session& session, const CanvasView& view, Actions& actions, Ui& ui) {
+  // Without ground a player would only fall.
+  const bool is_empty = session.level().curves.empty() && !has_ground_tiles(session);
   const std::string text =
-      "No body yet: paint a tile that has the ball flag, or place one with the body tool (" +
-      keys_of("map/body"_command, ui) + ")";
+      is_empty ? "Nothing is here yet: draw a tile, make it solid under Flags, and paint with it"
+               : "No body yet: paint a tile that has the ball flag, or place one with the body tool (" +
+                     keys_of("map/body"_command, ui) + ")";
   const float low = ui.px(10), height = ImGui::GetFrameHeight();
   draw_low_plates(*ImGui::GetWindowDrawList(), view, text, low + height + ui.px(8), true,
                   theme::color(theme::kText), ui);
-  const Command& place = find_command("player/place"_command);
+  const CommandId offered = is_empty ? "file/new_sized"_command : "player/place"_command;
+  const Command& place = find_command(offered);
   const float width = ImGui::CalcTextSize(place.label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
   if (width > view.max.x - view.min.x) return;
   const ImVec2 before = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos({(view.min.x + view.max.x - width) / 2, view.max.y - low - height});
   ImGui::BeginChild((name_ + "_offer").c_str(), {width, height}, false,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBackground);
-  command_text_button("player/place"_command, session, actions, ui, {.widget = name_ + "/place_player"});
+  command_text_button(offered, session, actions, ui,
+                      {.widget = name_ + (is_empty ? "/new_level" : "/place_player")});
   ImGui::EndChild();
   ImGui::SetCursorScreenPos(before);
 }

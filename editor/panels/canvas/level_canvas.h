@@ -79,6 +79,7 @@ class LevelCanvas {
   void draw_captions(const Session& session, const CanvasView& view, Ui& ui) const;
   // Of a level without bodies: what to do, and a button.
   void offer_player(const Session& session, const CanvasView& view, Actions& actions, Ui& ui);
+  bool has_ground_tiles(const Session& session);
 
   Kind kind_;
   bool is_second_;
@@ -94,6 +95,10 @@ class LevelCanvas {
   bool compiling_ = false;  // whether its bodies were not all there then
   // Frame and body to which the view has gone; nothing if it follows none.
   std::optional<std::pair<std::int64_t, int>> followed_;
+  int followed_body_ = 0;        // id of the body that the view went with last; 0: there was none
+  bool waits_for_body_ = false;  // a body that was chosen in sight: until it comes to the middle or leaves
+  std::optional<std::uint64_t> looked_for_ground_at_;  // the level's revision
+  bool has_ground_tiles_ = false;                      // at that revision
   std::unordered_map<int, bool> looks_left_;  // by id of bodies with pictures, which way they went last
   ImVec2 size_;                               // px, of the canvas in the last frame
   bool holding_ = false;                      // whether the left button went down on the play view
