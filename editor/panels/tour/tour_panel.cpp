@@ -14,14 +14,18 @@ constexpr float kNoteWidth = 280, kNoteGap = 12, kFrame = 2;  // px at scale 1
 int count() { return static_cast<int>(tour_steps().size()); }
 
 // Above what it points at, and above the bars, else below it; beside a target at the right side of the
-// window, and within a large one, such as a canvas, at its top. Always in the window.
+// window or a large one at the left, and within another large one, such as a canvas, below the line at its
+// top. Always in the window.
 ImVec2 place_of_note(const Widget* target, ImVec2 size, float gap, float bars_top) {
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   if (target == nullptr) return {(window.x - size.x) / 2, window.y - size.y - 4 * gap};
   const bool is_large = target->max.y - target->min.y > 2 * size.y;
   float x = target->centre().x - size.x / 2, y = std::min(target->min.y, bars_top) - size.y - gap;
-  if (is_large) {
+  if (is_large && target->max.x < window.x / 2) {
+    x = target->max.x + gap;
     y = target->min.y + gap;
+  } else if (is_large) {
+    y = target->min.y + 4 * gap;
   } else if (target->centre().x > window.x * 2 / 3) {
     x = target->min.x - size.x - gap;
     y = target->min.y;
@@ -32,12 +36,19 @@ ImVec2 place_of_note(const Widget* target, ImVec2 size, float gap, float bars_to
           std::clamp(y, gap, std::max(gap, window.y - size.y - gap))};
 }
 
+// In a window that takes no mouse, so that notes, menus and tooltips lie above the frame.
 void draw_frame_around(const Widget& target, float width) {
   const ImVec2 min{target.min.x - width, target.min.y - width},
       max{target.max.x + width, target.max.y + width};
-  ImDrawList& list = *ImGui::GetForegroundDrawList();
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
+  ImGui::Begin("Tour's frame", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBackground |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRect({min.x - 1, min.y - 1}, {max.x + 1, max.y + 1}, theme::color(theme::kDark), 0, 0, width + 2);
   list.AddRect(min, max, theme::color(theme::kWarning), 0, 0, width);
+  ImGui::End();
 }
 
 }  // namespace

@@ -61,10 +61,13 @@ void Ui::tooltip(std::string_view help, std::string_view key) {
 }
 
 void Ui::show_tooltip_when_rested(ImGuiID id, std::string_view help, std::string_view key) {
-  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsAnyMouseDown()) return;
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  if (ImGui::IsAnyMouseDown()) pressed_on_ = id;
+  if (ImGui::IsAnyMouseDown()) return;
   if (ImGui::GetTopMostPopupModal() != nullptr) return;  // dialogs explain themselves
   rests_on_ = id;
-  if (rested_on_ != id) return;  // a control on top of this one may come later in the frame
+  if (pressed_on_ == id) return;  // who has used it needs no help until the mouse comes back
+  if (rested_on_ != id) return;   // a control on top of this one may come later in the frame
   if (time - rested_since_ < kTooltipDelay) return;
   place_tooltip();
   ImGui::BeginTooltip();
@@ -227,6 +230,7 @@ UiFrame::~UiFrame() {
     ui_.rested_on_ = ui_.rests_on_;
     ui_.rested_since_ = ui_.time;
   }
+  if (!ImGui::IsAnyMouseDown() && ui_.rests_on_ != ui_.pressed_on_) ui_.pressed_on_ = 0;
   ui_.tooltip_pending_ = ui_.rested_on_ != 0 && ui_.time - ui_.rested_since_ < kTooltipDelay;
 }
 
