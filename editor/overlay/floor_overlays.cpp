@@ -67,7 +67,10 @@ void draw_computed_floor(const OverlaySource& source, const SlopeProbe& probe, c
   const Vec2 end{b.right() + kFloorMargin, probe.floor_y};
   pen.line(left, right);
   pen.line({b.x - kFloorMargin, probe.floor_y}, end);
-  pen.label(end, "floor " + two_decimals(probe.floor_y) + " -> " + no_decimals(probe.placed_y + b.h), body);
+  const double placed = probe.placed_y + b.h;
+  const bool is_rounded = two_decimals(placed) != two_decimals(probe.floor_y);
+  pen.label(end, "floor " + two_decimals(probe.floor_y) + (is_rounded ? " -> " + no_decimals(placed) : ""),
+            body);
 }
 
 void draw_delta(const OverlaySource&, const SlopeProbe& probe, const Body& body, OverlayPen& pen) {

@@ -107,9 +107,12 @@ std::vector<PlacedLabel> LabelPlacer::place(std::span<const OverlayLabel> labels
   std::unordered_set<int> crowded;  // bodies with another such label: crowds cost the most time there
   for (int rank = 0; rank < kRanks; ++rank) {
     for (const OverlayLabel& label : labels) {
-      if (rank_of(label) != rank || (rank > 0 && crowded.contains(label.body)) || is_said(label, placed))
+      const ImVec2 at = view_.to_screen(label.at);
+      if (rank_of(label) != rank || (rank > 0 && crowded.contains(label.body)) ||
+          is_said(label, placed, {at, at}))
         continue;
       if (const auto found = find_room(label)) {
+        if (rank > 0 && is_said(label, placed, found->box)) continue;
         taken_.add(found->box);
         placed.push_back(*found);
       } else if (label.body == pointed_at_) {
@@ -126,12 +129,12 @@ std::vector<PlacedLabel> LabelPlacer::place(std::span<const OverlayLabel> labels
   return placed;
 }
 
-// Whether an equal label of the same overlay stands near: one is enough for both.
-bool LabelPlacer::is_said(const OverlayLabel& label, std::span<const PlacedLabel> placed) const {
-  const ImVec2 at = view_.to_screen(label.at);
+// Whether an equal label of the same overlay stands near a place: one is enough for both.
+bool LabelPlacer::is_said(const OverlayLabel& label, std::span<const PlacedLabel> placed,
+                          const ScreenBox& place) const {
   return std::any_of(placed.begin(), placed.end(), [&](const PlacedLabel& other) {
     return other.label->overlay == label.overlay && other.label->text == label.text &&
-           other.box.is_within(kLabelReach * scale_, {at, at});
+           other.box.is_within(kLabelReach * scale_, place);
   });
 }
 

@@ -75,7 +75,7 @@ class LabelPlacer {
   static constexpr float kReserve =
       64;  // px around the canvas: what lies there keeps labels away inside, too
   int rank_of(const OverlayLabel& label) const;
-  bool is_said(const OverlayLabel& label, std::span<const PlacedLabel> placed) const;
+  bool is_said(const OverlayLabel& label, std::span<const PlacedLabel> placed, const ScreenBox& place) const;
   std::optional<PlacedLabel> find_room(const OverlayLabel& label) const;
   bool is_free(const ScreenBox& box) const;
   void list(std::span<const OverlayLabel* const> labels, std::vector<PlacedLabel>& placed) const;

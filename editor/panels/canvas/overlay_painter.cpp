@@ -24,8 +24,8 @@ constexpr float kShortZoom = 4;
 constexpr float kThinZoom = 2;
 constexpr float kPiece = 16;  // px at scale 1: lines are kept free of labels in pieces of this length
 constexpr int kMostPieces = 64;
-constexpr std::ptrdiff_t kCrowd = 100;  // arrows; of more than this only some are drawn
-constexpr float kArrowRoom = 24;  // px at scale 1: then one arrow of an overlay begins in each such square
+constexpr std::ptrdiff_t kCrowd = 100;  // arrows, or marks; of more than this only some are drawn
+constexpr float kRoomInCrowd = 48;  // px at scale 1: then an overlay has one that begins in each such square
 
 class Painter {
  public:
@@ -49,7 +49,10 @@ class Painter {
       stroke(line, color_of(line.overlay, alpha), line.overlay->is_faint ? rim() : width_);
     }
     for (const OverlayBar& bar : drawing.bars) paint_bar(bar);
-    for (const OverlayMark& mark : drawing.marks) paint_mark(mark);
+    Squares squares(*this);
+    const bool is_crowd = std::ssize(drawing.marks) > kCrowd;
+    for (const OverlayMark& mark : drawing.marks)
+      if (!is_crowd || squares.take(mark.overlay, mark.at)) paint_mark(mark);
     for (const Rect& rect : keep_clear) taken_.push_back(screen_box(rect));
     keep_clear_of(drawing, lines);
     paint_labels(drawing.labels);
@@ -62,21 +65,34 @@ class Painter {
   }
   static ImU32 outline() { return theme::color(theme::kDark, 190); }
 
+  // The squares of the canvas, each for one thing of each overlay.
+  class Squares {
+   public:
+    explicit Squares(const Painter& painter) : painter_(painter) {}
+    // place: px of the level. Returns false if its square is taken.
+    bool take(const Overlay* overlay, Vec2 place) {
+      const ImVec2 at = painter_.view_.to_screen(place);
+      const float side = kRoomInCrowd * painter_.scale_;
+      return taken_
+          .emplace(overlay, static_cast<int>(std::floor(at.x / side)),
+                   static_cast<int>(std::floor(at.y / side)))
+          .second;
+    }
+
+   private:
+    const Painter& painter_;
+    std::set<std::tuple<const Overlay*, int, int>> taken_;
+  };
+
   // Without details at low zoom. Of many arrows those stay that begin apart from the others of their overlay.
   std::vector<const OverlayLine*> shown_lines(std::span<const OverlayLine> lines) const {
     const bool is_crowd = std::count_if(lines.begin(), lines.end(),
                                         [](const OverlayLine& line) { return line.arrow; }) > kCrowd;
-    std::set<std::tuple<const Overlay*, int, int>> taken;
+    Squares squares(*this);
     std::vector<const OverlayLine*> shown;
     for (const OverlayLine& line : lines) {
       if (is_low_ && line.detail) continue;
-      if (is_crowd && line.arrow) {
-        const ImVec2 from = view_.to_screen(line.from);
-        const auto square = [&](float at) {
-          return static_cast<int>(std::floor(at / (kArrowRoom * scale_)));
-        };
-        if (!taken.emplace(line.overlay, square(from.x), square(from.y)).second) continue;
-      }
+      if (is_crowd && line.arrow && !squares.take(line.overlay, line.from)) continue;
       shown.push_back(&line);
     }
     return shown;
