@@ -194,6 +194,18 @@ TEST_F(UiLayouts, TheMapKeepsHalfOfALowWindow) {
   EXPECT_GE(share(), 0.45f);
 }
 
+TEST_F(UiLayouts, TheMenuTicksTheColumnThatHasRoom) {
+  start(save_test_level("level.talus.json"), 900, 600);
+  const auto ticked = [&](CommandId id) { return find_command(id).is_checked(session(), app().ui()); };
+  EXPECT_TRUE(ticked("view/left_column"_command));
+  EXPECT_FALSE(ticked("view/right_column"_command));
+  key(alt('.'));
+  frames(2);
+  EXPECT_NE(find("tabs/inspector"), nullptr) << "it takes the place of the other";
+  EXPECT_FALSE(ticked("view/left_column"_command));
+  EXPECT_TRUE(ticked("view/right_column"_command));
+}
+
 TEST_F(UiLayouts, PlayHasTheHandAndTheTuningAlone) {
   start();
   click("layout/play");
@@ -345,6 +357,9 @@ TEST_F(UiLayouts, OnesOwnAreSavedByNameAndComeBack) {
   frames(3);
   EXPECT_NE(find("tabs/input_roll"), nullptr);
   EXPECT_EQ(find("sheet/tiles"), nullptr);
+  EXPECT_EQ(find("layouts/saved0"), nullptr) << "the window has done its work";
+  key(ctrl_shift('4'));
+  frames(3);
   click("layouts/saved0/drop");
   EXPECT_TRUE(app().ui().view.layouts.empty());
 }

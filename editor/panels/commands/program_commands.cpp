@@ -17,6 +17,15 @@ CommandRun open_program(ProgramId id) {
   return [id](S, A, U ui) { ui.ask(request::OpenProgram{id}); };
 }
 
+// A column for which there is no room takes the place of the other one.
+CommandRun show_or_hide_column(bool WindowView::*open, bool WindowView::*shown, TabPlace place) {
+  return [=](S, A, U ui) {
+    WindowView& window = ui.view.window;
+    window.*open = !(window.*shown);
+    if (window.*open) window.first = place;
+  };
+}
+
 // The commands go on from the size that is shown, which may be the automatic one.
 constexpr std::array<double, 5> kTextSizes = {1, 1.25, 1.5, 2, 3};
 enum class TextStep { smaller, larger };
@@ -147,15 +156,15 @@ std::vector<Command> column_commands() {
        .help = "Shows or hides the sheet and what is below it.",
        .key = alt(','),
        .menu = menus::kViewLayouts,
-       .run = toggle<&View::window, &WindowView::left_open>,
-       .checked = is_on<&View::window, &WindowView::left_open>},
+       .run = show_or_hide_column(&WindowView::left_open, &WindowView::left_shown, TabPlace::left),
+       .checked = is_on<&View::window, &WindowView::left_shown>},
       {.id = "view/right_column",
        .label = "Right column",
        .help = "Shows or hides the inspector and what is below it.",
        .key = alt('.'),
        .menu = menus::kViewLayouts,
-       .run = toggle<&View::window, &WindowView::right_open>,
-       .checked = is_on<&View::window, &WindowView::right_open>},
+       .run = show_or_hide_column(&WindowView::right_open, &WindowView::right_shown, TabPlace::right_top),
+       .checked = is_on<&View::window, &WindowView::right_shown>},
   };
 }
 

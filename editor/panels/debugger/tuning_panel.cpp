@@ -1,6 +1,8 @@
 // A row for each tuning field, by group.
 #include "tuning_panel.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -114,7 +116,9 @@ void TuningPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 void TuningPanel::draw_group(std::string_view group, Ui& ui) {
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   ImGui::TableNextColumn();
+  ImGui::TablePushBackgroundChannel();  // it may be wider than the column of names
   ui.heading(group);
+  ImGui::TablePopBackgroundChannel();
 }
 
 void TuningPanel::draw_field(const TuningField& field, const Session& session, Actions& actions, Ui& ui) {

@@ -43,6 +43,8 @@ struct WindowView {
   bool right_open = true;                // the inspector and what is below it are shown
   bool right_low_open = true;            // in an open right column, what is below the inspector is shown
   bool dock_open = false;                // the debugger's panels are shown
+  bool left_shown = true;                // the left column is open and has room, in the last frame
+  bool right_shown = true;               // the same of the right one
   TabPlace first = TabPlace::left;       // the one of these three that is shown where one has room
   bool alone = false;                    // the canvas fills the window: every panel and bar is hidden
   bool full_screen = false;              // the window fills the screen

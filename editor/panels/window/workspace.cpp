@@ -231,6 +231,8 @@ void Workspace::draw_regions(Frame& frame, ImVec2 window) {
   const bool has_dock =
       view.dock_open && has_panels(Region::dock, view) && make_room_for_dock(view, is_low, columns);
   const float left = columns.left, right = columns.right;
+  view.left_shown = left > 0;
+  view.right_shown = right > 0;
   Layout& layout = view.layout;
   if (left > 0) draw_left(frame, {0, top}, {left, bottom - top});
   if (!has_dock) leave_input_roll(ui.view);
@@ -316,8 +318,9 @@ void Workspace::draw_left(Frame& frame, ImVec2 at, ImVec2 size) {
   const SheetId shown = frame.session.choices().area.sheet;
   const bool in_rgba = is_in_rgba(frame.session.level(), shown);
   const PixelView& view = ui.view.sprites.pixels;
-  if (in_rgba && !view.unfolded && !view.enlarged) return draw_left_folded(frame, at, size);
   const float bar = ui.px(kSplitterWidth);
+  const bool is_low = size.y < ui.px(kSheetLeast + kPixelsLeast + kFlags) + bar;  // pixels would be cut off
+  if ((is_low || (in_rgba && !view.unfolded)) && !view.enlarged) return draw_left_folded(frame, at, size);
   const bool has_flags = has_panels(Region::flags, ui.view.window);
   float flags = has_flags ? ui.px(kFlags) : 0;
   const float palette = ui.px(in_rgba ? kPictureColors : kPalette);
