@@ -1,8 +1,6 @@
 // Takes and repeats stamps.
 #include "stamp.h"
 
-#include "formats/tilesets/displaced_tile.h"
-
 namespace talus {
 namespace {
 
@@ -27,9 +25,9 @@ Stamp stamp_of_sheet(const SheetLayout& sheet, CellRect tiles) {
   });
 }
 
-Stamp stamp_of_tiles(const Level& level, CellRect tiles) {
-  Stamp stamp = stamp_of_sheet(level.sheet(SheetId::tiles).layout(), tiles);
-  if (tiles.contains({0, 0}) && stamp.tiles.size() > 1) stamp.tiles.front() = MapCell(displaced_tile(level));
+Stamp stamp_of_tiles(const SheetLayout& sheet, CellRect tiles, TileNumber first) {
+  Stamp stamp = stamp_of_sheet(sheet, tiles);
+  if (tiles.contains({0, 0}) && stamp.tiles.size() > 1) stamp.tiles.front() = MapCell(first);
   return stamp;
 }
 

@@ -20,9 +20,9 @@ struct Stamp {
 // The rectangle of the tile sheet as a stamp, cut off at the sheet's edge; tile 0 if it is wholly outside.
 // Places behind the sheet's last tile have tile 0.
 Stamp stamp_of_sheet(const SheetLayout& sheet, CellRect tiles);
-// The same of the level's sheet, with the displaced tile among others instead of tile 0: see
-// displaced_tile.h. Alone, that is tile 0, which makes cells empty.
-Stamp stamp_of_tiles(const Level& level, CellRect tiles);
+// The same, where the first place of the sheet has another tile among others; alone it has tile 0, which
+// makes cells empty. first: see displaced_tile().
+Stamp stamp_of_tiles(const SheetLayout& sheet, CellRect tiles, TileNumber first);
 Stamp stamp_of_map(const Level& level, CellRect cells);  // for the picker; cut off at the map's edge
 
 // Stamps are repeated from `origin` in all directions. Returns the top-left cell of the stamp that a cell

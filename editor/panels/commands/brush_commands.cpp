@@ -6,6 +6,7 @@
 #include "edit/auto_tile.h"
 #include "edit/brush_tools.h"
 #include "edit/stamp.h"
+#include "formats/tilesets/displaced_tile.h"
 #include "panels/canvas/ground_hint.h"
 
 namespace talus {
@@ -36,7 +37,9 @@ void propose_ground(S session, A actions, U ui) {
   std::vector<TileNumber> among;
   const SpriteArea& area = session.choices().area;
   if (area.sheet == SheetId::tiles && area.tiles.w * area.tiles.h > 1) {
-    for (const MapCell cell : stamp_of_tiles(session.level(), area.tiles).tiles) among.push_back(cell.tile);
+    for (const MapCell cell :
+         stamp_of_tiles(ui.layout(SheetId::tiles), area.tiles, displaced_tile(session.level())).tiles)
+      among.push_back(cell.tile);
   } else {
     among.resize(static_cast<std::size_t>(session.level().tile_count()));
     std::iota(among.begin(), among.end(), TileNumber{0});

@@ -37,7 +37,8 @@ void draw_frame(ImDrawList& list, CellRect tiles, ImVec2 at, float cell, ImU32 c
 void mark_stamp(ImDrawList& list, const Session& session, ImVec2 at, float cell, const Ui& ui) {
   const Choices& choices = session.choices();
   if (choices.area.sheet != SheetId::tiles ||
-      choices.stamp == stamp_of_tiles(session.level(), choices.area.tiles))
+      choices.stamp ==
+          stamp_of_tiles(ui.layout(SheetId::tiles), choices.area.tiles, displaced_tile(session.level())))
     return;
   std::set<TileNumber> tiles;
   for (const MapCell& painted : choices.stamp.tiles) tiles.insert(painted.tile);

@@ -33,7 +33,9 @@ void ChoiceHandler::carry_out(const action::SelectTiles& a) {
   const SpriteArea area = cut_to_sheet(open_.level, a.area);
   if (!(area == choices_.area)) choices_.pixels.drop();
   choices_.area = area;
-  if (area.sheet == SheetId::tiles) choices_.stamp = stamp_of_tiles(open_.level, area.tiles);
+  if (area.sheet == SheetId::tiles)
+    choices_.stamp =
+        stamp_of_tiles(open_.level.sheet(SheetId::tiles).layout(), area.tiles, displaced_tile(open_.level));
 }
 
 template <>
