@@ -94,6 +94,15 @@ TEST(OpeningArea, NothingIsShownBesideWhatALevelUses) {
   EXPECT_EQ(opening_area(level, balls).bounds, whole) << "pictures may lie there";
 }
 
+TEST(OpeningArea, IsAllThatALevelUsesIfThatIsHardlyMore) {
+  Level level = level_of(240, 136);
+  level.map.set({0, 0}, 1);
+  level.map.set({29, 16}, 1);
+  EXPECT_EQ(opening_area(level, state_of({body_at(16, 20), body_at(216, 100)})).area, (Rect{0, 0, 240, 136}));
+  level.map.set({59, 16}, 1);
+  EXPECT_LT(opening_area(level, state_of({body_at(16, 20), body_at(216, 100)})).area.w, 300);
+}
+
 TEST(FollowedBody, IsTheChosenOneElseThePlayer) {
   const State state = state_of({body_at(0, 0), body_at(8, 8, BodyKind::player), body_at(16, 0)});
   EXPECT_EQ(followed_body(state, 0)->id, 2);

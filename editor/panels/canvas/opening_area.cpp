@@ -12,6 +12,7 @@ namespace talus {
 namespace {
 
 constexpr double kLeastOfScreen = 0.8;  // of a screen's width and height, that are shown at least
+constexpr double kNearlyAll = 1.2;      // what is so much larger than a part is shown whole
 constexpr double kMostScreens = 2;      // that a view shows of what is spread out
 
 Rect whole_map(const TileMap& map) { return {0, 0, map.px_width(), map.px_height()}; }
@@ -103,7 +104,9 @@ OpeningArea area_without_player(const Level& level, const State& state) {
   for (const Body& body : state.bodies) bounds = joined_rect(bounds, body.box);
   if (is_spread(bounds, map))
     return {area_about(state.bodies.front().box.center(), size_of_screen(map), map), true, used};
-  return {with_room(bounds, 2.0 * map.tile_size().height, map), false, used};
+  const Rect area = with_room(bounds, 2.0 * map.tile_size().height, map);
+  const bool is_nearly_all = used.w <= kNearlyAll * area.w && used.h <= kNearlyAll * area.h;
+  return {is_nearly_all ? used : area, false, used};
 }
 
 }  // namespace
