@@ -105,8 +105,12 @@ void FileBrowser::draw_picture(Ui& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float side = ImGui::GetContentRegionAvail().x;
   const ImVec2 end{at.x + side, at.y + std::floor(side * 9 / 16)};
+  if (picture == nullptr) {
+    ui.hint("A level or a picture that is chosen is seen here.");
+    return;
+  }
   draw_picture_in(picture, at, end, ui);
-  if (picture != nullptr) ui.place("files/picture", at, end);
+  ui.place("files/picture", at, end);
 }
 
 bool FileBrowser::lists(const std::string& name) const {

@@ -173,7 +173,7 @@ struct Column {
   bool numbers;  // numbers and their title end at the right edge
   const char* help;
 };
-constexpr float kLeastTableWidth = 374;  // px at scale 1; a narrower panel scrolls
+constexpr float kLeastTableWidth = 396;  // px at scale 1; a narrower panel scrolls
 constexpr std::array<Column, 8> kColumns = {{
     {"#", 14, true, "The order in which the step met them."},
     {"other", 0, false, "A solid tile, an up- or down-slope with its cell, or another body."},

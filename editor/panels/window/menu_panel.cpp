@@ -90,7 +90,8 @@ void draw_picture_of_row(const std::string& file, Ui& ui) {
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (room.y - ImGui::GetTextLineHeight()) / 2);
 }
 
-constexpr float kLayoutGap = 2;  // px at scale 1, between the buttons of two layouts
+constexpr float kLayoutGap = 2;       // px at scale 1, between the buttons of two layouts
+constexpr float kRoomForWords = 800;  // px at scale 1, of a window whose title has room beside them
 
 float width_of_layouts(const Ui& ui) {
   float width = 0;
@@ -158,8 +159,9 @@ void MenuPanel::draw_end_of_section(const std::string& menu, int section, const 
 
 void MenuPanel::draw_title(const Session& session, Actions& actions, Ui& ui) {
   const std::string title = session.file_names() + (session.modified() ? " *" : "");
+  const bool has_room = ImGui::GetWindowWidth() >= ui.px(kRoomForWords);
   const std::string solver =
-      "solver: " + std::string(solver_name(session.level().tuning.solver)) + "   60 Hz";
+      (has_room ? "solver: " : "") + std::string(solver_name(session.level().tuning.solver)) + "   60 Hz";
   const float solver_at = ImGui::GetWindowWidth() - size_of_text(solver).x - ui.px(8);
   const float layouts_at = solver_at - width_of_layouts(ui) - ui.px(16);
   ImGui::SameLine(ui.px(370));
