@@ -2,6 +2,7 @@
 #include "choice_handler.h"
 
 #include <algorithm>
+#include <span>
 
 #include "formats/tilesets/displaced_tile.h"
 #include "level/tile_color.h"
@@ -143,9 +144,12 @@ void ChoiceHandler::fit_stamp(Stamp& stamp) const {
 }
 
 void ChoiceHandler::choose_first_tile() {
+  constexpr int kMostPixels = 1 << 22;  // that are looked at: a sheet may be large and clear
+  const TileSize size = open_.level.map.tile_size();
   int first = displaced_tile(open_.level);
-  while (first < open_.level.tile_count() && is_blank(open_.level, static_cast<TileNumber>(first))) ++first;
-  if (first == open_.level.tile_count()) first = 0;
+  const int end = std::min(open_.level.tile_count(), first + kMostPixels / (size.width * size.height));
+  while (first < end && is_blank(open_.level, static_cast<TileNumber>(first))) ++first;
+  if (first == end) first = 0;
   const Cell place = open_.level.sheet(SheetId::tiles).layout().place_of(first);
   carry_out(action::SelectTiles{{SheetId::tiles, {place.x, place.y, 1, 1}}});
 }
@@ -158,7 +162,9 @@ void ChoiceHandler::forget_level() {
   choices_.pixels.drop();
   fit_level();
   const auto is_unseen = [&](MapCell cell) { return is_blank(open_.level, cell.tile); };
-  if (std::ranges::all_of(choices_.stamp.tiles, is_unseen)) choose_first_tile();
+  constexpr std::size_t kMostTiles = 64;  // that are looked at
+  const std::span stamp = choices_.stamp.tiles;
+  if (std::ranges::all_of(stamp.first(std::min(kMostTiles, stamp.size())), is_unseen)) choose_first_tile();
 }
 
 }  // namespace talus
