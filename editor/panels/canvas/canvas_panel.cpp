@@ -86,7 +86,7 @@ void CanvasPanel::draw_toolbar(const Session& session, Actions& actions, Ui& ui)
   row.add_gap();
   if (has_play) row.add({"canvas/paint_in_play"_command}, session, actions);
   // Who plays without the sheet beside it is not painting.
-  const bool folds = ui.view.canvas.has_hand() && !ui.view.window.left_open;
+  const bool folds = ui.view.canvas.has_hand() && !ui.view.window.left_shown;
   for (const CommandId& tool :
        {"map/stamp"_command, "map/pan"_command, "map/select"_command, "map/fill"_command, "map/line"_command,
         "map/rectangle"_command, "map/ellipse"_command, "map/slope"_command, "map/segment"_command,

@@ -109,7 +109,7 @@ void take_tour(S, A actions, U ui) {
 }
 
 // A tool takes the play view from the hand, but not beside the map: there the same key gives it back.
-void take_up_hand(S, A, U ui) {
+void choose_hand(S, A, U ui) {
   CanvasesView& canvas = ui.view.canvas;
   canvas.paint_in_play = canvas.mode == CanvasMode::both && !canvas.paint_in_play;
 }
@@ -348,7 +348,7 @@ std::vector<Command> canvas_commands() {
        .key = KeyChord{'p'},
        .menu = menus::kPlayBody,
        .icon = Icon::hand,
-       .run = take_up_hand,
+       .run = choose_hand,
        .checked = [](S, const Ui& ui) { return !ui.view.canvas.paint_in_play; },
        .words = "paint in the play view pointer arrow grab"},
   };

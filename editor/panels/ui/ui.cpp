@@ -62,8 +62,10 @@ void Ui::tooltip(std::string_view help, std::string_view key) {
 
 void Ui::show_tooltip_when_rested(ImGuiID id, std::string_view help, std::string_view key) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-  if (ImGui::IsAnyMouseDown()) pressed_on_ = id;
-  if (ImGui::IsAnyMouseDown()) return;
+  if (ImGui::IsAnyMouseDown()) {
+    pressed_on_ = id;
+    return;
+  }
   if (ImGui::GetTopMostPopupModal() != nullptr) return;  // dialogs explain themselves
   rests_on_ = id;
   if (pressed_on_ == id) return;  // who has used it needs no help until the mouse comes back
