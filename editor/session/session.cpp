@@ -21,6 +21,7 @@ struct Session::Impl {
         reading(messages, tools.patience),
         files({open, reading, level, run, debug, choices, messages}, std::move(tools),
               std::move(unsaved_name)) {
+    choices.forget_level();  // the first level is a new one, too
     run.read_hard_case();
     debug.follow();
   }
