@@ -34,11 +34,10 @@ void draw_frame(ImDrawList& list, CellRect tiles, ImVec2 at, float cell, ImU32 c
 }
 
 // The tiles that the stamp paints, if the selection does not show them already.
-void mark_stamp(ImDrawList& list, const Session& session, ImVec2 at, float cell, const Ui& ui) {
-  const Choices& choices = session.choices();
+void mark_stamp(ImDrawList& list, const Choices& choices, TileNumber displaced, ImVec2 at, float cell,
+                const Ui& ui) {
   if (choices.area.sheet != SheetId::tiles ||
-      choices.stamp ==
-          stamp_of_tiles(ui.layout(SheetId::tiles), choices.area.tiles, displaced_tile(session.level())))
+      choices.stamp == stamp_of_tiles(ui.layout(SheetId::tiles), choices.area.tiles, displaced))
     return;
   std::set<TileNumber> tiles;
   for (const MapCell& painted : choices.stamp.tiles) tiles.insert(painted.tile);
@@ -60,11 +59,9 @@ CellRect shown_part(const Session& session, const Ui& ui) {
 }
 
 // Where the chosen tiles are seen: a displaced tile in the place that its tileset gives it.
-CellRect place_of_choice(const Session& session, const Ui& ui) {
-  const SpriteArea& area = session.choices().area;
-  const TileNumber displaced = area.sheet == SheetId::tiles ? displaced_tile(session.level()) : TileNumber{0};
-  const bool is_it = displaced != 0 && area.tiles == ui.place_on_sheet(displaced);
-  return is_it ? CellRect{0, 0, 1, 1} : area.tiles;
+CellRect place_of_choice(CellRect tiles, TileNumber displaced, const Ui& ui) {
+  const bool is_it = displaced != 0 && tiles == ui.place_on_sheet(displaced);
+  return is_it ? CellRect{0, 0, 1, 1} : tiles;
 }
 
 // Calls use(tile, its corner) for the tiles of some columns and rows that can be seen.
@@ -131,6 +128,7 @@ void SheetPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 
 void SheetPanel::draw_sheet(const Session& session, Actions& actions, Ui& ui) {
   const SheetId sheet = session.choices().area.sheet;
+  displaced_ = sheet == SheetId::tiles ? displaced_tile(session.level()) : TileNumber{0};
   const ImVec2 left = ImGui::GetContentRegionAvail();
   const ImVec2 room{std::max(1.0f, std::floor(left.x)), std::max(1.0f, std::floor(left.y))};
   camera_.begin(session, ui, shown_part(session, ui), room);
@@ -166,7 +164,7 @@ void SheetPanel::follow_choice(const Session& session, Ui& ui) {
   const int asked = std::exchange(ui.view.sprites.shown_tile, -1);
   const bool is_new = asked >= 0 || area.tiles != shown_choice_;
   shown_choice_ = area.tiles;
-  const CellRect part = shown_part(session, ui), place = place_of_choice(session, ui);
+  const CellRect part = shown_part(session, ui), place = place_of_choice(area.tiles, displaced_, ui);
   if (is_new && !drag_from_ && part.contains({place.x, place.y})) camera_.show(place);
 }
 
@@ -179,9 +177,8 @@ void SheetPanel::draw_layers(ImDrawList& list, const Session& session, const She
   // Art is made for the dark of the canvas.
   if (theme::is_light()) list.AddRectFilled(view.min(), view.max(), theme::color(theme::kOutside));
   list.AddImage(ui.sheet(area.sheet), view.min(), view.max(), uv.from, uv.to);
-  const TileNumber displaced = area.sheet == SheetId::tiles ? displaced_tile(session.level()) : TileNumber{0};
-  if (displaced != 0 && part.contains({0, 0})) {  // it is seen in its place, too
-    const UvRect its = ui.uv_of(displaced);
+  if (displaced_ != 0 && part.contains({0, 0})) {  // it is seen in its place, too
+    const UvRect its = ui.uv_of(displaced_);
     list.AddImage(ui.sheet(area.sheet), at, {at.x + cell, at.y + cell}, its.from, its.to);
   }
   if (area.sheet == SheetId::tiles && session.choices().overlays.has(overlay::shapes)) {
@@ -192,8 +189,8 @@ void SheetPanel::draw_layers(ImDrawList& list, const Session& session, const She
   if (const auto pattern = session.choices().flag_overlay)
     tint_tiles(list, session.level().sheet(area.sheet), *pattern, part, at, cell);
   if (area.sheet == SheetId::tiles) draw_marks(list, session, view, ui);
-  mark_stamp(list, session, at, cell, ui);
-  draw_frame(list, place_of_choice(session, ui), at, cell, theme::color(theme::kText), ui);
+  mark_stamp(list, session.choices(), displaced_, at, cell, ui);
+  draw_frame(list, place_of_choice(area.tiles, displaced_, ui), at, cell, theme::color(theme::kText), ui);
 }
 
 // Dims what is not found or not used, and gives used tiles a corner.
@@ -351,9 +348,8 @@ void SheetPanel::handle_mouse(const Session& session, Actions& actions, Ui& ui, 
   const Cell pointed = view.place_at(io.MousePos);
   const Cell tile = layout.nearest({std::clamp(pointed.x, part.x, part.x + part.w - 1),
                                     std::clamp(pointed.y, part.y, part.y + part.h - 1)});
-  const int displaced = sheet == SheetId::tiles ? displaced_tile(session.level()) : 0;
   const auto tile_at = [&](Cell place) {
-    return place == Cell{0, 0} && displaced != 0 ? displaced : layout.tile_at(place);
+    return place == Cell{0, 0} && displaced_ != 0 ? int{displaced_} : layout.tile_at(place);
   };
   const int number = tile_at(tile);
   const bool paints = session.choices().map_tool == MapTool::flag;
@@ -363,8 +359,8 @@ void SheetPanel::handle_mouse(const Session& session, Actions& actions, Ui& ui, 
   const bool selects = !paints || io.MouseDown[1];
   if (drag_from_ && selects) {
     const CellRect chosen = spanned(*drag_from_, tile);
-    const bool is_displaced = displaced != 0 && chosen == CellRect{0, 0, 1, 1};
-    actions.push_back(action::SelectTiles{{sheet, is_displaced ? ui.place_on_sheet(displaced) : chosen}});
+    const bool is_displaced = displaced_ != 0 && chosen == CellRect{0, 0, 1, 1};
+    actions.push_back(action::SelectTiles{{sheet, is_displaced ? ui.place_on_sheet(displaced_) : chosen}});
   }
   if (paints) {
     if (flag_brush_.active() && is_drag_cancelled()) flag_brush_.cancel(session, actions);

@@ -32,8 +32,9 @@ class SheetPanel : public Panel {
   void draw_marks(ImDrawList& list, const Session& session, const SheetView& view, const Ui& ui);
   void handle_mouse(const Session& session, Actions& actions, Ui& ui, const SheetView& view);
   SheetCamera camera_;
-  CellRect shown_choice_;  // the chosen tiles in the last frame
-  int shown_tab_ = -2;     // index of the tileset whose tab is chosen; -1: all tiles; -2: none yet
+  CellRect shown_choice_;     // the chosen tiles in the last frame
+  TileNumber displaced_ = 0;  // see displaced_tile(); 0 also while the sprites are shown
+  int shown_tab_ = -2;        // index of the tileset whose tab is chosen; -1: all tiles; -2: none yet
   SheetFinder finder_;
   std::string tileset_name_;  // as typed, while the menu of a tileset is open
   FlagBrush flag_brush_;
