@@ -86,13 +86,21 @@ Rect area_of_ground(const Level& level) {
                    map);
 }
 
+// bodies: at least one.
+Rect bounds_of(const std::vector<Body>& bodies) {
+  Rect bounds = bodies.front().box;
+  for (const Body& body : bodies) bounds = joined_rect(bounds, body.box);
+  return bounds;
+}
+
 // A cart's map has more room than most carts use.
 Rect used_part(const Level& level, const State& state) {
   const TileMap& map = level.map;
   if (level.layers.count() != 1 || !level.objects.empty()) return whole_map(map);
-  auto used = tiles_within(ground_layers(level), {0, 0, map.width(), map.height()}, map);
-  for (const Body& body : state.bodies) used = used ? joined_rect(*used, body.box) : body.box;
-  return used.value_or(whole_map(map));
+  const auto tiles = tiles_within(ground_layers(level), {0, 0, map.width(), map.height()}, map);
+  if (state.bodies.empty()) return tiles.value_or(whole_map(map));
+  const Rect bodies = bounds_of(state.bodies);
+  return tiles ? joined_rect(*tiles, bodies) : bodies;
 }
 
 // What of a level without a body that the keys steer is shown first.
@@ -100,8 +108,7 @@ OpeningArea area_without_player(const Level& level, const State& state) {
   const TileMap& map = level.map;
   const Rect used = used_part(level, state);
   if (state.bodies.empty()) return {area_of_ground(level), false, used};
-  Rect bounds = state.bodies.front().box;
-  for (const Body& body : state.bodies) bounds = joined_rect(bounds, body.box);
+  const Rect bounds = bounds_of(state.bodies);
   if (is_spread(bounds, map))
     return {area_about(state.bodies.front().box.center(), size_of_screen(map), map), true, used};
   const Rect area = with_room(bounds, 2.0 * map.tile_size().height, map);
