@@ -64,9 +64,7 @@ void run_from_start(S session, A actions, U ui) {
 
 // The keyboard's cursor moves with the focus.
 void show_sprites(S, A, U ui) {
-  ui.view.window.left_open = true;
-  ui.view.window.first = TabPlace::left;
-  ui.view.window.alone = false;
+  show_left_column(ui.view.window);
   leave_windows();
   ui.view.window.keys_in_panel = false;
   ui.view.window.focus = Focus::sprites;

@@ -27,12 +27,7 @@ void take_up_hand(S session, A actions, Ui& ui) {
   find_command("play/no_body"_command).run(session, actions, ui);
 }
 
-void show_sheet(S, A, Ui& ui) {
-  WindowView& window = ui.view.window;
-  window.alone = false;
-  window.left_open = true;
-  window.first = TabPlace::left;
-}
+void show_sheet(S, A, Ui& ui) { show_left_column(ui.view.window); }
 
 void show_nothing(S, A, Ui&) {}
 

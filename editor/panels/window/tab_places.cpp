@@ -20,6 +20,12 @@ void move_tab(WindowView& window, const std::string& panel, TabPlace place) {
   window.wanted_tabs.push_back(panel);
 }
 
+void show_left_column(WindowView& window) {
+  window.left_open = true;
+  window.first = TabPlace::left;
+  window.alone = false;
+}
+
 void reopen_tab(WindowView& window, std::string_view panel) {
   std::erase(window.moved_tabs, MovedTab{std::string(panel), TabPlace::closed});
 }

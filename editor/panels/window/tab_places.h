@@ -28,6 +28,8 @@ struct SavedLayout {
 std::optional<TabPlace> moved_place(const WindowView& window, std::string_view panel);
 // Puts a panel there, opens the column, and brings the panel to the front.
 void move_tab(WindowView& window, const std::string& panel, TabPlace place);
+// Shows the left column, in a narrow window instead of the right one.
+void show_left_column(WindowView& window);
 // Puts a closed panel back to where the program puts it.
 void reopen_tab(WindowView& window, std::string_view panel);
 
