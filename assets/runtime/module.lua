@@ -10,7 +10,9 @@ function talus.new(level)
     if not has[part] then error("the level needs a part that is not in this module: " .. part, 2) end
   end
   local world = setmetatable({frame = 0, bodies = {}, tuning = {}, kinds = level.kinds}, World)
-  for key, value in pairs(level.tuning) do world.tuning[key] = value + 0.0 end
+  for key, value in pairs(level.tuning) do
+    world.tuning[key] = type(value) == "number" and value + 0.0 or value
+  end
   world.terrain = new_terrain(level)
   world:place_tiles(level)
   for _, spawn in ipairs(level.spawns) do

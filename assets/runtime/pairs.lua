@@ -10,7 +10,7 @@ end
 
 -- The other bodies that a motion may meet, whichever way it turns; in order.
 function World:others(body, box, x, y)
-  if self.tuning.balls_block == 0 then return nil end
+  if self.tuning.bodies == "pass" then return nil end
   local length = abs(x) + abs(y)
   local left, top, right, bottom = block_cells(box.x - length, box.y - length, box.w + 2 * length,
                                                box.h + 2 * length)

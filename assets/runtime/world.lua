@@ -63,9 +63,9 @@ function World:add(body)
   if not kind or not rules[kind.rule] then
     error(("no part of this module moves bodies of the kind %q: name it in the export"):format(tostring(body.kind)), 2)
   end
-  if #self.bodies > 0 and self.tuning.balls_block ~= 0 and not has.pairs then
+  if #self.bodies > 0 and self.tuning.bodies ~= "pass" and not has.pairs then
     error("a second body takes the part pairs, as bodies block one another here: name it in the export, or " ..
-          "set balls_block in the level's tuning to 0", 2)
+          "set bodies in the level's tuning to pass", 2)
   end
   body.id = #self.bodies + 1
   body.x, body.y, body.w, body.h = body.x + 0.0, body.y + 0.0, (body.w or kind.w) + 0.0, (body.h or kind.h) + 0.0

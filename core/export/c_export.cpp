@@ -338,8 +338,12 @@ void CHeader::put_tuning() {
   for (const TuningField& field : tuning_fields()) {
     std::string name = upper(field.path()), value;
     std::replace(name.begin(), name.end(), '.', '_');
-    append_number(value, field.of(level_.tuning));
-    if (value.find_first_of(".e") == std::string::npos) value += ".0";
+    if (field.words.empty()) {
+      append_number(value, field.of(level_.tuning));
+      if (value.find_first_of(".e") == std::string::npos) value += ".0";
+    } else {
+      value = c_string(field.word_of(level_.tuning));
+    }
     line("#define ^_TUNING_" + name + " " + value);
   }
   line("");

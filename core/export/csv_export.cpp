@@ -166,8 +166,14 @@ std::string flag_name_table(const Level& level) {
 std::string tuning_table(const Tuning& tuning) {
   CsvTable table("name,value,unit");
   table.word("solver").word(solver_name(tuning.solver)).word("").end_row();
-  for (const TuningField& field : tuning_fields())
-    table.word(field.path()).number(field.of(tuning)).word(field.unit).end_row();
+  for (const TuningField& field : tuning_fields()) {
+    table.word(field.path());
+    if (field.words.empty())
+      table.number(field.of(tuning));
+    else
+      table.word(field.word_of(tuning));
+    table.word(field.unit).end_row();
+  }
   return table.take();
 }
 

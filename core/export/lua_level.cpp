@@ -418,7 +418,12 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
   }
   {
     LuaTable tuning = table.in_lines("tuning");
-    for (const TuningField& field : tuning_fields()) tuning.number(lua_key(field), field.of(level.tuning));
+    for (const TuningField& field : tuning_fields()) {
+      if (field.words.empty())
+        tuning.number(lua_key(field), field.of(level.tuning));
+      else
+        tuning.word(lua_key(field), field.word_of(level.tuning));
+    }
   }
   if (!with_tiles) return;
   write_flags(level, table);

@@ -95,7 +95,7 @@ PartNames used_parts(const Level& level) {
     used.emplace("curves");
   const bool has_slopes = used.contains("slopes") || used.contains("polygons") || used.contains("segments");
   if (has_centre && has_slopes) used.emplace("walk");
-  if (level.tuning.shared.balls_block != 0 && bodies > 1) used.emplace("pairs");
+  if (level.tuning.shared.pairs() != BodyPairs::pass && bodies > 1) used.emplace("pairs");
   const ExactTuning& exact = level.tuning.exact;
   if (used.contains("balls") && exact.rebound != 0 && exact.gravity > 0) used.emplace("flight");
   return used;
@@ -119,6 +119,11 @@ std::string lua_part_names() {
 
 FormatResult<std::vector<std::string>> lua_parts(const Level& level, std::string_view more) {
   PartNames wanted = used_parts(level);
+  if (level.tuning.shared.pairs() == BodyPairs::meet && wanted.contains("balls")) {
+    return tl::unexpected(FormatError{"",
+                                      "the bodies of this level meet, which the Lua runtime cannot do yet: "
+                                      "set bodies in its tuning to block or pass"});
+  }
   while (!more.empty()) {
     std::string_view word = more.substr(0, more.find(','));
     more.remove_prefix(std::min(word.size() + 1, more.size()));

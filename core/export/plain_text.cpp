@@ -43,7 +43,11 @@ OrderedJson tuning_of(const Tuning& tuning) {
   OrderedJson members = {{"solver", solver_name(tuning.solver)}};
   for (const TuningField& field : tuning_fields()) {
     const std::string group(field.group), key(field.key);
-    (group.empty() ? members[key] : members[group][key]) = number(field.of(tuning));
+    OrderedJson& member = group.empty() ? members[key] : members[group][key];
+    if (field.words.empty())
+      member = number(field.of(tuning));
+    else
+      member = field.word_of(tuning);
   }
   return members;
 }

@@ -25,6 +25,8 @@ constexpr auto player = member<&Tuning::player, Number>;
 
 constexpr bool kAny = false, kWhole = true;
 
+constexpr std::array<std::string_view, 3> kPairWords = {"pass", "block", "meet"};  // by BodyPairs
+
 constexpr std::array kFields = std::to_array<TuningField>({
     {"", "cell_size", "cell size", "px", shared<&S::cell_size>, 1, 1024, kAny,
      "Side of a grid cell of the collision world; only speed depends on it. Slow when far from 2-4 tiles."},
@@ -56,8 +58,10 @@ constexpr std::array kFields = std::to_array<TuningField>({
      "Distance in x and y from a ball's corner to where the mouse holds it: 4 is its centre."},
     {"", "drag_probe", "drag probe", "px/frame", shared<&S::drag_probe>, 0, 64, kAny,
      "Downward speed with which a dragged ball looks for slopes. 0: it sinks into them."},
-    {"", "balls_block", "balls block", "", shared<&S::balls_block>, 0, 1, kAny,
-     "1: balls are obstacles to one another, as in the article. 0: they pass through each other."},
+    {"", "bodies", "bodies", "", shared<&S::bodies>, 0, 2, kWhole,
+     "pass: bodies go through one another. block: they are obstacles, as in the article. meet, with exact: "
+     "they move at the same time, bounce off and push one another.",
+     kPairWords},
     {"exact", "gravity", "gravity", "px/frame^2", exact<&E::gravity>, 0, 64, kAny,
      "Speed gained downwards each frame. 0: balls fall as in the article. Too high: they never roll."},
     {"exact", "steepest", "steepest floor", "", exact<&E::steepest>, 0, 64, kAny,
@@ -104,6 +108,16 @@ constexpr std::array<SolverKind, 3> kSolvers = {SolverKind::article, SolverKind:
 
 std::string TuningField::path() const {
   return group.empty() ? std::string(key) : std::string(group) + "." + std::string(key);
+}
+
+std::string_view TuningField::word_of(const Tuning& tuning) const {
+  return words[static_cast<std::size_t>(of(tuning))];
+}
+
+std::optional<double> TuningField::of_word(std::string_view word) const {
+  const auto found = std::find(words.begin(), words.end(), word);
+  if (found == words.end()) return std::nullopt;
+  return static_cast<double>(found - words.begin());
 }
 
 bool TuningField::accepts(double value) const {

@@ -6,8 +6,10 @@
 
 #include "../collision/ground_queries.h"
 #include "body_grid.h"
+#include "contact_notes.h"
 #include "exact_body.h"
 #include "floor_walk.h"
+#include "meet/meeting.h"
 #include "mouse.h"
 #include "step_limits.h"
 
@@ -39,7 +41,9 @@ class ExactSolver final : public Solver {
         pairs_(scene_->features.pairs),
         max_passes_(static_cast<int>(scene_->tuning.exact.max_passes)),
         substeps_(static_cast<int>(scene_->tuning.exact.substeps)),
-        part_(Real(1) / static_cast<Real>(substeps_)) {}
+        part_(Real(1) / static_cast<Real>(substeps_)) {
+    if (scene_->features.meets) meeting_ = std::make_unique<Meeting>(scene_);
+  }
 
   void step(State& state, const Input& input, StepRecord* record) override {
     record_ = record;
@@ -52,7 +56,11 @@ class ExactSolver final : public Solver {
     }
     take_mouse(state, input, [&] { return body_at(state, input.mouse); });
     step_budget_ = StepBudget(state.bodies.size());
-    for (std::size_t i = 0; i < state.bodies.size(); ++i) step_body(state, i, input);
+    if (meeting_) {
+      meet(state, input);
+    } else {
+      for (std::size_t i = 0; i < state.bodies.size(); ++i) step_body(state, i, input);
+    }
     if (record_ != nullptr) record_->work = step_budget_.spent();
     ++state.frame;
   }
@@ -67,11 +75,21 @@ class ExactSolver final : public Solver {
   static Vec2 widen(Vec v) { return {v.x, v.y}; }
   static Rect widen(const BasicRect<Real>& r) { return {r.x, r.y, r.w, r.h}; }
 
+  // Players move first, and then all others together.
+  void meet(State& state, const Input& input) {
+    for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+      if (!meeting_->moves(state.bodies[i], state))
+        step_body(state, i, input);
+      else if (record_ != nullptr)
+        note_start(state.bodies[i]);
+    }
+    step_budget_.spend(meeting_->step(state, input, record_));
+  }
+
   void step_body(State& state, std::size_t index, const Input& input) {
     Body& body = state.bodies[index];
     Moving<Real> moving{narrow(body.box), narrow(body.velocity), body.foot};
-    if (record_ != nullptr)
-      record_->paths.push_back({.body = body.id, .from = body.box, .goal = {}, .to = {}});
+    if (record_ != nullptr) note_start(body);
     const std::int64_t part = step_budget_.part();
     budget_ = {part};
     if (!body.is_clear) leave_ground(moving);
@@ -421,6 +439,10 @@ class ExactSolver final : public Solver {
 
   // ---- Records ----
 
+  void note_start(const Body& body) {
+    record_->paths.push_back({.body = body.id, .from = body.box, .goal = {}, .to = {}});
+  }
+
   void note_cut_short() {
     if (record_ != nullptr) record_->paths.back().cut_short = true;
   }
@@ -429,27 +451,10 @@ class ExactSolver final : public Solver {
     if (record_ != nullptr) record_->paths.back().goal = {moving.box.x + motion.x, moving.box.y + motion.y};
   }
 
-  Obstacle obstacle_of(const Contact<Real>& contact) const {
-    Obstacle other;
-    if (contact.is_other) {
-      const Body& body = (*bodies_)[near_[static_cast<std::size_t>(-1 - contact.origin)]];
-      return {TileRole::ball, body.origin.cell, body.id, body.box};
-    }
-    const Piece<Real>* piece = contact.piece;
-    if (piece != nullptr && piece->slope != 0)
-      other.role = piece->slope < 0 ? TileRole::up_slope : TileRole::down_slope;
-    if (contact.origin < 0) {
-      other.curve = -1 - contact.origin;
-    } else {
-      other.cell = {contact.origin % ground_.width(), contact.origin / ground_.width()};
-    }
-    const TileSize tile = ground_.tile_size();
-    other.box = {ground_.x_of(other.cell.x), ground_.y_of(other.cell.y), 1.0 * tile.width, 1.0 * tile.height};
-    if (piece != nullptr && (contact.origin < 0 || other.role != TileRole::solid)) {
-      const double top = std::min(piece->y0, piece->y1), bottom = std::max(piece->y0, piece->y1);
-      other.box = {piece->x0, top, static_cast<double>(piece->x1) - piece->x0, bottom - top};
-    }
-    return other;
+  Obstacle other_of(const Contact<Real>& contact) const {
+    if (!contact.is_other) return obstacle_of(ground_, contact);
+    const Body& body = (*bodies_)[near_[static_cast<std::size_t>(-1 - contact.origin)]];
+    return {TileRole::ball, body.origin.cell, body.id, body.box};
   }
 
   // The motion that the body went on with after its last contact.
@@ -469,23 +474,13 @@ class ExactSolver final : public Solver {
     ContactRecord& c = record_->contacts.emplace_back();
     c.body = body.id;
     c.order = order_++;
-    c.other = obstacle_of(contact);
+    c.other = other_of(contact);
     c.ti = contact.t;
     c.move = widen(motion);
     c.normal = widen(contact.normal);
     c.touch = widen(contact.position);
     c.handled = true;
-    const bool sloped = contact.normal.x != 0 && contact.normal.y != 0;
-    if (!sloped || contact.piece == nullptr) return;
-    const Piece<Real>& piece = *contact.piece;
-    const double centre = static_cast<double>(contact.position.x) + body.box.w / 2;
-    c.slope = SlopeProbe{
-        .slope = c.other,
-        .delta = std::clamp((centre - piece.x0) / (static_cast<double>(piece.x1) - piece.x0), 0.0, 1.0),
-        .floor_y = contact.position.y + (contact.facing == Facing::up ? body.box.h : 0),
-        .placed_y = contact.position.y,
-        .normal = c.normal,
-        .corrected = true};
+    c.slope = slope_probe(contact, c.other, {body.box.w, body.box.h});
   }
 
   const std::shared_ptr<const Scene> scene_;
@@ -494,7 +489,8 @@ class ExactSolver final : public Solver {
   const std::span<const BodyTraits> kinds_;  // by BodyKind
   const bool pairs_;                         // whether bodies block one another
   const int max_passes_, substeps_;
-  const Real part_;  // length of a sub-step in steps
+  const Real part_;                   // length of a sub-step in steps
+  std::unique_ptr<Meeting> meeting_;  // null: bodies do not meet
   StepBudget step_budget_;
   CastBudget budget_;  // of the body that moves: its part of the step's
   BodyGrid grid_;

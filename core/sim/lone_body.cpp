@@ -14,7 +14,7 @@ Scene scene_for(const LoneBody& body, Scene scene) {
                          .spawn = kLoneSpawn,
                          .kind = spawn.kind,
                          .foot = spawn.used_foot()});
-  scene.features = {.pairs = false, .players = traits_of(spawn.kind).takes_keys};
+  scene.features = {.pairs = false, .meets = false, .players = traits_of(spawn.kind).takes_keys};
   scene.tuning.player.run_speed = body.run_speed;
   return scene;
 }

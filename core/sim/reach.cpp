@@ -24,7 +24,7 @@ Input input_of(std::uint8_t keys) {
 Scene without_others(const Scene& scene) {
   Scene alone = scene;
   alone.items.clear();  // the exact solver needs only the ground
-  alone.features.pairs = false;
+  alone.features.pairs = alone.features.meets = false;
   return alone;
 }
 

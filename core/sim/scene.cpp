@@ -136,7 +136,11 @@ void note_bodies(Scene& scene) {
   const auto bodies = std::count_if(scene.items.begin(), scene.items.end(),
                                     [](const SceneItem& i) { return i.role == TileRole::ball; });
   scene.features.players = std::any_of(scene.items.begin(), scene.items.end(), is_player);
-  scene.features.pairs = scene.tuning.shared.balls_block != 0 && bodies > 1;
+  scene.features.meets =
+      scene.tuning.solver == SolverKind::exact && scene.tuning.shared.pairs() == BodyPairs::meet &&
+      std::any_of(scene.items.begin(), scene.items.end(),
+                  [&](const SceneItem& item) { return item.role == TileRole::ball && !is_player(item); });
+  scene.features.pairs = scene.tuning.shared.pairs() != BodyPairs::pass && bodies > 1;
 }
 
 void compile_ground(const Level& level, const GroundCells& ground,
@@ -145,7 +149,7 @@ void compile_ground(const Level& level, const GroundCells& ground,
   source.progress = progress;
   scene.ground_lines = ground_lines(level, ground);
   if (scene.ground_lines > kMaxGroundLines) source.shapes.assign(source.shapes.size(), {});
-  if (level.tuning.exact.single_precision != 0) {
+  if (level.tuning.exact.single_precision != 0 && level.tuning.shared.pairs() != BodyPairs::meet) {
     scene.single_ground = std::make_shared<const BasicTerrain<float>>(source);
   } else {
     scene.ground = std::make_shared<const Terrain>(source);

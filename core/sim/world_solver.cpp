@@ -44,7 +44,7 @@ WorldSolver::WorldSolver(std::shared_ptr<const Scene> scene, World::ResponseFunc
       world_(cell_size_),
       slope_response_(std::move(slope_response)),
       moving_{Response::slide, Response::cross, Response::slide},
-      balls_block_(tuning().balls_block != 0) {
+      bodies_block_(tuning().pairs() != BodyPairs::pass) {
   rebuild(initial_state(*scene_));
 }
 
@@ -75,7 +75,7 @@ void WorldSolver::rebuild(const State& state) {
                          [&](const Body* b, const BodyOrigin& o) { return less(b->origin, o); });
     if (body == by_start.end() || (*body)->origin != item.origin()) continue;
     Placed placed{(*body)->id, {}, (*body)->box};
-    if (balls_block_)
+    if (bodies_block_)
       placed.item = add(placed.box, {{TileRole::ball, item.cell, placed.id, {}}, {}, kBallGroup});
     placed_.push_back(placed);
   }
@@ -122,7 +122,7 @@ void WorldSolver::step(State& state, const Input& input, StepRecord* record) {
 
 // The first ball, in scene order, that contains the point; 0 if there is none.
 int WorldSolver::body_at(const State& state, Vec2 point) {
-  if (!balls_block_) {
+  if (!bodies_block_) {
     const auto found = std::find_if(state.bodies.begin(), state.bodies.end(),
                                     [&](const Body& body) { return contains(sides_of(body.box), point); });
     return found == state.bodies.end() ? 0 : found->id;

@@ -85,7 +85,7 @@ class WorldSolver : public Solver {
   std::vector<Entry> entries_;    // by ItemId::index
   std::vector<Placed> placed_;    // in the order of State::bodies
   std::vector<ItemId> under_mouse_;
-  bool balls_block_;
+  bool bodies_block_;
   std::vector<std::uint64_t> tested_marks_;  // by ItemId::index: the last mark under which it was recorded
   std::uint64_t test_mark_ = 0;              // one for each body and step
   StepRecord* record_ = nullptr;             // of the current step; null: it is not recorded

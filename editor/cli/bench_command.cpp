@@ -28,7 +28,7 @@ struct BenchOptions {
 void bench(CommandContext& context, const BenchOptions& options) {
   std::optional<Level> level = load_or_fail(context, options.file);
   if (!level) return;
-  level->tuning.shared.balls_block = options.pairs ? 1 : 0;
+  level->tuning.shared.bodies = options.pairs ? 1 : 0;
   apply_physics(options.physics, level->tuning);
   if (const auto problem = ground_problem(*level))
     return fail(context, options.file, "", "the level " + *problem);
@@ -67,7 +67,7 @@ void bench(CommandContext& context, const BenchOptions& options) {
   line["solver"] = solver_name(scene->tuning.solver);
   line["bodies"] = state.bodies.size();
   line["frames"] = options.frames;
-  line["pairs"] = level->tuning.shared.balls_block != 0;
+  line["pairs"] = level->tuning.shared.pairs() != BodyPairs::pass;
   line["threads"] = 1;  // every solver steps bodies in their order
   line["seed"] = options.seed;
   line["ns_per_body_step"] = median(solver_ns);

@@ -62,6 +62,16 @@ std::string apply_setting(const std::string& setting, Tuning& tuning) {
   const auto field =
       std::find_if(fields.begin(), fields.end(), [&](const TuningField& f) { return f.path() == key; });
   if (field == fields.end()) return "the tuning has no number \"" + key + "\"";
+  if (!field->words.empty()) {
+    const auto word = field->of_word(std::string_view(setting).substr(equals + 1));
+    if (!word) {
+      std::string words;
+      for (const std::string_view each : field->words) words.append(words.empty() ? "" : ", ").append(each);
+      return key + " must be one of " + words;
+    }
+    field->in(tuning) = *word;
+    return "";
+  }
   double value = 0;
   const char* end = setting.data() + setting.size();
   const auto [rest, code] = std::from_chars(setting.data() + equals + 1, end, value);

@@ -17,7 +17,7 @@ enum Ground { kTilesOnly, kSlopesToo, kCurvesToo, kOneWayToo };
 Level level_with(Ground ground, BodyKind kind) {
   Level level;
   level.tuning.solver = SolverKind::exact;
-  level.tuning.shared.balls_block = 0;
+  level.tuning.shared.bodies = 0;
   auto& flags = level.sheet(SheetId::tiles).flags;
   flags[1] = 1;
   flags[2] = 4;

@@ -49,7 +49,7 @@ void against_kernel(benchmark::State& bench) {
   std::optional<Level> level = level_to_fall_on();
   if (!level) return bench.SkipWithError("TALUS_BENCH_CART names no level");
   level->tuning.solver = SolverKind::exact;
-  level->tuning.shared.balls_block = 0;
+  level->tuning.shared.bodies = 0;
   if (!spawn_balls(*level, kBalls, 1)) return bench.SkipWithError("the level has too few free cells");
   const auto scene = std::make_shared<const Scene>(compile_scene(*level));
   const auto solver = make_solver(scene);

@@ -32,7 +32,7 @@ enum Balls { kLively, kTiring };
 Level level_with(int bodies, SolverKind solver, Balls balls) {
   Level level;
   level.tuning.solver = solver;
-  level.tuning.shared.balls_block = 0;
+  level.tuning.shared.bodies = 0;
   if (balls == kLively) {
     level.tuning.shared.floor_bounce = level.tuning.shared.floor_grip = 1;
     level.tuning.shared.drift_blend = 0;

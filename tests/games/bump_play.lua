@@ -23,7 +23,7 @@ slopes.add_level(arg[4] and elsewhere or world, level, {on_ball = function(x, y)
 for _, spawn in ipairs(level.spawns) do add_body(spawn.x, spawn.y, spawn.w, spawn.h, spawn.vx, spawn.vy) end
 
 local function filter(item, other)
-  if ids[other] and tuning.balls_block == 0 then return false end
+  if ids[other] and tuning.bodies == "pass" then return false end
   return slopes.filter(item, other)
 end
 

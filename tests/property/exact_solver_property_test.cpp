@@ -78,13 +78,13 @@ struct Room {
 };
 
 struct Tune {
-  bool single = false, balls_block = false;
+  bool single = false, bodies_block = false;
 };
 
 Tuning random_tuning(Dice& dice, Tune tune) {
   Tuning t;
   t.exact.single_precision = tune.single;
-  t.shared.balls_block = tune.balls_block;
+  t.shared.bodies = tune.bodies_block;
   if (dice.one_in(2)) {
     t.shared.fall_speed = dice.step(0.5, 100, 16);
     t.shared.floor_bounce = t.shared.wall_bounce = dice.up_to(4) / 4.0;
@@ -144,7 +144,7 @@ std::shared_ptr<const Scene> scene_of(const RandomGround& ground, const Tuning& 
   } else {
     scene->ground = std::make_shared<const Terrain>(source);
   }
-  scene->features.pairs = tuning.shared.balls_block != 0 && scene->items.size() > 1;
+  scene->features.pairs = tuning.shared.pairs() != BodyPairs::pass && scene->items.size() > 1;
   return scene;
 }
 

@@ -311,6 +311,17 @@ TEST_F(UiEdit, TheSolverIsChosen) {
   EXPECT_EQ(level().tuning.solver, SolverKind::article);
 }
 
+TEST_F(UiEdit, WhatBodiesAreToOneAnotherIsChosenByWord) {
+  click("tabs/tuning");
+  frames(2);
+  click("tuning/bodies");
+  frames(2);
+  click("tuning/bodies_meet");
+  EXPECT_EQ(level().tuning.shared.pairs(), BodyPairs::meet);
+  key(ctrl('z'));
+  EXPECT_EQ(level().tuning.shared.pairs(), BodyPairs::block);
+}
+
 TEST_F(UiEdit, HistorySaysWhatChangedAndWhere) {
   const auto last = [this] { return describe(session().history().edits().back()); };
   click(on_sheet(1));

@@ -88,7 +88,7 @@ TEST(ArticleSolver, BallsCollideUnlessTheTuningTurnsItOff) {
   for (int i = 0; i < 30; ++i) state = step(scene, state, {});
   EXPECT_EQ(state.bodies[0].box.y, 0);
 
-  level.tuning.shared.balls_block = 0;
+  level.tuning.shared.bodies = 0;
   scene = compile_scene(level);
   state = initial_state(scene);
   for (int i = 0; i < 120; ++i) state = step(scene, state, {});

@@ -62,7 +62,7 @@ TEST(ExactSolver, BallsOnFlatGroundMoveAsInTheArticle) {
   thrown.position = {40, 2};
   thrown.velocity = {3.25, -1.5};
   level.spawns.push_back(thrown);
-  level.tuning.shared.balls_block = 0;
+  level.tuning.shared.bodies = 0;
   Play article(level);
   level.tuning.solver = SolverKind::exact;
   Play exact(level);

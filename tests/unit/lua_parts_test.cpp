@@ -74,7 +74,7 @@ TEST(LuaParts, ALevelShipsThePartsThatItUses) {
   Level level = flat_level();
   level.spawns.push_back(flat_level(BodyKind::player).spawns[0]);
   EXPECT_EQ(parts_of(level), "balls walk players pairs ");
-  level.tuning.shared.balls_block = 0;
+  level.tuning.shared.bodies = 0;
   EXPECT_EQ(parts_of(level), "balls walk players ");
   Level on_centre = flat_level();
   on_centre.spawns[0].foot = Foot::centre;
@@ -254,7 +254,7 @@ TEST_F(LuaModule, AnUnknownKindOfBodyIsAnError) {
 
 TEST_F(LuaModule, ABodyWhosePartIsLeftOutIsAnError) {
   const std::string add =
-      "level.tuning.balls_block = 0\nworld = talus.new(level)\n"
+      "level.tuning.bodies = 'pass'\nworld = talus.new(level)\n"
       "try(world.add, world, {kind = 'player', x = 40, y = 8})\nprint(#world.bodies)";
   EXPECT_EQ(run(flat_level(), add),
             "no part of this module moves bodies of the kind \"player\": name it in the export\n1\n");
@@ -269,7 +269,7 @@ TEST_F(LuaModule, ASecondBodyNeedsThePartThatBlocksBodies) {
   EXPECT_EQ(
       run(flat_level(), game),
       "game.lua:4: a second body takes the part pairs, as bodies block one another here: name it in the "
-      "export, or set balls_block in the level's tuning to 0\n16.0\n");
+      "export, or set bodies in the level's tuning to pass\n16.0\n");
   EXPECT_EQ(run(flat_level(), game, "pairs"), "\n16.0\n8.0\n");
 }
 

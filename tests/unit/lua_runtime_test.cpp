@@ -209,7 +209,7 @@ TEST_F(LuaRuntime, GivesTheBitsOfWalksOverLines) {
       spawn.size = size;
       spawn.position = {90, floor - size.y};
     }
-    level.tuning.shared.balls_block = 0;
+    level.tuning.shared.bodies = 0;
     CaseInput right;
     right.frame = 1;
     right.right = true;
@@ -235,7 +235,7 @@ TEST_F(LuaRuntime, GivesTheBitsOfWalksOntoOneWayRamps) {
       spawn.size = size;
       spawn.position = {60.3, 96 - size.y};
     }
-    level.tuning.shared.balls_block = 0;
+    level.tuning.shared.bodies = 0;
     CaseInput right;
     right.frame = 1;
     right.right = true;
@@ -268,7 +268,7 @@ TEST_F(LuaRuntime, GivesTheBitsOfFlights) {
     level.tuning.exact.gravity = 0.21;
     level.tuning.exact.rebound = 1;
     level.tuning.exact.substeps = substeps;
-    level.tuning.shared.balls_block = 0;
+    level.tuning.shared.bodies = 0;
     level.curves = {{"", {Arc{{80.003, 20}, 100.7, 0, 160, false}, Curve::Faces::up}, ""},
                     {"", {Sine{160, 240, 110, 7.3, 33.1, 5}, Curve::Faces::both}, ""},
                     {"", {Segment{{240, 120}, {310, 95}}, Curve::Faces::both}, ""}};
@@ -302,7 +302,7 @@ TEST_F(LuaRuntime, GivesTheBitsOfWalksOverJoints) {
         spawn.size = size;
         spawn.position = {66 - size.x / 2, 60};
       }
-      level.tuning.shared.balls_block = 0;
+      level.tuning.shared.bodies = 0;
       CaseInput right;
       right.frame = 1;
       right.right = true;
@@ -338,7 +338,7 @@ TEST_F(LuaRuntime, GivesTheBitsOfWaysOverOneWaySlopes) {
       level.map.set({16 + i, 11}, tile);
     }
     for (int x = 16 + static_cast<int>(8 / rise); x < 40; ++x) level.map.set({x, 11}, 1);
-    level.tuning.shared.balls_block = 0;
+    level.tuning.shared.bodies = 0;
     level.tuning.shared.drift_speed = 1.3;
     for (int i = 0; i < 12; ++i) {
       Spawn& spawn = level.spawns.emplace_back();
@@ -391,7 +391,7 @@ Level random_level(Dice& dice) {
     if (dice.one_in(3)) spawn.foot = dice.one_in(2) ? Foot::box : Foot::centre;
   }
   Tuning& tuning = level.tuning;
-  tuning.shared.balls_block = dice.one_in(2) ? 1 : 0;
+  tuning.shared.bodies = dice.one_in(2) ? 1 : 0;
   if (dice.one_in(3)) tuning.exact.gravity = 0.25, tuning.exact.rebound = dice.one_in(2) ? 1 : 0;
   if (dice.one_in(4)) tuning.exact.substeps = 1 + dice.up_to(3);
   if (dice.one_in(4)) tuning.exact.steepest = 1, tuning.exact.snap = 3;

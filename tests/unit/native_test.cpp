@@ -77,7 +77,7 @@ constexpr const char* kSmallLevel = R"({
     "drag_blend": 0.3,
     "drag_offset": 4,
     "drag_probe": 1,
-    "balls_block": 1
+    "bodies": "block"
   },
   "spawns": [
     {"name": "hero", "x": 8, "y": 0.5, "vx": -1, "vy": 0}

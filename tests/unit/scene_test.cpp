@@ -153,7 +153,7 @@ TEST(Scene, LargeBodiesInSmallCellsAreStepped) {
   large.position = {0, -1100};
   large.size = {1024, 1024};
   level.spawns.assign(20, large);
-  level.tuning.shared.balls_block = 1;
+  level.tuning.shared.bodies = 1;
   level.tuning.shared.cell_size = 1;
   for (const SolverKind solver : {SolverKind::article, SolverKind::bump}) {
     level.tuning.solver = solver;

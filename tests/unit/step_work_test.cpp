@@ -79,7 +79,7 @@ TEST(StepWork, ABodyStopsWhereItsBudgetEnds) {
   Level level;
   level.map = TileMap(1 << 18, 4);  // 2^21 px
   level.tuning.solver = SolverKind::exact;
-  level.tuning.shared.balls_block = 0;
+  level.tuning.shared.bodies = 0;
   for (int row = 0; row < 4; ++row) level.map.set({(1 << 18) - 1, row}, 1);
   level.tile_shapes[1] = {.kind = TileShape::Kind::solid};
   level.spawns.assign(4000, ball({8, 8}, {1e8, 0}));
@@ -111,7 +111,7 @@ TEST(StepWork, LargeBodiesInsideTheGroundAreStepped) {
   alone.step();
   EXPECT_FALSE(alone.cut_short(1));
   level.spawns.assign(8000, large);
-  level.tuning.shared.balls_block = 0;
+  level.tuning.shared.bodies = 0;
   Steps many(level);
   many.step();
   EXPECT_TRUE(many.cut_short(1));
@@ -160,7 +160,7 @@ TEST(StepWork, OfManyFastCollidingBallsIsBounded) {
 TEST(StepWork, OfManyHugeFastBodiesIsBounded) {
   for (const double blocks : {0, 1}) {
     Level level = many(1500, 1024, 1e6);
-    level.tuning.shared.balls_block = blocks;
+    level.tuning.shared.bodies = blocks;
     expect_bounded("huge bodies", level);
   }
 }
@@ -176,7 +176,7 @@ TEST(StepWork, OfAHeapAndOfTwoFastBallsIsBounded) {
 
 TEST(StepWork, OfPartsOfAStepIsBounded) {
   Level level = many(3000, 200, 60);
-  level.tuning.shared.balls_block = 0;
+  level.tuning.shared.bodies = 0;
   level.tuning.exact.substeps = 64;
   level.tuning.exact.max_passes = 16;
   expect_bounded("parts", level);
@@ -186,7 +186,7 @@ TEST(StepWork, OfPartsOfAStepIsBounded) {
 TEST(StepWork, DoesNotDependOnTheStepsBefore) {
   Level level = many(300, 0, 0);
   level.tuning.solver = SolverKind::exact;
-  level.tuning.shared.balls_block = 0;
+  level.tuning.shared.bodies = 0;
   Steps run(level);
   for (int i = 0; i < 40; ++i) run.step();
   const State state = run.state;

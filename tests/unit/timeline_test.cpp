@@ -574,7 +574,7 @@ TEST(Timeline, KeyframesObeyTheirBudgetAndSeeksStayShort) {
 
 TEST(Timeline, LevelsOfManyBodiesHaveFewerKeyframes) {
   Level level;
-  level.tuning.shared.balls_block = 0;
+  level.tuning.shared.bodies = 0;
   level.spawns.resize(1'000);
   Timeline timeline(level);
   played(timeline, 63);

@@ -604,7 +604,7 @@ TEST(Walk, LeavesTwoCrestsOfAWaveOnWhichItStands) {
 
 // The players of a level after so many steps in a direction. They do not meet.
 std::vector<Body> all_walked(Level level, int direction, int steps) {
-  level.tuning.shared.balls_block = 0;
+  level.tuning.shared.bodies = 0;
   const auto scene = std::make_shared<const Scene>(compile_scene(level));
   const auto solver = make_solver(scene);
   State state = initial_state(*scene);

@@ -34,7 +34,7 @@ end
 
 -- Bodies have a kind, the ground has none.
 local function filter(body, other)
-  if other.kind and tuning.balls_block == 0 then return false end
+  if other.kind and tuning.bodies == "pass" then return false end
   return slopes.filter(body, other)
 end
 

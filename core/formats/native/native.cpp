@@ -38,6 +38,11 @@ namespace {
 
 constexpr std::array<const char*, 2> kSheetKeys = {"tiles", "sprites"};  // by SheetId
 
+std::string values_text(const TuningField& field) {
+  if (!field.words.empty()) return choice_text(field.words);
+  return range_text(field.min, field.max, field.unit, field.whole);
+}
+
 std::string no_tile_of(int count) { return "must be a tile number from 0 to " + std::to_string(count - 1); }
 
 // Goes on after an error, which does no harm, and remembers the first one.
@@ -197,6 +202,12 @@ class Reader {
       if (!solver) return fail_key("tuning.solver", R"(must be "article", "bump" or "exact")");
       level_.tuning.solver = *solver;
     });
+    // Until 0.1.0: whether bodies block one another, as a number.
+    take(tuning, "balls_block", [this](const Json& json) {
+      const double value = json.is_number() ? json.get<double>() : -1;
+      if (!(value >= 0 && value <= 1)) return fail_key("tuning.balls_block", range_text(0, 1, ""));
+      level_.tuning.shared.bodies = value != 0 ? 1 : 0;
+    });
     read_numbers(tuning, "");
     for (const std::string_view group : kTuningGroups) {
       take_object(tuning, std::string(group), "tuning." + std::string(group),
@@ -208,10 +219,10 @@ class Reader {
     for (const TuningField& field : tuning_fields()) {
       if (field.group != group) continue;
       take(numbers, std::string(field.key), [&](const Json& json) {
-        const double value = json.is_number() ? json.get<double>() : std::numeric_limits<double>::quiet_NaN();
-        if (!field.accepts(value))
-          return fail_key("tuning." + field.path(),
-                          range_text(field.min, field.max, field.unit, field.whole));
+        constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+        double value = json.is_number() && field.words.empty() ? json.get<double>() : kNone;
+        if (json.is_string()) value = field.of_word(json.get_ref<const std::string&>()).value_or(kNone);
+        if (!field.accepts(value)) return fail_key("tuning." + field.path(), values_text(field));
         field.in(level_.tuning) = value;
       });
     }
@@ -376,10 +387,13 @@ FormatResult<void> put_numbers(const Tuning& tuning, std::string_view group, Jso
     if (field.group != group) continue;
     const double value = field.of(tuning);
     if (!field.accepts(value)) {
-      return tl::unexpected(FormatError{"key tuning." + field.path(),
-                                        range_text(field.min, field.max, field.unit, field.whole)});
+      return tl::unexpected(FormatError{"key tuning." + field.path(), values_text(field)});
     }
-    json[std::string(field.key)] = json_number(value);
+    auto& member = json[std::string(field.key)];
+    if (field.words.empty())
+      member = json_number(value);
+    else
+      member = field.word_of(tuning);
   }
   return {};
 }

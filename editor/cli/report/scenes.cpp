@@ -86,7 +86,7 @@ void tune(const Setup& setup, Tuning& tuning) {
   tuning.solver = setup.solver.value_or(SolverKind::article);
   tuning.exact.single_precision = setup.single ? 1 : 0;
   tuning.exact.substeps = setup.substeps;
-  tuning.shared.balls_block = setup.scene == S::wall_of_bodies ? 1 : 0;
+  tuning.shared.bodies = setup.scene == S::wall_of_bodies ? 1 : 0;
   if (setup.scene < S::roll_flat) tune_drops(tuning);
   if (setup.scene < S::bounce_fall) return;
   tuning.shared.floor_bounce = tuning.shared.floor_grip = 1;

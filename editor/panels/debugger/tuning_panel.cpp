@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -27,6 +28,8 @@ std::string unit_of(const TuningField& field) {
 }
 
 std::string help_of(const TuningField& field) {
+  if (!field.words.empty())
+    return std::string(field.help) + "\nThe article has " + std::string(field.word_of(Tuning())) + ".";
   return std::string(field.help) + "\n" + (field.whole ? "A whole number from " : "From ") +
          exact_text(field.min) + " to " + exact_text(field.max) +
          (field.unit.empty() ? "" : " " + unit_of(field)) +
@@ -41,11 +44,16 @@ std::string format_of(const TuningField& field, double value) {
   return size_of_text(exact_text(value) + unit).x > room ? number : number + unit;
 }
 
+// The label of a choice, and the place of the choice beside it.
+void draw_label(std::string_view label, Ui& ui) {
+  ImGui::AlignTextToFramePadding();
+  ui.label(label);
+  ImGui::SameLine(ui.px(56));
+}
+
 void draw_solver(const Session& session, Actions& actions, Ui& ui) {
   Tuning tuning = session.level().tuning;
-  ImGui::AlignTextToFramePadding();
-  ui.label("Solver");
-  ImGui::SameLine();
+  draw_label("Solver", ui);
   const bool open =
       ui.begin_combo("tuning/solver", std::string(solver_name(tuning.solver)), ui.px(120),
                      "Which solver moves the bodies: the article's own, with its defects; bump, "
@@ -59,6 +67,26 @@ void draw_solver(const Session& session, Actions& actions, Ui& ui) {
       actions.push_back(action::EditLevel{set_tuning(session.level(), tuning)});
     }
     ui.item("tuning/solver_" + name);
+  }
+  ImGui::EndCombo();
+}
+
+// What is chosen by word.
+void draw_choice(const TuningField& field, const Session& session, Actions& actions, Ui& ui) {
+  const std::string item = "tuning/" + field.path();
+  Tuning tuning = session.level().tuning;
+  const std::string chosen(field.word_of(tuning));
+  std::string label(field.label);
+  label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
+  draw_label(label, ui);
+  if (!ui.begin_combo(item, chosen, ui.px(120), help_of(field))) return;
+  for (std::size_t i = 0; i < field.words.size(); ++i) {
+    const std::string word(field.words[i]);
+    if (selectable(word, {}, word == chosen)) {
+      field.in(tuning) = static_cast<double>(i);
+      actions.push_back(action::EditLevel{set_tuning(session.level(), tuning)});
+    }
+    ui.item(item + "_" + word);
   }
   ImGui::EndCombo();
 }
@@ -80,7 +108,8 @@ bool has_player(const Level& level) {
 // last.
 std::vector<const TuningField*> ordered_fields(const Level& level) {
   std::vector<const TuningField*> fields;
-  for (const TuningField& field : tuning_fields()) fields.push_back(&field);
+  for (const TuningField& field : tuning_fields())
+    if (field.words.empty()) fields.push_back(&field);
   const SolverKind solver = level.tuning.solver;
   const bool players_first = has_player(level);
   const auto rank = [&](const TuningField* field) {
@@ -96,6 +125,8 @@ std::vector<const TuningField*> ordered_fields(const Level& level) {
 
 void TuningPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   draw_solver(session, actions, ui);
+  for (const TuningField& field : tuning_fields())
+    if (!field.words.empty()) draw_choice(field, session, actions, ui);
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY;
   if (!ImGui::BeginTable("tuning", 3, kFlags, ImGui::GetContentRegionAvail())) return;
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, ui.px(92));

@@ -34,11 +34,15 @@ struct BodyTraits {
   bool takes_keys = false;         // whether it does what the keys say; its Gait is part of hashes then
   Vec2 size = {8, 8};              // px, kMinBodySize..kMaxBodySize: of a body for which a file gives no size
   Foot foot = Foot::box;           // what stands on slopes, if nothing is given
-  TileRole role = TileRole::none;  // tiles with this role are such bodies; none: no tiles are
-  BodyLook look = BodyLook::tile;  // how it is drawn
-  std::string_view ldtk_identifier;  // of its entity in LDtk: "Ball"
-  std::string_view ldtk_color;       // "#RRGGBB"
-  std::string_view svg_color;        // of its outline in an SVG, "#rrggbb"
+  // Of bodies that meet: see Tuning. Others have none of it.
+  double mass = 1;                    // over 0; of a body of that size, others have theirs by area
+  double friction = 0;                // 0..: Coulomb's number of two such bodies, or of one on the ground
+  std::optional<double> bounce = {};  // 0..1: share of the speed that it keeps; none: as the tuning says
+  TileRole role = TileRole::none;     // tiles with this role are such bodies; none: no tiles are
+  BodyLook look = BodyLook::tile;     // how it is drawn
+  std::string_view ldtk_identifier;   // of its entity in LDtk: "Ball"
+  std::string_view ldtk_color;        // "#RRGGBB"
+  std::string_view svg_color;         // of its outline in an SVG, "#rrggbb"
 };
 
 // All kinds, by BodyKind.

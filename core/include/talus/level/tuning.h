@@ -18,6 +18,13 @@ enum class SolverKind {
   exact     // swept against the merged outline of the ground
 };
 
+// What bodies are to one another; the numbers are those of SharedTuning::bodies.
+enum class BodyPairs {
+  pass,   // nothing: they go through one another
+  block,  // obstacles, one after the other, as in the article
+  meet  // only of `exact`: they move at the same time, bounce off, push and carry one another; else as block
+};
+
 // Numbers that the solvers share. The article "Slopes in AABB collision systems" has them as constants, which
 // are the defaults. tuning_fields() holds the range of each one and the symptom of a wrong value.
 struct SharedTuning {
@@ -34,8 +41,9 @@ struct SharedTuning {
   double slope_height = 8;    // px
   double drag_blend = 0.3;    // share of the way to the mouse that a dragged ball moves in a frame
   double drag_offset = 4;     // px from a ball's corner to where the mouse holds it, in x and y
-  double drag_probe = 1;   // px/frame, downward speed with which a dragged ball finds slopes; `article` alone
-  double balls_block = 1;  // 1: balls are obstacles to one another, as in the article; 0: they pass
+  double drag_probe = 1;  // px/frame, downward speed with which a dragged ball finds slopes; `article` alone
+  double bodies = 1;      // whole; a BodyPairs
+  BodyPairs pairs() const { return static_cast<BodyPairs>(static_cast<int>(bodies)); }
   friend bool operator==(const SharedTuning&, const SharedTuning&) = default;
 };
 
@@ -90,11 +98,14 @@ struct TuningField {
   double max;                     // the largest value; a file with a larger one is refused
   bool whole;                     // a file with a value that is not a whole number is refused
   std::string_view help;          // what it does and what a wrong value looks like, one sentence
+  std::span<const std::string_view> words = {};  // in files and on screen, of 0, 1 and so on; empty: numbers
 
-  std::string path() const;                              // "exact.gravity", or the key alone
-  double of(Tuning tuning) const { return in(tuning); }  // the number of that tuning
-  double standard() const { return of(Tuning()); }       // the default
-  bool accepts(double value) const;                      // in range, and whole if it must be
+  std::string path() const;                                    // "exact.gravity", or the key alone
+  double of(Tuning tuning) const { return in(tuning); }        // the number of that tuning
+  double standard() const { return of(Tuning()); }             // the default
+  bool accepts(double value) const;                            // in range, and whole if it must be
+  std::string_view word_of(const Tuning& tuning) const;        // of a field with words
+  std::optional<double> of_word(std::string_view word) const;  // nothing if it is no word of the field
 };
 // Fields of one group follow one another.
 std::span<const TuningField> tuning_fields();

@@ -49,7 +49,8 @@ struct SceneItem {
 
 // What the bodies of a scene need.
 struct SceneFeatures {
-  bool pairs = false;    // several bodies that block one another
+  bool pairs = false;    // several bodies that block one another, or meet
+  bool meets = false;    // bodies other than players that meet, see BodyPairs
   bool players = false;  // a player, who takes the keys
   friend bool operator==(const SceneFeatures&, const SceneFeatures&) = default;
 };

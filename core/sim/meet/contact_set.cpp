@@ -1,0 +1,136 @@
+#include "contact_set.h"
+
+#include <cmath>
+#include <limits>
+
+namespace talus {
+namespace {
+
+constexpr double kAny = std::numeric_limits<double>::infinity();
+
+double inverse_mass_of(std::span<const Inertia> bodies, int index) {
+  return index == Touch::kGround ? 0 : bodies[static_cast<std::size_t>(index)].inverse_mass;
+}
+
+double relative(const Touch& touch, std::span<const Inertia> bodies, Vec2 direction, Vec2 Inertia::*what) {
+  Vec2 way = bodies[static_cast<std::size_t>(touch.a)].*what;
+  if (touch.b != Touch::kGround) way = way - bodies[static_cast<std::size_t>(touch.b)].*what;
+  return dot(way, direction);
+}
+
+// Gives both bodies of a contact an impulse.
+void give(std::span<Inertia> bodies, const Touch& touch, Vec2 Inertia::*what, Vec2 impulse) {
+  Inertia& a = bodies[static_cast<std::size_t>(touch.a)];
+  a.*what = a.*what + impulse * a.inverse_mass;
+  if (touch.b == Touch::kGround) return;
+  Inertia& b = bodies[static_cast<std::size_t>(touch.b)];
+  b.*what = b.*what - impulse * b.inverse_mass;
+}
+
+}  // namespace
+
+double ContactSet::speed(const Touch& touch, std::span<const Inertia> bodies, Vec2 direction) {
+  return relative(touch, bodies, direction, &Inertia::velocity);
+}
+
+double ContactSet::gain(const Touch& touch, std::span<const Inertia> bodies, Vec2 direction) {
+  return relative(touch, bodies, direction, &Inertia::pull);
+}
+
+std::int64_t ContactSet::take_work() { return system_.take_work(); }
+
+// The system of rows_: what each impulse does to the speed of each contact.
+template <class Value>
+void ContactSet::set_up(std::span<const Inertia> bodies, std::span<const Touch> touches, Value value) {
+  system_.begin(rows_.size());
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Touch& one = touches[rows_[i].touch];
+    system_.b(i) = value(one, rows_[i].direction);
+    for (std::size_t k = 0; k <= i; ++k) {
+      const Touch& other = touches[rows_[k].touch];
+      const double turned = dot(rows_[i].direction, rows_[k].direction);
+      double share = 0;
+      if (one.a == other.a) share += inverse_mass_of(bodies, one.a);
+      if (one.b == other.b) share += inverse_mass_of(bodies, one.b);
+      if (one.a == other.b) share -= inverse_mass_of(bodies, one.a);
+      if (one.b == other.a) share -= inverse_mass_of(bodies, one.b);
+      system_.a(i, k) = system_.a(k, i) = share * turned;
+    }
+  }
+}
+
+bool ContactSet::reflect(std::span<Inertia> bodies, std::span<Touch> touches) {
+  rows_.clear();
+  for (std::size_t i = 0; i < touches.size(); ++i) rows_.push_back({i, touches[i].normal});
+  set_up(bodies, touches, [&](const Touch& touch, Vec2 along) { return speed(touch, bodies, along); });
+  for (std::size_t i = 0; i < rows_.size(); ++i) system_.bound(i, touches[i].is_caught ? -kAny : 0, kAny);
+  bool ends = system_.solve();
+  std::vector<double> given(touches.size());
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    Touch& touch = touches[i];
+    given[i] = system_.x(i) * (1 + touch.bounce);
+    touch.impulse += given[i];
+    give(bodies, touch, &Inertia::velocity, touch.normal * given[i]);
+  }
+
+  rows_.clear();
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    if (touches[i].friction > 0 && given[i] > 0) rows_.push_back({i, touches[i].along()});
+  }
+  if (rows_.empty()) return ends;
+  set_up(bodies, touches, [&](const Touch& touch, Vec2 along) { return speed(touch, bodies, along); });
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const double most = touches[rows_[i].touch].friction * given[rows_[i].touch];
+    system_.bound(i, -most, most);
+  }
+  ends = system_.solve() && ends;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Touch& touch = touches[rows_[i].touch];
+    give(bodies, touch, &Inertia::velocity, rows_[i].direction * system_.x(i));
+  }
+  return ends;
+}
+
+bool ContactSet::support(std::span<Inertia> bodies, std::span<Touch> touches) {
+  rows_.clear();
+  for (std::size_t i = 0; i < touches.size(); ++i) rows_.push_back({i, touches[i].normal});
+  const std::size_t normals = rows_.size();
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    if (touches[i].friction > 0) rows_.push_back({i, touches[i].along()});
+  }
+  set_up(bodies, touches, [&](const Touch& touch, Vec2 along) { return gain(touch, bodies, along); });
+  for (std::size_t i = 0; i < normals; ++i) system_.bound(i, 0, kAny);
+
+  // Friction depends on the pressure, and the pressure on friction: each is solved for the last of the other,
+  // until nothing changes.
+  constexpr int kMostTurns = 200;
+  bool ends = false;
+  before_.assign(touches.size(), 0);
+  for (int turn = 0; turn < kMostTurns && !ends; ++turn) {
+    for (std::size_t i = normals; i < rows_.size(); ++i) {
+      const Touch& touch = touches[rows_[i].touch];
+      const double most = touch.friction * before_[rows_[i].touch];
+      const double slip = speed(touch, bodies, rows_[i].direction);
+      const bool slides = std::abs(slip) > kStill;
+      system_.bound(i, slides && slip < 0 ? most : -most, slides && slip > 0 ? -most : most);
+    }
+    const bool is_solved = system_.solve();
+    ends = true;
+    for (std::size_t i = 0; i < normals; ++i) {
+      constexpr double kSame = 1e-13;
+      const double pressure = system_.x(i);
+      ends = ends && std::abs(pressure - before_[i]) <= kSame * pressure;
+      before_[i] = pressure;
+    }
+    ends = ends && is_solved;
+    if (rows_.size() == normals) break;
+  }
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    Touch& touch = touches[rows_[i].touch];
+    if (i < normals) touch.pressure = system_.x(i);
+    give(bodies, touch, &Inertia::pull, rows_[i].direction * system_.x(i));
+  }
+  return ends;
+}
+
+}  // namespace talus

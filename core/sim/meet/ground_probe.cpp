@@ -1,0 +1,126 @@
+#include "ground_probe.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../../collision/box_on_piece.h"
+#include "contact_set.h"
+
+namespace talus {
+namespace {
+
+double longest(Vec2 v) { return std::max(std::abs(v.x), std::abs(v.y)); }
+
+// The time until a path meets the surface of a contact, and its normal there: a curve may have another one
+// than where the chord of the path met it.
+struct Arrival {
+  double time;
+  Vec2 normal;
+};
+Arrival arrival(const Terrain& ground, const MovingBox& box, const Contact<double>& contact, double most) {
+  const FallPath& path = box.path;
+  const auto time_to = [&](Vec2 point, Vec2 normal) {
+    const double gap = std::max(0.0, dot(path.place - point, normal));
+    const double time = time_to_close(gap, -dot(path.velocity, normal), -dot(path.pull, normal));
+    return time < most ? time : most * contact.t;
+  };
+  Arrival found{time_to(contact.position, contact.normal), contact.normal};
+  const Piece<double>* const piece = contact.on_end ? nullptr : contact.piece;
+  constexpr int kMostTries = 8;  // each has about twice as many right digits as the one before
+  for (int i = 0; piece != nullptr && piece->stretch != 0 && i < kMostTries; ++i) {
+    Rect there = box.at(path.time + found.time);
+    const double x = there.x + foot_offset(*piece, there.w, Foot::box);
+    if (!(x >= piece->x0 && x <= piece->x1)) break;
+    there.y = rest_on(*piece, ground.stretches(), there, Foot::box);
+    const Vec2 along = ground.stretches()[piece->stretch - 1].tangent_at(x);
+    found.normal = piece->facing == Facing::up ? Vec2{along.y, -along.x} : Vec2{-along.y, along.x};
+    const double before = found.time;
+    found.time = time_to(there.position(), found.normal);
+    if (found.time == before) break;
+  }
+  return found;
+}
+
+// Puts a box exactly on what it has met.
+void put_on(const Terrain& ground, const Contact<double>& contact, Rect& box) {
+  if (contact.normal.x == 0 || contact.on_end) {
+    box.y = contact.position.y;
+  } else if (contact.normal.y == 0) {
+    box.x = contact.position.x;
+  } else if (!is_steep(*contact.piece)) {
+    const double x = box.x + foot_offset(*contact.piece, box.w, Foot::box);
+    if (x >= contact.piece->x0 && x <= contact.piece->x1)
+      box.y = rest_on(*contact.piece, ground.stretches(), box, Foot::box);
+  }
+}
+
+}  // namespace
+
+void GroundProbe::align(const Contact<double>& contact, bool stays, MovingBox& box,
+                        CastBudget& budget) const {
+  const Vec2 normal = contact.normal;
+  FallPath& path = box.path;
+  if (contact.piece != nullptr && contact.piece->stretch != 0 && !contact.on_end) return;
+  const auto turn = [&](Vec2& way) {
+    if (contact.normal.x == 0)
+      way.y = 0;
+    else if (contact.normal.y == 0)
+      way.x = 0;
+    else if (is_steep(*contact.piece))
+      way.x = way.y / contact.piece->slope;
+    else
+      way.y = way.x * contact.piece->slope;
+  };
+  turn(path.velocity);
+  if (stays) turn(path.pull);
+  Rect there = box.at(path.time);
+  put_on(ground_, contact, there);
+  const Vec2 way = there.position() - path.place;
+  if (way == Vec2()) return;
+  // On its way down to one side of a valley it may touch the other one.
+  if (!(dot(way, normal) > 0)) {
+    const Contact<double> met =
+        cast_box<double>(ground_, {box.at(path.time), way, Foot::box}, {}, nullptr, &budget);
+    if (met) return void(path.place = met.position);
+  }
+  path.place = there.position();
+}
+
+std::optional<GroundMeeting> GroundProbe::touched(Rect& box, Vec2 way, double time,
+                                                  CastBudget& budget) const {
+  const Vec2 step = way * (1 / longest(way));
+  for (int lifts = 0; lifts < 2; ++lifts) {
+    const Contact<double> contact = cast_box<double>(ground_, {box, step, Foot::box}, {}, nullptr, &budget);
+    if (!contact || -dot(contact.normal, step) * contact.t > touch_slack(box, box)) return std::nullopt;
+    Moving<double> there{box, {}, Foot::box};
+    if (!climbs<double>(ground_, {}, there, contact, &budget))
+      return GroundMeeting{time, contact.normal, box.position(), contact};
+    box = there.box;
+  }
+  return std::nullopt;
+}
+
+std::optional<GroundMeeting> GroundProbe::next_meeting(const MovingBox& box, double to,
+                                                       CastBudget& budget) const {
+  const Rect from = box.at(box.path.time);
+  std::optional<GroundMeeting> found;
+  // A chord may meet another piece first than the path does: each is cut where the last one led to.
+  constexpr int kMostTries = 8;
+  for (int i = 0; i < kMostTries; ++i) {
+    const Vec2 way = box.path.way_to(to);
+    if (way == Vec2()) break;
+    const Contact<double> contact = cast_box<double>(ground_, {from, way, Foot::box}, {}, nullptr, &budget);
+    if (!contact ||
+        (found && contact.piece == found->contact.piece && contact.normal == found->contact.normal))
+      break;
+    const Arrival then = arrival(ground_, box, contact, to - box.path.time);
+    Rect there = box.at(box.path.time + then.time);
+    put_on(ground_, contact, there);
+    found = GroundMeeting{box.path.time + then.time, then.normal, there.position(), contact};
+    if (longest(there.position() - contact.position) <= touch_slack(from, from)) break;
+    to = found->time;
+  }
+  return found;
+}
+
+}  // namespace talus

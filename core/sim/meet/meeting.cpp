@@ -1,0 +1,288 @@
+// A step from event to event.
+#include "meeting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "../lerp.h"
+#include "../mouse.h"
+#include "../step_limits.h"
+
+namespace talus {
+namespace {
+
+// A body that the mouse holds is so many times as heavy.
+constexpr double kHeldWeight = 1e6;
+// What holds all places of a path between its time and another one.
+Rect swept(const MovingBox& box, double to) {
+  const Rect a = box.at(box.path.time), b = box.at(to);
+  Rect all{std::min(a.x, b.x), std::min(a.y, b.y), 0, 0};
+  all.w = std::max(a.x, b.x) + a.w - all.x;
+  all.h = std::max(a.y, b.y) + a.h - all.y;
+  // A parabola is at most so far beside its chord.
+  const double s = to - box.path.time;
+  const double x = std::abs(box.path.pull.x) * (s * s / 8), y = std::abs(box.path.pull.y) * (s * s / 8);
+  const double slack = touch_slack(all, all);
+  return {all.x - x - slack, all.y - y - slack, all.w + 2 * (x + slack), all.h + 2 * (y + slack)};
+}
+
+}  // namespace
+
+Meeting::Meeting(std::shared_ptr<const Scene> scene)
+    : scene_(std::move(scene)),
+      probe_(*scene_->ground),
+      gravity_{0, scene_->tuning.exact.gravity},
+      slowest_(gravity_.y > 0
+                   ? gravity_.y
+                   : std::abs(scene_->tuning.shared.fall_speed * scene_->tuning.shared.fall_blend)),
+      parts_(static_cast<int>(scene_->tuning.exact.substeps)),
+      part_(1.0 / parts_) {}
+
+bool Meeting::moves(const Body& body, const State& state) const {
+  return traits_of(body.kind).rule == BodyRule::fall || body.id == state.grabbed;
+}
+
+std::int64_t Meeting::step(State& state, const Input& input, StepRecord* record) {
+  state_ = &state;
+  record_ = record;
+  budget_ = {kMostStepWork};
+  is_stopped_ = false;
+  take(state, input);
+  fall_asleep(state);
+  part_overlaps();
+  for (int i = 0; i < parts_ && !is_stopped_; ++i) {
+    started_ = i * part_;
+    run_part();
+  }
+  give(state);
+  remember(state);
+  return kMostStepWork - budget_.left;
+}
+
+void Meeting::take(State& state, const Input& input) {
+  const SharedTuning& t = scene_->tuning.shared;
+  members_.resize(state.bodies.size());
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    Body& body = state.bodies[i];
+    const BodyTraits& traits = traits_of(body.kind);
+    Member& member = members_[i];
+    member = {.version = member.version};
+    member.moving = {{0, body.box.position(), {}, {}}, {body.box.w, body.box.h}};
+    if (!moves(body, state)) continue;
+    if (!body.is_clear) {
+      const auto out = way_out(probe_.ground(), body.box, Foot::box, &budget_);
+      if (out) member.moving.path.place = member.moving.path.place + *out;
+    }
+    const double share = body.box.w * body.box.h / (traits.size.x * traits.size.y);
+    member.inverse_mass = 1 / (traits.mass * share);
+    member.friction = traits.friction;
+    member.floor_bounce = traits.bounce.value_or(t.floor_bounce);
+    member.wall_bounce = traits.bounce.value_or(t.wall_bounce);
+    Vec2& velocity = member.moving.path.velocity;
+    if (body.id == state.grabbed) {
+      member.is_held = true;
+      member.inverse_mass /= kHeldWeight;
+      body.previous = body.box.position();
+      velocity = within_limits(body.previous, drag_goal(t, body, input)) - body.previous;
+      member.floor_bounce = member.wall_bounce = 0;
+    } else {
+      velocity = body.velocity;
+      velocity.x = lerp(velocity.x, t.drift_speed, t.drift_blend);
+      if (!(gravity_.y > 0)) velocity.y = lerp(velocity.y, t.fall_speed, t.fall_blend);
+      member.pull = gravity_;
+    }
+    if (record_ != nullptr) record_->paths[i].goal = body.box.position() + velocity + member.pull * 0.5;
+  }
+}
+
+void Meeting::run_part() {
+  events_.clear();
+  for (std::uint32_t i = 0; i < members_.size(); ++i) {
+    Member& member = members_[i];
+    member.moving.path.time = 0;
+    member.moving.path.pull = member.is_asleep ? Vec2() : member.pull;
+    member.events = 0;
+    member.bounced = -1;
+    grid_.place(i, swept(member.moving, part_));
+  }
+  for (std::uint32_t i = 0; i < members_.size(); ++i) {
+    if (members_[i].inverse_mass == 0 || members_[i].is_asleep) continue;
+    look_for_ground(i);
+    look_for_pairs(i, true);
+  }
+  double end = part_;
+  while (!events_.empty()) {
+    std::pop_heap(events_.begin(), events_.end(), is_later);
+    const Event event = events_.back();
+    events_.pop_back();
+    if (is_void(event)) continue;
+    if (budget_.left <= 0) {
+      stop_early(event);
+      end = event.time;
+      break;
+    }
+    resolve(event);
+  }
+  for (Member& member : members_) {
+    FallPath& path = member.moving.path;
+    path = path.from(end);
+    path.time = 0;
+  }
+}
+
+void Meeting::give(State& state) {
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    const Member& member = members_[i];
+    if (record_ != nullptr) record_->paths[i].to = state.bodies[i].box;
+    if (member.is_asleep || (member.inverse_mass == 0 && !member.is_capped)) continue;
+    Body& body = state.bodies[i];
+    const FallPath& path = member.moving.path;
+    const Vec2 place = within_limits(path.place, path.place);
+    const Vec2 velocity = within_limits({}, path.velocity);
+    body.box.x = place.x;
+    body.box.y = place.y;
+    // Adding 0 leaves no -0, whose bits are others.
+    if (!member.is_held && !member.is_capped) body.velocity = {velocity.x + 0.0, velocity.y + 0.0};
+    body.gait.grounded = member.is_grounded;
+    body.is_clear = true;
+    if (record_ == nullptr) continue;
+    BodyPath& noted = record_->paths[i];
+    noted.to = body.box;
+    noted.limited = noted.limited || !(place == path.place) || !(velocity == path.velocity);
+    noted.capped = noted.capped || member.is_capped;
+    noted.cut_short = noted.cut_short || is_stopped_;
+  }
+}
+
+// ---- Overlaps ----
+
+// Bodies that begin inside of one another are moved apart, each by its share, as far as the ground lets them.
+void Meeting::part_overlaps() {
+  for (std::uint32_t i = 0; i < members_.size(); ++i) {
+    const FallPath& path = members_[i].moving.path;
+    grid_.place(i, {path.place.x, path.place.y, members_[i].moving.size.x, members_[i].moving.size.y});
+  }
+  std::vector<std::pair<std::uint32_t, Vec2>> ways;
+  for (std::uint32_t i = 0; i < members_.size(); ++i) {
+    if (members_[i].inverse_mass == 0 || members_[i].is_asleep) continue;
+    const Vec2 way = way_apart(i);
+    if (!(way == Vec2())) ways.emplace_back(i, way);
+  }
+  for (const auto& [index, way] : ways) {
+    FallPath& path = members_[index].moving.path;
+    const Contact<double> contact = cast_box<double>(
+        probe_.ground(), {members_[index].moving.at(0), way, Foot::box}, {}, nullptr, &budget_);
+    path.place = contact ? contact.position : path.place + way;
+  }
+}
+
+// px. Of several overlaps on one side the deepest counts. Bodies in one place make a pile, by their order.
+Vec2 Meeting::way_apart(std::uint32_t index) {
+  const Member& member = members_[index];
+  const Rect box = member.moving.at(0);
+  Vec2 least, most, pile;
+  if (!grid_.near(box, index, budget_.left, near_)) return {};
+  for (const std::uint32_t other : near_) {
+    const Member& there = members_[other];
+    const Rect with = there.moving.at(0);
+    const Vec2 depth{std::min(box.right() - with.x, with.right() - box.x),
+                     std::min(box.bottom() - with.y, with.bottom() - box.y)};
+    if (std::min(depth.x, depth.y) <= touch_slack(box, with)) continue;
+    const auto normal = touching_normal(box, with, index < other);
+    if (!normal) continue;
+    // The upper one goes up all the way, as the lower one may stand on something.
+    const double part = member.inverse_mass / (member.inverse_mass + there.inverse_mass);
+    const bool is_free = there.inverse_mass > 0;
+    const double share = normal->y != 0 && is_free ? (normal->y < 0 ? 1 : 0) : part;
+    const Vec2 way = *normal * (share * (normal->x != 0 ? depth.x : depth.y));
+    if (box.center() == with.center()) pile = pile + way;
+    least = {std::min(least.x, way.x), std::min(least.y, way.y)};
+    most = {std::max(most.x, way.x), std::max(most.y, way.y)};
+  }
+  return pile == Vec2() ? least + most : pile;
+}
+
+// ---- Events ----
+
+// The work of the step is used up. What would meet now stops: else the next step would begin with the same
+// work, and not get any further.
+void Meeting::stop_early(const Event& first) {
+  is_stopped_ = true;
+  events_.push_back(first);
+  for (const Event& event : events_) {
+    if (event.time > first.time || is_void(event)) continue;
+    members_[event.a].moving.path = {event.time, members_[event.a].moving.path.place_at(event.time), {}, {}};
+    if (event.kind != Event::Kind::pair) continue;
+    members_[event.b].moving.path = {event.time, members_[event.b].moving.path.place_at(event.time), {}, {}};
+  }
+}
+
+bool Meeting::is_void(const Event& event) const {
+  if (members_[event.a].version != event.version_a) return true;
+  return event.kind == Event::Kind::pair && members_[event.b].version != event.version_b;
+}
+
+bool Meeting::is_later(const Event& a, const Event& b) {
+  return std::tie(a.time, a.kind, a.place.y, a.place.x) > std::tie(b.time, b.kind, b.place.y, b.place.x);
+}
+
+void Meeting::push(Event event) {
+  event.place = members_[event.a].moving.path.place;
+  event.version_a = members_[event.a].version;
+  if (event.kind == Event::Kind::pair) event.version_b = members_[event.b].version;
+  events_.push_back(event);
+  std::push_heap(events_.begin(), events_.end(), is_later);
+}
+
+// A body has another path than before.
+void Meeting::set_off(std::uint32_t index) {
+  Member& member = members_[index];
+  ++member.version;
+  ++member.events;
+  budget_.left -= grid_.place(index, swept(member.moving, part_));
+  if (member.inverse_mass > 0) look_for_ground(index);
+  look_for_pairs(index, false);
+}
+
+void Meeting::look_for_ground(std::uint32_t index) {
+  Member& member = members_[index];
+  const FallPath& path = member.moving.path;
+  // Where a path turns back, its chord is cut: a cast knows chords alone.
+  double to = part_;
+  const auto turn = [&](double speed, double pull) {
+    constexpr double kShortest = 1e-9;  // frames
+    const double after = -speed / pull;
+    if (speed * pull < 0 && after > kShortest && path.time + after < to) to = path.time + after;
+  };
+  turn(path.velocity.x, path.pull.x);
+  turn(path.velocity.y, path.pull.y);
+  const auto meeting = probe_.next_meeting(member.moving, to, budget_);
+  if (meeting) {
+    member.ground = *meeting;
+    push({.time = meeting->time, .kind = Event::Kind::ground, .a = index});
+  } else if (to < part_ && to > path.time) {
+    push({.time = to, .kind = Event::Kind::turn, .a = index});
+  }
+}
+
+void Meeting::look_for_pairs(std::uint32_t index, bool only_later) {
+  const Member& member = members_[index];
+  if (!grid_.near(swept(member.moving, part_), index, budget_.left, near_)) return;
+  for (const std::uint32_t other : near_) {
+    const Member& there = members_[other];
+    const bool looks = there.inverse_mass > 0 && !there.is_asleep;
+    if (only_later && other < index && looks) continue;
+    if (member.inverse_mass == 0 && there.inverse_mass == 0) continue;
+    --budget_.left;
+    const double from = std::max(member.moving.path.time, there.moving.path.time);
+    if (const auto meeting = talus::next_meeting(member.moving, there.moving, from, part_))
+      push({.time = meeting->time,
+            .kind = Event::Kind::pair,
+            .a = index,
+            .b = other,
+            .normal = meeting->normal});
+  }
+}
+
+}  // namespace talus

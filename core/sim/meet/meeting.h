@@ -1,0 +1,155 @@
+// Meeting: a step of bodies that meet, for the tuning `bodies: meet` of the exact solver. All bodies move at
+// the same time, from one contact to the next: nothing depends on their order.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <talus/sim/solver.h>
+#include "../body_grid.h"
+#include "contact_set.h"
+#include "ground_probe.h"
+
+namespace talus {
+
+class Meeting {
+ public:
+  explicit Meeting(std::shared_ptr<const Scene> scene);
+
+  // Whether step() moves a body. The others have moved already, and stand like walls: players that the mouse
+  // does not hold.
+  bool moves(const Body& body, const State& state) const;
+  // Takes the bodies of a state one step further. record: null, or has the paths of all bodies, in the order
+  // of the state. Returns the work that it took.
+  std::int64_t step(State& state, const Input& input, StepRecord* record);
+
+ private:
+  // A body in a step.
+  struct Member {
+    MovingBox moving = {};
+    Vec2 pull = {};           // px/frame^2, where nothing holds it
+    double inverse_mass = 0;  // 0: nothing moves it in this step
+    double friction = 0;
+    double floor_bounce = 0, wall_bounce = 0;
+    std::uint32_t version = 0;  // of its path; an event of an older one is void
+    int events = 0;             // that it had in this part of the step
+    double bounced = -1;  // frames since the part of the step began: the last time; less than 0: not yet
+    int order = 0;        // of its next contact in the record
+    int place_in_set = -1;
+    bool is_inner = false;  // of the set that is resolved, and solved with it
+    bool is_cut = false;    // it was solved with a part of those that it touches
+    bool is_grounded = false;
+    bool is_held = false;    // by the mouse
+    bool is_asleep = false;  // it rests as in the step before; nothing looks for what it meets
+    bool is_capped = false;
+    GroundMeeting ground = {};  // that its path leads to
+  };
+  // What happens next to one or two bodies.
+  struct Event {
+    enum class Kind : std::uint8_t { ground, turn, pair };
+    double time = 0;  // frames since the part of the step began
+    Kind kind = Kind::pair;
+    Vec2 place = {};             // px, of the first body when this was found: it orders events at one time
+    std::uint32_t a = 0, b = 0;  // indices; b: of a pair
+    std::uint32_t version_a = 0, version_b = 0;
+    Vec2 normal = {};  // of a pair, out of b
+  };
+  // What touches in a set, beside Touch: the piece of ground, or nothing for two bodies.
+  struct Met {
+    Touch touch;
+    Contact<double> contact;
+  };
+
+  // A body after a step.
+  struct Rest {
+    Rect box;
+    Vec2 velocity;
+    std::uint32_t set = 0;  // from 1: with which it was solved at the beginning of the step; 0: with none
+  };
+  // Bodies that were solved together at the beginning of a step.
+  struct RestingSet {
+    std::size_t first = 0, end = 0;  // in in_sets_
+    bool is_same = true;             // no bit of them has changed since
+  };
+
+  // meeting.cpp
+  void take(State& state, const Input& input);
+  void run_part();
+  void stop_early(const Event& first);
+  void give(State& state);
+  void part_overlaps();
+  Vec2 way_apart(std::uint32_t index);
+
+  // meeting_rest.cpp
+  void fall_asleep(const State& state);
+  void remember_set();
+  void remember(const State& state);
+  void set_off(std::uint32_t index);
+  void look_for_ground(std::uint32_t index);
+  void look_for_pairs(std::uint32_t index, bool only_later);
+  void push(Event event);
+  bool is_void(const Event& event) const;
+  static bool is_later(const Event& a, const Event& b);
+
+  // meeting_set.cpp
+  void gather(const Event& event);
+  void join(std::uint32_t index);
+  void look_around(std::size_t place, const Event& event);
+  void add_pairs(const Event& event);
+  void sort_by_place(std::span<std::uint32_t> indices) const;
+  bool shakes_more();
+  bool is_inner(std::size_t place) const { return members_[set_[place]].is_inner; }
+
+  // meeting_contacts.cpp
+  void resolve(const Event& event);
+  void set_paths();
+  void stop();
+  bool add_ground(std::size_t place, const GroundMeeting& meeting);
+  bool probe(std::size_t place, Vec2 way, double fastest);
+  bool is_new(std::size_t place, Vec2 normal) const;
+  void bounce();
+  bool choose(bool is_late);
+  double bounce_of(const Touch& touch) const;
+  double slowest_on(const Touch& touch) const;
+  bool bounced_lately(const Touch& touch) const;
+  bool is_restless(int place) const;
+  bool is_dozing() const;
+  void hold();
+  void look_for_turn(const Met& met);
+  void note(const Met& met);
+
+  const std::shared_ptr<const Scene> scene_;
+  const GroundProbe probe_;
+  const Vec2 gravity_;    // px/frame^2
+  const double slowest_;  // px/frame, that a bounce must have on level ground
+  const int parts_;
+  const double part_;  // frames
+  BodyGrid grid_;
+  CastBudget budget_;
+  std::vector<Member> members_;  // by index of the body
+  std::vector<Rest> rests_;      // the same
+  std::vector<RestingSet> sets_;
+  std::vector<std::uint32_t> in_sets_;  // indices of bodies
+  std::vector<Event> events_;           // a heap, the earliest first
+  std::vector<std::uint32_t> near_;
+  // Of the set that is resolved.
+  double time_ = 0;     // frames since the part of the step began
+  double started_ = 0;  // frames since the step began, of its part
+  std::vector<std::uint32_t> set_;
+  std::vector<std::uint32_t> shaken_;                           // those that must be in it
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;  // of it that touch
+  std::vector<Vec2> before_;                                    // px/frame, their velocities
+  std::vector<Inertia> inertias_;
+  std::vector<Met> met_;
+  std::vector<Touch> chosen_;
+  std::vector<std::size_t> chosen_at_;
+  ContactSet contacts_;
+  const State* state_ = nullptr;
+  StepRecord* record_ = nullptr;
+  bool is_stopped_ = false;  // the work that a step may take is used up
+};
+
+}  // namespace talus

@@ -1,0 +1,312 @@
+// What bodies that touch at one time do to one another: they bounce, and then rest on one another or part.
+#include "meeting.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../contact_notes.h"
+
+namespace talus {
+namespace {
+
+// Events of one body in a part of a step, after which it is to come to rest.
+constexpr int kMostSlowEvents = 6;
+// After so many, it and what it touches stop there until the part is over.
+constexpr int kMostEvents = 64;
+
+bool is_still(Vec2 v) { return std::abs(v.x) <= kStill && std::abs(v.y) <= kStill; }
+
+}  // namespace
+
+void Meeting::resolve(const Event& event) {
+  Member& first = members_[event.a];
+  time_ = event.time;
+  const bool is_ground = event.kind == Event::Kind::ground;
+  if (is_ground) {
+    first.moving.path = first.moving.path.from(time_);
+    first.moving.path.place = first.ground.place;
+  }
+  shaken_.clear();
+  do {
+    gather(event);
+    if (is_ground) {
+      // What it meets at the same time belongs to the same impact; rounding is not to choose.
+      const auto place = static_cast<std::size_t>(first.place_in_set);
+      const Vec2 velocity = inertias_[place].velocity;
+      add_ground(place, first.ground);
+      probe(place, {velocity.x, 0}, -kStillOnGround);
+      probe(place, {0, velocity.y}, -kStillOnGround);
+    }
+    bounce();
+  } while (shakes_more());
+  hold();
+  if (is_dozing()) {
+    for (Inertia& body : inertias_) body.velocity = body.pull = {};
+  }
+  remember_set();
+  for (Met& met : met_) note(met);
+  set_paths();
+  const bool is_capped = std::any_of(
+      set_.begin(), set_.end(), [&](std::uint32_t index) { return members_[index].events >= kMostEvents; });
+  if (is_capped) stop();
+  for (std::size_t i = 0; i < set_.size(); ++i) {
+    members_[set_[i]].place_in_set = -1;
+    if (is_inner(i)) set_off(set_[i]);
+  }
+  for (const Met& met : met_) look_for_turn(met);
+}
+
+// Gives the bodies of the set their new paths.
+void Meeting::set_paths() {
+  for (std::size_t i = 0; i < set_.size(); ++i) {
+    if (!is_inner(i)) continue;
+    FallPath& path = members_[set_[i]].moving.path;
+    path.velocity = inertias_[i].velocity;
+    path.pull = inertias_[i].pull;
+    if (is_still(path.velocity) && is_still(path.pull)) path.velocity = path.pull = {};
+  }
+  for (const Met& met : met_) {
+    const auto a = static_cast<std::size_t>(met.touch.a);
+    if (met.touch.b == Touch::kGround && is_inner(a)) {
+      const double speed = ContactSet::speed(met.touch, inertias_, met.touch.normal);
+      const bool stays = ContactSet::gain(met.touch, inertias_, met.touch.normal) <= kStillOnGround;
+      if (std::abs(speed) <= kStillOnGround)
+        probe_.align(met.contact, stays, members_[set_[a]].moving, budget_);
+    }
+    if (!(met.touch.impulse > 0) || met.touch.bounce == 0) continue;
+    members_[set_[a]].bounced = time_;
+    if (met.touch.b != Touch::kGround) members_[set_[static_cast<std::size_t>(met.touch.b)]].bounced = time_;
+  }
+}
+
+// The bodies of the set have had more contacts than a step handles.
+void Meeting::stop() {
+  for (std::size_t i = 0; i < set_.size(); ++i) {
+    if (!is_inner(i)) continue;
+    Member& member = members_[set_[i]];
+    member.is_capped = true;
+    member.inverse_mass = 0;
+    member.moving.path.velocity = member.moving.path.pull = {};
+  }
+}
+
+// ---- The ground that they touch ----
+
+bool Meeting::add_ground(std::size_t place, const GroundMeeting& meeting) {
+  Met& met = met_.emplace_back();
+  met.touch.a = static_cast<int>(place);
+  met.touch.normal = meeting.normal;
+  met.touch.friction = members_[set_[place]].friction;
+  met.contact = meeting.contact;
+  std::sort(met_.begin(), met_.end(), [](const Met& a, const Met& b) {
+    const auto key = [](const Touch& t) { return std::tuple(t.a, t.b, t.normal.y, t.normal.x); };
+    return key(a.touch) < key(b.touch);
+  });
+  return true;
+}
+
+// Looks for ground that a body touches, that it would go into on this way, and that it leaves no faster than
+// `fastest`. Returns whether there is some that is new.
+bool Meeting::probe(std::size_t place, Vec2 way, double fastest) {
+  if (!is_inner(place)) return false;
+  Member& member = members_[set_[place]];
+  constexpr int kMostTries = 3;
+  for (int i = 0; i < kMostTries && !is_still(way); ++i) {
+    Rect box = member.moving.at(time_);
+    const auto meeting = probe_.touched(box, way, time_, budget_);
+    if (!meeting) return false;
+    member.moving.path.place = box.position();
+    if (!(-dot(way, meeting->normal) > kStillOnGround)) return false;
+    if (dot(inertias_[place].velocity, meeting->normal) <= fastest)
+      return is_new(place, meeting->normal) && add_ground(place, *meeting);
+    // It leaves this piece: there may be another one behind it.
+    way = slide_along(meeting->normal, way);
+  }
+  return false;
+}
+
+bool Meeting::is_new(std::size_t place, Vec2 normal) const {
+  return std::none_of(met_.begin(), met_.end(), [&](const Met& met) {
+    return met.touch.a == static_cast<int>(place) && met.touch.b == Touch::kGround &&
+           is_still(met.touch.normal - normal);
+  });
+}
+
+// ---- Impacts ----
+
+double Meeting::bounce_of(const Touch& touch) const {
+  const auto of = [&](int place) {
+    const Member& member = members_[set_[static_cast<std::size_t>(place)]];
+    const bool is_level =
+        std::abs(touch.normal.x) <= scene_->tuning.exact.steepest * std::abs(touch.normal.y);
+    return is_level ? member.floor_bounce : member.wall_bounce;
+  };
+  if (touch.b == Touch::kGround) return of(touch.a);
+  return std::min(1.0, std::max(of(touch.a), of(touch.b)));
+}
+
+// px/frame: a bounce that is slower is over within a step.
+double Meeting::slowest_on(const Touch& touch) const {
+  const double up = -touch.normal.y;
+  return slowest_ * (touch.b == Touch::kGround ? std::max(up, 0.0) : std::abs(up));
+}
+
+// Bounces that follow one another ever sooner would never end: a slow one stays that follows another one so
+// soon. (Luding and McNamara 1998, "How to handle the inelastic collapse", let such bounces lose nothing.)
+bool Meeting::bounced_lately(const Touch& touch) const {
+  constexpr double kSoon = 0.25;  // frames
+  const auto has = [&](int place) {
+    const double bounced = members_[set_[static_cast<std::size_t>(place)]].bounced;
+    return bounced >= 0 && bounced < time_ && time_ - bounced < kSoon;
+  };
+  return has(touch.a) && (touch.b == Touch::kGround || has(touch.b));
+}
+
+bool Meeting::is_restless(int place) const {
+  return place != Touch::kGround && members_[set_[static_cast<std::size_t>(place)]].events > kMostSlowEvents;
+}
+
+// Chooses what is reflected at once: what approaches, and what is held together already. Returns whether
+// anything approaches. is_late: it has gone on for so long that nothing bounces any more.
+bool Meeting::choose(bool is_late) {
+  chosen_.clear();
+  chosen_at_.clear();
+  bool approaches = false;
+  for (std::size_t i = 0; i < met_.size(); ++i) {
+    Touch& touch = met_[i].touch;
+    const double speed = -ContactSet::speed(touch, inertias_, touch.normal), still = touch.still();
+    if (speed < -still && -speed <= slowest_ && (is_restless(touch.a) || is_restless(touch.b)))
+      touch.is_caught = true;
+    approaches = approaches || speed > still || (touch.is_caught && speed < -still);
+    if (speed > still && !touch.is_held) {
+      const double bounce = bounce_of(touch);
+      touch.is_held =
+          is_late || speed * bounce <= slowest_on(touch) || (speed <= slowest_ && bounced_lately(touch));
+      touch.bounce = touch.is_held ? 0 : bounce;
+    }
+    if (!(speed > still) && !touch.is_held && !touch.is_caught) continue;
+    chosen_.push_back(touch);
+    chosen_at_.push_back(i);
+  }
+  return approaches;
+}
+
+// Reflects what approaches, again until nothing does.
+void Meeting::bounce() {
+  for (std::size_t i = 0; i < set_.size(); ++i) before_[i] = inertias_[i].velocity;
+  std::vector<char> is_changed(set_.size(), 1);
+  const std::size_t most = 32 + 4 * set_.size();
+  for (std::size_t turn = 0; turn < 2 * most; ++turn) {
+    for (std::size_t i = 0; i < set_.size(); ++i) {
+      if (is_changed[i]) probe(i, inertias_[i].velocity, -kStillOnGround);
+      is_changed[i] = 0;
+    }
+    if (!choose(turn >= most)) return;
+    contacts_.reflect(inertias_, chosen_);
+    budget_.left -= contacts_.take_work();
+    for (std::size_t i = 0; i < chosen_.size(); ++i) {
+      met_[chosen_at_[i]].touch = chosen_[i];
+      is_changed[static_cast<std::size_t>(chosen_[i].a)] = 1;
+      if (chosen_[i].b != Touch::kGround) is_changed[static_cast<std::size_t>(chosen_[i].b)] = 1;
+    }
+  }
+}
+
+// ---- Rest ----
+
+// Slow bodies that go to and fro ever sooner, as between two slopes, would never come to rest: they stop for
+// the rest of the step.
+bool Meeting::is_dozing() const {
+  bool is_restless = false;
+  for (std::size_t i = 0; i < set_.size(); ++i) {
+    const Vec2 v = inertias_[i].velocity;
+    if (std::abs(v.x) > slowest_ || std::abs(v.y) > slowest_) return false;
+    is_restless = is_restless || members_[set_[i]].events > kMostSlowEvents;
+  }
+  return is_restless;
+}
+
+// Finds the pulls of bodies that stay together.
+void Meeting::hold() {
+  std::vector<Vec2> free(set_.size());
+  for (std::size_t i = 0; i < set_.size(); ++i) {
+    free[i] = inertias_[i].pull;
+    if (!is_inner(i)) inertias_[i].inverse_mass = 0;
+  }
+  constexpr int kMostTurns = 16;
+  for (int turn = 0; turn < kMostTurns; ++turn) {
+    chosen_.clear();
+    chosen_at_.clear();
+    for (std::size_t i = 0; i < set_.size(); ++i) inertias_[i].pull = free[i];
+    for (std::size_t i = 0; i < met_.size(); ++i) {
+      const Touch& touch = met_[i].touch;
+      if (ContactSet::speed(touch, inertias_, touch.normal) > touch.still()) continue;
+      chosen_.push_back(touch);
+      chosen_at_.push_back(i);
+    }
+    if (!chosen_.empty()) {
+      contacts_.support(inertias_, chosen_);
+      budget_.left -= contacts_.take_work();
+    }
+    for (std::size_t i = 0; i < chosen_.size(); ++i) met_[chosen_at_[i]].touch = chosen_[i];
+    bool finds = false;
+    for (std::size_t i = 0; i < set_.size(); ++i) {
+      if (probe(i, inertias_[i].pull, kStillOnGround)) finds = true;
+    }
+    if (!finds) return;
+  }
+}
+
+// Friction stops a body that slides: then it is held.
+void Meeting::look_for_turn(const Met& met) {
+  if (!(met.touch.pressure > 0) || met.touch.friction == 0) return;
+  const auto path = [&](int place) {
+    return place == Touch::kGround ? FallPath() : members_[set_[static_cast<std::size_t>(place)]].moving.path;
+  };
+  const FallPath a = path(met.touch.a), b = path(met.touch.b);
+  const Vec2 along = met.touch.along();
+  const double speed = dot(a.velocity - b.velocity, along), gain = dot(a.pull - b.pull, along);
+  if (!(speed * gain < 0) || std::abs(speed) <= kStill) return;
+  const double then = time_ - speed / gain;
+  if (!(then < part_)) return;
+  const int mover = is_inner(static_cast<std::size_t>(met.touch.a)) ? met.touch.a : met.touch.b;
+  push({.time = then, .kind = Event::Kind::turn, .a = set_[static_cast<std::size_t>(mover)]});
+}
+
+// ---- Records ----
+
+// Bodies that stand, and the contacts of impacts, and those of rest once in a step.
+void Meeting::note(const Met& met) {
+  const bool is_impact = met.touch.impulse > 0;
+  if (!is_impact && !(met.touch.pressure > 0)) return;
+  const auto tell = [&](int place, int other, double sign) {
+    if (place == Touch::kGround || !is_inner(static_cast<std::size_t>(place))) return;
+    Member& member = members_[set_[static_cast<std::size_t>(place)]];
+    const Vec2 normal = met.touch.normal * sign;
+    const bool is_level = std::abs(normal.x) <= scene_->tuning.exact.steepest * std::abs(normal.y);
+    if (normal.y < 0 && is_level) member.is_grounded = true;
+    if (record_ == nullptr || !(is_impact || time_ == 0)) return;
+    const double rest = part_ - time_;
+    ContactRecord& c = record_->contacts.emplace_back();
+    c.body = state_->bodies[set_[static_cast<std::size_t>(place)]].id;
+    c.order = member.order++;
+    if (other == Touch::kGround) {
+      c.other = obstacle_of(probe_.ground(), met.contact);
+      c.slope = slope_probe(met.contact, c.other, member.moving.size);
+    } else {
+      const std::uint32_t index = set_[static_cast<std::size_t>(other)];
+      const Body& body = state_->bodies[index];
+      c.other = {TileRole::ball, body.origin.cell, body.id, members_[index].moving.at(time_)};
+    }
+    c.ti = started_ + time_;
+    c.move = before_[static_cast<std::size_t>(place)] * rest;
+    c.normal = normal;
+    c.touch = member.moving.path.place;
+    c.handled = true;
+    c.after = inertias_[static_cast<std::size_t>(place)].velocity * rest;
+  };
+  tell(met.touch.a, met.touch.b, 1);
+  tell(met.touch.b, met.touch.a, -1);
+}
+
+}  // namespace talus

@@ -1,0 +1,132 @@
+// Which bodies touch at the time of an event.
+#include "meeting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace talus {
+namespace {
+
+// Of a large pile only so many bodies are solved at once. The ones that touch them go on as they do until
+// they are solved themselves, or are hit.
+constexpr std::size_t kMostInner = 16;
+// An impact goes on through at most so many; the others are like walls to it.
+constexpr std::size_t kMostShaken = 32;
+
+}  // namespace
+
+// By their places, so that nothing depends on the order of the bodies.
+void Meeting::sort_by_place(std::span<std::uint32_t> indices) const {
+  std::sort(indices.begin(), indices.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const auto key = [&](std::uint32_t i) {
+      const MovingBox& box = members_[i].moving;
+      return std::tuple(box.path.place.y, box.path.place.x, box.size.y, box.size.x, i);
+    };
+    return key(a) < key(b);
+  });
+}
+
+// Finds all bodies that touch those of the event, or one that does, and where.
+void Meeting::gather(const Event& event) {
+  for (const std::uint32_t index : set_) members_[index].place_in_set = -1;
+  set_.clear();
+  met_.clear();
+  pairs_.clear();
+  join(event.a);
+  if (event.kind == Event::Kind::pair) join(event.b);
+  sort_by_place(shaken_);
+  for (const std::uint32_t index : shaken_) join(index);
+  const std::size_t given = set_.size();
+  std::size_t inner = 0;
+  bool is_cut = false;
+  for (std::size_t i = 0; i < set_.size(); ++i) {
+    Member& member = members_[set_[i]];
+    const bool is_solved = member.is_cut && member.events > 0 && member.moving.path.time == time_;
+    const bool has_room = i < given || (inner < kMostInner && !is_solved);
+    member.is_inner = has_room && member.inverse_mass > 0;
+    is_cut = is_cut || !has_room;
+    if (!member.is_inner) continue;
+    ++inner;
+    look_around(i, event);
+  }
+  for (const std::uint32_t index : set_) {
+    Member& member = members_[index];
+    if (!member.is_inner) continue;
+    member.is_cut = is_cut;
+    member.moving.path = member.moving.path.from(time_);
+  }
+  sort_by_place(set_);
+  inertias_.clear();
+  before_.resize(set_.size());
+  for (std::size_t i = 0; i < set_.size(); ++i) {
+    Member& member = members_[set_[i]];
+    const FallPath& path = member.moving.path;
+    member.place_in_set = static_cast<int>(i);
+    // One that rests, and is not solved yet, is going to rest on.
+    const bool may_rest = member.events == 0 && path.velocity == Vec2();
+    const Vec2 pull = is_inner(i) ? member.pull : may_rest ? Vec2() : path.pull;
+    const bool is_wall = !is_inner(i) && shaken_.size() >= kMostShaken;
+    inertias_.push_back({path.velocity_at(time_), pull, is_wall ? 0 : member.inverse_mass});
+  }
+  add_pairs(event);
+}
+
+void Meeting::join(std::uint32_t index) {
+  if (members_[index].place_in_set >= 0) return;
+  members_[index].place_in_set = static_cast<int>(set_.size());
+  set_.push_back(index);
+}
+
+// Joins what touches a body of the set.
+void Meeting::look_around(std::size_t place, const Event& event) {
+  const std::uint32_t index = set_[place];
+  const Rect box = members_[index].moving.at(time_);
+  const double slack = 2 * touch_slack(box, box);
+  const Rect around{box.x - slack, box.y - slack, box.w + 2 * slack, box.h + 2 * slack};
+  if (!grid_.near(around, index, budget_.left, near_)) return;
+  sort_by_place(near_);
+  for (const std::uint32_t other : near_) {
+    const int known = members_[other].place_in_set;
+    if (known >= 0 && known < static_cast<int>(place) && members_[other].is_inner) continue;
+    --budget_.left;
+    // Two corners meet on the way alone.
+    const bool is_event = event.kind == Event::Kind::pair &&
+                          ((index == event.a && other == event.b) || (index == event.b && other == event.a));
+    if (!is_event && !touching_normal(box, members_[other].moving.at(time_), index < other)) continue;
+    pairs_.emplace_back(index, other);
+    join(other);
+  }
+}
+
+void Meeting::add_pairs(const Event& event) {
+  const auto place = [&](std::uint32_t index) { return members_[index].place_in_set; };
+  for (auto& [a, b] : pairs_) {
+    if (place(a) > place(b)) std::swap(a, b);
+  }
+  std::sort(pairs_.begin(), pairs_.end(), [&](const auto& a, const auto& b) {
+    return std::pair(place(a.first), place(a.second)) < std::pair(place(b.first), place(b.second));
+  });
+  for (const auto& [a, b] : pairs_) {
+    Met& met = met_.emplace_back();
+    met.touch.a = place(a);
+    met.touch.b = place(b);
+    const auto normal = touching_normal(members_[a].moving.at(time_), members_[b].moving.at(time_), a < b);
+    met.touch.normal = normal ? *normal : a == event.a ? event.normal : event.normal * -1;
+    met.touch.friction = std::sqrt(members_[a].friction * members_[b].friction);
+  }
+}
+
+// Whether an impact has moved bodies whose own neighbours are not in the set. Then they are to be.
+bool Meeting::shakes_more() {
+  const std::size_t before = shaken_.size();
+  if (before >= kMostShaken) return false;
+  for (std::size_t i = 0; i < set_.size(); ++i) {
+    const Member& member = members_[set_[i]];
+    const bool is_moved = !(inertias_[i].velocity == before_[i]);
+    if (!member.is_inner && member.inverse_mass > 0 && is_moved) shaken_.push_back(set_[i]);
+  }
+  return shaken_.size() > before;
+}
+
+}  // namespace talus

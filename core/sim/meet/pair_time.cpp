@@ -1,0 +1,87 @@
+#include "pair_time.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact_set.h"
+
+namespace talus {
+namespace {
+
+constexpr double kNear = 1e-9;               // px
+constexpr double kRoundings = 64 * 0x1p-52;  // share of a coordinate
+
+// One axis of the way of one box as another sees it.
+struct Axis {
+  double place, speed, gain;  // px, px/frame, px/frame^2, of the first box, less those of the second
+  double size, other;         // px, of the first box and of the second
+  // px, between the two; less than 0: they overlap.
+  double gap(double s) const {
+    const double at = place + speed * s + gain * (s * s / 2);
+    return std::max(at - other, -size - at);
+  }
+  double rate(double s) const { return speed + gain * s; }
+};
+
+// The time until the first box has come to the second from its side: 1 from the right or below, -1.
+double time_from(const Axis& axis, double side, double slack) {
+  const double gap = side > 0 ? axis.place - axis.other : -axis.size - axis.place;
+  const double speed = -side * axis.speed, gain = -side * axis.gain;
+  if (gap < -slack) return HUGE_VAL;
+  if (gap <= slack) {
+    if (speed > kStill) return 0;
+    if (!(gain > kStill)) return HUGE_VAL;
+    return speed < -kStill ? -2 * speed / gain : 0;
+  }
+  return time_to_close(gap, speed, gain);
+}
+
+}  // namespace
+
+double touch_slack(const Rect& a, const Rect& b) {
+  const auto reach = [](const Rect& box) { return std::abs(box.x) + std::abs(box.y) + box.w + box.h; };
+  return kNear + std::max(reach(a), reach(b)) * kRoundings;
+}
+
+std::optional<Vec2> touching_normal(const Rect& a, const Rect& b, bool is_first) {
+  const double x = std::max(a.x - b.right(), b.x - a.right()),
+               y = std::max(a.y - b.bottom(), b.y - a.bottom());
+  const double slack = touch_slack(a, b);
+  if (x > slack || y > slack || (x > -slack && y > -slack)) return std::nullopt;
+  const auto sign = [&](double ours, double theirs) {
+    return ours < theirs || (ours == theirs && is_first) ? -1.0 : 1.0;
+  };
+  if (x > y) return Vec2{sign(a.x + a.w / 2, b.x + b.w / 2), 0};
+  return Vec2{0, sign(a.y + a.h / 2, b.y + b.h / 2)};
+}
+
+std::optional<PairMeeting> next_meeting(const MovingBox& a, const MovingBox& b, double from, double to) {
+  const FallPath p = a.path.from(from), q = b.path.from(from);
+  const double slack = touch_slack(a.at(from), b.at(from));
+  const Axis x{p.place.x - q.place.x, p.velocity.x - q.velocity.x, p.pull.x - q.pull.x, a.size.x, b.size.x};
+  const Axis y{p.place.y - q.place.y, p.velocity.y - q.velocity.y, p.pull.y - q.pull.y, a.size.y, b.size.y};
+  std::optional<PairMeeting> first;
+  const auto offer = [&](const Axis& axis, const Axis& across, double side, Vec2 normal) {
+    const double s = time_from(axis, side, slack);
+    if (!(from + s < to) || (first && from + s >= first->time)) return;
+    const double beside = across.gap(s);
+    if (beside > slack) return;
+    // Two corners meet only if the boxes come nearer on both axes.
+    if (beside > -slack) {
+      const double at = across.place + across.speed * s + across.gain * (s * s / 2);
+      const double centre = at + (across.size - across.other) / 2;
+      const double rate = centre < 0 ? across.rate(s) : -across.rate(s);
+      const double gain = centre < 0 ? across.gain : -across.gain;
+      if (!(rate > kStill || (rate >= -kStill && gain > kStill))) return;
+    }
+    first = {from + s, normal};
+  };
+  // Of two sides that they meet at one time, the upper or lower one counts.
+  offer(y, x, 1, {0, 1});
+  offer(y, x, -1, {0, -1});
+  offer(x, y, 1, {1, 0});
+  offer(x, y, -1, {-1, 0});
+  return first;
+}
+
+}  // namespace talus

@@ -1,0 +1,337 @@
+// Bodies that meet, against closed forms.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <talus/sim/solver.h>
+#include "level/transform.h"
+#include "level_picture.h"
+
+namespace talus::meeting_test {
+
+// Nothing slows bodies down, and everything bounces back as fast as it came.
+Level meeting_level(std::initializer_list<std::string_view> rows, double gravity) {
+  Level level = level_of(rows);
+  Tuning& t = level.tuning;
+  t.solver = SolverKind::exact;
+  t.shared.bodies = static_cast<double>(BodyPairs::meet);
+  t.shared.fall_blend = t.shared.drift_blend = 0;
+  t.shared.floor_bounce = t.shared.wall_bounce = 1;
+  t.exact.gravity = gravity;
+  t.exact.rebound = 1;
+  return level;
+}
+Level empty_level() {
+  return meeting_level({"................................", "................................"}, 0);
+}
+
+Spawn body(Vec2 at, Vec2 velocity = {}, Vec2 size = {8, 8}) {
+  return {.name = "", .position = at, .velocity = velocity, .extra = "", .size = size};
+}
+
+struct Play {
+  explicit Play(const Level& level)
+      : scene(std::make_shared<const Scene>(compile_scene(level))),
+        solver(make_solver(scene)),
+        state(initial_state(*scene)) {}
+  void step(int times, const Input& input = {}) {
+    for (int i = 0; i < times; ++i) solver->step(state, input);
+  }
+  const Body& body(std::size_t index) const { return state.bodies[index]; }
+
+  std::shared_ptr<const Scene> scene;
+  std::unique_ptr<Solver> solver;
+  State state;
+};
+
+double momentum(const State& state) {
+  double sum = 0;
+  for (const Body& b : state.bodies) sum += b.box.w * b.box.h * b.velocity.x;
+  return sum;
+}
+double energy(const State& state) {
+  double sum = 0;
+  for (const Body& b : state.bodies) sum += b.box.w * b.box.h * dot(b.velocity, b.velocity) / 2;
+  return sum;
+}
+
+// px: how deep the two bodies that overlap most are in one another.
+double deepest_overlap(const State& state) {
+  double deepest = 0;
+  for (const Body& a : state.bodies)
+    for (const Body& b : state.bodies) {
+      if (a.id >= b.id) continue;
+      const double x = std::min(a.box.right() - b.box.x, b.box.right() - a.box.x);
+      const double y = std::min(a.box.bottom() - b.box.y, b.box.bottom() - a.box.y);
+      deepest = std::max(deepest, std::min(x, y));
+    }
+  return deepest;
+}
+
+// ---- Impacts ----
+
+Level cradle(int coming) {
+  Level level = empty_level();
+  for (int i = 0; i < 5; ++i) {
+    const bool comes = i < coming;
+    level.spawns.push_back(body({(comes ? 60.3 : 100.0) + 8 * i, 2}, {comes ? 2.0 : 0.0, 0}));
+  }
+  return level;
+}
+
+TEST(Meeting, InACradleAsManyLeaveAsCome) {
+  for (const int coming : {1, 2, 3}) {
+    Play run(cradle(coming));
+    run.step(40);
+    for (int i = 0; i < 5; ++i)
+      EXPECT_NEAR(run.body(static_cast<std::size_t>(i)).velocity.x, i < 5 - coming ? 0 : 2, 1e-12)
+          << coming << i;
+    EXPECT_NEAR(run.body(4).box.x, 132 + 2 * (40 - (39.7) / 2), 1e-12) << coming;
+  }
+}
+
+TEST(Meeting, TwoFromEitherSideAreMirrored) {
+  Level level = empty_level();
+  level.spawns = {body({100, 2}), body({60.5, 2}, {2, 0}), body({139.5, 2}, {-2, 0})};
+  Play run(level);
+  run.step(40);
+  EXPECT_EQ(run.body(0).box.x, 100);
+  EXPECT_EQ(run.body(0).velocity, Vec2());
+  EXPECT_NEAR(run.body(1).velocity.x, -2, 1e-12);
+  EXPECT_NEAR(run.body(2).velocity.x, 2, 1e-12);
+  EXPECT_NEAR(run.body(1).box.x, 200 - run.body(2).box.x, 1e-12);
+}
+
+TEST(Meeting, MassesOfAllKindsKeepMomentumAndEnergy) {
+  for (const double size : {1.0, 8.0, 256.0}) {
+    Level level = empty_level();
+    level.spawns = {body({20, 2}, {2, 0}), body({60, 2}, {}, {size, 8}), body({60 + size, 2})};
+    Play run(level);
+    const double before = momentum(run.state), power = energy(run.state);
+    run.step(60);
+    EXPECT_GT(std::abs(run.body(0).velocity.x - 2), 1e-3) << "they have met";
+    EXPECT_NEAR(momentum(run.state) / before, 1, 1e-12) << size;
+    EXPECT_NEAR(energy(run.state) / power, 1, 1e-12) << size;
+  }
+}
+
+TEST(Meeting, TheOrderOfBodiesChangesNoBit) {
+  Level level = meeting_level({"#..............#",  //
+                               "#..............#",  //
+                               "#..............#",  //
+                               "#.../-.........#",  //
+                               "################"},
+                              0.2);
+  level.tuning.shared.floor_bounce = 0.5;
+  for (int i = 0; i < 6; ++i)
+    level.spawns.push_back(
+        body({9.0 + 13 * i, 2.0 + 3 * (i % 3)}, {1.5 - 0.6 * i, 0.3 * i}, {6.0 + i, 9.0 - i}));
+  Level other = level;
+  std::rotate(other.spawns.begin(), other.spawns.begin() + 2, other.spawns.end());
+  Play run(level), turned(other);
+  for (int i = 0; i < 200; ++i) {
+    run.step(1);
+    turned.step(1);
+    for (std::size_t k = 0; k < 6; ++k) {
+      const Body &a = run.body((k + 2) % 6), &b = turned.body(k);
+      ASSERT_EQ(a.box, b.box) << i << " " << k;
+      ASSERT_EQ(a.velocity, b.velocity) << i << " " << k;
+    }
+  }
+}
+
+TEST(Meeting, ABodyFarAwayChangesNoBitOfTheOthers) {
+  Level level = cradle(1);
+  Play run(level);
+  level.spawns.push_back(body({200, 1}, {0.3, 0}));
+  Play more(level);
+  for (int i = 0; i < 30; ++i) {
+    run.step(1);
+    more.step(1);
+    for (std::size_t k = 0; k < 5; ++k) ASSERT_EQ(run.body(k).box, more.body(k).box) << i;
+  }
+}
+
+// ---- Ground ----
+
+TEST(Meeting, AFlightIsTheParabolaAtAnyNumberOfParts) {
+  for (const double parts : {1.0, 3.0, 16.0}) {
+    Level level = meeting_level({"..........", "..........", "..........", "##########"}, 0.2);
+    level.tuning.exact.substeps = parts;
+    level.spawns = {body({20, 4}), body({60, 4})};
+    Play run(level);
+    // It falls 12 px in sqrt(120) frames, and rises as long.
+    const double fall = std::sqrt(2 * 12 / 0.2);
+    for (int frame = 1; frame <= 1000; ++frame) {
+      run.step(1);
+      const double phase = std::abs(std::remainder(frame, 2 * fall));
+      ASSERT_NEAR(run.body(0).box.y, 4 + 0.1 * phase * phase, 1e-9) << parts << " " << frame;
+    }
+  }
+}
+
+TEST(Meeting, ABoxSlidesDownASlopeByTheClosedForm) {
+  Level level = meeting_level({"..................", "................/-", "............../-##",
+                               "............/-####", "########../-######", "##################"},
+                              0.2);
+  level.tuning.shared.floor_bounce = level.tuning.shared.wall_bounce = 0;
+  // Its right corner is on the line from (80, 40) to (144, 8).
+  const double x = 120, slope = 0.5;
+  level.spawns = {body({x - 8, 40 - (x - 80) * slope - 8})};
+  Play run(level);
+  const double along = 0.2 * slope / (1 + slope * slope);  // px/frame^2, in x
+  for (int frame = 1; frame <= 20; ++frame) {
+    run.step(1);
+    ASSERT_NEAR(run.body(0).box.x, x - 8 - along * frame * frame / 2, 1e-9) << frame;
+    ASSERT_NEAR(run.body(0).box.bottom(), 40 - (run.body(0).box.right() - 80) * slope, 1e-9) << frame;
+  }
+}
+
+// ---- Rest ----
+
+Level pile() {
+  Level level =
+      meeting_level({"..........", "..........", "..........", "..........", "..........", "..........",
+                     "..........", "..........", "..........", "..........", "..........", "##########"},
+                    0.2);
+  level.tuning.shared.floor_bounce = 0.3;
+  for (int i = 0; i < 8; ++i) level.spawns.push_back(body({20 + i * 0.5, 78.0 - 9 * i}));
+  return level;
+}
+
+TEST(Meeting, APileComesToRestAndKeepsItsBits) {
+  Play run(pile());
+  run.step(300);
+  for (int i = 0; i < 8; ++i) EXPECT_NEAR(run.body(static_cast<std::size_t>(i)).box.y, 80 - 8 * i, 1e-9);
+  EXPECT_LE(deepest_overlap(run.state), 1e-9);
+  const std::vector<Body> before = run.state.bodies;
+  run.step(1000);
+  EXPECT_EQ(run.state.bodies, before);
+}
+
+TEST(Meeting, SleepChangesNoBit) {
+  const Level level = pile();
+  Play run(level);
+  State state = initial_state(*run.scene);
+  for (int i = 0; i < 200; ++i) {
+    run.step(1);
+    state = step(*run.scene, state, {});
+    ASSERT_EQ(run.state, state) << i;
+    ASSERT_EQ(state_hash(run.state), state_hash(state)) << i;
+  }
+}
+
+TEST(Meeting, APileFallsWhenItsLowestBodyIsTakenAway) {
+  Level level = pile();
+  Play run(level);
+  run.step(300);
+  level.spawns.erase(level.spawns.begin());
+  for (Spawn& spawn : level.spawns) spawn.name = "one of the others";
+  const auto scene = std::make_shared<const Scene>(compile_scene(level));
+  State state = run.state;
+  state.bodies.erase(state.bodies.begin());
+  const auto solver = make_solver(scene);
+  for (int i = 0; i < 8; ++i) solver->step(state, {});
+  for (std::size_t i = 0; i < 7; ++i)
+    EXPECT_NEAR(state.bodies[i].box.y, 72 - 8.0 * static_cast<double>(i) + 0.1 * 8 * 8, 1e-9) << i;
+}
+
+TEST(Meeting, HeavyAndLightRestOnOneAnother) {
+  for (const bool heavy_below : {true, false}) {
+    Level level = pile();
+    level.spawns = {body({8, heavy_below ? 40.0 : 20.0}, {}, {64, 40}),
+                    body({30, heavy_below ? 20.0 : 80.0}, {}, {1, 1})};
+    Play run(level);
+    run.step(400);
+    const std::size_t lower = heavy_below ? 0 : 1;
+    EXPECT_NEAR(run.body(lower).box.bottom(), 88, 1e-9);
+    EXPECT_NEAR(run.body(1 - lower).box.bottom(), run.body(lower).box.y, 1e-9);
+  }
+}
+
+TEST(Meeting, BodiesInOnePlacePartAndRest) {
+  Level level = pile();
+  level.spawns.assign(20, body({30, 60}));
+  Play run(level);
+  run.step(600);
+  EXPECT_LE(deepest_overlap(run.state), 1e-9);
+  for (const Body& b : run.state.bodies) EXPECT_LE(b.box.bottom(), 88 + 1e-9);
+}
+
+// ---- The mouse and players ----
+
+TEST(Meeting, TheMouseDragsABallIntoOthersAndMovesThem) {
+  Level level = meeting_level({"....................", "....................", "####################"}, 0.2);
+  level.tuning.shared.floor_bounce = level.tuning.shared.wall_bounce = 0;
+  level.spawns = {body({20, 8}), body({40, 8})};
+  Play run(level);
+  Input input;
+  input.mouse_down = true;
+  input.grab = 1;
+  for (int i = 0; i < 60; ++i) {
+    input.mouse = {24.0 + i, 12};
+    run.step(1, input);
+    EXPECT_LE(run.body(0).box.right(), run.body(1).box.x + 1e-9) << i;
+  }
+  EXPECT_GT(run.body(1).box.x, 60);
+  EXPECT_NEAR(run.body(1).box.bottom(), 16, 1e-9);
+  // Let go, it is thrown with the speed of its last frame.
+  const double speed = run.body(0).box.x - run.body(0).previous.x;
+  run.step(1);
+  EXPECT_NEAR(run.body(0).velocity.x, speed, 1e-12);
+}
+
+TEST(Meeting, APlayerStandsLikeAWall) {
+  Level level = meeting_level({"....................", "....................", "####################"}, 0.2);
+  level.tuning.shared.floor_bounce = 0;
+  level.spawns = {body({40, 8}, {-2, 0}), body({8, 8})};
+  level.spawns[1].kind = BodyKind::player;
+  Play run(level);
+  run.step(60);
+  EXPECT_EQ(run.body(1).box.x, 8);
+  EXPECT_NEAR(run.body(0).velocity.x, 2, 1e-12);
+}
+
+TEST(Meeting, ARecordTellsOfContactsAndChangesNothing) {
+  const Level level = cradle(1);
+  Play run(level), recorded(level);
+  StepRecord record;
+  int impacts = 0;
+  for (int i = 0; i < 40; ++i) {
+    run.step(1);
+    recorded.solver->step(recorded.state, {}, &record);
+    ASSERT_EQ(record.paths.size(), 5u);
+    for (std::size_t k = 0; k < 5; ++k) ASSERT_EQ(record.paths[k].to, recorded.body(k).box);
+    for (const ContactRecord& contact : record.contacts) {
+      EXPECT_NE(contact.other.body, 0);
+      if (contact.body == 1) ++impacts;
+    }
+    ASSERT_EQ(run.state, recorded.state);
+  }
+  EXPECT_EQ(impacts, 1);
+}
+
+TEST(Meeting, AMirroredLevelRunsMirrored) {
+  Level level = meeting_level({"#..................#",  //
+                               "#..................#",  //
+                               "#......../-........#",  //
+                               "#....../-##........#",  //
+                               "####################"},
+                              0.2);
+  level.tuning.shared.floor_bounce = 0.3;
+  level.tuning.shared.wall_bounce = 0.5;
+  for (int i = 0; i < 5; ++i)
+    level.spawns.push_back(body({20.0 + 21 * i, 2}, {1.1 - 0.5 * i, 0}, {5.0 + i, 6}));
+  Play run(level), other(mirrored(level));
+  for (int frame = 1; frame <= 600; ++frame) {
+    run.step(1);
+    other.step(1);
+    for (std::size_t i = 0; i < 5; ++i) {
+      ASSERT_NEAR(run.body(i).box.x, 160 - other.body(i).box.right(), 1e-9) << frame;
+      ASSERT_NEAR(run.body(i).box.y, other.body(i).box.y, 1e-9) << frame;
+    }
+  }
+}
+
+}  // namespace talus::meeting_test
