@@ -43,6 +43,7 @@ struct SharedTuning {
   double drag_offset = 4;     // px from a ball's corner to where the mouse holds it, in x and y
   double drag_probe = 1;  // px/frame, downward speed with which a dragged ball finds slopes; `article` alone
   double bodies = 1;      // whole; a BodyPairs
+  // `bodies` by its name; the number must be one of them.
   BodyPairs pairs() const { return static_cast<BodyPairs>(static_cast<int>(bodies)); }
   friend bool operator==(const SharedTuning&, const SharedTuning&) = default;
 };
