@@ -1,5 +1,5 @@
-// Prints a hash of the states of many random levels in all three solvers. Built with several compilers, flags
-// and processors by ./run, it must always print the same.
+// Prints a hash of the states of many random levels in all three solvers, and of bodies that meet. Built with
+// several compilers, flags and processors by ./run, it must always print the same.
 
 #include <cinttypes>
 #include <cstdio>
@@ -83,8 +83,9 @@ Level random_level(std::uint64_t seed) {
   return level;
 }
 
-std::uint64_t hash_of_run(Level level, SolverKind solver, bool single, std::uint64_t seed) {
+std::uint64_t hash_of_run(Level level, SolverKind solver, bool single, BodyPairs pairs, std::uint64_t seed) {
   level.tuning.solver = solver;
+  level.tuning.shared.bodies = static_cast<double>(pairs);
   level.tuning.exact.single_precision = single ? 1 : 0;
   const auto scene = std::make_shared<const Scene>(compile_scene(level));
   const auto stepper = make_solver(scene);
@@ -113,14 +114,16 @@ int main() {
     const char* name;
     SolverKind solver;
     bool single;
+    BodyPairs pairs = BodyPairs::block;
   } solvers[] = {{"article", SolverKind::article, false},
                  {"bump", SolverKind::bump, false},
                  {"exact", SolverKind::exact, false},
-                 {"exact-float", SolverKind::exact, true}};
+                 {"exact-float", SolverKind::exact, true},
+                 {"meet", SolverKind::exact, false, BodyPairs::meet}};
   for (const auto& s : solvers) {
     std::uint64_t hash = 0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-      hash = hash * 1'000'003 + hash_of_run(random_level(seed), s.solver, s.single, seed);
+      hash = hash * 1'000'003 + hash_of_run(random_level(seed), s.solver, s.single, s.pairs, seed);
     }
     std::printf("%s %016" PRIx64 "\n", s.name, hash);
   }
