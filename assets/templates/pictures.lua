@@ -11,6 +11,7 @@
 local frames = require "frames"
 local LIGHT, BLUE = {244 / 255, 244 / 255, 244 / 255}, {65 / 255, 166 / 255, 246 / 255}
 local DARK = {11 / 255, 12 / 255, 20 / 255}
+local BOARD, FRAME = {160 / 255, 112 / 255, 60 / 255}, {92 / 255, 61 / 255, 32 / 255}  -- of crates
 
 local function image(picture)
   local drawable = love.graphics.newImage(picture)
@@ -170,6 +171,16 @@ local function draw_figure(body)
   rectangle(LIGHT, x + inset, y + h - foot, w - 2 * inset, foot)
 end
 
+-- Boards in a frame, with one across.
+local function draw_crate(body)
+  local x, y, w, h = body.x, body.y, body.w, body.h
+  local bar = math.min(w, h) * 0.14
+  rectangle(FRAME, x, y, w, h)
+  rectangle(BOARD, x + bar, y + bar, w - 2 * bar, h - 2 * bar)
+  love.graphics.setColor(FRAME)
+  love.graphics.polygon("fill", x, y + h - bar, x, y + h, x + bar, y + h, x + w, y + bar, x + w, y, x + w - bar, y)
+end
+
 return function(level, file)
   local tile_width, tile_height = level.tile_width or 8, level.tile_height or 8  -- px
   local picture = love.image.newImageData(file)
@@ -241,6 +252,7 @@ return function(level, file)
     if body.picture then return draw_picture(body, step) end
     local kind, tile = level.kinds[body.kind], body.tile or first_ball
     if kind and kind.look == "figure" then return draw_figure(body) end
+    if kind and kind.look == "crate" then return draw_crate(body) end
     love.graphics.setColor(tile and {1, 1, 1} or LIGHT)
     if tile then
       love.graphics.draw(clear, quads[tile], body.x, body.y, 0, body.w / tile_width, body.h / tile_height)

@@ -286,7 +286,17 @@ std::string_view rule_word(BodyRule rule) {
   return {};
 }
 
-std::string_view look_word(BodyLook look) { return look == BodyLook::figure ? "figure" : "tile"; }
+std::string_view look_word(BodyLook look) {
+  switch (look) {
+    case BodyLook::tile:
+      return "tile";
+    case BodyLook::figure:
+      return "figure";
+    case BodyLook::crate:
+      return "crate";
+  }
+  return {};
+}
 
 std::vector<PlainLine> plain_lines(const Level& level, const Progress& progress) {
   std::vector<PlainLine> lines;

@@ -20,6 +20,14 @@ std::span<const BodyTraits> body_kinds() {
        .ldtk_identifier = "Player",
        .ldtk_color = "#EF7D57",
        .svg_color = "#ff4040"},
+      {.word = "crate",
+       .help = "A crate falls like a ball. With bodies that meet it slides, stacks and is pushed.",
+       .friction = 0.5,
+       .bounce = 0.1,
+       .look = BodyLook::crate,
+       .ldtk_identifier = "Crate",
+       .ldtk_color = "#A0703C",
+       .svg_color = "#a0703c"},
   };
   return kKinds;
 }

@@ -27,7 +27,7 @@ using ::testing::HasSubstr;
 Level level() {
   Level level = level_of_shapes({"....", "....", "1111"});
   level.tuning.solver = SolverKind::exact;
-  level.spawns = level_of_native(native_with(R"("spawns": [{"x": 8, "kind": "crate"}])")).spawns;
+  level.spawns = level_of_native(native_with(R"("spawns": [{"x": 8, "kind": "barrel"}])")).spawns;
   return level;
 }
 
@@ -84,8 +84,8 @@ TEST_F(Additions, ARuleOfTheLintNeedsOneFile) {
 }
 
 TEST_F(Additions, AKindOfBodyNeedsOneRow) {
-  const BodyKind crate = find_body_kind("crate").value();
-  ASSERT_EQ(level().spawns[0].kind, crate);
+  const BodyKind barrel = find_body_kind("barrel").value();
+  ASSERT_EQ(level().spawns[0].kind, barrel);
   EXPECT_EQ(level().spawns[0].size, (Vec2{16, 12}));
   EXPECT_TRUE(level_of_native(native_of_level(level())) == level());
 
@@ -93,12 +93,12 @@ TEST_F(Additions, AKindOfBodyNeedsOneRow) {
   State state = initial_state(*scene);
   const auto solver = make_solver(scene);
   for (int i = 0; i < 60; ++i) solver->step(state, {}, nullptr);
-  EXPECT_EQ(state.bodies[0].kind, crate);
+  EXPECT_EQ(state.bodies[0].kind, barrel);
   EXPECT_EQ(state.bodies[0].box.bottom(), 16) << "it has fallen onto the ground";
 
   for (const char* exporter : {"json", "csv", "svg", "lua", "tmx"})
-    EXPECT_THAT(all_of_export(exporter), HasSubstr("crate")) << exporter;
-  EXPECT_THAT(all_of_export("ldtk"), HasSubstr("Crate"));
+    EXPECT_THAT(all_of_export(exporter), HasSubstr("barrel")) << exporter;
+  EXPECT_THAT(all_of_export("ldtk"), HasSubstr("Barrel"));
 }
 
 }  // namespace talus::additions_test

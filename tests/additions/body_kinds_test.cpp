@@ -1,4 +1,4 @@
-// Two kinds of bodies more, by a row each: a crate, which falls, and a runner, which runs by the keys. Games
+// Two kinds of bodies more, by a row each: a barrel, which falls, and a runner, which runs by the keys. Games
 // in Lua and in C move them as the program does, to the last bit, and they look the same.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ using ::testing::HasSubstr;
 constexpr int kFrames = 240;
 const std::string kGames = source_path("tests/games/");
 
-// A crate, a runner and a ball tile above a floor with a slope, as large as a screen of TIC-80.
+// A barrel, a runner and a ball tile above a floor with a slope, as large as a screen of TIC-80.
 Level level_with_kinds() {
   return level_of_native(native_with(R"("tuning": {"solver": "exact"},
     "tiles": {"1": {"shape": {"kind": "solid"},
@@ -38,18 +38,18 @@ Level level_with_kinds() {
                     "pixels": "0000000d 000000dd 00000ddd 0000dddd 000ddddd 00dddddd 0ddddddd dddddddd"},
               "3": {"flags": [1],
                     "pixels": "00444400 04444440 44444444 44400444 44400444 44444444 04444440 00444400"}},
-    "spawns": [{"x": 16, "y": 20, "kind": "crate"}, {"x": 40, "y": 100, "kind": "runner"}],
+    "spawns": [{"x": 16, "y": 20, "kind": "barrel"}, {"x": 40, "y": 100, "kind": "runner"}],
     "map": {"width": 30, "height": 17, "rows": ["", "", "", "", "", "", "", "", "", "", "000000000000000003",
             "", "", "", "", "00000000000000000201",
             "010101010101010101010101010101010101010101010101010101010101"]})"));
 }
 
 // With a body that the level file does not have: games add it, by its kind and place alone.
-Level level_with_another_crate() {
+Level level_with_another_barrel() {
   Level level = level_with_kinds();
-  const BodyKind crate = level.spawns[0].kind;
-  level.spawns.push_back({.name = "", .position = {100, 30}, .velocity = {}, .extra = "", .kind = crate});
-  level.spawns.back().size = traits_of(crate).size;
+  const BodyKind barrel = level.spawns[0].kind;
+  level.spawns.push_back({.name = "", .position = {100, 30}, .velocity = {}, .extra = "", .kind = barrel});
+  level.spawns.back().size = traits_of(barrel).size;
   return level;
 }
 
@@ -117,7 +117,7 @@ TEST_F(AddedBodyKinds, AreInTheHashesOfFrames) {
     EXPECT_EQ(frame_hash(other) != frame_hash(state), state_hash(other) != state_hash(state));
     return frame_hash(other) != frame_hash(state);
   };
-  EXPECT_FALSE(changes(1)) << "nothing of a crate depends on keys";
+  EXPECT_FALSE(changes(1)) << "nothing of a barrel depends on keys";
   EXPECT_TRUE(changes(2)) << "a runner's next jump depends on it";
 }
 
@@ -126,8 +126,8 @@ TEST_F(AddedBodyKinds, MoveInLuaAsInTheProgram) {
   put("game/main.lua", R"(
 local talus, level = require "talus", require "level"
 local held_in, world = dofile(arg[1])(arg[2]), talus.new(level)
-local crate = world:add {kind = "crate", x = 100, y = 30}
-assert(crate.w == 16 and crate.h == 12 and crate.foot == "centre")
+local barrel = world:add {kind = "barrel", x = 100, y = 30}
+assert(barrel.w == 16 and barrel.h == 12 and barrel.foot == "centre")
 for frame = 1, tonumber(arg[3]) do
   world:step(held_in(frame))
   for _, b in ipairs(world.bodies) do
@@ -135,7 +135,7 @@ for frame = 1, tonumber(arg[3]) do
   end
 end
 )");
-  put_level("another.talus.json", level_with_another_crate());
+  put_level("another.talus.json", level_with_another_barrel());
   ASSERT_NO_FATAL_FAILURE(trace("another.talus.json", "keys.jsonl"));
   for (const std::string lua : {"lua5.3", "luajit"}) {
     SCOPED_TRACE(lua);
@@ -180,7 +180,7 @@ function love.load()
   love.event.quit()
 end
 )");
-  EXPECT_THAT(printed, HasSubstr("ball of 8x8, rests\ncrate of 16x12, rests\nrunner of 6x12, runs\n"));
+  EXPECT_THAT(printed, HasSubstr("ball of 8x8, rests\nbarrel of 16x12, rests\nrunner of 6x12, runs\n"));
 }
 
 TEST_F(AddedBodyKinds, MoveInCAsInTheProgram) {
@@ -198,10 +198,10 @@ TEST_F(AddedBodyKinds, MoveInCAsInTheProgram) {
     ASSERT_EQ(talus_step(game.get(), TALUS_RIGHT, 0, 0, 0), 1);
     ASSERT_EQ(talus_hash(game.get()), state_hash(state)) << "frame " << i + 1;
   }
-  talus_body crate, runner;
-  ASSERT_EQ(talus_body_at(game.get(), 1, &crate) + talus_body_at(game.get(), 2, &runner), 2);
-  EXPECT_EQ(crate.w, 16);
-  EXPECT_STREQ(talus_kind_word(crate.kind), "crate");
+  talus_body barrel, runner;
+  ASSERT_EQ(talus_body_at(game.get(), 1, &barrel) + talus_body_at(game.get(), 2, &runner), 2);
+  EXPECT_EQ(barrel.w, 16);
+  EXPECT_STREQ(talus_kind_word(barrel.kind), "barrel");
   EXPECT_EQ(runner.w, 6);
   EXPECT_STREQ(talus_kind_word(runner.kind), "runner");
   EXPECT_GT(runner.x, 40);
@@ -217,7 +217,7 @@ TEST_F(AddedBodyKinds, AreDrawnByTheirLook) {
   swapped.spawns[0].kind = BodyKind::player;
   const std::string shown = picture(level, "added.png");
   EXPECT_EQ(shown.substr(0, 4), "\x89PNG");
-  EXPECT_TRUE(shown == picture(usual, "usual.png")) << "a crate looks like a ball, a runner like a player";
+  EXPECT_TRUE(shown == picture(usual, "usual.png")) << "a barrel looks like a ball, a runner like a player";
   EXPECT_FALSE(shown == picture(swapped, "swapped.png"));
 }
 
@@ -277,8 +277,8 @@ TEST_F(AddedBodyKinds, AreInTheListOfTheInspector) {
   window.click("inspector/kind_runner");
   EXPECT_EQ(traits_of(window.level().spawns[0].kind).word, "runner");
   window.click("inspector/kind");
-  window.click("inspector/kind_crate");
-  EXPECT_EQ(traits_of(window.level().spawns[0].kind).word, "crate");
+  window.click("inspector/kind_barrel");
+  EXPECT_EQ(traits_of(window.level().spawns[0].kind).word, "barrel");
 }
 
 }  // namespace talus::body_kinds_test

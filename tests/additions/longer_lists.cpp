@@ -45,13 +45,13 @@ std::span<const RuleGroup* const> rule_groups() {
 }
 
 std::span<const BodyTraits> body_kinds() {
-  static constexpr BodyTraits kCrate{.word = "crate",
-                                     .help = "A crate falls.",
-                                     .size = {16, 12},
-                                     .foot = Foot::centre,
-                                     .ldtk_identifier = "Crate",
-                                     .ldtk_color = "#A0703C",
-                                     .svg_color = "#a0703c"};
+  static constexpr BodyTraits kBarrel{.word = "barrel",
+                                      .help = "A barrel falls.",
+                                      .size = {16, 12},
+                                      .foot = Foot::centre,
+                                      .ldtk_identifier = "Barrel",
+                                      .ldtk_color = "#A0703C",
+                                      .svg_color = "#a0703c"};
   static constexpr BodyTraits kRunner{.word = "runner",
                                       .help = "A runner runs by the keys.",
                                       .rule = BodyRule::run,
@@ -61,7 +61,7 @@ std::span<const BodyTraits> body_kinds() {
                                       .ldtk_identifier = "Runner",
                                       .ldtk_color = "#70A03C",
                                       .svg_color = "#70a03c"};
-  static const auto kAll = longer<BodyTraits>(own_body_kinds(), {kCrate, kRunner});
+  static const auto kAll = longer<BodyTraits>(own_body_kinds(), {kBarrel, kRunner});
   return kAll;
 }
 

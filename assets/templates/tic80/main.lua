@@ -42,6 +42,9 @@ local function draw_body(body, left, top)
         picture.columns, picture.rows)
   elseif level.kinds[body.kind].look == "figure" then
     draw_figure(body, x, y, w, h)
+  elseif level.kinds[body.kind].look == "crate" then
+    rect(x, y, w, h, 3)
+    rectb(x, y, w, h, 2)
   elseif not tile then
     circ(x + w / 2, y + h / 2, w / 2, 12)
   elseif w == TILE and h == TILE then

@@ -65,6 +65,38 @@ bool BoundedSystem::solve() {
   return false;
 }
 
+// With a little of x'x added the answer is unique. What that takes from it is put back in each turn; what no
+// other number knows of stays as it is (Tikhonov's regularisation, iterated).
+bool BoundedSystem::solve_evenly() {
+  constexpr double kShare = 1e-5, kSame = 1e-14;
+  constexpr int kMostTurns = 8;
+  double largest = 0;
+  for (std::size_t i = 0; i < size_; ++i) largest = std::max(largest, a(i, i));
+  const double more = kShare * largest;
+  const std::vector<double> whole = b_, diagonal = [&] {
+    std::vector<double> values(size_);
+    for (std::size_t i = 0; i < size_; ++i) values[i] = a(i, i);
+    return values;
+  }();
+  for (std::size_t i = 0; i < size_; ++i) a(i, i) += more;
+  for (int turn = 0; turn < kMostTurns; ++turn) {
+    const std::vector<double> last = x_;
+    for (std::size_t i = 0; i < size_; ++i) b_[i] = whole[i] - more * x_[i];
+    solve();
+    double change = 0, scale = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      change = std::max(change, std::abs(x_[i] - last[i]));
+      scale = std::max(scale, std::abs(x_[i]));
+    }
+    if (change <= kSame * scale) break;
+  }
+  for (std::size_t i = 0; i < size_; ++i) {
+    a(i, i) = diagonal[i];
+    b_[i] = whole[i];
+  }
+  return solve();
+}
+
 // How far from its best a number is that rests, as the slope at it; 0 if a bound or rounding keeps it there.
 double BoundedSystem::pull_on(std::size_t row) {
   work_ += static_cast<std::int64_t>(size_);

@@ -27,6 +27,10 @@ class BoundedSystem {
   // Returns false if it stopped at a limit that only rounding can reach; x is between its bounds then, too.
   bool solve();
 
+  // The same, and of several answers the one that shares the load most evenly, whatever the order of the
+  // numbers: friction depends on it.
+  bool solve_evenly();
+
   // The work since the last call, in units of about 20 ns.
   std::int64_t take_work();
 

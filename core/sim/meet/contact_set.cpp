@@ -1,5 +1,6 @@
 #include "contact_set.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -63,8 +64,10 @@ bool ContactSet::reflect(std::span<Inertia> bodies, std::span<Touch> touches) {
   rows_.clear();
   for (std::size_t i = 0; i < touches.size(); ++i) rows_.push_back({i, touches[i].normal});
   set_up(bodies, touches, [&](const Touch& touch, Vec2 along) { return speed(touch, bodies, along); });
+  const bool rubs =
+      std::any_of(touches.begin(), touches.end(), [](const Touch& t) { return t.friction > 0; });
   for (std::size_t i = 0; i < rows_.size(); ++i) system_.bound(i, touches[i].is_caught ? -kAny : 0, kAny);
-  bool ends = system_.solve();
+  bool ends = rubs ? system_.solve_evenly() : system_.solve();
   std::vector<double> given(touches.size());
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     Touch& touch = touches[i];
@@ -83,7 +86,7 @@ bool ContactSet::reflect(std::span<Inertia> bodies, std::span<Touch> touches) {
     const double most = touches[rows_[i].touch].friction * given[rows_[i].touch];
     system_.bound(i, -most, most);
   }
-  ends = system_.solve() && ends;
+  ends = system_.solve_evenly() && ends;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Touch& touch = touches[rows_[i].touch];
     give(bodies, touch, &Inertia::velocity, rows_[i].direction * system_.x(i));
@@ -114,7 +117,7 @@ bool ContactSet::support(std::span<Inertia> bodies, std::span<Touch> touches) {
       const bool slides = std::abs(slip) > kStill;
       system_.bound(i, slides && slip < 0 ? most : -most, slides && slip > 0 ? -most : most);
     }
-    const bool is_solved = system_.solve();
+    const bool is_solved = rows_.size() > normals ? system_.solve_evenly() : system_.solve();
     ends = true;
     for (std::size_t i = 0; i < normals; ++i) {
       constexpr double kSame = 1e-13;
@@ -125,10 +128,24 @@ bool ContactSet::support(std::span<Inertia> bodies, std::span<Touch> touches) {
     ends = ends && is_solved;
     if (rows_.size() == normals) break;
   }
+  for (Inertia& body : bodies) body.strain = 0;
+  const auto strain = [&](int index, double pressure) {
+    if (index == Touch::kGround) return;
+    Inertia& body = bodies[static_cast<std::size_t>(index)];
+    body.strain = std::max(body.strain, std::abs(pressure) * body.inverse_mass);
+  };
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     Touch& touch = touches[rows_[i].touch];
     if (i < normals) touch.pressure = system_.x(i);
     give(bodies, touch, &Inertia::pull, rows_[i].direction * system_.x(i));
+    strain(touch.a, system_.x(i));
+    strain(touch.b, system_.x(i));
+  }
+  // What is left between large pressures is rounding.
+  constexpr double kRounding = 1e-13;
+  for (Inertia& body : bodies) {
+    if (std::abs(body.pull.x) <= kRounding * body.strain) body.pull.x = 0;
+    if (std::abs(body.pull.y) <= kRounding * body.strain) body.pull.y = 0;
   }
   return ends;
 }

@@ -21,6 +21,7 @@ struct Inertia {
   Vec2 velocity;            // px/frame
   Vec2 pull;                // px/frame^2
   double inverse_mass = 1;  // 0: nothing moves it
+  double strain = 0;        // px/frame^2: the most that one contact gives it
 };
 
 // Two bodies that touch, or a body and the ground.

@@ -110,15 +110,15 @@ std::optional<GroundMeeting> GroundProbe::next_meeting(const MovingBox& box, dou
     const Vec2 way = box.path.way_to(to);
     if (way == Vec2()) break;
     const Contact<double> contact = cast_box<double>(ground_, {from, way, Foot::box}, {}, nullptr, &budget);
-    if (!contact ||
-        (found && contact.piece == found->contact.piece && contact.normal == found->contact.normal))
-      break;
+    if (!contact) break;
     const Arrival then = arrival(ground_, box, contact, to - box.path.time);
-    Rect there = box.at(box.path.time + then.time);
+    const double time = box.path.time + then.time;
+    if (found && !(time < found->time)) break;
+    Rect there = box.at(time);
     put_on(ground_, contact, there);
-    found = GroundMeeting{box.path.time + then.time, then.normal, there.position(), contact};
+    found = GroundMeeting{time, then.normal, there.position(), contact};
     if (longest(there.position() - contact.position) <= touch_slack(from, from)) break;
-    to = found->time;
+    to = time;
   }
   return found;
 }

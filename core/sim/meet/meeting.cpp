@@ -49,6 +49,10 @@ std::int64_t Meeting::step(State& state, const Input& input, StepRecord* record)
   budget_ = {kMostStepWork};
   is_stopped_ = false;
   take(state, input);
+  for (std::uint32_t i = 0; i < members_.size(); ++i) {
+    const Rect box = members_[i].moving.at(0);
+    budget_.left -= grid_.place(i, box);
+  }
   fall_asleep(state);
   part_overlaps();
   for (int i = 0; i < parts_ && !is_stopped_; ++i) {
@@ -74,8 +78,7 @@ void Meeting::take(State& state, const Input& input) {
       const auto out = way_out(probe_.ground(), body.box, Foot::box, &budget_);
       if (out) member.moving.path.place = member.moving.path.place + *out;
     }
-    const double share = body.box.w * body.box.h / (traits.size.x * traits.size.y);
-    member.inverse_mass = 1 / (traits.mass * share);
+    member.inverse_mass = 1 / (traits.mass * (body.box.w * body.box.h / kMassArea));
     member.friction = traits.friction;
     member.floor_bounce = traits.bounce.value_or(t.floor_bounce);
     member.wall_bounce = traits.bounce.value_or(t.wall_bounce);
@@ -102,7 +105,7 @@ void Meeting::run_part() {
     Member& member = members_[i];
     member.moving.path.time = 0;
     member.moving.path.pull = member.is_asleep ? Vec2() : member.pull;
-    member.events = 0;
+    member.events = member.is_asleep ? 1 : 0;  // the one that would hold it
     member.bounced = -1;
     grid_.place(i, swept(member.moving, part_));
   }
@@ -143,7 +146,7 @@ void Meeting::give(State& state) {
     body.box.x = place.x;
     body.box.y = place.y;
     // Adding 0 leaves no -0, whose bits are others.
-    if (!member.is_held && !member.is_capped) body.velocity = {velocity.x + 0.0, velocity.y + 0.0};
+    if (!member.is_held) body.velocity = {velocity.x + 0.0, velocity.y + 0.0};
     body.gait.grounded = member.is_grounded;
     body.is_clear = true;
     if (record_ == nullptr) continue;
@@ -159,10 +162,6 @@ void Meeting::give(State& state) {
 
 // Bodies that begin inside of one another are moved apart, each by its share, as far as the ground lets them.
 void Meeting::part_overlaps() {
-  for (std::uint32_t i = 0; i < members_.size(); ++i) {
-    const FallPath& path = members_[i].moving.path;
-    grid_.place(i, {path.place.x, path.place.y, members_[i].moving.size.x, members_[i].moving.size.y});
-  }
   std::vector<std::pair<std::uint32_t, Vec2>> ways;
   for (std::uint32_t i = 0; i < members_.size(); ++i) {
     if (members_[i].inverse_mass == 0 || members_[i].is_asleep) continue;
@@ -224,7 +223,8 @@ bool Meeting::is_void(const Event& event) const {
 }
 
 bool Meeting::is_later(const Event& a, const Event& b) {
-  return std::tie(a.time, a.kind, a.place.y, a.place.x) > std::tie(b.time, b.kind, b.place.y, b.place.x);
+  const auto key = [](const Event& e) { return std::tuple(e.time, e.kind, e.place.y, e.place.x, e.a, e.b); };
+  return key(a) > key(b);
 }
 
 void Meeting::push(Event event) {

@@ -73,6 +73,7 @@ class Meeting {
   struct RestingSet {
     std::size_t first = 0, end = 0;  // in in_sets_
     bool is_same = true;             // no bit of them has changed since
+    bool is_cut = false;             // they are a part of a larger pile
   };
 
   // meeting.cpp
@@ -85,6 +86,8 @@ class Meeting {
 
   // meeting_rest.cpp
   void fall_asleep(const State& state);
+  void wake_touched();
+  void wake_beside(std::uint32_t index);
   void remember_set();
   void remember(const State& state);
   void set_off(std::uint32_t index);

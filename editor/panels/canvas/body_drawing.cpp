@@ -15,6 +15,29 @@ int first_ball_tile(const Level& level) {
   return -1;
 }
 
+void draw_figure(ImDrawList& list, ImVec2 from, ImVec2 to, Foot foot, int alpha) {
+  const float w = to.x - from.x, h = to.y - from.y;
+  const ImU32 dark = theme::color(theme::kDark, alpha);
+  list.AddRectFilled(from, to, theme::color(theme::kAccent, alpha));
+  list.AddRect(from, to, dark);
+  for (const float x : {0.3f, 0.6f})
+    list.AddRectFilled({from.x + w * x, from.y + h * 0.2f}, {from.x + w * (x + 0.12f), from.y + h * 0.45f},
+                       dark);
+  const float inset = foot == Foot::centre ? w * 0.38f : 0;
+  list.AddRectFilled({from.x + inset, to.y - std::max(1.0f, h * 0.15f)}, {to.x - inset, to.y},
+                     theme::color(theme::kText, alpha));
+}
+
+// Boards in a frame, with one across.
+void draw_crate(ImDrawList& list, ImVec2 from, ImVec2 to, int alpha) {
+  constexpr std::uint32_t kBoard = 0xa0703c, kFrame = 0x5c3d20;
+  const float w = to.x - from.x, h = to.y - from.y, bar = std::max(1.0f, std::min(w, h) * 0.14f);
+  const ImU32 frame = theme::color(kFrame, alpha);
+  list.AddRectFilled(from, to, theme::color(kBoard, alpha));
+  list.AddLine({from.x + bar, to.y - bar}, {to.x - bar, from.y + bar}, frame, bar);
+  list.AddRect({from.x + bar / 2, from.y + bar / 2}, {to.x - bar / 2, to.y - bar / 2}, frame, 0, 0, bar);
+}
+
 }  // namespace
 
 const BodyPicture* picture_of_body(const Level& level, const Body& body) {
@@ -29,17 +52,18 @@ Rect place_of_picture(const BodyPicture& picture, const Rect& box, TileSize tile
   return {box.x + (box.w - w) / 2, box.bottom() - h, w, h};
 }
 
-void draw_figure(ImDrawList& list, ImVec2 from, ImVec2 to, Foot foot, int alpha) {
-  const float w = to.x - from.x, h = to.y - from.y;
-  const ImU32 dark = theme::color(theme::kDark, alpha);
-  list.AddRectFilled(from, to, theme::color(theme::kAccent, alpha));
-  list.AddRect(from, to, dark);
-  for (const float x : {0.3f, 0.6f})
-    list.AddRectFilled({from.x + w * x, from.y + h * 0.2f}, {from.x + w * (x + 0.12f), from.y + h * 0.45f},
-                       dark);
-  const float inset = foot == Foot::centre ? w * 0.38f : 0;
-  list.AddRectFilled({from.x + inset, to.y - std::max(1.0f, h * 0.15f)}, {to.x - inset, to.y},
-                     theme::color(theme::kText, alpha));
+bool draw_own_look(ImDrawList& list, const Body& body, ImVec2 from, ImVec2 to, int alpha) {
+  switch (traits_of(body.kind).look) {
+    case BodyLook::tile:
+      return false;
+    case BodyLook::figure:
+      draw_figure(list, from, to, body.foot, alpha);
+      return true;
+    case BodyLook::crate:
+      draw_crate(list, from, to, alpha);
+      return true;
+  }
+  return false;
 }
 
 BodyDrawing::BodyDrawing(const Level& level, std::int64_t step)
@@ -76,7 +100,7 @@ void BodyDrawing::draw(ImDrawList& list, const Body& body, bool looks_left, cons
   }
   const ImVec2 from = view.to_screen({body.box.x, body.box.y});
   const ImVec2 to = view.to_screen({body.box.right(), body.box.bottom()});
-  if (traits_of(body.kind).look == BodyLook::figure) return draw_figure(list, from, to, body.foot, alpha);
+  if (draw_own_look(list, body, from, to, alpha)) return;
   const int tile = tile_of(body);
   if (tile >= 0) {
     const UvRect uv = ui.uv_of(tile);

@@ -102,7 +102,7 @@ void LevelPreview::draw_body(const BodyDrawing& drawing, const Body& body, const
     return list.AddImage(ui.small_pictures->texture(image_of(*frame)), from, to);
   }
   const auto [from, to] = at(body.box);
-  if (traits_of(body.kind).look == BodyLook::figure) return draw_figure(list, from, to, body.foot, 255);
+  if (draw_own_look(list, body, from, to, 255)) return;
   if (const int tile = drawing.tile_of(body); tile >= 0) {
     const Cell place = level_.sheet(SheetId::tiles).layout().place_of(tile);
     return list.AddImage(ui.small_pictures->texture(image_of({place.x, place.y, 1, 1})), from, to);

@@ -12,7 +12,7 @@
 namespace talus {
 
 // The order is that of body_kinds().
-enum class BodyKind : std::uint8_t { ball, player };
+enum class BodyKind : std::uint8_t { ball, player, crate };
 
 // What moves a body in a step of the exact solver. The other solvers move all kinds alike.
 enum class BodyRule : std::uint8_t {
@@ -22,9 +22,12 @@ enum class BodyRule : std::uint8_t {
 
 // How the canvas draws a body.
 enum class BodyLook : std::uint8_t {
-  tile,   // as its tile, or as the first tile that is such a body; a disc where there is none
-  figure  // as a box with a face, and the foot that it stands on
+  tile,    // as its tile, or as the first tile that is such a body; a disc where there is none
+  figure,  // as a box with a face, and the foot that it stands on
+  crate    // as a wooden box
 };
+
+inline constexpr double kMassArea = 64;  // px^2, for BodyTraits::mass: the area of a ball of the article
 
 // The properties of a kind.
 struct BodyTraits {
@@ -34,10 +37,10 @@ struct BodyTraits {
   bool takes_keys = false;         // whether it does what the keys say; its Gait is part of hashes then
   Vec2 size = {8, 8};              // px, kMinBodySize..kMaxBodySize: of a body for which a file gives no size
   Foot foot = Foot::box;           // what stands on slopes, if nothing is given
-  // Of bodies that meet: see Tuning. Others have none of it.
-  double mass = 1;                    // over 0; of a body of that size, others have theirs by area
-  double friction = 0;                // 0..: Coulomb's number of two such bodies, or of one on the ground
-  std::optional<double> bounce = {};  // 0..1: share of the speed that it keeps; none: as the tuning says
+  // Of bodies that meet, see BodyPairs; others use none of these three.
+  double mass = 1;                    // over 0; of kMassArea of it
+  double friction = 0;                // 0..: Coulomb's number; of two bodies the geometric mean counts
+  std::optional<double> bounce = {};  // 0..1: share of the speed that is left; none: as the tuning says
   TileRole role = TileRole::none;     // tiles with this role are such bodies; none: no tiles are
   BodyLook look = BodyLook::tile;     // how it is drawn
   std::string_view ldtk_identifier;   // of its entity in LDtk: "Ball"
