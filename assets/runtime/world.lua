@@ -31,8 +31,12 @@ function World:step(input)
   input = input or {}
   self.terrain:use()
   self:take_input(input)
-  for _, body in ipairs(self.bodies) do step_body(self, body, input) end
+  self:step_bodies(input)
   self.frame = self.frame + 1
+end
+
+function World:step_bodies(input)
+  for _, body in ipairs(self.bodies) do step_body(self, body, input) end
 end
 
 -- The first contact of a box that moves by dx, dy, or nil: t, the share of the motion; x, y, of the box at that

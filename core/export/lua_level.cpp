@@ -198,7 +198,8 @@ void write_spawn(LuaTable&& table, const Spawn& spawn, TileSize tile, const Leve
   if (!picture.empty()) write_picture(table.in_a_row("picture"), picture);
 }
 
-void write_kind(LuaTable&& table, BodyKind kind, TileSize tile) {
+// meets: whether the bodies of the level do.
+void write_kind(LuaTable&& table, BodyKind kind, TileSize tile, bool meets) {
   const BodyTraits& traits = traits_of(kind);
   const Vec2 size = new_body_size(kind, tile);
   table.word("rule", rule_word(traits.rule));
@@ -207,6 +208,10 @@ void write_kind(LuaTable&& table, BodyKind kind, TileSize tile) {
   table.number("h", size.y);
   table.word("foot", foot_word(traits.foot));
   table.word("look", look_word(traits.look));
+  if (!meets) return;
+  table.number("mass", traits.mass);
+  table.number("friction", traits.friction);
+  if (traits.bounce) table.number("bounce", *traits.bounce);
 }
 
 void write_tiles(LuaTable&& rows, std::span<const TileNumber> cells, int columns, const Progress& progress) {
@@ -413,7 +418,8 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
     LuaTable kinds = table.in_lines("kinds");
     for (std::size_t i = 0; i < body_kinds().size(); ++i) {
       const auto kind = static_cast<BodyKind>(i);
-      write_kind(kinds.in_a_row("[" + lua_string(traits_of(kind).word) + "]"), kind, ground.tile);
+      write_kind(kinds.in_a_row("[" + lua_string(traits_of(kind).word) + "]"), kind, ground.tile,
+                 level.tuning.shared.pairs() == BodyPairs::meet);
     }
   }
   {

@@ -33,6 +33,7 @@ constexpr LuaPart kLuaParts[] = {
     {"players", {"players"}, {"walk"}},
     {"pairs", {"pairs"}},
     {"mouse", {"mouse"}},
+    {"meet", {"meet"}, {"balls"}},
     {"end", {"luajit", "module"}},
 };
 
@@ -96,8 +97,9 @@ PartNames used_parts(const Level& level) {
   const bool has_slopes = used.contains("slopes") || used.contains("polygons") || used.contains("segments");
   if (has_centre && has_slopes) used.emplace("walk");
   if (level.tuning.shared.pairs() != BodyPairs::pass && bodies > 1) used.emplace("pairs");
+  const bool meets = level.tuning.shared.pairs() == BodyPairs::meet;
   const ExactTuning& exact = level.tuning.exact;
-  if (used.contains("balls") && exact.rebound != 0 && exact.gravity > 0) used.emplace("flight");
+  if (used.contains("balls") && !meets && exact.rebound != 0 && exact.gravity > 0) used.emplace("flight");
   return used;
 }
 
@@ -119,11 +121,6 @@ std::string lua_part_names() {
 
 FormatResult<std::vector<std::string>> lua_parts(const Level& level, std::string_view more) {
   PartNames wanted = used_parts(level);
-  if (level.tuning.shared.pairs() == BodyPairs::meet && wanted.contains("balls")) {
-    return tl::unexpected(FormatError{"",
-                                      "the bodies of this level meet, which the Lua runtime cannot do yet: "
-                                      "set bodies in its tuning to block or pass"});
-  }
   while (!more.empty()) {
     std::string_view word = more.substr(0, more.find(','));
     more.remove_prefix(std::min(word.size() + 1, more.size()));
@@ -137,6 +134,7 @@ FormatResult<std::vector<std::string>> lua_parts(const Level& level, std::string
     }
     wanted.emplace(word);
   }
+  if (level.tuning.shared.pairs() == BodyPairs::meet && wanted.contains("balls")) wanted.emplace("meet");
   const PartNames asked = wanted;
   for (const std::string& name : asked) {
     for (const std::string_view need : find_part(name)->needs) {

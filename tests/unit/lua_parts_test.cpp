@@ -91,7 +91,7 @@ TEST(LuaParts, OtherPartsCanBeChosen) {
   EXPECT_EQ(
       wrong.error().message,
       "\"plyers\" is not a part of the runtime; the parts are slopes, one_way, polygons, segments, curves, "
-      "balls, flight, walk, players, pairs, mouse");
+      "balls, flight, walk, players, pairs, mouse, meet");
 }
 
 // Words that occur in the code of one part only.
@@ -211,6 +211,7 @@ TEST(LuaLevel, HasALineForEachRowTileAndBody) {
       "    [\"ball\"] = {rule = \"fall\", w = 8, h = 8, foot = \"box\", look = \"tile\"},\n"
       "    [\"player\"] = {rule = \"run\", takes_keys = true, w = 8, h = 8, foot = \"centre\", look = "
       "\"figure\"},\n"
+      "    [\"crate\"] = {rule = \"fall\", w = 8, h = 8, foot = \"box\", look = \"crate\"},\n"
       "  },\n"
       "  tuning = {\n";
   EXPECT_EQ(text.substr(0, begin.size()), begin);

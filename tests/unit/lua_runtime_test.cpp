@@ -421,4 +421,29 @@ TEST_F(LuaRuntime, GivesTheBitsOfRandomLevels) {
   expect_same_bits();
 }
 
+TEST_F(LuaRuntime, GivesTheBitsOfBodiesThatMeet) {
+  constexpr double kLevels = 60;
+  const auto last = static_cast<std::uint64_t>(tries("TALUS_LUA_LEVELS", kLevels));
+  for (std::uint64_t seed = 1; seed <= last; ++seed) {
+    Dice dice(5'000'000 + seed);
+    Level level = random_level(dice);
+    const Spawn first = level.spawns.front();
+    for (int i = dice.up_to(8); i > 0; --i) {
+      Spawn& spawn = level.spawns.emplace_back(first);
+      spawn.kind = dice.one_in(2) ? BodyKind::crate : BodyKind::ball;
+      spawn.foot = {};
+      spawn.position = first.position + Vec2{dice.step(-20, 20, 4), dice.step(-30, 10, 4)};
+    }
+    level.tuning.shared.bodies = static_cast<double>(BodyPairs::meet);
+    if (dice.one_in(2)) level.tuning.shared.fall_blend = level.tuning.shared.drift_blend = 0;
+    constexpr int kFrames = 45;
+    const auto input = dice.one_in(2)
+                           ? random_input(dice, kFrames, level.map.px_width(), level.map.px_height())
+                           : std::vector<CaseInput>();
+    add(level, kFrames, input, "seed " + std::to_string(seed));
+  }
+  EXPECT_GE(body_frames(), 100 * levels());
+  expect_same_bits();
+}
+
 }  // namespace talus::lua_runtime_test
