@@ -105,6 +105,34 @@ const std::map<std::string, KnownFailures>& known_failures() {
        {"position 1, velocity 1, normal 1, sink 2, sink 3, velocity 2, position 4, position 5, position 6",
         "position 1, velocity 1, normal 1, sink 2, sink 3, velocity 2, position 4, position 5, position 6"}},
       {"39-crest-inside-the-box", {"sink 1", "sink 1"}},
+      {"40-cradle",
+       {"velocity 1, velocity 5, position 1, position 5", "velocity 1, velocity 5, position 1, position 5"}},
+      {"41-two-come",
+       {"velocity 1, velocity 2, velocity 4, velocity 5, position 6, position 9, permute 1",
+        "velocity 1, velocity 2, velocity 4, velocity 5, position 6, position 9, permute 1"}},
+      {"42-masses",
+       {"velocity 1, velocity 2, velocity 3, velocity 4, velocity 5, velocity 6",
+        "velocity 1, velocity 2, velocity 3, velocity 4, velocity 5, velocity 6"}},
+      {"44-pyramid",
+       {"position 11, position 28, position 46, position 53, position 55",
+        "position 11, position 28, position 46, position 53, position 55"}},
+      {"44-stack",
+       {"position 2, position 3, position 4, position 5, position 6, position 7, position 8, position 9, "
+        "position 10",
+        "position 2, position 3, position 4, position 5, position 6, position 7, position 8, position 9, "
+        "position 10"}},
+      {"54-crate-on-an-incline",
+       {"position 2, position 2, velocity 2", "position 2, position 2, velocity 2"}},
+      {"58-box-in-a-valley", {"position 1, position 2", "position 1, position 2"}},
+      {"64-heavy-on-light",
+       {"position 2, position 1, position 3, position 4", "position 2, position 1, position 3, position 4"}},
+      {"65-in-one-place",
+       {"position 1, position 2, position 3, position 4, position 5, position 6, position 7, position 8, "
+        "position 9, position 10, position 11, position 12, position 13, position 14, position 15, position "
+        "16, position 17, position 18",
+        "position 1, position 2, position 3, position 4, position 5, position 6, position 7, position 8, "
+        "position 9, position 10, position 11, position 12, position 13, position 14, position 15, position "
+        "16, position 17, position 18"}},
   };
   return kKnown;
 }
@@ -160,7 +188,8 @@ TEST(HardCaseFiles, HoldEveryCaseOfShapes) {
     numbers.push_back(file.hard.number);
   }
   for (int number = 1; number <= 33; ++number) wanted.push_back(number);
-  wanted.insert(wanted.end(), {38, 38, 39});  // curves, and a quarter pipe
+  wanted.insert(wanted.end(), {38, 38, 39});                              // curves, and a quarter pipe
+  wanted.insert(wanted.end(), {40, 41, 42, 43, 44, 44, 54, 58, 64, 65});  // bodies that meet
   EXPECT_EQ(numbers, wanted);
 }
 
@@ -191,6 +220,7 @@ TEST(HardCaseFiles, ExactIsTheSameMirroredAndReordered) {
     const auto keep = [](Tuning&) {};
     const std::int64_t frames = std::min<std::int64_t>(load_case(name).hard.frames, 600);
     EXPECT_EQ(failures_with(name, frames, {check_of(CaseCheck::Measure::mirror, 1e-6)}, keep), "") << name;
+    if (name == "65-in-one-place") continue;  // only their order tells its bodies apart
     EXPECT_EQ(failures_with(name, frames, {check_of(CaseCheck::Measure::permute, 0)}, keep), "") << name;
   }
 }

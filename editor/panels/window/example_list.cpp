@@ -15,13 +15,15 @@ struct CaseTheme {
 };
 
 constexpr int kSeams[] = {1, 2, 3, 7, 21}, kSlopes[] = {4, 5, 6, 8, 12, 13, 14, 15, 16},
-              kWalls[] = {9, 10, 11, 17, 20, 22, 23}, kRest[] = {26, 27, 28, 29, 30}, kCurves[] = {38, 39};
+              kWalls[] = {9, 10, 11, 17, 20, 22, 23}, kRest[] = {26, 27, 28, 29, 30}, kCurves[] = {38, 39},
+              kPairs[] = {40, 41, 42, 43, 44, 54, 58, 64, 65};
 constexpr std::array kThemes = {
     CaseTheme{"Seams", "Hard cases: bodies that catch on the border of two tiles.", kSeams},
     CaseTheme{"Slopes", "Hard cases: peaks, valleys, and ways up and down.", kSlopes},
     CaseTheme{"Walls", "Hard cases: walls, wedges, ceilings and thin floors.", kWalls},
     CaseTheme{"Rest and bounce", "Hard cases: bodies that should lie still, or bounce for ever.", kRest},
     CaseTheme{"Curves", "Hard cases: ground that is round.", kCurves},
+    CaseTheme{"Meetings", "Hard cases: bodies that hit one another, and stand on one another.", kPairs},
     CaseTheme{"Exactness", "Hard cases: touches, order, and numbers at their limits.", {}}};
 
 int number_of_case(const std::string& path) {
