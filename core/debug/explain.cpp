@@ -61,7 +61,7 @@ class ContactSentence {
   // Says what stopped the body and when, but not what happened afterwards.
   std::string stopped() const {
     if (contact_.overlaps) return "was inside " + name_of(*frame_.scene, contact_.other) + pushed_out();
-    return "stopped by " + met_part(*frame_.scene, contact_) + when();
+    return what_it_did() + met_part(*frame_.scene, contact_) + when();
   }
 
   std::string numbers() const {
@@ -81,13 +81,25 @@ class ContactSentence {
   const Tuning& tuning() const { return frame_.scene->tuning; }
   bool is_article() const { return tuning().solver == SolverKind::article; }
   bool is_exact() const { return tuning().solver == SolverKind::exact; }
-  bool rebounds() const { return is_exact() && tuning().exact.rebound != 0; }
+  bool rebounds() const { return is_exact() && (meets() || tuning().exact.rebound != 0); }
+  // Whether the body is one of those that move all at the same time.
+  bool meets() const {
+    const Body* body = frame_.state.find(contact_.body);
+    return frame_.scene->features.meets && body != nullptr && traits_of(body->kind).rule == BodyRule::fall;
+  }
   bool is_cut() const { return is_exact() && tuning().exact.substeps > 1; }  // into parts of a step
+
+  // A body that meets others may be moved by what it did not run into.
+  std::string what_it_did() const {
+    if (!meets() || dot(contact_.move, contact_.normal) < 0) return "stopped by ";
+    const bool is_moved = contact_.after && dot(*contact_.after, contact_.normal) > kOnlyRounding;
+    return is_moved ? "hit by " : "pressed by ";
+  }
 
   std::string when() const {
     if (contact_.ti < kOnlyRounding) return " at once";
     const bool is_whole = path_ != nullptr && contact_.move == path_->goal - path_->from.position();
-    const bool of_step = !is_cut() && (contact_.order == 0 || is_whole);
+    const bool of_step = !is_cut() && (meets() || contact_.order == 0 || is_whole);
     const std::string what = of_step ? "the step" : is_cut() ? "a part of the step" : "the remaining motion";
     if (contact_.ti > 0.995) return " at the end of " + what;
     return " at " + short_text(contact_.ti) + " of " + what;
@@ -111,7 +123,7 @@ class ContactSentence {
       const Vec2 left = motion_left();
       return left - contact_.normal * std::min(0.0, dot(left, contact_.normal));
     }
-    if (is_cut()) return contact_.after;
+    if (is_cut() || meets()) return contact_.after;
     if (path_ == nullptr) return std::nullopt;
     const bool is_last = index_ + 1 == contacts.size() || contacts[index_ + 1].body != contact_.body;
     return is_last ? path_->to.position() - contact_.touch : contacts[index_ + 1].move;
@@ -197,10 +209,29 @@ bool only_stops(const ContactRecord& contact) {
   return dot(contact.move, contact.normal) * (1 - std::clamp(contact.ti, 0.0, 1.0)) <= -kLeastShown;
 }
 
-// Explains in full the first contact that turned the body, and the first one that only stopped it. Counts the
-// others.
+// The contact with the strongest impulse on a body; nothing if it had none.
+std::optional<std::size_t> strongest_impact(const Frame& frame, int body) {
+  std::optional<std::size_t> strongest;
+  const auto& contacts = frame.record.contacts;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (contacts[i].body != body || !(contacts[i].impulse > 0)) continue;
+    if (!strongest || contacts[i].impulse > contacts[*strongest].impulse) strongest = i;
+  }
+  return strongest;
+}
+
+// Explains in full the first contact that turned the body, and the first one that only stopped it; of bodies
+// that meet the strongest impact. Counts the others.
 std::string reasons(const Frame& frame, const BodyPath& path) {
   const auto& contacts = frame.record.contacts;
+  if (const auto impact = strongest_impact(frame, path.body)) {
+    const auto all = std::count_if(contacts.begin(), contacts.end(),
+                                   [&](const ContactRecord& c) { return c.body == path.body; });
+    const std::string others = all == 2  ? "; it had 1 more contact"
+                               : all > 2 ? "; it had " + std::to_string(all - 1) + " more contacts"
+                                         : "";
+    return " It was " + explain_contact(frame, *impact).sentence + others + ".";
+  }
   std::string text;
   bool has_met = false, has_turned = false, has_stopped = false;
   std::size_t more = 0;

@@ -333,4 +333,26 @@ TEST_F(Steps, TellOfAnEndedWorkBudget) {
               testing::HasSubstr("It met the limit of work for a step, and stopped early."));
 }
 
+// A ball comes to a crate that another crate stands on.
+TEST_F(Steps, TellWhoHitWhomWhereBodiesMeet) {
+  Level level = level_of({"..........", "..........", "..........", "##########"});
+  level.tuning.solver = SolverKind::exact;
+  level.tuning.shared.bodies = static_cast<double>(BodyPairs::meet);
+  level.tuning.shared.drift_blend = level.tuning.shared.wall_bounce = 0;
+  level.tuning.exact.gravity = 0.25;
+  level.spawns = {{.name = "", .position = {8, 16}, .velocity = {2, 0}, .extra = ""},
+                  {.name = "", .position = {18, 16}, .velocity = {}, .extra = "", .kind = BodyKind::crate},
+                  {.name = "", .position = {20, 8}, .velocity = {}, .extra = "", .kind = BodyKind::crate}};
+  const RecordedFrames recorded(level, 2);
+  const auto why = [&](std::int64_t frame, int body) {
+    FrameHistory history(2);
+    history.go_to(recorded, frame);
+    return explain_step(history.view(), body);
+  };
+  EXPECT_THAT(why(1, 2), testing::HasSubstr("It was stopped by the top of the tile at (2, 3) at once"));
+  EXPECT_THAT(why(1, 3), testing::HasSubstr("It was stopped by the top of body 2 at once"));
+  EXPECT_THAT(why(2, 1), testing::HasSubstr("stopped by the left side of body 2"));
+  EXPECT_THAT(why(2, 2), testing::HasSubstr("hit by the right side of body 1"));
+}
+
 }  // namespace talus::debug_explain_test

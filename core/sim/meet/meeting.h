@@ -122,7 +122,8 @@ class Meeting {
   bool is_dozing() const;
   void hold();
   void look_for_turn(const Met& met);
-  void note(const Met& met);
+  void note_contacts();
+  void note(const Met& met, int place, int other, Vec2 normal, bool stops);
 
   const std::shared_ptr<const Scene> scene_;
   const GroundProbe probe_;

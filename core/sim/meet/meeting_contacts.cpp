@@ -44,7 +44,7 @@ void Meeting::resolve(const Event& event) {
     for (Inertia& body : inertias_) body.velocity = body.pull = {};
   }
   remember_set();
-  for (Met& met : met_) note(met);
+  note_contacts();
   set_paths();
   const bool is_capped = std::any_of(
       set_.begin(), set_.end(), [&](std::uint32_t index) { return members_[index].events >= kMostEvents; });
@@ -275,38 +275,47 @@ void Meeting::look_for_turn(const Met& met) {
 
 // ---- Records ----
 
-// Bodies that stand, and the contacts of impacts, and those of rest once in a step.
-void Meeting::note(const Met& met) {
-  const bool is_impact = met.touch.impulse > 0;
-  if (!is_impact && !(met.touch.pressure > 0)) return;
-  const auto tell = [&](int place, int other, double sign) {
-    if (place == Touch::kGround || !is_inner(static_cast<std::size_t>(place))) return;
-    Member& member = members_[set_[static_cast<std::size_t>(place)]];
-    const Vec2 normal = met.touch.normal * sign;
-    const bool is_level = std::abs(normal.x) <= scene_->tuning.exact.steepest * std::abs(normal.y);
-    if (normal.y < 0 && is_level) member.is_grounded = true;
-    if (record_ == nullptr || !(is_impact || time_ == 0)) return;
-    const double rest = part_ - time_;
-    ContactRecord& c = record_->contacts.emplace_back();
-    c.body = state_->bodies[set_[static_cast<std::size_t>(place)]].id;
-    c.order = member.order++;
-    if (other == Touch::kGround) {
-      c.other = obstacle_of(probe_.ground(), met.contact);
-      c.slope = slope_probe(met.contact, c.other, member.moving.size);
-    } else {
-      const std::uint32_t index = set_[static_cast<std::size_t>(other)];
-      const Body& body = state_->bodies[index];
-      c.other = {TileRole::ball, body.origin.cell, body.id, members_[index].moving.at(time_)};
+// Which bodies stand; and the contacts of impacts, and those of rest once in a step. Of each body those come
+// first that stop it, and then those that only push it.
+void Meeting::note_contacts() {
+  for (const bool stops : {true, false}) {
+    for (const Met& met : met_) {
+      if (!(met.touch.impulse > 0) && !(met.touch.pressure > 0)) continue;
+      note(met, met.touch.a, met.touch.b, met.touch.normal, stops);
+      note(met, met.touch.b, met.touch.a, met.touch.normal * -1, stops);
     }
-    c.ti = started_ + time_;
-    c.move = before_[static_cast<std::size_t>(place)] * rest;
-    c.normal = normal;
-    c.touch = member.moving.path.place;
-    c.handled = true;
-    c.after = inertias_[static_cast<std::size_t>(place)].velocity * rest;
-  };
-  tell(met.touch.a, met.touch.b, 1);
-  tell(met.touch.b, met.touch.a, -1);
+  }
+}
+
+// One side of a contact: a body by its place in the set, and what it has met, out of which the normal leads.
+void Meeting::note(const Met& met, int place, int other, Vec2 normal, bool stops) {
+  if (place == Touch::kGround || !is_inner(static_cast<std::size_t>(place))) return;
+  const std::uint32_t index = set_[static_cast<std::size_t>(place)];
+  Member& member = members_[index];
+  const bool is_level = std::abs(normal.x) <= scene_->tuning.exact.steepest * std::abs(normal.y);
+  if (normal.y < 0 && is_level) member.is_grounded = true;
+  const bool is_impact = met.touch.impulse > 0;
+  if (record_ == nullptr || !(is_impact || time_ == 0)) return;
+  const Vec2 move = before_[static_cast<std::size_t>(place)] * part_ + member.pull * (part_ * part_ / 2);
+  if (stops != (dot(move, normal) < 0)) return;
+  ContactRecord& c = record_->contacts.emplace_back();
+  c.body = state_->bodies[index].id;
+  c.order = member.order++;
+  if (other == Touch::kGround) {
+    c.other = obstacle_of(probe_.ground(), met.contact);
+    c.slope = slope_probe(met.contact, c.other, member.moving.size);
+  } else {
+    const std::uint32_t there = set_[static_cast<std::size_t>(other)];
+    const Body& body = state_->bodies[there];
+    c.other = {TileRole::ball, body.origin.cell, body.id, members_[there].moving.at(time_)};
+  }
+  c.ti = time_ / part_;
+  c.move = move;
+  c.normal = normal;
+  c.touch = member.moving.path.place;
+  c.handled = true;
+  c.impulse = std::max(met.touch.impulse, 0.0);
+  c.after = inertias_[static_cast<std::size_t>(place)].velocity * (part_ - time_);
 }
 
 }  // namespace talus
