@@ -153,6 +153,29 @@ TEST(Meeting, ABodyFarAwayChangesNoBitOfTheOthers) {
   }
 }
 
+// Boxes of many sizes in a room without gravity. Every impact can be undone, so that they find back.
+TEST(Meeting, ElasticBoxesComeBackWhenTheirWaysAreTurnedRound) {
+  Level level = meeting_level({"##########", "#........#", "#........#", "#........#", "#........#",
+                               "#........#", "#........#", "##########"},
+                              0);
+  for (int i = 0; i < 12; ++i) {
+    const double size = 2.5 + i % 4;
+    level.spawns.push_back(body({9.25 + 15 * (i % 4), 9.5 + 15 * static_cast<double>(i / 4)},
+                                {2.5 - 0.45 * i, 0.35 * (i * i % 13) - 2}, {size, 8 - size}));
+  }
+  Play run(level);
+  const State start = run.state;
+  const double power = energy(start);
+  run.step(500);
+  EXPECT_NEAR(energy(run.state) / power, 1, 1e-12);
+  for (Body& b : run.state.bodies) b.velocity = b.velocity * -1;
+  run.step(500);
+  for (std::size_t i = 0; i < start.bodies.size(); ++i) {
+    EXPECT_NEAR(run.body(i).box.x, start.bodies[i].box.x, 1e-6) << i;
+    EXPECT_NEAR(run.body(i).box.y, start.bodies[i].box.y, 1e-6) << i;
+  }
+}
+
 // ---- Ground ----
 
 TEST(Meeting, AFlightIsTheParabolaAtAnyNumberOfParts) {
@@ -257,6 +280,40 @@ TEST(Meeting, BodiesInOnePlacePartAndRest) {
   run.step(600);
   EXPECT_LE(deepest_overlap(run.state), 1e-9);
   for (const Body& b : run.state.bodies) EXPECT_LE(b.box.bottom(), 88 + 1e-9);
+}
+
+// ---- Friction ----
+
+// A crate with a friction of 1/2 slides to rest on a level floor, by the closed form.
+TEST(Meeting, FrictionStopsACrateWhereTheClosedFormSays) {
+  Level level = meeting_level({"....................", "....................", "####################"}, 0.2);
+  level.spawns = {body({20, 8}, {2.5, 0})};
+  level.spawns[0].kind = BodyKind::crate;
+  Play run(level);
+  const double slows = 0.5 * 0.2;  // px/frame^2
+  for (int frame = 1; frame <= 40; ++frame) {
+    run.step(1);
+    const double time = std::min<double>(frame, 2.5 / slows);
+    ASSERT_NEAR(run.body(0).box.x, 20 + 2.5 * time - slows * time * time / 2, 1e-9) << frame;
+  }
+  EXPECT_EQ(run.body(0).velocity, Vec2());
+}
+
+// One on the other: the lower one takes the upper one along as far as friction can.
+TEST(Meeting, ACrateTakesAlongWhatStandsOnIt) {
+  Level level = meeting_level(
+      {"....................", "....................", "....................", "####################"}, 0.2);
+  level.spawns = {body({20, 16}, {2, 0}), body({20, 8})};
+  for (Spawn& spawn : level.spawns) spawn.kind = BodyKind::crate;
+  Play run(level);
+  run.step(1);
+  // Both are slowed, or pulled along, with half of the gravity; the lower one by the floor, too.
+  EXPECT_NEAR(run.body(1).velocity.x, 0.1, 1e-12);
+  EXPECT_NEAR(run.body(0).velocity.x, 2 - 0.1 - 0.2, 1e-12);
+  run.step(60);
+  EXPECT_EQ(run.body(0).velocity, Vec2());
+  EXPECT_EQ(run.body(1).velocity, Vec2());
+  EXPECT_NEAR(run.body(1).box.bottom(), run.body(0).box.y, 1e-9);
 }
 
 // ---- The mouse and players ----
