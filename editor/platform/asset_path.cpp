@@ -18,7 +18,8 @@ std::string asset_path(std::string_view name) {
 }
 
 std::vector<std::string> scene_paths() {
-  return {asset_path("demo.talus.json"), asset_path("platformer/meadow.tmx"), asset_path("cave.talus.json")};
+  return {asset_path("demo.talus.json"), asset_path("platformer/meadow.tmx"), asset_path("cave.talus.json"),
+          asset_path("yard.talus.json")};
 }
 
 std::vector<std::string> hard_case_paths() {
