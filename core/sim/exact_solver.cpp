@@ -56,11 +56,13 @@ class ExactSolver final : public Solver {
     }
     take_mouse(state, input, [&] { return body_at(state, input.mouse); });
     step_budget_ = StepBudget(state.bodies.size());
-    if (meeting_) {
-      meet(state, input);
-    } else {
-      for (std::size_t i = 0; i < state.bodies.size(); ++i) step_body(state, i, input);
+    for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+      if (meeting_ && meeting_->moves(state.bodies[i], state)) [[unlikely]]
+        note_start(state.bodies[i]);
+      else
+        step_body(state, i, input);
     }
+    if (meeting_) step_budget_.spend(meeting_->step(state, input, record_));  // after the players
     if (record_ != nullptr) record_->work = step_budget_.spent();
     ++state.frame;
   }
@@ -75,21 +77,10 @@ class ExactSolver final : public Solver {
   static Vec2 widen(Vec v) { return {v.x, v.y}; }
   static Rect widen(const BasicRect<Real>& r) { return {r.x, r.y, r.w, r.h}; }
 
-  // Players move first, and then all others together.
-  void meet(State& state, const Input& input) {
-    for (std::size_t i = 0; i < state.bodies.size(); ++i) {
-      if (!meeting_->moves(state.bodies[i], state))
-        step_body(state, i, input);
-      else if (record_ != nullptr)
-        note_start(state.bodies[i]);
-    }
-    step_budget_.spend(meeting_->step(state, input, record_));
-  }
-
   void step_body(State& state, std::size_t index, const Input& input) {
     Body& body = state.bodies[index];
     Moving<Real> moving{narrow(body.box), narrow(body.velocity), body.foot};
-    if (record_ != nullptr) note_start(body);
+    note_start(body);
     const std::int64_t part = step_budget_.part();
     budget_ = {part};
     if (!body.is_clear) leave_ground(moving);
@@ -440,7 +431,8 @@ class ExactSolver final : public Solver {
   // ---- Records ----
 
   void note_start(const Body& body) {
-    record_->paths.push_back({.body = body.id, .from = body.box, .goal = {}, .to = {}});
+    if (record_ != nullptr)
+      record_->paths.push_back({.body = body.id, .from = body.box, .goal = {}, .to = {}});
   }
 
   void note_cut_short() {
