@@ -15,7 +15,7 @@ namespace {
 // A body that the mouse holds is so many times as heavy.
 constexpr double kHeldWeight = 1e6;
 // What holds all places of a path between its time and another one.
-Rect swept(const MovingBox& box, double to) {
+Rect swept_by(const MovingBox& box, double to) {
   const Rect a = box.at(box.path.time), b = box.at(to);
   Rect all{std::min(a.x, b.x), std::min(a.y, b.y), 0, 0};
   all.w = std::max(a.x, b.x) + a.w - all.x;
@@ -107,7 +107,7 @@ void Meeting::run_part() {
     member.moving.path.pull = member.is_asleep ? Vec2() : member.pull;
     member.events = member.is_asleep ? 1 : 0;  // the one that would hold it
     member.bounced = -1;
-    grid_.place(i, swept(member.moving, part_));
+    sweep(i);
   }
   for (std::uint32_t i = 0; i < members_.size(); ++i) {
     if (members_[i].inverse_mass == 0 || members_[i].is_asleep) continue;
@@ -187,7 +187,8 @@ Vec2 Meeting::way_apart(std::uint32_t index) {
     const Rect with = there.moving.at(0);
     const Vec2 depth{std::min(box.right() - with.x, with.right() - box.x),
                      std::min(box.bottom() - with.y, with.bottom() - box.y)};
-    if (std::min(depth.x, depth.y) <= touch_slack(box, with)) continue;
+    const double least_depth = std::min(depth.x, depth.y);
+    if (!(least_depth > 0) || least_depth <= touch_slack(box, with)) continue;
     const auto normal = touching_normal(box, with, index < other);
     if (!normal) continue;
     // The upper one goes up all the way, as the lower one may stand on something.
@@ -235,12 +236,18 @@ void Meeting::push(Event event) {
   std::push_heap(events_.begin(), events_.end(), is_later);
 }
 
+void Meeting::sweep(std::uint32_t index) {
+  Member& member = members_[index];
+  member.swept = swept_by(member.moving, part_);
+  budget_.left -= grid_.place(index, member.swept);
+}
+
 // A body has another path than before.
 void Meeting::set_off(std::uint32_t index) {
   Member& member = members_[index];
   ++member.version;
   ++member.events;
-  budget_.left -= grid_.place(index, swept(member.moving, part_));
+  sweep(index);
   if (member.inverse_mass > 0) look_for_ground(index);
   look_for_pairs(index, false);
 }
@@ -268,13 +275,17 @@ void Meeting::look_for_ground(std::uint32_t index) {
 
 void Meeting::look_for_pairs(std::uint32_t index, bool only_later) {
   const Member& member = members_[index];
-  if (!grid_.near(swept(member.moving, part_), index, budget_.left, near_)) return;
+  const Rect& here = member.swept;
+  if (!grid_.near(here, index, budget_.left, near_)) return;
   for (const std::uint32_t other : near_) {
     const Member& there = members_[other];
     const bool looks = there.inverse_mass > 0 && !there.is_asleep;
     if (only_later && other < index && looks) continue;
     if (member.inverse_mass == 0 && there.inverse_mass == 0) continue;
     --budget_.left;
+    const Rect& with = there.swept;
+    if (with.x > here.right() || here.x > with.right() || with.y > here.bottom() || here.y > with.bottom())
+      continue;
     const double from = std::max(member.moving.path.time, there.moving.path.time);
     if (const auto meeting = talus::next_meeting(member.moving, there.moving, from, part_))
       push({.time = meeting->time,

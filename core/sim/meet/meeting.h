@@ -30,6 +30,7 @@ class Meeting {
   // A body in a step.
   struct Member {
     MovingBox moving = {};
+    Rect swept = {};          // px: holds all places of its path in this part of the step
     Vec2 pull = {};           // px/frame^2, where nothing holds it
     double inverse_mass = 0;  // 0: nothing moves it in this step
     double friction = 0;
@@ -91,6 +92,7 @@ class Meeting {
   void remember_set();
   void remember(const State& state);
   void set_off(std::uint32_t index);
+  void sweep(std::uint32_t index);
   void look_for_ground(std::uint32_t index);
   void look_for_pairs(std::uint32_t index, bool only_later);
   void push(Event event);
