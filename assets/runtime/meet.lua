@@ -346,9 +346,9 @@ end
 local function time_to_close(gap, speed, gain)
   local inside = speed * speed + 2 * gain * gap
   if not (inside >= 0) then return huge end
-  local thn = sqrt(inside)
-  if speed > 0 then return 2 * gap / (speed + thn) end
-  return gain > 0 and (thn - speed) / gain or huge
+  local then_speed = sqrt(inside)
+  if speed > 0 then return 2 * gap / (speed + then_speed) end
+  return gain > 0 and (then_speed - speed) / gain or huge
 end
 
 local function reach_of(x_, y_, w, h) return abs(x_) + abs(y_) + w + h end

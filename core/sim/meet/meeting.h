@@ -17,6 +17,7 @@ namespace talus {
 
 class Meeting {
  public:
+  // scene: not null, with a ground in double precision.
   explicit Meeting(std::shared_ptr<const Scene> scene);
 
   // Whether step() moves a body. The others have moved already, and stand like walls: players that the mouse

@@ -20,7 +20,7 @@ struct FallPath {
   }
   Vec2 place_at(double t) const { return place + way_to(t); }
   Vec2 velocity_at(double t) const { return velocity + pull * (t - time); }
-  // The same path, told from another time on.
+  // The same path, as seen from another time on.
   FallPath from(double t) const { return t == time ? *this : FallPath{t, place_at(t), velocity_at(t), pull}; }
 };
 
