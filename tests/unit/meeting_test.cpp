@@ -282,6 +282,32 @@ TEST(Meeting, BodiesInOnePlacePartAndRest) {
   for (const Body& b : run.state.bodies) EXPECT_LE(b.box.bottom(), 88 + 1e-9);
 }
 
+// So many in one place take more work than a step may: it stops before anything is missed, and says so.
+TEST(Meeting, AStepWithTooMuchWorkStopsAndSaysSo) {
+  Level level = pile();
+  level.spawns.assign(2600, body({30, 79.95}));
+  Play run(level);
+  StepRecord record;
+  run.solver->step(run.state, {}, &record);
+  for (std::size_t i = 0; i < record.paths.size(); ++i) {
+    ASSERT_TRUE(record.paths[i].cut_short) << i;
+    ASSERT_LE(run.body(i).box.bottom(), 88) << i;
+  }
+}
+
+// Bouncy bodies, one on the other, hit the floor at once: so many impacts follow that a step does not end
+// them.
+TEST(Meeting, ATallTowerLandsAndRests) {
+  Level level = pile();
+  level.tuning.shared.floor_bounce = 0.9;
+  level.spawns.clear();
+  for (int i = 0; i < 120; ++i) level.spawns.push_back(body({30, 70.0 - 8 * i}));
+  Play run(level);
+  run.step(60);
+  for (int i = 0; i < 120; ++i)
+    ASSERT_NEAR(run.body(static_cast<std::size_t>(i)).box.bottom(), 88 - 8 * i, 1e-9) << i;
+}
+
 // ---- Friction ----
 
 // A crate with a friction of 1/2 slides to rest on a level floor, by the closed form.

@@ -50,8 +50,8 @@ std::int64_t Meeting::step(State& state, const Input& input, StepRecord* record)
   is_stopped_ = false;
   take(state, input);
   for (std::uint32_t i = 0; i < members_.size(); ++i) {
-    const Rect box = members_[i].moving.at(0);
-    budget_.left -= grid_.place(i, box);
+    members_[i].moving.path.pull = members_[i].pull;
+    sweep(i);
   }
   fall_asleep(state);
   part_overlaps();
@@ -114,17 +114,19 @@ void Meeting::run_part() {
     look_for_ground(i);
     look_for_pairs(i, true);
   }
-  double end = part_;
-  while (!events_.empty()) {
+  double now = 0, end = part_;
+  while (true) {
+    if (budget_.left <= 0) {  // from now on nobody knows what is met
+      stop_early(now);
+      end = now;
+      break;
+    }
+    if (events_.empty()) break;
     std::pop_heap(events_.begin(), events_.end(), is_later);
     const Event event = events_.back();
     events_.pop_back();
     if (is_void(event)) continue;
-    if (budget_.left <= 0) {
-      stop_early(event);
-      end = event.time;
-      break;
-    }
+    now = event.time;
     resolve(event);
   }
   for (Member& member : members_) {
@@ -205,16 +207,20 @@ Vec2 Meeting::way_apart(std::uint32_t index) {
 
 // ---- Events ----
 
-// The work of the step is used up. What would meet now stops: else the next step would begin with the same
-// work, and not get any further.
-void Meeting::stop_early(const Event& first) {
+// The work of the step is used up. What has met something, or would now, loses its speed: else the next step
+// would begin with the same work, and not get any further.
+void Meeting::stop_early(double now) {
   is_stopped_ = true;
-  events_.push_back(first);
+  std::vector<char> stops(members_.size());
+  for (std::size_t i = 0; i < members_.size(); ++i) stops[i] = members_[i].events > 0;
   for (const Event& event : events_) {
-    if (event.time > first.time || is_void(event)) continue;
-    members_[event.a].moving.path = {event.time, members_[event.a].moving.path.place_at(event.time), {}, {}};
-    if (event.kind != Event::Kind::pair) continue;
-    members_[event.b].moving.path = {event.time, members_[event.b].moving.path.place_at(event.time), {}, {}};
+    if (event.time > now || is_void(event)) continue;
+    stops[event.a] = 1;
+    if (event.kind == Event::Kind::pair) stops[event.b] = 1;
+  }
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    FallPath& path = members_[i].moving.path;
+    if (stops[i]) path = {now, path.place_at(now), {}, {}};
   }
 }
 

@@ -81,7 +81,7 @@ class Meeting {
   // meeting.cpp
   void take(State& state, const Input& input);
   void run_part();
-  void stop_early(const Event& first);
+  void stop_early(double now);
   void give(State& state);
   void part_overlaps();
   Vec2 way_apart(std::uint32_t index);
