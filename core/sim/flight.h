@@ -11,6 +11,37 @@
 
 namespace talus {
 
+// When a body on a parabola comes to a surface, and the normal there.
+template <class Real>
+struct Arrival {
+  Real time;  // frames
+  BasicVec2<Real> normal;
+};
+
+// The arrival at the surface of a contact: a curve may have another normal than where the chord of the
+// parabola met it. box: of the body, at the place of the contact; time_to(point, normal): frames, until the
+// body meets a plane; x_at(time): px, of the body.
+template <class Real, class TimeTo, class XAt>
+Arrival<Real> arrival_on(const Contact<Real>& contact, std::span<const CurveStretch<Real>> stretches,
+                         BasicRect<Real> box, Foot foot, TimeTo time_to, XAt x_at) {
+  Arrival<Real> found{time_to(box.position(), contact.normal), contact.normal};
+  const Piece<Real>* const piece = contact.on_end ? nullptr : contact.piece;
+  constexpr int kMostTries = 8;  // each has about twice as many right digits as the one before
+  for (int i = 0; piece != nullptr && piece->stretch != 0 && i < kMostTries; ++i) {
+    box.x = x_at(found.time);
+    const Real x = box.x + foot_offset(*piece, box.w, foot);
+    if (!(x >= piece->x0 && x <= piece->x1)) break;
+    box.y = rest_on(*piece, stretches, box, foot);
+    const BasicVec2<Real> along = stretches[piece->stretch - 1].tangent_at(x);
+    found.normal =
+        piece->facing == Facing::up ? BasicVec2<Real>{along.y, -along.x} : BasicVec2<Real>{-along.y, along.x};
+    const Real before = found.time;
+    found.time = time_to(box.position(), found.normal);
+    if (found.time == before) break;
+  }
+  return found;
+}
+
 template <class Real>
 class Flight {
  public:
@@ -28,21 +59,9 @@ class Flight {
   // there: a curve may have another one than where its chord was met.
   Vec reach(const Contact<Real>& contact, std::span<const CurveStretch<Real>> stretches, BasicRect<Real> box,
             Foot foot) {
-    Vec normal = contact.normal;
-    Real time = time_to(box.position(), normal);
-    const Piece<Real>* const piece = contact.on_end ? nullptr : contact.piece;
-    constexpr int kMostTries = 8;  // each has about twice as many right digits as the one before
-    for (int i = 0; piece != nullptr && piece->stretch != 0 && i < kMostTries; ++i) {
-      box.x = place_at(time).x;
-      const Real x = box.x + foot_offset(*piece, box.w, foot);
-      if (!(x >= piece->x0 && x <= piece->x1)) break;
-      box.y = rest_on(*piece, stretches, box, foot);
-      const Vec along = stretches[piece->stretch - 1].tangent_at(x);
-      normal = piece->facing == Facing::up ? Vec{along.y, -along.x} : Vec{-along.y, along.x};
-      const Real before = time;
-      time = time_to(box.position(), normal);
-      if (time == before) break;
-    }
+    const auto [time, normal] = arrival_on(
+        contact, stretches, box, foot, [&](Vec point, Vec across) { return time_to(point, across); },
+        [&](Real after) { return place_at(after).x; });
     begin(place_at(time), velocity_ + Vec{0, gravity_ * time}, gravity_, left_ - time);
     return normal;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../../collision/box_on_piece.h"
+#include "../flight.h"
 #include "contact_set.h"
 
 namespace talus {
@@ -11,34 +12,18 @@ namespace {
 
 double longest(Vec2 v) { return std::max(std::abs(v.x), std::abs(v.y)); }
 
-// The time until a path meets the surface of a contact, and its normal there: a curve may have another one
-// than where the chord of the path met it.
-struct Arrival {
-  double time;
-  Vec2 normal;
-};
-Arrival arrival(const Terrain& ground, const MovingBox& box, const Contact<double>& contact, double most) {
+// When a path meets the surface of a contact, at most `most` frames on, and the normal there.
+Arrival<double> arrival(const Terrain& ground, const MovingBox& box, const Contact<double>& contact,
+                        double most) {
   const FallPath& path = box.path;
   const auto time_to = [&](Vec2 point, Vec2 normal) {
     const double gap = std::max(0.0, dot(path.place - point, normal));
     const double time = time_to_close(gap, -dot(path.velocity, normal), -dot(path.pull, normal));
     return time < most ? time : most * contact.t;
   };
-  Arrival found{time_to(contact.position, contact.normal), contact.normal};
-  const Piece<double>* const piece = contact.on_end ? nullptr : contact.piece;
-  constexpr int kMostTries = 8;  // each has about twice as many right digits as the one before
-  for (int i = 0; piece != nullptr && piece->stretch != 0 && i < kMostTries; ++i) {
-    Rect there = box.at(path.time + found.time);
-    const double x = there.x + foot_offset(*piece, there.w, Foot::box);
-    if (!(x >= piece->x0 && x <= piece->x1)) break;
-    there.y = rest_on(*piece, ground.stretches(), there, Foot::box);
-    const Vec2 along = ground.stretches()[piece->stretch - 1].tangent_at(x);
-    found.normal = piece->facing == Facing::up ? Vec2{along.y, -along.x} : Vec2{-along.y, along.x};
-    const double before = found.time;
-    found.time = time_to(there.position(), found.normal);
-    if (found.time == before) break;
-  }
-  return found;
+  const Rect there{contact.position.x, contact.position.y, box.size.x, box.size.y};
+  return arrival_on(contact, ground.stretches(), there, Foot::box, time_to,
+                    [&](double time) { return path.place_at(path.time + time).x; });
 }
 
 // Puts a box exactly on what it has met.
@@ -86,15 +71,13 @@ void GroundProbe::align(const Contact<double>& contact, bool stays, MovingBox& b
   path.place = there.position();
 }
 
-std::optional<GroundMeeting> GroundProbe::touched(Rect& box, Vec2 way, double time,
-                                                  CastBudget& budget) const {
+std::optional<Contact<double>> GroundProbe::touched(Rect& box, Vec2 way, CastBudget& budget) const {
   const Vec2 step = way * (1 / longest(way));
   for (int lifts = 0; lifts < 2; ++lifts) {
     const Contact<double> contact = cast_box<double>(ground_, {box, step, Foot::box}, {}, nullptr, &budget);
     if (!contact || -dot(contact.normal, step) * contact.t > touch_slack(box, box)) return std::nullopt;
     Moving<double> there{box, {}, Foot::box};
-    if (!climbs<double>(ground_, {}, there, contact, &budget))
-      return GroundMeeting{time, contact.normal, box.position(), contact};
+    if (!climbs<double>(ground_, {}, there, contact, &budget)) return contact;
     box = there.box;
   }
   return std::nullopt;
@@ -111,7 +94,7 @@ std::optional<GroundMeeting> GroundProbe::next_meeting(const MovingBox& box, dou
     if (way == Vec2()) break;
     const Contact<double> contact = cast_box<double>(ground_, {from, way, Foot::box}, {}, nullptr, &budget);
     if (!contact) break;
-    const Arrival then = arrival(ground_, box, contact, to - box.path.time);
+    const Arrival<double> then = arrival(ground_, box, contact, to - box.path.time);
     const double time = box.path.time + then.time;
     if (found && !(time < found->time)) break;
     Rect there = box.at(time);

@@ -8,7 +8,7 @@
 
 namespace talus {
 
-// A box and a piece of the ground.
+// A box comes to a piece of the ground.
 struct GroundMeeting {
   double time = 0;          // frames since the step began
   Vec2 normal;              // unit, out of the ground
@@ -21,7 +21,7 @@ class GroundProbe {
   explicit GroundProbe(const Terrain& ground) : ground_(ground) {}
 
   // What a box touches that would go along `way`, any length but 0. It is lifted over edges of a curve's end.
-  std::optional<GroundMeeting> touched(Rect& box, Vec2 way, double time, CastBudget& budget) const;
+  std::optional<Contact<double>> touched(Rect& box, Vec2 way, CastBudget& budget) const;
 
   // The first time on its path, before `to`, at which a box meets the ground.
   std::optional<GroundMeeting> next_meeting(const MovingBox& box, double to, CastBudget& budget) const;

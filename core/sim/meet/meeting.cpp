@@ -14,6 +14,7 @@ namespace {
 
 // A body that the mouse holds is so many times as heavy.
 constexpr double kHeldWeight = 1e6;
+
 // What holds all places of a path between its time and another one.
 Rect swept_by(const MovingBox& box, double to) {
   const Rect a = box.at(box.path.time), b = box.at(to);

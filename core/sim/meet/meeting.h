@@ -70,6 +70,7 @@ class Meeting {
     Rect box;
     Vec2 velocity;
     std::uint32_t set = 0;  // from 1: with which it was solved at the beginning of the step; 0: with none
+    bool is_of(const Body& body) const { return body.box == box && body.velocity == velocity; }
   };
   // Bodies that were solved together at the beginning of a step.
   struct RestingSet {
@@ -85,13 +86,6 @@ class Meeting {
   void give(State& state);
   void part_overlaps();
   Vec2 way_apart(std::uint32_t index);
-
-  // meeting_rest.cpp
-  void fall_asleep(const State& state);
-  void wake_touched();
-  void wake_beside(std::uint32_t index);
-  void remember_set();
-  void remember(const State& state);
   void set_off(std::uint32_t index);
   void sweep(std::uint32_t index);
   void look_for_ground(std::uint32_t index);
@@ -99,6 +93,13 @@ class Meeting {
   void push(Event event);
   bool is_void(const Event& event) const;
   static bool is_later(const Event& a, const Event& b);
+
+  // meeting_rest.cpp
+  void fall_asleep(const State& state);
+  void wake_touched();
+  void wake_beside(std::uint32_t index);
+  void remember_set();
+  void remember(const State& state);
 
   // meeting_set.cpp
   void gather(const Event& event);
@@ -113,11 +114,12 @@ class Meeting {
   void resolve(const Event& event);
   void set_paths();
   void stop();
-  bool add_ground(std::size_t place, const GroundMeeting& meeting);
+  void add_ground(std::size_t place, Vec2 normal, const Contact<double>& contact);
   bool probe(std::size_t place, Vec2 way, double fastest);
   bool is_new(std::size_t place, Vec2 normal) const;
   void bounce();
   bool choose(bool is_late);
+  bool is_level(Vec2 normal) const;
   double bounce_of(const Touch& touch) const;
   double slowest_on(const Touch& touch) const;
   bool bounced_lately(const Touch& touch) const;

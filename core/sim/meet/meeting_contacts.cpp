@@ -33,7 +33,7 @@ void Meeting::resolve(const Event& event) {
       // What it meets at the same time belongs to the same impact; rounding is not to choose.
       const auto place = static_cast<std::size_t>(first.place_in_set);
       const Vec2 velocity = inertias_[place].velocity;
-      add_ground(place, first.ground);
+      add_ground(place, first.ground.normal, first.ground.contact);
       probe(place, {velocity.x, 0}, -kStillOnGround);
       probe(place, {0, velocity.y}, -kStillOnGround);
     }
@@ -92,17 +92,16 @@ void Meeting::stop() {
 
 // ---- The ground that they touch ----
 
-bool Meeting::add_ground(std::size_t place, const GroundMeeting& meeting) {
+void Meeting::add_ground(std::size_t place, Vec2 normal, const Contact<double>& contact) {
   Met& met = met_.emplace_back();
   met.touch.a = static_cast<int>(place);
-  met.touch.normal = meeting.normal;
+  met.touch.normal = normal;
   met.touch.friction = members_[set_[place]].friction;
-  met.contact = meeting.contact;
+  met.contact = contact;
   std::sort(met_.begin(), met_.end(), [](const Met& a, const Met& b) {
     const auto key = [](const Touch& t) { return std::tuple(t.a, t.b, t.normal.y, t.normal.x); };
     return key(a.touch) < key(b.touch);
   });
-  return true;
 }
 
 // Looks for ground that a body touches, that it would go into on this way, and that it leaves no faster than
@@ -113,14 +112,18 @@ bool Meeting::probe(std::size_t place, Vec2 way, double fastest) {
   constexpr int kMostTries = 3;
   for (int i = 0; i < kMostTries && !is_still(way); ++i) {
     Rect box = member.moving.at(time_);
-    const auto meeting = probe_.touched(box, way, time_, budget_);
-    if (!meeting) return false;
+    const auto contact = probe_.touched(box, way, budget_);
+    if (!contact) return false;
+    const Vec2 normal = contact->normal;
     member.moving.path.place = box.position();
-    if (!(-dot(way, meeting->normal) > kStillOnGround)) return false;
-    if (dot(inertias_[place].velocity, meeting->normal) <= fastest)
-      return is_new(place, meeting->normal) && add_ground(place, *meeting);
+    if (!(-dot(way, normal) > kStillOnGround)) return false;
+    if (dot(inertias_[place].velocity, normal) <= fastest) {
+      if (!is_new(place, normal)) return false;
+      add_ground(place, normal, *contact);
+      return true;
+    }
     // It leaves this piece: there may be another one behind it.
-    way = slide_along(meeting->normal, way);
+    way = slide_along(normal, way);
   }
   return false;
 }
@@ -134,12 +137,15 @@ bool Meeting::is_new(std::size_t place, Vec2 normal) const {
 
 // ---- Impacts ----
 
+// Whether what has this normal is a floor or a ceiling, not a wall.
+bool Meeting::is_level(Vec2 normal) const {
+  return std::abs(normal.x) <= scene_->tuning.exact.steepest * std::abs(normal.y);
+}
+
 double Meeting::bounce_of(const Touch& touch) const {
   const auto of = [&](int place) {
     const Member& member = members_[set_[static_cast<std::size_t>(place)]];
-    const bool is_level =
-        std::abs(touch.normal.x) <= scene_->tuning.exact.steepest * std::abs(touch.normal.y);
-    return is_level ? member.floor_bounce : member.wall_bounce;
+    return is_level(touch.normal) ? member.floor_bounce : member.wall_bounce;
   };
   if (touch.b == Touch::kGround) return of(touch.a);
   return std::min(1.0, std::max(of(touch.a), of(touch.b)));
@@ -217,13 +223,13 @@ void Meeting::bounce() {
 // Slow bodies that go to and fro ever sooner, as between two slopes, would never come to rest: they stop for
 // the rest of the step.
 bool Meeting::is_dozing() const {
-  bool is_restless = false;
+  bool has_restless = false;
   for (std::size_t i = 0; i < set_.size(); ++i) {
     const Vec2 v = inertias_[i].velocity;
     if (std::abs(v.x) > slowest_ || std::abs(v.y) > slowest_) return false;
-    is_restless = is_restless || members_[set_[i]].events > kMostSlowEvents;
+    has_restless = has_restless || is_restless(static_cast<int>(i));
   }
-  return is_restless;
+  return has_restless;
 }
 
 // Finds the pulls of bodies that stay together.
@@ -292,8 +298,7 @@ void Meeting::note(const Met& met, int place, int other, Vec2 normal, bool stops
   if (place == Touch::kGround || !is_inner(static_cast<std::size_t>(place))) return;
   const std::uint32_t index = set_[static_cast<std::size_t>(place)];
   Member& member = members_[index];
-  const bool is_level = std::abs(normal.x) <= scene_->tuning.exact.steepest * std::abs(normal.y);
-  if (normal.y < 0 && is_level) member.is_grounded = true;
+  if (normal.y < 0 && is_level(normal)) member.is_grounded = true;
   const bool is_impact = met.touch.impulse > 0;
   if (record_ == nullptr || !(is_impact || time_ == 0)) return;
   const Vec2 move = before_[static_cast<std::size_t>(place)] * part_ + member.pull * (part_ * part_ / 2);
