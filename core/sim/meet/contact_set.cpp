@@ -38,6 +38,9 @@ double ContactSet::gain(const Touch& touch, std::span<const Inertia> bodies, Vec
   return relative(touch, bodies, direction, &Inertia::pull);
 }
 
+// rubs: whether friction depends on how the load is shared.
+bool ContactSet::solve(bool rubs) { return rubs ? system_.solve_evenly() : system_.solve(); }
+
 std::int64_t ContactSet::take_work() { return system_.take_work(); }
 
 // The system of rows_: what each impulse does to the speed of each contact.
@@ -60,14 +63,14 @@ void ContactSet::set_up(std::span<const Inertia> bodies, std::span<const Touch> 
   }
 }
 
-bool ContactSet::reflect(std::span<Inertia> bodies, std::span<Touch> touches) {
+void ContactSet::reflect(std::span<Inertia> bodies, std::span<Touch> touches) {
   rows_.clear();
   for (std::size_t i = 0; i < touches.size(); ++i) rows_.push_back({i, touches[i].normal});
   set_up(bodies, touches, [&](const Touch& touch, Vec2 along) { return speed(touch, bodies, along); });
   const bool rubs =
       std::any_of(touches.begin(), touches.end(), [](const Touch& t) { return t.friction > 0; });
   for (std::size_t i = 0; i < rows_.size(); ++i) system_.bound(i, touches[i].is_caught ? -kAny : 0, kAny);
-  bool ends = rubs ? system_.solve_evenly() : system_.solve();
+  solve(rubs);
   std::vector<double> given(touches.size());
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     Touch& touch = touches[i];
@@ -80,21 +83,20 @@ bool ContactSet::reflect(std::span<Inertia> bodies, std::span<Touch> touches) {
   for (std::size_t i = 0; i < touches.size(); ++i) {
     if (touches[i].friction > 0 && given[i] > 0) rows_.push_back({i, touches[i].along()});
   }
-  if (rows_.empty()) return ends;
+  if (rows_.empty()) return;
   set_up(bodies, touches, [&](const Touch& touch, Vec2 along) { return speed(touch, bodies, along); });
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const double most = touches[rows_[i].touch].friction * given[rows_[i].touch];
     system_.bound(i, -most, most);
   }
-  ends = system_.solve_evenly() && ends;
+  solve(true);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Touch& touch = touches[rows_[i].touch];
     give(bodies, touch, &Inertia::velocity, rows_[i].direction * system_.x(i));
   }
-  return ends;
 }
 
-bool ContactSet::support(std::span<Inertia> bodies, std::span<Touch> touches) {
+void ContactSet::support(std::span<Inertia> bodies, std::span<Touch> touches) {
   rows_.clear();
   for (std::size_t i = 0; i < touches.size(); ++i) rows_.push_back({i, touches[i].normal});
   const std::size_t normals = rows_.size();
@@ -117,7 +119,7 @@ bool ContactSet::support(std::span<Inertia> bodies, std::span<Touch> touches) {
       const bool slides = std::abs(slip) > kStill;
       system_.bound(i, slides && slip < 0 ? most : -most, slides && slip > 0 ? -most : most);
     }
-    const bool is_solved = rows_.size() > normals ? system_.solve_evenly() : system_.solve();
+    const bool is_solved = solve(rows_.size() > normals);
     ends = true;
     for (std::size_t i = 0; i < normals; ++i) {
       constexpr double kSame = 1e-13;
@@ -147,7 +149,6 @@ bool ContactSet::support(std::span<Inertia> bodies, std::span<Touch> touches) {
     if (std::abs(body.pull.x) <= kRounding * body.strain) body.pull.x = 0;
     if (std::abs(body.pull.y) <= kRounding * body.strain) body.pull.y = 0;
   }
-  return ends;
 }
 
 }  // namespace talus

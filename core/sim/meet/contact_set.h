@@ -50,13 +50,12 @@ class ContactSet {
 
   // Reflects the velocities over all these contacts at once: those that approach bounce, and no contact is
   // left that is pressed together by the others. (Smith, Kaufman, Vouga, Tamstorf and Grinspun 2012,
-  // "Reflections on Simultaneous Impact".) Friction is an impulse, too. Returns false if it has not come to
-  // an end, see BoundedSystem.
-  bool reflect(std::span<Inertia> bodies, std::span<Touch> touches);
+  // "Reflections on Simultaneous Impact".) Friction is an impulse, too.
+  void reflect(std::span<Inertia> bodies, std::span<Touch> touches);
 
   // Changes the pulls of bodies that touch and neither approach nor part: nothing is pulled into anything,
-  // and friction stops what can be stopped. Returns false as above.
-  bool support(std::span<Inertia> bodies, std::span<Touch> touches);
+  // and friction stops what can be stopped.
+  void support(std::span<Inertia> bodies, std::span<Touch> touches);
 
   // The work since the last call, in units of about 20 ns.
   std::int64_t take_work();
@@ -69,6 +68,8 @@ class ContactSet {
   };
   template <class Value>
   void set_up(std::span<const Inertia> bodies, std::span<const Touch> touches, Value value);
+  bool solve(bool rubs);
+
   BoundedSystem system_;
   std::vector<Row> rows_;
   std::vector<double> before_;  // the pressures of the last try

@@ -18,8 +18,7 @@ void Meeting::fall_asleep(const State& state) {
       const std::uint32_t index = in_sets_[i];
       const Body& body = state.bodies[index];
       const Rest& rest = rests_[index];
-      set.is_same =
-          body.box == rest.box && body.velocity == rest.velocity && body.is_clear && !members_[index].is_held;
+      set.is_same = rest.is_of(body) && body.is_clear && !members_[index].is_held;
     }
   }
   wake_touched();
@@ -81,9 +80,7 @@ void Meeting::wake_touched() {
 // Wakes the sets that a body touches without being in them.
 void Meeting::wake_beside(std::uint32_t index) {
   const Rect box = members_[index].moving.at(0);
-  const double slack = touch_slack(box, box);
-  const Rect around{box.x - slack, box.y - slack, box.w + 2 * slack, box.h + 2 * slack};
-  if (!grid_.near(around, index, budget_.left, near_)) return;
+  if (!grid_.near(touch_area(box), index, budget_.left, near_)) return;
   for (const std::uint32_t other : near_) {
     if (!members_[other].is_asleep) continue;
     RestingSet& set = sets_[rests_[other].set - 1];
@@ -115,7 +112,7 @@ void Meeting::remember(const State& state) {
   for (std::size_t i = 0; i < members_.size(); ++i) {
     const Body& body = state.bodies[i];
     Rest& rest = rests_[i];
-    is_same[i] = body.box == rest.box && body.velocity == rest.velocity && !members_[i].is_capped;
+    is_same[i] = rest.is_of(body) && !members_[i].is_capped;
     rest.box = body.box;
     rest.velocity = body.velocity;
   }

@@ -82,9 +82,7 @@ void Meeting::join(std::uint32_t index) {
 void Meeting::look_around(std::size_t place, const Event& event) {
   const std::uint32_t index = set_[place];
   const Rect box = members_[index].moving.at(time_);
-  const double slack = 2 * touch_slack(box, box);
-  const Rect around{box.x - slack, box.y - slack, box.w + 2 * slack, box.h + 2 * slack};
-  if (!grid_.near(around, index, budget_.left, near_)) return;
+  if (!grid_.near(touch_area(box), index, budget_.left, near_)) return;
   sort_by_place(near_);
   for (const std::uint32_t other : near_) {
     const int known = members_[other].place_in_set;

@@ -43,6 +43,11 @@ double touch_slack(const Rect& a, const Rect& b) {
   return kNear + std::max(reach(a), reach(b)) * kRoundings;
 }
 
+Rect touch_area(const Rect& box) {
+  const double slack = 2 * touch_slack(box, box);
+  return {box.x - slack, box.y - slack, box.w + 2 * slack, box.h + 2 * slack};
+}
+
 std::optional<Vec2> touching_normal(const Rect& a, const Rect& b, bool is_first) {
   const double x = std::max(a.x - b.right(), b.x - a.right()),
                y = std::max(a.y - b.bottom(), b.y - a.bottom());

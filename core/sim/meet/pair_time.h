@@ -25,6 +25,9 @@ struct PairMeeting {
 // px; boxes that are so near to each other touch.
 double touch_slack(const Rect& a, const Rect& b);
 
+// px: holds every box that may touch this one, in part.
+Rect touch_area(const Rect& box);
+
 // The normal of two boxes that touch, or overlap: the axis on which they overlap least. Nothing if they are
 // apart, or if only their corners touch. is_first: tells two boxes in the same place apart.
 std::optional<Vec2> touching_normal(const Rect& a, const Rect& b, bool is_first);
