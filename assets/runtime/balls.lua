@@ -18,6 +18,7 @@ local function bounce_off(world, _, ball, contact, x, y)
   if flies(n) then return fly_off(n, ball, contact, slide_x, slide_y, bounce, grip) end
   local into = -(ball.vx * nx + ball.vy * ny)
   if not (into > 0) then return slide_x, slide_y end
+  ball.change = into + into * bounce
   local along_x, along_y = -ny, nx
   local kept = (ball.vx * along_x + ball.vy * along_y) * grip
   ball.vx, ball.vy = along_x * kept + nx * (into * bounce), along_y * kept + ny * (into * bounce)

@@ -10,6 +10,8 @@
 --
 -- A body has kind (a key of level.kinds, such as "ball"), x, y, w, h, vx, vy, grounded, and tile, if it is a tile
 -- of the map.
+-- With the part events, world.events lists what happened in the last step: {kind = "hit", body, other, nx, ny,
+-- impulse}, where other is a body, or nil for the ground; {kind = "landed", body}; {kind = "left", body}.
 -- Between steps you may change vx and vy, or x and y; then also set clear to false, which frees it from walls.
 -- With the part mouse, step() also takes mouse_x, mouse_y and mouse_down, and drags bodies; games for LÖVE and
 -- TIC-80 have it. You can ask about the ground, for any box:

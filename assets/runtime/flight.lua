@@ -51,6 +51,7 @@ function fly_off(n, ball, contact, slide_x, slide_y, bounce, grip)
   local into = -(ball.ux * nx + ball.uy * ny)
   local away = into * bounce
   if not (into > 0) then return slide_x, slide_y end
+  ball.change = into + away
   if not (away > -n.gravity * ny) then  -- too slow to leave the ground for longer than a step: it stays
     if ball.lift ~= 0 then ball.vy = ball.vy - ball.lift end
     ball.lift = 0.0

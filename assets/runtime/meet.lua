@@ -841,8 +841,22 @@ function M.hold(world)
   end
 end
 
-function M.note(n)
+function M.note_hit(world, touch)
+  local m, n, nx, ny = touch.a, touch.b, touch.nx, touch.ny
+  local yields, quiet = m.inverse_mass + (n and n.inverse_mass or 0.0), world.quiet.fall
+  -- An impulse that only holds what rests above changes the speed of none of the two.
+  local function change(of) return abs((of.svx - of.bvx) * nx + (of.svy - of.bvy) * ny) end
+  local changed = max(change(m), n and change(n) or 0.0)
+  if not (touch.impulse * yields > quiet and changed > quiet) then return end
+  local there = n and n.body or nil
+  if m.inner then world:note_hit(m.body, there, nx, ny, touch.impulse) end
+  if n and n.inner then world:note_hit(there, m.body, 0.0 - nx, 0.0 - ny, touch.impulse) end
+end
+
+function M.note(world)
+  local n = world.tuning
   for _, touch in ipairs(touches) do
+    if has.events then M.note_hit(world, touch) end
     if touch.impulse > 0 or touch.pressure > 0 then
       local is_floor = abs(touch.nx) <= n.steepest * abs(touch.ny)
       if touch.ny < 0 and is_floor and touch.a.inner then touch.a.grounded = true end
@@ -908,7 +922,7 @@ function M.resolve(world, event)
   if M.is_dozing() then
     for _, m in ipairs(set) do m.svx, m.svy, m.spx, m.spy = 0.0, 0.0, 0.0, 0.0 end
   end
-  M.note(world.tuning)
+  M.note(world)
   M.set_paths(world)
   local is_capped = false
   for _, m in ipairs(set) do is_capped = is_capped or m.events >= MOST_EVENTS end
@@ -1039,7 +1053,9 @@ function M.step(world, input)
       body.x, body.y = clamp(m.x, -FAR, FAR), clamp(m.y, -FAR, FAR)
       -- Adding 0 leaves no -0, whose bits are others.
       if not m.held then body.vx, body.vy = clamp(m.vx, -FAST, FAST) + 0.0, clamp(m.vy, -FAST, FAST) + 0.0 end
+      local stood = body.grounded
       body.grounded, body.clear = m.grounded or false, true
+      if has.events then world:note_standing(body, stood) end
     end
   end
 end

@@ -15,6 +15,11 @@
 #include "../formats/native/hard_case_file.h"
 #include "../sim/case_input.h"
 
+// The numbers of kinds in C.
+static_assert(static_cast<int>(talus::StepEvent::Kind::hit) == TALUS_EVENT_HIT &&
+              static_cast<int>(talus::StepEvent::Kind::landed) == TALUS_EVENT_LANDED &&
+              static_cast<int>(talus::StepEvent::Kind::left) == TALUS_EVENT_LEFT);
+
 struct talus_game {
   talus::Level level;
   std::vector<talus::CaseInput> script;  // of a hard case
@@ -22,6 +27,8 @@ struct talus_game {
   std::unique_ptr<talus::Solver> solver;
   talus::State state;
   talus::State next;                             // storage of talus_step
+  talus::StepRecord record;                      // of the last step; its events alone
+  talus::StepRecord next_record;                 // storage of talus_step
   std::shared_ptr<const talus::Terrain> ground;  // of queries; null until the first query
 };
 
@@ -57,6 +64,7 @@ FormatResult<std::unique_ptr<talus_game>> game_of(FormatResult<LoadedLevel> load
   game->scene = std::make_shared<const Scene>(compile_scene(game->level));
   game->solver = make_solver(game->scene);
   game->state = initial_state(*game->scene);
+  game->record.only_events = game->next_record.only_events = true;
   return game;
 }
 
@@ -139,8 +147,10 @@ int talus_step(talus_game* game, uint32_t keys, double mouse_x, double mouse_y, 
   return guarded(0, [&] {
     game->next = game->state;
     const Input given = input_of_call(keys, {mouse_x, mouse_y}, mouse_down != 0);
-    game->solver->step(game->next, added(case_input(game->script, game->next.frame + 1), given));
+    game->solver->step(game->next, added(case_input(game->script, game->next.frame + 1), given),
+                       &game->next_record);
     std::swap(game->state, game->next);
+    std::swap(game->record, game->next_record);
     return 1;
   });
 }
@@ -149,6 +159,7 @@ int talus_restart(talus_game* game) {
   if (game == nullptr) return 0;
   return talus::guarded(0, [&] {
     game->state = talus::initial_state(*game->scene);
+    game->record.clear();
     return 1;
   });
 }
@@ -180,6 +191,22 @@ int talus_body_at(const talus_game* game, int32_t index, talus_body* body) {
            .h = found.box.h,
            .vx = found.velocity.x,
            .vy = found.velocity.y};
+  return 1;
+}
+
+int32_t talus_event_count(const talus_game* game) {
+  return game == nullptr ? 0 : static_cast<int32_t>(game->record.events.size());
+}
+
+int talus_event_at(const talus_game* game, int32_t index, talus_event* event) {
+  if (event == nullptr || index < 0 || index >= talus_event_count(game)) return 0;
+  const talus::StepEvent& found = game->record.events[static_cast<std::size_t>(index)];
+  *event = {.kind = static_cast<int32_t>(found.kind),
+            .body = found.body,
+            .other = found.other,
+            .nx = found.normal.x,
+            .ny = found.normal.y,
+            .impulse = found.impulse};
   return 1;
 }
 

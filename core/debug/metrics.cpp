@@ -29,6 +29,11 @@ constexpr std::array kInfos = {
     MetricInfo{Metric::energy, "energy", "px^2/frame^2", false,
                "kinetic and potential energy for each unit of mass; only its changes matter"},
     MetricInfo{Metric::grounded, "grounded", "", true, "the body stood on ground in this step"},
+    MetricInfo{Metric::landed, "landed", "", true, "it stands, and did not a frame before; solver exact"},
+    MetricInfo{Metric::left_ground, "left_ground", "", true,
+               "it stood a frame before, and does no longer; solver exact"},
+    MetricInfo{Metric::hit, "hit", "mass*px/frame", false,
+               "impulse of its hardest hit in this step; 0 without one; solver exact"},
     MetricInfo{Metric::contacts, "contacts", "", false, "contacts of the step that changed its way or speed"},
     MetricInfo{Metric::penetration, "penetration", "px", false,
                "how far the box is inside the ground; 0 outside, infinite when no straight way out is found"},
@@ -73,6 +78,20 @@ bool is_grounded(const Frame& frame, const Body& body) {
          }) != nullptr;
 }
 
+bool has_event(const Frame& frame, int body, StepEvent::Kind kind) {
+  const auto& events = frame.record.events;
+  return std::any_of(events.begin(), events.end(),
+                     [&](const StepEvent& event) { return event.body == body && event.kind == kind; });
+}
+
+double hardest_hit(const Frame& frame, int body) {
+  double hardest = 0;
+  for (const StepEvent& event : frame.record.events) {
+    if (event.body == body && event.kind == StepEvent::Kind::hit) hardest = std::max(hardest, event.impulse);
+  }
+  return hardest;
+}
+
 double energy(const Frame& frame, const Body& body) {
   const Tuning& t = frame.scene->tuning;
   const bool runs = t.solver == SolverKind::exact && traits_of(body.kind).rule == BodyRule::run;
@@ -81,7 +100,8 @@ double energy(const Frame& frame, const Body& body) {
   if (is_constant) gravity = runs ? t.player.gravity : t.exact.gravity;
   Vec2 v = body.velocity;
   const double part = runs ? 1 : 1 / t.exact.substeps;
-  if (is_constant && !body.gait.grounded) v.y += gravity * part / 2;
+  const bool meets = frame.scene->features.meets && !runs;  // its velocity is that of the frame itself
+  if (is_constant && !meets && !body.gait.grounded) v.y += gravity * part / 2;
   return dot(v, v) / 2 - gravity * body.box.center().y;
 }
 
@@ -175,6 +195,12 @@ double measure(Metric metric, const Frame& frame, const Body& body) {
       return energy(frame, body);
     case Metric::grounded:
       return is_grounded(frame, body);
+    case Metric::landed:
+      return has_event(frame, body.id, StepEvent::Kind::landed);
+    case Metric::left_ground:
+      return has_event(frame, body.id, StepEvent::Kind::left);
+    case Metric::hit:
+      return hardest_hit(frame, body.id);
     case Metric::contacts:
       return contact_count(frame, body.id);
     case Metric::penetration:

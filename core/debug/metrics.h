@@ -21,6 +21,9 @@ enum class Metric {
   speed,
   energy,
   grounded,
+  landed,
+  left_ground,
+  hit,
   contacts,
   penetration,
   floor_error,
@@ -37,7 +40,7 @@ enum class Metric {
 struct MetricInfo {
   Metric metric;
   std::string_view name;  // its name in expressions: "vx"
-  std::string_view unit;  // "px", "px/frame", "px^2/frame^2", "degrees" or ""
+  std::string_view unit;  // "px", "px/frame", "px^2/frame^2", "mass*px/frame", "degrees" or ""
   bool is_truth;          // 0 or 1
   std::string_view help;  // one sentence
 };
@@ -50,7 +53,7 @@ std::span<const MetricInfo> metric_infos();  // in the order of the enum
 // top edge, less below. g is the gravity that pulls the body: exact's gravity for balls, the player's for
 // players. Without gravity, g is what falling gains in its first frame (fall_blend * fall_speed). Under
 // constant gravity velocities belong to the middle between two frames, so v is taken half a part of a step
-// later. Then a flight keeps its energy to rounding.
+// later, but for bodies that meet. Then a flight keeps its energy to rounding.
 double measure(Metric metric, const Frame& frame, const Body& body);
 
 // Of a way, px, or of a velocity, px/frame.

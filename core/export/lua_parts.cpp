@@ -34,6 +34,7 @@ constexpr LuaPart kLuaParts[] = {
     {"pairs", {"pairs"}},
     {"mouse", {"mouse"}},
     {"meet", {"meet"}, {"balls"}},
+    {"events", {"events"}},
     {"end", {"luajit", "module"}},
 };
 

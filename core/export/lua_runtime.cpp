@@ -44,7 +44,9 @@ std::string lay_out(const std::vector<std::string>& texts, const std::vector<std
 }  // namespace
 
 FormatResult<std::string> lua_runtime(const ExportRequest& request, LuaForm form, bool with_mouse) {
-  const auto parts = lua_parts(request.level, std::string(request.parts) + (with_mouse ? ",mouse" : ""));
+  std::string more = std::string(request.parts) + (with_mouse ? ",mouse" : "");
+  if (form == LuaForm::readable) more += ",events";  // carts are short of space
+  const auto parts = lua_parts(request.level, more);
   if (!parts) return tl::unexpected(parts.error());
   std::vector<std::string> texts;
   for (const std::string& file : lua_part_files(*parts)) {

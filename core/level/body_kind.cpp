@@ -29,6 +29,8 @@ Vec2 new_body_size(BodyKind kind, TileSize tile) {
   return {size.x * tile.width / kUsual.width, size.y * tile.height / kUsual.height};
 }
 
+double mass_of(BodyKind kind, Vec2 size) { return traits_of(kind).mass * (size.x * size.y / kMassArea); }
+
 std::optional<BodyKind> find_body_kind(std::string_view word) {
   return find_kind([&](const BodyTraits& traits) { return traits.word == word; });
 }

@@ -89,6 +89,9 @@ class BallRule {
 
   bool grounded() const { return grounded_; }
 
+  // px/frame: how much the last contact changed the speed along its normal.
+  Real change() const { return change_; }
+
   // Reverses the velocity and returns the motion to go on with. As in the article, the rest of the motion
   // slides, or bounces if the tuning says so. motion: the one that the contact is a part of.
   Vec respond(const Contact<Real>& contact, Vec motion) {
@@ -97,6 +100,7 @@ class BallRule {
     const bool level = is_level(contact, n_.steepest);
     grounded_ = grounded_ || (level && normal.y < 0);
     const Vec slide = slide_along(normal, rest);
+    change_ = 0;
     if (contact.t == 1) return slide;  // it has just arrived: the next step bounces
 
     const Real bounce = level ? n_.floor_bounce : n_.wall_bounce, grip = level ? n_.floor_grip : 1;
@@ -104,6 +108,7 @@ class BallRule {
     Vec& v = body_.velocity;
     const Real into = -dot(v, normal);
     if (!(into > 0)) return slide;
+    change_ = into + into * bounce;
     const Vec along{-normal.y, normal.x};
     v = along * (dot(v, along) * grip) + normal * (into * bounce);
     if (!n_.rebound) return slide;
@@ -120,6 +125,7 @@ class BallRule {
     const Vec along{-normal.y, normal.x};
     const Real into = -dot(flight_.velocity(), normal), away = into * bounce;
     if (!(into > 0)) return slide;
+    change_ = into + away;
     if (!(away > -n_.gravity * normal.y)) {  // too slow to leave the ground for longer than a step: it stays
       if (lift_ != 0) v.y -= lift_;
       lift_ = 0;
@@ -137,6 +143,7 @@ class BallRule {
   struct NoFlight {};
   std::conditional_t<flies, Flight<Real>, NoFlight> flight_;
   bool grounded_ = false;
+  Real change_ = 0;
   Real part_ = 1;  // steps, the length of a part
   Real left_ = 1;  // steps, of a part, that are left of it; not of one that flies
   Real lift_ = 0;  // px/frame, that the velocity has in this step for its parts

@@ -1,5 +1,6 @@
 #include "exact_solver.h"
 
+#include <algorithm>
 #include <cassert>
 #include <span>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "../collision/ground_queries.h"
 #include "body_grid.h"
 #include "contact_notes.h"
+#include "event_notes.h"
 #include "exact_body.h"
 #include "floor_walk.h"
 #include "meet/meeting.h"
@@ -38,6 +40,8 @@ class ExactSolver final : public Solver {
         ground_(*ground_of<Real>(*scene_)),
         numbers_(scene_->tuning),
         kinds_(body_kinds()),
+        quiet_fall_(static_cast<Real>(quiet_speed(scene_->tuning, BodyRule::fall))),
+        quiet_run_(static_cast<Real>(quiet_speed(scene_->tuning, BodyRule::run))),
         pairs_(scene_->features.pairs),
         max_passes_(static_cast<int>(scene_->tuning.exact.max_passes)),
         substeps_(static_cast<int>(scene_->tuning.exact.substeps)),
@@ -46,9 +50,10 @@ class ExactSolver final : public Solver {
   }
 
   void step(State& state, const Input& input, StepRecord* record) override {
-    record_ = record;
+    if (record != nullptr) record->clear();
+    events_ = record != nullptr ? &record->events : nullptr;
+    record_ = record != nullptr && !record->only_events ? record : nullptr;
     bodies_ = &state.bodies;
-    if (record_ != nullptr) record_->clear();
     if (pairs_) {
       grid_.synchronise(state.bodies);
     } else {
@@ -62,7 +67,10 @@ class ExactSolver final : public Solver {
       else
         step_body(state, i, input);
     }
-    if (meeting_) step_budget_.spend(meeting_->step(state, input, record_));  // after the players
+    if (meeting_) {  // after the players
+      step_budget_.spend(meeting_->step(state, input, record_, events_));
+      if (record_ != nullptr) sort_by_body(record_->contacts);
+    }
     if (record_ != nullptr) record_->work = step_budget_.spent();
     ++state.frame;
   }
@@ -85,6 +93,7 @@ class ExactSolver final : public Solver {
     budget_ = {part};
     if (!body.is_clear) leave_ground(moving);
     order_ = 0;
+    const bool stood = body.gait.grounded;
 
     if (body.id == state.grabbed) {
       drag(state, index, moving, input);
@@ -107,6 +116,7 @@ class ExactSolver final : public Solver {
     body.box = widen(moving.box);
     body.velocity = widen(moving.velocity);
     body.is_clear = true;
+    note_standing(events_, body, stood);
     step_budget_.spend(part - budget_.left);
     if (pairs_ && !(before == body.box))
       step_budget_.spend(grid_.place(static_cast<std::uint32_t>(index), body.box));
@@ -123,8 +133,11 @@ class ExactSolver final : public Solver {
     for (int i = 0; i < substeps_; ++i) {
       rule.begin();
       if (i == 0) note_goal(moving, moving.velocity);
-      move(state, index, moving, moving.velocity * part_,
-           [&](const auto& contact, Vec motion) { return rule.respond(contact, motion); });
+      move(state, index, moving, moving.velocity * part_, [&](const auto& contact, Vec motion) {
+        const Vec rest = rule.respond(contact, motion);
+        note_change(body, contact, rule.change(), quiet_fall_);
+        return rest;
+      });
     }
     rule.end();
     body.gait.grounded = rule.grounded();
@@ -152,8 +165,11 @@ class ExactSolver final : public Solver {
     Vec motion = walked ? Vec{moving.velocity.x, 0} : moving.velocity;
     note_goal(moving, motion);
     if (walked && walk(state, index, moving, rule, motion)) return rule.stand();
-    const bool held = move(state, index, moving, motion,
-                           [&](const auto& contact, Vec m) { return rule.respond(contact, m); });
+    const bool held = move(state, index, moving, motion, [&](const auto& contact, Vec m) {
+      const Vec velocity = moving.velocity, rest = rule.respond(contact, m);
+      note_change(state.bodies[index], contact, dot(moving.velocity - velocity, contact.normal), quiet_run_);
+      return rest;
+    });
     if (held && motion.y > 0) return rule.stand();
     if (rule.landed()) rule.stand();
     if (!gait.grounded) return;
@@ -245,7 +261,10 @@ class ExactSolver final : public Solver {
         return false;
       }
       if (after == AfterContact::stops) {
+        const Vec velocity = moving.velocity;
         rule.stop_at(contact);
+        const Real change = dot(moving.velocity - velocity, contact.normal);
+        note_change(state.bodies[index], contact, change, quiet_run_);
         return true;
       }
     }
@@ -449,6 +468,20 @@ class ExactSolver final : public Solver {
     return {TileRole::ball, body.origin.cell, body.id, body.box};
   }
 
+  // Notes a hit. change: px/frame, of the speed along the normal.
+  void note_change(const Body& body, const Contact<Real>& contact, Real change, Real quiet) {
+    if (events_ == nullptr || !(change > quiet)) return;
+    const int other =
+        contact.is_other ? (*bodies_)[near_[static_cast<std::size_t>(-1 - contact.origin)]].id : 0;
+    const double impulse = mass_of(body.kind, {body.box.w, body.box.h}) * static_cast<double>(change);
+    note_hit(events_, body.id, other, widen(contact.normal), impulse);
+  }
+
+  static void sort_by_body(std::vector<ContactRecord>& contacts) {
+    std::stable_sort(contacts.begin(), contacts.end(),
+                     [](const ContactRecord& a, const ContactRecord& b) { return a.body < b.body; });
+  }
+
   // The motion that the body went on with after its last contact.
   void note_after(Vec motion) {
     if (record_ != nullptr) record_->contacts.back().after = widen(motion);
@@ -479,6 +512,7 @@ class ExactSolver final : public Solver {
   const BasicTerrain<Real>& ground_;
   const ExactNumbers<Real> numbers_;
   const std::span<const BodyTraits> kinds_;  // by BodyKind
+  const Real quiet_fall_, quiet_run_;        // px/frame, of quiet_speed()
   const bool pairs_;                         // whether bodies block one another
   const int max_passes_, substeps_;
   const Real part_;                   // length of a sub-step in steps
@@ -491,6 +525,7 @@ class ExactSolver final : public Solver {
   const std::vector<Body>* bodies_ = nullptr;  // of the state of the current step
   std::vector<RestMemo<Real>> rests_;          // by index of the body; not used with pairs
   StepRecord* record_ = nullptr;               // of the current step; null: it is not recorded
+  std::vector<StepEvent>* events_ = nullptr;   // the same
   int order_ = 0;                              // of the body's next contact
 };
 

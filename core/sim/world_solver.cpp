@@ -102,8 +102,8 @@ void WorldSolver::synchronise(const State& state) {
 }
 
 void WorldSolver::step(State& state, const Input& input, StepRecord* record) {
-  record_ = record;
-  if (record_ != nullptr) record_->clear();
+  if (record != nullptr) record->clear();
+  record_ = record != nullptr && !record->only_events ? record : nullptr;
   synchronise(state);
   take_mouse(state, input, [&] { return body_at(state, input.mouse); });
   for (std::size_t i = 0; i < state.bodies.size(); ++i) {

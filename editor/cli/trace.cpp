@@ -91,6 +91,18 @@ void append_contact(std::string& line, const ContactRecord& contact) {
   line += "}";
 }
 
+void append_event(std::string& line, const StepEvent& event) {
+  line += "{\"kind\":\"";
+  line += word_of(event.kind);
+  append_field(line, "\",\"body\":", event.body);
+  if (event.kind == StepEvent::Kind::hit) {
+    append_field(line, ",\"other_body\":", event.other);
+    append_pair(line, ",\"normal\":", event.normal);
+    append_field(line, ",\"impulse\":", event.impulse);
+  }
+  line += "}";
+}
+
 template <class Items, class Append>
 void append_list(std::string& line, const Items& items, Append append_item) {
   bool first = true;
@@ -113,6 +125,11 @@ std::string trace_line(const State& state, const StepRecord* record) {
     line += ",\"contacts\":[";
     append_list(line, record->contacts, append_contact);
     line += "]";
+    if (!record->events.empty()) {
+      line += ",\"events\":[";
+      append_list(line, record->events, append_event);
+      line += "]";
+    }
     std::vector<int> cut_short;
     for (const BodyPath& path : record->paths) {
       if (path.cut_short) cut_short.push_back(path.body);

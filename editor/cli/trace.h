@@ -10,7 +10,8 @@ namespace talus {
 
 // {"frame":1,"bodies":[{"id":1,"x":..,"y":..,"vx":..,"vy":..}],"contacts":[..]}, without a line break;
 // numbers are the shortest decimals that read back as the same double. Without a record, no contacts. Only
-// where there are bodies that were cut short (see BodyPath), their ids follow: "cut_short":[1]
+// where there are some, events follow, and the ids of bodies that were cut short (see BodyPath):
+// "events":[{"kind":"landed","body":1}],"cut_short":[1]
 std::string trace_line(const State& state, const StepRecord* record);
 
 // 16 lower-case hexadecimal digits.

@@ -46,6 +46,7 @@ static void check_null(void) {
   MUST(talus_tile_width(NULL) == 0 && talus_tile_height(NULL) == 0);
   MUST(talus_body_count(NULL) == 0);
   MUST(talus_body_at(NULL, 0, &body) == 0 && body.id == 7);
+  MUST(talus_event_count(NULL) == 0);
   MUST(talus_hash(NULL) == 0);
   MUST(talus_floor(NULL, 0, 0, 8, 8, 9, &floor_y) == 0 && floor_y == 3);
   MUST(!talus_open(NULL, error, sizeof error) && strcmp(error, "error: the path is null") == 0);
@@ -88,6 +89,36 @@ static void check_mouse(talus_game* game) {
   MUST(talus_body_at(game, 0, &body) && body.is_held == 0);
   MUST(talus_restart(game) == 1 && talus_frame(game) == 0);
   MUST(talus_body_at(game, 0, &body) && memcmp(&body, &start, sizeof body) == 0);
+}
+
+/* A ball falls on a floor, and stays there. */
+static void check_events(void) {
+  const char* const level =
+      "{\"talus\": 1, \"roles\": {\"solid\": 0}, \"tiles\": {\"1\": {\"flags\": [0]}},"
+      " \"map\": {\"width\": 4, \"height\": 4, \"rows\": [\"\", \"\", \"\", \"01010101\"]},"
+      " \"tuning\": {\"solver\": \"exact\", \"fall_speed\": 2, \"floor_bounce\": 0},"
+      " \"spawns\": [{\"name\": \"\", \"x\": 8, \"y\": 4, \"vx\": 0, \"vy\": 0}]}";
+  char error[100];
+  talus_game* game = talus_read(level, strlen(level), NULL, error, sizeof error);
+  talus_event event = {7, 0, 0, 0, 0, 0};
+  int hits = 0, landed = 0, left = 0, i;
+  int32_t k;
+  MUST(game && error[0] == '\0');
+  MUST(talus_event_count(game) == 0 && talus_event_at(game, 0, &event) == 0 && event.kind == 7);
+  for (i = 0; i < 100; ++i) {
+    MUST(talus_step(game, 0, 0, 0, 0));
+    for (k = 0; talus_event_at(game, k, &event); ++k) {
+      MUST(event.body == 1 && event.other == 0);
+      MUST(event.kind != TALUS_EVENT_HIT || (event.nx == 0 && event.ny == -1 && event.impulse > 0));
+      hits += event.kind == TALUS_EVENT_HIT;
+      landed += event.kind == TALUS_EVENT_LANDED;
+      left += event.kind == TALUS_EVENT_LEFT;
+    }
+    MUST(k == talus_event_count(game));
+  }
+  MUST(hits == 1 && landed == 1 && left == 0);
+  MUST(talus_event_at(game, -1, &event) == 0 && talus_event_at(game, 0, NULL) == 0);
+  talus_close(game);
 }
 
 static void check_floor(talus_game* game) {
@@ -138,6 +169,7 @@ int main(int argc, char** argv) {
   check_null();
   check_errors(argv[3]);
   check_odd_map();
+  check_events();
   game = talus_open(argv[2], NULL, 0);
   MUST(game != NULL);
   check_bodies(game);

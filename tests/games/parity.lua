@@ -1,5 +1,5 @@
 -- Runs levels with the runtime and prints each body after each frame: frame id x y vx vy grounded, with all
--- digits.
+-- digits. Events come before them, if the runtime has that part: frame kind id other nx ny impulse.
 --   lua5.3 parity.lua LIST
 -- LIST: a file with a table of {name, runtime, level, input, frames}. The runtime is a file. Level and input
 -- are functions: one returns a level, the other a table from frames to what world:step() takes. An input
@@ -15,6 +15,10 @@ for _, run in ipairs(list) do
   for frame = 1, run.frames do
     input = inputs[frame] or input
     world:step(input)
+    for _, e in ipairs(world.events or {}) do
+      print(string.format("%d %s %d %d %a %a %a", frame, e.kind, e.body.id, e.other and e.other.id or 0, e.nx or 0.0,
+                          e.ny or 0.0, e.impulse or 0.0))
+    end
     for _, b in ipairs(world.bodies) do
       print(string.format("%d %d %a %a %a %a %s", frame, b.id, b.x, b.y, b.vx, b.vy, tostring(b.grounded)))
     end

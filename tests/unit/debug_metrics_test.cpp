@@ -122,6 +122,29 @@ TEST(Metrics, FlightKeepsItsEnergyUnderConstantGravity) {
   for (std::int64_t frame = 1; frame <= 20; ++frame) EXPECT_EQ(energy(frame), energy(0)) << frame;
 }
 
+TEST(Metrics, BodiesThatMeetHaveTheirOwnContactsAndEnergy) {
+  Level level = exact_level({"o.o.....", "........", "........", "........", "........", "########"});
+  level.tuning.exact.gravity = 0.125;
+  level.tuning.shared.bodies = static_cast<double>(BodyPairs::meet);
+  level.tuning.shared.floor_bounce = 1;
+  const RecordedFrames recorded(level, 60);
+  const auto of = [&](Metric metric, std::int64_t frame, std::size_t body) {
+    return measure(metric, recorded.at(frame), recorded.at(frame).state.bodies[body]);
+  };
+  int hits = 0;
+  for (std::int64_t frame = 1; frame <= 60; ++frame) {
+    for (const std::size_t body : {0u, 1u}) {
+      EXPECT_NEAR(of(Metric::energy, frame, body), -0.125 * 4, 1e-12) << frame;
+      const bool hit = of(Metric::hit, frame, body) > 0;
+      EXPECT_EQ(of(Metric::contacts, frame, body), hit ? 1 : 0) << frame;
+      EXPECT_EQ(of(Metric::landed, frame, body), hit ? 1 : 0) << frame;
+      EXPECT_EQ(of(Metric::left_ground, frame, body), frame > 1 ? of(Metric::landed, frame - 1, body) : 0);
+      hits += hit ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(hits, 2);
+}
+
 TEST(Metrics, EnergyOfTheArticlesFall) {
   MadeFrames made({state_of({body_at(1, 0, 10, {3, 4})})});
   EXPECT_EQ(measure(Metric::energy, made.frames[0], made.frames[0].state.bodies[0]), 12.5 - 0.075 * 5 * 14);

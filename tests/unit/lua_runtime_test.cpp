@@ -36,17 +36,21 @@ class LuaRuntime : public FolderTest {
     const auto scene = std::make_shared<const Scene>(compile_scene(level));
     const auto solver = make_solver(scene);
     State state = initial_state(*scene);
+    StepRecord record;
+    record.only_events = true;
     expected_ += "# " + name + "\n";
     std::string inputs = "return {";
     for (std::int64_t frame = 1; frame <= frames; ++frame) {
       const Input input = case_input(entries, frame);
       if (!entries.empty()) inputs += input_text(input) + ",\n";
-      solver->step(state, input);
+      solver->step(state, input, &record);
+      for (const StepEvent& event : record.events) expected_ += event_text(frame, event);
+      events_ += static_cast<std::int64_t>(record.events.size());
       for (const Body& body : state.bodies) expected_ += body_text(frame, body);
     }
     list_ += "{name=[[" + name + "]],frames=" + std::to_string(frames) + ",runtime='" +
-             runtime_file(lua_parts(level, entries.empty() ? "" : "mouse").value()) + "',level=function()\n" +
-             lua_level(level) + "end,input=function() " + inputs + "} end},\n";
+             runtime_file(lua_parts(level, entries.empty() ? "events" : "mouse,events").value()) +
+             "',level=function()\n" + lua_level(level) + "end,input=function() " + inputs + "} end},\n";
     ++levels_;
     frames_ += frames;
     body_frames_ += frames * static_cast<std::int64_t>(state.bodies.size());
@@ -68,12 +72,12 @@ class LuaRuntime : public FolderTest {
     for (int i = 0; i < 2; ++i) {
       const Comparison found = compared_lines(outputs[i].get(), expected_);
       EXPECT_EQ(found.first, "") << luas[i];
-      EXPECT_EQ(found.bodies, body_frames_) << luas[i];
-      differences += found.differences, compared += found.bodies;
+      EXPECT_EQ(found.lines, body_frames_ + events_) << luas[i];
+      differences += found.differences, compared += found.lines;
     }
     EXPECT_EQ(differences, 0);
-    std::printf("%d levels, %lld frames, by two Luas, each body: %lld compared, %lld differences\n", levels_,
-                static_cast<long long>(frames_), static_cast<long long>(compared),
+    std::printf("%d levels, %lld frames, by two Luas, each body and event: %lld compared, %lld differences\n",
+                levels_, static_cast<long long>(frames_), static_cast<long long>(compared),
                 static_cast<long long>(differences));
   }
 
@@ -86,6 +90,7 @@ class LuaRuntime : public FolderTest {
 
   int levels() const { return levels_; }
   std::int64_t body_frames() const { return body_frames_; }
+  std::int64_t events() const { return events_; }
 
  private:
   static std::string input_text(const Input& input) {
@@ -102,10 +107,15 @@ class LuaRuntime : public FolderTest {
                   b.box.y, b.velocity.x, b.velocity.y, b.gait.grounded ? "true" : "false");
     return text;
   }
+  static std::string event_text(std::int64_t frame, const StepEvent& e) {
+    char text[256];
+    std::snprintf(text, sizeof text, "%d %s %d %d %a %a %a\n", static_cast<int>(frame),
+                  word_of(e.kind).data(), e.body, e.other, e.normal.x, e.normal.y, e.impulse);
+    return text;
+  }
   struct Comparison {
-    std::int64_t bodies = 0,
-                 differences = 0;  // the number of compared lines of bodies, and of those that differ
-    std::string first;             // the level and the lines of the first difference; empty: there is none
+    std::int64_t lines = 0, differences = 0;  // of bodies and events
+    std::string first;  // the level and the lines of the first difference; empty: there is none
   };
   static Comparison compared_lines(const std::string& out, const std::string& expected) {
     Comparison found;
@@ -116,7 +126,7 @@ class LuaRuntime : public FolderTest {
       if (wanted[0] == '#')
         level = wanted;
       else
-        ++found.bodies;
+        ++found.lines;
       if (got == wanted) continue;
       if (found.differences++ == 0) found.first = level + ": " + got + "\ninstead of\n" + wanted;
     }
@@ -141,7 +151,7 @@ class LuaRuntime : public FolderTest {
   std::string expected_, list_;
   std::map<std::vector<std::string>, std::string> runtimes_;  // files by parts
   int levels_ = 0;
-  std::int64_t frames_ = 0, body_frames_ = 0;
+  std::int64_t frames_ = 0, body_frames_ = 0, events_ = 0;
 };
 
 TEST_F(LuaRuntime, RefusesTilesForCellsThatAreNotThere) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "../event_notes.h"
 #include "../lerp.h"
 #include "../mouse.h"
 #include "../step_limits.h"
@@ -37,6 +38,7 @@ Meeting::Meeting(std::shared_ptr<const Scene> scene)
       slowest_(gravity_.y > 0
                    ? gravity_.y
                    : std::abs(scene_->tuning.shared.fall_speed * scene_->tuning.shared.fall_blend)),
+      quiet_(quiet_speed(scene_->tuning, BodyRule::fall)),
       parts_(static_cast<int>(scene_->tuning.exact.substeps)),
       part_(1.0 / parts_) {}
 
@@ -44,9 +46,11 @@ bool Meeting::moves(const Body& body, const State& state) const {
   return traits_of(body.kind).rule == BodyRule::fall || body.id == state.grabbed;
 }
 
-std::int64_t Meeting::step(State& state, const Input& input, StepRecord* record) {
+std::int64_t Meeting::step(State& state, const Input& input, StepRecord* record,
+                           std::vector<StepEvent>* events) {
   state_ = &state;
   record_ = record;
+  step_events_ = events;
   budget_ = {kMostStepWork};
   is_stopped_ = false;
   take(state, input);
@@ -79,7 +83,7 @@ void Meeting::take(State& state, const Input& input) {
       const auto out = way_out(probe_.ground(), body.box, Foot::box, &budget_);
       if (out) member.moving.path.place = member.moving.path.place + *out;
     }
-    member.inverse_mass = 1 / (traits.mass * (body.box.w * body.box.h / kMassArea));
+    member.inverse_mass = 1 / mass_of(body.kind, {body.box.w, body.box.h});
     member.friction = traits.friction;
     member.floor_bounce = traits.bounce.value_or(t.floor_bounce);
     member.wall_bounce = traits.bounce.value_or(t.wall_bounce);
@@ -150,7 +154,9 @@ void Meeting::give(State& state) {
     body.box.y = place.y;
     // Adding 0 leaves no -0, whose bits are others.
     if (!member.is_held) body.velocity = {velocity.x + 0.0, velocity.y + 0.0};
+    const bool stood = body.gait.grounded;
     body.gait.grounded = member.is_grounded;
+    note_standing(step_events_, body, stood);
     body.is_clear = true;
     if (record_ == nullptr) continue;
     BodyPath& noted = record_->paths[i];

@@ -24,8 +24,8 @@ class Meeting {
   // does not hold.
   bool moves(const Body& body, const State& state) const;
   // Takes the bodies of a state one step further. record: null, or has the paths of all bodies, in the order
-  // of the state. Returns the work that it took.
-  std::int64_t step(State& state, const Input& input, StepRecord* record);
+  // of the state. events: null, or gets those of the bodies that it moves. Returns the work that it took.
+  std::int64_t step(State& state, const Input& input, StepRecord* record, std::vector<StepEvent>* events);
 
  private:
   // A body in a step.
@@ -128,12 +128,14 @@ class Meeting {
   void hold();
   void look_for_turn(const Met& met);
   void note_contacts();
+  void note_hits();
   void note(const Met& met, int place, int other, Vec2 normal, bool stops);
 
   const std::shared_ptr<const Scene> scene_;
   const GroundProbe probe_;
   const Vec2 gravity_;    // px/frame^2
   const double slowest_;  // px/frame, that a bounce must have on level ground
+  const double quiet_;    // px/frame, of quiet_speed()
   const int parts_;
   const double part_;  // frames
   BodyGrid grid_;
@@ -158,6 +160,7 @@ class Meeting {
   ContactSet contacts_;
   const State* state_ = nullptr;
   StepRecord* record_ = nullptr;
+  std::vector<StepEvent>* step_events_ = nullptr;
   bool is_stopped_ = false;  // the work that a step may take is used up
 };
 

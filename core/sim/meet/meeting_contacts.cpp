@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "../contact_notes.h"
+#include "../event_notes.h"
 
 namespace talus {
 namespace {
@@ -284,12 +285,37 @@ void Meeting::look_for_turn(const Met& met) {
 // Which bodies stand; and the contacts of impacts, and those of rest once in a step. Of each body those come
 // first that stop it, and then those that only push it.
 void Meeting::note_contacts() {
+  note_hits();
   for (const bool stops : {true, false}) {
     for (const Met& met : met_) {
       if (!(met.touch.impulse > 0) && !(met.touch.pressure > 0)) continue;
       note(met, met.touch.a, met.touch.b, met.touch.normal, stops);
-      note(met, met.touch.b, met.touch.a, met.touch.normal * -1, stops);
+      note(met, met.touch.b, met.touch.a, Vec2() - met.touch.normal, stops);
     }
+  }
+}
+
+void Meeting::note_hits() {
+  if (step_events_ == nullptr) return;
+  for (const Met& met : met_) {
+    const auto member = [&](int place) -> const Member& {
+      return members_[set_[static_cast<std::size_t>(place)]];
+    };
+    const Touch& touch = met.touch;
+    const bool is_ground = touch.b == Touch::kGround;
+    const double yields = member(touch.a).inverse_mass + (is_ground ? 0 : member(touch.b).inverse_mass);
+    // An impulse that only holds what rests above changes the speed of none of the two.
+    const auto change = [&](int place) {
+      const auto at = static_cast<std::size_t>(place);
+      return std::abs(dot(inertias_[at].velocity - before_[at], touch.normal));
+    };
+    const double changed = std::max(change(touch.a), is_ground ? 0 : change(touch.b));
+    if (!(touch.impulse * yields > quiet_ && changed > quiet_)) continue;
+    const auto id = [&](int place) { return state_->bodies[set_[static_cast<std::size_t>(place)]].id; };
+    const int a = id(touch.a), b = is_ground ? 0 : id(touch.b);
+    if (member(touch.a).is_inner) note_hit(step_events_, a, b, touch.normal, touch.impulse);
+    if (!is_ground && member(touch.b).is_inner)
+      note_hit(step_events_, b, a, Vec2() - touch.normal, touch.impulse);
   }
 }
 

@@ -42,6 +42,24 @@ typedef struct talus_body {
   double vy;           /* px a frame, down */
 } talus_body;
 
+/* Something that happened in the last frame. */
+typedef struct talus_event {
+  int32_t kind;   /* TALUS_EVENT_HIT, TALUS_EVENT_LANDED or TALUS_EVENT_LEFT */
+  int32_t body;   /* id of the body that it happened to */
+  int32_t other;  /* of a hit: id of the body that it hit, 0 for the ground; else 0 */
+  double nx;      /* of a hit: its normal, out of what was hit, of length 1; else 0 */
+  double ny;      /* the same, down */
+  double impulse; /* of a hit: mass times px a frame, along the normal, over 0; else 0 */
+} talus_event;
+
+/* Kinds of events. */
+enum {
+  TALUS_EVENT_HIT = 0,    /* it was stopped or thrown back, faster than gravity or its keys change its speed
+                             in two frames */
+  TALUS_EVENT_LANDED = 1, /* it stands, and did not after the frame before */
+  TALUS_EVENT_LEFT = 2    /* it stands no longer */
+};
+
 /* Loads a level or cart of any format that the editor opens, at its first frame. Tilesets that a map names
    are read wherever they lie, as a game opens its own maps. Null after an error; then `error` holds
    "FILE:PLACE: error: MESSAGE", cut off after error_size - 1 bytes, and else "". `error` may be null. A null
@@ -81,6 +99,13 @@ int32_t talus_body_count(const talus_game* game);
 /* The body at an index from 0, by id, into *body. 1; 0 if the game or `body` is null or there is no such
    body, and then nothing is written. */
 int talus_body_at(const talus_game* game, int32_t index, talus_body* body);
+
+/* How many events the last frame had; 0 before the first one and after going back to it. Only the solver
+   `exact` finds any. Null: 0. */
+int32_t talus_event_count(const talus_game* game);
+/* The event at an index from 0, in the order in which they happened to a body, into *event. 1; 0 if the game
+   or `event` is null or there is no such event, and then nothing is written. */
+int talus_event_at(const talus_game* game, int32_t index, talus_event* event);
 
 /* The word of a kind of bodies, as files have it: "ball", "player". Compare words: another version of the
    library may number kinds otherwise. The text stays valid. Null: there is no such kind. */

@@ -54,6 +54,8 @@ std::span<const BodyTraits> body_kinds();
 const BodyTraits& traits_of(BodyKind kind);
 // The size, px, of a new body of a kind among tiles of a size: the kind's, made for tiles of 8x8 px, scaled.
 Vec2 new_body_size(BodyKind kind, TileSize tile);
+// The mass of a body of a kind and a size, px: over 0.
+double mass_of(BodyKind kind, Vec2 size);
 // The kind with this word; nothing if no kind has it.
 std::optional<BodyKind> find_body_kind(std::string_view word);
 // The kind whose tiles have this role; nothing for roles of the ground.

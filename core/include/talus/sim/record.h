@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include <talus/collision/world.h>
@@ -65,14 +66,37 @@ struct BodyPath {
   bool cut_short = false;  // it used up the work that it may take in a step, and stopped there
 };
 
+// What a game may want to hear or show. Only `exact` finds events.
+struct StepEvent {
+  // What happened.
+  enum class Kind : std::uint8_t {
+    hit,     // it was stopped or thrown back, faster than its pull or its keys change its speed in two steps
+    landed,  // it stands, and did not after the step before
+    left     // it stands no longer
+  };
+  Kind kind = Kind::hit;  // what happened
+  int body = 0;           // id
+  int other = 0;          // of a hit: id of the body that it hit; 0: the ground
+  Vec2 normal;            // of a hit: unit, out of what it hit
+  double impulse = 0;     // of a hit: mass times px/frame, along the normal
+};
+
+// "hit", "landed" or "left", as files, Lua and C have it; a literal.
+std::string_view word_of(StepEvent::Kind kind);
+
 // One step. A record may be used again for the next one, which keeps its memory.
 struct StepRecord {
   std::vector<BodyPath> paths;          // by body id
-  std::vector<ContactRecord> contacts;  // in the order in which they were handled
+  std::vector<ContactRecord> contacts;  // by body id; of one body in the order in which they were handled
   // Each once for a body, in the order of testing; the first 2,097,152.
   std::vector<TestedBox> tested;
+  // Hits in the order in which they were handled. A body has landed or left after its own hits; bodies that
+  // meet after those of all.
+  std::vector<StepEvent> events;
   // The cells, lines and boxes that all bodies tested, in units of about 20 ns.
   std::int64_t work = 0;
+  // Set before a step: only `events` is filled, which costs next to nothing. Not changed by clear().
+  bool only_events = false;
   void clear();  // forgets the step
 };
 

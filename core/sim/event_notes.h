@@ -1,0 +1,39 @@
+// The events of a step, as the exact solver and bodies that meet find them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <vector>
+
+#include <talus/level/tuning.h>
+#include <talus/sim/record.h>
+#include <talus/sim/state.h>
+
+namespace talus {
+
+// px/frame: a contact that changes the speed of a body by no more is no hit. A body that rests, or that its
+// keys press against a wall, loses half of it in each step.
+inline double quiet_speed(const Tuning& t, BodyRule rule) {
+  constexpr double kRounding = 1e-9;
+  const auto most = [](std::initializer_list<double> gains) { return kRounding + 2 * std::max(gains); };
+  const SharedTuning& s = t.shared;
+  const double drift = std::abs(s.drift_speed * s.drift_blend), fall = std::abs(s.fall_speed * s.fall_blend);
+  if (rule == BodyRule::run) return most({t.player.gravity, t.player.run_gain, t.player.air_gain});
+  return most({t.exact.gravity > 0 ? t.exact.gravity : fall, drift});
+}
+
+// events: null, if nobody wants them. impulse: mass times px/frame, along the normal.
+inline void note_hit(std::vector<StepEvent>* events, int body, int other, Vec2 normal, double impulse) {
+  if (events != nullptr) events->push_back({StepEvent::Kind::hit, body, other, normal, impulse});
+}
+
+// stood: after the step before.
+inline void note_standing(std::vector<StepEvent>* events, const Body& body, bool stood) {
+  if (events == nullptr || body.gait.grounded == stood) return;
+  StepEvent& event = events->emplace_back();
+  event.kind = stood ? StepEvent::Kind::left : StepEvent::Kind::landed;
+  event.body = body.id;
+}
+
+}  // namespace talus
