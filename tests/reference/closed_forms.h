@@ -1,0 +1,53 @@
+// References for bodies that meet: the closed forms of textbooks. No code of the core.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace talus::reference {
+
+// Newton's cradle: the velocities after the impact of equal bodies in a row, of which the first and the last
+// ones came at one speed, at one time, without loss. As many leave to each side as came from the other one.
+inline std::vector<double> cradle(int count, int from_left, int from_right, double speed) {
+  std::vector<double> after(static_cast<std::size_t>(count), 0.0);
+  std::fill(after.begin(), after.begin() + from_right, -speed);
+  std::fill(after.end() - from_left, after.end(), speed);
+  return after;
+}
+
+// Two bodies on one line.
+struct Two {
+  double a = 0, b = 0;  // masses, or velocities
+};
+inline Two after_impact(Two mass, Two velocity, double bounce) {
+  const double common = (mass.a * velocity.a + mass.b * velocity.b) / (mass.a + mass.b);
+  const double apart = bounce * (velocity.a - velocity.b) / (mass.a + mass.b);
+  return {common - mass.b * apart, common + mass.a * apart};
+}
+
+// How fast a crate gains speed down an incline from rest: 0 if friction holds it. slope: |dy/dx|.
+inline double gain_down_incline(double gravity, double slope, double friction) {
+  const double length = std::hypot(1.0, slope);
+  return slope <= friction ? 0 : gravity * (slope - friction) / length;
+}
+
+// A body that falls from rest, and bounces.
+struct Fall {
+  double height = 0, gravity = 0, bounce = 0;  // of the start above the floor
+  double lands() const { return std::sqrt(2 * height / gravity); }
+  double lands_again() const { return (1 + 2 * bounce) * lands(); }
+  // Above the floor, until it lands again.
+  double above(double time) const {
+    const double since = time - lands();
+    if (since < 0) return height - gravity * time * time / 2;
+    return bounce * gravity * lands() * since - gravity * since * since / 2;
+  }
+  // Upwards, until it lands again.
+  double rises(double time) const {
+    const double since = time - lands();
+    return since < 0 ? -gravity * time : bounce * gravity * lands() - gravity * since;
+  }
+};
+
+}  // namespace talus::reference
