@@ -209,8 +209,10 @@ bool only_stops(const ContactRecord& contact) {
   return dot(contact.move, contact.normal) * (1 - std::clamp(contact.ti, 0.0, 1.0)) <= -kLeastShown;
 }
 
-// The contact with the strongest impulse on a body; nothing if it had none.
+// The contact with the strongest impulse on a body that meets others; nothing if it had none.
 std::optional<std::size_t> strongest_impact(const Frame& frame, int body) {
+  const Body* const hit = frame.state.find(body);
+  if (!frame.scene->features.meets || traits_of(hit->kind).rule != BodyRule::fall) return std::nullopt;
   std::optional<std::size_t> strongest;
   const auto& contacts = frame.record.contacts;
   for (std::size_t i = 0; i < contacts.size(); ++i) {

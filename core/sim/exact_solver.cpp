@@ -468,12 +468,14 @@ class ExactSolver final : public Solver {
     return {TileRole::ball, body.origin.cell, body.id, body.box};
   }
 
-  // Notes a hit. change: px/frame, of the speed along the normal.
+  // Notes what a contact did. change: px/frame, of the body's speed along the normal.
   void note_change(const Body& body, const Contact<Real>& contact, Real change, Real quiet) {
-    if (events_ == nullptr || !(change > quiet)) return;
+    if (events_ == nullptr || !(change > 0)) return;
+    const double impulse = mass_of(body.kind, {body.box.w, body.box.h}) * static_cast<double>(change);
+    if (record_ != nullptr) record_->contacts.back().impulse = impulse;
+    if (!(change > quiet)) return;
     const int other =
         contact.is_other ? (*bodies_)[near_[static_cast<std::size_t>(-1 - contact.origin)]].id : 0;
-    const double impulse = mass_of(body.kind, {body.box.w, body.box.h}) * static_cast<double>(change);
     note_hit(events_, body.id, other, widen(contact.normal), impulse);
   }
 

@@ -38,6 +38,15 @@ void draw_floor_normal(const OverlaySource&, const SlopeProbe& probe, const Body
   pen.line(floor, floor + probe.normal * kTouchedLength, true);
 }
 
+void draw_impulse(const OverlaySource&, const ContactRecord& contact, const Body& body, OverlayPen& pen) {
+  if (!(contact.impulse > 0)) return;
+  const Vec2 point = touched_point(contact, body.box);
+  const double change = contact.impulse / mass_of(body.kind, {body.box.w, body.box.h});
+  const Vec2 end = point + contact.normal * (change * kPixelsPerVelocity);
+  pen.line(point, end, true);
+  pen.label(end, two_decimals(contact.impulse), body);
+}
+
 void draw_touch_point(const OverlaySource&, const ContactRecord& contact, const Body& body, OverlayPen& pen) {
   const Vec2 point = touched_point(contact, body.box);
   pen.mark(point);
@@ -62,6 +71,24 @@ const Overlay normals{
     .draw_swatch =
         [](OverlayPen& pen) {
           pen.line({4, 7.5}, {4, 0.5}, true);
+        },
+};
+
+const Overlay impulses{
+    .key = "impulses",
+    .label = "impulses",
+    .help =
+        "Arrows along the speed that each contact gave its body, 4 px long for each px/frame, and the "
+        "impulse: mass times speed. Only exact.",
+    .group = OverlayGroup::contact,
+    .color = 0xffd9a0,
+    .safe_color = 0xccfcf0,
+    .digit = '9',
+    .shift = true,
+    .draw_contact = draw_impulse,
+    .draw_swatch =
+        [](OverlayPen& pen) {
+          pen.line({4, 7.5}, {4, 1}, true);
         },
 };
 

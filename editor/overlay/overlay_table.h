@@ -78,8 +78,9 @@ const Overlay* find_overlay(std::string_view key);  // null: there is none
 
 // Overlays that other code names.
 namespace overlay {
-extern const Overlay boxes, normals, touch_points, velocity, slope_delta, floor_height, tested_tiles, answer,
-    outline, removed_edges, one_way, swept_path, trails, penetration, shapes, reach, findings;
+extern const Overlay boxes, normals, touch_points, impulses, velocity, slope_delta, floor_height,
+    tested_tiles, answer, outline, removed_edges, one_way, swept_path, trails, penetration, shapes, reach,
+    findings;
 }
 
 // Overlays that answer one question together.

@@ -181,6 +181,20 @@ TEST(Overlays, AContactWithoutADirectionHasNoArrow) {
   EXPECT_EQ(drawing.marks[0].at, (Vec2{5, 5})) << "the middle of the overlap";
 }
 
+TEST(Overlays, AnImpulseIsDrawnAsTheSpeedThatItGave) {
+  StepRecord record;
+  record.contacts = {contact({0, 8, 16, 8}, {0, -1}, {4, -8})};
+  const State state = state_of({body(1, {4, -8, 8, 16})});  // twice as heavy as a ball
+  EXPECT_TRUE(drawn({}, state, record, only(overlay::impulses), 0).lines.empty()) << "it only rests";
+  record.contacts[0].impulse = 6;
+  const auto drawing = drawn({}, state, record, only(overlay::impulses), 0);
+  ASSERT_EQ(drawing.lines.size(), 1u);
+  EXPECT_EQ(drawing.lines[0].from, (Vec2{8, 8}));
+  EXPECT_EQ(drawing.lines[0].to, (Vec2{8, 8 - 3 * 4}));
+  ASSERT_EQ(drawing.labels.size(), 1u);
+  EXPECT_EQ(drawing.labels[0].text, "6.00");
+}
+
 TEST(Overlays, TouchPointHasTheTimeOfImpact) {
   StepRecord record;
   record.contacts = {contact({0, 8, 8, 8}, {0, -1}, {4, 0})};

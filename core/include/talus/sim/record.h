@@ -45,7 +45,7 @@ struct ContactRecord {
   std::optional<SlopeProbe> slope;  // set if the contact led to a search for the slope's floor
   bool handled = false;             // false: found, but the solver did nothing more with it
   std::optional<Vec2> after = {};   // px, the motion that it went on with; only for exact
-  double impulse = 0;  // mass times px/frame, along the normal; only of bodies that meet: 0 if it only rests
+  double impulse = 0;  // mass times px/frame, along the normal, 0 if it changed no speed; only for exact
 };
 
 // A candidate of the broad phase whose box was tested against the body's path. Only the solvers on World,
