@@ -215,6 +215,12 @@ TEST(Fixes, ShapesCurvesAndTheSolver) {
   EXPECT_THAT(labels_of(level, "curves-need-exact"), ElementsAre("Choose the exact solver for this level"));
 }
 
+TEST(Fixes, CratesAreLetMeet) {
+  Level level = slope_level({"...", "###"});
+  level.spawns = {{"", {4, 0}, {}, "", BodyKind::crate, {8, 8}}};
+  EXPECT_THAT(labels_of(level, "needs-meet"), ElementsAre("Let bodies meet"));
+}
+
 TEST(Fixes, BodiesAreMovedOutOfTheGround) {
   Level level = slope_level({"......", "......", ".##ab.", "######"});
   level.spawns = {{"hero", {12, 19}, {}, "", BodyKind::player, {8, 8}}};

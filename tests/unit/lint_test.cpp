@@ -269,6 +269,22 @@ TEST(Lint, CurvesThatTheSolverIgnores) {
                                            "exact solver, but the level's solver is bump"));
 }
 
+TEST(Lint, CratesThatNothingPushes) {
+  Level level = level_of({"...", "###"});
+  level.spawns = {{"", {2, 0}, {}, "", BodyKind::ball, {8, 8}},
+                  {"", {12, 0}, {}, "", BodyKind::crate, {8, 8}}};
+  const auto lacks = ElementsAre(
+      "W needs-meet (1, 0): crate 2 moves like a ball: bodies are pushed and rub only with the solver exact "
+      "and bodies that meet");
+  EXPECT_THAT(problems(level), lacks);
+  level.tuning.solver = SolverKind::article;
+  EXPECT_THAT(problems(level), lacks);
+  level.tuning.shared.bodies = static_cast<double>(BodyPairs::meet);
+  EXPECT_THAT(problems(level), lacks);
+  level.tuning.solver = SolverKind::exact;
+  EXPECT_THAT(problems(level), IsEmpty());
+}
+
 TEST(Lint, ShapesDecideWhatIsSolid) {
   Level level = level_of({"o.-.", "/-.."});
   level.spawns.push_back({"", {12, 0}, {}, ""});

@@ -1,16 +1,18 @@
-// Finds ground that the level's solver does not know, or has too much of.
+// Finds ground and bodies that the level's solver does not know, and too much ground.
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include <talus/level/ground.h>
 #include "../bump_boxes.h"
+#include "../level_text.h"
 #include "fix_parts.h"
 #include "rule_group.h"
 
 namespace talus {
 namespace {
 
-LintFix fix_solver;
+LintFix fix_solver, fix_meet;
 
 constexpr LintRule kCurvesNeedExact{.code = "curves-need-exact",
                                     .label = "curves without their solver",
@@ -24,6 +26,10 @@ constexpr LintRule kNotInBump{
     .code = "ground-not-in-bump",
     .label = "ground that bump does not know",
     .by_hand = "Choose the solver exact in Tuning, or give the tiles other shapes."};
+constexpr LintRule kNeedsMeet{.code = "needs-meet",
+                              .label = "crates that nothing pushes",
+                              .by_hand = "Choose the solver exact, and meet for bodies, in Tuning.",
+                              .fix = fix_meet};
 constexpr LintRule kTooMuchGround{.code = "too-much-ground",
                                   .label = "too much ground for its solver",
                                   .by_hand = "Take ground away, or choose another solver in Tuning.",
@@ -86,6 +92,20 @@ void check_solver_of_curves(const Level& level, std::vector<Problem>& out) {
              std::string(solver_name(level.tuning.solver)));
 }
 
+// Mass and friction of a kind count only where bodies meet.
+void check_pairs(const Level& level, std::vector<Problem>& out) {
+  const Tuning& tuning = level.tuning;
+  if (tuning.solver == SolverKind::exact && tuning.shared.pairs() == BodyPairs::meet) return;
+  const auto first = std::find_if(level.spawns.begin(), level.spawns.end(),
+                                  [](const Spawn& spawn) { return traits_of(spawn.kind).friction > 0; });
+  if (first == level.spawns.end()) return;
+  const int index = static_cast<int>(first - level.spawns.begin());
+  report(out, kNeedsMeet,
+         spawn_name(level, index) +
+             " moves like a ball: bodies are pushed and rub only with the solver exact and bodies that meet",
+         nearest_cell(level.map, first->position), -1, index);
+}
+
 std::vector<Problem> ignored_ground_of(const Level& level, const GroundNames& names) {
   std::vector<Problem> problems;
   check_solver_of_curves(level, problems);
@@ -96,6 +116,7 @@ std::vector<Problem> ignored_ground_of(const Level& level, const GroundNames& na
 void check_solver(const LintContext& context, std::vector<Problem>& out) {
   for (Problem& problem : ignored_ground_of(context.level, context.tiles.names()))
     out.push_back(std::move(problem));
+  check_pairs(context.level, out);
   const auto& left_out = context.tiles.names().problem();
   if (const auto problem = left_out ? left_out : ground_problem(context.level))
     report(out, kTooMuchGround, "the level " + *problem);
@@ -108,12 +129,19 @@ void fix_solver(const LintContext& context, const Problem&, std::vector<Edit>& o
       single_change("Choose the exact solver for this level", TuningChange{context.level.tuning, tuning}));
 }
 
+void fix_meet(const LintContext& context, const Problem&, std::vector<Edit>& out) {
+  Tuning tuning = context.level.tuning;
+  tuning.solver = SolverKind::exact;
+  tuning.shared.bodies = static_cast<double>(BodyPairs::meet);
+  out.push_back(single_change("Let bodies meet", TuningChange{context.level.tuning, tuning}));
+}
+
 }  // namespace
 
 std::vector<Problem> ignored_ground(const Level& level) { return ignored_ground_of(level, {}); }
 
 const RuleGroup& solver_rules() {
-  static constexpr const LintRule* kRules[] = {&kCurvesNeedExact, &kNotInArticle, &kNotInBump,
+  static constexpr const LintRule* kRules[] = {&kCurvesNeedExact, &kNotInArticle, &kNotInBump, &kNeedsMeet,
                                                &kTooMuchGround};
   static constexpr RuleGroup kGroup{.rules = kRules, .check_level = check_solver};
   return kGroup;
