@@ -1,8 +1,6 @@
 // Carts with companions on the command line: every command sees the whole level.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <talus/formats/format.h>
 #include "cli_answer.h"
@@ -57,14 +55,8 @@ TEST_F(CliCompanions, SimPlaysTheWholeLevel) { expect_same("sim", {"--frames", "
 TEST_F(CliCompanions, ExportsHaveTheWholeLevel) { expect_same("export", {"--to", "json", "-o", "-"}); }
 
 TEST_F(CliCompanions, ShotsShowTheWholeLevel) {
-  // Runs in a process that does not look for leaks at its end: the OpenGL driver never frees some of its
-  // memory.
   const auto shot_status = [&](const std::string& file, const std::string& picture) {
-    const pid_t child = ::fork();
-    if (child == 0) ::_exit(run("shot", file, {"-o", path(picture)}).status);
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    return status;
+    return status_of_own_process({"shot", path(file), "-o", path(picture)});
   };
   EXPECT_EQ(shot_status("whole.talus.json", "whole.png"), 0);
   EXPECT_EQ(shot_status("game.tic", "cart.png"), 0);

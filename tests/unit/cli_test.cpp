@@ -295,8 +295,8 @@ TEST_F(CliShot, TheThemeIsThatOfTheWindow) {
   const std::string dark = path("dark.png"), light = path("light.png");
   EXPECT_EQ(cli_answer({"shot", kSix, "--light", "-o", light}).status, kExitUsage)
       << "the play view has no theme";
-  EXPECT_EQ(cli_answer({"shot", kSix, "--window", "700x450", "-o", dark}).status, kExitGood);
-  EXPECT_EQ(cli_answer({"shot", kSix, "--window", "700x450", "--light", "-o", light}).status, kExitGood);
+  EXPECT_EQ(status_of_own_process({"shot", kSix, "--window", "700x450", "-o", dark}), kExitGood);
+  EXPECT_EQ(status_of_own_process({"shot", kSix, "--window", "700x450", "--light", "-o", light}), kExitGood);
   EXPECT_NE(bytes_of(dark), bytes_of(light));
 }
 
