@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "cli/report/measure.h"
+#include "cli/report/meetings.h"
 #include "cli/report/plots.h"
 #include "cli/report/table.h"
 #include "command.h"
@@ -49,12 +50,15 @@ void report(CommandContext& context, const ReportOptions& options) {
   const BuildFacts facts = build_facts();
   // Checks this before the measurement takes its time.
   if (!may_write(context, folder + "report.csv", csv_of({}, facts)) ||
-      !may_write(context, folder + "report.md", page_of({}, facts, {})))
+      !may_write(context, folder + "meetings.csv", meetings_csv({}, facts)) ||
+      !may_write(context, folder + "report.md", page_of({}, facts, {}, {})))
     return;
 
   std::vector<Row> rows;
   for (const Setup& setup : report_setups()) rows.push_back(measure(setup, effort_of(options)));
   if (!write(context, folder + "report.csv", csv_of(rows, facts))) return;
+  const std::vector<MeetingRow> meetings = measure_meetings(options.quick ? 0.25 : 1);
+  if (!write(context, folder + "meetings.csv", meetings_csv(meetings, facts))) return;
 
   std::vector<PagePicture> pictures;
   for (const Plot& plot : report_plots()) {
@@ -65,7 +69,8 @@ void report(CommandContext& context, const ReportOptions& options) {
     if (!write(context, name + ".svg", *drawn)) return;
     pictures.push_back(plot.picture);
   }
-  if (!write(context, folder + "report.md", page_of(rows, facts, pictures))) return;
+  if (!write(context, folder + "report.md", page_of(rows, facts, pictures, meetings_section(meetings))))
+    return;
   say(context.out, std::to_string(rows.size()) + " rows in " + folder + "report.csv, " +
                        std::to_string(pictures.size()) + " plots");
   if (pictures.size() < report_plots().size()) {

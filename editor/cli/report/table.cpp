@@ -9,12 +9,6 @@
 namespace talus {
 namespace {
 
-std::string number(double value) {
-  std::string text;
-  append_number(text, value);
-  return text;
-}
-
 // Three significant digits, for people.
 std::string rounded(double value) {
   char text[32];
@@ -39,11 +33,11 @@ struct Column {
 
 template <std::optional<Spread> Row::*Kind>
 std::string max_of(const Row& row) {
-  return row.*Kind ? number((row.*Kind)->max) : "";
+  return row.*Kind ? csv_number((row.*Kind)->max) : "";
 }
 template <std::optional<Spread> Row::*Kind>
 std::string p999_of(const Row& row) {
-  return row.*Kind ? number((row.*Kind)->p999) : "";
+  return row.*Kind ? csv_number((row.*Kind)->p999) : "";
 }
 template <std::size_t Counts::*Kind>
 std::string count_of(const Row& row) {
@@ -57,10 +51,10 @@ std::vector<Column> csv_columns() {
       {"precision", [](const Row& r) { return std::string(precision_of(r.setup)); }},
       {"substeps", [](const Row& r) { return std::to_string(r.setup.substeps); }},
       {"segments", [](const Row& r) { return std::to_string(r.setup.segments); }},
-      {"scale_px", [](const Row& r) { return number(r.setup.scale); }},
+      {"scale_px", [](const Row& r) { return csv_number(r.setup.scale); }},
       {"tile_px", [](const Row& r) { return std::to_string(r.setup.tile); }},
       {"moves", [](const Row& r) { return std::to_string(r.moves); }},
-      {"ns_per_move", [](const Row& r) { return r.ns ? number(*r.ns) : ""; }},
+      {"ns_per_move", [](const Row& r) { return r.ns ? csv_number(*r.ns) : ""; }},
       {"geometry_max_px", max_of<&Row::geometry>},
       {"geometry_p999_px", p999_of<&Row::geometry>},
       {"impact_max_px", max_of<&Row::impact>},
@@ -213,13 +207,23 @@ ball that fell through the ground, or left the scene, is a large error of its ro
 
 }  // namespace
 
+std::string csv_number(double value) {
+  std::string text;
+  append_number(text, value);
+  return text;
+}
+
+std::string facts_of_csv(const BuildFacts& facts) {
+  return quoted(facts.commit) + ',' + quoted(facts.compiler) + ',' + quoted(facts.flags) + ',' +
+         quoted(facts.cpu);
+}
+
 std::string csv_of(std::span<const Row> rows, const BuildFacts& facts) {
   const std::vector<Column> columns = csv_columns();
   std::string csv;
   for (const Column& column : columns) csv += std::string(column.name) + ',';
   csv += "commit,compiler,flags,cpu\n";
-  const std::string tail = quoted(facts.commit) + ',' + quoted(facts.compiler) + ',' + quoted(facts.flags) +
-                           ',' + quoted(facts.cpu) + '\n';
+  const std::string tail = facts_of_csv(facts) + '\n';
   for (const Row& row : rows) {
     for (const Column& column : columns) csv += column.text(row) + ',';
     csv += tail;
@@ -227,8 +231,8 @@ std::string csv_of(std::span<const Row> rows, const BuildFacts& facts) {
   return csv;
 }
 
-std::string page_of(std::span<const Row> rows, const BuildFacts& facts,
-                    std::span<const PagePicture> pictures) {
+std::string page_of(std::span<const Row> rows, const BuildFacts& facts, std::span<const PagePicture> pictures,
+                    const std::string& meetings) {
   std::string page(kIntroduction);
   page += "Commit " + facts.commit + "; " + facts.compiler + " with `" + facts.flags + "`; " + facts.cpu +
           ". The errors are the same in every run; the times are not.\n\n";
@@ -239,7 +243,7 @@ std::string page_of(std::span<const Row> rows, const BuildFacts& facts,
   page +=
       "## Where exact loses\n\nAgainst double precision, one step and the curve itself, the row that is "
       "furthest ahead:\n\n";
-  page += losses_of(rows);
+  page += losses_of(rows) + meetings;
   for (const ReportSceneInfo& info : report_scenes()) page += scene_of(rows, info);
   return page;
 }

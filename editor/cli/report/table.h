@@ -14,6 +14,10 @@ struct BuildFacts {
   std::string commit, compiler, flags, cpu;
 };
 BuildFacts build_facts();
+// The shortest text that reads back as the same double.
+std::string csv_number(double value);
+// The last columns of a line of a CSV file: commit, compiler, flags, cpu.
+std::string facts_of_csv(const BuildFacts& facts);
 
 struct PagePicture {
   std::string_view name;     // of the file beside the page, without ".svg"
@@ -21,8 +25,8 @@ struct PagePicture {
 };
 
 std::string csv_of(std::span<const Row> rows, const BuildFacts& facts);
-// In Markdown.
-std::string page_of(std::span<const Row> rows, const BuildFacts& facts,
-                    std::span<const PagePicture> pictures);
+// In Markdown. meetings: a section that follows that of the losses.
+std::string page_of(std::span<const Row> rows, const BuildFacts& facts, std::span<const PagePicture> pictures,
+                    const std::string& meetings);
 
 }  // namespace talus
