@@ -62,7 +62,9 @@ std::int64_t Meeting::step(State& state, const Input& input, StepRecord* record,
   part_overlaps();
   for (int i = 0; i < parts_ && !is_stopped_; ++i) {
     started_ = i * part_;
+    if (i > 0 && record_ == nullptr) wake_touched();
     run_part();
+    if (i == 0 && record_ == nullptr) form_islands();
   }
   give(state);
   remember(state);
@@ -100,6 +102,7 @@ void Meeting::take(State& state, const Input& input) {
       if (!(gravity_.y > 0)) velocity.y = lerp(velocity.y, t.fall_speed, t.fall_blend);
       member.pull = gravity_;
     }
+    member.is_steady = velocity == body.velocity;
     if (record_ != nullptr) record_->paths[i].goal = body.box.position() + velocity + member.pull * 0.5;
   }
 }
@@ -109,8 +112,8 @@ void Meeting::run_part() {
   for (std::uint32_t i = 0; i < members_.size(); ++i) {
     Member& member = members_[i];
     member.moving.path.time = 0;
-    member.moving.path.pull = member.is_asleep ? Vec2() : member.pull;
-    member.events = member.is_asleep ? 1 : 0;  // the one that would hold it
+    member.moving.path.pull = member.is_asleep || member.is_capped ? Vec2() : member.pull;
+    member.events = member.is_asleep ? rests_[i].events : 0;
     member.bounced = -1;
     sweep(i);
   }
@@ -145,8 +148,9 @@ void Meeting::give(State& state) {
   for (std::size_t i = 0; i < members_.size(); ++i) {
     const Member& member = members_[i];
     if (record_ != nullptr) record_->paths[i].to = state.bodies[i].box;
-    if (member.is_asleep || (member.inverse_mass == 0 && !member.is_capped)) continue;
     Body& body = state.bodies[i];
+    const bool is_as_before = member.is_asleep && member.is_grounded == body.gait.grounded && body.is_clear;
+    if (is_as_before || (member.inverse_mass == 0 && !member.is_capped)) continue;
     const FallPath& path = member.moving.path;
     const Vec2 place = within_limits(path.place, path.place);
     const Vec2 velocity = within_limits({}, path.velocity);

@@ -44,6 +44,8 @@ class Meeting {
     bool is_inner = false;  // of the set that is resolved, and solved with it
     bool is_cut = false;    // it was solved with a part of those that it touches
     bool is_grounded = false;
+    bool is_steady = false;  // nothing changed its velocity before the step began
+    bool is_late = false;    // it was solved after the beginning of the step
     bool is_held = false;    // by the mouse
     bool is_asleep = false;  // it rests as in the step before; nothing looks for what it meets
     bool is_capped = false;
@@ -69,14 +71,14 @@ class Meeting {
   struct Rest {
     Rect box;
     Vec2 velocity;
-    std::uint32_t set = 0;  // from 1: with which it was solved at the beginning of the step; 0: with none
+    std::uint32_t island = 0;  // from 1; 0: none
+    int events = 0;            // as Member::events, after it was solved
     bool is_of(const Body& body) const { return body.box == box && body.velocity == velocity; }
   };
-  // Bodies that were solved together at the beginning of a step.
-  struct RestingSet {
-    std::size_t first = 0, end = 0;  // in in_sets_
+  // Bodies that were solved with one another, and rest; and those that they rest against.
+  struct Island {
+    std::size_t first = 0, end = 0;  // in in_islands_
     bool is_same = true;             // no bit of them has changed since
-    bool is_cut = false;             // they are a part of a larger pile
   };
 
   // meeting.cpp
@@ -96,9 +98,14 @@ class Meeting {
 
   // meeting_rest.cpp
   void fall_asleep(const State& state);
+  void keep_sleeping_islands();
+  template <class Holds>
+  bool all_of(const Island& island, Holds holds) const;
   void wake_touched();
   void wake_beside(std::uint32_t index);
   void remember_set();
+  bool is_unchanged(std::uint32_t index) const;
+  void form_islands();
   void remember(const State& state);
 
   // meeting_set.cpp
@@ -118,6 +125,7 @@ class Meeting {
   bool probe(std::size_t place, Vec2 way, double fastest);
   bool is_new(std::size_t place, Vec2 normal) const;
   void bounce();
+  void level_out();
   bool choose(bool is_late);
   bool is_level(Vec2 normal) const;
   double bounce_of(const Touch& touch) const;
@@ -142,9 +150,11 @@ class Meeting {
   CastBudget budget_;
   std::vector<Member> members_;  // by index of the body
   std::vector<Rest> rests_;      // the same
-  std::vector<RestingSet> sets_;
-  std::vector<std::uint32_t> in_sets_;  // indices of bodies
-  std::vector<Event> events_;           // a heap, the earliest first
+  std::vector<Island> islands_;
+  std::vector<std::uint32_t> in_islands_;  // indices of bodies
+  std::vector<std::uint32_t> solved_;      // the same, of the sets of the first part, one after the other
+  std::vector<std::size_t> solved_ends_;   // of the sets, in solved_
+  std::vector<Event> events_;              // a heap, the earliest first
   std::vector<std::uint32_t> near_;
   // Of the set that is resolved.
   double time_ = 0;     // frames since the part of the step began

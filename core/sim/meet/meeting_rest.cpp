@@ -1,123 +1,166 @@
-// Bodies that rest cost next to nothing. A set of them that was solved at the beginning of the last step, and
-// that nothing has changed since, would be solved alike: it sleeps. So no bit depends on sleep.
+// Bodies that rest cost next to nothing. An island is all bodies that were solved with one another, directly
+// or through others. Where a step has changed none of them, the next one would change nothing either: the
+// island sleeps until something touches it. So no bit depends on sleep.
 #include "meeting.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace talus {
 
+// Called before a step.
 void Meeting::fall_asleep(const State& state) {
   const std::size_t count = state.bodies.size();
   // A record tells of each contact, also of those that change nothing.
   if (rests_.size() != count || record_ != nullptr) {
     rests_.assign(count, {});
-    sets_.clear();
+    islands_.clear();
   }
-  for (RestingSet& set : sets_) {
-    for (std::size_t i = set.first; i < set.end && set.is_same; ++i) {
-      const std::uint32_t index = in_sets_[i];
-      const Body& body = state.bodies[index];
-      const Rest& rest = rests_[index];
-      set.is_same = rest.is_of(body) && body.is_clear && !members_[index].is_held;
-    }
+  solved_.clear();
+  solved_ends_.clear();
+  for (Island& island : islands_) {
+    island.is_same = island.is_same && all_of(island, [&](std::uint32_t index) {
+                       const Body& body = state.bodies[index];
+                       return rests_[index].is_of(body) && body.is_clear && !members_[index].is_held;
+                     });
   }
   wake_touched();
   for (std::size_t i = 0; i < count; ++i) {
     Member& member = members_[i];
     if (!member.is_asleep) {
-      rests_[i].set = 0;
+      rests_[i].island = 0;
       continue;
     }
     member.moving.path.velocity = {};
     member.is_grounded = state.bodies[i].gait.grounded;
   }
-  // The sets that still sleep stay, the others begin anew.
-  std::vector<std::uint32_t> kept;
-  std::vector<std::uint32_t> number(sets_.size() + 1, 0);
-  std::size_t sets = 0;
-  for (std::size_t k = 0; k < sets_.size(); ++k) {
-    if (!sets_[k].is_same) continue;
-    const std::size_t first = kept.size();
-    kept.insert(kept.end(), in_sets_.begin() + static_cast<std::ptrdiff_t>(sets_[k].first),
-                in_sets_.begin() + static_cast<std::ptrdiff_t>(sets_[k].end));
-    sets_[sets++] = {first, kept.size(), true, sets_[k].is_cut};
-    number[k + 1] = static_cast<std::uint32_t>(sets);
-  }
-  sets_.resize(sets);
-  in_sets_ = std::move(kept);
-  for (Rest& rest : rests_) rest.set = number[rest.set];
+  keep_sleeping_islands();
 }
 
-// A set wakes if something new touches it. Which bodies of a large pile are solved together depends on all of
-// it, so that it sleeps as a whole or not at all.
+void Meeting::keep_sleeping_islands() {
+  std::vector<std::uint32_t> kept;
+  std::vector<std::uint32_t> number(islands_.size() + 1, 0);
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < islands_.size(); ++k) {
+    const Island island = islands_[k];
+    if (!island.is_same) continue;
+    const std::size_t first = kept.size();
+    kept.insert(kept.end(), in_islands_.begin() + static_cast<std::ptrdiff_t>(island.first),
+                in_islands_.begin() + static_cast<std::ptrdiff_t>(island.end));
+    islands_[count++] = {first, kept.size()};
+    number[k + 1] = static_cast<std::uint32_t>(count);
+  }
+  islands_.resize(count);
+  in_islands_ = std::move(kept);
+  for (Rest& rest : rests_) rest.island = number[rest.island];
+}
+
+template <class Holds>
+bool Meeting::all_of(const Island& island, Holds holds) const {
+  return std::all_of(in_islands_.begin() + static_cast<std::ptrdiff_t>(island.first),
+                     in_islands_.begin() + static_cast<std::ptrdiff_t>(island.end), holds);
+}
+
+// Says which bodies sleep in a part of a step.
 void Meeting::wake_touched() {
-  const auto is_in = [&](std::uint32_t index) {
-    const std::uint32_t set = rests_[index].set;
-    return set != 0 && sets_[set - 1].is_same && members_[index].inverse_mass > 0;
-  };
   const auto find_sleepers = [&] {
-    for (std::uint32_t i = 0; i < members_.size(); ++i) members_[i].is_asleep = is_in(i);
+    for (std::uint32_t i = 0; i < members_.size(); ++i) {
+      const std::uint32_t island = rests_[i].island;
+      members_[i].is_asleep = island != 0 && islands_[island - 1].is_same && members_[i].inverse_mass > 0;
+    }
   };
   find_sleepers();
-  for (std::uint32_t i = 0; !sets_.empty() && i < members_.size(); ++i) {
+  for (std::uint32_t i = 0; !islands_.empty() && i < members_.size(); ++i) {
     if (!members_[i].is_asleep) wake_beside(i);
   }
-  bool has_changed = true;
-  while (has_changed) {
-    has_changed = false;
-    for (RestingSet& set : sets_) {
-      for (std::size_t i = set.first; i < set.end && set.is_same && set.is_cut; ++i) {
-        const std::uint32_t index = in_sets_[i];
-        if (members_[index].inverse_mass == 0 || is_in(index)) continue;
-        set.is_same = false;
-        has_changed = true;
-      }
-    }
-  }
   find_sleepers();
 }
 
-// Wakes the sets that a body touches without being in them.
+// Wakes the islands that a body touches without being in them.
 void Meeting::wake_beside(std::uint32_t index) {
   const Rect box = members_[index].moving.at(0);
   if (!grid_.near(touch_area(box), index, budget_.left, near_)) return;
   for (const std::uint32_t other : near_) {
     if (!members_[other].is_asleep) continue;
-    RestingSet& set = sets_[rests_[other].set - 1];
+    Island& island = islands_[rests_[other].island - 1];
+    if (!island.is_same) continue;
     if (!touching_normal(box, members_[other].moving.at(0), index < other)) continue;
-    const auto first = in_sets_.begin() + static_cast<std::ptrdiff_t>(set.first);
-    const auto end = in_sets_.begin() + static_cast<std::ptrdiff_t>(set.end);
-    if (std::find(first, end, index) == end) set.is_same = false;
+    island.is_same = !all_of(island, [&](std::uint32_t member) { return member != index; });
   }
 }
 
 // Called for each set that was solved.
 void Meeting::remember_set() {
-  const bool is_first = time_ == 0 && started_ == 0 && record_ == nullptr;
-  const bool is_cut =
-      std::any_of(set_.begin(), set_.end(), [&](std::uint32_t i) { return members_[i].is_cut; });
-  if (is_first) sets_.push_back({in_sets_.size(), in_sets_.size() + set_.size(), true, is_cut});
   for (std::size_t i = 0; i < set_.size(); ++i) {
-    if (is_first) in_sets_.push_back(set_[i]);
     if (!is_inner(i)) continue;
-    Rest& rest = rests_[set_[i]];
-    if (rest.set != 0) sets_[rest.set - 1].is_same = false;  // it was solved twice
-    rest.set = is_first && rest.set == 0 ? static_cast<std::uint32_t>(sets_.size()) : 0;
-    members_[set_[i]].is_asleep = false;
+    Member& member = members_[set_[i]];
+    if (const std::uint32_t island = rests_[set_[i]].island; island != 0)
+      islands_[island - 1].is_same = false;
+    member.is_asleep = false;
+    member.is_late = member.is_late || time_ > 0;
+  }
+  if (started_ > 0) return;
+  solved_.insert(solved_.end(), set_.begin(), set_.end());
+  solved_ends_.push_back(solved_.size());
+}
+
+// Whether a body is after the first part of a step as it was before it, and rests.
+bool Meeting::is_unchanged(std::uint32_t index) const {
+  const Member& member = members_[index];
+  const Body& body = state_->bodies[index];
+  if (member.inverse_mass == 0 && !member.is_capped) return rests_[index].is_of(body);
+  const FallPath& path = member.moving.path;
+  return !member.is_late && !member.is_capped && !member.is_held && (member.is_steady || parts_ == 1) &&
+         path.place == body.box.position() && path.velocity == body.velocity && path.velocity == Vec2();
+}
+
+// Called after the first part of a step: joins what was solved together to islands.
+void Meeting::form_islands() {
+  std::vector<std::uint32_t> leader(members_.size());
+  std::iota(leader.begin(), leader.end(), 0u);
+  const auto leader_of = [&](std::uint32_t i) {
+    while (leader[i] != i) i = leader[i] = leader[leader[i]];
+    return i;
+  };
+  const auto moves = [&](std::uint32_t i) { return members_[i].inverse_mass > 0 || members_[i].is_capped; };
+  const auto for_sets = [&](auto use) {
+    for (std::size_t k = 0, first = 0; k < solved_ends_.size(); first = solved_ends_[k++]) {
+      const std::span set(solved_.data() + first, solved_ends_[k] - first);
+      const auto one = std::find_if(set.begin(), set.end(), moves);
+      if (one != set.end()) use(set, *one);
+    }
+  };
+  for_sets([&](auto set, std::uint32_t one) {
+    for (const std::uint32_t index : set) {
+      if (moves(index)) leader[leader_of(index)] = leader_of(one);
+    }
+  });
+  // What does not move may be of several islands, and joins none.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> found;  // leader, index
+  for_sets([&](auto set, std::uint32_t one) {
+    for (const std::uint32_t index : set) found.emplace_back(leader_of(one), index);
+  });
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  for (auto first = found.begin(); first != found.end();) {
+    const auto end = std::find_if(first, found.end(), [&](auto& f) { return f.first != first->first; });
+    const bool is_same = std::all_of(first, end, [&](auto& f) { return is_unchanged(f.second); });
+    const std::size_t begins = in_islands_.size();
+    for (; first != end; ++first) {
+      if (!is_same) continue;
+      in_islands_.push_back(first->second);
+      if (!moves(first->second)) continue;
+      rests_[first->second].island = static_cast<std::uint32_t>(islands_.size() + 1);
+      rests_[first->second].events = members_[first->second].events;
+    }
+    if (is_same) islands_.push_back({begins, in_islands_.size()});
   }
 }
 
 void Meeting::remember(const State& state) {
-  std::vector<char> is_same(members_.size());
   for (std::size_t i = 0; i < members_.size(); ++i) {
-    const Body& body = state.bodies[i];
-    Rest& rest = rests_[i];
-    is_same[i] = rest.is_of(body) && !members_[i].is_capped;
-    rest.box = body.box;
-    rest.velocity = body.velocity;
-  }
-  for (RestingSet& set : sets_) {
-    for (std::size_t i = set.first; i < set.end && set.is_same; ++i) set.is_same = is_same[in_sets_[i]] != 0;
+    rests_[i].box = state.bodies[i].box;
+    rests_[i].velocity = state.bodies[i].velocity;
   }
 }
 
