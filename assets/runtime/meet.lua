@@ -151,7 +151,10 @@ function M.solve()
   for i = 1, size do
     if M.pull_on(i) > 0 then M.release(i) end
   end
-  if #free > 0 then M.go(false) end
+  local function lift_bars()
+    for i = 1, size do is_barred[i] = false end
+  end
+  if #free > 0 and M.go(false) then lift_bars() end
   for _ = 1, 16 * size + 16 do
     local worst, most = nil, 0.0
     for i = 1, size do
@@ -162,9 +165,7 @@ function M.solve()
     end
     if not worst then return true end
     M.release(worst)
-    if M.go(true) then
-      for i = 1, size do is_barred[i] = false end
-    end
+    if M.go(true) then lift_bars() end
   end
   return false
 end
@@ -463,7 +464,7 @@ function M.next_ground(world, m, to)
     if not contact then break end
     local t, nx, ny = M.arrival(m, contact, to - m.time)
     t = m.time + t
-    if found and not (t < found) then break end
+    if not (t < to) then break end  -- what it comes to at the end of a part belongs to the next one
     local x_, y_ = place_at(m, t)
     x_, y_ = put_on(contact, x_, y_, m.w, m.h)
     found, found_x, found_y, found_nx, found_ny, last = t, x_, y_, nx, ny, contact
@@ -781,6 +782,21 @@ function M.choose(n, is_late)
   return approaches, chosen
 end
 
+-- What is left of an approach that is too slow to bounce would add up over the frames.
+function M.level_out()
+  local chosen, approaches = {}, false
+  for _, touch in ipairs(touches) do
+    local is_own = touch.a.inner and (not touch.b or touch.b.inner)
+    local speed = M.speed(touch, touch.nx, touch.ny)
+    approaches = approaches or is_own and speed < -1e-14
+    if is_own and not (speed > touch.still) then
+      chosen[#chosen + 1] = {a = touch.a, b = touch.b, nx = touch.nx, ny = touch.ny, bounce = 0.0, friction = 0.0,
+                             impulse = 0.0, still = touch.still}
+    end
+  end
+  if approaches then M.reflect(chosen) end
+end
+
 -- Reflects what approaches, again until nothing does.
 function M.bounce(world)
   local changed = {}
@@ -792,7 +808,7 @@ function M.bounce(world)
       changed[m] = nil
     end
     local approaches, chosen = M.choose(world.tuning, turn >= most)
-    if not approaches then return end
+    if not approaches then return M.level_out() end
     M.reflect(chosen)
     for _, touch in ipairs(chosen) do
       changed[touch.a] = true
@@ -1019,6 +1035,7 @@ function M.run_part(world)
   events, event_count, set = {}, 0, {}
   for _, m in ipairs(members) do
     m.time, m.px, m.py, m.events, m.bounced = 0.0, m.pull_x, m.pull_y, 0, -1.0
+    if m.capped then m.px, m.py = 0.0, 0.0 end
     M.sweep(m)
   end
   for _, m in ipairs(members) do

@@ -4,7 +4,6 @@
 #include "exact_boxes.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace talus::reference {
@@ -336,11 +335,6 @@ bool ExactBoxes::push(const std::vector<Touch>& set) {
     }
     speeds.push_back(speed(set[i]));
   }
-  // Of contacts that depend on one another, as of four boxes in a ring, the core may leave one out that
-  // presses.
-  std::vector<std::size_t> all(set.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  if (!solved(matrix, speeds, all)) return false;
   const auto impulses = complementary(matrix, speeds);
   if (!impulses) return false;
   const int axis = set.front().axis;

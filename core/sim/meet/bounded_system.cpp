@@ -47,7 +47,8 @@ bool BoundedSystem::solve() {
   for (std::size_t i = 0; i < size_; ++i) {
     if (pull_on(i) > 0) release(i);
   }
-  if (!free_.empty()) go(false);
+  const auto lift_bars = [&] { std::fill(is_barred_.begin(), is_barred_.end(), 0); };
+  if (!free_.empty() && go(false)) lift_bars();
   for (std::size_t tries = 0; tries < 16 * size_ + 16; ++tries) {
     std::size_t worst = size_;
     double most = 0;
@@ -60,7 +61,7 @@ bool BoundedSystem::solve() {
     }
     if (worst == size_) return true;
     release(worst);
-    if (go(true)) std::fill(is_barred_.begin(), is_barred_.end(), 0);
+    if (go(true)) lift_bars();
   }
   return false;
 }

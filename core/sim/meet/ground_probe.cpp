@@ -96,7 +96,7 @@ std::optional<GroundMeeting> GroundProbe::next_meeting(const MovingBox& box, dou
     if (!contact) break;
     const Arrival<double> then = arrival(ground_, box, contact, to - box.path.time);
     const double time = box.path.time + then.time;
-    if (found && !(time < found->time)) break;
+    if (!(time < to)) break;  // what it comes to at the end of a part belongs to the next one
     Rect there = box.at(time);
     put_on(ground_, contact, there);
     found = GroundMeeting{time, then.normal, there.position(), contact};

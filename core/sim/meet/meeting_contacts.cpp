@@ -208,7 +208,7 @@ void Meeting::bounce() {
       if (is_changed[i]) probe(i, inertias_[i].velocity, -kStillOnGround);
       is_changed[i] = 0;
     }
-    if (!choose(turn >= most)) return;
+    if (!choose(turn >= most)) return level_out();
     contacts_.reflect(inertias_, chosen_);
     budget_.left -= contacts_.take_work();
     for (std::size_t i = 0; i < chosen_.size(); ++i) {
@@ -217,6 +217,27 @@ void Meeting::bounce() {
       if (chosen_[i].b != Touch::kGround) is_changed[static_cast<std::size_t>(chosen_[i].b)] = 1;
     }
   }
+}
+
+// What is left of an approach that is too slow to bounce would add up over the frames.
+void Meeting::level_out() {
+  constexpr double kLeft = 1e-14;  // px/frame
+  bool approaches = false;
+  chosen_.clear();
+  for (const Met& met : met_) {
+    const bool is_own = met.touch.b == Touch::kGround || is_inner(static_cast<std::size_t>(met.touch.b));
+    if (!is_own || !is_inner(static_cast<std::size_t>(met.touch.a))) continue;
+    const double speed = ContactSet::speed(met.touch, inertias_, met.touch.normal);
+    approaches = approaches || speed < -kLeft;
+    if (speed > met.touch.still()) continue;
+    Touch& touch = chosen_.emplace_back();
+    touch.a = met.touch.a;
+    touch.b = met.touch.b;
+    touch.normal = met.touch.normal;
+  }
+  if (!approaches) return;
+  contacts_.reflect(inertias_, chosen_);
+  budget_.left -= contacts_.take_work();
 }
 
 // ---- Rest ----
