@@ -64,7 +64,7 @@ function M.hold_number(at)
 end
 
 -- Factors the rows of the free numbers that are new; false if the last one is no new direction.
-function M.extend()
+function M.extend(least)
   while factored < #free do
     local i, row = free[factored + 1], factored * size
     local rest = A[(i - 1) * size + i]
@@ -75,7 +75,7 @@ function M.extend()
       lower[row + k] = value
       rest = rest - value * value
     end
-    if not (rest > 1e-13 * A[(i - 1) * size + i]) then return false end
+    if not (rest > least * A[(i - 1) * size + i]) then return false end
     lower[row + factored + 1] = sqrt(rest)
     factored = factored + 1
   end
@@ -95,9 +95,10 @@ function M.aim()
     goal[k] = sum / lower[row + k]
   end
   for k = count, 1, -1 do
-    local sum = goal[k]
-    for j = k + 1, count do sum = sum - lower[(j - 1) * size + k] * goal[j] end
-    goal[k] = sum / lower[(k - 1) * size + k]
+    local row = (k - 1) * size
+    local value = goal[k] / lower[row + k]
+    goal[k] = value
+    for j = 1, k - 1 do goal[j] = goal[j] - lower[row + j] * value end
   end
 end
 
@@ -106,7 +107,7 @@ function M.go(is_one)
   local newest = free[#free]
   local wanted, has_moved = slope[newest] < 0 and 1 or -1, false
   while #free > 0 do
-    if not M.extend() then
+    if not M.extend(1e-13) then
       is_barred[free[factored + 1]] = true
       M.hold_number(factored + 1)
     else
@@ -146,10 +147,16 @@ end
 
 function M.solve()
   for i = #free, 1, -1 do free[i] = nil end
-  for i = 1, size do is_free[i], is_barred[i] = false, false end
+  for i = 1, size do is_free[i] = false end
   factored = 0
+  return M.solve_on()
+end
+
+-- Goes on with the numbers that are free, which is quicker where only b has changed a little.
+function M.solve_on()
+  for i = 1, size do is_barred[i] = false end
   for i = 1, size do
-    if M.pull_on(i) > 0 then M.release(i) end
+    if not is_free[i] and M.pull_on(i) > 0 then M.release(i) end
   end
   local function lift_bars()
     for i = 1, size do is_barred[i] = false end
@@ -170,8 +177,17 @@ function M.solve()
   return false
 end
 
+-- Whether the rows of A are directions of their own, not nearly sums of others.
+function M.has_one_answer()
+  for i = #free, size + 1, -1 do free[i] = nil end
+  for i = 1, size do free[i] = i end
+  factored = 0
+  return M.extend(1e-6)
+end
+
 -- Of several answers, finds the one that shares the load most evenly.
 function M.solve_evenly()
+  if M.has_one_answer() then return M.solve() end
   local largest = 0.0
   for i = 1, size do largest = max(largest, A[(i - 1) * size + i]) end
   local more, whole, diagonal = 1e-5 * largest, {}, {}
@@ -180,13 +196,13 @@ function M.solve_evenly()
     whole[i], diagonal[i] = b[i], A[at]
     A[at] = A[at] + more
   end
-  for _ = 1, 8 do
+  for turn = 1, 8 do
     local last = {}
     for i = 1, size do
       last[i] = x[i]
       b[i] = whole[i] - more * x[i]
     end
-    M.solve()
+    if turn == 1 then M.solve() else M.solve_on() end
     local change, scale = 0.0, 0.0
     for i = 1, size do
       change, scale = max(change, abs(x[i] - last[i])), max(scale, abs(x[i]))

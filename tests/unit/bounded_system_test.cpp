@@ -84,7 +84,7 @@ TEST(BoundedSystem, CountsItsWork) {
   EXPECT_EQ(system.take_work(), 0);
   system.begin(64);
   for (std::size_t i = 0; i < 64; ++i) {
-    system.a(i, i) = 1;
+    for (std::size_t k = 0; k < 64; ++k) system.a(i, k) = i == k ? 1 : 0.001;
     system.b(i) = -1;
     system.bound(i, 0, kAny);
   }

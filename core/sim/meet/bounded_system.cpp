@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace talus {
@@ -27,6 +28,8 @@ void BoundedSystem::begin(std::size_t size) {
   is_free_.assign(size, 0);
   is_barred_.assign(size, 0);
   lower_.assign(size * size, 0);
+  first_.assign(size, 0);
+  near_begin_.clear();
   free_.clear();
   factored_ = 0;
 }
@@ -38,14 +41,33 @@ void BoundedSystem::bound(std::size_t row, double low, double high) {
   x_[row] = std::clamp(x_[row], low, high);
 }
 
+void BoundedSystem::index() {
+  if (!near_begin_.empty()) return;
+  near_.clear();
+  near_begin_.reserve(size_ + 1);
+  near_begin_.push_back(0);
+  for (std::size_t i = 0; i < size_; ++i) {
+    for (std::size_t k = 0; k < size_; ++k) {
+      if (a_[i * size_ + k] != 0) near_.push_back(k);
+    }
+    near_begin_.push_back(near_.size());
+  }
+}
+
 bool BoundedSystem::solve() {
+  index();
   std::fill(is_free_.begin(), is_free_.end(), 0);
-  std::fill(is_barred_.begin(), is_barred_.end(), 0);
   free_.clear();
   factored_ = 0;
+  return solve_on();
+}
+
+// Goes on with the numbers that are free, which is quicker where only b has changed a little.
+bool BoundedSystem::solve_on() {
+  std::fill(is_barred_.begin(), is_barred_.end(), 0);
   // Most contacts press: all that would are tried at once, and then those that are left, the worst first.
   for (std::size_t i = 0; i < size_; ++i) {
-    if (pull_on(i) > 0) release(i);
+    if (!is_free_[i] && pull_on(i) > 0) release(i);
   }
   const auto lift_bars = [&] { std::fill(is_barred_.begin(), is_barred_.end(), 0); };
   if (!free_.empty() && go(false)) lift_bars();
@@ -71,6 +93,7 @@ bool BoundedSystem::solve() {
 bool BoundedSystem::solve_evenly() {
   constexpr double kShare = 1e-5, kSame = 1e-14;
   constexpr int kMostTurns = 8;
+  if (has_one_answer()) return solve();
   double largest = 0;
   for (std::size_t i = 0; i < size_; ++i) largest = std::max(largest, a(i, i));
   const double more = kShare * largest;
@@ -83,7 +106,7 @@ bool BoundedSystem::solve_evenly() {
   for (int turn = 0; turn < kMostTurns; ++turn) {
     const std::vector<double> last = x_;
     for (std::size_t i = 0; i < size_; ++i) b_[i] = whole[i] - more * x_[i];
-    solve();
+    turn == 0 ? solve() : solve_on();
     double change = 0, scale = 0;
     for (std::size_t i = 0; i < size_; ++i) {
       change = std::max(change, std::abs(x_[i] - last[i]));
@@ -98,11 +121,20 @@ bool BoundedSystem::solve_evenly() {
   return solve();
 }
 
+// Whether the rows of A are directions of their own, not nearly sums of others.
+bool BoundedSystem::has_one_answer() {
+  constexpr double kOwn = 1e-6;
+  free_.resize(size_);
+  std::iota(free_.begin(), free_.end(), std::size_t{0});
+  factored_ = 0;
+  return extend(kOwn);
+}
+
 // How far from its best a number is that rests, as the slope at it; 0 if a bound or rounding keeps it there.
 double BoundedSystem::pull_on(std::size_t row) {
-  work_ += static_cast<std::int64_t>(size_);
+  work_ += static_cast<std::int64_t>(near(row).size());
   double slope = b_[row], scale = std::abs(b_[row]);
-  for (std::size_t k = 0; k < size_; ++k) {
+  for (const std::size_t k : near(row)) {
     const double part = a_[row * size_ + k] * x_[k];
     slope += part;
     scale += std::abs(part);
@@ -123,22 +155,26 @@ void BoundedSystem::hold(std::size_t at) {
   factored_ = std::min(factored_, at);
 }
 
-// Factors the rows of the free numbers that are new. Returns false, and lets the last number rest, if its row
-// is no new direction.
-bool BoundedSystem::extend() {
+// Factors the rows of the free numbers that are new. Returns false at the first whose row is no new
+// direction: less of it is left than this share.
+bool BoundedSystem::extend(double least) {
   for (; factored_ < free_.size(); ++factored_) {
-    work_ += static_cast<std::int64_t>(factored_ * factored_ / 2);
     const std::size_t i = free_[factored_];
     double* const row = &lower_[factored_ * size_];
+    std::size_t first = 0;
+    while (first < factored_ && a_[i * size_ + free_[first]] == 0) ++first;
+    first_[factored_] = first;
+    const std::size_t width = factored_ - first;
+    work_ += static_cast<std::int64_t>(first / 8 + width * width / 2);
     double rest = a_[i * size_ + i];
-    for (std::size_t k = 0; k < factored_; ++k) {
+    for (std::size_t k = first; k < factored_; ++k) {
       double sum = a_[i * size_ + free_[k]];
       const double* const other = &lower_[k * size_];
-      for (std::size_t j = 0; j < k; ++j) sum -= row[j] * other[j];
+      for (std::size_t j = std::max(first, first_[k]); j < k; ++j) sum -= row[j] * other[j];
       row[k] = sum / other[k];
       rest -= row[k] * row[k];
     }
-    if (!(rest > kDependent * a_[i * size_ + i])) return false;
+    if (!(rest > least * a_[i * size_ + i])) return false;
     row[factored_] = std::sqrt(rest);
   }
   return true;
@@ -147,21 +183,21 @@ bool BoundedSystem::extend() {
 // Where the free numbers want to be.
 void BoundedSystem::aim() {
   const std::size_t count = free_.size();
-  work_ += static_cast<std::int64_t>(count * (size_ + count));
   goal_.assign(count, 0);
   for (std::size_t k = 0; k < count; ++k) {
     double sum = -b_[free_[k]];
-    for (std::size_t j = 0; j < size_; ++j) {
+    for (const std::size_t j : near(free_[k])) {
       if (!is_free_[j]) sum -= a_[free_[k] * size_ + j] * x_[j];
     }
     const double* const row = &lower_[k * size_];
-    for (std::size_t j = 0; j < k; ++j) sum -= row[j] * goal_[j];
+    for (std::size_t j = first_[k]; j < k; ++j) sum -= row[j] * goal_[j];
     goal_[k] = sum / row[k];
+    work_ += static_cast<std::int64_t>(near(free_[k]).size() + 2 * (k - first_[k]));
   }
   for (std::size_t k = count; k-- > 0;) {
-    double sum = goal_[k];
-    for (std::size_t j = k + 1; j < count; ++j) sum -= lower_[j * size_ + k] * goal_[j];
-    goal_[k] = sum / lower_[k * size_ + k];
+    const double* const row = &lower_[k * size_];
+    goal_[k] /= row[k];
+    for (std::size_t j = first_[k]; j < k; ++j) goal_[j] -= row[j] * goal_[k];
   }
 }
 
@@ -173,7 +209,7 @@ bool BoundedSystem::go(bool is_one) {
   const double wanted = slope_[newest] < 0 ? 1 : -1;
   bool has_moved = false;
   while (!free_.empty()) {
-    if (!extend()) {
+    if (!extend(kDependent)) {
       is_barred_[free_[factored_]] = 1;
       hold(factored_);
       continue;

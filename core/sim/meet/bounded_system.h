@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace talus {
@@ -35,22 +36,32 @@ class BoundedSystem {
   std::int64_t take_work();
 
  private:
+  void index();
+  bool solve_on();
+  std::span<const std::size_t> near(std::size_t row) const {
+    return {near_.data() + near_begin_[row], near_.data() + near_begin_[row + 1]};
+  }
   void release(std::size_t row);
   void hold(std::size_t at);
-  bool extend();
+  bool extend(double least);
+  bool has_one_answer();
   void aim();
   bool go(bool is_one);
   double pull_on(std::size_t row);
 
   std::size_t size_ = 0;
   std::vector<double> a_, b_, low_, high_, x_;
+  // By row, the columns in which A is not 0: a contact knows only those of its own two bodies. Empty: not
+  // looked for yet.
+  std::vector<std::size_t> near_, near_begin_;
   std::vector<double> slope_;      // Ax + b
   std::vector<std::size_t> free_;  // the numbers that are not at rest at a bound, in the order of `lower_`
   std::vector<char> is_free_, is_barred_;
-  std::vector<double> lower_;  // row by row, the Cholesky factor of A for the free numbers
-  std::size_t factored_ = 0;   // its rows
-  std::vector<double> goal_;   // of the free numbers
-  std::int64_t work_ = 0;      // multiplications
+  std::vector<double> lower_;       // row by row, the Cholesky factor of A for the free numbers
+  std::vector<std::size_t> first_;  // by row of it, the first column that is not 0
+  std::size_t factored_ = 0;        // its rows
+  std::vector<double> goal_;        // of the free numbers
+  std::int64_t work_ = 0;           // multiplications
 };
 
 }  // namespace talus

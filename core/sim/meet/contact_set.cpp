@@ -19,6 +19,10 @@ double relative(const Touch& touch, std::span<const Inertia> bodies, Vec2 direct
   return dot(way, direction);
 }
 
+bool share_a_body(const Touch& a, const Touch& b) {
+  return a.a == b.a || a.a == b.b || a.b == b.a || (a.b == b.b && a.b != Touch::kGround);
+}
+
 // Gives both bodies of a contact an impulse.
 void give(std::span<Inertia> bodies, const Touch& touch, Vec2 Inertia::*what, Vec2 impulse) {
   Inertia& a = bodies[static_cast<std::size_t>(touch.a)];
@@ -52,6 +56,7 @@ void ContactSet::set_up(std::span<const Inertia> bodies, std::span<const Touch> 
     system_.b(i) = value(one, rows_[i].direction);
     for (std::size_t k = 0; k <= i; ++k) {
       const Touch& other = touches[rows_[k].touch];
+      if (!share_a_body(one, other)) continue;
       const double turned = dot(rows_[i].direction, rows_[k].direction);
       double share = 0;
       if (one.a == other.a) share += inverse_mass_of(bodies, one.a);
