@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -115,7 +114,12 @@ class BodyGrid {
     large_.clear();
   }
   static CellRange cells_of(const Rect& box) {
-    const auto cell = [](double at) { return static_cast<std::int32_t>(std::floor(at / kSide)); };
+    // Rounds down; std::floor would be a call.
+    const auto cell = [](double at) {
+      const double cells = at * (1 / kSide);
+      const auto whole = static_cast<std::int32_t>(cells);
+      return cells < whole ? whole - 1 : whole;
+    };
     return {cell(box.x), cell(box.y), cell(box.x + box.w), cell(box.y + box.h)};
   }
 

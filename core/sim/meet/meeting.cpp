@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "../event_notes.h"
 #include "../lerp.h"
@@ -57,9 +58,11 @@ std::int64_t Meeting::step(State& state, const Input& input, StepRecord* record,
   for (std::uint32_t i = 0; i < members_.size(); ++i) {
     members_[i].moving.path.pull = members_[i].pull;
     sweep(i);
+    members_[i].is_swept = true;
   }
+  const bool are_apart = leaves_apart_ && is_as_left(state);
   fall_asleep(state);
-  part_overlaps();
+  part_overlaps(are_apart);
   for (int i = 0; i < parts_ && !is_stopped_; ++i) {
     started_ = i * part_;
     if (i > 0 && record_ == nullptr) wake_touched();
@@ -115,7 +118,7 @@ void Meeting::run_part() {
     member.moving.path.pull = member.is_asleep || member.is_capped ? Vec2() : member.pull;
     member.events = member.is_asleep ? rests_[i].events : 0;
     member.bounced = -1;
-    sweep(i);
+    if (!std::exchange(member.is_swept, false)) sweep(i);
   }
   for (std::uint32_t i = 0; i < members_.size(); ++i) {
     if (members_[i].inverse_mass == 0 || members_[i].is_asleep) continue;
@@ -159,6 +162,7 @@ void Meeting::give(State& state) {
     // Adding 0 leaves no -0, whose bits are others.
     if (!member.is_held) body.velocity = {velocity.x + 0.0, velocity.y + 0.0};
     const bool stood = body.gait.grounded;
+    leaves_apart_ = leaves_apart_ && !member.is_capped && !is_stopped_;
     body.gait.grounded = member.is_grounded;
     note_standing(step_events_, body, stood);
     body.is_clear = true;
@@ -173,11 +177,28 @@ void Meeting::give(State& state) {
 
 // ---- Overlaps ----
 
+// Whether nothing has changed the bodies that it moves since the last step.
+bool Meeting::is_as_left(const State& state) const {
+  if (rests_.size() != members_.size()) return false;
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    const Body& body = state.bodies[i];
+    if (members_[i].inverse_mass > 0 && !(rests_[i].is_of(body) && body.is_clear)) return false;
+  }
+  return true;
+}
+
 // Bodies that begin inside of one another are moved apart, each by its share, as far as the ground lets them.
-void Meeting::part_overlaps() {
+// are_apart: only those that do not move may be inside of some.
+void Meeting::part_overlaps(bool are_apart) {
+  std::vector<char> may_overlap(members_.size(), !are_apart);
+  for (std::uint32_t i = 0; i < members_.size(); ++i) {
+    if (!are_apart || members_[i].inverse_mass > 0) continue;
+    if (!grid_.near(members_[i].moving.at(0), i, budget_.left, near_)) continue;
+    for (const std::uint32_t other : near_) may_overlap[other] = 1;
+  }
   std::vector<std::pair<std::uint32_t, Vec2>> ways;
   for (std::uint32_t i = 0; i < members_.size(); ++i) {
-    if (members_[i].inverse_mass == 0 || members_[i].is_asleep) continue;
+    if (!may_overlap[i] || members_[i].inverse_mass == 0 || members_[i].is_asleep) continue;
     const Vec2 way = way_apart(i);
     if (!(way == Vec2())) ways.emplace_back(i, way);
   }
@@ -186,7 +207,9 @@ void Meeting::part_overlaps() {
     const Contact<double> contact = cast_box<double>(
         probe_.ground(), {members_[index].moving.at(0), way, Foot::box}, {}, nullptr, &budget_);
     path.place = contact ? contact.position : path.place + way;
+    members_[index].is_swept = false;
   }
+  leaves_apart_ = ways.empty();
 }
 
 // px. Of several overlaps on one side the deepest counts. Bodies in one place make a pile, by their order.

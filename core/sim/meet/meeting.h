@@ -38,8 +38,9 @@ class Meeting {
     double floor_bounce = 0, wall_bounce = 0;
     std::uint32_t version = 0;  // of its path; an event of an older one is void
     int events = 0;             // that it had in this part of the step
-    double bounced = -1;  // frames since the part of the step began: the last time; less than 0: not yet
-    int order = 0;        // of its next contact in the record
+    double bounced = -1;    // frames since the part of the step began: the last time; less than 0: not yet
+    int order = 0;          // of its next contact in the record
+    bool is_swept = false;  // `swept` is that of its path in this part
     int place_in_set = -1;
     bool is_inner = false;  // of the set that is resolved, and solved with it
     bool is_cut = false;    // it was solved with a part of those that it touches
@@ -86,7 +87,8 @@ class Meeting {
   void run_part();
   void stop_early(double now);
   void give(State& state);
-  void part_overlaps();
+  bool is_as_left(const State& state) const;
+  void part_overlaps(bool are_apart);
   Vec2 way_apart(std::uint32_t index);
   void set_off(std::uint32_t index);
   void sweep(std::uint32_t index);
@@ -171,7 +173,8 @@ class Meeting {
   const State* state_ = nullptr;
   StepRecord* record_ = nullptr;
   std::vector<StepEvent>* step_events_ = nullptr;
-  bool is_stopped_ = false;  // the work that a step may take is used up
+  bool leaves_apart_ = false;  // the last step left no two bodies inside of one another
+  bool is_stopped_ = false;    // the work that a step may take is used up
 };
 
 }  // namespace talus
