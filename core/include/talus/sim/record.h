@@ -1,4 +1,5 @@
-// StepRecord: what a step did. Recording never changes a result.
+// StepRecord: what a step did. Recording changes no result; but bodies that meet and use up the work of a
+// step may stop elsewhere, as none of them sleeps then.
 #pragma once
 
 #include <cstdint>
