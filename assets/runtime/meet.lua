@@ -305,9 +305,9 @@ function M.support(chosen)
   end
   M.set_up(rows, M.gain)
   for i = 1, normals do M.bound(i, 0.0, huge) end
-  local before, ends, turn = {}, false, 0
+  local before, unrubbed, ends, turn, first, largest = {}, {}, false, 0, 0.0, 0.0
   for i = 1, normals do before[i] = 0.0 end
-  while turn < 200 and not ends do
+  local function bound_friction()
     for i = normals + 1, #rows do
       local row = rows[i]
       local most = row.touch.friction * before[of[i]]
@@ -315,16 +315,29 @@ function M.support(chosen)
       local slides = abs(slip) > STILL
       M.bound(i, slides and slip < 0 and most or -most, slides and slip > 0 and -most or most)
     end
+  end
+  -- Where sliding would press a body ever more into what it slides on, no answer is finite.
+  while turn < 200 and not ends and not (largest > 100 * first) do
+    bound_friction()
     local is_solved
     if #rows > normals then is_solved = M.solve_evenly() else is_solved = M.solve() end
-    ends = true
+    ends, largest = true, 0.0
     for i = 1, normals do
       ends = ends and abs(x[i] - before[i]) <= 1e-13 * x[i]
-      before[i] = x[i]
+      before[i], largest = x[i], max(largest, x[i])
     end
     ends = ends and is_solved
+    if turn == 0 then
+      first = largest
+      for i = 1, normals do unrubbed[i] = before[i] end
+    end
     turn = turn + 1
     if #rows == normals then break end
+  end
+  if #rows > normals and not ends and largest > 2 * first then
+    before = unrubbed
+    bound_friction()
+    M.solve_evenly()
   end
   for _, m in ipairs(set) do m.strain = 0.0 end
   for i, row in ipairs(rows) do
@@ -897,10 +910,12 @@ function M.note(world)
   end
 end
 
+local function within(value) return clamp(clamp(value, -FAST, FAST), -FAR, FAR) end
+
 function M.set_paths(world)
   for _, m in ipairs(set) do
     if m.inner then
-      m.vx, m.vy, m.px, m.py = m.svx, m.svy, m.spx, m.spy
+      m.vx, m.vy, m.px, m.py = within(m.svx), within(m.svy), within(m.spx), within(m.spy)
       if is_still(m.vx, m.vy) and is_still(m.px, m.py) then m.vx, m.vy, m.px, m.py = 0.0, 0.0, 0.0, 0.0 end
     end
   end

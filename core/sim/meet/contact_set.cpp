@@ -101,6 +101,18 @@ void ContactSet::reflect(std::span<Inertia> bodies, std::span<Touch> touches) {
   }
 }
 
+// The bounds of friction, from the rows of normals on, for the pressures of the last try.
+void ContactSet::bound_friction(std::span<const Inertia> bodies, std::span<const Touch> touches,
+                                std::size_t normals) {
+  for (std::size_t i = normals; i < rows_.size(); ++i) {
+    const Touch& touch = touches[rows_[i].touch];
+    const double most = touch.friction * before_[rows_[i].touch];
+    const double slip = speed(touch, bodies, rows_[i].direction);
+    const bool slides = std::abs(slip) > kStill;
+    system_.bound(i, slides && slip < 0 ? most : -most, slides && slip > 0 ? -most : most);
+  }
+}
+
 void ContactSet::support(std::span<Inertia> bodies, std::span<Touch> touches) {
   rows_.clear();
   for (std::size_t i = 0; i < touches.size(); ++i) rows_.push_back({i, touches[i].normal});
@@ -112,28 +124,37 @@ void ContactSet::support(std::span<Inertia> bodies, std::span<Touch> touches) {
   for (std::size_t i = 0; i < normals; ++i) system_.bound(i, 0, kAny);
 
   // Friction depends on the pressure, and the pressure on friction: each is solved for the last of the other,
-  // until nothing changes.
+  // until nothing changes. Where sliding would press a body ever more into what it slides on, it jams, and no
+  // answer is finite (Painleve 1895): then friction is that of the pressures without it.
   constexpr int kMostTurns = 200;
+  constexpr double kJam = 100;  // times the largest pressure without friction
   bool ends = false;
+  double first = 0, largest = 0;  // pressures
+  std::vector<double> unrubbed;
   before_.assign(touches.size(), 0);
-  for (int turn = 0; turn < kMostTurns && !ends; ++turn) {
-    for (std::size_t i = normals; i < rows_.size(); ++i) {
-      const Touch& touch = touches[rows_[i].touch];
-      const double most = touch.friction * before_[rows_[i].touch];
-      const double slip = speed(touch, bodies, rows_[i].direction);
-      const bool slides = std::abs(slip) > kStill;
-      system_.bound(i, slides && slip < 0 ? most : -most, slides && slip > 0 ? -most : most);
-    }
+  for (int turn = 0; turn < kMostTurns && !ends && !(largest > kJam * first); ++turn) {
+    bound_friction(bodies, touches, normals);
     const bool is_solved = solve(rows_.size() > normals);
     ends = true;
+    largest = 0;
     for (std::size_t i = 0; i < normals; ++i) {
       constexpr double kSame = 1e-13;
       const double pressure = system_.x(i);
       ends = ends && std::abs(pressure - before_[i]) <= kSame * pressure;
       before_[i] = pressure;
+      largest = std::max(largest, pressure);
     }
     ends = ends && is_solved;
+    if (turn == 0) {
+      first = largest;
+      unrubbed = before_;
+    }
     if (rows_.size() == normals) break;
+  }
+  if (rows_.size() > normals && !ends && largest > 2 * first) {
+    before_ = unrubbed;
+    bound_friction(bodies, touches, normals);
+    solve(true);
   }
   for (Inertia& body : bodies) body.strain = 0;
   const auto strain = [&](int index, double pressure) {

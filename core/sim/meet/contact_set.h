@@ -69,6 +69,7 @@ class ContactSet {
   template <class Value>
   void set_up(std::span<const Inertia> bodies, std::span<const Touch> touches, Value value);
   bool solve(bool rubs);
+  void bound_friction(std::span<const Inertia> bodies, std::span<const Touch> touches, std::size_t normals);
 
   BoundedSystem system_;
   std::vector<Row> rows_;

@@ -6,6 +6,7 @@
 
 #include "../contact_notes.h"
 #include "../event_notes.h"
+#include "../step_limits.h"
 
 namespace talus {
 namespace {
@@ -62,8 +63,8 @@ void Meeting::set_paths() {
   for (std::size_t i = 0; i < set_.size(); ++i) {
     if (!is_inner(i)) continue;
     FallPath& path = members_[set_[i]].moving.path;
-    path.velocity = inertias_[i].velocity;
-    path.pull = inertias_[i].pull;
+    path.velocity = within_limits({}, inertias_[i].velocity);
+    path.pull = within_limits({}, inertias_[i].pull);
     if (is_still(path.velocity) && is_still(path.pull)) path.velocity = path.pull = {};
   }
   for (const Met& met : met_) {
