@@ -14,6 +14,7 @@ local MOST_SLOW = 6
 local MOST_EVENTS = 64
 local MOST_INNER = 16  -- bodies of a pile that are solved at once
 local MOST_SHAKEN = 32  -- bodies that an impact goes on through, beyond those
+local MOST_PAIRS = 256
 local part, slowest  -- frames; px/frame, that a bounce must have on level ground
 local members, events, event_count  -- of the step
 local set, touches, pairs_found, shaken, time  -- of the set that is resolved
@@ -671,6 +672,7 @@ function M.look_around(m, event)
       local is_event = event.kind == "pair" and (m == event.a and n == event.b or m == event.b and n == event.a)
       local cx, cy = place_at(n, time)
       if is_event or M.touching(ax, ay, m.w, m.h, cx, cy, n.w, n.h, m.index < n.index) then
+        if #pairs_found == MOST_PAIRS then return end
         pairs_found[#pairs_found + 1] = {m, n}
         M.join(n)
       end

@@ -372,6 +372,36 @@ TEST(Meeting, FrictionStopsACrateWhereTheClosedFormSays) {
 }
 
 // One on the other: the lower one takes the upper one along as far as friction can.
+// On the slope, sliding would press the lowest crate ever more into what it slides on.
+TEST(Meeting, JammedCratesStop) {
+  const auto crate = [](Vec2 at, Vec2 velocity, Vec2 size) {
+    Spawn spawn = body(at, velocity, size);
+    spawn.kind = BodyKind::crate;
+    return spawn;
+  };
+  Level level = meeting_level({"...."}, 0.5);
+  level.map = TileMap(26, 40);
+  level.tuning.shared.floor_bounce = 0;
+  level.tuning.shared.wall_bounce = 0.6;
+  const Vec2 line[] = {{8, 312}, {52, 288}, {104, 312}, {156, 288}, {200, 312}};
+  for (int i = 0; i < 4; ++i)
+    level.curves.push_back({"", {Segment{line[i], line[i + 1]}, Curve::Faces::both}, ""});
+  level.spawns = {
+      crate({66.20379139174202, 98.21574673590573}, {3.13604287861408, 3.2562616670087436}, {3, 5}),
+      crate({140.6341188080211, 125.42471136076165}, {0.0, 0.0}, {8, 8}),
+      crate({136.1293187931751, 147.25795966693966}, {-0.10496699787216879, -0.15721257149691015}, {12, 3}),
+      crate({145.39867254713937, 26.821597770164118}, {0.0, 0.0}, {8, 8}),
+  };
+  for (const int substeps : {1, 2, 3}) {
+    level.tuning.exact.substeps = substeps;
+    Play run(level);
+    for (int frame = 1; frame <= 60; ++frame) {
+      run.step(1);
+      for (const Body& b : run.state.bodies) ASSERT_LT(std::abs(b.velocity.x) + std::abs(b.velocity.y), 20);
+    }
+  }
+}
+
 TEST(Meeting, ACrateTakesAlongWhatStandsOnIt) {
   Level level = meeting_level(
       {"....................", "....................", "....................", "####################"}, 0.2);

@@ -23,6 +23,7 @@ std::int64_t BoundedSystem::take_work() {
 
 void BoundedSystem::begin(std::size_t size) {
   size_ = size;
+  work_ += static_cast<std::int64_t>(size * size);  // for filling A and looking through it
   a_.assign(size * size, 0);
   for (auto* numbers : {&b_, &low_, &high_, &x_, &slope_}) numbers->assign(size, 0);
   is_free_.assign(size, 0);

@@ -210,6 +210,7 @@ void Meeting::bounce() {
       is_changed[i] = 0;
     }
     if (!choose(turn >= most)) return level_out();
+    if (budget_.left <= 0) return;
     contacts_.reflect(inertias_, chosen_);
     budget_.left -= contacts_.take_work();
     for (std::size_t i = 0; i < chosen_.size(); ++i) {

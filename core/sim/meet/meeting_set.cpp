@@ -13,6 +13,8 @@ namespace {
 constexpr std::size_t kMostInner = 16;
 // An impact goes on through at most so many; the others are like walls to it.
 constexpr std::size_t kMostShaken = 32;
+// Bodies inside of one another may touch by the thousand. A set has so many contacts of two bodies at most.
+constexpr std::size_t kMostPairs = 256;
 
 }  // namespace
 
@@ -92,6 +94,7 @@ void Meeting::look_around(std::size_t place, const Event& event) {
     const bool is_event = event.kind == Event::Kind::pair &&
                           ((index == event.a && other == event.b) || (index == event.b && other == event.a));
     if (!is_event && !touching_normal(box, members_[other].moving.at(time_), index < other)) continue;
+    if (pairs_.size() == kMostPairs) return;
     pairs_.emplace_back(index, other);
     join(other);
   }
