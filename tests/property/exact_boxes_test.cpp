@@ -14,6 +14,7 @@
 #include "reference/closed_forms.h"
 #include "reference/exact_boxes.h"
 #include "tries.h"
+#include "unit/meeting_run.h"
 
 namespace talus::exact_boxes_test {
 
@@ -106,11 +107,7 @@ void add_bodies(Dice& dice, World& world, bool on_grid) {
 World any_world(Dice& dice, bool on_grid) {
   World world;
   Tuning& t = world.level.tuning;
-  t.solver = SolverKind::exact;
-  t.shared.bodies = static_cast<double>(BodyPairs::meet);
-  t.shared.fall_blend = t.shared.drift_blend = 0;
-  t.exact.gravity = 0;
-  t.exact.rebound = 1;
+  let_bodies_meet(t, 0);
   t.shared.floor_bounce = dice.one_in(3) ? dice.step(0, 1, 8) : 1;
   t.shared.wall_bounce = dice.one_in(3) ? dice.step(0, 1, 8) : 1;
   add_ground(dice, world);

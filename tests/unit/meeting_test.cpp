@@ -7,19 +7,14 @@
 #include <talus/sim/solver.h>
 #include "level/transform.h"
 #include "level_picture.h"
+#include "meeting_run.h"
 
 namespace talus::meeting_test {
 
 // Nothing slows bodies down, and everything bounces back as fast as it came.
 Level meeting_level(std::initializer_list<std::string_view> rows, double gravity) {
   Level level = level_of(rows);
-  Tuning& t = level.tuning;
-  t.solver = SolverKind::exact;
-  t.shared.bodies = static_cast<double>(BodyPairs::meet);
-  t.shared.fall_blend = t.shared.drift_blend = 0;
-  t.shared.floor_bounce = t.shared.wall_bounce = 1;
-  t.exact.gravity = gravity;
-  t.exact.rebound = 1;
+  let_bodies_meet(level.tuning, gravity);
   return level;
 }
 Level empty_level() {
@@ -30,20 +25,7 @@ Spawn body(Vec2 at, Vec2 velocity = {}, Vec2 size = {8, 8}) {
   return {.name = "", .position = at, .velocity = velocity, .extra = "", .size = size};
 }
 
-struct Play {
-  explicit Play(const Level& level)
-      : scene(std::make_shared<const Scene>(compile_scene(level))),
-        solver(make_solver(scene)),
-        state(initial_state(*scene)) {}
-  void step(int times, const Input& input = {}) {
-    for (int i = 0; i < times; ++i) solver->step(state, input);
-  }
-  const Body& body(std::size_t index) const { return state.bodies[index]; }
-
-  std::shared_ptr<const Scene> scene;
-  std::unique_ptr<Solver> solver;
-  State state;
-};
+using Play = MeetingRun;
 
 double momentum(const State& state) {
   double sum = 0;

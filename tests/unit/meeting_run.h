@@ -1,0 +1,35 @@
+// Levels of bodies that meet, and their run.
+#pragma once
+
+#include <memory>
+
+#include <talus/sim/solver.h>
+
+namespace talus {
+
+// Nothing slows bodies down but this bounce.
+inline void let_bodies_meet(Tuning& t, double gravity, double bounce = 1) {
+  t.solver = SolverKind::exact;
+  t.shared.bodies = static_cast<double>(BodyPairs::meet);
+  t.shared.fall_blend = t.shared.drift_blend = 0;
+  t.shared.floor_bounce = t.shared.wall_bounce = bounce;
+  t.exact.gravity = gravity;
+  t.exact.rebound = 1;
+}
+
+struct MeetingRun {
+  explicit MeetingRun(const Level& level)
+      : scene(std::make_shared<const Scene>(compile_scene(level))),
+        solver(make_solver(scene)),
+        state(initial_state(*scene)) {}
+  void step(int times = 1, const Input& input = {}) {
+    for (int i = 0; i < times; ++i) solver->step(state, input);
+  }
+  const Body& body(std::size_t index) const { return state.bodies[index]; }
+
+  std::shared_ptr<const Scene> scene;
+  std::unique_ptr<Solver> solver;
+  State state;
+};
+
+}  // namespace talus
