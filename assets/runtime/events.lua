@@ -4,6 +4,8 @@ has.events = true
 -- In a function, as a module has room for 200 local variables.
 function World.begin_events()
 
+local MASS_AREA = 64  -- px^2, of a body with the mass of its kind
+
 -- px a step, by rule: a contact that changes a body's speed by no more is no hit.
 local function quiet_speeds(n)
   local pull = n.gravity > 0 and n.gravity or abs(n.fall_speed * n.fall_blend)
@@ -26,7 +28,7 @@ local function heard(world, body, box, contact, respond, ...)
   local x, y = respond(...)
   local change = box.change or (box.vx - vx) * nx + (box.vy - vy) * ny
   if change > world.quiet[kind.rule] then
-    local mass = (kind.mass or 1.0) * (body.w * body.h / 64)
+    local mass = (kind.mass or 1.0) * (body.w * body.h / MASS_AREA)
     world:note_hit(body, contact.other, nx, ny, mass * change)
   end
   return x, y

@@ -14,7 +14,7 @@ local MOST_SLOW = 6
 local MOST_EVENTS = 64
 local MOST_INNER = 16  -- bodies of a pile that are solved at once
 local MOST_SHAKEN = 32  -- bodies that an impact goes on through, beyond those
-local MOST_PAIRS = 256
+local MOST_PAIRS = 256  -- contacts of two bodies in a set
 local part, slowest  -- frames; px/frame, that a bounce must have on level ground
 local members, events, event_count  -- of the step
 local set, touches, pairs_found, shaken, time  -- of the set that is resolved
@@ -64,7 +64,8 @@ function M.hold_number(at)
   factored = min(factored, at - 1)
 end
 
--- Factors the rows of the free numbers that are new; false if the last one is no new direction.
+-- Factors the rows of the free numbers that are new; false at the first of which less than this share is left, as
+-- it is no new direction.
 function M.extend(least)
   while factored < #free do
     local i, row = free[factored + 1], factored * size
@@ -328,12 +329,12 @@ function M.support(chosen)
       before[i], largest = x[i], max(largest, x[i])
     end
     ends = ends and is_solved
+    if #rows == normals then break end
     if turn == 0 then
       first = largest
       for i = 1, normals do unrubbed[i] = before[i] end
     end
     turn = turn + 1
-    if #rows == normals then break end
   end
   if #rows > normals and not ends and largest > 2 * first then
     before = unrubbed

@@ -12,15 +12,18 @@
 
 namespace talus {
 
+// px/frame: how much faster a falling body becomes in its first frame.
+inline double fall_gain(const Tuning& t) {
+  return t.exact.gravity > 0 ? t.exact.gravity : std::abs(t.shared.fall_speed * t.shared.fall_blend);
+}
+
 // px/frame: a contact that changes the speed of a body by no more is no hit. A body that rests, or that its
 // keys press against a wall, loses half of it in each step.
 inline double quiet_speed(const Tuning& t, BodyRule rule) {
   constexpr double kRounding = 1e-9;
   const auto most = [](std::initializer_list<double> gains) { return kRounding + 2 * std::max(gains); };
-  const SharedTuning& s = t.shared;
-  const double drift = std::abs(s.drift_speed * s.drift_blend), fall = std::abs(s.fall_speed * s.fall_blend);
   if (rule == BodyRule::run) return most({t.player.gravity, t.player.run_gain, t.player.air_gain});
-  return most({t.exact.gravity > 0 ? t.exact.gravity : fall, drift});
+  return most({fall_gain(t), std::abs(t.shared.drift_speed * t.shared.drift_blend)});
 }
 
 // events: null, if nobody wants them. impulse: mass times px/frame, along the normal.

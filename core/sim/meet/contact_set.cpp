@@ -145,11 +145,11 @@ void ContactSet::support(std::span<Inertia> bodies, std::span<Touch> touches) {
       largest = std::max(largest, pressure);
     }
     ends = ends && is_solved;
+    if (rows_.size() == normals) break;
     if (turn == 0) {
       first = largest;
       unrubbed = before_;
     }
-    if (rows_.size() == normals) break;
   }
   if (rows_.size() > normals && !ends && largest > 2 * first) {
     before_ = unrubbed;

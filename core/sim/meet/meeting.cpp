@@ -36,9 +36,7 @@ Meeting::Meeting(std::shared_ptr<const Scene> scene)
     : scene_(std::move(scene)),
       probe_(*scene_->ground),
       gravity_{0, scene_->tuning.exact.gravity},
-      slowest_(gravity_.y > 0
-                   ? gravity_.y
-                   : std::abs(scene_->tuning.shared.fall_speed * scene_->tuning.shared.fall_blend)),
+      slowest_(fall_gain(scene_->tuning)),
       quiet_(quiet_speed(scene_->tuning, BodyRule::fall)),
       parts_(static_cast<int>(scene_->tuning.exact.substeps)),
       part_(1.0 / parts_) {}
@@ -153,7 +151,7 @@ void Meeting::give(State& state) {
     if (record_ != nullptr) record_->paths[i].to = state.bodies[i].box;
     Body& body = state.bodies[i];
     const bool is_as_before = member.is_asleep && member.is_grounded == body.gait.grounded && body.is_clear;
-    if (is_as_before || (member.inverse_mass == 0 && !member.is_capped)) continue;
+    if (is_as_before || !member.may_have_moved()) continue;
     const FallPath& path = member.moving.path;
     const Vec2 place = within_limits(path.place, path.place);
     const Vec2 velocity = within_limits({}, path.velocity);
@@ -182,7 +180,7 @@ bool Meeting::is_as_left(const State& state) const {
   if (rests_.size() != members_.size()) return false;
   for (std::size_t i = 0; i < members_.size(); ++i) {
     const Body& body = state.bodies[i];
-    if (members_[i].inverse_mass > 0 && !(rests_[i].is_of(body) && body.is_clear)) return false;
+    if (members_[i].inverse_mass > 0 && !rests_[i].is_left_in(body)) return false;
   }
   return true;
 }

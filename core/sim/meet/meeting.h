@@ -51,6 +51,8 @@ class Meeting {
     bool is_asleep = false;  // it rests as in the step before; nothing looks for what it meets
     bool is_capped = false;
     GroundMeeting ground = {};  // that its path leads to
+    // One that is capped stands still from then on.
+    bool may_have_moved() const { return inverse_mass > 0 || is_capped; }
   };
   // What happens next to one or two bodies.
   struct Event {
@@ -75,6 +77,8 @@ class Meeting {
     std::uint32_t island = 0;  // from 1; 0: none
     int events = 0;            // as Member::events, after it was solved
     bool is_of(const Body& body) const { return body.box == box && body.velocity == velocity; }
+    // The same for a body that the step moved: nothing has changed it, nor the scene, since.
+    bool is_left_in(const Body& body) const { return is_of(body) && body.is_clear; }
   };
   // Bodies that were solved with one another, and rest; and those that they rest against.
   struct Island {

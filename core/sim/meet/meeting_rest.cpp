@@ -21,7 +21,7 @@ void Meeting::fall_asleep(const State& state) {
   for (Island& island : islands_) {
     island.is_same = island.is_same && all_of(island, [&](std::uint32_t index) {
                        const Body& body = state.bodies[index];
-                       return rests_[index].is_of(body) && body.is_clear && !members_[index].is_held;
+                       return rests_[index].is_left_in(body) && !members_[index].is_held;
                      });
   }
   wake_touched();
@@ -108,7 +108,7 @@ void Meeting::remember_set() {
 bool Meeting::is_unchanged(std::uint32_t index) const {
   const Member& member = members_[index];
   const Body& body = state_->bodies[index];
-  if (member.inverse_mass == 0 && !member.is_capped) return rests_[index].is_of(body);
+  if (!member.may_have_moved()) return rests_[index].is_of(body);
   const FallPath& path = member.moving.path;
   return !member.is_late && !member.is_capped && !member.is_held && (member.is_steady || parts_ == 1) &&
          path.place == body.box.position() && path.velocity == body.velocity && path.velocity == Vec2();
@@ -116,13 +116,14 @@ bool Meeting::is_unchanged(std::uint32_t index) const {
 
 // Called after the first part of a step: joins what was solved together to islands.
 void Meeting::form_islands() {
+  if (solved_ends_.empty()) return;
   std::vector<std::uint32_t> leader(members_.size());
   std::iota(leader.begin(), leader.end(), 0u);
   const auto leader_of = [&](std::uint32_t i) {
     while (leader[i] != i) i = leader[i] = leader[leader[i]];
     return i;
   };
-  const auto moves = [&](std::uint32_t i) { return members_[i].inverse_mass > 0 || members_[i].is_capped; };
+  const auto moves = [&](std::uint32_t i) { return members_[i].may_have_moved(); };
   const auto for_sets = [&](auto use) {
     for (std::size_t k = 0, first = 0; k < solved_ends_.size(); first = solved_ends_[k++]) {
       const std::span set(solved_.data() + first, solved_ends_[k] - first);
