@@ -174,18 +174,16 @@ StepRecord Timeline::record_at(const Branch& branch, std::int64_t frame) const {
   return record;
 }
 
-void Timeline::walk(const Branch& branch, std::int64_t first, std::int64_t last, bool with_records,
+void Timeline::walk(const Branch& branch, std::int64_t first, std::int64_t last, StepRecord* record,
                     Visit visit) const {
   assert(first >= 0 && first <= last && last <= branch.run_frame());
-  StepRecord record;
-  StepRecord* const wanted = with_records ? &record : nullptr;
-  const bool steps_there = with_records && first > 0;
+  const bool steps_there = record != nullptr && first > 0;
   Runner& scout = scouts_.nearest(branch, steps_there ? first - 1 : first);
-  scout.go_to(branch, first, wanted);
-  bool goes_on = visit(scout.state(), first > 0 ? wanted : nullptr);
+  scout.go_to(branch, first, record);
+  bool goes_on = visit(scout.state(), first > 0 ? record : nullptr);
   while (goes_on && scout.state().frame < last) {
-    scout.step(branch, wanted);
-    goes_on = visit(scout.state(), wanted);
+    scout.step(branch, record);
+    goes_on = visit(scout.state(), record);
   }
 }
 

@@ -135,10 +135,10 @@ class Timeline {
   bool approach(const Branch& branch, std::int64_t frame) const;
   State state_at(const Branch& branch, std::int64_t frame) const;
   StepRecord record_at(const Branch& branch, std::int64_t frame) const;
-  // Calls visit for the frames first..last (asserted) in order, until it returns false. record: of the step
-  // that led there, null for frame 0 and if `with_records` is false. visit must not look elsewhere itself.
+  // Calls visit for the frames first..last (asserted) in order, until it returns false. It gets the record of
+  // the step that led there; null for frame 0, and without a record to fill. It must not look elsewhere.
   using Visit = FunctionRef<bool(const State& state, const StepRecord* record)>;
-  void walk(const Branch& branch, std::int64_t first, std::int64_t last, bool with_records,
+  void walk(const Branch& branch, std::int64_t first, std::int64_t last, StepRecord* record,
             Visit visit) const;
 
   // A branch as data, up to the last frame that was run. pictures: a level that gives it all that the physics

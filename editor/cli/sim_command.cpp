@@ -85,7 +85,8 @@ void simulate_level(CommandContext& context, const SimOptions& options) {
   StepRecord record;
   Until until(options.until);
   const auto ground = until.wanted() ? measured_ground(*scene, *level) : nullptr;
-  StepRecord* wanted = trace.wants_contacts() || until.wanted() ? &record : nullptr;
+  record.only_events = options.no_contacts && !until.wanted();
+  StepRecord* wanted = trace.wanted() || until.wanted() ? &record : nullptr;
   Input input;
   const auto stops = [&] {
     return until.wanted() && until.stops_at({scene, ground, state, record, input, {}});
@@ -97,7 +98,7 @@ void simulate_level(CommandContext& context, const SimOptions& options) {
     const std::int64_t frame = state.frame + 1;
     input = added(case_input(script, frame), player.at(frame));
     solver->step(state, input, wanted);
-    trace.write(state, trace.wants_contacts() ? wanted : nullptr);
+    trace.write(state, wanted);
     stopped = stops();
   }
   line.wipe();
@@ -127,7 +128,8 @@ void add_sim_command(CLI::App& program, CommandContext& context) {
   command->add_option("--input", options->input,
                       "Recorded mouse and keys (JSON lines), in addition to those of a hard case");
   command->add_option("--trace", options->trace, "Write each frame here (JSON lines); - for standard output");
-  command->add_flag("--no-contacts", options->no_contacts, "Leave the contacts out of the trace");
+  command->add_flag("--no-contacts", options->no_contacts,
+                    "Leave contacts and cut_short out of the trace; events stay");
   command->add_flag("--hash", options->hash, "Print the hash of the last state on the last line");
   command
       ->add_option("--until", options->until,

@@ -116,10 +116,12 @@ TraceFile::TraceFile(CommandContext& context, const SimOptions& options)
 }
 
 void TraceFile::write(const State& state, const StepRecord* record) {
-  if (out_ != nullptr) *out_ << trace_line(state, record) << '\n';
+  if (!wanted()) return;
+  const std::string line = trace_line(state, record, !options_.no_contacts) + '\n';
+  if (out_ != nullptr) *out_ << line;
   if (!file_ || !good_) return;
   constexpr std::size_t kLong = 1 << 16;
-  (part_ += trace_line(state, record)) += '\n';
+  part_ += line;
   if (part_.size() < kLong) return;
   good_ = !fails(file_->add(part_));
   part_.clear();
@@ -164,11 +166,12 @@ void simulate_recording(CommandContext& context, const SimOptions& options) {
   Until until(options.until);
   if (until.wanted()) frames = until.run(BranchFrames(branch), frames, is_wanted);
   if (trace.wanted() && frames > 0) {
-    timeline.walk(branch, 1, frames, trace.wants_contacts(),
-                  [&](const State& state, const StepRecord* record) {
-                    trace.write(state, record);
-                    return is_wanted(static_cast<double>(state.frame) / static_cast<double>(frames));
-                  });
+    StepRecord record;
+    record.only_events = options.no_contacts;
+    timeline.walk(branch, 1, frames, &record, [&](const State& state, const StepRecord* written) {
+      trace.write(state, written);
+      return is_wanted(static_cast<double>(state.frame) / static_cast<double>(frames));
+    });
   }
   line.wipe();
   if (!goes_on) return fail(context, options.file, "", "was cancelled");

@@ -28,7 +28,7 @@ class TraceFile {
   TraceFile(CommandContext& context, const SimOptions& options);
   bool good() const { return good_; }
   bool wanted() const { return file_ || out_ != nullptr; }
-  bool wants_contacts() const { return wanted() && !options_.no_contacts; }
+  // Does nothing if no trace is wanted.
   void write(const State& state, const StepRecord* record);
   bool finish();
 

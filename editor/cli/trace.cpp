@@ -103,43 +103,40 @@ void append_event(std::string& line, const StepEvent& event) {
   line += "}";
 }
 
+// begin: the key, and the bracket that opens the list.
 template <class Items, class Append>
-void append_list(std::string& line, const Items& items, Append append_item) {
+void append_list(std::string& line, std::string_view begin, const Items& items, Append append_item) {
+  line += begin;
   bool first = true;
   for (const auto& item : items) {
     if (!first) line += ",";
     first = false;
     append_item(line, item);
   }
+  line += "]";
+}
+
+void append_cut_short(std::string& line, const std::vector<BodyPath>& paths) {
+  std::vector<int> cut_short;
+  for (const BodyPath& path : paths) {
+    if (path.cut_short) cut_short.push_back(path.body);
+  }
+  if (cut_short.empty()) return;
+  append_list(line, ",\"cut_short\":[", cut_short,
+              [](std::string& text, int body) { append_number(text, body); });
 }
 
 }  // namespace
 
-std::string trace_line(const State& state, const StepRecord* record) {
+std::string trace_line(const State& state, const StepRecord* record, bool with_contacts) {
   std::string line = "{\"frame\":";
   append_number(line, state.frame);
-  line += ",\"bodies\":[";
-  append_list(line, state.bodies, append_body);
-  line += "]";
-  if (record != nullptr) {
-    line += ",\"contacts\":[";
-    append_list(line, record->contacts, append_contact);
-    line += "]";
-    if (!record->events.empty()) {
-      line += ",\"events\":[";
-      append_list(line, record->events, append_event);
-      line += "]";
-    }
-    std::vector<int> cut_short;
-    for (const BodyPath& path : record->paths) {
-      if (path.cut_short) cut_short.push_back(path.body);
-    }
-    if (!cut_short.empty()) {
-      line += ",\"cut_short\":[";
-      append_list(line, cut_short, [](std::string& text, int body) { append_number(text, body); });
-      line += "]";
-    }
-  }
+  append_list(line, ",\"bodies\":[", state.bodies, append_body);
+  const bool has_contacts = record != nullptr && with_contacts;
+  if (has_contacts) append_list(line, ",\"contacts\":[", record->contacts, append_contact);
+  if (record != nullptr && !record->events.empty())
+    append_list(line, ",\"events\":[", record->events, append_event);
+  if (has_contacts) append_cut_short(line, record->paths);
   line += "}";
   return line;
 }

@@ -14,11 +14,21 @@
 namespace talus::cli_recording_test {
 
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 CliAnswer sim(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "sim");
   return cli_answer(arguments);
+}
+
+// A ball that falls with the exact solver.
+Recording fall() {
+  Level level = level_of({"o.......", "........", "########"});
+  level.tuning.solver = SolverKind::exact;
+  Timeline timeline(level);
+  for (int frame = 0; frame < 40; ++frame) timeline.step({});
+  return timeline.recording(timeline.current(), level);
 }
 
 // A ball that is thrown, over a floor that gets a step after 30 frames.
@@ -84,7 +94,13 @@ TEST_F(CliRecording, PlaysWithItsOwnInputAndEdits) {
   EXPECT_EQ(std::count(traced.out.begin(), traced.out.end(), '\n'), 60);
   EXPECT_THAT(traced.out, StartsWith("{\"frame\":1,"));
   EXPECT_THAT(traced.out, HasSubstr("\"contacts\":["));
-  EXPECT_THAT(sim({file, "--trace", "-", "--no-contacts"}).out, testing::Not(HasSubstr("contacts")));
+  EXPECT_THAT(sim({file, "--trace", "-", "--no-contacts"}).out, Not(HasSubstr("contacts")));
+}
+
+TEST_F(CliRecording, HasEventsAlsoWithoutContacts) {
+  const CliAnswer traced = sim({saved("fall.talusrec", fall()), "--trace", "-", "--no-contacts"});
+  EXPECT_THAT(traced.out, HasSubstr(R"("events":[{"kind":"hit","body":1,)"));
+  EXPECT_THAT(traced.out, Not(HasSubstr("contacts")));
 }
 
 TEST_F(CliRecording, IsRecognisedByItsContentToo) {

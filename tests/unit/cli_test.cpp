@@ -140,6 +140,27 @@ TEST_F(CliSim, ContactsAreInTheTraceUnlessSwitchedOff) {
   EXPECT_EQ(with["bodies"], without["bodies"]);
 }
 
+TEST_F(CliSim, EventsAreInTraces) {
+  const auto traced = [](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"sim", kOne, "--frames", "40", "--solver", "exact", "--trace", "-"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    std::istringstream lines(cli_answer(arguments).out);
+    std::vector<std::string> events, contacts;
+    for (std::string line; std::getline(lines, line);) {
+      const auto frame = nlohmann::json::parse(line);
+      if (frame.contains("events")) events.push_back(frame["events"].dump());
+      if (frame.contains("contacts")) contacts.push_back(frame["contacts"].dump());
+    }
+    return std::pair(events, contacts);
+  };
+  const auto whole = traced({});
+  EXPECT_FALSE(whole.first.empty());
+  EXPECT_EQ(whole.second.size(), 40u);
+  const auto without = traced({"--no-contacts"});
+  EXPECT_EQ(without.first, whole.first);
+  EXPECT_TRUE(without.second.empty());
+}
+
 TEST_F(CliSim, AValueOfTheTuningCanBeSet) {
   const CliAnswer answer =
       cli_answer({"sim", kOne, "--frames", "1", "--set", "fall_blend=1", "--trace", "-", "--no-contacts"});

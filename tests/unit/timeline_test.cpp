@@ -509,7 +509,8 @@ TEST(Timeline, WalkVisitsEachFrameOnceUntilItIsEnough) {
   Timeline timeline(drop());
   played(timeline, 40);
   std::vector<std::int64_t> frames;
-  timeline.walk(timeline.current(), 0, 40, true, [&](const State& state, const StepRecord* record) {
+  StepRecord walked;
+  timeline.walk(timeline.current(), 0, 40, &walked, [&](const State& state, const StepRecord* record) {
     frames.push_back(state.frame);
     EXPECT_EQ(record == nullptr, state.frame == 0);
     if (record != nullptr) {

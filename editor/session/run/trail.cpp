@@ -41,7 +41,7 @@ const std::vector<TrailPoint>& Trails::trail(const Timeline& timeline, const Bra
   const Stopwatch watch;
   while (kept.last < last && watch.seconds() < seconds_) {
     const std::int64_t next = kept.last + 1;
-    if (timeline.approach(branch, next)) timeline.walk(branch, next, next, false, add);
+    if (timeline.approach(branch, next)) timeline.walk(branch, next, next, nullptr, add);
   }
   behind_ = behind_ || kept.last < last;
   return kept.points;
