@@ -63,11 +63,19 @@ std::string_view response_name(Response response) {
   }
 }
 
-void append_contact(std::string& line, const ContactRecord& contact) {
+// The role of a tile, or the kind of a body: "solid", "crate". An edit after the step may have taken the body
+// away.
+std::string_view other_name(const State& state, const Obstacle& other) {
+  if (other.body == 0) return role_name(other.role);
+  const Body* const body = state.find(other.body);
+  return body != nullptr ? traits_of(body->kind).word : "body";
+}
+
+void append_contact(std::string& line, const State& state, const ContactRecord& contact) {
   line += "{\"body\":";
   append_number(line, contact.body);
   line += ",\"other\":\"";
-  line += role_name(contact.other.role);
+  line += other_name(state, contact.other);
   line += "\"";
   if (contact.other.body != 0) {
     line += ",\"other_body\":";
@@ -133,7 +141,8 @@ std::string trace_line(const State& state, const StepRecord* record, bool with_c
   append_number(line, state.frame);
   append_list(line, ",\"bodies\":[", state.bodies, append_body);
   const bool has_contacts = record != nullptr && with_contacts;
-  if (has_contacts) append_list(line, ",\"contacts\":[", record->contacts, append_contact);
+  const auto append = [&](std::string& text, const ContactRecord& c) { append_contact(text, state, c); };
+  if (has_contacts) append_list(line, ",\"contacts\":[", record->contacts, append);
   if (record != nullptr && !record->events.empty())
     append_list(line, ",\"events\":[", record->events, append_event);
   if (has_contacts) append_cut_short(line, record->paths);

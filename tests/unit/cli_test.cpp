@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "cli/trace.h"
 #include "cli_answer.h"
 #include "folder_test.h"
 #include "native_text.h"
@@ -138,6 +139,25 @@ TEST_F(CliSim, ContactsAreInTheTraceUnlessSwitchedOff) {
   EXPECT_FALSE(without.contains("contacts"));
   ASSERT_TRUE(with.contains("contacts"));
   EXPECT_EQ(with["bodies"], without["bodies"]);
+}
+
+TEST_F(CliSim, ContactsNameTheKindOfABody) {
+  State state;
+  for (const BodyKind kind : {BodyKind::ball, BodyKind::crate, BodyKind::player}) {
+    Body& body = state.bodies.emplace_back();
+    body.id = static_cast<int>(state.bodies.size());
+    body.kind = kind;
+  }
+  StepRecord record;
+  for (const int body : {1, 2, 3, 4, 0}) {
+    record.contacts.emplace_back().body = 1;
+    record.contacts.back().other = {body != 0 ? TileRole::ball : TileRole::up_slope, {}, body, {}};
+  }
+  const auto frame = nlohmann::json::parse(trace_line(state, &record));
+  std::vector<std::string> others;
+  for (const auto& contact : frame["contacts"]) others.push_back(contact["other"]);
+  EXPECT_THAT(others, testing::ElementsAre("ball", "crate", "player", "body", "up_slope"))
+      << "body 4 is gone after the step";
 }
 
 TEST_F(CliSim, EventsAreInTraces) {

@@ -14,7 +14,7 @@ namespace talus {
 
 // The other side of a contact: a tile of the map, or another body.
 struct Obstacle {
-  TileRole role = TileRole::solid;  // ball: a body
+  TileRole role = TileRole::solid;  // ball: a body of any kind
   Cell cell;                        // its tile; for a body, the tile it started from
   int body = 0;                     // id; 0 for a tile
   Rect box;                         // px
