@@ -251,20 +251,45 @@ TEST(LargeExportLdtk, IsRefusedIfItCannotBeReadAgain) {
       "the project of LDtk has more lines and numbers than Talus reads from one file: tmx holds larger maps");
 }
 
-class ExportedLdtk : public FolderTest {};
+class ExportedLdtk : public FolderTest {
+ protected:
+  Level read_back(const Level& level) const {
+    const Exported out = exported(level);
+    put("cave.ldtk", out.files[0].bytes);
+    put(out.files[1].name, out.files[1].bytes);
+    const auto read = load_level(path("cave.ldtk"));
+    EXPECT_TRUE(read) << read.error().message;
+    return read ? read->level : Level();
+  }
+};
 
 TEST_F(ExportedLdtk, ReadBackItHasTheSamePicture) {
   Level level = small_level();
   level.map.cells().tiles() = {1, 0, 5, 1, 1, 0};  // ground with pictures alone
   for (const int tile : {1, 5}) level.sheet(SheetId::tiles).images[tile].fill(6);
-  const Exported out = exported(level);
-  put("cave.ldtk", out.files[0].bytes);
-  put(out.files[1].name, out.files[1].bytes);
-  const auto read = load_level(path("cave.ldtk"));
-  ASSERT_TRUE(read) << read.error().message;
-  const auto before = read_rgba(map_png(level).value()), after = read_rgba(map_png(read->level).value());
+  const auto before = read_rgba(map_png(level).value()), after = read_rgba(map_png(read_back(level)).value());
   ASSERT_TRUE(before && after);
   EXPECT_EQ(before->bytes, after->bytes) << "the colours of the ground lie below the tiles";
+}
+
+TEST_F(ExportedLdtk, ReadBackItHasBodiesOfTheSameKinds) {
+  Level level = small_level();
+  level.map.set({2, 1}, 0);  // removes the ball tile
+  for (const BodyTraits& kind : body_kinds()) {
+    Spawn& spawn = level.spawns.emplace_back();
+    spawn.kind = *find_body_kind(kind.word);
+    spawn.name = kind.word;
+    spawn.position = {8.0 * static_cast<double>(level.spawns.size()), 4};
+    spawn.size = {6, 7};
+  }
+  const Level again = read_back(level);
+  ASSERT_EQ(again.spawns.size(), level.spawns.size());
+  for (std::size_t i = 0; i < again.spawns.size(); ++i) {
+    EXPECT_EQ(again.spawns[i].kind, level.spawns[i].kind);
+    EXPECT_EQ(again.spawns[i].name, level.spawns[i].name);
+    EXPECT_EQ(again.spawns[i].position, level.spawns[i].position);
+    EXPECT_EQ(again.spawns[i].size, level.spawns[i].size);
+  }
 }
 
 }  // namespace talus::export_ldtk_test

@@ -138,17 +138,18 @@ TEST(ImportLdtk, AGridNamedForTheGroundGoesBeforeALargerOne) {
   EXPECT_EQ(side_with("Background", "1,1,1,1,1,1,1,1"), 16);
 }
 
-TEST(ImportLdtk, EntitiesNamedPlayerOrBallBecomeBodies) {
+TEST(ImportLdtk, EntitiesNamedLikeAKindBecomeBodies) {
   const std::string entities =
       R"({"__identifier":"PlayerStart","px":[20,40],"width":10,"height":20,"__pivot":[0.5,1],)"
       R"("fieldInstances":[{"__identifier":"name","__value":"Ada"},{"__identifier":"vx","__value":2}]},)"
       R"({"__identifier":"Ball","px":[8,0],"width":8,"height":8},)"
+      R"({"__identifier":"crate_2","px":[16,0],"width":9,"height":8},)"
       R"({"__identifier":"Chest","px":[0,0]},{"__identifier":"Chest","px":[8,8]})";
   const std::string layers =
       ldtk_layer("Entities", "E", 4, 2, R"("__pxTotalOffsetX":1,"entityInstances":[)" + entities + "]") +
       "," + ldtk_grid(2, 1, "1,0");
   const LoadedLevel loaded = loaded_of(ldtk_project(ldtk_level(layers), kWall));
-  ASSERT_EQ(loaded.level.spawns.size(), 2u);
+  ASSERT_EQ(loaded.level.spawns.size(), 3u);
   const Spawn& player = loaded.level.spawns[0];
   EXPECT_EQ(player.kind, BodyKind::player);
   EXPECT_EQ(player.name, "Ada");
@@ -157,6 +158,7 @@ TEST(ImportLdtk, EntitiesNamedPlayerOrBallBecomeBodies) {
   EXPECT_EQ(player.velocity, (Vec2{2, 0}));
   EXPECT_EQ(loaded.level.spawns[1].kind, BodyKind::ball);
   EXPECT_EQ(loaded.level.spawns[1].position, (Vec2{9, 0}));
+  EXPECT_EQ(loaded.level.spawns[2].kind, BodyKind::crate);
   EXPECT_THAT(loaded.dropped, ElementsAre("an entity \"Chest\" (2 times)"));
 }
 

@@ -102,6 +102,17 @@ TEST_F(SaveTiledObjects, ANewBodyComesIntoTheLayerOfBodies) {
   EXPECT_FALSE(exists("a.tmx.talus.json"));
 }
 
+TEST_F(SaveTiledObjects, BodiesOfAllKindsComeBack) {
+  put("a.tmx", map_with(""));
+  const auto change = [](Level& level) {
+    for (const BodyTraits& kind : body_kinds()) level.spawns.emplace_back().kind = *find_body_kind(kind.word);
+  };
+  EXPECT_EQ(edit("a.tmx", change), "") << "which compares them";
+  EXPECT_EQ(level_of("a.tmx").spawns.size(), body_kinds().size());
+  EXPECT_THAT(bytes_of("a.tmx"), HasSubstr(" type=\"crate\""));
+  EXPECT_FALSE(exists("a.tmx.talus.json"));
+}
+
 TEST_F(SaveTiledObjects, VersionsCallTheKindTypeOrClass) {
   for (const auto& [version, key] : std::vector<std::pair<std::string, std::string>>{
            {"1.8", "type"}, {"1.9", "class"}, {"1.10", "type"}, {"1.12", "type"}}) {

@@ -108,7 +108,9 @@ std::optional<BodyKind> ldtk_body_of_name(std::string_view type) {
   std::erase_if(without_number, [](unsigned char c) { return std::isdigit(c) != 0; });
   const Words words = name_words(without_number);
   if (words.empty()) return {};
-  if (words == Words{"ball"}) return BodyKind::ball;
+  for (const BodyTraits& kind : body_kinds()) {
+    if (words == name_words(kind.ldtk_identifier)) return find_body_kind(kind.word);
+  }
   const bool is_player = has_word({words.front()}, kPlayers) &&
                          std::all_of(words.begin() + 1, words.end(),
                                      [&](const std::string& word) { return has_word({word}, kAfterPlayer); });

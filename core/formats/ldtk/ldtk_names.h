@@ -27,8 +27,9 @@ struct LdtkGround {
 //   ladder, water, background, ...    no ground
 std::optional<LdtkGround> ldtk_ground_of_name(std::string_view name, TileSize tile);
 
-// The kind of body that an entity of this type is: a player if it is called Player, PlayerStart, Hero, ...;
-// a ball if it is called Ball. Nothing for others.
+// The kind of body that an entity of this type is: a ball if it is called Ball, as
+// BodyTraits::ldtk_identifier has it for each kind; a player also if it is called PlayerStart, Hero, ....
+// Nothing for others.
 std::optional<BodyKind> ldtk_body_of_name(std::string_view type);
 
 }  // namespace talus

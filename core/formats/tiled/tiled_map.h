@@ -10,7 +10,7 @@
 //   layer "map"   the tiles; cells with tile 0 are empty if tile 0 is blank
 //   other layers  those of the level, in its order; an object with a picture shows a tile of the tileset
 //                 "pictures", a collection of images
-//   "spawns"      boxes of the type "ball" or "player" with `vx`, `vy`, `foot`
+//   "spawns"      boxes whose type is the word of a kind, such as "ball", with `vx`, `vy`, `foot`
 //   "curves"      polylines of the type "curve", at most kTiledTolerance off, with the exact numbers
 //   `talus_level` a property of the map: the rest of the level as a native one in one line, without its
 //                 cells and pixels. Numbers that Tiled rounds to six digits are taken from there when the
