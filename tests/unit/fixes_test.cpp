@@ -218,7 +218,12 @@ TEST(Fixes, ShapesCurvesAndTheSolver) {
 TEST(Fixes, CratesAreLetMeet) {
   Level level = slope_level({"...", "###"});
   level.spawns = {{"", {4, 0}, {}, "", BodyKind::crate, {8, 8}}};
+  level.tuning.solver = SolverKind::exact;
   EXPECT_THAT(labels_of(level, "needs-meet"), ElementsAre("Let bodies meet"));
+  for (const SolverKind solver : {SolverKind::article, SolverKind::bump}) {
+    level.tuning.solver = solver;
+    EXPECT_THAT(labels_of(level, "needs-meet"), ElementsAre("Choose the exact solver, and let bodies meet"));
+  }
 }
 
 TEST(Fixes, BodiesAreMovedOutOfTheGround) {

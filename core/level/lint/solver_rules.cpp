@@ -133,7 +133,9 @@ void fix_meet(const LintContext& context, const Problem&, std::vector<Edit>& out
   Tuning tuning = context.level.tuning;
   tuning.solver = SolverKind::exact;
   tuning.shared.bodies = static_cast<double>(BodyPairs::meet);
-  out.push_back(single_change("Let bodies meet", TuningChange{context.level.tuning, tuning}));
+  const bool is_exact = context.level.tuning.solver == SolverKind::exact;
+  out.push_back(single_change(is_exact ? "Let bodies meet" : "Choose the exact solver, and let bodies meet",
+                              TuningChange{context.level.tuning, tuning}));
 }
 
 }  // namespace
