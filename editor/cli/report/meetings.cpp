@@ -170,8 +170,21 @@ MeetingScene pile() {
   return scene;
 }
 
+MeetingScene valley() {
+  MeetingScene scene{"valley", "30 crates fall into a valley of two slopes of 3 in 4.", 400,
+                     open_level(32, 32, kGravity)};
+  scene.level.curves = {{"", {Segment{{8, 100}, {128, 190}}, Curve::Faces::up}, ""},
+                        {"", {Segment{{128, 190}, {248, 100}}, Curve::Faces::up}, ""}};
+  std::uint64_t random = 1;
+  for (int i = 0; i < 30; ++i) {
+    const double x = 52 + 26.0 * (i % 6) + next_between(random, 0, 9), y = 10 + 17.0 * (i / 6);
+    add(scene.level, {x, y, next_between(random, 5, 12), next_between(random, 5, 15)}, {}, BodyKind::crate);
+  }
+  return scene;
+}
+
 std::vector<MeetingScene> meeting_scenes() {
-  return {cradle(), unequal(), gas(), bounce(), incline(), stack(), pyramid(), pile()};
+  return {cradle(), unequal(), gas(), bounce(), incline(), stack(), pyramid(), pile(), valley()};
 }
 
 // ---- Measures ----
