@@ -61,6 +61,17 @@ struct CurveStretch {
     return {1 / length, slope / length};
   }
 
+  // 1/px, at least 0: one over the radius of the circle that fits the curve best at x, px, within the
+  // stretch.
+  Real curvature_at(Real x) const {
+    if (kind == Kind::arc) return 1 / c[2];
+    const Real u = x - c[0];
+    Real second = 2 * c[3] + 6 * c[4] * u;
+    if (kind == Kind::sine) second = c[2] * (kTwoPi / c[3]) * (kTwoPi / c[3]) * sine_of_turns(u / c[3]);
+    const Real flat = tangent_at(x).x;
+    return std::abs(second) * (flat * flat * flat);
+  }
+
   // A whole turn, in radians.
   static constexpr Real kTwoPi = static_cast<Real>(6.283185307179586476925286766559);
 };
