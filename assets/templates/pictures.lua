@@ -250,7 +250,8 @@ return function(level, file)
   end
   local function draw_body(body, step)
     if body.picture then return draw_picture(body, step) end
-    local kind, tile = level.kinds[body.kind], body.tile or first_ball
+    local kind = level.kinds[body.kind]
+    local tile = (not kind or kind.look ~= "wheel") and (body.tile or first_ball)
     if kind and kind.look == "figure" then return draw_figure(body) end
     if kind and kind.look == "crate" then return draw_crate(body) end
     love.graphics.setColor(tile and {1, 1, 1} or LIGHT)

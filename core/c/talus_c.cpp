@@ -181,6 +181,7 @@ int talus_body_at(const talus_game* game, int32_t index, talus_body* body) {
   if (body == nullptr || index < 0 || index >= talus_body_count(game)) return 0;
   const talus::State& state = game->state;
   const talus::Body& found = state.bodies[static_cast<std::size_t>(index)];
+  const talus::Vec2 size{found.box.w, found.box.h};
   *body = {.id = found.id,
            .kind = static_cast<int32_t>(found.kind),
            .is_grounded = found.gait.grounded ? 1 : 0,
@@ -190,7 +191,11 @@ int talus_body_at(const talus_game* game, int32_t index, talus_body* body) {
            .w = found.box.w,
            .h = found.box.h,
            .vx = found.velocity.x,
-           .vy = found.velocity.y};
+           .vy = found.velocity.y,
+           .mass = talus::mass_of(found.kind, size),
+           .radius = talus::radius_of(found.kind, size),
+           .spin = found.spin,
+           .turn = found.turn};
   return 1;
 }
 

@@ -103,7 +103,7 @@ FormatResult<Exported> export_playable(const ExportRequest& request,
   if (!written) return written;
   written->code_bytes = cart->code_bytes;
   for (std::string& what : cart->dropped) written->dropped.push_back(std::move(what));
-  for (std::string& what : dropped_solver(request.level)) written->dropped.push_back(std::move(what));
+  for (std::string& what : dropped_physics(request.level)) written->dropped.push_back(std::move(what));
   return written;
 }
 

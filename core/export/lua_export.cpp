@@ -16,7 +16,7 @@ FormatResult<Exported> export_lua_runtime(const ExportRequest& request) {
   std::string level = lua_level(request.level, LuaForm::readable, request.progress, request.layered);
   const std::size_t code = runtime->size() + level.size();
   return with_license(request, {{{"talus.lua", std::move(*runtime)}, {"level.lua", std::move(level)}},
-                                dropped_solver(request.level),
+                                dropped_physics(request.level),
                                 code});
 }
 
@@ -42,7 +42,7 @@ void add_drawn_level(const ExportRequest& request, Exported& out) {
 FormatResult<Exported> export_love(const ExportRequest& request) {
   FormatResult<std::string> runtime = lua_runtime(request, LuaForm::readable, true);
   if (!runtime) return tl::unexpected(runtime.error());
-  Exported out{{{"talus.lua", std::move(*runtime)}}, dropped_solver(request.level)};
+  Exported out{{{"talus.lua", std::move(*runtime)}}, dropped_physics(request.level)};
   add_drawn_level(request, out);
   for (const std::string name : {"love/main.lua", "love/conf.lua", "camera.lua", "controls.lua",
                                  "curve_points.lua", "frames.lua", "pictures.lua"}) {

@@ -1,6 +1,7 @@
 // Reads the parts of the runtime and joins them.
 #include "lua_runtime.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include "lua_parts.h"
@@ -73,9 +74,16 @@ std::string join_lua(const std::vector<std::string>& texts) {
   return joined;
 }
 
-std::vector<std::string> dropped_solver(const Level& level) {
-  if (level.tuning.solver == SolverKind::exact) return {};
-  return {"the solver " + std::string(solver_name(level.tuning.solver)) + ": the game uses exact instead"};
+std::vector<std::string> dropped_physics(const Level& level) {
+  std::vector<std::string> dropped;
+  if (level.tuning.solver != SolverKind::exact)
+    dropped.push_back("the solver " + std::string(solver_name(level.tuning.solver)) +
+                      ": the game uses exact instead");
+  const auto is_circle = [](const Spawn& spawn) { return traits_of(spawn.kind).shape == BodyShape::circle; };
+  const bool meets = level.tuning.shared.pairs() == BodyPairs::meet;
+  if (meets && std::any_of(level.spawns.begin(), level.spawns.end(), is_circle))
+    dropped.emplace_back("the circles of discs: in the game they are boxes, and slide");
+  return dropped;
 }
 
 }  // namespace talus

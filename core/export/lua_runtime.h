@@ -18,7 +18,8 @@ FormatResult<std::string> lua_runtime(const ExportRequest& request, LuaForm form
 // must not hold quotes or two hyphens.
 std::string join_lua(const std::vector<std::string>& texts);
 
-// For a level with another solver: says, as in Exported::dropped, that games move by the exact solver.
-std::vector<std::string> dropped_solver(const Level& level);
+// Says, as in Exported::dropped, what moves otherwise in games: all bodies of a level with another solver
+// than exact, and circles.
+std::vector<std::string> dropped_physics(const Level& level);
 
 }  // namespace talus

@@ -294,6 +294,8 @@ std::string_view look_word(BodyLook look) {
       return "figure";
     case BodyLook::crate:
       return "crate";
+    case BodyLook::wheel:
+      return "wheel";
   }
   return {};
 }

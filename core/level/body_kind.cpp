@@ -29,7 +29,14 @@ Vec2 new_body_size(BodyKind kind, TileSize tile) {
   return {size.x * tile.width / kUsual.width, size.y * tile.height / kUsual.height};
 }
 
-double mass_of(BodyKind kind, Vec2 size) { return traits_of(kind).mass * (size.x * size.y / kMassArea); }
+double mass_of(BodyKind kind, Vec2 size) {
+  if (const double radius = radius_of(kind, size); radius > 0) size = {2 * radius, 2 * radius};
+  return traits_of(kind).mass * (size.x * size.y / kMassArea);
+}
+
+double radius_of(BodyKind kind, Vec2 size) {
+  return traits_of(kind).shape == BodyShape::circle ? std::min(size.x, size.y) / 2 : 0;
+}
 
 std::optional<BodyKind> find_body_kind(std::string_view word) {
   return find_kind([&](const BodyTraits& traits) { return traits.word == word; });

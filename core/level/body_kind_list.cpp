@@ -28,6 +28,15 @@ std::span<const BodyTraits> body_kinds() {
        .ldtk_identifier = "Crate",
        .ldtk_color = "#A0703C",
        .svg_color = "#a0703c"},
+      {.word = "disc",
+       .help = "A disc falls like a ball. With bodies that meet it is round and rolls.",
+       .shape = BodyShape::circle,
+       .friction = 0.5,
+       .bounce = 0.3,
+       .look = BodyLook::wheel,
+       .ldtk_identifier = "Disc",
+       .ldtk_color = "#41A6F6",
+       .svg_color = "#41a6f6"},
   };
   return kKinds;
 }

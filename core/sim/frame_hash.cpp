@@ -27,6 +27,9 @@ std::uint64_t frame_hash(const State& state) {
     const std::uint64_t gait =
         kinds[static_cast<std::size_t>(body.kind)].takes_keys ? gait_bits(body.gait) : 0;
     mix(lanes[4], static_cast<std::uint64_t>(body.id) | gait << 32);
+    if (kinds[static_cast<std::size_t>(body.kind)].shape != BodyShape::circle) continue;
+    mix(lanes[0], std::bit_cast<std::uint64_t>(body.spin));
+    mix(lanes[1], std::bit_cast<std::uint64_t>(body.turn));
   }
   std::uint64_t hash = static_cast<std::uint64_t>(state.grabbed);
   for (const std::uint64_t lane : lanes) mix(hash, lane);

@@ -95,6 +95,10 @@ std::uint64_t state_hash(const State& state) {
     for (double number : {body.box.x, body.box.y, body.velocity.x, body.velocity.y}) {
       hash_bits(hash, std::bit_cast<std::uint64_t>(number));
     }
+    if (traits_of(body.kind).shape == BodyShape::circle) {
+      hash_bits(hash, std::bit_cast<std::uint64_t>(body.spin));
+      hash_bits(hash, std::bit_cast<std::uint64_t>(body.turn));
+    }
     if (traits_of(body.kind).takes_keys) {
       const Gait& gait = body.gait;
       hash_bits(hash, static_cast<std::uint64_t>(gait.coyote) << 3 | gait.grounded << 2 | gait.jumping << 1 |

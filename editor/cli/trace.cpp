@@ -29,6 +29,10 @@ void append_body(std::string& line, const Body& body) {
   append_field(line, ",\"y\":", body.box.y);
   append_field(line, ",\"vx\":", body.velocity.x);
   append_field(line, ",\"vy\":", body.velocity.y);
+  if (traits_of(body.kind).shape == BodyShape::circle) {
+    append_field(line, ",\"spin\":", body.spin);
+    append_field(line, ",\"turn\":", body.turn);
+  }
   line += "}";
 }
 

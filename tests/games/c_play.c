@@ -36,7 +36,7 @@ static int play(const char* path, int frames) {
 }
 
 static void check_null(void) {
-  talus_body body = {7, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  talus_body body = {7, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   double floor_y = 3;
   char error[100];
   talus_close(NULL);
@@ -139,7 +139,7 @@ static void check_floor(talus_game* game) {
 }
 
 static void check_bodies(talus_game* game) {
-  talus_body body = {7, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  talus_body body = {7, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   const int32_t count = talus_body_count(game);
   MUST(count > 0);
   MUST(talus_body_at(game, count, &body) == 0 && talus_body_at(game, -1, &body) == 0 && body.id == 7);

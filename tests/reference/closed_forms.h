@@ -32,6 +32,37 @@ inline double gain_down_incline(double gravity, double slope, double friction) {
   return slope <= friction ? 0 : gravity * (slope - friction) / length;
 }
 
+// A disc of even density: half of its mass counts at its rim.
+
+// How fast a disc gains speed down an incline from rest, and at its rim: it rolls where friction can turn it
+// as fast, and slides otherwise. slope: |dy/dx|.
+struct Rolling {
+  double gain = 0, rim = 0;
+};
+inline Rolling disc_down_incline(double gravity, double slope, double friction) {
+  const double length = std::hypot(1.0, slope), along = gravity * slope / length;
+  if (slope <= 3 * friction) return {along * 2 / 3, along * 2 / 3};
+  const double rubs = friction * gravity / length;
+  return {along - rubs, 2 * rubs};
+}
+
+// A disc that slides over a level floor until it rolls.
+struct Slide {
+  double speed = 0, gravity = 0, friction = 0;
+  double rolls_at() const { return speed / (3 * friction * gravity); }
+  double way(double time) const {
+    const double slides = std::min(time, rolls_at());
+    return speed * slides - friction * gravity * slides * slides / 2 + (time - slides) * speed * 2 / 3;
+  }
+  double rim(double time) const { return 2 * friction * gravity * std::min(time, rolls_at()); }
+};
+
+// The cosine of the angle from above at which a body leaves what is round, on which it slid without friction.
+// start: its speed on top; around: the radius of its way.
+inline double cosine_where_it_leaves(double start, double gravity, double around) {
+  return 2.0 / 3 + start * start / (3 * gravity * around);
+}
+
 // A body that falls from rest, and bounces.
 struct Fall {
   double height = 0, gravity = 0, bounce = 0;  // of the start above the floor

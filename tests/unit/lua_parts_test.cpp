@@ -213,6 +213,7 @@ TEST(LuaLevel, HasALineForEachRowTileAndBody) {
       "    [\"player\"] = {rule = \"run\", takes_keys = true, w = 8, h = 8, foot = \"centre\", look = "
       "\"figure\"},\n"
       "    [\"crate\"] = {rule = \"fall\", w = 8, h = 8, foot = \"box\", look = \"crate\"},\n"
+      "    [\"disc\"] = {rule = \"fall\", w = 8, h = 8, foot = \"box\", look = \"wheel\"},\n"
       "  },\n"
       "  tuning = {\n";
   EXPECT_EQ(text.substr(0, begin.size()), begin);

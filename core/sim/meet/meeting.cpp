@@ -30,13 +30,23 @@ Rect swept_by(const MovingBox& box, double to) {
   return {all.x - x - slack, all.y - y - slack, all.w + 2 * (x + slack), all.h + 2 * (y + slack)};
 }
 
+// by: radians
+void turn(Body& body, double spin, double by) {
+  constexpr double kTurn = 6.283185307179586476925286766559;
+  const double angle = body.turn + by;
+  body.spin = std::clamp(spin, -kMaxCoordinate, kMaxCoordinate) + 0.0;
+  body.turn = angle - kTurn * std::floor(angle / kTurn);
+}
+
 }  // namespace
 
 Meeting::Meeting(std::shared_ptr<const Scene> scene)
     : scene_(std::move(scene)),
       probe_(*scene_->ground),
+      round_(*scene_->ground),
       gravity_{0, scene_->tuning.exact.gravity},
       slowest_(fall_gain(scene_->tuning)),
+      slow_(1e-3 * slowest_),
       quiet_(quiet_speed(scene_->tuning, BodyRule::fall)),
       parts_(static_cast<int>(scene_->tuning.exact.substeps)),
       part_(1.0 / parts_) {}
@@ -81,9 +91,11 @@ void Meeting::take(State& state, const Input& input) {
     Member& member = members_[i];
     member = {.version = member.version};
     member.moving = {{0, body.box.position(), {}, {}}, {body.box.w, body.box.h}};
+    member.moving.radius = radius_of(body.kind, member.moving.size);
     if (!moves(body, state)) continue;
     if (!body.is_clear) {
-      const auto out = way_out(probe_.ground(), body.box, Foot::box, &budget_);
+      const auto out = member.moving.is_round() ? round_.way_out(member.moving.form_at(0), budget_)
+                                                : way_out(probe_.ground(), body.box, Foot::box, &budget_);
       if (out) member.moving.path.place = member.moving.path.place + *out;
     }
     member.inverse_mass = 1 / mass_of(body.kind, {body.box.w, body.box.h});
@@ -103,7 +115,17 @@ void Meeting::take(State& state, const Input& input) {
       if (!(gravity_.y > 0)) velocity.y = lerp(velocity.y, t.fall_speed, t.fall_blend);
       member.pull = gravity_;
     }
-    member.is_steady = velocity == body.velocity;
+    if (member.moving.is_round()) {
+      if (circles_.size() != members_.size()) circles_.resize(members_.size());
+      Circle& circle = *(member.circle = &circles_[i]);
+      // A disc of even density: half of its mass counts at its rim.
+      circle.inverse_spin = 2 * member.inverse_mass;
+      circle.spin = member.is_held ? 0 : lerp(body.spin, 0, t.drift_blend);
+      circle.spin_pull = circle.turned = 0;
+      circle.track.is_on = false;
+    }
+    member.is_steady =
+        velocity == body.velocity && (member.circle == nullptr || member.circle->spin == body.spin);
     if (record_ != nullptr) record_->paths[i].goal = body.box.position() + velocity + member.pull * 0.5;
   }
 }
@@ -116,6 +138,7 @@ void Meeting::run_part() {
     member.moving.path.pull = member.is_asleep || member.is_capped ? Vec2() : member.pull;
     member.events = member.is_asleep ? rests_[i].events : 0;
     member.bounced = -1;
+    member.is_spent = false;
     if (!std::exchange(member.is_swept, false)) sweep(i);
   }
   for (std::uint32_t i = 0; i < members_.size(); ++i) {
@@ -139,9 +162,11 @@ void Meeting::run_part() {
     resolve(event);
   }
   for (Member& member : members_) {
-    FallPath& path = member.moving.path;
-    path = path.from(end);
-    path.time = 0;
+    go_to(member, end);
+    member.moving.path.time = 0;
+    if (member.circle == nullptr) continue;
+    member.circle->track.is_on = false;
+    member.circle->spin_pull = 0;
   }
 }
 
@@ -159,6 +184,7 @@ void Meeting::give(State& state) {
     body.box.y = place.y;
     // Adding 0 leaves no -0, whose bits are others.
     if (!member.is_held) body.velocity = {velocity.x + 0.0, velocity.y + 0.0};
+    if (const Circle* circle = member.circle) turn(body, circle->spin, circle->turned / member.moving.radius);
     const bool stood = body.gait.grounded;
     leaves_apart_ = leaves_apart_ && !member.is_capped && !is_stopped_;
     body.gait.grounded = member.is_grounded;
@@ -213,23 +239,31 @@ void Meeting::part_overlaps(bool are_apart) {
 // px. Of several overlaps on one side the deepest counts. Bodies in one place make a pile, by their order.
 Vec2 Meeting::way_apart(std::uint32_t index) {
   const Member& member = members_[index];
-  const Rect box = member.moving.at(0);
+  const Form form = member.moving.form_at(0);
+  const Rect& box = form.box;
   Vec2 least, most, pile;
   if (!grid_.near(box, index, budget_.left, near_)) return {};
   for (const std::uint32_t other : near_) {
     const Member& there = members_[other];
-    const Rect with = there.moving.at(0);
+    const Form other_form = there.moving.form_at(0);
+    const Rect& with = other_form.box;
     const Vec2 depth{std::min(box.right() - with.x, with.right() - box.x),
                      std::min(box.bottom() - with.y, with.bottom() - box.y)};
     const double least_depth = std::min(depth.x, depth.y);
     if (!(least_depth > 0) || least_depth <= touch_slack(box, with)) continue;
-    const auto normal = touching_normal(box, with, index < other);
+    const auto normal = touching_normal(form, other_form, index < other);
     if (!normal) continue;
+    const bool is_round = form.is_round() || other_form.is_round();
+    const double deep = is_round         ? -nearness(form, other_form, index < other).gap
+                        : normal->x != 0 ? depth.x
+                                         : depth.y;
+    if (deep <= touch_slack(box, with)) continue;
     // The upper one goes up all the way, as the lower one may stand on something.
     const double part = member.inverse_mass / (member.inverse_mass + there.inverse_mass);
     const bool is_free = there.inverse_mass > 0;
-    const double share = normal->y != 0 && is_free ? (normal->y < 0 ? 1 : 0) : part;
-    const Vec2 way = *normal * (share * (normal->x != 0 ? depth.x : depth.y));
+    const bool is_upright = std::abs(normal->y) > std::abs(normal->x);
+    const double share = is_upright && is_free ? (normal->y < 0 ? 1 : 0) : part;
+    const Vec2 way = *normal * (share * deep);
     if (box.center() == with.center()) pile = pile + way;
     least = {std::min(least.x, way.x), std::min(least.y, way.y)};
     most = {std::max(most.x, way.x), std::max(most.y, way.y)};
@@ -238,6 +272,13 @@ Vec2 Meeting::way_apart(std::uint32_t index) {
 }
 
 // ---- Events ----
+
+void Meeting::stop(Member& member) {
+  member.moving.path.velocity = member.moving.path.pull = {};
+  if (member.circle == nullptr) return;
+  member.circle->spin = member.circle->spin_pull = 0;
+  member.circle->track.is_on = false;
+}
 
 // The work of the step is used up. What has met something, or would now, loses its speed: else the next step
 // would begin with the same work, and not get any further.
@@ -251,8 +292,9 @@ void Meeting::stop_early(double now) {
     if (event.kind == Event::Kind::pair) stops[event.b] = 1;
   }
   for (std::size_t i = 0; i < members_.size(); ++i) {
-    FallPath& path = members_[i].moving.path;
-    if (stops[i]) path = {now, path.place_at(now), {}, {}};
+    if (!stops[i]) continue;
+    go_to(members_[i], now);
+    stop(members_[i]);
   }
 }
 
@@ -288,6 +330,7 @@ void Meeting::set_off(std::uint32_t index) {
   sweep(index);
   if (member.inverse_mass > 0) look_for_ground(index);
   look_for_pairs(index, false);
+  look_for_end_of_track(index);
 }
 
 void Meeting::look_for_ground(std::uint32_t index) {
@@ -302,7 +345,8 @@ void Meeting::look_for_ground(std::uint32_t index) {
   };
   turn(path.velocity.x, path.pull.x);
   turn(path.velocity.y, path.pull.y);
-  const auto meeting = probe_.next_meeting(member.moving, to, budget_);
+  const auto meeting = member.circle != nullptr ? next_meeting_of_circle(member, to)
+                                                : probe_.next_meeting(member.moving, to, budget_);
   if (meeting) {
     member.ground = *meeting;
     push({.time = meeting->time, .kind = Event::Kind::ground, .a = index});
@@ -320,12 +364,15 @@ void Meeting::look_for_pairs(std::uint32_t index, bool only_later) {
     const bool looks = there.inverse_mass > 0 && !there.is_asleep;
     if (only_later && other < index && looks) continue;
     if (member.inverse_mass == 0 && there.inverse_mass == 0) continue;
+    if (goes_along(member, other) || goes_along(there, index)) continue;
     --budget_.left;
     const Rect& with = there.swept;
     if (with.x > here.right() || here.x > with.right() || with.y > here.bottom() || here.y > with.bottom())
       continue;
     const double from = std::max(member.moving.path.time, there.moving.path.time);
-    if (const auto meeting = talus::next_meeting(member.moving, there.moving, from, part_))
+    // Of a crowd what is left of an approach is not worth another event.
+    const double still = member.is_spent && there.is_spent ? std::max(kStill, crowd_still()) : kStill;
+    if (const auto meeting = talus::next_meeting(member.moving, there.moving, from, part_, still))
       push({.time = meeting->time,
             .kind = Event::Kind::pair,
             .a = index,

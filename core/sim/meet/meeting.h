@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -12,6 +13,8 @@
 #include "../body_grid.h"
 #include "contact_set.h"
 #include "ground_probe.h"
+#include "round_ground.h"
+#include "track.h"
 
 namespace talus {
 
@@ -28,6 +31,20 @@ class Meeting {
   std::int64_t step(State& state, const Input& input, StepRecord* record, std::vector<StepEvent>* events);
 
  private:
+  // Events of one body in a part of a step, after which it is to come to rest.
+  static constexpr int kMostSlowEvents = 6;
+  static constexpr double kTouching = 1.0 / 1024;  // px: two that are slow, one of them a circle, touch
+  static constexpr double kNearCircle = 1.0 / 16;  // px: they may come to meet in a part of a step
+
+  // What only circles have.
+  struct Circle {
+    double spin = 0, spin_pull = 0;  // px/frame and px/frame^2 of its rim, clockwise, at the time of its path
+    double inverse_spin = 0;         // as in Inertia
+    double turned = 0;               // px of its rim, in this step
+    GroundSide ground = {};          // that its path leads to
+    Track track = {};
+  };
+
   // A body in a step.
   struct Member {
     MovingBox moving = {};
@@ -50,7 +67,10 @@ class Meeting {
     bool is_held = false;    // by the mouse
     bool is_asleep = false;  // it rests as in the step before; nothing looks for what it meets
     bool is_capped = false;
+    bool is_spent = false;      // it has got what its pull gives it in this part
     GroundMeeting ground = {};  // that its path leads to
+    Circle* circle = nullptr;   // null: it is a box
+    bool is_on_track() const { return circle != nullptr && circle->track.is_on; }
     // One that is capped stands still from then on.
     bool may_have_moved() const { return inverse_mass > 0 || is_capped; }
   };
@@ -68,6 +88,10 @@ class Meeting {
   struct Met {
     Touch touch;
     Contact<double> contact;
+    int side = -1;  // in sides_, if a circle touches something; -1: two boxes, or a box and the ground
+    bool is_round() const { return side >= 0; }
+    bool is_track = false;  // a circle in it goes along the other one
+    bool is_apart = false;  // two that do not touch yet, but are near, one of which is a circle
   };
 
   // A body after a step.
@@ -90,6 +114,7 @@ class Meeting {
   void take(State& state, const Input& input);
   void run_part();
   void stop_early(double now);
+  static void stop(Member& member);
   void give(State& state);
   bool is_as_left(const State& state) const;
   void part_overlaps(bool are_apart);
@@ -114,6 +139,29 @@ class Meeting {
   void form_islands();
   void remember(const State& state);
 
+  // meeting_tracks.cpp
+  void go_to(Member& member, double time);
+  Form form_of(std::uint32_t index) const;
+  bool goes_along(const Member& member, std::uint32_t other) const;
+  void align(const Met& met, bool stays);
+  void add_side(std::size_t place, const SideTouch& touch);
+  void add_ground_of_circles();
+  const SideTouch& side_of(const Met& met) const { return sides_[static_cast<std::size_t>(met.side)]; }
+  bool probe_circle(std::size_t place, Vec2 way, double fastest);
+  void find_tracks();
+  void begin_track(const Met& met);
+  std::optional<GroundMeeting> next_meeting_of_circle(const Member& member, double to);
+  void look_for_end_of_track(std::uint32_t index);
+
+  // meeting_crowd.cpp
+  std::optional<Vec2> touching_in_set(std::uint32_t a, std::uint32_t b) const;
+  bool is_gentle(const Event& event) const;
+  bool is_crowd() const;
+  void bounce_crowd();
+  void move_on();
+  bool stick();
+  double crowd_still() const { return slowest_ / 64; }  // px/frame
+
   // meeting_set.cpp
   void gather(const Event& event);
   void join(std::uint32_t index);
@@ -126,8 +174,9 @@ class Meeting {
   // meeting_contacts.cpp
   void resolve(const Event& event);
   void set_paths();
-  void stop();
+  void stop_set();
   void add_ground(std::size_t place, Vec2 normal, const Contact<double>& contact);
+  void sort_contacts();
   bool probe(std::size_t place, Vec2 way, double fastest);
   bool is_new(std::size_t place, Vec2 normal) const;
   void bounce();
@@ -147,14 +196,17 @@ class Meeting {
 
   const std::shared_ptr<const Scene> scene_;
   const GroundProbe probe_;
+  RoundGround round_;
   const Vec2 gravity_;    // px/frame^2
   const double slowest_;  // px/frame, that a bounce must have on level ground
+  const double slow_;     // px/frame, as Touch::slow, of circles
   const double quiet_;    // px/frame, of quiet_speed()
   const int parts_;
   const double part_;  // frames
   BodyGrid grid_;
   CastBudget budget_;
   std::vector<Member> members_;  // by index of the body
+  std::vector<Circle> circles_;  // the same; empty if there are none
   std::vector<Rest> rests_;      // the same
   std::vector<Island> islands_;
   std::vector<std::uint32_t> in_islands_;  // indices of bodies
@@ -165,12 +217,14 @@ class Meeting {
   // Of the set that is resolved.
   double time_ = 0;     // frames since the part of the step began
   double started_ = 0;  // frames since the step began, of its part
+  bool is_gentle_ = false;
   std::vector<std::uint32_t> set_;
   std::vector<std::uint32_t> shaken_;                           // those that must be in it
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;  // of it that touch
   std::vector<Vec2> before_;                                    // px/frame, their velocities
   std::vector<Inertia> inertias_;
   std::vector<Met> met_;
+  std::vector<SideTouch> sides_;  // of contacts that a circle has; of two bodies without a side of the ground
   std::vector<Touch> chosen_;
   std::vector<std::size_t> chosen_at_;
   ContactSet contacts_;

@@ -11,12 +11,8 @@
 namespace talus {
 namespace {
 
-// Events of one body in a part of a step, after which it is to come to rest.
-constexpr int kMostSlowEvents = 6;
 // After so many, it and what it touches stop there until the part is over.
 constexpr int kMostEvents = 64;
-
-bool is_still(Vec2 v) { return std::abs(v.x) <= kStill && std::abs(v.y) <= kStill; }
 
 }  // namespace
 
@@ -25,32 +21,43 @@ void Meeting::resolve(const Event& event) {
   time_ = event.time;
   const bool is_ground = event.kind == Event::Kind::ground;
   if (is_ground) {
-    first.moving.path = first.moving.path.from(time_);
-    first.moving.path.place = first.ground.place;
+    const bool is_on_track = first.is_on_track();
+    go_to(first, time_);
+    if (is_on_track) first.circle->track.is_on = false;
+    if (!is_on_track) first.moving.path.place = first.ground.place;
   }
   shaken_.clear();
+  bool is_crowded = false;
   do {
     gather(event);
+    add_ground_of_circles();
     if (is_ground) {
       // What it meets at the same time belongs to the same impact; rounding is not to choose.
       const auto place = static_cast<std::size_t>(first.place_in_set);
       const Vec2 velocity = inertias_[place].velocity;
-      add_ground(place, first.ground.normal, first.ground.contact);
+      if (first.circle != nullptr)
+        add_side(place, {first.circle->ground, {first.ground.normal}});
+      else
+        add_ground(place, first.ground.normal, first.ground.contact);
       probe(place, {velocity.x, 0}, -kStillOnGround);
       probe(place, {0, velocity.y}, -kStillOnGround);
     }
-    bounce();
-  } while (shakes_more());
-  hold();
-  if (is_dozing()) {
-    for (Inertia& body : inertias_) body.velocity = body.pull = {};
+    is_crowded = is_crowd();
+    is_crowded ? bounce_crowd() : bounce();
+  } while (!is_crowded && shakes_more());
+  is_crowded ? move_on() : hold();
+  if (!is_crowded && is_dozing()) {
+    for (Inertia& body : inertias_) {
+      body.velocity = body.pull = {};
+      body.spin = body.spin_pull = 0;
+    }
   }
   remember_set();
   note_contacts();
   set_paths();
   const bool is_capped = std::any_of(
       set_.begin(), set_.end(), [&](std::uint32_t index) { return members_[index].events >= kMostEvents; });
-  if (is_capped) stop();
+  if (is_capped) stop_set();
   for (std::size_t i = 0; i < set_.size(); ++i) {
     members_[set_[i]].place_in_set = -1;
     if (is_inner(i)) set_off(set_[i]);
@@ -62,19 +69,24 @@ void Meeting::resolve(const Event& event) {
 void Meeting::set_paths() {
   for (std::size_t i = 0; i < set_.size(); ++i) {
     if (!is_inner(i)) continue;
-    FallPath& path = members_[set_[i]].moving.path;
+    Member& member = members_[set_[i]];
+    FallPath& path = member.moving.path;
     path.velocity = within_limits({}, inertias_[i].velocity);
     path.pull = within_limits({}, inertias_[i].pull);
     if (is_still(path.velocity) && is_still(path.pull)) path.velocity = path.pull = {};
+    if (member.circle == nullptr) continue;
+    const Vec2 spin{inertias_[i].spin, inertias_[i].spin_pull};
+    member.circle->spin = is_still(spin) ? 0 : spin.x;
+    member.circle->spin_pull = is_still(spin) ? 0 : spin.y;
   }
   for (const Met& met : met_) {
     const auto a = static_cast<std::size_t>(met.touch.a);
     if (met.touch.b == Touch::kGround && is_inner(a)) {
       const double speed = ContactSet::speed(met.touch, inertias_, met.touch.normal);
-      const bool stays = ContactSet::gain(met.touch, inertias_, met.touch.normal) <= kStillOnGround;
-      if (std::abs(speed) <= kStillOnGround)
-        probe_.align(met.contact, stays, members_[set_[a]].moving, budget_);
+      const bool stays = ContactSet::gain(met.touch, inertias_) <= kStillOnGround;
+      if (std::abs(speed) <= kStillOnGround) align(met, stays);
     }
+    if (met.is_track) begin_track(met);
     if (!(met.touch.impulse > 0) || met.touch.bounce == 0) continue;
     members_[set_[a]].bounced = time_;
     if (met.touch.b != Touch::kGround) members_[set_[static_cast<std::size_t>(met.touch.b)]].bounced = time_;
@@ -82,13 +94,14 @@ void Meeting::set_paths() {
 }
 
 // The bodies of the set have had more contacts than a step handles.
-void Meeting::stop() {
+void Meeting::stop_set() {
   for (std::size_t i = 0; i < set_.size(); ++i) {
     if (!is_inner(i)) continue;
     Member& member = members_[set_[i]];
     member.is_capped = true;
     member.inverse_mass = 0;
-    member.moving.path.velocity = member.moving.path.pull = {};
+    if (member.circle != nullptr) member.circle->inverse_spin = 0;
+    stop(member);
   }
 }
 
@@ -100,6 +113,10 @@ void Meeting::add_ground(std::size_t place, Vec2 normal, const Contact<double>& 
   met.touch.normal = normal;
   met.touch.friction = members_[set_[place]].friction;
   met.contact = contact;
+  sort_contacts();
+}
+
+void Meeting::sort_contacts() {
   std::sort(met_.begin(), met_.end(), [](const Met& a, const Met& b) {
     const auto key = [](const Touch& t) { return std::tuple(t.a, t.b, t.normal.y, t.normal.x); };
     return key(a.touch) < key(b.touch);
@@ -111,6 +128,7 @@ void Meeting::add_ground(std::size_t place, Vec2 normal, const Contact<double>& 
 bool Meeting::probe(std::size_t place, Vec2 way, double fastest) {
   if (!is_inner(place)) return false;
   Member& member = members_[set_[place]];
+  if (member.moving.is_round()) return probe_circle(place, way, fastest);
   constexpr int kMostTries = 3;
   for (int i = 0; i < kMostTries && !is_still(way); ++i) {
     Rect box = member.moving.at(time_);
@@ -181,9 +199,11 @@ bool Meeting::choose(bool is_late) {
   chosen_at_.clear();
   bool approaches = false;
   for (std::size_t i = 0; i < met_.size(); ++i) {
+    if (met_[i].is_apart) continue;
     Touch& touch = met_[i].touch;
     const double speed = -ContactSet::speed(touch, inertias_, touch.normal), still = touch.still();
-    if (speed < -still && -speed <= slowest_ && (is_restless(touch.a) || is_restless(touch.b)))
+    if (!met_[i].is_round() && speed < -still && -speed <= slowest_ &&
+        (is_restless(touch.a) || is_restless(touch.b)))
       touch.is_caught = true;
     approaches = approaches || speed > still || (touch.is_caught && speed < -still);
     if (speed > still && !touch.is_held) {
@@ -195,6 +215,21 @@ bool Meeting::choose(bool is_late) {
     if (!(speed > still) && !touch.is_held && !touch.is_caught) continue;
     chosen_.push_back(touch);
     chosen_at_.push_back(i);
+  }
+  // Where nothing bounces, all are solved at once: friction makes circles press on what they did not
+  // approach.
+  const bool bounces = std::any_of(chosen_.begin(), chosen_.end(), [](const Touch& t) { return !t.is_held; });
+  const bool is_round =
+      std::any_of(chosen_.begin(), chosen_.end(), [](const Touch& t) { return t.slow > 0; });
+  if (approaches && is_round && !bounces) {
+    chosen_.clear();
+    chosen_at_.clear();
+    for (std::size_t i = 0; i < met_.size(); ++i) {
+      if (met_[i].is_apart) continue;
+      chosen_.push_back(met_[i].touch);
+      if (!chosen_.back().is_held) chosen_.back().bounce = 0;
+      chosen_at_.push_back(i);
+    }
   }
   return approaches;
 }
@@ -227,6 +262,7 @@ void Meeting::level_out() {
   bool approaches = false;
   chosen_.clear();
   for (const Met& met : met_) {
+    if (met.is_apart) continue;
     const bool is_own = met.touch.b == Touch::kGround || is_inner(static_cast<std::size_t>(met.touch.b));
     if (!is_own || !is_inner(static_cast<std::size_t>(met.touch.a))) continue;
     const double speed = ContactSet::speed(met.touch, inertias_, met.touch.normal);
@@ -250,7 +286,8 @@ bool Meeting::is_dozing() const {
   bool has_restless = false;
   for (std::size_t i = 0; i < set_.size(); ++i) {
     const Vec2 v = inertias_[i].velocity;
-    if (std::abs(v.x) > slowest_ || std::abs(v.y) > slowest_) return false;
+    if (std::abs(v.x) > slowest_ || std::abs(v.y) > slowest_ || std::abs(inertias_[i].spin) > slowest_)
+      return false;
     has_restless = has_restless || is_restless(static_cast<int>(i));
   }
   return has_restless;
@@ -261,16 +298,21 @@ void Meeting::hold() {
   std::vector<Vec2> free(set_.size());
   for (std::size_t i = 0; i < set_.size(); ++i) {
     free[i] = inertias_[i].pull;
-    if (!is_inner(i)) inertias_[i].inverse_mass = 0;
+    if (!is_inner(i)) inertias_[i].inverse_mass = inertias_[i].inverse_spin = 0;
   }
   constexpr int kMostTurns = 16;
   for (int turn = 0; turn < kMostTurns; ++turn) {
     chosen_.clear();
     chosen_at_.clear();
-    for (std::size_t i = 0; i < set_.size(); ++i) inertias_[i].pull = free[i];
+    for (std::size_t i = 0; i < set_.size(); ++i) {
+      inertias_[i].pull = free[i];
+      if (is_inner(i)) inertias_[i].spin_pull = 0;
+    }
+    find_tracks();
     for (std::size_t i = 0; i < met_.size(); ++i) {
       const Touch& touch = met_[i].touch;
-      if (ContactSet::speed(touch, inertias_, touch.normal) > touch.still()) continue;
+      if (met_[i].is_apart) continue;
+      if (ContactSet::speed(touch, inertias_, touch.normal) > std::max(touch.still(), touch.slow)) continue;
       chosen_.push_back(touch);
       chosen_at_.push_back(i);
     }
@@ -283,19 +325,33 @@ void Meeting::hold() {
     for (std::size_t i = 0; i < set_.size(); ++i) {
       if (probe(i, inertias_[i].pull, kStillOnGround)) finds = true;
     }
-    if (!finds) return;
+    if (finds) continue;
+    if (std::any_of(chosen_.begin(), chosen_.end(), [](const Touch& touch) { return touch.slow > 0; })) {
+      contacts_.settle(inertias_, chosen_);
+      budget_.left -= contacts_.take_work();
+    }
+    return;
   }
 }
 
 // Friction stops a body that slides: then it is held.
 void Meeting::look_for_turn(const Met& met) {
   if (!(met.touch.pressure > 0) || met.touch.friction == 0) return;
-  const auto path = [&](int place) {
-    return place == Touch::kGround ? FallPath() : members_[set_[static_cast<std::size_t>(place)]].moving.path;
+  Vec2 velocity, pull;
+  double spin = 0, spin_pull = 0;
+  const auto add = [&](int place, double sign) {
+    if (place == Touch::kGround) return;
+    const Member& member = members_[set_[static_cast<std::size_t>(place)]];
+    velocity = velocity + member.moving.path.velocity * sign;
+    pull = pull + member.moving.path.pull * sign;
+    if (member.circle == nullptr) return;
+    spin += member.circle->spin;
+    spin_pull += member.circle->spin_pull;
   };
-  const FallPath a = path(met.touch.a), b = path(met.touch.b);
+  add(met.touch.a, 1);
+  add(met.touch.b, -1);
   const Vec2 along = met.touch.along();
-  const double speed = dot(a.velocity - b.velocity, along), gain = dot(a.pull - b.pull, along);
+  const double speed = dot(velocity, along) - spin, gain = dot(pull, along) - spin_pull;
   if (!(speed * gain < 0) || std::abs(speed) <= kStill) return;
   const double then = time_ - speed / gain;
   if (!(then < part_)) return;

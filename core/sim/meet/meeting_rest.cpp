@@ -78,13 +78,13 @@ void Meeting::wake_touched() {
 
 // Wakes the islands that a body touches without being in them.
 void Meeting::wake_beside(std::uint32_t index) {
-  const Rect box = members_[index].moving.at(0);
-  if (!grid_.near(touch_area(box), index, budget_.left, near_)) return;
+  const Form form = members_[index].moving.form_at(0);
+  if (!grid_.near(touch_area(form.box), index, budget_.left, near_)) return;
   for (const std::uint32_t other : near_) {
     if (!members_[other].is_asleep) continue;
     Island& island = islands_[rests_[other].island - 1];
     if (!island.is_same) continue;
-    if (!touching_normal(box, members_[other].moving.at(0), index < other)) continue;
+    if (!touching_normal(form, members_[other].moving.form_at(0), index < other)) continue;
     island.is_same = !all_of(island, [&](std::uint32_t member) { return member != index; });
   }
 }
@@ -111,7 +111,8 @@ bool Meeting::is_unchanged(std::uint32_t index) const {
   if (!member.may_have_moved()) return rests_[index].is_of(body);
   const FallPath& path = member.moving.path;
   return !member.is_late && !member.is_capped && !member.is_held && (member.is_steady || parts_ == 1) &&
-         path.place == body.box.position() && path.velocity == body.velocity && path.velocity == Vec2();
+         path.place == body.box.position() && path.velocity == body.velocity && path.velocity == Vec2() &&
+         (member.circle == nullptr || member.circle->spin == 0) && body.spin == 0;
 }
 
 // Called after the first part of a step: joins what was solved together to islands.

@@ -11,10 +11,12 @@ namespace {
 // Of a large pile only so many bodies are solved at once. The ones that touch them go on as they do until
 // they are solved themselves, or are hit.
 constexpr std::size_t kMostInner = 16;
+constexpr std::size_t kMostCircles = 1024;  // the same for circles, each of which lets four more boxes in
 // An impact goes on through at most so many; the others are like walls to it.
 constexpr std::size_t kMostShaken = 32;
 // Bodies inside of one another may touch by the thousand. A set has so many contacts of two bodies at most.
 constexpr std::size_t kMostPairs = 256;
+constexpr std::size_t kMostPairsOfCircles = 4096;
 
 }  // namespace
 
@@ -34,29 +36,36 @@ void Meeting::gather(const Event& event) {
   for (const std::uint32_t index : set_) members_[index].place_in_set = -1;
   set_.clear();
   met_.clear();
+  sides_.clear();
   pairs_.clear();
   join(event.a);
   if (event.kind == Event::Kind::pair) join(event.b);
+  is_gentle_ = is_gentle(event);
   sort_by_place(shaken_);
   for (const std::uint32_t index : shaken_) join(index);
   const std::size_t given = set_.size();
   std::size_t inner = 0;
+  std::size_t circles = 0;  // of those
   bool is_cut = false;
   for (std::size_t i = 0; i < set_.size(); ++i) {
     Member& member = members_[set_[i]];
     const bool is_solved = member.is_cut && member.events > 0 && member.moving.path.time == time_;
-    const bool has_room = i < given || (inner < kMostInner && !is_solved);
+    const std::size_t most = member.moving.is_round() ? kMostCircles : kMostInner + 4 * circles;
+    const bool has_room =
+        i < given || ((member.moving.is_round() ? circles : inner - circles) < most && !is_solved);
     member.is_inner = has_room && member.inverse_mass > 0;
     is_cut = is_cut || !has_room;
     if (!member.is_inner) continue;
     ++inner;
+    circles += member.moving.is_round();
     look_around(i, event);
   }
   for (const std::uint32_t index : set_) {
     Member& member = members_[index];
     if (!member.is_inner) continue;
     member.is_cut = is_cut;
-    member.moving.path = member.moving.path.from(time_);
+    go_to(member, time_);
+    if (member.circle != nullptr) member.circle->track.is_on = false;
   }
   sort_by_place(set_);
   inertias_.clear();
@@ -67,9 +76,17 @@ void Meeting::gather(const Event& event) {
     member.place_in_set = static_cast<int>(i);
     // One that rests, and is not solved yet, is going to rest on.
     const bool may_rest = member.events == 0 && path.velocity == Vec2();
-    const Vec2 pull = is_inner(i) ? member.pull : may_rest ? Vec2() : path.pull;
-    const bool is_wall = !is_inner(i) && shaken_.size() >= kMostShaken;
-    inertias_.push_back({path.velocity_at(time_), pull, is_wall ? 0 : member.inverse_mass});
+    const Vec2 pull = is_inner(i) ? (member.is_spent ? Vec2() : member.pull) : may_rest ? Vec2() : path.pull;
+    const bool is_wall = !is_inner(i) && (shaken_.size() >= kMostShaken || is_gentle_);
+    Inertia& body = inertias_.emplace_back();
+    body.velocity = path.velocity_at(time_);
+    body.pull = pull;
+    body.inverse_mass = is_wall ? 0 : member.inverse_mass;
+    const Circle* circle = member.circle;
+    if (circle == nullptr) continue;
+    body.spin = circle->spin + circle->spin_pull * (time_ - path.time);
+    body.spin_pull = is_inner(i) ? 0 : circle->spin_pull;
+    body.inverse_spin = is_wall ? 0 : circle->inverse_spin;
   }
   add_pairs(event);
 }
@@ -83,8 +100,11 @@ void Meeting::join(std::uint32_t index) {
 // Joins what touches a body of the set.
 void Meeting::look_around(std::size_t place, const Event& event) {
   const std::uint32_t index = set_[place];
-  const Rect box = members_[index].moving.at(time_);
-  if (!grid_.near(touch_area(box), index, budget_.left, near_)) return;
+  const Form form = form_of(index);
+  const double more = form.is_round() ? 2 * kNearCircle : 0;
+  Rect area = touch_area(form.box);
+  area = {area.x - more, area.y - more, area.w + 2 * more, area.h + 2 * more};
+  if (!grid_.near(area, index, budget_.left, near_)) return;
   sort_by_place(near_);
   for (const std::uint32_t other : near_) {
     const int known = members_[other].place_in_set;
@@ -93,8 +113,8 @@ void Meeting::look_around(std::size_t place, const Event& event) {
     // Two corners meet on the way alone.
     const bool is_event = event.kind == Event::Kind::pair &&
                           ((index == event.a && other == event.b) || (index == event.b && other == event.a));
-    if (!is_event && !touching_normal(box, members_[other].moving.at(time_), index < other)) continue;
-    if (pairs_.size() == kMostPairs) return;
+    if (!is_event && !touching_in_set(index, other)) continue;
+    if (pairs_.size() == (form.is_round() ? kMostPairsOfCircles : kMostPairs)) return;
     pairs_.emplace_back(index, other);
     join(other);
   }
@@ -112,9 +132,14 @@ void Meeting::add_pairs(const Event& event) {
     Met& met = met_.emplace_back();
     met.touch.a = place(a);
     met.touch.b = place(b);
-    const auto normal = touching_normal(members_[a].moving.at(time_), members_[b].moving.at(time_), a < b);
+    const auto normal = touching_in_set(a, b);
     met.touch.normal = normal ? *normal : a == event.a ? event.normal : event.normal * -1;
     met.touch.friction = std::sqrt(members_[a].friction * members_[b].friction);
+    if (members_[a].circle == nullptr && members_[b].circle == nullptr) continue;
+    met.touch.slow = slow_;
+    met.side = static_cast<int>(sides_.size());
+    sides_.push_back({{}, nearness(form_of(a), form_of(b), a < b)});
+    met.is_apart = sides_.back().near.gap > kTouching;
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact_set.h"
+#include "round_time.h"
 
 namespace talus {
 namespace {
@@ -24,14 +25,14 @@ struct Axis {
 };
 
 // The time until the first box has come to the second from its side: 1 from the right or below, -1.
-double time_from(const Axis& axis, double side, double slack) {
+double time_from(const Axis& axis, double side, double slack, double still) {
   const double gap = side > 0 ? axis.place - axis.other : -axis.size - axis.place;
   const double speed = -side * axis.speed, gain = -side * axis.gain;
   if (gap < -slack) return HUGE_VAL;
   if (gap <= slack) {
-    if (speed > kStill) return 0;
+    if (speed > still) return 0;
     if (!(gain > kStill)) return HUGE_VAL;
-    return speed < -kStill ? -2 * speed / gain : 0;
+    return speed < -still ? -2 * speed / gain : 0;
   }
   return time_to_close(gap, speed, gain);
 }
@@ -48,7 +49,12 @@ Rect touch_area(const Rect& box) {
   return {box.x - slack, box.y - slack, box.w + 2 * slack, box.h + 2 * slack};
 }
 
-std::optional<Vec2> touching_normal(const Rect& a, const Rect& b, bool is_first) {
+std::optional<Vec2> touching_normal(const Form& one, const Form& other, bool is_first) {
+  const Rect &a = one.box, &b = other.box;
+  if (one.is_round() || other.is_round()) {
+    const Nearness near = nearness(one, other, is_first);
+    return near.gap <= touch_slack(a, b) ? std::optional(near.normal) : std::nullopt;
+  }
   const double x = std::max(a.x - b.right(), b.x - a.right()),
                y = std::max(a.y - b.bottom(), b.y - a.bottom());
   const double slack = touch_slack(a, b);
@@ -60,14 +66,30 @@ std::optional<Vec2> touching_normal(const Rect& a, const Rect& b, bool is_first)
   return Vec2{0, sign(a.y + a.h / 2, b.y + b.h / 2)};
 }
 
-std::optional<PairMeeting> next_meeting(const MovingBox& a, const MovingBox& b, double from, double to) {
+std::optional<PairMeeting> next_meeting(const MovingBox& a, const MovingBox& b, double from, double to,
+                                        double still) {
   const FallPath p = a.path.from(from), q = b.path.from(from);
   const double slack = touch_slack(a.at(from), b.at(from));
+  if (a.is_round() || b.is_round()) {
+    const FallPath way{0, {}, p.velocity - q.velocity, p.pull - q.pull};
+    Form form = a.form_at(from);
+    const Form there = b.form_at(from);
+    const Vec2 start = form.box.position();
+    const auto near_at = [&](double s) {
+      const Vec2 place = start + way.way_to(s);
+      form.box.x = place.x;
+      form.box.y = place.y;
+      return nearness(form, there, true);
+    };
+    const auto met = first_touch({way, to - from, slack, still, false}, near_at);
+    if (!met) return std::nullopt;
+    return PairMeeting{from + met->time, met->near.normal};
+  }
   const Axis x{p.place.x - q.place.x, p.velocity.x - q.velocity.x, p.pull.x - q.pull.x, a.size.x, b.size.x};
   const Axis y{p.place.y - q.place.y, p.velocity.y - q.velocity.y, p.pull.y - q.pull.y, a.size.y, b.size.y};
   std::optional<PairMeeting> first;
   const auto offer = [&](const Axis& axis, const Axis& across, double side, Vec2 normal) {
-    const double s = time_from(axis, side, slack);
+    const double s = time_from(axis, side, slack, still);
     if (!(from + s < to) || (first && from + s >= first->time)) return;
     const double beside = across.gap(s);
     if (beside > slack) return;

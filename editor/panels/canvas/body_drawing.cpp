@@ -2,6 +2,7 @@
 #include "body_drawing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "panels/ui/theme.h"
@@ -38,6 +39,20 @@ void draw_crate(ImDrawList& list, ImVec2 from, ImVec2 to, int alpha) {
   list.AddRect({from.x + bar / 2, from.y + bar / 2}, {to.x - bar / 2, to.y - bar / 2}, frame, 0, 0, bar);
 }
 
+// A disc that stands on the middle of the box's bottom, with a spoke that shows how it is turned.
+void draw_wheel(ImDrawList& list, ImVec2 from, ImVec2 to, double turn, int alpha) {
+  constexpr std::uint32_t kTyre = 0x29366f, kWheel = 0x41a6f6;
+  const float radius = std::min(to.x - from.x, to.y - from.y) / 2, rim = std::max(1.0f, radius * 0.2f);
+  const ImVec2 middle{(from.x + to.x) / 2, to.y - radius};
+  list.AddCircleFilled(middle, radius, theme::color(kTyre, alpha));
+  list.AddCircleFilled(middle, radius - rim, theme::color(kWheel, alpha));
+  const float length = radius - rim;
+  const ImVec2 way{length * static_cast<float>(std::cos(turn)), length * static_cast<float>(std::sin(turn))};
+  const ImU32 light = theme::color(theme::kText, alpha);
+  list.AddLine({middle.x - way.x, middle.y - way.y}, {middle.x + way.x, middle.y + way.y}, light, rim);
+  list.AddCircleFilled({middle.x + way.x * 0.6f, middle.y + way.y * 0.6f}, rim, light);
+}
+
 }  // namespace
 
 const BodyPicture* picture_of_body(const Level& level, const Body& body) {
@@ -61,6 +76,9 @@ bool draw_own_look(ImDrawList& list, const Body& body, ImVec2 from, ImVec2 to, i
       return true;
     case BodyLook::crate:
       draw_crate(list, from, to, alpha);
+      return true;
+    case BodyLook::wheel:
+      draw_wheel(list, from, to, body.turn, alpha);
       return true;
   }
   return false;

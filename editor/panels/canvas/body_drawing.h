@@ -11,8 +11,8 @@ namespace talus {
 // The picture that a level gives the body; null if it gives none.
 const BodyPicture* picture_of_body(const Level& level, const Body& body);
 // Draws a body whose kind has a look of its own: a box with a face, and its foot, the whole bottom side or
-// the middle of it; or a wooden box. Returns false for one that looks like its tile. from, to: px of the
-// screen. `alpha`: 0 to 255.
+// the middle of it; a wooden box; or a wheel. Returns false for one that looks like its tile. from, to: px of
+// the screen. `alpha`: 0 to 255.
 bool draw_own_look(ImDrawList& list, const Body& body, ImVec2 from, ImVec2 to, int alpha);
 
 // Where a picture is drawn: its frame stands on the bottom of the box.

@@ -1,0 +1,215 @@
+// What circles roll along, and what of the ground they touch.
+#include "meeting.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace talus {
+
+// ---- Where they are ----
+
+// Takes a body along its path, whose time is another one then.
+void Meeting::go_to(Member& member, double time) {
+  FallPath& path = member.moving.path;
+  Circle* const circle = member.circle;
+  if (circle == nullptr) return void(path = path.from(time));
+  const double s = time - path.time;
+  double spin = circle->spin + circle->spin_pull * s;
+  if (!circle->track.is_on) {
+    path = path.from(time);
+  } else {
+    const Vec2 onward = circle->track.take(member.moving, time);
+    if (circle->track.rolls < 1) spin = dot(path.velocity, onward);
+  }
+  circle->turned += (circle->spin + spin) / 2 * s;
+  circle->spin = spin;
+}
+
+// What of a body is solid at the time of the set.
+Form Meeting::form_of(std::uint32_t index) const {
+  const Member& member = members_[index];
+  if (!member.is_on_track()) return member.moving.form_at(time_);
+  MovingBox moving = member.moving;
+  member.circle->track.take(moving, time_);
+  return moving.form_at(time_);
+}
+
+std::optional<GroundMeeting> Meeting::next_meeting_of_circle(const Member& member, double to) {
+  const auto along = member.is_on_track() ? std::span<const GroundSide>(member.circle->track.sides)
+                                          : std::span<const GroundSide>();
+  return round_.next_meeting(member.moving, to, along, budget_, member.circle->ground);
+}
+
+void Meeting::look_for_end_of_track(std::uint32_t index) {
+  const Member& member = members_[index];
+  if (!member.is_on_track() || member.moving.path.time >= part_) return;
+  const double end = member.circle->track.end(member.moving, part_);
+  budget_.left -= 8;
+  if (end < part_) push({.time = end, .kind = Event::Kind::turn, .a = index});
+}
+
+// Whether a circle rolls on a body.
+bool Meeting::goes_along(const Member& member, std::uint32_t other) const {
+  if (!member.is_on_track()) return false;
+  const Track& track = member.circle->track;
+  return !track.is_ground && track.other == other && track.version == members_[other].version;
+}
+
+// Puts a body exactly on the ground that it stays on.
+void Meeting::align(const Met& met, bool stays) {
+  MovingBox& moving = members_[set_[static_cast<std::size_t>(met.touch.a)]].moving;
+  if (!moving.is_round()) return probe_.align(met.contact, stays, moving, budget_);
+  put_on(side_of(met).side, moving);
+  const Vec2 normal = met.touch.normal;
+  moving.path.velocity = moving.path.velocity - normal * dot(moving.path.velocity, normal);
+  if (stays && !met.is_track) moving.path.pull = moving.path.pull - normal * dot(moving.path.pull, normal);
+}
+
+// ---- The ground that they touch ----
+
+// Adds the contact of a circle with a side, if it is new.
+void Meeting::add_side(std::size_t place, const SideTouch& touch) {
+  const Vec2 normal = touch.near.normal;
+  if (!is_new(place, normal)) return;
+  const MovingBox& moving = members_[set_[place]].moving;
+  const Form form = moving.form_at(time_);
+  Met& met = met_.emplace_back();
+  met.touch.a = static_cast<int>(place);
+  met.touch.normal = normal;
+  met.touch.friction = members_[set_[place]].friction;
+  met.touch.slow = slow_;
+  met.contact = round_.contact_with(touch, form);
+  met.side = static_cast<int>(sides_.size());
+  sides_.push_back({touch.side, nearness(touch.side, form.middle(), moving.radius).near});
+  sort_contacts();
+}
+
+// Circles in a pile press on all ground that they touch.
+void Meeting::add_ground_of_circles() {
+  if (circles_.empty()) return;
+  for (std::size_t i = 0; i < set_.size(); ++i) {
+    const MovingBox& moving = members_[set_[i]].moving;
+    if (!is_inner(i) || !moving.is_round()) continue;
+    const Form form = moving.form_at(time_);
+    for (const SideTouch& touch : round_.touched(form, budget_)) {
+      const Vec2 normal = touch.near.normal;
+      if (dot(inertias_[i].velocity, normal) <= slow_) add_side(i, touch);
+    }
+  }
+}
+
+// The same for a circle, and all sides that it touches.
+bool Meeting::probe_circle(std::size_t place, Vec2 way, double fastest) {
+  if (is_still(way)) return false;
+  bool finds = false;
+  const Form form = members_[set_[place]].moving.form_at(time_);
+  for (const SideTouch& touch : round_.touched(form, budget_)) {
+    const Vec2 normal = touch.near.normal;
+    if (!(-dot(way, normal) > kStillOnGround) || dot(inertias_[place].velocity, normal) > fastest) continue;
+    if (!is_new(place, normal)) continue;
+    add_side(place, touch);
+    finds = true;
+  }
+  return finds;
+}
+
+// ---- Tracks ----
+
+// Of the contacts that a circle keeps, it goes along the one with the ground that bends towards it most, or
+// along a body that stands still.
+void Meeting::find_tracks() {
+  if (circles_.empty()) return;
+  for (Met& met : met_) {
+    met.is_track = false;
+    met.touch.parts = 0;
+  }
+  const auto is_at_rest = [&](int place) {
+    return inertias_[static_cast<std::size_t>(place)].velocity == Vec2();
+  };
+  for (std::size_t i = 0; i < set_.size(); ++i) {
+    const Member& member = members_[set_[i]];
+    if (!is_inner(i) || !member.moving.is_round()) continue;
+    const int place = static_cast<int>(i);
+    Met* best = nullptr;
+    bool is_on_ground = false;
+    for (Met& met : met_) {
+      const Touch& touch = met.touch;
+      if (!met.is_round() || met.is_apart || (touch.a != place && touch.b != place)) continue;
+      if (std::abs(ContactSet::speed(touch, inertias_, touch.normal)) > touch.still()) continue;
+      const bool is_ground = touch.b == Touch::kGround;
+      if (!is_ground && (is_on_ground || !is_at_rest(touch.a == place ? touch.b : touch.a))) continue;
+      if (best == nullptr || (is_ground && !is_on_ground) ||
+          side_of(met).near.bend < side_of(*best).near.bend)
+        best = &met;
+      is_on_ground = is_on_ground || is_ground;
+    }
+    if (best == nullptr) continue;
+    best->is_track = true;
+    best->touch.parts = side_of(*best).near.bend * dot(inertias_[i].velocity, inertias_[i].velocity);
+  }
+}
+
+// A circle that something holds on a track goes along it from now on.
+void Meeting::begin_track(const Met& met) {
+  const auto goes = [&](int place) {
+    if (place == Touch::kGround || !is_inner(static_cast<std::size_t>(place))) return false;
+    const MovingBox& moving = members_[set_[static_cast<std::size_t>(place)]].moving;
+    return moving.is_round() && !(moving.path.velocity == Vec2() && moving.path.pull == Vec2());
+  };
+  const bool is_first = goes(met.touch.a);
+  if (!(met.touch.pressure > 0) || !(is_first || goes(met.touch.b))) return;
+  const auto place = static_cast<std::size_t>(is_first ? met.touch.a : met.touch.b);
+  const std::uint32_t index = set_[place];
+  Member& member = members_[index];
+  Track& track = member.circle->track;
+  const SideTouch& followed = side_of(met);
+  track = {};
+  track.is_on = true;
+  track.is_ground = met.touch.b == Touch::kGround;
+  track.on_end = followed.near.on_end;
+  track.is_alone = true;
+  for (const Met& other : met_) {
+    const bool is_of_it =
+        other.touch.a == static_cast<int>(place) || other.touch.b == static_cast<int>(place);
+    if (&other == &met || !is_of_it || !(other.touch.pressure > 0)) continue;
+    track.is_alone = false;
+  }
+  const Vec2 normal = is_first ? met.touch.normal : Vec2() - met.touch.normal;
+  if (track.is_ground) {
+    const Form form = member.moving.form_at(time_);
+    for (const SideTouch& touch : round_.touched(form, budget_)) {
+      const GroundSide& side = touch.side;
+      const bool is_followed = track.on_end ? touch.near.on_end && is_still(touch.near.normal - normal)
+                                            : side.from == followed.side.from && side.to == followed.side.to;
+      if (std::abs(dot(member.moving.path.velocity, touch.near.normal)) > kStillOnGround) continue;
+      if (is_followed) {
+        track.sides.insert(track.sides.begin(), touch.side);
+        ++track.followed;
+      } else {
+        track.sides.push_back(touch.side);
+      }
+    }
+    if (track.followed == 0) {
+      track.is_on = false;
+      return;
+    }
+  } else {
+    track.other = set_[static_cast<std::size_t>(is_first ? met.touch.b : met.touch.a)];
+    const FallPath& path = members_[track.other].moving.path;
+    track.is_on = path.velocity == Vec2() && path.pull == Vec2();
+    track.gap = followed.near.gap;
+    track.version = members_[track.other].version;
+    track.form = form_of(track.other);
+  }
+  track.pull = member.pull;
+  const Vec2 onward{-normal.y, normal.x};
+  const double straight = dot(member.pull, onward), along = dot(inertias_[place].pull, onward);
+  constexpr double kRolling = 1.0 / (1 + 0.5);
+  const double slip = dot(inertias_[place].velocity, onward) - inertias_[place].spin;
+  const bool rolls = met.touch.friction > 0 && std::abs(slip) <= kStill &&
+                     std::abs(along - inertias_[place].spin_pull) <= kStill;
+  track.rolls = rolls ? kRolling : 1;
+  track.drive = along - track.rolls * straight;
+}
+
+}  // namespace talus

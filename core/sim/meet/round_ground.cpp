@@ -1,0 +1,164 @@
+#include "round_ground.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../../collision/ground_queries.h"
+
+namespace talus {
+namespace {
+
+// px: a circle that is deeper in a side with no ground behind goes through it.
+constexpr double kThrough = 1.0 / 16;
+
+bool goes_through(const GroundSide& side, const SideNearness& here) {
+  return side.is_thin && here.near.gap < -kThrough;
+}
+
+Rect around(const Rect& a, const Rect& b) {
+  const double x = std::min(a.x, b.x), y = std::min(a.y, b.y);
+  return touch_area({x, y, std::max(a.right(), b.right()) - x, std::max(a.bottom(), b.bottom()) - y});
+}
+
+}  // namespace
+
+// Whether another side goes on from the end that a circle touches, so that it does not touch the end alone.
+bool RoundGround::is_hidden(std::size_t index, Vec2 middle, double radius) const {
+  const GroundSide& side = sides_[index];
+  const Vec2 a = middle - side.from, b = middle - side.to;
+  const Vec2 end = dot(a, a) <= dot(b, b) ? side.from : side.to;
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    if (i == index || !(sides_[i].from == end || sides_[i].to == end)) continue;
+    const SideNearness there = nearness(sides_[i], middle, radius);
+    if (!there.near.on_end && there.in_front) return true;
+  }
+  return false;
+}
+
+const std::vector<SideTouch>& RoundGround::touched(const Form& form, CastBudget& budget) {
+  touched_.clear();
+  find_sides(ground_, touch_area(form.box), budget, sides_);
+  const Vec2 middle = form.middle();
+  const double slack = touch_slack(form.box, form.box);
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const SideNearness here = nearness(sides_[i], middle, form.radius);
+    if (!here.in_front || here.near.gap > slack || goes_through(sides_[i], here)) continue;
+    if (here.near.on_end && is_hidden(i, middle, form.radius)) continue;
+    touched_.push_back({sides_[i], here.near});
+  }
+  return touched_;
+}
+
+std::optional<RoundTouch> RoundGround::time_to(const GroundSide& side, const MovingBox& box, double from,
+                                               double to) const {
+  const FallPath path = box.path.from(from);
+  const Form start = box.form_at(from);
+  const FallPath way{0, {}, path.velocity, path.pull};
+  const double slack = touch_slack(start.box, start.box);
+  const auto at = [&](double s) { return nearness(side, start.middle() + way.way_to(s), box.radius); };
+  if (goes_through(side, at(0))) return std::nullopt;
+  const auto near_at = [&](double s) { return at(s).near; };
+  const auto met = first_touch({way, to - from, slack, kStill, side.is_hollow()}, near_at);
+  if (!met || !at(met->time).in_front) return std::nullopt;
+  return met;
+}
+
+std::optional<GroundMeeting> RoundGround::next_meeting(const MovingBox& box, double to,
+                                                       std::span<const GroundSide> along, CastBudget& budget,
+                                                       GroundSide& side) {
+  constexpr double kSlice = 32;  // px, of a path: the sides near a long one would be many
+  constexpr std::int64_t kSliceWork = 4;
+  const double start = box.path.time;
+  const Vec2 way = box.path.way_to(to);
+  const double slices = std::ceil(std::max({1.0, std::abs(way.x) / kSlice, std::abs(way.y) / kSlice}));
+  const auto is_along = [&](const GroundSide& one) {
+    return std::any_of(along.begin(), along.end(), [&](const GroundSide& other) {
+      return other.from == one.from && other.to == one.to && other.facing == one.facing;
+    });
+  };
+  for (double i = 0; i < slices && budget.left > 0; ++i) {
+    const double begin = start + (to - start) * (i / slices),
+                 end = i + 1 == slices ? to : start + (to - start) * ((i + 1) / slices);
+    budget.left -= kSliceWork;
+    find_sides(ground_, around(box.at(begin), box.at(end)), budget, sides_);
+    std::optional<GroundMeeting> first;
+    for (std::size_t k = 0; k < sides_.size(); ++k) {
+      if (is_along(sides_[k])) continue;
+      const auto met = time_to(sides_[k], box, begin, end);
+      if (!met || (first && begin + met->time >= first->time)) continue;
+      const double time = begin + met->time;
+      MovingBox there = box;
+      there.path = box.path.from(time);
+      if (met->near.on_end && is_hidden(k, there.form_at(time).middle(), box.radius)) continue;
+      put_on(sides_[k], there);
+      const Form form = there.form_at(time);
+      first = {time, met->near.normal, form.box.position(), contact_with({sides_[k], met->near}, form)};
+      side = sides_[k];
+    }
+    if (first) return first;
+  }
+  return std::nullopt;
+}
+
+std::optional<Vec2> RoundGround::way_out(const Form& form, CastBudget& budget) {
+  Form there = form;
+  const double small = form.radius / 64;
+  const Vec2 middle = form.middle();
+  const auto first =
+      talus::way_out(ground_, {middle.x - small, middle.y - small, 2 * small, 2 * small}, Foot::box, &budget);
+  const auto move = [&](Vec2 way) {
+    there.box.x += way.x;
+    there.box.y += way.y;
+  };
+  if (first) move(*first);
+  constexpr int kMostTries = 8;
+  for (int i = 0; i < kMostTries; ++i) {
+    const auto& all = touched(there, budget);
+    const auto deepest = std::min_element(all.begin(), all.end(), [](const SideTouch& a, const SideTouch& b) {
+      return a.near.gap < b.near.gap;
+    });
+    if (deepest == all.end() || deepest->near.gap >= -touch_slack(there.box, there.box)) break;
+    move(deepest->near.normal * -deepest->near.gap);
+  }
+  const Vec2 way = there.box.position() - form.box.position();
+  return way == Vec2() ? std::nullopt : std::optional(way);
+}
+
+Contact<double> RoundGround::contact_with(const SideTouch& touch, const Form& form) const {
+  const GroundSide& side = touch.side;
+  Contact<double> contact;
+  contact.t = 0;
+  contact.position = form.box.position();
+  contact.normal = touch.near.normal;
+  contact.facing = side.facing;
+  contact.piece = side.piece;
+  contact.on_end = touch.near.on_end;
+  contact.origin = side.origin;
+  // Of tiles side by side, the one that it touches.
+  if (side.piece == nullptr && side.along.x != 0) {
+    const double last = std::round((side.to.x - side.from.x) * ground_.columns_per_px()) - 1;
+    const double column = std::floor((form.middle().x - side.from.x) * ground_.columns_per_px());
+    contact.origin += static_cast<std::int32_t>(std::clamp(column, 0.0, last));
+  }
+  return contact;
+}
+
+void put_on(const GroundSide& side, MovingBox& box) {
+  FallPath& path = box.path;
+  const Form form = box.form_at(path.time);
+  const Nearness near = nearness(side, form.middle(), box.radius).near;
+  constexpr double kRounding = 0x1p-50;  // share of a coordinate
+  if (std::abs(near.gap) <= kRounding * (std::abs(path.place.x) + std::abs(path.place.y) + box.radius))
+    return;
+  if (near.normal.x == 0) {
+    const double on_top = side.from.y - box.size.y;
+    path.place.y = near.normal.y < 0 ? on_top : on_top + 2 * box.radius;
+    if (near.on_end || side.stretch != nullptr) path.place.y = form.box.y - near.normal.y * near.gap;
+  } else if (near.normal.y == 0 && !near.on_end && side.stretch == nullptr) {
+    path.place.x = side.from.x + near.normal.x * box.radius - box.size.x / 2;
+  } else {
+    path.place = path.place - near.normal * near.gap;
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,51 @@
+// The ground as circles meet it: what one touches, when its path leads to some, and the way out of it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ground_probe.h"
+#include "ground_side.h"
+#include "round_time.h"
+
+namespace talus {
+
+// A side that a circle touches.
+struct SideTouch {
+  GroundSide side;
+  Nearness near;
+};
+
+class RoundGround {
+ public:
+  explicit RoundGround(const Terrain& ground) : ground_(ground) {}
+
+  // Finds what a circle touches. Valid until the next call.
+  const std::vector<SideTouch>& touched(const Form& form, CastBudget& budget);
+
+  // The first time on its path, before `to`, at which a circle meets the ground. along: sides that stop
+  // nothing, as it goes along them. side: gets what it meets.
+  std::optional<GroundMeeting> next_meeting(const MovingBox& box, double to,
+                                            std::span<const GroundSide> along, CastBudget& budget,
+                                            GroundSide& side);
+
+  // The way out of the ground; nothing if it is not inside.
+  std::optional<Vec2> way_out(const Form& form, CastBudget& budget);
+
+  // The contact with a side for records, of a body at a place, px.
+  Contact<double> contact_with(const SideTouch& touch, const Form& form) const;
+
+ private:
+  bool is_hidden(std::size_t index, Vec2 middle, double radius) const;
+  std::optional<RoundTouch> time_to(const GroundSide& side, const MovingBox& box, double from,
+                                    double to) const;
+
+  const Terrain& ground_;
+  std::vector<GroundSide> sides_;
+  std::vector<SideTouch> touched_;
+};
+
+// Puts a circle that touches a side exactly on it.
+void put_on(const GroundSide& side, MovingBox& box);
+
+}  // namespace talus

@@ -1,0 +1,41 @@
+// Track: what a circle rolls or slides along in a part of a step, so that it neither leaves what is bent nor
+// falls behind on it.
+#pragma once
+
+#include <vector>
+
+#include "round_ground.h"
+
+namespace talus {
+
+// Paths are parabolas. One that has the bend of the track stays near it; at its end the circle is put back on
+// it, and gets the speed that its way down or up gives it.
+struct Track {
+  bool is_on = false;
+  bool is_ground = true;          // else a body that stands still
+  std::vector<GroundSide> sides;  // of the ground, which touch it and stop nothing; the first are followed
+  std::size_t followed = 0;       // of those: one, or all that meet in the end that it goes round
+  std::uint32_t other = 0;        // index of the body
+  std::uint32_t version = 0;      // of its path
+  Form form;                      // of the body
+  double gap = 0;                 // px, which it keeps
+  bool on_end = false;            // it goes round a corner, or the end of a side
+  bool is_alone = false;          // nothing else touches the circle
+  double rolls = 1;               // share of a pull along the track that moves it; the rest turns it
+  Vec2 pull;                      // px/frame^2, without the track
+  double drive = 0;               // px/frame^2, along the track, beside that share: friction, and others
+
+  Nearness near(const Form& circle) const;
+  // Whether a circle touches the same part of it still: not one behind an end.
+  bool goes_on(const Form& circle) const;
+  // Takes a circle on it to a time, and returns the direction of the track there.
+  Vec2 take(MovingBox& circle, double time) const;
+  // The time before `most` at which a circle comes to another part of it, or leaves it; `most` if it does
+  // not.
+  double end(const MovingBox& circle, double most) const;
+
+ private:
+  void go_down(MovingBox& circle, Vec2 onward, double missing) const;
+};
+
+}  // namespace talus

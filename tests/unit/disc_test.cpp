@@ -1,0 +1,305 @@
+// Discs: circles among bodies that meet.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <talus/c/talus.h>
+#include <talus/level/body_kind.h>
+#include "level_picture.h"
+#include "meeting_run.h"
+#include "native_text.h"
+#include "reference/closed_forms.h"
+
+namespace talus::disc_test {
+
+using Play = MeetingRun;
+
+Level disc_level(std::initializer_list<std::string_view> rows, double gravity, double bounce = 0) {
+  Level level = level_of(rows);
+  let_bodies_meet(level.tuning, gravity, bounce);
+  return level;
+}
+Level empty_level(double gravity, double bounce = 0) {
+  Level level;
+  level.map = TileMap(60, 30);
+  let_bodies_meet(level.tuning, gravity, bounce);
+  return level;
+}
+
+void add(Level& level, Vec2 at, Vec2 velocity = {}, Vec2 size = {8, 8}, BodyKind kind = BodyKind::disc) {
+  level.spawns.push_back(
+      {.name = "", .position = at, .velocity = velocity, .extra = "", .kind = kind, .size = size});
+}
+void add_line(Level& level, Vec2 from, Vec2 to) {
+  level.curves.push_back({"", {Segment{from, to}, Curve::Faces::up}, ""});
+}
+Vec2 middle(const Body& disc) { return disc.box.center(); }
+double length(Vec2 v) { return std::hypot(v.x, v.y); }
+double mass(const Body& body) { return mass_of(body.kind, {body.box.w, body.box.h}); }
+
+// Of motion, of turning and of height, for a mass of 1.
+double energy(const Body& disc, double gravity) {
+  return dot(disc.velocity, disc.velocity) / 2 + disc.spin * disc.spin / 4 - gravity * middle(disc).y;
+}
+
+// ---- On the ground ----
+
+TEST(Disc, SlidesOverAFloorUntilItRolls) {
+  Level level = empty_level(0.1);
+  add_line(level, {0, 100}, {480, 100});
+  add(level, {20, 92}, {2, 0});
+  Play run(level);
+  const reference::Slide slide{.speed = 2, .gravity = 0.1, .friction = 0.5};
+  double turned = 0;
+  for (int frame = 1; frame <= 40; ++frame) {
+    run.step();
+    ASSERT_NEAR(run.body(0).box.x, 20 + slide.way(frame), 1e-12) << frame;
+    ASSERT_NEAR(run.body(0).spin, slide.rim(frame), 1e-12) << frame;
+    ASSERT_EQ(run.body(0).box.y, 92) << frame;
+    ASSERT_TRUE(run.body(0).gait.grounded) << frame;
+    turned += run.body(0).spin;
+  }
+  EXPECT_GE(run.body(0).turn, 0);
+  EXPECT_LT(run.body(0).turn, 6.2832);
+  EXPECT_GT(turned, 0);
+}
+
+TEST(Disc, RollsOrSlidesDownAnIncline) {
+  for (const double slope : {0.25, 0.5, 1.0, 1.5, 2.0, 3.0}) {
+    Level level = empty_level(0.1);
+    add_line(level, {16, 8}, {16 + 64, 8 + 64 * slope});
+    const double size = std::hypot(1, slope);
+    const Vec2 start{32 + 4 * slope / size - 4, 8 + 16 * slope - 4 / size - 4};
+    add(level, start);
+    Play run(level);
+    const auto gains = reference::disc_down_incline(0.1, slope, 0.5);
+    for (int frame = 1; frame <= 20; ++frame) {
+      run.step();
+      const double way = gains.gain * frame * frame / 2;
+      ASSERT_NEAR(run.body(0).box.x, start.x + way / size, 1e-9) << slope << " " << frame;
+      ASSERT_NEAR(run.body(0).box.y, start.y + way * slope / size, 1e-9) << slope << " " << frame;
+      ASSERT_NEAR(run.body(0).spin, gains.rim * frame, 1e-9) << slope << " " << frame;
+    }
+  }
+}
+
+TEST(Disc, RollsOverTheJointsOfTiles) {
+  Level level = disc_level({"................", "................", "################"}, 0.1);
+  add(level, {4, 8}, {1.5, 0});
+  Play run(level);
+  run.step(12);
+  const double speed = run.body(0).velocity.x;
+  for (int frame = 0; frame < 80; ++frame) {
+    run.step();
+    ASSERT_EQ(run.body(0).velocity, (Vec2{speed, 0})) << frame;
+    ASSERT_EQ(run.body(0).box.y, 8) << frame;
+  }
+}
+
+TEST(Disc, KeepsItsEnergyInABowl) {
+  for (const int parts : {1, 3}) {
+    Level level = empty_level(0.1);
+    level.tuning.exact.substeps = parts;
+    level.curves.push_back({"", {Arc{{150, 100}, 60, 90, 210, false}, Curve::Faces::up}, ""});
+    const double angle = 0.6, around = 56;
+    add(level, {150 - around * std::sin(angle) - 4, 100 + around * std::cos(angle) - 4});
+    Play run(level);
+    const double before = energy(run.body(0), 0.1);
+    for (int frame = 0; frame < 3000; ++frame) {
+      run.step();
+      ASSERT_NEAR(length(middle(run.body(0)) - Vec2{150, 100}), around, 1e-9) << frame;
+    }
+    EXPECT_NEAR(energy(run.body(0), 0.1), before, 1e-7 * std::abs(before)) << parts;
+  }
+}
+
+TEST(Disc, RestsInAValleyAndSleeps) {
+  Level level = empty_level(0.2);
+  add_line(level, {16, 24}, {64, 72});
+  add_line(level, {64, 72}, {112, 24});
+  add(level, {40, 20});
+  Play run(level);
+  run.step(400);
+  const State rests = run.state;
+  run.step(50);
+  EXPECT_EQ(run.body(0).box, rests.bodies[0].box);
+  EXPECT_EQ(run.body(0).velocity, Vec2());
+  EXPECT_NEAR(middle(run.body(0)).x, 64, 1e-6);
+  EXPECT_NEAR(middle(run.body(0)).y, 72 - 4 * std::sqrt(2.0), 1e-6);
+}
+
+TEST(Disc, FallsThroughAGapAsWideAsItself) {
+  for (const double more : {0.0, 1.0 / 256}) {
+    Level level = disc_level({"........", "........", "........", "###.####", "###.####", "........",
+                              "........", "........", "########"},
+                             0.1);
+    add(level, {24 - more / 2, 2}, {}, {8 + more, 8 + more});
+    Play run(level);
+    run.step(200);
+    const double lowest = run.body(0).box.bottom();
+    EXPECT_EQ(lowest > 60, more == 0) << lowest;
+    EXPECT_EQ(lowest<29, more> 0) << "it rests on both corners";
+    EXPECT_NEAR(middle(run.body(0)).x, 28, 1e-9);
+  }
+}
+
+TEST(Disc, StandsOnTheMiddleOfABoxThatIsNoSquare) {
+  Level level = disc_level({"........", "........", "........", "########"}, 0.1);
+  add(level, {10, 0}, {}, {6, 14});
+  add(level, {30, 10}, {}, {14, 6});
+  Play run(level);
+  run.step(100);
+  EXPECT_EQ(run.body(0).box.bottom(), 24);
+  EXPECT_EQ(run.body(1).box.bottom(), 24);
+  EXPECT_EQ(radius_of(BodyKind::disc, {6, 14}), 3);
+  EXPECT_EQ(radius_of(BodyKind::crate, {6, 14}), 0);
+  EXPECT_EQ(mass_of(BodyKind::disc, {6, 14}), mass_of(BodyKind::disc, {6, 6}));
+}
+
+// ---- With other bodies ----
+
+TEST(Disc, TwoThatHitKeepTheirMomenta) {
+  for (const double beside : {0.0, 1.0, 3.5, 6.0, 9.0}) {
+    Level level = empty_level(0, 1);
+    add(level, {20, 50}, {3, 0});
+    add(level, {60.3, 48 + beside}, {-1, 0.05}, {12, 12});
+    Play run(level);
+    Vec2 momentum;
+    double turning = 0;
+    const auto measure = [&] {
+      momentum = {};
+      turning = 0;
+      for (const Body& body : run.state.bodies) {
+        const Vec2 at = middle(body);
+        momentum = momentum + body.velocity * mass(body);
+        turning +=
+            mass(body) * (at.x * body.velocity.y - at.y * body.velocity.x + body.spin * body.box.w / 4);
+      }
+    };
+    measure();
+    const Vec2 before = momentum;
+    const double turned = turning;
+    run.step(30);
+    measure();
+    EXPECT_NEAR(momentum.x, before.x, 1e-12) << beside;
+    EXPECT_NEAR(momentum.y, before.y, 1e-12) << beside;
+    EXPECT_NEAR(turning, turned, 1e-10) << beside;
+    EXPECT_NE(run.body(0).velocity, (Vec2{3, 0})) << beside;
+  }
+}
+
+// A player stands like a wall, and has no friction.
+TEST(Disc, LeavesACornerWhereTheClosedFormSays) {
+  for (const double start : {0.05, 0.2}) {
+    Level level = empty_level(0.1);
+    add_line(level, {0, 100}, {480, 100});
+    add(level, {100, 60}, {}, {40, 40}, BodyKind::player);
+    add(level, {134, 52}, {start, 0});
+    Play run(level);
+    while (middle(run.body(1)).y < 59) run.step();
+    const double cosine = reference::cosine_where_it_leaves(start, 0.1, 4);
+    const double speed = std::sqrt(0.1 * 4 * cosine);
+    EXPECT_NEAR(run.body(1).velocity.x, speed * cosine, 1e-9) << start;
+  }
+}
+
+TEST(Disc, RollsOffACrateThatStands) {
+  Level level = disc_level(
+      {"................", "................", "................", "................", "################"},
+      0.2);
+  add(level, {40, 24}, {}, {8, 8}, BodyKind::crate);
+  add(level, {42, 4}, {0.3, 0});
+  Play run(level);
+  run.step(120);
+  EXPECT_EQ(run.body(1).box.bottom(), 32);
+  EXPECT_GT(run.body(1).box.x, 48);
+}
+
+// px: how deep two discs, or a disc and a crate, are in one another at most.
+double deepest_overlap(const State& state) {
+  double deepest = 0;
+  for (const Body& a : state.bodies)
+    for (const Body& b : state.bodies)
+      if (a.id < b.id) deepest = std::max(deepest, (a.box.w + b.box.w) / 2 - length(middle(a) - middle(b)));
+  return deepest;
+}
+
+TEST(Disc, APileComesToRest) {
+  for (const int parts : {1, 2}) {
+    Level level = disc_level({"#........#", "#........#", "#........#", "#........#", "#........#",
+                              "#........#", "#........#", "#........#", "#........#", "##########"},
+                             0.2, 0.3);
+    level.tuning.exact.substeps = parts;
+    for (int i = 0; i < 14; ++i)
+      add(level, {11.0 + 10 * (i % 5) + 0.3 * (i % 3), 4.0 + 11 * (i / 5)}, {}, {7.0 + i % 3, 7.0 + i % 3});
+    Play run(level);
+    double deepest = 0;
+    for (int frame = 0; frame < 400; ++frame) {
+      run.step();
+      deepest = std::max(deepest, deepest_overlap(run.state));
+    }
+    EXPECT_LT(deepest, 0.06) << parts;
+    const State rests = run.state;
+    run.step(20);
+    EXPECT_EQ(state_hash(run.state) != state_hash(rests), true) << "the frame counts";
+    for (std::size_t i = 0; i < rests.bodies.size(); ++i) {
+      EXPECT_EQ(run.body(i).box, rests.bodies[i].box) << parts << " " << i;
+      EXPECT_EQ(run.body(i).velocity, Vec2()) << parts << " " << i;
+      EXPECT_LE(run.body(i).box.bottom(), 72 + 1e-12) << parts << " " << i;
+    }
+  }
+}
+
+// ---- Where they are boxes ----
+
+TEST(Disc, IsABoxWhereBodiesOnlyBlock) {
+  Level level = disc_level({"........", "........", "........", "########"}, 0.1);
+  level.tuning.shared.bodies = static_cast<double>(BodyPairs::block);
+  Level same = level;
+  add(level, {10, 0}, {1, 0});
+  add(same, {10, 0}, {1, 0}, {8, 8}, BodyKind::ball);
+  Play disc(level), ball(same);
+  for (int frame = 0; frame < 60; ++frame) {
+    disc.step();
+    ball.step();
+    ASSERT_EQ(disc.body(0).box, ball.body(0).box) << frame;
+  }
+  EXPECT_EQ(disc.body(0).turn, 0);
+}
+
+TEST(Disc, ItsTurnIsPartOfTheHash) {
+  State state;
+  Body& disc = state.bodies.emplace_back();
+  disc.kind = BodyKind::disc;
+  State turned = state;
+  turned.bodies[0].turn = 1;
+  EXPECT_NE(state_hash(state), state_hash(turned));
+  turned.bodies[0].turn = 0;
+  turned.bodies[0].spin = 1;
+  EXPECT_NE(state_hash(state), state_hash(turned));
+}
+
+TEST(Disc, TheInterfaceForCHasItsTurn) {
+  const std::string text = native_with(R"("tuning": {"solver": "exact", "bodies": "meet",
+                                                     "exact": {"gravity": 0.2}},
+    "tiles": {"1": {"flags": [0]}},
+    "map": {"width": 8, "height": 2, "rows": ["0000000000000000", "0101010101010101"]},
+    "spawns": [{"kind": "disc", "x": 8, "y": 0, "vx": 1, "vy": 0}, {"kind": "crate", "x": 40, "y": 0}])");
+  char error[200];
+  talus_game* game = talus_read(text.data(), text.size(), "a.talus.json", error, sizeof error);
+  ASSERT_NE(game, nullptr) << error;
+  for (int frame = 0; frame < 10; ++frame) talus_step(game, 0, 0, 0, 0);
+  talus_body disc, crate;
+  ASSERT_EQ(talus_body_at(game, 0, &disc), 1);
+  ASSERT_EQ(talus_body_at(game, 1, &crate), 1);
+  EXPECT_EQ(disc.radius, 4);
+  EXPECT_EQ(disc.mass, 1);
+  EXPECT_NEAR(disc.spin, disc.vx, 1e-12);
+  EXPECT_GT(disc.turn, 1);
+  EXPECT_EQ(crate.radius, 0);
+  EXPECT_EQ(crate.turn, 0);
+  talus_close(game);
+}
+
+}  // namespace talus::disc_test
