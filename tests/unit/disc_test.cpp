@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <talus/c/talus.h>
 #include <talus/level/body_kind.h>
@@ -155,6 +156,39 @@ TEST(Disc, StandsOnTheMiddleOfABoxThatIsNoSquare) {
   EXPECT_EQ(radius_of(BodyKind::disc, {6, 14}), 3);
   EXPECT_EQ(radius_of(BodyKind::crate, {6, 14}), 0);
   EXPECT_EQ(mass_of(BodyKind::disc, {6, 14}), mass_of(BodyKind::disc, {6, 6}));
+}
+
+// Heights of a hill, by turns of a small generator.
+std::vector<double> hill(unsigned seed) {
+  std::vector<double> heights(13);
+  for (double& height : heights) {
+    seed = seed * 1664525u + 1013904223u;
+    height = 120 + static_cast<double>(seed >> 24) / 8;
+  }
+  heights.front() = heights.back() = 60;
+  return heights;
+}
+
+// At a joint of two lines it goes from one to its end, and on to the next one. A record changes nothing.
+TEST(Disc, RollsOverHillsAndIsNeverCaught) {
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    Level level = empty_level(0.2, seed % 2 == 0 ? 0 : 0.7);
+    level.tuning.exact.substeps = 1 + seed % 3;
+    level.curves.push_back({"", {Polyline{0, 384, hill(seed)}, Curve::Faces::up}, ""});
+    add(level, {40.0 + seed, 20}, {1.5, 0});
+    add(level, {200, 30}, {-0.5, 0}, {13, 13});
+    Play run(level), recorded(level);
+    StepRecord record;
+    for (int frame = 0; frame < 250; ++frame) {
+      run.step();
+      recorded.solver->step(recorded.state, {}, &record);
+      for (std::size_t i = 0; i < 2; ++i) {
+        ASSERT_FALSE(record.paths[i].capped) << seed << " " << frame;
+        ASSERT_EQ(run.body(i), recorded.body(i)) << seed << " " << frame;
+        ASSERT_LT(run.body(i).box.bottom(), 160) << seed << " " << frame;
+      }
+    }
+  }
 }
 
 // ---- With other bodies ----

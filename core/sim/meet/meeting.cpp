@@ -228,10 +228,17 @@ void Meeting::part_overlaps(bool are_apart) {
   }
   for (const auto& [index, way] : ways) {
     FallPath& path = members_[index].moving.path;
+    members_[index].is_swept = false;
+    if (Circle* const circle = members_[index].circle) {
+      MovingBox straight = members_[index].moving;
+      straight.path = {0, path.place, way, {}};
+      const auto met = round_.next_meeting(straight, 1, {}, budget_, circle->ground);
+      path.place = met ? met->place : path.place + way;
+      continue;
+    }
     const Contact<double> contact = cast_box<double>(
         probe_.ground(), {members_[index].moving.at(0), way, Foot::box}, {}, nullptr, &budget_);
     path.place = contact ? contact.position : path.place + way;
-    members_[index].is_swept = false;
   }
   leaves_apart_ = ways.empty();
 }
@@ -257,7 +264,8 @@ Vec2 Meeting::way_apart(std::uint32_t index) {
     const double deep = is_round         ? -nearness(form, other_form, index < other).gap
                         : normal->x != 0 ? depth.x
                                          : depth.y;
-    if (deep <= touch_slack(box, with)) continue;
+    // A crowd takes small overlaps back by itself.
+    if (deep <= (is_round ? kNearCircle : touch_slack(box, with))) continue;
     // The upper one goes up all the way, as the lower one may stand on something.
     const double part = member.inverse_mass / (member.inverse_mass + there.inverse_mass);
     const bool is_free = there.inverse_mass > 0;
@@ -355,6 +363,19 @@ void Meeting::look_for_ground(std::uint32_t index) {
   }
 }
 
+// Two bodies in the order in which their meeting is looked for. With a circle its last bit depends on it, and
+// it must not depend on who looks.
+std::pair<std::uint32_t, std::uint32_t> Meeting::in_order(std::uint32_t a, std::uint32_t b,
+                                                          double time) const {
+  if (members_[a].circle == nullptr && members_[b].circle == nullptr) return {a, b};
+  const auto key = [&](std::uint32_t i) {
+    const MovingBox& box = members_[i].moving;
+    const Vec2 place = box.path.place_at(time);
+    return std::tuple(box.radius, box.size.y, box.size.x, place.y, place.x, i);
+  };
+  return key(b) < key(a) ? std::pair(b, a) : std::pair(a, b);
+}
+
 void Meeting::look_for_pairs(std::uint32_t index, bool only_later) {
   const Member& member = members_[index];
   const Rect& here = member.swept;
@@ -372,12 +393,10 @@ void Meeting::look_for_pairs(std::uint32_t index, bool only_later) {
     const double from = std::max(member.moving.path.time, there.moving.path.time);
     // Of a crowd what is left of an approach is not worth another event.
     const double still = member.is_spent && there.is_spent ? std::max(kStill, crowd_still()) : kStill;
-    if (const auto meeting = talus::next_meeting(member.moving, there.moving, from, part_, still))
-      push({.time = meeting->time,
-            .kind = Event::Kind::pair,
-            .a = index,
-            .b = other,
-            .normal = meeting->normal});
+    const auto [a, b] = in_order(index, other, from);
+    const auto meeting = talus::next_meeting(members_[a].moving, members_[b].moving, from, part_, still);
+    if (!meeting) continue;
+    push({.time = meeting->time, .kind = Event::Kind::pair, .a = a, .b = b, .normal = meeting->normal});
   }
 }
 

@@ -67,7 +67,7 @@ class Meeting {
     bool is_held = false;    // by the mouse
     bool is_asleep = false;  // it rests as in the step before; nothing looks for what it meets
     bool is_capped = false;
-    bool is_spent = false;      // it has got what its pull gives it in this part
+    bool is_spent = false;      // it is in a crowd, and has got what its pull gives it in this part
     GroundMeeting ground = {};  // that its path leads to
     Circle* circle = nullptr;   // null: it is a box
     bool is_on_track() const { return circle != nullptr && circle->track.is_on; }
@@ -122,6 +122,7 @@ class Meeting {
   void set_off(std::uint32_t index);
   void sweep(std::uint32_t index);
   void look_for_ground(std::uint32_t index);
+  std::pair<std::uint32_t, std::uint32_t> in_order(std::uint32_t a, std::uint32_t b, double time) const;
   void look_for_pairs(std::uint32_t index, bool only_later);
   void push(Event event);
   bool is_void(const Event& event) const;
@@ -154,6 +155,7 @@ class Meeting {
   void look_for_end_of_track(std::uint32_t index);
 
   // meeting_crowd.cpp
+  Rect area_of_set(const Form& form) const;
   std::optional<Vec2> touching_in_set(std::uint32_t a, std::uint32_t b) const;
   bool is_gentle(const Event& event) const;
   bool is_crowd() const;

@@ -21,6 +21,14 @@ std::optional<Vec2> Meeting::touching_in_set(std::uint32_t a, std::uint32_t b) c
   return std::abs(speed) <= slowest_ ? std::optional(near.normal) : std::nullopt;
 }
 
+// px: holds what may be in a set with a body.
+Rect Meeting::area_of_set(const Form& form) const {
+  const Rect area = touch_area(form.box);
+  if (circles_.empty()) return area;
+  const double more = 2 * kNearCircle;
+  return {area.x - more, area.y - more, area.w + 2 * more, area.h + 2 * more};
+}
+
 // Whether a circle meets something so slowly that the rest of a pile need not give way.
 bool Meeting::is_gentle(const Event& event) const {
   const Member &a = members_[event.a], &b = members_[event.b];

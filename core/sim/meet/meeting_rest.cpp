@@ -70,6 +70,7 @@ void Meeting::wake_touched() {
     }
   };
   find_sleepers();
+  time_ = 0;
   for (std::uint32_t i = 0; !islands_.empty() && i < members_.size(); ++i) {
     if (!members_[i].is_asleep) wake_beside(i);
   }
@@ -79,12 +80,12 @@ void Meeting::wake_touched() {
 // Wakes the islands that a body touches without being in them.
 void Meeting::wake_beside(std::uint32_t index) {
   const Form form = members_[index].moving.form_at(0);
-  if (!grid_.near(touch_area(form.box), index, budget_.left, near_)) return;
+  if (!grid_.near(area_of_set(form), index, budget_.left, near_)) return;
   for (const std::uint32_t other : near_) {
     if (!members_[other].is_asleep) continue;
     Island& island = islands_[rests_[other].island - 1];
     if (!island.is_same) continue;
-    if (!touching_normal(form, members_[other].moving.form_at(0), index < other)) continue;
+    if (!touching_in_set(index, other)) continue;
     island.is_same = !all_of(island, [&](std::uint32_t member) { return member != index; });
   }
 }

@@ -101,10 +101,7 @@ void Meeting::join(std::uint32_t index) {
 void Meeting::look_around(std::size_t place, const Event& event) {
   const std::uint32_t index = set_[place];
   const Form form = form_of(index);
-  const double more = form.is_round() ? 2 * kNearCircle : 0;
-  Rect area = touch_area(form.box);
-  area = {area.x - more, area.y - more, area.w + 2 * more, area.h + 2 * more};
-  if (!grid_.near(area, index, budget_.left, near_)) return;
+  if (!grid_.near(area_of_set(form), index, budget_.left, near_)) return;
   sort_by_place(near_);
   for (const std::uint32_t other : near_) {
     const int known = members_[other].place_in_set;

@@ -159,6 +159,10 @@ void Meeting::begin_track(const Met& met) {
   const bool is_first = goes(met.touch.a);
   if (!(met.touch.pressure > 0) || !(is_first || goes(met.touch.b))) return;
   const auto place = static_cast<std::size_t>(is_first ? met.touch.a : met.touch.b);
+  // It is about to leave what bends away, or is in a hollow as narrow as itself.
+  const double bend = side_of(met).near.bend;
+  if (bend > 0 && !(met.touch.pressure * inertias_[place].inverse_mass > kBrink)) return;
+  if (-bend * members_[set_[place]].moving.radius > 1) return;
   const std::uint32_t index = set_[place];
   Member& member = members_[index];
   Track& track = member.circle->track;

@@ -22,17 +22,18 @@ Rect around(const Rect& a, const Rect& b) {
 
 }  // namespace
 
-// Whether another side goes on from the end that a circle touches, so that it does not touch the end alone.
-bool RoundGround::is_hidden(std::size_t index, Vec2 middle, double radius) const {
+// Another side that goes on from the end that a circle touches, so that it does not touch the end alone;
+// null: there is none.
+const GroundSide* RoundGround::hides(std::size_t index, Vec2 middle, double radius) const {
   const GroundSide& side = sides_[index];
   const Vec2 a = middle - side.from, b = middle - side.to;
   const Vec2 end = dot(a, a) <= dot(b, b) ? side.from : side.to;
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     if (i == index || !(sides_[i].from == end || sides_[i].to == end)) continue;
     const SideNearness there = nearness(sides_[i], middle, radius);
-    if (!there.near.on_end && there.in_front) return true;
+    if (!there.near.on_end && there.in_front) return &sides_[i];
   }
-  return false;
+  return nullptr;
 }
 
 const std::vector<SideTouch>& RoundGround::touched(const Form& form, CastBudget& budget) {
@@ -43,7 +44,7 @@ const std::vector<SideTouch>& RoundGround::touched(const Form& form, CastBudget&
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     const SideNearness here = nearness(sides_[i], middle, form.radius);
     if (!here.in_front || here.near.gap > slack || goes_through(sides_[i], here)) continue;
-    if (here.near.on_end && is_hidden(i, middle, form.radius)) continue;
+    if (here.near.on_end && hides(i, middle, form.radius) != nullptr) continue;
     touched_.push_back({sides_[i], here.near});
   }
   return touched_;
@@ -89,11 +90,19 @@ std::optional<GroundMeeting> RoundGround::next_meeting(const MovingBox& box, dou
       const double time = begin + met->time;
       MovingBox there = box;
       there.path = box.path.from(time);
-      if (met->near.on_end && is_hidden(k, there.form_at(time).middle(), box.radius)) continue;
-      put_on(sides_[k], there);
+      SideTouch touch{sides_[k], met->near};
+      const Vec2 middle = there.form_at(time).middle();
+      if (const GroundSide* other = touch.near.on_end ? hides(k, middle, box.radius) : nullptr) {
+        // It met this end before the hollow that goes on from there was looked at.
+        touch = {*other, nearness(*other, middle, box.radius).near};
+        const bool meets = touch.near.gap <= touch_slack(box.at(time), box.at(time)) &&
+                           -dot(there.path.velocity, touch.near.normal) > kStill;
+        if (is_along(*other) || !other->is_hollow() || !meets || touch.near.gap < -kThrough) continue;
+      }
+      put_on(touch.side, there);
       const Form form = there.form_at(time);
-      first = {time, met->near.normal, form.box.position(), contact_with({sides_[k], met->near}, form)};
-      side = sides_[k];
+      first = {time, touch.near.normal, form.box.position(), contact_with(touch, form)};
+      side = touch.side;
     }
     if (first) return first;
   }

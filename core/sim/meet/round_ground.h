@@ -36,7 +36,7 @@ class RoundGround {
   Contact<double> contact_with(const SideTouch& touch, const Form& form) const;
 
  private:
-  bool is_hidden(std::size_t index, Vec2 middle, double radius) const;
+  const GroundSide* hides(std::size_t index, Vec2 middle, double radius) const;
   std::optional<RoundTouch> time_to(const GroundSide& side, const MovingBox& box, double from,
                                     double to) const;
 
