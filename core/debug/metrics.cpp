@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "../collision/ground_queries.h"
+#include "../sim/body_in_ground.h"
 #include "compare.h"
 
 namespace talus {
@@ -105,18 +106,22 @@ double energy(const Frame& frame, const Body& body) {
   return dot(v, v) / 2 - gravity * body.box.center().y;
 }
 
-double penetration(const Terrain& ground, const Body& body) {
-  if (!overlaps_ground(ground, body.box, body.foot)) return 0;
+double penetration(const Frame& frame, const Body& body) {
+  const Terrain& ground = *frame.ground;
   CastBudget budget{kMostQueryWork};
-  const auto out = way_out(ground, body.box, body.foot, &budget);
+  const bool is_circle = circle_of(*frame.scene, body) > 0;
+  if (!is_circle && !overlaps_ground(ground, body.box, body.foot)) return 0;
+  const auto out = way_out_of(*frame.scene, ground, body, &budget);
+  if (is_circle && !out) return 0;
   return out ? length(*out) : std::numeric_limits<double>::infinity();
 }
 
 double floor_error(const Frame& frame, const Body& body) {
   if (frame.ground == nullptr || !is_grounded(frame, body)) return kNothing;
   CastBudget budget{kMostQueryWork};
-  if (const auto out = way_out(*frame.ground, body.box, body.foot, &budget))
+  if (const auto out = way_out_of(*frame.scene, *frame.ground, body, &budget))
     return out->y < 0 ? -out->y : kNothing;
+  if (circle_of(*frame.scene, body) > 0) return kNothing;  // it touches a slope beside its lowest point
   const auto floor = floor_below(*frame.ground, body.box, kFloorReach, body.foot, &budget);
   return floor ? body.box.bottom() - floor->y : kNothing;
 }
@@ -204,7 +209,7 @@ double measure(Metric metric, const Frame& frame, const Body& body) {
     case Metric::contacts:
       return contact_count(frame, body.id);
     case Metric::penetration:
-      return frame.ground != nullptr ? penetration(*frame.ground, body) : kNothing;
+      return frame.ground != nullptr ? penetration(frame, body) : kNothing;
     case Metric::floor_error:
       return floor_error(frame, body);
     case Metric::normal_x:

@@ -5,6 +5,7 @@
 #include "collision/ground_queries.h"
 #include "number_label.h"
 #include "overlay_pen.h"
+#include "sim/body_in_ground.h"
 #include "visible_items.h"
 
 namespace talus {
@@ -29,7 +30,7 @@ void draw_penetration(const OverlaySource& source, const Body& body, OverlayPen&
   if (source.ground == nullptr || !pen.sees(body.box)) return;
   BodyWork work(pen.drawing(), body.id == source.chosen_body);
   if (!work.is_left()) return;
-  const auto out = way_out(*source.ground, body.box, body.foot, work.budget());
+  const auto out = way_out_of(source.scene, *source.ground, body, work.budget());
   if (!out) return;
   Rect inside = body.box;
   if (out->x != 0) {

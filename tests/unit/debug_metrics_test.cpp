@@ -53,6 +53,30 @@ TEST_F(GroundMetrics, FloorError) {
   EXPECT_TRUE(std::isnan(of(Metric::floor_error, 17, 6))) << "the way out is sideways";
 }
 
+// The corners of a disc's box may be in a slope.
+TEST(DiscMetrics, ADiscOnASlopeIsNotInside) {
+  Level level = exact_level({"......", "......", "......", "......"});
+  level.tuning.shared.bodies = static_cast<double>(BodyPairs::meet);
+  level.curves.push_back({"", {Segment{{0, 0}, {32, 32}}, Curve::Faces::up}, ""});
+  level.spawns.push_back({.name = "", .position = {}, .velocity = {}, .extra = "", .kind = BodyKind::disc});
+  const RecordedFrames recorded(level, 0);
+  const Frame frame = recorded.at(0);
+  Body disc = body_at(1, 16 + 4 * std::sqrt(0.5) - 4, 16 - 4 * std::sqrt(0.5) - 4);
+  disc.kind = BodyKind::disc;
+  disc.gait.grounded = true;
+  EXPECT_EQ(measure(Metric::penetration, frame, disc), 0);
+  EXPECT_TRUE(std::isnan(measure(Metric::floor_error, frame, disc)));
+  disc.kind = BodyKind::crate;
+  EXPECT_EQ(measure(Metric::penetration, frame, disc), 0) << "thin lines have no inside";
+  level.curves.clear();
+  level.map.set({2, 2}, 1);
+  const RecordedFrames on_tile(level, 0);
+  Body corner = body_at(1, 8.75, 8.75);  // its box is in the tile, its circle is not
+  EXPECT_EQ(measure(Metric::penetration, on_tile.at(0), corner), 0.75);
+  corner.kind = BodyKind::disc;
+  EXPECT_EQ(measure(Metric::penetration, on_tile.at(0), corner), 0);
+}
+
 TEST_F(GroundMetrics, GroundIsCompiledForSolversWithoutIt) {
   const Level level = level_of({"..", "##"});
   const Scene scene = compile_scene(level);

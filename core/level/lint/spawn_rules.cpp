@@ -131,6 +131,9 @@ class SpawnLinter {
   void check_shapes(int index, const std::string& subject, std::optional<Cell> cell) {
     if (level_.tuning.solver != SolverKind::exact) return;
     const Spawn& spawn = level_.spawns[static_cast<std::size_t>(index)];
+    // A circle may touch a slope that the corners of its box are in.
+    const bool meets = level_.tuning.shared.pairs() == BodyPairs::meet;
+    if (meets && radius_of(spawn.kind, spawn.size) > 0) return;
     const Vec2 reach = level_.map.corner_of({kMaxShapeTiles, kMaxShapeTiles});
     const Vec2 end = spawn.position + spawn.size;
     const bool is_covered = any_cell(spawn.position - reach, end + reach, [&](Cell at) {
