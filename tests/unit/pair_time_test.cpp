@@ -48,11 +48,11 @@ TEST(PairTime, BoxesThatTouchAndRestDoNotMeet) {
 }
 
 TEST(PairTime, OverlappingBoxesTouchWhereTheyOverlapLeast) {
-  EXPECT_EQ(touching_normal({0, 0, 8, 8}, {7, 1, 8, 8}, true), (Vec2{-1, 0}));
-  EXPECT_EQ(touching_normal({0, 0, 8, 8}, {1, -7, 8, 8}, true), (Vec2{0, 1}));
-  EXPECT_EQ(touching_normal({0, 0, 8, 8}, {8, 8, 8, 8}, true), std::nullopt) << "two corners";
-  EXPECT_EQ(touching_normal({0, 0, 8, 8}, {0, 0, 8, 8}, true), (Vec2{0, -1}));
-  EXPECT_EQ(touching_normal({0, 0, 8, 8}, {0, 0, 8, 8}, false), (Vec2{0, 1}));
+  EXPECT_EQ(touching_normal({{0, 0, 8, 8}}, {{7, 1, 8, 8}}, true), (Vec2{-1, 0}));
+  EXPECT_EQ(touching_normal({{0, 0, 8, 8}}, {{1, -7, 8, 8}}, true), (Vec2{0, 1}));
+  EXPECT_EQ(touching_normal({{0, 0, 8, 8}}, {{8, 8, 8, 8}}, true), std::nullopt) << "two corners";
+  EXPECT_EQ(touching_normal({{0, 0, 8, 8}}, {{0, 0, 8, 8}}, true), (Vec2{0, -1}));
+  EXPECT_EQ(touching_normal({{0, 0, 8, 8}}, {{0, 0, 8, 8}}, false), (Vec2{0, 1}));
 }
 
 }  // namespace talus::pair_time_test
