@@ -7,7 +7,7 @@ end
 local count = 0
 for line in io.lines(arg[2]) do
   local frame = line:match('"frame":(%d+)')
-  for id, x, y, vx, vy in line:gmatch('{"id":(%d+),"x":([^,]+),"y":([^,]+),"vx":([^,]+),"vy":([^,}]+)}') do
+  for id, x, y, vx, vy in line:gmatch('{"id":(%d+),"x":([^,]+),"y":([^,]+),"vx":([^,]+),"vy":([^,}]+)') do
     count = count + 1
     local at, number = printed[count] or "nothing", {}
     for word in at:gmatch("%S+") do number[#number + 1] = tonumber(word) end
