@@ -7,7 +7,6 @@ namespace talus {
 namespace {
 
 Vec2 along(Vec2 normal) { return {-normal.y, normal.x}; }
-double length(Vec2 v) { return std::sqrt(dot(v, v)); }
 
 // px: only what is further past an end has left it. Putting a circle on its track may move it by rounding.
 constexpr double kPast = 1e-9;
@@ -50,7 +49,7 @@ Vec2 Track::take(MovingBox& circle, double time) const {
   circle.path.place = circle.path.place - here.normal * (here.gap - gap);
   const Vec2 way = circle.path.place - before.place;
   const double straight = dot(circle.path.velocity, onward), sign = straight < 0 ? -1 : 1;
-  const double driven = drive * (dot(way, onward) < 0 ? -1 : 1) * length(way);
+  const double driven = drive * (dot(way, onward) < 0 ? -1 : 1) * std::sqrt(dot(way, way));
   const double square = dot(before.velocity, before.velocity) + 2 * (rolls * dot(pull, way) + driven);
   circle.path.velocity = onward * (sign * std::sqrt(std::max(square, 0.0)));
   if (square < 0) go_down(circle, onward, -square);
@@ -70,7 +69,8 @@ void Track::go_down(MovingBox& circle, Vec2 onward, double missing) const {
 double Track::end(const MovingBox& circle, double most) const {
   // A parabola is near to what is bent only for so long.
   constexpr double kMostTurn = 1.0 / 8;  // radians
-  const double turn = std::abs(near(circle.form_at(circle.path.time)).bend) * length(circle.path.velocity);
+  const double turn = std::abs(near(circle.form_at(circle.path.time)).bend) *
+                      std::sqrt(dot(circle.path.velocity, circle.path.velocity));
   if (turn > 0) most = std::min(most, circle.path.time + kMostTurn / turn);
   const auto holds = [&](double time) {
     const Form now = circle.form_at(time);
