@@ -151,6 +151,8 @@ class Meeting {
   bool probe_circle(std::size_t place, Vec2 way, double fastest);
   void find_tracks();
   void begin_track(const Met& met);
+  bool follow_ground(Member& member, Vec2 normal);
+  bool follow_body(Track& track, const Nearness& near, int other) const;
   std::optional<GroundMeeting> next_meeting_of_circle(const Member& member, double to);
   void look_for_end_of_track(std::uint32_t index);
 

@@ -158,62 +158,57 @@ void Meeting::begin_track(const Met& met) {
   };
   const bool is_first = goes(met.touch.a);
   if (!(met.touch.pressure > 0) || !(is_first || goes(met.touch.b))) return;
-  const auto place = static_cast<std::size_t>(is_first ? met.touch.a : met.touch.b);
+  const int place = is_first ? met.touch.a : met.touch.b, other = is_first ? met.touch.b : met.touch.a;
+  Member& member = members_[set_[static_cast<std::size_t>(place)]];
+  const Inertia& body = inertias_[static_cast<std::size_t>(place)];
   // It is about to leave what bends away, or is in a hollow as narrow as itself.
-  const double bend = side_of(met).near.bend;
-  if (bend > 0 && !(met.touch.pressure * inertias_[place].inverse_mass > kBrink)) return;
-  if (-bend * members_[set_[place]].moving.radius > 1) return;
-  const std::uint32_t index = set_[place];
-  Member& member = members_[index];
-  Track& track = member.circle->track;
-  const SideTouch& followed = side_of(met);
-  track = {};
-  track.is_on = true;
-  track.is_ground = met.touch.b == Touch::kGround;
-  track.on_end = followed.near.on_end;
-  track.is_alone = true;
-  for (const Met& other : met_) {
-    const bool is_of_it =
-        other.touch.a == static_cast<int>(place) || other.touch.b == static_cast<int>(place);
-    if (&other == &met || !is_of_it || !(other.touch.pressure > 0)) continue;
-    track.is_alone = false;
-  }
+  const Nearness& near = side_of(met).near;
+  if (near.bend > 0 && !(met.touch.pressure * body.inverse_mass > kBrink)) return;
+  if (-near.bend * member.moving.radius > 1) return;
   const Vec2 normal = is_first ? met.touch.normal : Vec2() - met.touch.normal;
-  if (track.is_ground) {
-    const Form form = member.moving.form_at(time_);
-    for (const SideTouch& touch : round_.touched(form, budget_)) {
-      const GroundSide& side = touch.side;
-      const bool is_followed = track.on_end ? touch.near.on_end && is_still(touch.near.normal - normal)
-                                            : side.from == followed.side.from && side.to == followed.side.to;
-      if (std::abs(dot(member.moving.path.velocity, touch.near.normal)) > kStillOnGround) continue;
-      if (is_followed) {
-        track.sides.insert(track.sides.begin(), touch.side);
-        ++track.followed;
-      } else {
-        track.sides.push_back(touch.side);
-      }
-    }
-    if (track.followed == 0) {
-      track.is_on = false;
-      return;
-    }
-  } else {
-    track.other = set_[static_cast<std::size_t>(is_first ? met.touch.b : met.touch.a)];
-    const FallPath& path = members_[track.other].moving.path;
-    track.is_on = path.velocity == Vec2() && path.pull == Vec2();
-    track.gap = followed.near.gap;
-    track.version = members_[track.other].version;
-    track.form = form_of(track.other);
-  }
+  Track& track = member.circle->track;
+  track = {};
+  track.on_end = near.on_end;
+  track.is_on = other == Touch::kGround ? follow_ground(member, normal) : follow_body(track, near, other);
+  track.is_alone = std::none_of(met_.begin(), met_.end(), [&](const Met& m) {
+    return &m != &met && (m.touch.a == place || m.touch.b == place) && m.touch.pressure > 0;
+  });
   track.pull = member.pull;
   const Vec2 onward{-normal.y, normal.x};
-  const double straight = dot(member.pull, onward), along = dot(inertias_[place].pull, onward);
-  constexpr double kRolling = 1.0 / (1 + 0.5);
-  const double slip = dot(inertias_[place].velocity, onward) - inertias_[place].spin;
-  const bool rolls = met.touch.friction > 0 && std::abs(slip) <= kStill &&
-                     std::abs(along - inertias_[place].spin_pull) <= kStill;
-  track.rolls = rolls ? kRolling : 1;
+  const double straight = dot(member.pull, onward), along = dot(body.pull, onward);
+  const double slip = dot(body.velocity, onward) - body.spin;
+  const bool rolls =
+      met.touch.friction > 0 && std::abs(slip) <= kStill && std::abs(along - body.spin_pull) <= kStill;
+  track.rolls = rolls ? 1 / (1 + body.inverse_mass / body.inverse_spin) : 1;
   track.drive = along - track.rolls * straight;
+}
+
+// Of the sides that a circle touches, and keeps touching, it follows the one with this normal, or those that
+// meet in the end that it goes round. Returns whether there are some.
+bool Meeting::follow_ground(Member& member, Vec2 normal) {
+  Track& track = member.circle->track;
+  const MovingBox& moving = member.moving;
+  const Form form = moving.form_at(time_);
+  // All of the way: else the seams of tiles would be ends.
+  for (const SideTouch& touch : round_.touched(form, area_around(form.box, moving.at(part_)), budget_)) {
+    if (std::abs(dot(moving.path.velocity, touch.near.normal)) > kStillOnGround) continue;
+    const bool is_followed = touch.near.on_end == track.on_end && is_still(touch.near.normal - normal);
+    track.sides.insert(is_followed ? track.sides.begin() : track.sides.end(), touch.side);
+    track.followed += is_followed;
+  }
+  return track.followed > 0;
+}
+
+// Returns whether the other body stands still.
+bool Meeting::follow_body(Track& track, const Nearness& near, int other) const {
+  const std::uint32_t index = set_[static_cast<std::size_t>(other)];
+  const FallPath& path = members_[index].moving.path;
+  track.is_ground = false;
+  track.other = index;
+  track.version = members_[index].version;
+  track.form = form_of(index);
+  track.gap = near.gap;
+  return path.velocity == Vec2() && path.pull == Vec2();
 }
 
 }  // namespace talus

@@ -15,12 +15,12 @@ bool goes_through(const GroundSide& side, const SideNearness& here) {
   return side.is_thin && here.near.gap < -kThrough;
 }
 
-Rect around(const Rect& a, const Rect& b) {
+}  // namespace
+
+Rect area_around(const Rect& a, const Rect& b) {
   const double x = std::min(a.x, b.x), y = std::min(a.y, b.y);
   return touch_area({x, y, std::max(a.right(), b.right()) - x, std::max(a.bottom(), b.bottom()) - y});
 }
-
-}  // namespace
 
 // Another side that goes on from the end that a circle touches, so that it does not touch the end alone;
 // null: there is none.
@@ -37,8 +37,12 @@ const GroundSide* RoundGround::hides(std::size_t index, Vec2 middle, double radi
 }
 
 const std::vector<SideTouch>& RoundGround::touched(const Form& form, CastBudget& budget) {
+  return touched(form, touch_area(form.box), budget);
+}
+
+const std::vector<SideTouch>& RoundGround::touched(const Form& form, const Rect& area, CastBudget& budget) {
   touched_.clear();
-  find_sides(ground_, touch_area(form.box), budget, sides_);
+  find_sides(ground_, area, budget, sides_);
   const Vec2 middle = form.middle();
   const double slack = touch_slack(form.box, form.box);
   for (std::size_t i = 0; i < sides_.size(); ++i) {
@@ -81,7 +85,7 @@ std::optional<GroundMeeting> RoundGround::next_meeting(const MovingBox& box, dou
     const double begin = start + (to - start) * (i / slices),
                  end = i + 1 == slices ? to : start + (to - start) * ((i + 1) / slices);
     budget.left -= kSliceWork;
-    find_sides(ground_, around(box.at(begin), box.at(end)), budget, sides_);
+    find_sides(ground_, area_around(box.at(begin), box.at(end)), budget, sides_);
     std::optional<GroundMeeting> first;
     for (std::size_t k = 0; k < sides_.size(); ++k) {
       if (is_along(sides_[k])) continue;

@@ -22,6 +22,8 @@ class RoundGround {
 
   // Finds what a circle touches. Valid until the next call.
   const std::vector<SideTouch>& touched(const Form& form, CastBudget& budget);
+  // The same. area: px, holds all that the circle may touch; tiles side by side in it are one side.
+  const std::vector<SideTouch>& touched(const Form& form, const Rect& area, CastBudget& budget);
 
   // The first time on its path, before `to`, at which a circle meets the ground. along: sides that stop
   // nothing, as it goes along them. side: gets what it meets.
@@ -44,6 +46,9 @@ class RoundGround {
   std::vector<GroundSide> sides_;
   std::vector<SideTouch> touched_;
 };
+
+// px: holds all that a body touches on its way between two places.
+Rect area_around(const Rect& a, const Rect& b);
 
 // Puts a circle that touches a side exactly on it.
 void put_on(const GroundSide& side, MovingBox& box);
