@@ -17,6 +17,12 @@ Real foot_offset(const Piece<Real>& piece, Real width, Foot foot) {
   return piece.rises_to_the_right() == up ? width : 0;
 }
 
+// Unit, out of a curve that faces up or down, where its unit tangent from left to right is `along`.
+template <class Real>
+BasicVec2<Real> normal_on(BasicVec2<Real> along, Facing facing) {
+  return facing == Facing::up ? BasicVec2<Real>{along.y, -along.x} : BasicVec2<Real>{-along.y, along.x};
+}
+
 // Whether a rounding of x moves the place more than a rounding of y. Not for curves.
 template <class Real>
 bool is_steep(const Piece<Real>& piece) {

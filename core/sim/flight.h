@@ -32,9 +32,7 @@ Arrival<Real> arrival_on(const Contact<Real>& contact, std::span<const CurveStre
     const Real x = box.x + foot_offset(*piece, box.w, foot);
     if (!(x >= piece->x0 && x <= piece->x1)) break;
     box.y = rest_on(*piece, stretches, box, foot);
-    const BasicVec2<Real> along = stretches[piece->stretch - 1].tangent_at(x);
-    found.normal =
-        piece->facing == Facing::up ? BasicVec2<Real>{along.y, -along.x} : BasicVec2<Real>{-along.y, along.x};
+    found.normal = normal_on(stretches[piece->stretch - 1].tangent_at(x), piece->facing);
     const Real before = found.time;
     found.time = time_to(box.position(), found.normal);
     if (found.time == before) break;

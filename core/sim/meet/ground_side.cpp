@@ -4,26 +4,13 @@
 #include <bit>
 #include <cmath>
 
+#include "../../collision/box_on_piece.h"
+#include "../../collision/cell_block.h"
+
 namespace talus {
 namespace {
 
 double length(Vec2 v) { return std::sqrt(dot(v, v)); }
-
-// Cells, both ends included. Those beside the ground are left out.
-struct Cells {
-  int left, top, right, bottom;
-};
-
-Cells cells_of(const Terrain& ground, const Rect& area) {
-  const auto cell = [](double at, int side, int count) {
-    return static_cast<int>(std::clamp(std::floor(at / side), -1.0, static_cast<double>(count)));
-  };
-  const auto [width, height] = ground.tile_size();
-  return {std::max(cell(area.x, width, ground.width()), 0),
-          std::max(cell(area.y, height, ground.height()), 0),
-          std::min(cell(area.right(), width, ground.width()), ground.width() - 1),
-          std::min(cell(area.bottom(), height, ground.height()), ground.height() - 1)};
-}
 
 // ---- Finding sides ----
 
@@ -144,36 +131,27 @@ bool GroundSide::is_hollow() const {
 }
 
 SideNearness nearness(const GroundSide& side, Vec2 middle, double radius) {
-  SideNearness found;
-  const auto end = [&](Vec2 point, Vec2 normal, double along) {
-    return SideNearness{near_point(point, middle, radius), along, dot(middle - point, normal) >= 0};
+  const auto end = [&](Vec2 point, Vec2 normal) {
+    return SideNearness{near_point(point, middle, radius), dot(middle - point, normal) >= 0};
   };
   if (side.stretch == nullptr) {
     const Vec2 way = middle - side.from, back = middle - side.to;
-    found.along = dot(way, side.along);
-    const double left = -dot(back, side.along);
-    if (found.along < 0) return end(side.from, side.normal, found.along);
-    if (left < 0) return end(side.to, side.normal, found.along);
-    const double far = dot(found.along < left ? way : back, side.normal);
-    found.near = {side.normal, far - radius};
-    found.in_front = far >= 0;
-    return found;
+    const double passed = dot(way, side.along), left = -dot(back, side.along);
+    if (passed < 0) return end(side.from, side.normal);
+    if (left < 0) return end(side.to, side.normal);
+    const double far = dot(passed < left ? way : back, side.normal);
+    return {{side.normal, far - radius}, far >= 0};
   }
   const CurveStretch<double>& curve = *side.stretch;
-  const auto normal_at = [&](double x) {
-    const Vec2 along = curve.tangent_at(x);
-    return side.facing == Facing::up ? Vec2{along.y, -along.x} : Vec2{-along.y, along.x};
-  };
+  const auto normal_at = [&](double x) { return normal_on(curve.tangent_at(x), side.facing); };
   const bool is_arc = curve.kind == CurveStretch<double>::Kind::arc;
   const double x =
       is_arc ? nearest_on_arc(curve, middle) : nearest_by_halving(curve, side.from.x, side.to.x, middle);
-  if (x < side.from.x) return end(side.from, normal_at(side.from.x), x);
-  if (x > side.to.x) return end(side.to, normal_at(side.to.x), x);
+  if (x < side.from.x) return end(side.from, normal_at(side.from.x));
+  if (x > side.to.x) return end(side.to, normal_at(side.to.x));
   const Vec2 normal = normal_at(x);
   const double far = dot(middle - Vec2{x, curve.y_at(x)}, normal);
-  found.along = x;
-  found.near = {normal, far - radius};
-  found.in_front = far >= 0;
+  SideNearness found{{normal, far - radius}, far >= 0};
   const double around = 1 / curve.curvature_at(x);  // px
   const double middles = side.is_hollow() ? radius - around : radius + around;
   if (std::isfinite(around) && middles != 0) found.near.bend = 1 / middles;
@@ -182,7 +160,7 @@ SideNearness nearness(const GroundSide& side, Vec2 middle, double radius) {
 
 void find_sides(const Terrain& ground, const Rect& area, CastBudget& budget, std::vector<GroundSide>& found) {
   found.clear();
-  const Cells cells = cells_of(ground, area);
+  const CellBlock cells = cells_met(ground, area, 0.0).on(ground);
   for (int column = cells.left; column <= cells.right; column += 64) {
     const int count = std::min(cells.right - column + 1, 64);
     Terrain::Window window(ground, column, count);

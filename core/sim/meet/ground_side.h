@@ -23,7 +23,6 @@ struct GroundSide {
 // How near a circle is to a side. It is in front of the side, or behind it.
 struct SideNearness {
   Nearness near;
-  double along = 0;      // px, of the nearest point: from the first end of a line; in x, of a curve
   bool in_front = true;  // of a point at the end: level with the end counts
 };
 SideNearness nearness(const GroundSide& side, Vec2 middle, double radius);
