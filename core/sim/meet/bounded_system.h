@@ -27,6 +27,7 @@ class BoundedSystem {
   // Hanson 1974, "Solving Least Squares Problems", chapter 23, with two bounds). Begins at the current x.
   // Returns false if it stopped at a limit that only rounding can reach; x is between its bounds then, too.
   bool solve();
+
   // The same, and of several answers the one that shares the load most evenly, whatever the order of the
   // numbers: friction depends on it.
   bool solve_evenly();

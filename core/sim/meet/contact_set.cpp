@@ -31,6 +31,10 @@ double turning(const Touch& touch, std::span<const Inertia> bodies, double Inert
   return touch.b == Touch::kGround ? one : one + bodies[static_cast<std::size_t>(touch.b)].*what;
 }
 
+bool any_turns(std::span<const Inertia> bodies) {
+  return std::any_of(bodies.begin(), bodies.end(), [](const Inertia& body) { return body.inverse_spin > 0; });
+}
+
 bool share_a_body(const Touch& a, const Touch& b) {
   return a.a == b.a || a.a == b.b || a.b == b.a || (a.b == b.b && a.b != Touch::kGround);
 }
@@ -99,20 +103,34 @@ void ContactSet::set_up(std::span<const Inertia> bodies, std::span<const Touch> 
   }
 }
 
+// The same for the speeds of the contacts, along and across.
+void ContactSet::set_up_speeds(std::span<const Inertia> bodies, std::span<const Touch> touches) {
+  set_up(bodies, touches, [&](const Row& row) {
+    const Touch& touch = touches[row.touch];
+    return row.rubs ? slip(touch, bodies) : speed(touch, bodies, row.direction);
+  });
+}
+
+// Gives both bodies of a contact the impulse of a row.
+void ContactSet::push(std::span<Inertia> bodies, const Touch& touch, const Row& row, double impulse) {
+  give(bodies, touch, &Inertia::velocity, row.direction * impulse);
+  if (row.rubs) turn(bodies, touch, &Inertia::spin, impulse);
+}
+void ContactSet::push_all(std::span<Inertia> bodies, std::span<const Touch> touches) {
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    push(bodies, touches[rows_[i].touch], rows_[i], system_.x(i));
+}
+
 void ContactSet::reflect(std::span<Inertia> bodies, std::span<Touch> touches) {
   const bool rubs =
       std::any_of(touches.begin(), touches.end(), [](const Touch& t) { return t.friction > 0; });
-  const bool turns =
-      std::any_of(bodies.begin(), bodies.end(), [](const Inertia& body) { return body.inverse_spin > 0; });
+  const bool turns = any_turns(bodies);
   rows_.clear();
   for (std::size_t i = 0; i < touches.size(); ++i) rows_.push_back({i, touches[i].normal});
   const std::size_t normals = rows_.size();
   const bool rubs_at_once = rubs && turns && rows_.size() <= kMostExact;
   if (rubs_at_once) add_friction(touches);
-  set_up(bodies, touches, [&](const Row& row) {
-    const Touch& touch = touches[row.touch];
-    return row.rubs ? slip(touch, bodies) : speed(touch, bodies, row.direction);
-  });
+  set_up_speeds(bodies, touches);
   for (std::size_t i = 0; i < normals; ++i) system_.bound(i, touches[i].is_caught ? -kAny : 0, kAny);
   // Friction that turns a circle presses it against what it touches elsewhere.
   if (rubs_at_once)
@@ -123,13 +141,12 @@ void ContactSet::reflect(std::span<Inertia> bodies, std::span<Touch> touches) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     Touch& touch = touches[rows_[i].touch];
     if (rows_[i].rubs) {
-      give(bodies, touch, &Inertia::velocity, rows_[i].direction * system_.x(i));
-      turn(bodies, touch, &Inertia::spin, system_.x(i));
+      push(bodies, touch, rows_[i], system_.x(i));
       continue;
     }
     given[i] = system_.x(i) * (1 + touch.bounce);
     touch.impulse += given[i];
-    give(bodies, touch, &Inertia::velocity, touch.normal * given[i]);
+    push(bodies, touch, rows_[i], given[i]);
     if (rubs_at_once) given[i] = system_.x(i) * touch.bounce;  // the rest has rubbed
   }
   rub(bodies, touches, given);
@@ -142,17 +159,13 @@ void ContactSet::rub(std::span<Inertia> bodies, std::span<Touch> touches, std::s
     if (touches[i].friction > 0 && given[i] > 0) rows_.push_back({i, touches[i].along(), true});
   }
   if (rows_.empty()) return;
-  set_up(bodies, touches, [&](const Row& row) { return slip(touches[row.touch], bodies); });
+  set_up_speeds(bodies, touches);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const double most = touches[rows_[i].touch].friction * given[rows_[i].touch];
     system_.bound(i, -most, most);
   }
   solve(true);
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const Touch& touch = touches[rows_[i].touch];
-    give(bodies, touch, &Inertia::velocity, rows_[i].direction * system_.x(i));
-    turn(bodies, touch, &Inertia::spin, system_.x(i));
-  }
+  push_all(bodies, touches);
 }
 
 void ContactSet::add_friction(std::span<const Touch> touches) {
@@ -201,12 +214,13 @@ void ContactSet::solve_with_friction(std::span<const Inertia> bodies, std::span<
                                      std::size_t normals, bool is_impact) {
   constexpr int kMostTurns = 200;
   constexpr double kJam = 100;  // times the largest pressure without friction
+  constexpr double kSame = 1e-13;
+  const double same_turning = is_impact ? 1e-4 : 1e-7;
   bool ends = false;
   double first = 0, largest = 0;  // pressures
-  std::vector<double> unrubbed, change(normals), last_change, last;
+  std::vector<double> unrubbed, change, last_change, last;
   double most = 0;
-  const bool hurries =
-      std::any_of(bodies.begin(), bodies.end(), [](const Inertia& body) { return body.inverse_spin > 0; });
+  const bool hurries = any_turns(bodies);
   before_.assign(touches.size(), 0);
   for (int turn = 0; turn < kMostTurns && !ends && !(largest > kJam * first); ++turn) {
     bound_friction(bodies, touches, normals, is_impact);
@@ -214,18 +228,16 @@ void ContactSet::solve_with_friction(std::span<const Inertia> bodies, std::span<
     ends = true;
     largest = 0;
     for (std::size_t i = 0; i < normals; ++i) {
-      constexpr double kSame = 1e-13;
-      const double kSameTurning = is_impact ? 1e-4 : 1e-7;
       const double pressure = system_.x(i);
-      ends = ends && std::abs(pressure - before_[i]) <= (hurries ? kSameTurning * most : kSame * pressure);
-      change[i] = pressure - before_[i];
+      ends = ends && std::abs(pressure - before_[i]) <= (hurries ? same_turning * most : kSame * pressure);
+      if (hurries) change.push_back(pressure - before_[i]);
       before_[i] = pressure;
       largest = std::max(largest, pressure);
     }
     most = std::max(most, largest);
     ends = ends && is_solved;
     if (hurries && turn > 1 && !ends) hurry(change, last_change, last);
-    last_change = change;
+    last_change = std::exchange(change, {});
     if (rows_.size() == normals) break;
     if (turn == 0) {
       first = largest;
@@ -333,17 +345,10 @@ void ContactSet::settle(std::span<Inertia> bodies, std::span<const Touch> touche
       add(i, touch.along(), true, slip(touch, bodies));
   }
   if (!moves) return;
-  set_up(bodies, touches, [&](const Row& row) {
-    const Touch& touch = touches[row.touch];
-    return row.rubs ? slip(touch, bodies) : speed(touch, bodies, row.direction);
-  });
+  set_up_speeds(bodies, touches);
   for (std::size_t i = 0; i < rows_.size(); ++i) system_.bound(i, -kAny, kAny);
   solve(true);
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const Touch& touch = touches[rows_[i].touch];
-    give(bodies, touch, &Inertia::velocity, rows_[i].direction * system_.x(i));
-    if (rows_[i].rubs) turn(bodies, touch, &Inertia::spin, system_.x(i));
-  }
+  push_all(bodies, touches);
 }
 
 }  // namespace talus

@@ -16,6 +16,8 @@ namespace talus {
 inline constexpr double kStill = 1e-11;
 // The same for a body and the ground, which it may slide along for long.
 inline constexpr double kStillOnGround = 1e-12;
+// Unit, along what has a unit normal: to the right on a floor.
+inline Vec2 along(Vec2 normal) { return {-normal.y, normal.x}; }
 inline bool is_still(Vec2 v) { return std::abs(v.x) <= kStill && std::abs(v.y) <= kStill; }
 
 // What a set of contacts needs to know of a body.
@@ -50,7 +52,7 @@ struct Touch {
   double slow = 0;
   // px/frame; slower than this is rounding.
   double still() const { return b == kGround ? kStillOnGround : kStill; }
-  Vec2 along() const { return {-normal.y, normal.x}; }
+  Vec2 along() const { return talus::along(normal); }
 };
 
 class ContactSet {
@@ -91,6 +93,9 @@ class ContactSet {
   template <class Value>
   void set_up(std::span<const Inertia> bodies, std::span<const Touch> touches, Value value);
   bool solve(bool rubs);
+  void set_up_speeds(std::span<const Inertia> bodies, std::span<const Touch> touches);
+  static void push(std::span<Inertia> bodies, const Touch& touch, const Row& row, double impulse);
+  void push_all(std::span<Inertia> bodies, std::span<const Touch> touches);
   void add_friction(std::span<const Touch> touches);
   void rub(std::span<Inertia> bodies, std::span<Touch> touches, std::span<const double> given);
   void bound_friction(std::span<const Inertia> bodies, std::span<const Touch> touches, std::size_t normals,

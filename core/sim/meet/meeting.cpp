@@ -258,20 +258,25 @@ Vec2 Meeting::way_apart(std::uint32_t index) {
                      std::min(box.bottom() - with.y, with.bottom() - box.y)};
     const double least_depth = std::min(depth.x, depth.y);
     if (!(least_depth > 0) || least_depth <= touch_slack(box, with)) continue;
-    const auto normal = touching_normal(form, other_form, index < other);
-    if (!normal) continue;
-    const bool is_round = form.is_round() || other_form.is_round();
-    const double deep = is_round         ? -nearness(form, other_form, index < other).gap
-                        : normal->x != 0 ? depth.x
-                                         : depth.y;
-    // A crowd takes small overlaps back by itself.
-    if (deep <= (is_round ? kNearCircle : touch_slack(box, with))) continue;
+    Vec2 normal;
+    double deep = 0;
+    if (form.is_round() || other_form.is_round()) {
+      const Nearness near = nearness(form, other_form, index < other);
+      normal = near.normal;
+      deep = -near.gap;
+      if (deep <= kNearCircle) continue;  // a crowd takes small overlaps back by itself
+    } else {
+      const auto touching = touching_normal(form, other_form, index < other);
+      if (!touching) continue;
+      normal = *touching;
+      deep = normal.x != 0 ? depth.x : depth.y;
+    }
     // The upper one goes up all the way, as the lower one may stand on something.
     const double part = member.inverse_mass / (member.inverse_mass + there.inverse_mass);
     const bool is_free = there.inverse_mass > 0;
-    const bool is_upright = std::abs(normal->y) > std::abs(normal->x);
-    const double share = is_upright && is_free ? (normal->y < 0 ? 1 : 0) : part;
-    const Vec2 way = *normal * (share * deep);
+    const bool is_upright = std::abs(normal.y) > std::abs(normal.x);
+    const double share = is_upright && is_free ? (normal.y < 0 ? 1 : 0) : part;
+    const Vec2 way = normal * (share * deep);
     if (box.center() == with.center()) pile = pile + way;
     least = {std::min(least.x, way.x), std::min(least.y, way.y)};
     most = {std::max(most.x, way.x), std::max(most.y, way.y)};

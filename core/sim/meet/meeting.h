@@ -145,7 +145,7 @@ class Meeting {
   Form form_of(std::uint32_t index) const;
   bool goes_along(const Member& member, std::uint32_t other) const;
   void align(const Met& met, bool stays);
-  void add_side(std::size_t place, const SideTouch& touch);
+  bool add_side(std::size_t place, const SideTouch& touch);
   void add_ground_of_circles();
   const SideTouch& side_of(const Met& met) const { return sides_[static_cast<std::size_t>(met.side)]; }
   bool probe_circle(std::size_t place, Vec2 way, double fastest);
@@ -179,8 +179,7 @@ class Meeting {
   void resolve(const Event& event);
   void set_paths();
   void stop_set();
-  void add_ground(std::size_t place, Vec2 normal, const Contact<double>& contact);
-  void sort_contacts();
+  void add_ground(std::size_t place, Vec2 normal, const Contact<double>& contact, int side = -1);
   bool probe(std::size_t place, Vec2 way, double fastest);
   bool is_new(std::size_t place, Vec2 normal) const;
   void bounce();

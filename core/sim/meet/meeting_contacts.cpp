@@ -107,16 +107,15 @@ void Meeting::stop_set() {
 
 // ---- The ground that they touch ----
 
-void Meeting::add_ground(std::size_t place, Vec2 normal, const Contact<double>& contact) {
+// side: as Met::side.
+void Meeting::add_ground(std::size_t place, Vec2 normal, const Contact<double>& contact, int side) {
   Met& met = met_.emplace_back();
   met.touch.a = static_cast<int>(place);
   met.touch.normal = normal;
   met.touch.friction = members_[set_[place]].friction;
   met.contact = contact;
-  sort_contacts();
-}
-
-void Meeting::sort_contacts() {
+  met.side = side;
+  if (met.is_round()) met.touch.slow = slow_;
   std::sort(met_.begin(), met_.end(), [](const Met& a, const Met& b) {
     const auto key = [](const Touch& t) { return std::tuple(t.a, t.b, t.normal.y, t.normal.x); };
     return key(a.touch) < key(b.touch);

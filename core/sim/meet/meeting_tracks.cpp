@@ -67,21 +67,16 @@ void Meeting::align(const Met& met, bool stays) {
 
 // ---- The ground that they touch ----
 
-// Adds the contact of a circle with a side, if it is new.
-void Meeting::add_side(std::size_t place, const SideTouch& touch) {
+// Adds the contact of a circle with a side. Returns whether it is new.
+bool Meeting::add_side(std::size_t place, const SideTouch& touch) {
   const Vec2 normal = touch.near.normal;
-  if (!is_new(place, normal)) return;
+  if (!is_new(place, normal)) return false;
   const MovingBox& moving = members_[set_[place]].moving;
   const Form form = moving.form_at(time_);
-  Met& met = met_.emplace_back();
-  met.touch.a = static_cast<int>(place);
-  met.touch.normal = normal;
-  met.touch.friction = members_[set_[place]].friction;
-  met.touch.slow = slow_;
-  met.contact = round_.contact_with(touch, form);
-  met.side = static_cast<int>(sides_.size());
+  const int side = static_cast<int>(sides_.size());
   sides_.push_back({touch.side, nearness(touch.side, form.middle(), moving.radius).near});
-  sort_contacts();
+  add_ground(place, normal, round_.contact_with(touch, form), side);
+  return true;
 }
 
 // Circles in a pile press on all ground that they touch.
@@ -106,9 +101,7 @@ bool Meeting::probe_circle(std::size_t place, Vec2 way, double fastest) {
   for (const SideTouch& touch : round_.touched(form, budget_)) {
     const Vec2 normal = touch.near.normal;
     if (!(-dot(way, normal) > kStillOnGround) || dot(inertias_[place].velocity, normal) > fastest) continue;
-    if (!is_new(place, normal)) continue;
-    add_side(place, touch);
-    finds = true;
+    if (add_side(place, touch)) finds = true;
   }
   return finds;
 }
@@ -174,13 +167,13 @@ void Meeting::begin_track(const Met& met) {
     return &m != &met && (m.touch.a == place || m.touch.b == place) && m.touch.pressure > 0;
   });
   track.pull = member.pull;
-  const Vec2 onward{-normal.y, normal.x};
-  const double straight = dot(member.pull, onward), along = dot(body.pull, onward);
+  const Vec2 onward = along(normal);
+  const double straight = dot(member.pull, onward), drawn = dot(body.pull, onward);
   const double slip = dot(body.velocity, onward) - body.spin;
   const bool rolls =
-      met.touch.friction > 0 && std::abs(slip) <= kStill && std::abs(along - body.spin_pull) <= kStill;
+      met.touch.friction > 0 && std::abs(slip) <= kStill && std::abs(drawn - body.spin_pull) <= kStill;
   track.rolls = rolls ? 1 / (1 + body.inverse_mass / body.inverse_spin) : 1;
-  track.drive = along - track.rolls * straight;
+  track.drive = drawn - track.rolls * straight;
 }
 
 // Of the sides that a circle touches, and keeps touching, it follows the one with this normal, or those that

@@ -6,8 +6,6 @@
 namespace talus {
 namespace {
 
-Vec2 along(Vec2 normal) { return {-normal.y, normal.x}; }
-
 // px: only what is further past an end has left it. Putting a circle on its track may move it by rounding.
 constexpr double kPast = 1e-9;
 

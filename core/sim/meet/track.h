@@ -25,9 +25,6 @@ struct Track {
   Vec2 pull;                      // px/frame^2, without the track
   double drive = 0;               // px/frame^2, along the track, beside that share: friction, and others
 
-  Nearness near(const Form& circle) const;
-  // Whether a circle touches the same part of it still: not one behind an end.
-  bool goes_on(const Form& circle) const;
   // Takes a circle on it to a time, and returns the direction of the track there.
   Vec2 take(MovingBox& circle, double time) const;
   // The time before `most` at which a circle comes to another part of it, or leaves it; `most` if it does
@@ -35,6 +32,9 @@ struct Track {
   double end(const MovingBox& circle, double most) const;
 
  private:
+  Nearness near(const Form& circle) const;
+  // Whether a circle touches the same part of it still: not one behind an end.
+  bool goes_on(const Form& circle) const;
   void go_down(MovingBox& circle, Vec2 onward, double missing) const;
 };
 
