@@ -111,9 +111,8 @@ double penetration(const Frame& frame, const Body& body) {
   CastBudget budget{kMostQueryWork};
   const bool is_circle = circle_of(*frame.scene, body) > 0;
   if (!is_circle && !overlaps_ground(ground, body.box, body.foot)) return 0;
-  const auto out = way_out_of(*frame.scene, ground, body, &budget);
-  if (is_circle && !out) return 0;
-  return out ? length(*out) : std::numeric_limits<double>::infinity();
+  if (const auto out = way_out_of(*frame.scene, ground, body, &budget)) return length(*out);
+  return is_circle ? 0 : std::numeric_limits<double>::infinity();
 }
 
 double floor_error(const Frame& frame, const Body& body) {

@@ -40,10 +40,10 @@ typedef struct talus_body {
   double h;            /* px, height of its box */
   double vx;           /* px a frame, to the right */
   double vy;           /* px a frame, down */
-  double mass;         /* over 0; what counts where bodies meet: 1 for a ball of 8x8 px */
-  double radius; /* px, of the circle that it is where bodies meet, on the middle of its bottom; 0: a box */
-  double spin;   /* px a frame, of the rim of such a circle, clockwise; else 0 */
-  double turn;   /* radians, 0 up to a whole turn: how far it is turned, clockwise; else 0 */
+  double mass;         /* over 0; where bodies meet: 1 for a ball of 8x8 px */
+  double radius;       /* px, of a circle on the middle of its bottom, where bodies meet; 0: a box */
+  double spin;         /* px a frame, of the rim of such a circle, clockwise; else 0 */
+  double turn;         /* radians, 0 up to a whole turn: how far it is turned, clockwise; else 0 */
 } talus_body;
 
 /* Something that happened in the last frame. */

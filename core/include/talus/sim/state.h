@@ -27,9 +27,9 @@ struct Body {
   BodyKind kind = BodyKind::ball;  // what moves it
   Foot foot = Foot::box;           // what of it stands on slopes
   Gait gait;                       // what it remembers
-  double spin =
-      0;  // px/frame, of the rim of a body that is round; over 0: clockwise, as it rolls to the right
-  double turn = 0;        // radians, 0 up to a whole turn: how far such a body is turned, clockwise
+  // Of a body that is a circle where bodies meet; 0 of others.
+  double spin = 0;        // px/frame, of its rim; over 0: clockwise, as it rolls to the right
+  double turn = 0;        // radians, 0 up to a whole turn: how far it is turned, clockwise
   bool is_clear = false;  // the exact solver has put it where no ground is; the scene has not changed since
   friend bool operator==(const Body&, const Body&) = default;
 };
