@@ -9,17 +9,8 @@
 
 namespace talus::closed_forms_test {
 
-// Nothing slows bodies down but what a test asks for.
-Level level_with(double gravity, double bounce) {
-  Level level;
-  level.map = TileMap(40, 24);
-  let_bodies_meet(level.tuning, gravity, bounce);
-  return level;
-}
-
 void add(Level& level, Vec2 at, Vec2 velocity = {}, Vec2 size = {8, 8}, BodyKind kind = BodyKind::ball) {
-  level.spawns.push_back(
-      {.name = "", .position = at, .velocity = velocity, .extra = "", .kind = kind, .size = size});
+  add_body(level, kind, at, velocity, size);
 }
 
 using Play = MeetingRun;
@@ -30,7 +21,7 @@ struct Cradle {
 
 TEST(ClosedForms, Cradles) {
   for (const auto& [count, left, right] : {Cradle{2, 1, 0}, {5, 1, 0}, {5, 2, 0}, {3, 1, 1}, {7, 2, 2}}) {
-    Level level = level_with(0, 1);
+    Level level = open_level(0, 1);
     for (int i = 0; i < count; ++i) {
       const double comes = i < left ? 1 : i >= count - right ? -1 : 0;
       add(level, {100 + 8.0 * i - comes * 20.3, 40}, {2.5 * comes, 0});
@@ -47,7 +38,7 @@ TEST(ClosedForms, TwoBodiesOfAnyMassAndBounce) {
   for (const double width : {1.0, 8.0, 13.5, 200.0}) {
     for (const double bounce : {0.0, 0.3, 0.9, 1.0}) {
       for (const double speed : {-3.0, -0.25, 0.0, 1.0}) {
-        Level level = level_with(0, bounce);
+        Level level = open_level(0, bounce);
         add(level, {40, 40}, {2, 0}, {8, 8});
         add(level, {60.3, 44}, {speed, 0}, {width, 3});
         Play run(level);
@@ -63,7 +54,7 @@ TEST(ClosedForms, TwoBodiesOfAnyMassAndBounce) {
 // A crate has a friction of 1/2.
 TEST(ClosedForms, ACrateOnAnIncline) {
   for (const double slope : {0.125, 0.375, 0.625, 0.75, 1.0, 1.5}) {
-    Level level = level_with(0.2, 0);
+    Level level = open_level(0.2, 0);
     level.curves.push_back({"", {Segment{{16, 180}, {16 + 96, 180 - 96 * slope}}, Curve::Faces::up}, ""});
     const double x = 80, y = 180 - (x + 8 - 16) * slope - 8;  // its right corner is on the line
     add(level, {x, y}, {}, {8, 8}, BodyKind::crate);
@@ -83,7 +74,7 @@ TEST(ClosedForms, ACrateOnAnIncline) {
 
 TEST(ClosedForms, AFallWithABounce) {
   for (const double bounce : {0.3, 0.5, 0.9, 1.0}) {
-    Level level = level_with(0.2, bounce);
+    Level level = open_level(0.2, bounce);
     level.curves.push_back({"", {Segment{{0, 160}, {320, 160}}, Curve::Faces::up}, ""});
     const reference::Fall fall{.height = 97.3, .gravity = 0.2, .bounce = bounce};
     add(level, {40, 160 - 8 - fall.height});

@@ -16,21 +16,12 @@ namespace talus::disc_test {
 
 using Play = MeetingRun;
 
+// Nothing bounces but what a test asks for.
 Level disc_level(std::initializer_list<std::string_view> rows, double gravity, double bounce = 0) {
-  Level level = level_of(rows);
-  let_bodies_meet(level.tuning, gravity, bounce);
-  return level;
+  return meeting_level(rows, gravity, bounce);
 }
-Level empty_level(double gravity, double bounce = 0) {
-  Level level;
-  level.map = TileMap(60, 30);
-  let_bodies_meet(level.tuning, gravity, bounce);
-  return level;
-}
-
 void add(Level& level, Vec2 at, Vec2 velocity = {}, Vec2 size = {8, 8}, BodyKind kind = BodyKind::disc) {
-  level.spawns.push_back(
-      {.name = "", .position = at, .velocity = velocity, .extra = "", .kind = kind, .size = size});
+  add_body(level, kind, at, velocity, size);
 }
 void add_line(Level& level, Vec2 from, Vec2 to) {
   level.curves.push_back({"", {Segment{from, to}, Curve::Faces::up}, ""});
@@ -47,7 +38,7 @@ double energy(const Body& disc, double gravity) {
 // ---- On the ground ----
 
 TEST(Disc, SlidesOverAFloorUntilItRolls) {
-  Level level = empty_level(0.1);
+  Level level = open_level(0.1, 0);
   add_line(level, {0, 100}, {480, 100});
   add(level, {20, 92}, {2, 0});
   Play run(level);
@@ -68,7 +59,7 @@ TEST(Disc, SlidesOverAFloorUntilItRolls) {
 
 TEST(Disc, RollsOrSlidesDownAnIncline) {
   for (const double slope : {0.25, 0.5, 1.0, 1.5, 2.0, 3.0}) {
-    Level level = empty_level(0.1);
+    Level level = open_level(0.1, 0);
     add_line(level, {16, 8}, {16 + 64, 8 + 64 * slope});
     const double size = std::hypot(1, slope);
     const Vec2 start{32 + 4 * slope / size - 4, 8 + 16 * slope - 4 / size - 4};
@@ -100,7 +91,7 @@ TEST(Disc, RollsOverTheJointsOfTiles) {
 
 TEST(Disc, KeepsItsEnergyInABowl) {
   for (const int parts : {1, 3}) {
-    Level level = empty_level(0.1);
+    Level level = open_level(0.1, 0);
     level.tuning.exact.substeps = parts;
     level.curves.push_back({"", {Arc{{150, 100}, 60, 90, 210, false}, Curve::Faces::up}, ""});
     const double angle = 0.6, around = 56;
@@ -116,7 +107,7 @@ TEST(Disc, KeepsItsEnergyInABowl) {
 }
 
 TEST(Disc, RestsInAValleyAndSleeps) {
-  Level level = empty_level(0.2);
+  Level level = open_level(0.2, 0);
   add_line(level, {16, 24}, {64, 72});
   add_line(level, {64, 72}, {112, 24});
   add(level, {40, 20});
@@ -172,7 +163,7 @@ std::vector<double> hill(unsigned seed) {
 // At a joint of two lines it goes from one to its end, and on to the next one. A record changes nothing.
 TEST(Disc, RollsOverHillsAndIsNeverCaught) {
   for (unsigned seed = 0; seed < 40; ++seed) {
-    Level level = empty_level(0.2, seed % 2 == 0 ? 0 : 0.7);
+    Level level = open_level(0.2, seed % 2 == 0 ? 0 : 0.7);
     level.tuning.exact.substeps = 1 + seed % 3;
     level.curves.push_back({"", {Polyline{0, 384, hill(seed)}, Curve::Faces::up}, ""});
     add(level, {40.0 + seed, 20}, {1.5, 0});
@@ -195,7 +186,7 @@ TEST(Disc, RollsOverHillsAndIsNeverCaught) {
 
 TEST(Disc, TwoThatHitKeepTheirMomenta) {
   for (const double beside : {0.0, 1.0, 3.5, 6.0, 9.0}) {
-    Level level = empty_level(0, 1);
+    Level level = open_level(0, 1);
     add(level, {20, 50}, {3, 0});
     add(level, {60.3, 48 + beside}, {-1, 0.05}, {12, 12});
     Play run(level);
@@ -226,7 +217,7 @@ TEST(Disc, TwoThatHitKeepTheirMomenta) {
 // A player stands like a wall, and has no friction.
 TEST(Disc, LeavesACornerWhereTheClosedFormSays) {
   for (const double start : {0.05, 0.2}) {
-    Level level = empty_level(0.1);
+    Level level = open_level(0.1, 0);
     add_line(level, {0, 100}, {480, 100});
     add(level, {100, 60}, {}, {40, 40}, BodyKind::player);
     add(level, {134, 52}, {start, 0});

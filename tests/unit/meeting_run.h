@@ -1,9 +1,12 @@
 // Levels of bodies that meet, and their run.
 #pragma once
 
+#include <initializer_list>
 #include <memory>
+#include <string_view>
 
 #include <talus/sim/solver.h>
+#include "level_picture.h"
 
 namespace talus {
 
@@ -15,6 +18,25 @@ inline void let_bodies_meet(Tuning& t, double gravity, double bounce = 1) {
   t.shared.floor_bounce = t.shared.wall_bounce = bounce;
   t.exact.gravity = gravity;
   t.exact.rebound = 1;
+}
+
+// In both, nothing slows bodies down but the bounce.
+inline Level meeting_level(std::initializer_list<std::string_view> rows, double gravity, double bounce = 1) {
+  Level level = level_of(rows);
+  let_bodies_meet(level.tuning, gravity, bounce);
+  return level;
+}
+// Without any ground.
+inline Level open_level(double gravity, double bounce) {
+  Level level;
+  level.map = TileMap(60, 30);
+  let_bodies_meet(level.tuning, gravity, bounce);
+  return level;
+}
+
+inline void add_body(Level& level, BodyKind kind, Vec2 at, Vec2 velocity = {}, Vec2 size = {8, 8}) {
+  level.spawns.push_back(
+      {.name = "", .position = at, .velocity = velocity, .extra = "", .kind = kind, .size = size});
 }
 
 struct MeetingRun {

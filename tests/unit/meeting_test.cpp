@@ -11,12 +11,6 @@
 
 namespace talus::meeting_test {
 
-// Nothing slows bodies down, and everything bounces back as fast as it came.
-Level meeting_level(std::initializer_list<std::string_view> rows, double gravity) {
-  Level level = level_of(rows);
-  let_bodies_meet(level.tuning, gravity);
-  return level;
-}
 Level empty_level() {
   return meeting_level({"................................", "................................"}, 0);
 }
