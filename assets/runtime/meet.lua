@@ -15,10 +15,11 @@ local MOST_EVENTS = 64
 local MOST_INNER = 16  -- bodies of a pile that are solved at once
 local MOST_SHAKEN = 32  -- bodies that an impact goes on through, beyond those
 local MOST_PAIRS = 256  -- contacts of two bodies in a set
-local part, slowest  -- frames; px/frame, that a bounce must have on level ground
-local members, events, event_count  -- of the step
-local set, touches, pairs_found, shaken, time  -- of the set that is resolved
+local events, event_count  -- of a part of the step
+-- What other files of the module may replace or use. Of the step: part, frames; slowest, px/frame, that a bounce must
+-- have on level ground; members. Of the set that is resolved: set, touches, pairs, shaken and time.
 local M = {}
+World.meeting = M
 
 -- ---- The smallest value of x'Ax/2 + b'x with each number between two bounds ----
 
@@ -341,7 +342,7 @@ function M.support(chosen)
     bound_friction()
     M.solve_evenly()
   end
-  for _, m in ipairs(set) do m.strain = 0.0 end
+  for _, m in ipairs(M.set) do m.strain = 0.0 end
   for i, row in ipairs(rows) do
     local one, other = row.touch.a, row.touch.b
     if i <= normals then row.touch.pressure = x[i] end
@@ -350,7 +351,7 @@ function M.support(chosen)
     if other then other.strain = max(other.strain, abs(x[i]) * other.inverse) end
   end
   -- What is left between large pressures is rounding.
-  for _, m in ipairs(set) do
+  for _, m in ipairs(M.set) do
     if abs(m.spx) <= 1e-13 * m.strain then m.spx = 0.0 end
     if abs(m.spy) <= 1e-13 * m.strain then m.spy = 0.0 end
   end
@@ -402,21 +403,21 @@ function M.touching(ax, ay, aw, ah, bx_, by_, bw_, bh_, is_first)
   return 0.0, sign
 end
 
-local function time_from(place, speed, gain, own, other, side, near)
+local function time_from(place, speed, gain, own, other, side, near, still)
   local gap = side > 0 and place - other or -own - place
   speed, gain = -side * speed, -side * gain
   if gap < -near then return huge end
   if gap <= near then
-    if speed > STILL then return 0.0 end
+    if speed > still then return 0.0 end
     if not (gain > STILL) then return huge end
-    return speed < -STILL and -2 * speed / gain or 0.0
+    return speed < -still and -2 * speed / gain or 0.0
   end
   return time_to_close(gap, speed, gain)
 end
 
 -- The first time, from `from` on and before `to`, at which two bodies touch and come nearer, and the normal out of
--- the second one; nil: they do not.
-function M.next_meeting(m, n, from, to)
+-- the second one; nil: they do not. still: px/frame; two that touch and approach no faster do not meet.
+function M.next_meeting(m, n, from, to, still)
   local s = from - m.time
   local mx, my, mvx, mvy = m.x, m.y, m.vx, m.vy
   if s ~= 0 then
@@ -433,7 +434,7 @@ function M.next_meeting(m, n, from, to)
   local x_, vx, px, y_, vy, py = mx - nx, mvx - nvx, m.px - n.px, my - ny, mvy - nvy, m.py - n.py
   local first, first_x, first_y
   local function offer(place, speed, gain, own, other, c_place, c_speed, c_gain, c_own, c_other, side, normal_x, normal_y)
-    local t = time_from(place, speed, gain, own, other, side, near)
+    local t = time_from(place, speed, gain, own, other, side, near, still)
     if not (from + t < to) or (first and from + t >= first) then return end
     local at = c_place + c_speed * t + c_gain * (t * t / 2)
     local beside = max(at - c_other, -c_own - at)
@@ -599,7 +600,7 @@ function M.next_event()
 end
 
 function M.look_for_ground(world, m)
-  local to = part
+  local to = M.part
   local function turn(speed, pull)
     local after = -speed / pull
     if speed * pull < 0 and after > 1e-9 and m.time + after < to then to = m.time + after end
@@ -610,26 +611,26 @@ function M.look_for_ground(world, m)
   if t then
     m.ground = {x = x_, y = y_, nx = nx, ny = ny, contact = contact}
     M.add_event {time = t, kind = "ground", a = m}
-  elseif to < part and to > m.time then
+  elseif to < M.part and to > m.time then
     M.add_event {time = to, kind = "turn", a = m}
   end
 end
 
 -- What holds all places of its path.
 function M.sweep(m)
-  local x_, y_ = place_at(m, part)
-  local s = part - m.time
+  local x_, y_ = place_at(m, M.part)
+  local s = M.part - m.time
   local off_x, off_y = abs(m.px) * (s * s / 8) + 1e-6, abs(m.py) * (s * s / 8) + 1e-6
   m.left, m.right = min(m.x, x_) - off_x, max(m.x, x_) + m.w + off_x
   m.top, m.bottom = min(m.y, y_) - off_y, max(m.y, y_) + m.h + off_y
 end
 
 function M.look_for_pairs(m, only_later)
-  for _, n in ipairs(members) do
+  for _, n in ipairs(M.members) do
     if n ~= m and not (only_later and n.index < m.index and n.inverse_mass > 0) and
         (m.inverse_mass > 0 or n.inverse_mass > 0) and n.left <= m.right and m.left <= n.right and
         n.top <= m.bottom and m.top <= n.bottom then
-      local t, nx, ny = M.next_meeting(m, n, max(m.time, n.time), part)
+      local t, nx, ny = M.next_meeting(m, n, max(m.time, n.time), M.part, STILL)
       if t then M.add_event {time = t, kind = "pair", a = m, b = n, nx = nx, ny = ny} end
     end
   end
@@ -654,15 +655,20 @@ end
 
 function M.join(m)
   if m.place then return end
-  set[#set + 1] = m
-  m.place = #set
+  M.set[#M.set + 1] = m
+  m.place = #M.set
+end
+
+-- The normal of two that touch at the time of the set; nil: they do not.
+function M.touching_in_set(m, n)
+  local ax, ay = place_at(m, M.time)
+  local cx, cy = place_at(n, M.time)
+  return M.touching(ax, ay, m.w, m.h, cx, cy, n.w, n.h, m.index < n.index)
 end
 
 function M.look_around(m, event)
-  local place = m.place
-  local ax, ay = place_at(m, time)
-  local found = {}
-  for _, n in ipairs(members) do
+  local place, found = m.place, {}
+  for _, n in ipairs(M.members) do
     if n ~= m and n.left <= m.right and m.left <= n.right and n.top <= m.bottom and m.top <= n.bottom then
       found[#found + 1] = n
     end
@@ -671,10 +677,9 @@ function M.look_around(m, event)
   for _, n in ipairs(found) do
     if not (n.place and n.place < place and n.inner) then
       local is_event = event.kind == "pair" and (m == event.a and n == event.b or m == event.b and n == event.a)
-      local cx, cy = place_at(n, time)
-      if is_event or M.touching(ax, ay, m.w, m.h, cx, cy, n.w, n.h, m.index < n.index) then
-        if #pairs_found == MOST_PAIRS then return end
-        pairs_found[#pairs_found + 1] = {m, n}
+      if is_event or M.touching_in_set(m, n) then
+        if #M.pairs == MOST_PAIRS then return end
+        M.pairs[#M.pairs + 1] = {m, n}
         M.join(n)
       end
     end
@@ -682,16 +687,16 @@ function M.look_around(m, event)
 end
 
 function M.gather(event)
-  for _, m in ipairs(set) do m.place = nil end
-  set, touches, pairs_found = {}, {}, {}
+  for _, m in ipairs(M.set) do m.place = nil end
+  M.set, M.touches, M.pairs = {}, {}, {}
   M.join(event.a)
   if event.kind == "pair" then M.join(event.b) end
-  table.sort(shaken, by_place)
-  for _, m in ipairs(shaken) do M.join(m) end
-  local given, inner, is_cut, i = #set, 0, false, 1
-  while i <= #set do
-    local m = set[i]
-    local is_solved = m.cut and m.events > 0 and m.time == time
+  table.sort(M.shaken, by_place)
+  for _, m in ipairs(M.shaken) do M.join(m) end
+  local given, inner, is_cut, i = #M.set, 0, false, 1
+  while i <= #M.set do
+    local m = M.set[i]
+    local is_solved = m.cut and m.events > 0 and m.time == M.time
     local has_room = i <= given or (inner < MOST_INNER and not is_solved)
     m.inner = has_room and m.inverse_mass > 0
     is_cut = is_cut or not has_room
@@ -701,16 +706,16 @@ function M.gather(event)
     end
     i = i + 1
   end
-  for _, m in ipairs(set) do
+  for _, m in ipairs(M.set) do
     if m.inner then
       m.cut = is_cut
-      M.from(m, time)
+      M.from(m, M.time)
     end
   end
-  table.sort(set, by_place)
-  for k, m in ipairs(set) do
+  table.sort(M.set, by_place)
+  for k, m in ipairs(M.set) do
     m.place = k
-    local s = time - m.time
+    local s = M.time - m.time
     m.svx, m.svy = m.vx + m.px * s, m.vy + m.py * s
     if m.inner then
       m.spx, m.spy = m.pull_x, m.pull_y
@@ -719,65 +724,68 @@ function M.gather(event)
     else
       m.spx, m.spy = m.px, m.py
     end
-    m.inverse = not m.inner and #shaken >= MOST_SHAKEN and 0.0 or m.inverse_mass
+    m.inverse = not m.inner and #M.shaken >= MOST_SHAKEN and 0.0 or m.inverse_mass
   end
   M.add_pairs(event)
 end
 
 function M.add_pairs(event)
-  for _, pair in ipairs(pairs_found) do
+  for _, pair in ipairs(M.pairs) do
     if pair[1].place > pair[2].place then pair[1], pair[2] = pair[2], pair[1] end
   end
-  table.sort(pairs_found, function(p, q)
+  table.sort(M.pairs, function(p, q)
     if p[1] ~= q[1] then return p[1].place < q[1].place end
     return p[2].place < q[2].place
   end)
-  for _, pair in ipairs(pairs_found) do
+  for _, pair in ipairs(M.pairs) do
     local m, n = pair[1], pair[2]
-    local ax, ay = place_at(m, time)
-    local cx, cy = place_at(n, time)
-    local nx, ny = M.touching(ax, ay, m.w, m.h, cx, cy, n.w, n.h, m.index < n.index)
+    local nx, ny = M.touching_in_set(m, n)
     if not nx then
       nx, ny = event.nx, event.ny
       if m ~= event.a then nx, ny = nx * -1, ny * -1 end
     end
-    touches[#touches + 1] = {a = m, b = n, nx = nx, ny = ny, bounce = 0.0, friction = sqrt(m.friction * n.friction),
-                             impulse = 0.0, pressure = 0.0, still = STILL}
+    M.touches[#M.touches + 1] = {a = m, b = n, nx = nx, ny = ny, bounce = 0.0, impulse = 0.0, pressure = 0.0,
+                                 friction = sqrt(m.friction * n.friction), still = STILL}
   end
 end
 
 -- ---- What they do to one another ----
 
 function M.add_ground(m, nx, ny, contact)
-  touches[#touches + 1] = {a = m, nx = nx, ny = ny, bounce = 0.0, friction = m.friction, impulse = 0.0, pressure = 0.0,
-                           still = STILL_ON_GROUND, contact = contact}
-  table.sort(touches, function(t, u)
+  local touch = {a = m, nx = nx, ny = ny, bounce = 0.0, friction = m.friction, impulse = 0.0, pressure = 0.0,
+                 still = STILL_ON_GROUND, contact = contact}
+  M.touches[#M.touches + 1] = touch
+  table.sort(M.touches, function(t, u)
     if t.a ~= u.a then return t.a.place < u.a.place end
     local other, there = t.b and t.b.place or 0, u.b and u.b.place or 0
     if other ~= there then return other < there end
     if t.ny ~= u.ny then return t.ny < u.ny end
     return t.nx < u.nx
   end)
+  return touch
 end
 
 local function is_still(vx, vy) return abs(vx) <= STILL and abs(vy) <= STILL end
+
+function M.is_new(m, nx, ny)
+  for _, touch in ipairs(M.touches) do
+    if touch.a == m and not touch.b and is_still(touch.nx - nx, touch.ny - ny) then return false end
+  end
+  return true
+end
 
 -- Looks for ground that a body touches, that it would go into, and that it leaves no faster than `fastest`.
 function M.probe(world, m, way_x, way_y, fastest)
   if not m.inner then return false end
   for _ = 1, 3 do
     if is_still(way_x, way_y) then return false end
-    M.from(m, time)
+    M.from(m, M.time)
     local contact = M.touched(world, m, way_x, way_y)
     if not contact then return false end
     local nx, ny = contact.nx, contact.ny
     if not (-(way_x * nx + way_y * ny) > STILL_ON_GROUND) then return false end
     if m.svx * nx + m.svy * ny <= fastest then
-      for _, touch in ipairs(touches) do
-        if touch.a == m and not touch.b and is_still(touch.nx - nx, touch.ny - ny) then return false end
-      end
-      M.add_ground(m, nx, ny, contact)
-      return true
+      return M.is_new(m, nx, ny) and M.add_ground(m, nx, ny, contact) ~= nil
     end
     way_x, way_y = slide_along(nx, ny, way_x, way_y)
   end
@@ -791,22 +799,23 @@ function M.bounce_of(n, touch)
   return min(1.0, max(own, is_floor and touch.b.floor_bounce or touch.b.wall_bounce))
 end
 
-local function bounced_lately(m) return m.bounced >= 0 and m.bounced < time and time - m.bounced < 0.25 end
+local function bounced_lately(m) return m.bounced >= 0 and m.bounced < M.time and M.time - m.bounced < 0.25 end
 local function is_restless(m) return m ~= nil and m.events > MOST_SLOW end
 
--- Chooses what is reflected at once. Returns whether anything approaches.
+-- Chooses what is reflected at once. Returns whether anything approaches. Circles alone have `slow`.
 function M.choose(n, is_late)
   local chosen, approaches = {}, false
-  for _, touch in ipairs(touches) do
+  for _, touch in ipairs(M.touches) do
     local speed = -M.speed(touch, touch.nx, touch.ny)
     local still = touch.still
-    if speed < -still and -speed <= slowest and (is_restless(touch.a) or is_restless(touch.b)) then touch.caught = true end
+    touch.caught = touch.caught or not touch.slow and speed < -still and -speed <= M.slowest and
+        (is_restless(touch.a) or is_restless(touch.b))
     approaches = approaches or speed > still or touch.caught and speed < -still
     if speed > still and not touch.held then
       local bounce, up = M.bounce_of(n, touch), -touch.ny
-      local least = slowest * (touch.b and abs(up) or max(up, 0.0))
+      local least = M.slowest * (touch.b and abs(up) or max(up, 0.0))
       touch.held = is_late or speed * bounce <= least or
-          (speed <= slowest and bounced_lately(touch.a) and (not touch.b or bounced_lately(touch.b)))
+          (speed <= M.slowest and bounced_lately(touch.a) and (not touch.b or bounced_lately(touch.b)))
       touch.bounce = touch.held and 0.0 or bounce
     end
     if speed > still or touch.held or touch.caught then chosen[#chosen + 1] = touch end
@@ -817,7 +826,7 @@ end
 -- What is left of an approach that is too slow to bounce would add up over the frames.
 function M.level_out()
   local chosen, approaches = {}, false
-  for _, touch in ipairs(touches) do
+  for _, touch in ipairs(M.touches) do
     local is_own = touch.a.inner and (not touch.b or touch.b.inner)
     local speed = M.speed(touch, touch.nx, touch.ny)
     approaches = approaches or is_own and speed < -1e-14
@@ -832,10 +841,10 @@ end
 -- Reflects what approaches, again until nothing does.
 function M.bounce(world)
   local changed = {}
-  for _, m in ipairs(set) do m.bvx, m.bvy, changed[m] = m.svx, m.svy, true end
-  local most = 32 + 4 * #set
+  for _, m in ipairs(M.set) do m.bvx, m.bvy, changed[m] = m.svx, m.svy, true end
+  local most = 32 + 4 * #M.set
   for turn = 0, 2 * most - 1 do
-    for _, m in ipairs(set) do
+    for _, m in ipairs(M.set) do
       if changed[m] then M.probe(world, m, m.svx, m.svy, -STILL_ON_GROUND) end
       changed[m] = nil
     end
@@ -851,18 +860,18 @@ end
 
 -- Whether an impact has moved bodies whose own neighbours are not in the set.
 function M.shakes_more()
-  local before = #shaken
+  local before = #M.shaken
   if before >= MOST_SHAKEN then return false end
-  for _, m in ipairs(set) do
-    if not m.inner and m.inverse_mass > 0 and (m.svx ~= m.bvx or m.svy ~= m.bvy) then shaken[#shaken + 1] = m end
+  for _, m in ipairs(M.set) do
+    if not m.inner and m.inverse_mass > 0 and (m.svx ~= m.bvx or m.svy ~= m.bvy) then M.shaken[#M.shaken + 1] = m end
   end
-  return #shaken > before
+  return #M.shaken > before
 end
 
 function M.is_dozing()
   local found = false
-  for _, m in ipairs(set) do
-    if abs(m.svx) > slowest or abs(m.svy) > slowest then return false end
+  for _, m in ipairs(M.set) do
+    if abs(m.svx) > M.slowest or abs(m.svy) > M.slowest then return false end
     found = found or is_restless(m)
   end
   return found
@@ -870,19 +879,19 @@ end
 
 -- Finds the pulls of bodies that stay together.
 function M.hold(world)
-  for _, m in ipairs(set) do
+  for _, m in ipairs(M.set) do
     m.free_x, m.free_y = m.spx, m.spy
     if not m.inner then m.inverse = 0.0 end
   end
   for _ = 1, 16 do
     local chosen = {}
-    for _, m in ipairs(set) do m.spx, m.spy = m.free_x, m.free_y end
-    for _, touch in ipairs(touches) do
+    for _, m in ipairs(M.set) do m.spx, m.spy = m.free_x, m.free_y end
+    for _, touch in ipairs(M.touches) do
       if not (M.speed(touch, touch.nx, touch.ny) > touch.still) then chosen[#chosen + 1] = touch end
     end
     if #chosen > 0 then M.support(chosen) end
     local finds = false
-    for _, m in ipairs(set) do
+    for _, m in ipairs(M.set) do
       if M.probe(world, m, m.spx, m.spy, STILL_ON_GROUND) then finds = true end
     end
     if not finds then return end
@@ -903,7 +912,7 @@ end
 
 function M.note(world)
   local n = world.tuning
-  for _, touch in ipairs(touches) do
+  for _, touch in ipairs(M.touches) do
     if has.events then M.note_hit(world, touch) end
     if touch.impulse > 0 or touch.pressure > 0 then
       local is_floor = abs(touch.nx) <= n.steepest * abs(touch.ny)
@@ -916,13 +925,13 @@ end
 local function within(value) return clamp(clamp(value, -FAST, FAST), -FAR, FAR) end
 
 function M.set_paths(world)
-  for _, m in ipairs(set) do
+  for _, m in ipairs(M.set) do
     if m.inner then
       m.vx, m.vy, m.px, m.py = within(m.svx), within(m.svy), within(m.spx), within(m.spy)
       if is_still(m.vx, m.vy) and is_still(m.px, m.py) then m.vx, m.vy, m.px, m.py = 0.0, 0.0, 0.0, 0.0 end
     end
   end
-  for _, touch in ipairs(touches) do
+  for _, touch in ipairs(M.touches) do
     if not touch.b and touch.a.inner then
       local stays = M.gain(touch, touch.nx, touch.ny) <= STILL_ON_GROUND
       if abs(M.speed(touch, touch.nx, touch.ny)) <= STILL_ON_GROUND then
@@ -930,8 +939,8 @@ function M.set_paths(world)
       end
     end
     if touch.impulse > 0 and touch.bounce ~= 0 then
-      touch.a.bounced = time
-      if touch.b then touch.b.bounced = time end
+      touch.a.bounced = M.time
+      if touch.b then touch.b.bounced = M.time end
     end
   end
 end
@@ -945,19 +954,24 @@ function M.look_for_turn(touch)
   local along_x, along_y = -touch.ny, touch.nx
   local speed, gain = vx * along_x + vy * along_y, px * along_x + py * along_y
   if not (speed * gain < 0) or abs(speed) <= STILL then return end
-  local at = time - speed / gain
-  if at < part then M.add_event {time = at, kind = "turn", a = m.inner and m or n} end
+  local at = M.time - speed / gain
+  if at < M.part then M.add_event {time = at, kind = "turn", a = m.inner and m or n} end
 end
 
-function M.resolve(world, event)
+function M.stop(m)
+  m.capped, m.inverse_mass = true, 0.0
+  m.vx, m.vy, m.px, m.py = 0.0, 0.0, 0.0, 0.0
+end
+
+-- What those that touch at the time of an event do to one another.
+function M.meet(world, event)
   local first = event.a
-  time = event.time
   local is_ground = event.kind == "ground"
   if is_ground then
-    M.from(first, time)
+    M.from(first, M.time)
     first.x, first.y = first.ground.x, first.ground.y
   end
-  shaken = {}
+  M.shaken = {}
   repeat
     M.gather(event)
     if is_ground then
@@ -970,23 +984,25 @@ function M.resolve(world, event)
   until not M.shakes_more()
   M.hold(world)
   if M.is_dozing() then
-    for _, m in ipairs(set) do m.svx, m.svy, m.spx, m.spy = 0.0, 0.0, 0.0, 0.0 end
+    for _, m in ipairs(M.set) do m.svx, m.svy, m.spx, m.spy = 0.0, 0.0, 0.0, 0.0 end
   end
+end
+
+function M.resolve(world, event)
+  M.time = event.time
+  M.meet(world, event)
   M.note(world)
   M.set_paths(world)
   local is_capped = false
-  for _, m in ipairs(set) do is_capped = is_capped or m.events >= MOST_EVENTS end
-  for _, m in ipairs(set) do
-    if is_capped and m.inner then
-      m.capped, m.inverse_mass = true, 0.0
-      m.vx, m.vy, m.px, m.py = 0.0, 0.0, 0.0, 0.0
-    end
+  for _, m in ipairs(M.set) do is_capped = is_capped or m.events >= MOST_EVENTS end
+  for _, m in ipairs(M.set) do
+    if is_capped and m.inner then M.stop(m) end
   end
-  for _, m in ipairs(set) do
+  for _, m in ipairs(M.set) do
     m.place = nil
     if m.inner then M.set_off(world, m) end
   end
-  for _, touch in ipairs(touches) do M.look_for_turn(touch) end
+  for _, touch in ipairs(M.touches) do M.look_for_turn(touch) end
 end
 
 -- ---- The step ----
@@ -997,17 +1013,25 @@ end
 
 local function reachable(at, to) return clamp(clamp(to, at - FAST, at + FAST), -FAR, FAR) end
 
+function M.member(_, body, index)
+  return {body = body, index = index, time = 0.0, x = body.x, y = body.y, w = body.w, h = body.h, vx = 0.0, vy = 0.0,
+          px = 0.0, py = 0.0, pull_x = 0.0, pull_y = 0.0, inverse_mass = 0.0, friction = 0.0, floor_bounce = 0.0,
+          wall_bounce = 0.0, version = 0, events = 0, bounced = -1.0}
+end
+function M.way_out(world, m) return way_out(world.terrain, m.x, m.y, m.w, m.h, false) end
+
+-- w, h: px, of a box with the same area.
+function M.mass_of(kind, w, h) return (kind.mass or 1.0) * (w * h / MASS_AREA) end
+
 function M.take(world, body, index, input)
   local n, kind = world.tuning, world.kinds[body.kind]
-  local m = {body = body, index = index, time = 0.0, x = body.x, y = body.y, w = body.w, h = body.h, vx = 0.0, vy = 0.0,
-             px = 0.0, py = 0.0, pull_x = 0.0, pull_y = 0.0, inverse_mass = 0.0, friction = 0.0, floor_bounce = 0.0,
-             wall_bounce = 0.0, version = 0, events = 0, bounced = -1.0}
+  local m = M.member(world, body, index)
   if not M.moves(world, body) then return m end
   if not body.clear then
-    local out_x, out_y = way_out(world.terrain, m.x, m.y, m.w, m.h, false)
+    local out_x, out_y = M.way_out(world, m)
     if out_x then m.x, m.y = m.x + out_x, m.y + out_y end
   end
-  m.inverse_mass = 1 / ((kind.mass or 1.0) * (m.w * m.h / MASS_AREA))
+  m.inverse_mass = 1 / M.mass_of(kind, m.w, m.h)
   m.friction = kind.friction or 0.0
   m.floor_bounce, m.wall_bounce = kind.bounce or n.floor_bounce, kind.bounce or n.wall_bounce
   if body.id == world.grabbed then
@@ -1026,7 +1050,7 @@ end
 -- Bodies that begin inside of one another are moved apart.
 function M.part_overlaps(world)
   local ways = {}
-  for _, m in ipairs(members) do
+  for _, m in ipairs(M.members) do
     if m.inverse_mass > 0 then
       local way_x, way_y = M.way_apart(m)
       if way_x ~= 0 or way_y ~= 0 then ways[#ways + 1] = {m, way_x, way_y} end
@@ -1034,14 +1058,20 @@ function M.part_overlaps(world)
   end
   for _, way in ipairs(ways) do
     local m = way[1]
-    local contact = cast_box(world.terrain, m.x, m.y, m.w, m.h, way[2], way[3], false)
-    if contact then m.x, m.y = contact.x, contact.y else m.x, m.y = m.x + way[2], m.y + way[3] end
+    m.x, m.y = M.led(world, m, way[2], way[3])
   end
+end
+
+-- The place to which the ground lets a body go.
+function M.led(world, m, way_x, way_y)
+  local contact = cast_box(world.terrain, m.x, m.y, m.w, m.h, way_x, way_y, false)
+  if contact then return contact.x, contact.y end
+  return m.x + way_x, m.y + way_y
 end
 
 function M.way_apart(m)
   local least_x, least_y, most_x, most_y, pile_x, pile_y = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-  for _, n in ipairs(members) do
+  for _, n in ipairs(M.members) do
     if n ~= m then
       local depth_x = min(m.x + m.w - n.x, n.x + n.w - m.x)
       local depth_y = min(m.y + m.h - n.y, n.y + n.h - m.y)
@@ -1066,13 +1096,13 @@ function M.way_apart(m)
 end
 
 function M.run_part(world)
-  events, event_count, set = {}, 0, {}
-  for _, m in ipairs(members) do
+  events, event_count, M.set = {}, 0, {}
+  for _, m in ipairs(M.members) do
     m.time, m.px, m.py, m.events, m.bounced = 0.0, m.pull_x, m.pull_y, 0, -1.0
     if m.capped then m.px, m.py = 0.0, 0.0 end
     M.sweep(m)
   end
-  for _, m in ipairs(members) do
+  for _, m in ipairs(M.members) do
     if m.inverse_mass > 0 then
       M.look_for_ground(world, m)
       M.look_for_pairs(m, true)
@@ -1084,21 +1114,21 @@ function M.run_part(world)
       M.resolve(world, event)
     end
   end
-  for _, m in ipairs(members) do
-    M.from(m, part)
+  for _, m in ipairs(M.members) do
+    M.from(m, M.part)
     m.time = 0.0
   end
 end
 
 function M.step(world, input)
   local n = world.tuning
-  slowest = n.gravity > 0 and n.gravity or abs(n.fall_speed * n.fall_blend)
-  part = 1.0 / n.substeps
-  members = {}
-  for i, body in ipairs(world.bodies) do members[i] = M.take(world, body, i, input) end
+  M.slowest = n.gravity > 0 and n.gravity or abs(n.fall_speed * n.fall_blend)
+  M.part = 1.0 / n.substeps
+  M.members = {}
+  for i, body in ipairs(world.bodies) do M.members[i] = M.take(world, body, i, input) end
   M.part_overlaps(world)
   for _ = 1, n.substeps do M.run_part(world) end
-  for _, m in ipairs(members) do
+  for _, m in ipairs(M.members) do
     if m.inverse_mass > 0 or m.capped then
       local body = m.body
       body.x, body.y = clamp(m.x, -FAR, FAR), clamp(m.y, -FAR, FAR)
@@ -1120,6 +1150,18 @@ function World:step_bodies(input)
   end
   M.step(self, input)
 end
+
+local add = World.add
+function World:add(body)
+  if (self.kinds[body.kind] or {}).round and not has.round then
+    error("a circle takes the part round: name it in the export", 2)
+  end
+  return add(self, body)
+end
+
+-- What the part `round` uses.
+M.A, M.b, M.x, M.way_to, M.place_at, M.time_to_close = A, b, x, way_to, place_at, time_to_close
+M.by_place, M.is_still, M.within = by_place, is_still, within
 
 end
 

@@ -212,6 +212,7 @@ void write_kind(LuaTable&& table, BodyKind kind, TileSize tile, bool meets) {
   table.number("mass", traits.mass);
   table.number("friction", traits.friction);
   if (traits.bounce) table.number("bounce", *traits.bounce);
+  if (traits.shape == BodyShape::circle) table.truth("round");
 }
 
 void write_tiles(LuaTable&& rows, std::span<const TileNumber> cells, int columns, const Progress& progress) {

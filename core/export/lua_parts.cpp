@@ -11,7 +11,7 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostFiles = 4, kMostNeeds = 2;
+constexpr std::size_t kMostFiles = 6, kMostNeeds = 2;
 struct LuaPart {
   std::string_view name;
   std::array<std::string_view, kMostFiles> files;
@@ -34,6 +34,7 @@ constexpr LuaPart kLuaParts[] = {
     {"pairs", {"pairs"}},
     {"mouse", {"mouse"}},
     {"meet", {"meet"}, {"balls"}},
+    {"round", {"forms", "round_ground", "spins", "tracks", "crowd", "round"}, {"meet", "balls"}},
     {"events", {"events"}},
     {"end", {"luajit", "module"}},
 };
@@ -69,9 +70,11 @@ PartNames used_parts(const Level& level) {
   PartNames used;
   std::size_t bodies = level.spawns.size();
   bool has_centre = false;  // a body that stands on its centre
+  bool has_circle = false;
   for (const Spawn& spawn : level.spawns) {
     used.emplace(part_of(traits_of(spawn.kind).rule));
     has_centre = has_centre || spawn.used_foot() == Foot::centre;
+    has_circle = has_circle || traits_of(spawn.kind).shape == BodyShape::circle;
   }
   std::vector<std::size_t> counts(ground.shapes.size());  // of cells, by tile
   for (const TileNumber tile : ground.cells) ++counts[tile];
@@ -81,6 +84,7 @@ PartNames used_parts(const Level& level) {
     if (counts[tile] > 0) {
       used.emplace("balls");  // which places them
       used.emplace(part_of(traits_of(*kind).rule));
+      has_circle = has_circle || traits_of(*kind).shape == BodyShape::circle;
     }
     bodies += counts[tile];
   }
@@ -99,6 +103,7 @@ PartNames used_parts(const Level& level) {
   if (has_centre && has_slopes) used.emplace("walk");
   if (level.tuning.shared.pairs() != BodyPairs::pass && bodies > 1) used.emplace("pairs");
   const bool meets = level.tuning.shared.pairs() == BodyPairs::meet;
+  if (meets && has_circle) used.emplace("round");
   const ExactTuning& exact = level.tuning.exact;
   if (used.contains("balls") && !meets && exact.rebound != 0 && exact.gravity > 0) used.emplace("flight");
   return used;

@@ -79,10 +79,6 @@ std::vector<std::string> dropped_physics(const Level& level) {
   if (level.tuning.solver != SolverKind::exact)
     dropped.push_back("the solver " + std::string(solver_name(level.tuning.solver)) +
                       ": the game uses exact instead");
-  const auto is_circle = [](const Spawn& spawn) { return traits_of(spawn.kind).shape == BodyShape::circle; };
-  const bool meets = level.tuning.shared.pairs() == BodyPairs::meet;
-  if (meets && std::any_of(level.spawns.begin(), level.spawns.end(), is_circle))
-    dropped.emplace_back("the circles of discs: in the game they are boxes, and slide");
   return dropped;
 }
 

@@ -19,7 +19,7 @@ FormatResult<std::string> lua_runtime(const ExportRequest& request, LuaForm form
 std::string join_lua(const std::vector<std::string>& texts);
 
 // Says, as in Exported::dropped, what moves otherwise in games: all bodies of a level with another solver
-// than exact, and circles.
+// than exact.
 std::vector<std::string> dropped_physics(const Level& level);
 
 }  // namespace talus

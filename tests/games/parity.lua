@@ -1,4 +1,4 @@
--- Runs levels with the runtime and prints each body after each frame: frame id x y vx vy grounded, with all
+-- Runs levels with the runtime and prints each body after each frame: frame id x y vx vy spin turn grounded, with all
 -- digits. Events come before them, if the runtime has that part: frame kind id other nx ny impulse.
 --   lua5.3 parity.lua LIST
 -- LIST: a file with a table of {name, runtime, level, input, frames}. The runtime is a file. Level and input
@@ -20,7 +20,8 @@ for _, run in ipairs(list) do
                           e.ny or 0.0, e.impulse or 0.0))
     end
     for _, b in ipairs(world.bodies) do
-      print(string.format("%d %d %a %a %a %a %s", frame, b.id, b.x, b.y, b.vx, b.vy, tostring(b.grounded)))
+      print(string.format("%d %d %a %a %a %a %a %a %s", frame, b.id, b.x, b.y, b.vx, b.vy, b.spin or 0.0, b.turn or 0.0,
+                          tostring(b.grounded)))
     end
   end
 end

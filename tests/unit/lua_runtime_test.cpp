@@ -104,8 +104,8 @@ class LuaRuntime : public FolderTest {
   }
   static std::string body_text(std::int64_t frame, const Body& b) {
     char text[256];
-    std::snprintf(text, sizeof text, "%d %d %a %a %a %a %s\n", static_cast<int>(frame), b.id, b.box.x,
-                  b.box.y, b.velocity.x, b.velocity.y, b.gait.grounded ? "true" : "false");
+    std::snprintf(text, sizeof text, "%d %d %a %a %a %a %a %a %s\n", static_cast<int>(frame), b.id, b.box.x,
+                  b.box.y, b.velocity.x, b.velocity.y, b.spin, b.turn, b.gait.grounded ? "true" : "false");
     return text;
   }
   static std::string event_text(std::int64_t frame, const StepEvent& e) {
@@ -179,7 +179,6 @@ TEST_F(LuaRuntime, GivesTheBitsOfEveryHardCase) {
     ASSERT_TRUE(loaded) << entry.path();
     const auto hard = hard_case_of(loaded->level);
     ASSERT_TRUE(hard && *hard) << entry.path();
-    if (!dropped_physics(loaded->level).empty()) continue;  // Lua knows no circles yet
     add(loaded->level, std::min<std::int64_t>((*hard)->frames, 3600), (*hard)->input,
         entry.path().filename().string());
   }
@@ -429,6 +428,34 @@ TEST_F(LuaRuntime, GivesTheBitsOfRandomLevels) {
     add(level, kFrames, input, "seed " + std::to_string(seed));
   }
   EXPECT_EQ(static_cast<std::uint64_t>(levels()), last - (last >= kHangingBall ? 1 : 0));
+  EXPECT_GE(body_frames(), 100 * levels());
+  expect_same_bits();
+}
+
+// Discs and crates fall into a heap, on tiles, hills, lines and curves.
+TEST_F(LuaRuntime, GivesTheBitsOfDiscs) {
+  constexpr double kLevels = 60;
+  const auto last = static_cast<std::uint64_t>(tries("TALUS_LUA_LEVELS", kLevels));
+  for (std::uint64_t seed = 1; seed <= last; ++seed) {
+    Dice dice(6'000'000 + seed);
+    Level level = random_level(dice);
+    const Spawn first = level.spawns.front();
+    const double grid = dice.one_in(2) ? 4 : 1e10;
+    for (int i = 1 + dice.up_to(9); i > 0; --i) {
+      Spawn& spawn = level.spawns.emplace_back(first);
+      spawn.kind = dice.one_in(4) ? BodyKind::crate : BodyKind::disc;
+      spawn.foot = {};
+      if (dice.one_in(4)) spawn.size = {dice.step(1, 20, grid), dice.step(1, 20, grid)};
+      spawn.position = first.position + Vec2{dice.step(-20, 20, grid), dice.step(-30, 10, grid)};
+    }
+    level.tuning.shared.bodies = static_cast<double>(BodyPairs::meet);
+    if (dice.one_in(2)) level.tuning.shared.fall_blend = level.tuning.shared.drift_blend = 0;
+    constexpr int kFrames = 45;
+    const auto input = dice.one_in(2)
+                           ? random_input(dice, kFrames, level.map.px_width(), level.map.px_height())
+                           : std::vector<CaseInput>();
+    add(level, kFrames, input, "seed " + std::to_string(seed));
+  }
   EXPECT_GE(body_frames(), 100 * levels());
   expect_same_bits();
 }

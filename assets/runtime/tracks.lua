@@ -1,0 +1,297 @@
+-- ---- Tracks: what circles roll or slide along in a part of a step ----
+-- Paths are parabolas. One that has the bend of the track stays near it; at its end the circle is put back on it, and
+-- gets the speed that its way down or up gives it. A track has sides of the ground, which the circle touches and which
+-- stop nothing, of which it follows the first ones, by number `followed`; or other, a body that stands still, version,
+-- form, and gap, px, which it keeps; on_end: it goes round a corner, or the end of a side; is_alone: nothing else
+-- touches the circle; rolls: the share of a pull along it that moves the circle; pull_x, pull_y, without the track;
+-- drive, px/frame^2, along it, beside that share.
+
+-- A function, as the names of a file of Lua are few.
+function World.begin_tracks()
+
+local M = World.meeting
+local STILL = 1e-11  -- px/frame, and px/frame^2
+local STILL_ON_GROUND = 1e-12
+local PAST = 1e-9  -- px: only what is further past an end has left it
+
+-- px: how far a middle is past the nearer end of a side, or before it, along the side there.
+local function past_end(side, x, y)
+  local from_x, from_y, to_x, to_y = x - side.ax, y - side.ay, x - side.bx, y - side.by
+  local is_first = from_x * from_x + from_y * from_y < to_x * to_x + to_y * to_y
+  local onward_x, onward_y = side.ux, side.uy
+  if side.stretch then onward_x, onward_y = tangent_at(side.stretch, is_first and side.ax or side.bx) end
+  if is_first then to_x, to_y = from_x, from_y end
+  return abs(to_x * onward_x + to_y * onward_y)
+end
+
+-- ---- Along a track ----
+
+local function near_track(track, form)
+  if track.other then return M.nearness(form, track.form, true) end
+  local x, y = M.middle(form)
+  return (M.near_side(track.sides[1], x, y, form.radius))
+end
+
+-- Whether a circle touches the same part of it still: not one behind an end.
+local function goes_on(track, form)
+  if track.other then return M.nearness(form, track.form, true).on_end == track.on_end end
+  local x, y = M.middle(form)
+  for i = 1, track.followed do
+    local side = track.sides[i]
+    local near = M.near_side(side, x, y, form.radius)
+    if near.on_end ~= track.on_end and not (past_end(side, x, y) <= PAST) then return false end
+  end
+  return true
+end
+
+-- A parabola may lead a little higher than the energy does. missing: px^2/frame^2, of the square of the speed.
+local function go_down(track, m, onward_x, onward_y, missing)
+  local steep = 2 * track.rolls * (track.pull_x * onward_x + track.pull_y * onward_y)
+  if not (abs(steep) > missing) then return end
+  local share = missing / steep
+  m.x, m.y = m.x + onward_x * share, m.y + onward_y * share
+  local near = near_track(track, M.form_at(m, m.time))
+  local off = near.gap - track.gap
+  m.x, m.y = m.x - near.nx * off, m.y - near.ny * off
+end
+
+-- Takes a circle on it to a time, and returns the direction of the track there. The square of the speed follows from
+-- the way along gravity, as energy is kept.
+local function take(track, m, t)
+  local x, y, vx, vy = m.x, m.y, m.vx, m.vy
+  M.path_from(m, t)
+  local near = near_track(track, M.form_at(m, t))
+  local onward_x, onward_y = -near.ny, near.nx
+  if near.bend == 0 then
+    if not track.other then M.put_on(track.sides[1], m) end
+    return onward_x, onward_y
+  end
+  local off = near.gap - track.gap
+  m.x, m.y = m.x - near.nx * off, m.y - near.ny * off
+  local way_x, way_y = m.x - x, m.y - y
+  local sign = m.vx * onward_x + m.vy * onward_y < 0 and -1 or 1
+  local driven = track.drive * (way_x * onward_x + way_y * onward_y < 0 and -1 or 1) *
+      sqrt(way_x * way_x + way_y * way_y)
+  local square = vx * vx + vy * vy + 2 * (track.rolls * (track.pull_x * way_x + track.pull_y * way_y) + driven)
+  local speed = sign * sqrt(max(square, 0.0))
+  m.vx, m.vy = onward_x * speed, onward_y * speed
+  if square < 0 then go_down(track, m, onward_x, onward_y, -square) end
+  return onward_x, onward_y
+end
+
+-- The time before `most` at which a circle comes to another part of it, or leaves it; `most` if it does not.
+local function end_of(track, m, most)
+  -- A parabola is near to what is bent only for so long: for 1/8, in radians.
+  local turn = abs(near_track(track, M.form_at(m, m.time)).bend) * sqrt(m.vx * m.vx + m.vy * m.vy)
+  if turn > 0 then most = min(most, m.time + 0.125 / turn) end
+  local function holds(t)
+    local form = M.form_at(m, t)
+    if not goes_on(track, form) then return false end
+    local near = near_track(track, form)
+    if near.bend <= 0 or not track.is_alone or near.on_end ~= track.on_end then return true end
+    local there = M.moving_at(m, m.time)
+    take(track, there, t)
+    local square = there.vx * there.vx + there.vy * there.vy
+    return track.pull_x * near.nx + track.pull_y * near.ny + near.bend * square <= 0
+  end
+  if holds(most) then return most end
+  local from, to = m.time, most
+  for _ = 1, 48 do
+    local middle = from + (to - from) / 2
+    if holds(middle) then from = middle else to = middle end
+  end
+  return to
+end
+
+-- ---- Where circles are ----
+
+function M.from(m, t)
+  if not (m.radius > 0) then return M.path_from(m, t) end
+  local s = t - m.time
+  local spin = m.spin + m.spin_pull * s
+  if not m.track then
+    M.path_from(m, t)
+  else
+    local onward_x, onward_y = take(m.track, m, t)
+    if m.track.rolls < 1 then spin = m.vx * onward_x + m.vy * onward_y end
+  end
+  m.turned = m.turned + (m.spin + spin) / 2 * s
+  m.spin = spin
+end
+
+-- What of a body is solid at the time of the set.
+function M.form_of(m)
+  if not m.track then return M.form_at(m, M.time) end
+  local moving = M.moving_at(m, m.time)
+  take(m.track, moving, M.time)
+  return M.form_at(moving, M.time)
+end
+
+local next_ground = M.next_ground
+function M.next_ground(world, m, to)
+  if not (m.radius > 0) then return next_ground(world, m, to) end
+  local met = M.meeting_of_circle(world, m, to, m.track and m.track.sides or {})
+  if met then return met.time, met.x, met.y, met.nx, met.ny, met.side end
+end
+
+local set_off = M.set_off
+function M.set_off(world, m)
+  set_off(world, m)
+  if not m.track or m.time >= M.part then return end
+  local at = end_of(m.track, m, M.part)
+  if at < M.part then M.add_event {time = at, kind = "turn", a = m} end
+end
+
+-- Whether a circle rolls on a body.
+function M.goes_along(m, other)
+  return m.track ~= nil and m.track.other == other and m.track.version == other.version
+end
+
+-- Puts a circle exactly on the ground that it stays on.
+local function align(touch, stays)
+  local m, nx, ny = touch.a, touch.nx, touch.ny
+  M.put_on(touch.contact, m)
+  local into = m.vx * nx + m.vy * ny
+  m.vx, m.vy = m.vx - nx * into, m.vy - ny * into
+  if not stays or touch.is_track then return end
+  into = m.px * nx + m.py * ny
+  m.px, m.py = m.px - nx * into, m.py - ny * into
+end
+
+function M.align_on(world, touch, stays)
+  if touch.a.radius > 0 then return align(touch, stays) end
+  return M.align(world, touch.a, touch.contact, stays)
+end
+
+-- ---- The ground that they touch ----
+
+-- Adds the contact of a circle with a side. Returns whether it is new.
+function M.add_side(m, side, nx, ny)
+  if not M.is_new(m, nx, ny) then return false end
+  local x, y = M.middle(M.form_at(m, M.time))
+  local touch = M.add_ground(m, nx, ny, side)
+  touch.near, touch.slow = M.near_side(side, x, y, m.radius), M.slow
+  return true
+end
+
+-- Circles in a pile press on all ground that they touch.
+function M.add_ground_of_circles(world)
+  for _, m in ipairs(M.set) do
+    if m.inner and m.radius > 0 then
+      for _, touch in ipairs(M.all_touched(world, M.form_at(m, M.time))) do
+        local near = touch.near
+        if m.svx * near.nx + m.svy * near.ny <= M.slow then M.add_side(m, touch.side, near.nx, near.ny) end
+      end
+    end
+  end
+end
+
+local probe = M.probe
+function M.probe(world, m, way_x, way_y, fastest)
+  if not m.inner or not (m.radius > 0) then return probe(world, m, way_x, way_y, fastest) end
+  if M.is_still(way_x, way_y) then return false end
+  local finds = false
+  for _, touch in ipairs(M.all_touched(world, M.form_at(m, M.time))) do
+    local nx, ny = touch.near.nx, touch.near.ny
+    if -(way_x * nx + way_y * ny) > STILL_ON_GROUND and not (m.svx * nx + m.svy * ny > fastest) and
+        M.add_side(m, touch.side, nx, ny) then
+      finds = true
+    end
+  end
+  return finds
+end
+
+-- ---- Which tracks ----
+
+-- Of the contacts that a circle keeps, the one with the ground that bends towards it most, or with a body that stands
+-- still.
+local function best_track(m)
+  local best, is_on_ground = nil, false
+  for _, touch in ipairs(M.touches) do
+    if touch.near and not touch.is_apart and (touch.a == m or touch.b == m) and
+        not (abs(M.speed(touch, touch.nx, touch.ny)) > touch.still) then
+      local other = touch.a == m and touch.b or touch.a
+      local is_ground = not touch.b
+      if is_ground or not is_on_ground and other.svx == 0 and other.svy == 0 then
+        if not best or is_ground and not is_on_ground or touch.near.bend < best.near.bend then best = touch end
+        is_on_ground = is_on_ground or is_ground
+      end
+    end
+  end
+  return best
+end
+
+function M.find_tracks()
+  for _, touch in ipairs(M.touches) do touch.is_track, touch.parts = false, 0.0 end
+  for _, m in ipairs(M.set) do
+    local best = m.inner and m.radius > 0 and best_track(m)
+    if best then
+      best.is_track = true
+      best.parts = best.near.bend * (m.svx * m.svx + m.svy * m.svy)
+    end
+  end
+end
+
+-- Of the sides that a circle touches, and keeps touching, it follows the one with this normal, or those that meet in
+-- the end that it goes round. Returns whether there are some.
+local function follow_ground(world, track, m, nx, ny)
+  track.sides, track.followed = {}, 0
+  local form = M.form_at(m, M.time)
+  -- All of the way: else the seams of tiles would be ends.
+  for _, touch in ipairs(M.sides_touched(world, form, M.area_around(form, M.form_at(m, M.part)))) do
+    local near = touch.near
+    if not (abs(m.vx * near.nx + m.vy * near.ny) > STILL_ON_GROUND) then
+      local is_followed = near.on_end == track.on_end and M.is_still(near.nx - nx, near.ny - ny)
+      table.insert(track.sides, is_followed and 1 or #track.sides + 1, touch.side)
+      if is_followed then track.followed = track.followed + 1 end
+    end
+  end
+  return track.followed > 0
+end
+
+-- Returns whether the other body stands still.
+local function follow_body(track, near, other)
+  track.other, track.version, track.form, track.gap = other, other.version, M.form_of(other), near.gap
+  return other.vx == 0 and other.vy == 0 and other.px == 0 and other.py == 0
+end
+
+local function is_alone(met, m)
+  for _, touch in ipairs(M.touches) do
+    if touch ~= met and (touch.a == m or touch.b == m) and touch.pressure > 0 then return false end
+  end
+  return true
+end
+
+-- A circle that something holds on a track goes along it from now on.
+function M.begin_track(world, met)
+  local function goes(m)
+    return m and m.inner and m.radius > 0 and not (m.vx == 0 and m.vy == 0 and m.px == 0 and m.py == 0)
+  end
+  local is_first, near = goes(met.a), met.near
+  if not (met.pressure > 0) or not (is_first or goes(met.b)) then return end
+  local m, other, nx, ny = met.a, met.b, met.nx, met.ny
+  if not is_first then m, other, nx, ny = met.b, met.a, 0 - nx, 0 - ny end
+  -- It is about to leave what bends away, or is in a hollow as narrow as itself.
+  if near.bend > 0 and not (met.pressure * m.inverse > M.BRINK) then return end
+  if -near.bend * m.radius > 1 then return end
+  local track = {on_end = near.on_end, gap = 0.0, pull_x = m.pull_x, pull_y = m.pull_y}
+  m.track = nil
+  if other then
+    if not follow_body(track, near, other) then return end
+  elseif not follow_ground(world, track, m, nx, ny) then
+    return
+  end
+  track.is_alone = is_alone(met, m)
+  local onward_x, onward_y = -ny, nx
+  local straight = m.pull_x * onward_x + m.pull_y * onward_y
+  local drawn = m.spx * onward_x + m.spy * onward_y
+  local slip = m.svx * onward_x + m.svy * onward_y - m.sspin
+  local rolls = met.friction > 0 and abs(slip) <= STILL and abs(drawn - m.sspin_pull) <= STILL
+  track.rolls = rolls and 1 / (1 + m.inverse / m.yields) or 1.0
+  track.drive = drawn - track.rolls * straight
+  m.track = track
+end
+
+end
+
+World.begin_tracks()
