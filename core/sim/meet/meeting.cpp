@@ -229,6 +229,7 @@ void Meeting::part_overlaps(bool are_apart) {
   for (const auto& [index, way] : ways) {
     FallPath& path = members_[index].moving.path;
     members_[index].is_swept = false;
+    members_[index].is_parted = true;
     if (Circle* const circle = members_[index].circle) {
       MovingBox straight = members_[index].moving;
       straight.path = {0, path.place, way, {}};

@@ -64,6 +64,7 @@ class Meeting {
     bool is_grounded = false;
     bool is_steady = false;  // nothing changed its velocity before the step began
     bool is_late = false;    // it was solved after the beginning of the step
+    bool is_parted = false;  // it was moved out of another one before the step began
     bool is_held = false;    // by the mouse
     bool is_asleep = false;  // it rests as in the step before; nothing looks for what it meets
     bool is_capped = false;

@@ -111,8 +111,9 @@ bool Meeting::is_unchanged(std::uint32_t index) const {
   const Body& body = state_->bodies[index];
   if (!member.may_have_moved()) return rests_[index].is_of(body);
   const FallPath& path = member.moving.path;
-  return !member.is_late && !member.is_capped && !member.is_held && (member.is_steady || parts_ == 1) &&
-         path.place == body.box.position() && path.velocity == body.velocity && path.velocity == Vec2() &&
+  return !member.is_late && !member.is_parted && !member.is_capped && !member.is_held &&
+         (member.is_steady || parts_ == 1) && path.place == body.box.position() &&
+         path.velocity == body.velocity && path.velocity == Vec2() &&
          (member.circle == nullptr || member.circle->spin == 0) && body.spin == 0;
 }
 
