@@ -1,10 +1,9 @@
 -- ---- Crowds: circles in a pile touch many others, and roll on all of them. Such a pile is not solved to the end, but
 -- once for the rest of a part of the step. ----
 
--- A function, as the names of a file of Lua are few.
-function World.begin_crowds()
+-- A function, as the names of a file of Lua are few. M: see meet.lua.
+function World.begin_crowds(M)
 
-local M = World.meeting
 local STILL_ON_GROUND = 1e-12  -- px/frame
 local MOST_SLOW = 6  -- events of a body in a part of a step, after which it is to come to rest
 local NEAR_CIRCLE = 0.0625  -- px: they may come to meet in a part of a step
@@ -137,4 +136,4 @@ end
 
 end
 
-World.begin_crowds()
+World.begin_crowds(World.meeting)

@@ -4,10 +4,9 @@
 -- 1/px, of the middle's way along the other one, over 0 if it bends away; on_end: the nearest point is a corner, or an
 -- end.
 
--- A function, as the names of a file of Lua are few.
-function World.begin_forms()
+-- A function, as the names of a file of Lua are few. M: see meet.lua.
+function World.begin_forms(M)
 
-local M = World.meeting
 M.path_from = M.from
 local STILL = 1e-11  -- px/frame, and px/frame^2
 local BRINK = 1e-9  -- px/frame^2: a circle that goes round something is on the brink of leaving it below that
@@ -164,4 +163,4 @@ end
 
 end
 
-World.begin_forms()
+World.begin_forms(World.meeting)

@@ -1,14 +1,12 @@
 -- ---- Circles among the bodies that meet: what is otherwise where some are round ----
 has.round = true
 
--- A function, as the names of a file of Lua are few.
-function World.begin_round()
+-- A function, as the names of a file of Lua are few. M: see meet.lua.
+function World.begin_round(M)
 
-local M = World.meeting
 local STILL = 1e-11  -- px/frame, and px/frame^2
 local STILL_ON_GROUND = 1e-12
 local CELL = 16  -- px, side of the cells in which bodies are looked for
-local MOST_SPIN = 16777216.0  -- px/frame
 local MOST_INNER = 16  -- bodies of a pile that are solved at once
 local MOST_CIRCLES = 1024  -- the same for circles, each of which lets four more boxes in
 local MOST_SHAKEN = 32
@@ -60,8 +58,8 @@ end
 
 -- by: radians
 local function turn(body, spin, by)
-  local angle = body.turn + by
-  body.spin = clamp(spin, -MOST_SPIN, MOST_SPIN) + 0.0
+  local angle, most = body.turn + by, 2.0 ^ 24
+  body.spin = clamp(spin, -most, most) + 0.0
   body.turn = angle - TURN * floor(angle / TURN)
 end
 
@@ -462,4 +460,4 @@ end
 
 end
 
-World.begin_round()
+World.begin_round(World.meeting)

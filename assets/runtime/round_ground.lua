@@ -3,10 +3,9 @@
 -- it; nx, ny, unit, of a line, out of the ground; facing; stretch and piece, of a curve; is_thin: there is no ground
 -- behind it, so what is inside of it goes through; is_hollow: it bends towards what it stops.
 
--- A function, as the names of a file of Lua are few.
-function World.begin_round_ground()
+-- A function, as the names of a file of Lua are few. M: see meet.lua.
+function World.begin_round_ground(M)
 
-local M = World.meeting
 local STILL = 1e-11  -- px/frame
 local THROUGH = 0.0625  -- px: a circle that is deeper in a side with no ground behind goes through it
 
@@ -329,4 +328,4 @@ end
 
 end
 
-World.begin_round_ground()
+World.begin_round_ground(World.meeting)

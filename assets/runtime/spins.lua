@@ -4,10 +4,9 @@
 -- px/frame: what parts or slides more slowly is held as if it did not; and may have `parts`, px/frame^2: the gap that
 -- straight ways would open, as the other one is bent.
 
--- A function, as the names of a file of Lua are few.
-function World.begin_spins()
+-- A function, as the names of a file of Lua are few. M: see meet.lua.
+function World.begin_spins(M)
 
-local M = World.meeting
 local STILL = 1e-11  -- px/frame
 local MOST_EXACT = 8  -- contacts of circles that are solved together with their friction
 local A, b, x = M.A, M.b, M.x
@@ -285,4 +284,4 @@ end
 
 end
 
-World.begin_spins()
+World.begin_spins(World.meeting)

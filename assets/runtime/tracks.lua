@@ -6,10 +6,9 @@
 -- touches the circle; rolls: the share of a pull along it that moves the circle; pull_x, pull_y, without the track;
 -- drive, px/frame^2, along it, beside that share.
 
--- A function, as the names of a file of Lua are few.
-function World.begin_tracks()
+-- A function, as the names of a file of Lua are few. M: see meet.lua.
+function World.begin_tracks(M)
 
-local M = World.meeting
 local STILL = 1e-11  -- px/frame, and px/frame^2
 local STILL_ON_GROUND = 1e-12
 local PAST = 1e-9  -- px: only what is further past an end has left it
@@ -294,4 +293,4 @@ end
 
 end
 
-World.begin_tracks()
+World.begin_tracks(World.meeting)

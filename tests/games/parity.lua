@@ -5,6 +5,10 @@
 -- are functions: one returns a level, the other a table from frames to what world:step() takes. An input
 -- holds until the next one.
 local list = dofile(arg[1])
+
+-- LuaJIT writes numbers below 2^-1022 in its own way: they are printed larger.
+local function shown(v) return v ~= 0 and math.abs(v) < 2.0 ^ -1022 and v * 2.0 ^ 200 or v end
+
 local runtimes = {}
 setmetatable(_G, {__index = function(_, name) error("unknown name " .. name, 2) end})
 for _, run in ipairs(list) do
@@ -20,8 +24,8 @@ for _, run in ipairs(list) do
                           e.ny or 0.0, e.impulse or 0.0))
     end
     for _, b in ipairs(world.bodies) do
-      print(string.format("%d %d %a %a %a %a %a %a %s", frame, b.id, b.x, b.y, b.vx, b.vy, b.spin or 0.0, b.turn or 0.0,
-                          tostring(b.grounded)))
+      print(string.format("%d %d %a %a %a %a %a %a %s", frame, b.id, b.x, b.y, shown(b.vx), shown(b.vy),
+                          shown(b.spin or 0.0), shown(b.turn or 0.0), tostring(b.grounded)))
     end
   end
 end

@@ -91,7 +91,7 @@ TEST(LuaParts, OtherPartsCanBeChosen) {
   EXPECT_EQ(
       wrong.error().message,
       "\"plyers\" is not a part of the runtime; the parts are slopes, one_way, polygons, segments, curves, "
-      "balls, flight, walk, players, pairs, mouse, meet, events");
+      "balls, flight, walk, players, pairs, mouse, meet, round, events");
 }
 
 // Words that occur in the code of one part only.
