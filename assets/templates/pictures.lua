@@ -6,9 +6,10 @@
 --                      Animated tiles show the frame that is due since pictures() was called
 --   draw_body(body, step)  its kind, x, y, w and h; step: those made so far. A body with a `picture` shows the frame of
 --                      what it does, see frames.lua. Kinds that look like a figure, such as players, are boxes with
---                      a face. Others have the picture of their `tile`, without one that of the level's first ball
---                      tile, and without any they are discs
+--                      a face; crates and wheels have a look of their own. Others have the picture of their `tile`,
+--                      without one that of the level's first ball tile, and without any they are circles
 local frames = require "frames"
+local TYRE = {41 / 255, 54 / 255, 111 / 255}
 local LIGHT, BLUE = {244 / 255, 244 / 255, 244 / 255}, {65 / 255, 166 / 255, 246 / 255}
 local DARK = {11 / 255, 12 / 255, 20 / 255}
 local BOARD, FRAME = {160 / 255, 112 / 255, 60 / 255}, {92 / 255, 61 / 255, 32 / 255}  -- of crates
@@ -181,6 +182,21 @@ local function draw_crate(body)
   love.graphics.polygon("fill", x, y + h - bar, x, y + h, x + bar, y + h, x + w, y + bar, x + w, y, x + w - bar, y)
 end
 
+-- A disc that stands on the middle of the box's bottom, with a spoke that shows how it is turned. The program's numbers.
+local function draw_wheel(body)
+  local radius, turn = math.min(body.w, body.h) / 2, body.turn or 0
+  local x, y, rim = body.x + body.w / 2, body.y + body.h - radius, radius * 0.2
+  local way_x, way_y = (radius - rim) * math.cos(turn), (radius - rim) * math.sin(turn)
+  love.graphics.setColor(TYRE)
+  love.graphics.circle("fill", x, y, radius)
+  love.graphics.setColor(BLUE)
+  love.graphics.circle("fill", x, y, radius - rim)
+  love.graphics.setColor(LIGHT)
+  love.graphics.setLineWidth(rim)
+  love.graphics.line(x - way_x, y - way_y, x + way_x, y + way_y)
+  love.graphics.circle("fill", x + way_x * 0.6, y + way_y * 0.6, rim)
+end
+
 return function(level, file)
   local tile_width, tile_height = level.tile_width or 8, level.tile_height or 8  -- px
   local picture = love.image.newImageData(file)
@@ -251,9 +267,10 @@ return function(level, file)
   local function draw_body(body, step)
     if body.picture then return draw_picture(body, step) end
     local kind = level.kinds[body.kind]
-    local tile = (not kind or kind.look ~= "wheel") and (body.tile or first_ball)
+    local tile = body.tile or first_ball
     if kind and kind.look == "figure" then return draw_figure(body) end
     if kind and kind.look == "crate" then return draw_crate(body) end
+    if kind and kind.look == "wheel" then return draw_wheel(body) end
     love.graphics.setColor(tile and {1, 1, 1} or LIGHT)
     if tile then
       love.graphics.draw(clear, quads[tile], body.x, body.y, 0, body.w / tile_width, body.h / tile_height)
