@@ -305,6 +305,27 @@ std::optional<Real> free_above(const BasicTerrain<Real>& ground, const BasicRect
   return std::nullopt;
 }
 
+template <class Real>
+double conveyor_at(const BasicTerrain<Real>& ground, const Contact<Real>& contact,
+                   const BasicRect<Real>& box) {
+  if (!ground.has_conveyors() || contact.is_other) return 0;
+  if (contact.piece != nullptr) return ground.conveyor_of(contact.origin);
+  const bool is_flat = contact.facing == Facing::up || contact.facing == Facing::down;
+  const TileSize tile = ground.tile_size();
+  const Real middle =
+      is_flat ? (box.x + box.w / 2) / Real(tile.width) : (box.y + box.h / 2) / Real(tile.height);
+  double sum = 0;
+  int count = 0;
+  for (const Real at : {std::ceil(middle) - 1, std::floor(middle)}) {
+    Cell cell{contact.origin % ground.width(), contact.origin / ground.width()};
+    (is_flat ? cell.x : cell.y) = static_cast<int>(at);
+    if (!ground.is_solid(cell)) continue;
+    sum += ground.shape_at(cell).conveyor;
+    ++count;
+  }
+  return count > 0 ? sum / count : ground.conveyor_of(contact.origin);
+}
+
 template bool overlaps_ground(const BasicTerrain<double>&, const BasicRect<double>&, Foot);
 template bool overlaps_ground(const BasicTerrain<float>&, const BasicRect<float>&, Foot);
 template std::optional<BasicVec2<double>> way_out(const BasicTerrain<double>&, const BasicRect<double>&, Foot,
@@ -312,6 +333,8 @@ template std::optional<BasicVec2<double>> way_out(const BasicTerrain<double>&, c
 template std::optional<BasicVec2<float>> way_out(const BasicTerrain<float>&, const BasicRect<float>&, Foot,
                                                  CastBudget*);
 
+template double conveyor_at(const BasicTerrain<double>&, const Contact<double>&, const BasicRect<double>&);
+template double conveyor_at(const BasicTerrain<float>&, const Contact<float>&, const BasicRect<float>&);
 template std::optional<double> free_above(const BasicTerrain<double>&, const BasicRect<double>&, Foot);
 template std::optional<float> free_above(const BasicTerrain<float>&, const BasicRect<float>&, Foot);
 

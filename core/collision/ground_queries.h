@@ -45,6 +45,13 @@ template <class Real>
 std::optional<BasicVec2<Real>> way_out(const BasicTerrain<Real>& ground, const BasicRect<Real>& box,
                                        Foot foot = Foot::box, CastBudget* budget = nullptr);
 
+// px/frame: how fast the surface that a box touches goes along it, clockwise around the ground: on a floor to
+// the right. Of full tiles the one counts that the middle of the box touches, if it touches ground there; of
+// two beside one another there, half of both.
+template <class Real>
+double conveyor_at(const BasicTerrain<Real>& ground, const Contact<Real>& contact,
+                   const BasicRect<Real>& box);
+
 inline constexpr int kMostCellsUp = 16;  // how far up free_above() looks
 
 // Returns the y (px, of the box's top) of the nearest place straight above that is free of the ground,

@@ -232,6 +232,12 @@ Problem problem_of_polygon(const TileShape& polygon, TileSize tile) {
   return crosses_itself(welded) ? "has sides that cross or touch one another" : Problem();
 }
 
+Problem problem_of_conveyor(double speed) {
+  if (!std::isfinite(speed)) return "has a conveyor whose speed is not a number";
+  if (std::abs(speed) > kMaxConveyor) return "has a conveyor that is faster than 64 px a frame";
+  return {};
+}
+
 Problem problem_of_group(const TileShape& group, TileSize tile) {
   using Kind = TileShape::Kind;
   if (group.parts.empty()) return "has no parts";
@@ -240,6 +246,7 @@ Problem problem_of_group(const TileShape& group, TileSize tile) {
   for (const TileShape& part : group.parts) {
     if (part.kind == Kind::group) return "has a part that is a group";
     if (part.kind == Kind::none) return "has a part that is nothing";
+    if (part.conveyor != 0) return "has a part that is a conveyor, which only the whole can be";
     if (const Problem bad = problem_of(part, tile)) return "has a part that " + *bad;
     points += part.points.size();
   }
@@ -256,6 +263,7 @@ std::optional<std::string> problem_of(const TileShape& shape, TileSize tile) {
   if (shape.side == TileShape::Side::left || shape.side == TileShape::Side::right)
     return std::string("stops bodies on its ") + (shape.side == TileShape::Side::left ? "left" : "right") +
            " side alone, which no solver can";
+  if (const Problem bad = problem_of_conveyor(shape.conveyor)) return bad;
   if (shape.kind != Kind::polygon && !shape.points.empty()) return "has points, which only a polygon has";
   if (shape.kind != Kind::polygon && !shape.lines.empty()) return "has lines, which only a polygon has";
   if (shape.kind != Kind::group && !shape.parts.empty()) return "has parts, which only a group has";
@@ -266,6 +274,7 @@ std::optional<std::string> problem_of(const TileShape& shape, TileSize tile) {
 }
 
 std::optional<std::string> problem_of(const Curve& curve) {
+  if (const Problem bad = problem_of_conveyor(curve.conveyor)) return bad;
   return std::visit([](const auto& form) { return problem_of_form(form); }, curve.form);
 }
 

@@ -84,6 +84,7 @@ TileShape mirrored(TileShape shape, TileSize tile, ShapeMirror mirror) {
   for (Vec2& point : shape.points)
     point = left_right ? Vec2{tile.width - point.x, point.y} : Vec2{point.x, tile.height - point.y};
   for (TileShape& part : shape.parts) part = mirrored(part, tile, mirror);
+  shape.conveyor = 0 - shape.conveyor;
   return shape;
 }
 

@@ -125,6 +125,9 @@ BasicTerrain<Real>::BasicTerrain(const TerrainSource& source)
   one_way_ = std::any_of(source.shapes.begin(), source.shapes.end(), [](auto& s) { return s.one_way; }) ||
              std::any_of(source.curves.begin(), source.curves.end(),
                          [](auto& c) { return c.faces != Curve::Faces::both; });
+  const auto is_conveyor = [](const auto& part) { return part.conveyor != 0; };
+  conveyors_ = std::any_of(source.shapes.begin(), source.shapes.end(), is_conveyor) ||
+               std::any_of(source.curves.begin(), source.curves.end(), is_conveyor);
   auto parts = std::make_shared<Parts>(source);
   CurveOutline curves = cut_curves(source.curves);
   for (const auto& stretch : curves.stretches) parts->stretches.push_back(narrow<Real>(stretch));
@@ -177,6 +180,12 @@ std::vector<typename BasicTerrain<Real>::CurveInCell> BasicTerrain<Real>::cells_
 template <class Real>
 const TileShape& BasicTerrain<Real>::shape_at(Cell cell) const {
   return parts_->shapes[tile_at(cell)];
+}
+
+template <class Real>
+double BasicTerrain<Real>::conveyor_of(std::int32_t origin) const {
+  if (origin < 0) return parts_->curves[static_cast<std::size_t>(-1 - origin)].conveyor;
+  return shape_at(cell_at(origin)).conveyor;
 }
 
 template <class Real>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace talus {
 namespace {
@@ -177,12 +178,17 @@ TileShape shape_of_number(const Level& level, std::span<const TileStack> stacks,
   for (const MapCell cell : stack) {
     TileShape shape = shape_of_cell(level, cell);
     if (shape.kind == TileShape::Kind::none || problem_of(shape, level.map.tile_size())) continue;
+    // Of several conveyors the one in front counts.
+    if (shape.conveyor != 0) group.conveyor = std::exchange(shape.conveyor, 0);
     if (shape.kind == TileShape::Kind::group)
       std::move(shape.parts.begin(), shape.parts.end(), std::back_inserter(group.parts));
     else
       group.parts.push_back(std::move(shape));
   }
-  if (group.parts.size() == 1) return std::move(group.parts.front());
+  if (group.parts.size() == 1) {
+    group.parts.front().conveyor = group.conveyor;
+    return std::move(group.parts.front());
+  }
   return group.parts.empty() ? TileShape() : group;
 }
 

@@ -102,12 +102,14 @@ Cell pixel_before_turn(Cell pixel, TileTurn turn, TileSize tile) {
   return pixel;
 }
 
-TileShape turned(const TileShape& shape, TileTurn turn, TileSize tile) {
-  if (turn == TileTurn::none || shape.kind == Kind::none) return shape;
+namespace {
+
+// All but its conveyor.
+TileShape turned_form(const TileShape& shape, TileTurn turn, TileSize tile) {
   if (shape.kind == Kind::group) {
     std::vector<TileShape> parts;
     for (const TileShape& part : shape.parts) {
-      TileShape its = turned(part, turn, tile);
+      TileShape its = turned_form(part, turn, tile);
       if (its.kind == Kind::group)
         std::move(its.parts.begin(), its.parts.end(), std::back_inserter(parts));
       else if (its.kind != Kind::none)
@@ -125,6 +127,21 @@ TileShape turned(const TileShape& shape, TileTurn turn, TileSize tile) {
   std::vector<TileShape> parts = as_polygons(shape, tile);
   for (TileShape& part : parts) part = turned_polygon(std::move(part), turn, tile);
   return joined(std::move(parts));
+}
+
+// Whether it makes a mirror image, in which clockwise is anticlockwise.
+bool is_mirror(TileTurn turn) {
+  return has_flip(turn, TileTurn::diagonal) !=
+         (has_flip(turn, TileTurn::left_right) != has_flip(turn, TileTurn::up_down));
+}
+
+}  // namespace
+
+TileShape turned(const TileShape& shape, TileTurn turn, TileSize tile) {
+  if (turn == TileTurn::none || shape.kind == Kind::none) return shape;
+  TileShape result = turned_form(shape, turn, tile);
+  if (result.kind != Kind::none) result.conveyor = is_mirror(turn) ? 0 - shape.conveyor : shape.conveyor;
+  return result;
 }
 
 std::string text_of(TileTurn turn) {

@@ -124,10 +124,15 @@ void change_layers(Level& level, int width, int height, const Change& change) {
   level.map.cells() = std::move(chosen);
 }
 
+void scale_conveyor(double& speed, int factor) {
+  speed = std::clamp(speed * factor, -kMaxConveyor, kMaxConveyor);
+}
+
 void scale_shape(TileShape& shape, int factor) {
   for (double& height : shape.heights) height *= factor;
   for (Vec2& point : shape.points) point = point * factor;
   for (TileShape& part : shape.parts) scale_shape(part, factor);
+  scale_conveyor(shape.conveyor, factor);
 }
 
 template <class Change>
@@ -165,7 +170,10 @@ Level mirrored(const Level& level) {
   for (TileShape& shape : image.tile_shapes) shape = mirrored(shape, tile, ShapeMirror::left_right);
   for (TileShape& shape : image.flag_shapes) shape = mirrored(shape, tile, ShapeMirror::left_right);
   change_curves(image, Mirror{width});
-  for (LevelCurve& curve : image.curves) turn_faces(curve.curve);
+  for (LevelCurve& curve : image.curves) {
+    turn_faces(curve.curve);
+    curve.curve.conveyor = 0 - curve.curve.conveyor;
+  }
   change_objects(image, [width](MapObject& object) { mirror_object(object, width); });
   for (ObjectLayer& layer : image.objects) layer.offset.x = -layer.offset.x;
   for (LayerGroup& group : image.layers.groups) group.offset.x = -group.offset.x;
@@ -203,6 +211,7 @@ Level scaled(const Level& level, int factor) {
   std::for_each(image.tile_shapes.begin(), image.tile_shapes.end(), scale);
   std::for_each(image.flag_shapes.begin(), image.flag_shapes.end(), scale);
   change_curves(image, Scale{1.0 * factor});
+  for (LevelCurve& curve : image.curves) scale_conveyor(curve.curve.conveyor, factor);
   change_objects(image, [factor](MapObject& object) { scale_object(object, factor); });
   for (ObjectLayer& layer : image.objects) layer.offset = layer.offset * factor;
   for (LayerGroup& group : image.layers.groups) group.offset = group.offset * factor;

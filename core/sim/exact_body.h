@@ -157,11 +157,12 @@ class PlayerRule {
   PlayerRule(const ExactNumbers<Real>& numbers, Moving<Real>& body, Gait& gait)
       : n_(numbers), body_(body), gait_(gait) {}
 
-  // The keys change the velocity. Letting go of the jump key cuts a jump.
-  void take(const Input& input) {
+  // The keys change the velocity. Letting go of the jump key cuts a jump. conveyor: px/frame, of the floor
+  // along x: it runs, and stands, in relation to that.
+  void take(const Input& input, Real conveyor) {
     Vec& v = body_.velocity;
     const int direction = (input.right ? 1 : 0) - (input.left ? 1 : 0);
-    const Real target = n_.run_speed * static_cast<Real>(direction);
+    const Real target = n_.run_speed * static_cast<Real>(direction) + conveyor;
     const Real gain = direction == 0 ? n_.run_loss : gait_.grounded ? n_.run_gain : n_.air_gain;
     v.x = v.x < target ? std::min(v.x + gain, target) : std::max(v.x - gain, target);
 

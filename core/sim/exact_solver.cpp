@@ -158,7 +158,7 @@ class ExactSolver final : public Solver {
   void run(State& state, std::size_t index, Moving<Real>& moving, const Input& input) {
     Gait& gait = state.bodies[index].gait;
     PlayerRule<Real> rule(numbers_, moving, gait);
-    rule.take(input);
+    rule.take(input, gait.grounded && ground_.has_conveyors() ? conveyor_under(state, index, moving) : 0);
     if (gait.coyote > 0) --gait.coyote;
     const Real x = moving.box.x;
     const bool walked = gait.grounded;
@@ -343,6 +343,14 @@ class ExactSolver final : public Solver {
     if (!is_foot) return {};
     floor.position.y = met.position.y;
     return floor;
+  }
+
+  // px/frame: how fast the floor that a body stands on carries it, as its velocity along x is measured.
+  Real conveyor_under(const State& state, std::size_t index, const Moving<Real>& moving) {
+    const Contact<Real> floor = floor_under(state, index, moving, Real(kMostLip));
+    if (!floor || floor.is_other) return 0;
+    const auto speed = static_cast<Real>(conveyor_at(ground_, floor, moving.box));
+    return numbers_.surface_speed ? speed : speed * -floor.normal.y;
   }
 
   // Whether a body lies on two sides that are too steep to stand on, but hold it up together. Puts it on

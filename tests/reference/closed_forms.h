@@ -57,6 +57,18 @@ struct Slide {
   double rim(double time) const { return 2 * friction * gravity * std::min(time, rolls_at()); }
 };
 
+// A body that rubs on a conveyor, which goes along a straight line, until it goes as fast. gain: what friction
+// and gravity give it along the line, px/frame^2, towards the conveyor's speed.
+struct Carried {
+  double start = 0, conveyor = 0, gain = 0;
+  double keeps_up_at() const { return std::abs(conveyor - start) / gain; }
+  double way(double time) const {
+    const double rubs = std::min(time, keeps_up_at());
+    const double towards = conveyor > start ? gain : -gain;
+    return start * rubs + towards * rubs * rubs / 2 + (time - rubs) * conveyor;
+  }
+};
+
 // The cosine of the angle from above at which a body leaves what is round, on which it slid without friction.
 // start: its speed on top; around: the radius of its way.
 inline double cosine_where_it_leaves(double start, double gravity, double around) {

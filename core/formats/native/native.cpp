@@ -481,19 +481,18 @@ std::vector<std::string_view> key_order() {
       "sheet_size",  "picture",   "tilesets", "animations", "tile_notes", "map",        "layers",
       "groups",      "objects",   "cart",     "solver"};
   for (const TuningField& field : tuning_fields()) order.push_back(field.key);
-  order.insert(order.end(),
-               {"x",         "y",           "vx",           "vy",        "size",      "foot",
-                "from",      "to",          "from_slope",   "to_slope",  "center",    "radius",
-                "x0",        "x1",          "upper",        "middle",    "amplitude", "wavelength",
-                "origin",    "ys",          "flags",        "pixels",    "width",     "height",
-                "rows",      "turns",       "comment",      "chunks",    "lines",     "chunk",
-                "bank",      "reserved",    "code",         "data",      "path",      "parts",
-                "on_save",   "count",       "columns",      "image",     "ground",    "visible",
-                "locked",    "spacing",     "margin",       "opacity",   "offset",    "parallax",
-                "tint",      "packed",      "packed_turns", "form",      "class",     "probability",
-                "rotation",  "tile",        "properties",   "place",     "by_y",      "rect",
-                "shift",     "keeps_ratio", "swaps_axes",   "mirrors_x", "mirrors_y", "repeats_x",
-                "repeats_y", "anchor",      "group"});
+  order.insert(
+      order.end(),
+      {"x",          "y",          "vx",           "vy",         "size",      "foot",        "from",
+       "to",         "from_slope", "to_slope",     "center",     "radius",    "x0",          "x1",
+       "upper",      "middle",     "amplitude",    "wavelength", "origin",    "ys",          "flags",
+       "pixels",     "width",      "height",       "rows",       "turns",     "comment",     "chunks",
+       "lines",      "chunk",      "bank",         "reserved",   "code",      "data",        "path",
+       "parts",      "on_save",    "conveyor",     "count",      "columns",   "image",       "ground",
+       "visible",    "locked",     "spacing",      "margin",     "opacity",   "offset",      "parallax",
+       "tint",       "packed",     "packed_turns", "form",       "class",     "probability", "rotation",
+       "tile",       "properties", "place",        "by_y",       "rect",      "shift",       "keeps_ratio",
+       "swaps_axes", "mirrors_x",  "mirrors_y",    "repeats_x",  "repeats_y", "anchor",      "group"});
   for (const GroundPartInfo& part : kGroundParts) order.push_back(part.key);
   const auto hard_case = hard_case_keys();
   order.insert(order.end(), hard_case.begin(), hard_case.end());

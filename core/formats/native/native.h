@@ -24,7 +24,8 @@
 //                  (default: by kind);
 //                  "picture", {"stand": [tile, frames], "run": ..., "jump": ..., "fall": ..., "size":
 //                  [columns, rows] of a frame in tiles ([1, 1]), "steps" of a frame (6)}.
-//   "curves"       curves free of the grid: "name" (""); "faces", "up", "down" or "both" ("up"); "kind",
+//   "curves"       curves free of the grid: "name" (""); "faces", "up", "down" or "both" ("up"); "conveyor",
+//                  px/frame, -64..64 (0); "kind",
 //                  "segment", "arc", "parabola", "cubic", "sine" or "polyline"; and the members of the
 //                  struct of that name in collision/shape.h, with points as [x, y]. All are needed except
 //                  "upper" (true). The ends lie on the map.
@@ -51,7 +52,8 @@
 //                  one for a profile; each 0 px to 8 times the tile's height. Or "polygon", with "points", a
 //                  list of 3..256 points [x, y] in px from the tile's top left, none further than 8 tiles
 //                  from it, and no two sides that meet but neighbours; or "group", with "parts", 1..64 shapes
-//                  that are no groups, with up to 1024 points in all, and without other members.
+//                  that are no groups, with up to 1024 points in all, and without other members but
+//                  "conveyor". Each may have "conveyor", px/frame, -64..64 (0).
 //   "tiles"        by tile number, from "0": "flags", a list of the flags that are set (default: no
 //                  flags), and "pixels", eight rows of eight hexadecimal palette indices, "." for 0
 //                  (default: all 0). Blank tiles are left out.

@@ -73,6 +73,7 @@ FormatResult<LevelCurve> take_curve(Json& json, const std::string& path, const T
   if (!take.choice("kind", kForms, form)) take.fail("kind", choice_text(kForms));
   set_form(curve.curve, form, std::make_index_sequence<std::variant_size_v<decltype(Curve::form)>>());
   take.choice("faces", kFaces, curve.curve.faces);
+  take.optional("conveyor", curve.curve.conveyor);
   std::visit([&](auto& members) { list_members(take, members); }, curve.curve.form);
   if (Arc* arc = std::get_if<Arc>(&curve.curve.form)) take.optional("upper", arc->upper);
   if (const auto bad = take.result(true); !bad) return tl::unexpected(bad.error());
@@ -90,6 +91,7 @@ FormatResult<Json> json_of(const LevelCurve& curve, const std::string& path, con
   (*json)["kind"] = kForms[curve.curve.form.index()];
   if (curve.curve.faces != Curve::Faces::up)
     (*json)["faces"] = kFaces[static_cast<std::size_t>(curve.curve.faces)];
+  if (curve.curve.conveyor != 0) (*json)["conveyor"] = curve.curve.conveyor;
   MemberPutter put(*json);
   auto form = curve.curve.form;  // a copy: the list of members takes references, as readers need
   std::visit([&](auto& members) { list_members(put, members); }, form);
@@ -142,6 +144,7 @@ void put_members(const TileShape& shape, Json& json) {
   if (shape.tiles != 1) json["tiles"] = shape.tiles;
   if (!shape.heights.empty()) MemberPutter{json}("heights", shape.heights);
   if (!shape.points.empty()) MemberPutter{json}("points", shape.points);
+  if (shape.conveyor != 0) json["conveyor"] = shape.conveyor;
   for (const TileShape& part : shape.parts) put_members(part, json["parts"].emplace_back(Json::object()));
 }
 
@@ -150,6 +153,7 @@ void put_members(const TileShape& shape, Json& json) {
 FormatResult<TileShape> take_shape(Json& json, const std::string& path, TileSize tile) {
   MemberTaker take(json, path);
   TileShape shape = take_simple_shape(take);
+  take.optional("conveyor", shape.conveyor);
   std::optional<FormatError> wrong_part;
   take.member("parts", [&](const Json& list) {
     Json parts = list;

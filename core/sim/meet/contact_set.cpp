@@ -68,7 +68,8 @@ double ContactSet::gain(const Touch& touch, std::span<const Inertia> bodies) {
 }
 
 double ContactSet::slip(const Touch& touch, std::span<const Inertia> bodies) {
-  return relative(touch, bodies, touch.along(), &Inertia::velocity) - turning(touch, bodies, &Inertia::spin);
+  return relative(touch, bodies, touch.along(), &Inertia::velocity) - turning(touch, bodies, &Inertia::spin) -
+         touch.conveyor;
 }
 
 // rubs: whether friction depends on how the load is shared.

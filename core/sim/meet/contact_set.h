@@ -50,6 +50,7 @@ struct Touch {
   // px/frame: what parts or slides more slowly is held as if it did not. Circles that roll on one another
   // part slowly, as their contacts go round them.
   double slow = 0;
+  double conveyor = 0;  // px/frame, of the other one's surface along the contact
   // px/frame; slower than this is rounding.
   double still() const { return b == kGround ? kStillOnGround : kStill; }
   Vec2 along() const { return talus::along(normal); }

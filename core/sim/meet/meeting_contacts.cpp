@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../../collision/ground_queries.h"
 #include "../contact_notes.h"
 #include "../event_notes.h"
 #include "../step_limits.h"
@@ -113,6 +114,7 @@ void Meeting::add_ground(std::size_t place, Vec2 normal, const Contact<double>& 
   met.touch.a = static_cast<int>(place);
   met.touch.normal = normal;
   met.touch.friction = members_[set_[place]].friction;
+  met.touch.conveyor = conveyor_at(probe_.ground(), contact, members_[set_[place]].moving.at(time_));
   met.contact = contact;
   met.side = side;
   if (met.is_round()) met.touch.slow = slow_;
@@ -350,7 +352,7 @@ void Meeting::look_for_turn(const Met& met) {
   add(met.touch.a, 1);
   add(met.touch.b, -1);
   const Vec2 along = met.touch.along();
-  const double speed = dot(velocity, along) - spin, gain = dot(pull, along) - spin_pull;
+  const double speed = dot(velocity, along) - spin - met.touch.conveyor, gain = dot(pull, along) - spin_pull;
   if (!(speed * gain < 0) || std::abs(speed) <= kStill) return;
   const double then = time_ - speed / gain;
   if (!(then < part_)) return;

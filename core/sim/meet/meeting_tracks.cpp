@@ -19,7 +19,7 @@ void Meeting::go_to(Member& member, double time) {
     path = path.from(time);
   } else {
     const Vec2 onward = circle->track.take(member.moving, time);
-    if (circle->track.rolls < 1) spin = dot(path.velocity, onward);
+    if (circle->track.rolls < 1) spin = dot(path.velocity, onward) - circle->track.conveyor;
   }
   circle->turned += (circle->spin + spin) / 2 * s;
   circle->spin = spin;
@@ -169,9 +169,10 @@ void Meeting::begin_track(const Met& met) {
   track.pull = member.pull;
   const Vec2 onward = along(normal);
   const double straight = dot(member.pull, onward), drawn = dot(body.pull, onward);
-  const double slip = dot(body.velocity, onward) - body.spin;
+  const double slip = dot(body.velocity, onward) - body.spin - met.touch.conveyor;
   const bool rolls =
       met.touch.friction > 0 && std::abs(slip) <= kStill && std::abs(drawn - body.spin_pull) <= kStill;
+  track.conveyor = met.touch.conveyor;
   track.rolls = rolls ? 1 / (1 + body.inverse_mass / body.inverse_spin) : 1;
   track.drive = drawn - track.rolls * straight;
 }

@@ -21,6 +21,7 @@ struct Track {
   double gap = 0;                 // px, which it keeps
   bool on_end = false;            // it goes round a corner, or the end of a side
   bool is_alone = false;          // nothing else touches the circle
+  double conveyor = 0;            // px/frame, as Touch::conveyor
   double rolls = 1;               // share of a pull along the track that moves it; the rest turns it
   Vec2 pull;                      // px/frame^2, without the track
   double drive = 0;               // px/frame^2, along the track, beside that share: friction, and others

@@ -33,6 +33,7 @@ constexpr int max_shape_heights(TileSize tile) { return kMaxShapeTiles * tile.wi
 inline constexpr std::size_t kMaxPolygonPoints = 256;  // of one polygon
 inline constexpr std::size_t kMaxGroupParts = 64;      // of one group
 inline constexpr std::size_t kMaxGroupPoints = 1024;   // of all polygons of one group
+inline constexpr double kMaxConveyor = 64;             // px/frame, of a conveyor in either direction
 
 // Which part of a body's box stands on slopes: its whole bottom edge, or the middle of it.
 enum class Foot : std::uint8_t { box, centre };
@@ -90,6 +91,9 @@ struct TileShape {
   // Of a group, 1 to kMaxGroupParts; empty for the others. No part is a group or nothing. Where parts overlap
   // or touch, they are one. Their polygons have at most kMaxGroupPoints points.
   std::vector<TileShape> parts = {};
+  // px/frame, -kMaxConveyor to kMaxConveyor: the speed at which its surface goes round it clockwise: on a
+  // floor to the right. 0: it stands still. Parts of a group have 0.
+  double conveyor = 0;
   friend bool operator==(const TileShape&, const TileShape&) = default;
 };
 
@@ -169,6 +173,7 @@ struct Curve {
   enum class Faces : std::uint8_t { up, down, both };
   std::variant<Segment, Arc, Parabola, Cubic, Sine, Polyline> form;  // where it runs
   Faces faces = Faces::up;                                           // the sides that stop bodies
+  double conveyor = 0;  // px/frame, as TileShape::conveyor: on its upper side to the right
   friend bool operator==(const Curve&, const Curve&) = default;
 };
 

@@ -103,6 +103,8 @@ class BasicTerrain {
   bool has_pieces() const { return pieces_ != 0; }
   // Whether one of its shapes, used or not, or one of its curves stops what comes from one side alone.
   bool has_one_way() const { return one_way_; }
+  // Whether one of its shapes, used or not, or one of its curves is a conveyor.
+  bool has_conveyors() const { return conveyors_; }
 
   // Gives a cell of the terrain another tile, by the number of one of its shapes (both asserted). Only its
   // surroundings are compiled anew.
@@ -111,6 +113,8 @@ class BasicTerrain {
   // The shape of the tile there; outside of the terrain, that of tile 0. Valid as long as the terrain or a
   // copy of it lives.
   const TileShape& shape_at(Cell cell) const;
+  // px/frame, as TileShape::conveyor: that of the tile or the curve with this Piece::origin.
+  double conveyor_of(std::int32_t origin) const;
   // @cond INTERNAL
   const TileOutlines& outlines() const;  // by tile number
 
@@ -233,6 +237,7 @@ class BasicTerrain {
   std::vector<std::shared_ptr<const Chunk>> chunks_;  // row by row; null: nothing in it
   std::size_t pieces_ = 0;                            // in all of them
   bool one_way_ = false;
+  bool conveyors_ = false;
 };
 
 using Terrain = BasicTerrain<double>;  // in double precision
