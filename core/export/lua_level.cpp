@@ -91,6 +91,7 @@ void write_shape(LuaTable&& table, const TileShape& shape, TileSize tile, bool w
   table.word("kind", kind_word(shape.kind));
   if (shape.side == TileShape::Side::ceiling) table.word("side", "ceiling");
   if (shape.one_way) table.truth("one_way");
+  if (shape.conveyor != 0) table.number("conveyor", shape.conveyor);
   if (shape.kind == TileShape::Kind::solid) return;
   if (shape.tiles != 1) table.number("tiles", shape.tiles);
   if (has_heights(shape)) table.numbers("heights", shape.heights);
@@ -163,6 +164,7 @@ void write_curve(LuaTable&& table, const Curve& curve) {
   std::visit(CurveWriter{table}, curve.form);
   if (curve.faces != Curve::Faces::up)
     table.word("faces", curve.faces == Curve::Faces::down ? "down" : "both");
+  if (curve.conveyor != 0) table.number("conveyor", curve.conveyor);
 }
 
 // Each act has frames: its own, or those that stand for it.

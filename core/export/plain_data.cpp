@@ -52,6 +52,7 @@ PlainShape plain_cut_shape(int tile, const TileShape& shape, const TileOutline& 
   };
   if (shape.kind == TileShape::Kind::polygon) add(shape);
   std::for_each(shape.parts.begin(), shape.parts.end(), add);
+  plain.conveyor = shape.conveyor;
   return plain;
 }
 
@@ -59,6 +60,7 @@ PlainShape plain_shape(int tile, const TileShape& shape, const TileOutline& outl
   if (has_parts(shape)) return plain_cut_shape(tile, shape, outline, size);
   const bool is_ceiling = outline.line && shape.side == TileShape::Side::ceiling;
   PlainShape plain{tile, shape.kind, is_ceiling, shape.one_way, 1, {}, {}, size.height};
+  plain.conveyor = shape.conveyor;
   plain.tiles = static_cast<int>(outline.columns.size());
   std::vector<double> heights = shape.heights;
   if (shape.kind == TileShape::Kind::solid) heights.assign(2, size.height);
@@ -268,6 +270,16 @@ void tell_body_pictures(const Level& level, std::vector<std::string>& dropped) {
                                  : "the pictures of " + std::to_string(count) + " bodies");
 }
 
+void tell_conveyors(const Level& level, std::vector<std::string>& dropped) {
+  const TerrainSource ground = ground_of(level);
+  const auto is_conveyor = [](const auto& part) { return part.conveyor != 0; };
+  const auto count = used_tiles(ground, is_conveyor) +
+                     std::count_if(ground.curves.begin(), ground.curves.end(), is_conveyor);
+  if (count > 0)
+    dropped.push_back(count == 1 ? "the speed of a conveyor"
+                                 : "the speeds of " + std::to_string(count) + " conveyors");
+}
+
 std::string_view kind_word(TileShape::Kind kind) {
   constexpr std::array<std::string_view, 6> kWords = {"none",    "solid",   "slope",
                                                       "profile", "polygon", "group"};
@@ -314,7 +326,8 @@ std::vector<PlainLine> plain_lines(const Level& level, const Progress& progress)
   }
   for (const LevelCurve& c : level.curves) {
     if (problem_of(c.curve, level.map)) continue;
-    lines.push_back({true, c.curve.faces == Curve::Faces::both, c.name, points_of(c.curve)});
+    lines.push_back(
+        {true, c.curve.faces == Curve::Faces::both, c.name, points_of(c.curve), c.curve.conveyor});
   }
   return lines;
 }

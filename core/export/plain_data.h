@@ -32,6 +32,7 @@ struct PlainShape {
     std::vector<Vec2> points;
   };
   std::vector<Outline> outlines = {};
+  double conveyor = 0;  // px/frame, as TileShape::conveyor
 
   // Whether bodies can stand on the shape at this y of its line. A ceiling has a flat top where it is thick.
   bool has_floor_at(double y) const;
@@ -73,6 +74,9 @@ std::vector<std::string> dropped_curves(const Level& level);
 // Says so if bodies have pictures, for exports that cannot hold those.
 void tell_body_pictures(const Level& level, std::vector<std::string>& dropped);
 
+// The same for tiles on the map and curves that are conveyors.
+void tell_conveyors(const Level& level, std::vector<std::string>& dropped);
+
 // The words of the exports: "solid", "slope", "profile" or "none"; "box" or "centre"; "fall" or "run"; "tile"
 // or "figure".
 std::string_view kind_word(TileShape::Kind kind);
@@ -90,6 +94,7 @@ struct PlainLine {
   bool both_sides = false;  // whether it stops bodies from both sides; only for curves
   std::string name;         // name of a curve; may be empty
   std::vector<Vec2> points;
+  double conveyor = 0;  // px/frame, of a curve, as Curve::conveyor
   friend bool operator==(const PlainLine&, const PlainLine&) = default;
 };
 

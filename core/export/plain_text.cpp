@@ -157,6 +157,11 @@ class PlainPrinter {
     text_ += ',';
     print_key("both_sides");
     text_ += line.both_sides ? "true," : "false,";
+    if (line.conveyor != 0) {
+      print_key("conveyor");
+      print_number(line.conveyor);
+      text_ += ',';
+    }
     print_points(line.points);
     text_ += '}';
   }
@@ -227,6 +232,7 @@ OrderedJson plain_shape_json(const PlainShape& shape) {
                       {"one_way", shape.one_way},
                       {"tiles", shape.tiles},
                       {shape.is_ceiling ? "ceiling" : "floor", numbers(shape.columns)}};
+  if (shape.conveyor != 0) json["conveyor"] = number(shape.conveyor);
   for (const PlainShape::Outline& outline : shape.outlines) {
     OrderedJson points = OrderedJson::array();
     for (const Vec2 point : outline.points) points.push_back({point.x, point.y});

@@ -129,13 +129,12 @@ TileShape turned_form(const TileShape& shape, TileTurn turn, TileSize tile) {
   return joined(std::move(parts));
 }
 
-// Whether it makes a mirror image, in which clockwise is anticlockwise.
+}  // namespace
+
 bool is_mirror(TileTurn turn) {
   return has_flip(turn, TileTurn::diagonal) !=
          (has_flip(turn, TileTurn::left_right) != has_flip(turn, TileTurn::up_down));
 }
-
-}  // namespace
 
 TileShape turned(const TileShape& shape, TileTurn turn, TileSize tile) {
   if (turn == TileTurn::none || shape.kind == Kind::none) return shape;

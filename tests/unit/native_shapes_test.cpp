@@ -77,6 +77,22 @@ TEST(NativeShapes, AreReadAsWritten) {
   EXPECT_EQ(native_of_level(level_of_native(text)), text);
 }
 
+TEST(NativeShapes, ConveyorsAreReadAsWritten) {
+  Level level;
+  level.tile_shapes[2] = {.kind = TileShape::Kind::solid, .conveyor = -0.75};
+  level.tile_shapes[3] = {.kind = TileShape::Kind::group,
+                          .parts = {{.kind = TileShape::Kind::solid}, {.kind = TileShape::Kind::solid}},
+                          .conveyor = 2};
+  level.curves = {{"", {Segment{{0, 10}, {50, 20}}, Curve::Faces::up, 1.5}, ""}};
+  const std::string text = native_of_level(level);
+  EXPECT_THAT(text, HasSubstr(R"("2": {"kind": "solid", "conveyor": -0.75})"));
+  EXPECT_EQ(level_of_native(text), level);
+  expect_error(R"("tile_shapes": {"5": {"kind": "solid", "conveyor": 65}})", "key tile_shapes.5",
+               "has a conveyor that is faster than 64 px a frame");
+  expect_error(R"("tile_shapes": {"5": {"kind": "solid", "conveyor": "1"}})", "key tile_shapes.5.conveyor",
+               "must be a number");
+}
+
 Level level_with_polygons() {
   Level level;
   TileShape polygon;

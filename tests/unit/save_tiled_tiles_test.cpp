@@ -87,6 +87,21 @@ class SaveTiledTiles : public FolderTest {
   }
 };
 
+TEST_F(SaveTiledTiles, ConveyorsAreAProperty) {
+  put_both(kForeign);
+  const auto give = [](double speed) {
+    return [speed](Level& level) {
+      level.tile_shapes[tile(level, 3)] = {.kind = TileShape::Kind::solid, .conveyor = speed};
+    };
+  };
+  EXPECT_EQ(edit("a.tmx", give(1.25)), "");
+  EXPECT_THAT(bytes_of("t.tsx"), HasSubstr(R"(name="shape_conveyor" type="float" value="1.25")"));
+  EXPECT_EQ(edit("a.tmx", give(-3)), "");
+  EXPECT_THAT(bytes_of("t.tsx"), HasSubstr(R"(value="-3")"));
+  EXPECT_EQ(edit("a.tmx", give(0)), "");
+  EXPECT_THAT(bytes_of("t.tsx"), testing::Not(HasSubstr("shape_conveyor")));
+}
+
 TEST_F(SaveTiledTiles, AnUnchangedTilesetKeepsItsBytes) {
   put_both(kForeign, "\r\n");
   EXPECT_EQ(edit("a.tmx", [](Level&) {}), "");

@@ -93,6 +93,19 @@ TEST(TiledShapes, OtherOutlinesArePolygonsWithoutAWarning) {
   expect(polygon("0,2 0.001,2 8,4 0,8 0,2"), polygon_shape({{0, 2}, {8, 4}, {0, 8}}));
 }
 
+TEST(TiledShapes, APropertyMakesAConveyor) {
+  const std::string full = R"(<object width="8" height="8"/>)";
+  const auto with = [&](const std::string& value) {
+    return map_with(full, R"(<property name="shape_conveyor" )" + value + "/>");
+  };
+  const TileShape conveyor{.kind = Kind::solid, .conveyor = 1.5};
+  EXPECT_EQ(with(R"(type="float" value="1.5")").level.tile_shapes[5], conveyor);
+  EXPECT_THAT(told(with(R"(type="float" value="1.5")")), ElementsAre());
+  EXPECT_EQ(with(R"(type="int" value="-2")").level.tile_shapes[5].conveyor, -2);
+  EXPECT_THAT(told(with(R"(type="float" value="99")")),
+              ElementsAre("the speed of a conveyor, which is no number of at most 64 px a frame"));
+}
+
 TEST(TiledShapes, AnEllipseIsAPolygon) {
   const LoadedLevel loaded = map_with(R"(<object x="1" y="2" width="6" height="4"><ellipse/></object>)");
   const TileShape& shape = loaded.level.tile_shapes[5];

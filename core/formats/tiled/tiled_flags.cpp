@@ -10,7 +10,8 @@
 namespace talus {
 
 std::array<std::string, kMaxFlags> tiled_flag_names(const Level& level) {
-  std::set<std::string> taken = {"flags", "shape", "shape_side", "shape_one_way", "shape_heights"};
+  std::set<std::string> taken = {"flags",         "shape",         "shape_side",
+                                 "shape_one_way", "shape_heights", std::string(kTiledConveyor)};
   std::array<std::string, kMaxFlags> names;
   for (std::size_t flag = 0; flag < kMaxFlags; ++flag) taken.insert("flag" + std::to_string(flag));
   for (int flag = 0; flag < kMaxFlags; ++flag) {
@@ -96,8 +97,8 @@ bool TiledFlagReader::is_free(int flag) const {
 }
 
 bool TiledFlagReader::knows(const TiledProperty& property) const {
-  constexpr std::array<std::string_view, 5> kKnown = {"flags", "shape", "shape_heights", "shape_one_way",
-                                                      "shape_side"};
+  constexpr std::array<std::string_view, 6> kKnown = {"flags",         "shape",      "shape_heights",
+                                                      "shape_one_way", "shape_side", kTiledConveyor};
   const auto is_one_of = [&](const auto& names) {
     return std::find(names.begin(), names.end(), property.name) != names.end();
   };

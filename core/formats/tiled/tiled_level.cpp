@@ -11,6 +11,7 @@
 #include <utility>
 
 #include <talus/level/limits.h>
+#include <talus/level/tile_turns.h>
 #include "../import/hex_color.h"
 #include "../import/sheet_images.h"
 #include "../native/native.h"
@@ -66,6 +67,7 @@ class TiledLevelMaker {
                              std::optional<bool> one_way, bool is_ceiling);
   std::optional<TileShape> nearest_shape_of(const std::string& tile, const std::vector<Vec2>& outline,
                                             bool one_way);
+  void take_conveyor(const TiledTile& tile, TileTurn turn, const TileShape& of_flags, TileShape& own);
   void tell_stale_words(const TiledTile& tile, const TileShape& shape);
   // number: of the layer among those that are not of tiles.
   void take_objects(const TiledLayer& layer, int place, int number);
@@ -310,6 +312,18 @@ void TiledLevelMaker::take_note(TileNumber number, const TiledTile& tile) {
   put_note(level_.tile_notes, number, std::move(note));
 }
 
+// Gives a tile's own shape the speed that a property says.
+void TiledLevelMaker::take_conveyor(const TiledTile& tile, TileTurn turn, const TileShape& of_flags,
+                                    TileShape& own) {
+  own.conveyor = 0;
+  const auto has_name = [](const TiledProperty& property) { return property.name == kTiledConveyor; };
+  if (std::none_of(tile.properties.begin(), tile.properties.end(), has_name)) return;
+  const auto speed = conveyor_of(tile.properties, kTiledConveyor);
+  if (!speed) return drops_.add("the speed of a conveyor, which is no number of at most 64 px a frame");
+  if (*speed != 0 && own.kind == TileShape::Kind::none) own = of_flags;
+  if (own.kind != TileShape::Kind::none) own.conveyor = is_mirror(turn) ? 0 - *speed : *speed;
+}
+
 void TiledLevelMaker::take_tile(TileNumber number) {
   const TiledSource& source = tiles_.sources[number];
   const TileShape before = std::exchange(level_.tile_shapes[number], {});
@@ -319,6 +333,7 @@ void TiledLevelMaker::take_tile(TileNumber number) {
   level_.sheet(SheetId::tiles).flags[number] = flags_->flags_of(*tile, drops_);
   const TileShape of_flags = shape_of_flags(level_, level_.tile_flags(number));
   TileShape own = own_shape_of(number, source, *tile, before);
+  take_conveyor(*tile, static_cast<TileTurn>(source.turn >> kTiledTurnShift), of_flags, own);
   if (own == before || own != of_flags) level_.tile_shapes[number] = std::move(own);
   const TileShape shape = shape_of_tile(level_, number);
   if (is_own_ && tile->objects.empty() && !tiled_objects(shape, map_.tile_size).empty() && source.turn == 0)
@@ -472,7 +487,7 @@ void TiledLevelMaker::tell_stale_words(const TiledTile& tile, const TileShape& s
   for (const TiledProperty& property : tile.properties) {
     if (!property.name.starts_with("shape") || !flags_->knows(property) || flags_->is_flag(property.name))
       continue;
-    if (property == TiledProperty{"shape_one_way", false}) continue;
+    if (property == TiledProperty{"shape_one_way", false} || property.name == kTiledConveyor) continue;
     if (std::find(words.begin(), words.end(), property) == words.end())
       drops_.add("the property " + quoted_name(property.name) + " of a tile, as its outline says otherwise");
   }

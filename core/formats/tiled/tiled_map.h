@@ -38,6 +38,8 @@ inline constexpr std::uint32_t kTiledIdBits =
 inline constexpr std::uint32_t kTiledFlipX = 0x80000000, kTiledFlipY = 0x40000000, kTiledFlipXY = 0x20000000;
 // Shifted right by this, the three bits are a TileTurn.
 inline constexpr int kTiledTurnShift = 29;
+// A property of a tile: its speed as a conveyor, px/frame.
+inline constexpr std::string_view kTiledConveyor = "shape_conveyor";
 inline constexpr std::string_view kTiledLevelProperty = "talus_level";
 // A property of the map: whether all layers of objects of `talus_level` are layers of the map.
 inline constexpr std::string_view kTiledObjectsProperty = "talus_objects";

@@ -24,6 +24,22 @@ void add(TiledProperties& properties, std::string_view name, double value) {
   properties.push_back({std::string(name), value});
 }
 
+// The number of a property, whole or not; nothing if it has none.
+std::optional<double> number_of(const TiledProperties& properties, std::string_view name) {
+  if (const auto* real = find_property<double>(properties, name)) return *real;
+  if (const auto* whole = find_property<std::int64_t>(properties, name)) return static_cast<double>(*whole);
+  return std::nullopt;
+}
+
+// Of a curve: the sides that stop bodies, and how fast they go.
+void take_sides(const TiledProperties& from, Curve& curve) {
+  if (const auto* faces = find_property<std::string>(from, "faces")) {
+    const auto word = std::find(kFaceWords.begin(), kFaceWords.end(), *faces);
+    if (word != kFaceWords.end()) curve.faces = static_cast<Curve::Faces>(word - kFaceWords.begin());
+  }
+  curve.conveyor = conveyor_of(from, "conveyor").value_or(0);
+}
+
 struct CurveNumbers {
   TiledProperties& to;
   void ends(Vec2 from, Vec2 last) const {
@@ -98,9 +114,9 @@ class FormOfNumbers {
   bool is_whole_ = true;
 };
 
-constexpr std::array<std::string_view, 17> kCurveProperties = {
-    "kind",  "faces",     "x",      "y",      "x0",     "y0",        "x1",         "y1",    "radius",
-    "upper", "control_y", "slope0", "slope1", "middle", "amplitude", "wavelength", "origin"};
+constexpr std::array<std::string_view, 18> kCurveProperties = {
+    "kind",  "faces",     "x",      "y",      "x0",     "y0",        "x1",         "y1",     "radius",
+    "upper", "control_y", "slope0", "slope1", "middle", "amplitude", "wavelength", "origin", "conveyor"};
 
 // A stretch bends to one side only, so no point of it is more than twice as far from the chord as the middle
 // one.
@@ -207,6 +223,7 @@ TiledProperties tiled_properties(const TileShape& shape) {
   if (has_heights(shape)) properties.push_back({"shape_heights", heights});
   if (shape.one_way) properties.push_back({"shape_one_way", true});
   if (shape.side == TileShape::Side::ceiling) properties.push_back({"shape_side", std::string("ceiling")});
+  if (shape.conveyor != 0) properties.push_back({std::string(kTiledConveyor), shape.conveyor});
   return properties;
 }
 
@@ -237,18 +254,18 @@ std::optional<Spawn> spawn_of(const TiledObject& object, std::string_view type, 
   spawn.position = object.position;
   spawn.size = object.size != Vec2{0, 0} ? object.size : new_body_size(*kind, tile);
   if (is_tile) spawn.position = spawn.position - Vec2{anchor.x * spawn.size.x, anchor.y * spawn.size.y};
-  const auto number = [&](std::string_view name, double& value) {
-    if (const auto* real = find_property<double>(object.properties, name)) value = *real;
-    if (const auto* whole = find_property<std::int64_t>(object.properties, name))
-      value = static_cast<double>(*whole);
-  };
-  number("vx", spawn.velocity.x);
-  number("vy", spawn.velocity.y);
+  spawn.velocity.x = number_of(object.properties, "vx").value_or(0);
+  spawn.velocity.y = number_of(object.properties, "vy").value_or(0);
   if (const auto* foot = find_property<std::string>(object.properties, "foot")) {
     if (*foot == "box") spawn.foot = Foot::box;
     if (*foot == "centre") spawn.foot = Foot::centre;
   }
   return spawn;
+}
+
+std::optional<double> conveyor_of(const TiledProperties& properties, std::string_view name) {
+  const auto speed = number_of(properties, name);
+  return speed && std::abs(*speed) <= kMaxConveyor ? speed : std::nullopt;
 }
 
 std::optional<TiledObject> tiled_object(const LevelCurve& level_curve) {
@@ -264,6 +281,7 @@ std::optional<TiledObject> tiled_object(const LevelCurve& level_curve) {
   for (const Vec2 p : points) object.points.push_back(p - object.position);
   object.properties.push_back({"kind", std::string(kCurveKinds[curve.form.index()])});
   object.properties.push_back({"faces", std::string(kFaceWords[static_cast<std::size_t>(curve.faces)])});
+  if (curve.conveyor != 0) add(object.properties, "conveyor", curve.conveyor);
   std::visit(CurveNumbers{object.properties}, curve.form);
   return object;
 }
@@ -274,10 +292,7 @@ std::vector<Curve> curves_of(const TiledObject& object) {
   std::vector<Vec2> points;
   for (const Vec2 p : object.points) points.push_back(weld(object.position + p));
   Curve made;
-  if (const auto* faces = find_property<std::string>(object.properties, "faces")) {
-    const auto word = std::find(kFaceWords.begin(), kFaceWords.end(), *faces);
-    if (word != kFaceWords.end()) made.faces = static_cast<Curve::Faces>(word - kFaceWords.begin());
-  }
+  take_sides(object.properties, made);
   if (points.size() > 2 && goes_in_equal_steps(points)) {
     Polyline line{points.front().x, points.back().x, {}};
     for (const Vec2 p : points) line.ys.push_back(p.y);
@@ -301,10 +316,7 @@ std::optional<Curve> curve_of_numbers(const TiledObject& object) {
   const auto form = FormOfNumbers(object.properties, line).form(*kind);
   if (!form) return {};
   Curve curve{*form, Curve::Faces::up};
-  if (const auto* faces = find_property<std::string>(object.properties, "faces")) {
-    const auto word = std::find(kFaceWords.begin(), kFaceWords.end(), *faces);
-    if (word != kFaceWords.end()) curve.faces = static_cast<Curve::Faces>(word - kFaceWords.begin());
-  }
+  take_sides(object.properties, curve);
   auto along = tiled_object(LevelCurve{"", curve, ""});
   if (!along) return {};
   const Vec2 by = shift_between(along->position, object.position);

@@ -81,6 +81,11 @@ class TileWriter {
   TiledTileEdit edit_;
 };
 
+TileShape still(TileShape shape) {
+  shape.conveyor = 0;
+  return shape;
+}
+
 bool is_one_way_object(const TiledObject& object) {
   const bool* const word = find_property<bool>(object.properties, "one_way");
   return word != nullptr && *word;
@@ -147,7 +152,7 @@ void TileWriter::edit_shape() {
   if (shape_.kind == TileShape::Kind::group) {
     for (const TileShape& part : shape_.parts) parts.push_back({part});
   } else if (shape_.kind != TileShape::Kind::none) {
-    parts.push_back({shape_});
+    parts.push_back({still(shape_)});
   }
   std::erase_if(parts, [&](const Part& part) { return tiled_objects(part.shape, size_).empty(); });
   edit_words(parts);
@@ -163,7 +168,8 @@ void TileWriter::edit_shape() {
 // Properties about the shape that the tile has, and the heights that its outline does not tell.
 void TileWriter::edit_words(const std::vector<Part>& parts) {
   const TiledProperties wanted = tiled_properties(shape_);
-  for (const char* name : {"shape", "shape_heights", "shape_one_way", "shape_side"}) {
+  for (const std::string name :
+       {"shape", "shape_heights", "shape_one_way", "shape_side", kTiledConveyor.data()}) {
     const TiledProperty* const known = property(name);
     const auto word =
         std::find_if(wanted.begin(), wanted.end(), [&](const auto& p) { return p.name == name; });
@@ -171,11 +177,11 @@ void TileWriter::edit_words(const std::vector<Part>& parts) {
     if (known != nullptr && has_word && *known != *word) set(name, word->value);
     if (known != nullptr && !has_word && *known != TiledProperty{name, false}) set(name, std::nullopt);
     // Without this word a one-way outline at the top of a tile is one that bodies stand on.
-    if (known == nullptr && has_word && std::string_view(name) == "shape_side" && shape_.one_way)
-      set(name, word->value);
-    if (known != nullptr || !has_word || std::string_view(name) != "shape_heights" || parts.empty()) continue;
+    const bool is_needed = name == kTiledConveyor || (name == "shape_side" && shape_.one_way);
+    if (known == nullptr && has_word && is_needed) set(name, word->value);
+    if (known != nullptr || !has_word || name != "shape_heights" || parts.empty()) continue;
     const TiledObject object = tiled_objects(shape_, size_).front();
-    if (tile_shape_of(outline_of(object), shape_.one_way, size_) != shape_) set(name, word->value);
+    if (tile_shape_of(outline_of(object), shape_.one_way, size_) != still(shape_)) set(name, word->value);
   }
   for (const std::string_view word : kTiledSolidWords)
     if (shape_.kind == TileShape::Kind::none && is_true(word)) set(std::string(word), false);

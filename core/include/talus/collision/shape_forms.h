@@ -23,7 +23,7 @@ enum class ShapeMirror : std::uint8_t {
   up_down      // top and bottom change places
 };
 // The mirror image of a shape in its own tile. A slope or profile keeps its own cell at its left end. A full
-// one-way tile stays as it is.
+// one-way tile stays as it is. A conveyor goes the other way.
 TileShape mirrored(TileShape shape, TileSize tile, ShapeMirror mirror);
 
 // Ground between two straight lines, and between two upright ones; px from the tile's top left.
