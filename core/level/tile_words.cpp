@@ -37,6 +37,7 @@ void add_shape_words(const TileShape& shape, std::vector<std::string>& words) {
   };
   add(word_of(shape.kind));
   if (shape.one_way) add("one-way");
+  if (shape.conveyor != 0) add("conveyor");
   if (shape.side == TileShape::Side::ceiling) add("ceiling");
   for (const TileShape& part : shape.parts) add_shape_words(part, words);
 }

@@ -213,6 +213,10 @@ TEST(Fixes, ShapesCurvesAndTheSolver) {
   level.curves.pop_back();
   level.tuning.solver = SolverKind::article;
   EXPECT_THAT(labels_of(level, "curves-need-exact"), ElementsAre("Choose the exact solver for this level"));
+  level.tile_shapes[1] = {.kind = TileShape::Kind::solid, .conveyor = 1};
+  level.map.set({0, 0}, 1);
+  EXPECT_THAT(labels_of(level, "conveyors-need-exact"),
+              ElementsAre("Choose the exact solver for this level"));
 }
 
 TEST(Fixes, CratesAreLetMeet) {

@@ -269,6 +269,17 @@ TEST(Lint, CurvesThatTheSolverIgnores) {
                                            "exact solver, but the level's solver is bump"));
 }
 
+TEST(Lint, ConveyorsThatTheSolverIgnores) {
+  Level level = level_of({"o..", "###"});
+  level.tile_shapes[1] = {.kind = TileShape::Kind::solid, .conveyor = 1};
+  level.tuning.solver = SolverKind::exact;
+  EXPECT_THAT(problems(level), IsEmpty());
+  level.tuning.solver = SolverKind::bump;
+  EXPECT_THAT(problems(level),
+              ElementsAre("W conveyors-need-exact (0, 1) 1: conveyors carry only bodies of the "
+                          "exact solver, but the level's solver is bump"));
+}
+
 TEST(Lint, CratesThatNothingPushes) {
   Level level = level_of({"...", "###"});
   level.spawns = {{"", {2, 0}, {}, "", BodyKind::ball, {8, 8}},

@@ -18,6 +18,10 @@ constexpr LintRule kCurvesNeedExact{.code = "curves-need-exact",
                                     .label = "curves without their solver",
                                     .by_hand = "Choose the solver exact in Tuning, or delete the curves.",
                                     .fix = fix_solver};
+constexpr LintRule kConveyorsNeedExact{.code = "conveyors-need-exact",
+                                       .label = "conveyors without their solver",
+                                       .by_hand = "Choose the solver exact in Tuning.",
+                                       .fix = fix_solver};
 constexpr LintRule kNotInArticle{
     .code = "ground-not-in-article",
     .label = "ground that the article does not know",
@@ -92,6 +96,21 @@ void check_solver_of_curves(const Level& level, std::vector<Problem>& out) {
              std::string(solver_name(level.tuning.solver)));
 }
 
+void check_conveyors(const Level& level, std::vector<Problem>& out) {
+  if (level.tuning.solver == SolverKind::exact) return;
+  std::vector<bool> moves(static_cast<std::size_t>(level.tile_count()));
+  for (std::size_t tile = 0; tile < moves.size(); ++tile)
+    moves[tile] = shape_of_tile(level, static_cast<TileNumber>(tile)).conveyor != 0;
+  const std::vector<TileNumber>& cells = level.map.cells().tiles();
+  const auto first = std::find_if(cells.begin(), cells.end(), [&](TileNumber tile) { return moves[tile]; });
+  if (first == cells.end()) return;
+  const auto at = static_cast<int>(first - cells.begin());
+  report(out, kConveyorsNeedExact,
+         "conveyors carry only bodies of the exact solver, but the level's solver is " +
+             std::string(solver_name(level.tuning.solver)),
+         Cell{at % level.map.width(), at / level.map.width()}, *first);
+}
+
 // Mass and friction of a kind count only where bodies meet.
 void check_pairs(const Level& level, std::vector<Problem>& out) {
   const Tuning& tuning = level.tuning;
@@ -116,6 +135,7 @@ std::vector<Problem> ignored_ground_of(const Level& level, const GroundNames& na
 void check_solver(const LintContext& context, std::vector<Problem>& out) {
   for (Problem& problem : ignored_ground_of(context.level, context.tiles.names()))
     out.push_back(std::move(problem));
+  check_conveyors(context.level, out);
   check_pairs(context.level, out);
   const auto& left_out = context.tiles.names().problem();
   if (const auto problem = left_out ? left_out : ground_problem(context.level))
@@ -143,8 +163,8 @@ void fix_meet(const LintContext& context, const Problem&, std::vector<Edit>& out
 std::vector<Problem> ignored_ground(const Level& level) { return ignored_ground_of(level, {}); }
 
 const RuleGroup& solver_rules() {
-  static constexpr const LintRule* kRules[] = {&kCurvesNeedExact, &kNotInArticle, &kNotInBump, &kNeedsMeet,
-                                               &kTooMuchGround};
+  static constexpr const LintRule* kRules[] = {&kCurvesNeedExact, &kConveyorsNeedExact, &kNotInArticle,
+                                               &kNotInBump,       &kNeedsMeet,          &kTooMuchGround};
   static constexpr RuleGroup kGroup{.rules = kRules, .check_level = check_solver};
   return kGroup;
 }
