@@ -187,6 +187,54 @@ void add_one_way_arrows(const Terrain& ground, Rect visible, OverlayDrawing& dra
   });
 }
 
+namespace {
+
+// Arrows along the surfaces of conveyors, which go on with the frames.
+class ConveyorDrawer {
+ public:
+  ConveyorDrawer(const Terrain& ground, std::int64_t frame, OverlayPen& pen)
+      : ground_(ground), frame_(frame), pen_(pen), new_pieces_(pen.drawing()) {}
+
+  void draw_cell(Cell cell) {
+    if (ground_.is_detailed(cell)) {
+      for (const Piece<double>& piece : ground_.pieces_in(cell)) draw_piece(piece);
+    } else if (const double speed = ground_.shape_at(cell).conveyor; speed != 0 && ground_.is_solid(cell)) {
+      const Vec2 half{ground_.tile_size().width / 2.0, ground_.tile_size().height / 2.0};
+      const Vec2 middle = Vec2{ground_.x_of(cell.x), ground_.y_of(cell.y)} + half;
+      for (const Facing facing : {Facing::up, Facing::down, Facing::left, Facing::right}) {
+        const Vec2 n = normal_of(facing);
+        const Cell beyond{cell.x + static_cast<int>(n.x), cell.y + static_cast<int>(n.y)};
+        if (!ground_.is_solid(beyond)) draw_arrow(middle + Vec2{n.x * half.x, n.y * half.y}, n, speed);
+      }
+    }
+  }
+
+ private:
+  void draw_piece(const Piece<double>& piece) {
+    const double speed = ground_.conveyor_of(piece.origin);
+    if (speed == 0 || !new_pieces_.has(piece)) return;
+    VisiblePiece(piece, ground_.stretches(), pen_.visible()).each_normal([&](Vec2 at, Vec2 n) {
+      draw_arrow(at, n, speed);
+    });
+  }
+
+  void draw_arrow(Vec2 at, Vec2 n, double speed) {
+    constexpr double kGap = 8, kLength = 5, kInside = 1.5;  // px
+    const double gone = std::fmod(speed * static_cast<double>(frame_), kGap);
+    const double shift = gone + (gone < -kGap / 2 ? kGap : gone > kGap / 2 ? -kGap : 0);
+    const Vec2 onward = Vec2{-n.y, n.x} * (speed > 0 ? 1 : -1),
+               middle = at - n * kInside + Vec2{-n.y, n.x} * shift;
+    pen_.line(middle - onward * (kLength / 2), middle + onward * (kLength / 2), true);
+  }
+
+  const Terrain& ground_;
+  const std::int64_t frame_;
+  OverlayPen& pen_;
+  NewPieces new_pieces_;
+};
+
+}  // namespace
+
 std::vector<CurveLine> curve_lines(const Level& level, Rect visible) {
   std::vector<Curve> curves;
   for (const LevelCurve& c : level.curves) {
@@ -211,6 +259,20 @@ void draw_outline(const OverlaySource& source, OverlayPen& pen) {
 }
 void draw_one_way(const OverlaySource& source, OverlayPen& pen) {
   if (source.ground != nullptr) add_one_way_arrows(*source.ground, pen.visible(), pen.drawing());
+}
+
+bool has_conveyors(const Level& level) {
+  const auto is_conveyor = [](const TileShape& shape) { return shape.conveyor != 0; };
+  return std::any_of(level.tile_shapes.begin(), level.tile_shapes.end(), is_conveyor) ||
+         std::any_of(level.flag_shapes.begin(), level.flag_shapes.end(), is_conveyor) ||
+         std::any_of(level.curves.begin(), level.curves.end(),
+                     [](const LevelCurve& curve) { return curve.curve.conveyor != 0; });
+}
+
+void draw_conveyors(const OverlaySource& source, OverlayPen& pen) {
+  if (source.ground == nullptr || !source.ground->has_conveyors()) return;
+  ConveyorDrawer drawer(*source.ground, source.state.frame, pen);
+  each_visible_cell(*source.ground, pen.visible(), [&](Cell cell) { drawer.draw_cell(cell); });
 }
 
 }  // namespace
@@ -257,6 +319,28 @@ const Overlay one_way{
     .draw_swatch =
         [](OverlayPen& pen) {
           pen.line({4, 7.5}, {4, 0.5}, true);
+          pen.line({0, 5}, {8, 5});
+        },
+};
+
+const Overlay conveyors{
+    .key = "conveyors",
+    .label = "conveyors",
+    .help = "Arrows along ground whose surface moves: conveyors.",
+    .group = OverlayGroup::ground,
+    .color = 0xc8d4e0,
+    .safe_color = 0xa8b8b4,
+    .digit = '0',
+    .shift = true,
+    .is_default = true,
+    .applies = has_conveyors,
+    .near_only = true,
+    .layer = -1,
+    .covers_much = true,
+    .draw = draw_conveyors,
+    .draw_swatch =
+        [](OverlayPen& pen) {
+          pen.line({0, 3}, {7, 3}, true);
           pen.line({0, 5}, {8, 5});
         },
 };

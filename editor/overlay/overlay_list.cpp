@@ -11,7 +11,7 @@ std::span<const Overlay* const> all_overlays() {
       &overlay::slope_delta, &overlay::floor_height,  &overlay::tested_tiles, &overlay::answer,
       &overlay::outline,     &overlay::removed_edges, &overlay::one_way,      &overlay::swept_path,
       &overlay::trails,      &overlay::penetration,   &overlay::shapes,       &overlay::reach,
-      &overlay::findings,    &overlay::impulses,
+      &overlay::findings,    &overlay::impulses,      &overlay::conveyors,
   };
   return kAll;
 }

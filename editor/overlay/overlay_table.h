@@ -13,6 +13,7 @@ namespace talus {
 
 struct Body;
 struct ContactRecord;
+struct Level;
 struct OverlaySource;
 struct SlopeProbe;
 class OverlayPen;
@@ -41,7 +42,7 @@ struct Overlay {
   OverlayGroup group = OverlayGroup::body;
   std::uint32_t color = 0xffffff;  // 0xRRGGBB, the same in canvas, legend and tables; readable on dark ground
   std::uint32_t safe_color = 0xffffff;  // in the palette for colour-blind people
-  char digit = 0;                       // '1' to '9': Alt and this digit switch the overlay; 0: no key does
+  char digit = 0;                       // '0' to '9': Alt and this digit switch the overlay; 0: no key does
   bool shift = false;                   // the key needs Shift too
   bool is_default = false;              // shown until the user chooses other overlays
 
@@ -49,7 +50,8 @@ struct Overlay {
   bool needs_ground = false;  // OverlaySource::ground; it is compiled for the overlay if the solver has none
   bool needs_reach = false;   // OverlaySource::reach; `talus shot` searches it then
   bool needs_proof = false;   // OverlaySource::proof; `talus shot` proves the level then
-  bool near_only = false;     // left out at low zoom, where there would be millions of lines
+  bool (*applies)(const Level&) = nullptr;  // false: the legend leaves it out; null: always true
+  bool near_only = false;                   // left out at low zoom, where there would be millions of lines
 
   // How it is drawn.
   int layer = 0;                   // below 0: before what is drawn of each body, the lowest first
@@ -80,7 +82,7 @@ const Overlay* find_overlay(std::string_view key);  // null: there is none
 namespace overlay {
 extern const Overlay boxes, normals, touch_points, impulses, velocity, slope_delta, floor_height,
     tested_tiles, answer, outline, removed_edges, one_way, swept_path, trails, penetration, shapes, reach,
-    findings;
+    findings, conveyors;
 }
 
 // Overlays that answer one question together.

@@ -524,8 +524,8 @@ ScreenBox LevelCanvas::captions_box(const Session& session, const CanvasView& vi
 OverlayLegend LevelCanvas::legend(const Session& session, const CanvasView& view, const Ui& ui) const {
   const ScreenBox captions = captions_box(session, view, ui);
   const bool beside = captions.min.y > view.min.y ||
-                      captions.max.x + OverlayLegend::width(session.choices(), ui) <= view.max.x;
-  return {session.choices(), view, beside ? view.min.y : captions.max.y, ui};
+                      captions.max.x + OverlayLegend::width(session, ui) <= view.max.x;
+  return {session, view, beside ? view.min.y : captions.max.y, ui};
 }
 
 void LevelCanvas::draw_captions(const Session& session, const CanvasView& view, Ui& ui) const {

@@ -15,10 +15,12 @@ constexpr float kMostWide = 0.34f, kMostHigh = 0.6f, kMostOfAll = 0.07f;
 
 float name_line(const Ui& ui) { return ImGui::GetTextLineHeight() + ui.px(2); }
 
-std::vector<const Overlay*> shown_overlays(const Choices& choices) {
+std::vector<const Overlay*> shown_overlays(const Session& session) {
   std::vector<const Overlay*> shown;
-  for (const Overlay* overlay : all_overlays())
-    if (choices.overlays.has(*overlay)) shown.push_back(overlay);
+  for (const Overlay* overlay : all_overlays()) {
+    const bool applies = overlay->applies == nullptr || overlay->applies(session.level());
+    if (applies && session.choices().overlays.has(*overlay)) shown.push_back(overlay);
+  }
   return shown;
 }
 
@@ -30,13 +32,13 @@ float names_width(const std::vector<const Overlay*>& shown, const Ui& ui) {
 
 }  // namespace
 
-float OverlayLegend::width(const Choices& choices, const Ui& ui) {
-  const auto shown = shown_overlays(choices);
+float OverlayLegend::width(const Session& session, const Ui& ui) {
+  const auto shown = shown_overlays(session);
   return shown.empty() ? 0 : names_width(shown, ui) + ui.px(kLegendPad);
 }
 
-OverlayLegend::OverlayLegend(const Choices& choices, const CanvasView& view, float top, const Ui& ui)
-    : choices_(choices), ui_(ui), shown_(shown_overlays(choices)) {
+OverlayLegend::OverlayLegend(const Session& session, const CanvasView& view, float top, const Ui& ui)
+    : choices_(session.choices()), ui_(ui), shown_(shown_overlays(session)) {
   const float width = view.max.x - view.min.x, height = view.max.y - view.min.y, pad = ui.px(kLegendPad);
   if (shown_.empty() || height < ui.px(80) || width < ui.px(80)) return;
   const ImVec2 corner{view.max.x - pad, top + pad};

@@ -14,10 +14,10 @@ class OverlayLegend {
  public:
   // top: y below which it lies, px of the screen. If names would hide too much, or are folded away, it has
   // only swatches.
-  OverlayLegend(const Choices& choices, const CanvasView& view, float top, const Ui& ui);
+  OverlayLegend(const Session& session, const CanvasView& view, float top, const Ui& ui);
 
   // Its largest width, px; 0: there is no legend. The rest of the line is free beside it.
-  static float width(const Choices& choices, const Ui& ui);
+  static float width(const Session& session, const Ui& ui);
   bool has_names() const { return has_names_; }
   const std::optional<ScreenBox>& box() const { return box_; }  // nothing: there is none
   void draw(ImDrawList& list) const;
