@@ -29,7 +29,8 @@ Physics physics_of(const Level& level, TileNumber tile) {
   // These fields mean nothing for a full tile, or for no shape.
   if (physics.shape.kind == Kind::none) physics.shape = {};
   if (physics.shape.kind == Kind::solid)
-    physics.shape = {.kind = Kind::solid, .one_way = physics.shape.one_way};
+    physics.shape = {
+        .kind = Kind::solid, .one_way = physics.shape.one_way, .conveyor = physics.shape.conveyor};
   return physics;
 }
 

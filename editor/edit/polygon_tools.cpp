@@ -29,7 +29,11 @@ double distance(Vec2 a, Vec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 bool is_straight(Vec2 a, Vec2 b, Vec2 c) { return (b.x - a.x) * (c.y - b.y) == (b.y - a.y) * (c.x - b.x); }
 
 TileShape polygon_through(std::vector<Vec2> points, const TileShape& like) {
-  return {.kind = Kind::polygon, .side = like.side, .one_way = like.one_way, .points = std::move(points)};
+  return {.kind = Kind::polygon,
+          .side = like.side,
+          .one_way = like.one_way,
+          .points = std::move(points),
+          .conveyor = like.conveyor};
 }
 
 // The line of a slope or profile from left to right, without the points at which it is straight.
@@ -129,12 +133,14 @@ TileShape as_polygon(const TileShape& shape, TileSize tile) {
   if (shape.kind == Kind::solid) {
     TileShape all = polygon_of_rectangle({0, 0, 1.0 * tile.width, 1.0 * tile.height});
     all.one_way = shape.one_way;
+    all.conveyor = shape.conveyor;
     return all;
   }
   if (has_heights(shape)) return polygon_of_line(shape, tile);
   if (shape.kind != Kind::group) return shape;
   TileShape all;
   for (const TileShape& part : shape.parts) all = with_new_part(all, as_polygon(part, tile));
+  all.conveyor = shape.conveyor;
   return is_usable(all, tile) ? all : shape;
 }
 
@@ -235,6 +241,7 @@ TileShape with_part_at(const TileShape& shape, std::size_t part, const TileShape
   TileShape all;
   for (std::size_t i = 0; i < shape.parts.size(); ++i)
     all = with_new_part(all, i == part ? replacement : shape.parts[i]);
+  all.conveyor = shape.conveyor;
   return all;
 }
 
@@ -243,8 +250,12 @@ TileShape with_new_part(const TileShape& shape, const TileShape& part) {
   for (const TileShape* from : {&shape, &part})
     for (std::size_t i = 0; i < part_count(*from); ++i) parts.push_back(part_at(*from, i));
   if (parts.empty()) return {};
-  if (parts.size() == 1) return std::move(parts.front());
-  return {.kind = Kind::group, .parts = std::move(parts)};
+  // A group is a conveyor as a whole.
+  for (TileShape& one : parts) one.conveyor = 0;
+  TileShape all = parts.size() == 1 ? std::move(parts.front())
+                                    : TileShape{.kind = Kind::group, .parts = std::move(parts)};
+  all.conveyor = shape.conveyor != 0 ? shape.conveyor : part.conveyor;
+  return all;
 }
 
 std::optional<std::size_t> part_near(const TileShape& shape, TileSize tile, Vec2 place, double reach) {

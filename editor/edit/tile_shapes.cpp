@@ -174,6 +174,7 @@ bool is_unused(const Level& level, int tile) {
 TileShape with_change(TileShape shape, const TileShape& before, const TileShape& after, TileSize tile) {
   if (shape.kind == Kind::none) return shape;
   if (shape == before) return after;
+  if (after.conveyor != before.conveyor) shape.conveyor = after.conveyor;
   if (shape.kind == Kind::group) return shape;
   if (after.one_way != before.one_way) shape.one_way = after.one_way;
   if (shape.kind == Kind::solid) return shape;
@@ -219,12 +220,8 @@ void copy_turned(const Level& level, const CellRect& from, const CellRect& to, S
   std::move(painted.changes.begin(), painted.changes.end(), std::back_inserter(edit.changes));
 }
 
-}  // namespace
-
-TileShape with_kind(TileShape shape, TileShape::Kind kind, TileSize tile) {
-  assert(kind != Kind::group || shape.kind == kind);
-  if (kind == shape.kind) return shape;
-  if (kind == Kind::none) return {};
+// All but its conveyor.
+TileShape form_with_kind(TileShape shape, TileShape::Kind kind, TileSize tile) {
   if (kind == Kind::solid) return {.kind = Kind::solid, .one_way = shape.one_way};
   if (kind == Kind::polygon)
     return as_polygon(shape.kind == Kind::none ? TileShape{.kind = Kind::solid} : shape, tile);
@@ -237,6 +234,18 @@ TileShape with_kind(TileShape shape, TileShape::Kind kind, TileSize tile) {
   if (kind == Kind::slope) shape.heights = {shape.heights.front(), shape.heights.back()};
   shape.kind = kind;
   return shape;
+}
+
+}  // namespace
+
+TileShape with_kind(TileShape shape, TileShape::Kind kind, TileSize tile) {
+  assert(kind != Kind::group || shape.kind == kind);
+  if (kind == shape.kind) return shape;
+  if (kind == Kind::none) return {};
+  const double conveyor = shape.conveyor;
+  TileShape made = form_with_kind(std::move(shape), kind, tile);
+  made.conveyor = conveyor;
+  return made;
 }
 
 TileShape with_width(TileShape shape, int tiles, TileSize tile) {
@@ -286,10 +295,11 @@ std::optional<TileShape> suggest_shape(const Level& level, int tile, int tiles) 
       now.one_way ? now.side == Side::ceiling : sum(columns.from_top) < sum(columns.from_bottom);
   TileShape shape;
   shape.one_way = now.one_way;
+  shape.conveyor = now.conveyor;
   shape.side = hangs ? Side::ceiling : Side::floor;
   const std::vector<double>& heights = hangs ? columns.from_top : columns.from_bottom;
   if (std::all_of(heights.begin(), heights.end(), [](double height) { return height == kCartTileSize; }))
-    return TileShape{.kind = Kind::solid, .one_way = shape.one_way};
+    return TileShape{.kind = Kind::solid, .one_way = shape.one_way, .conveyor = shape.conveyor};
   shape.tiles = tiles;
   if (const auto line = fit_line(heights, columns.pixel)) {
     shape.kind = Kind::slope;

@@ -1,6 +1,7 @@
 // Fields of curves, by their kinds.
 #include "curve_inspector.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -68,6 +69,15 @@ class FormFields {
       return ui_.hint("It has " + std::to_string(p.ys.size()) + " heights, too many for fields.");
     for (std::size_t i = 0; i < p.ys.size(); ++i)
       number("y" + std::to_string(i), "", p.ys[i], "Its y there, px.");
+  }
+
+  void draw_conveyor(Curve& curve) {
+    row("Conveyor");
+    number("conveyor", "", curve.conveyor,
+           "How fast its surface goes, px a frame: above it to the right. It carries players, and what rubs "
+           "on it where bodies meet.",
+           1.0f / 64);
+    curve.conveyor = std::clamp(curve.conveyor, -kMaxConveyor, kMaxConveyor);
   }
 
  private:
@@ -200,6 +210,7 @@ void CurveInspector::draw_numbers(const Session& session, Actions& actions, Ui& 
   LevelCurve changed = session.level().curves.at(static_cast<std::size_t>(curve));
   FormFields fields(session, number_, ui, !problem_.empty());
   std::visit([&](auto& form) { fields.draw(form); }, changed.curve.form);
+  fields.draw_conveyor(changed.curve);
   if (fields.changed())
     change(session, actions, curve, std::move(changed), "Change a curve's numbers", number_.stroke);
 }

@@ -16,9 +16,10 @@ using Kind = TileShape::Kind;
 using Side = TileShape::Side;
 
 constexpr std::array<Kind, 5> kChoices = {Kind::none, Kind::solid, Kind::slope, Kind::profile, Kind::polygon};
-constexpr float kKindWidth = 132;   // px at scale 1, of the list of kinds
-constexpr float kCheckWidth = 88;   // px at scale 1, of a check box
-constexpr float kHeightWidth = 32;  // px at scale 1, least width of one height
+constexpr float kKindWidth = 132;      // px at scale 1, of the list of kinds
+constexpr float kCheckWidth = 88;      // px at scale 1, of a check box
+constexpr float kConveyorWidth = 104;  // px at scale 1, of the speed of a conveyor
+constexpr float kHeightWidth = 32;     // px at scale 1, least width of one height
 
 std::string named_part(std::string_view name, std::string_view part) {
   return std::string(name) + "_" + std::string(part);
@@ -31,28 +32,38 @@ class ShapeFields {
       : name_(name), shape_(shape), session_(session), edit_(edit), actions_(actions), ui_(ui) {}
 
   bool draw() {
-    if (shape_.kind == Kind::none || shape_.kind == Kind::group) return false;
+    if (shape_.kind == Kind::none) return false;
+    if (shape_.kind == Kind::group)
+      draw_conveyor();
+    else
+      draw_form();
+    return changed_;
+  }
+  const TileShape& shape() const { return shape_; }
+
+ private:
+  void draw_form() {
     if (shape_.kind == Kind::polygon) {
       draw_one_way();
-      if (!shape_.one_way) return changed_;
-      ui_.same_line_if_fits(ui_.px(kCheckWidth));
-      draw_ceiling("Its lower lines stop bodies, and not its upper ones.");
-      return changed_;
+      if (shape_.one_way) {
+        ui_.same_line_if_fits(ui_.px(kCheckWidth));
+        draw_ceiling("Its lower lines stop bodies, and not its upper ones.");
+      }
+      return draw_conveyor_beside();
     }
     if (shape_.kind == Kind::slope) draw_slope();
     if (shape_.kind == Kind::profile) draw_profile();
     if (has_heights(shape_)) {
+      draw_conveyor_beside();
       draw_width();
       ui_.same_line_if_fits(ui_.px(kCheckWidth));
       draw_ceiling("The ground hangs above the line, and is measured downwards.");
       ui_.same_line_if_fits(ui_.px(kCheckWidth));
     }
     draw_one_way();
-    return changed_;
+    if (!has_heights(shape_)) draw_conveyor_beside();
   }
-  const TileShape& shape() const { return shape_; }
 
- private:
   std::string named(std::string_view part) const { return named_part(name_, part); }
 
   void draw_ceiling(std::string_view help) {
@@ -63,6 +74,24 @@ class ShapeFields {
 
   void draw_one_way() {
     check("one_way", "one-way", shape_.one_way, "Stops only what comes from the open side of its line.");
+  }
+
+  void draw_conveyor_beside() {
+    ui_.same_line_if_fits(ui_.px(kConveyorWidth));
+    draw_conveyor();
+  }
+
+  void draw_conveyor() {
+    const std::string name = named("conveyor");
+    double speed = shape_.conveyor;
+    const NumberField field{
+        name, "conveyor %.4g",
+        "How fast its surface goes, px a frame: on a floor to the right, and clockwise around the "
+        "ground. It carries players, and what rubs on it where bodies meet.",
+        kConveyorWidth, 1.0f / 64};
+    if (!draw_number_field(field, speed, session_, edit_, ui_)) return;
+    shape_.conveyor = std::clamp(speed, -kMaxConveyor, kMaxConveyor);
+    changed_ = true;
   }
 
   void draw_slope() {

@@ -188,8 +188,14 @@ void ShapePanel::draw_fields(const Session& session, Actions& actions, Ui& ui) {
   const EditedShape edited = edited_shape(session, ui.view);
   if (edited.is_drawing) return command_text_button("shape/close"_command, session, actions, ui);
   if (edited.is_polygon()) draw_point(session, actions, ui);
-  if (const auto shape = draw_shape_fields("shape/kind", edited.shape(), session, field_, actions, ui))
-    put_part(session, actions, ui.view, *shape, field_.stroke);
+  TileShape part = edited.shape();
+  part.conveyor = edited.whole.conveyor;  // a group is one as a whole
+  const auto changed = draw_shape_fields("shape/kind", part, session, field_, actions, ui);
+  if (!changed) return;
+  TileShape whole =
+      part_count(edited.whole) > 0 ? with_part_at(edited.whole, edited.part, *changed) : *changed;
+  whole.conveyor = changed->conveyor;
+  put_shape(session, actions, ui.view, whole, field_.stroke);
 }
 
 void ShapePanel::draw_point(const Session& session, Actions& actions, Ui& ui) {
