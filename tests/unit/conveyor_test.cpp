@@ -40,7 +40,9 @@ TEST(Conveyor, CarriesACrateToTheClosedForm) {
         ASSERT_NEAR(run.body(0).box.x, 100 + carried.way(frame), 1e-11) << speed << " " << frame;
         ASSERT_EQ(run.body(0).box.y, 16) << frame;
       }
-      if (carried.keeps_up_at() < 60) EXPECT_NEAR(run.body(0).velocity.x, speed, 1e-12);
+      if (carried.keeps_up_at() < 60) {
+        EXPECT_NEAR(run.body(0).velocity.x, speed, 1e-12);
+      }
     }
   }
 }
