@@ -57,8 +57,8 @@ struct Slide {
   double rim(double time) const { return 2 * friction * gravity * std::min(time, rolls_at()); }
 };
 
-// A body that rubs on a conveyor, which goes along a straight line, until it goes as fast. gain: what friction
-// and gravity give it along the line, px/frame^2, towards the conveyor's speed.
+// A body that rubs on a conveyor, which goes along a straight line, until it goes as fast. gain: what
+// friction and gravity give it along the line, px/frame^2, towards the conveyor's speed.
 struct Carried {
   double start = 0, conveyor = 0, gain = 0;
   double keeps_up_at() const { return std::abs(conveyor - start) / gain; }

@@ -19,8 +19,8 @@ std::vector<TiledObject> tiled_objects(const TileShape& shape, TileSize tile);
 // `shape_conveyor`, in px/frame. Empty for no shape.
 TiledProperties tiled_properties(const TileShape& shape);
 
-// px/frame: the speed of a conveyor, as a property of this name says; nothing if it does not, or if a conveyor
-// cannot be as fast.
+// px/frame: the speed of a conveyor, as a property of this name says; nothing if it does not, or if a
+// conveyor cannot be as fast.
 std::optional<double> conveyor_of(const TiledProperties& properties, std::string_view name);
 
 TiledObject tiled_object(const Spawn& spawn);

@@ -523,8 +523,8 @@ ScreenBox LevelCanvas::captions_box(const Session& session, const CanvasView& vi
 // Beside the captions, or below them if there is no room.
 OverlayLegend LevelCanvas::legend(const Session& session, const CanvasView& view, const Ui& ui) const {
   const ScreenBox captions = captions_box(session, view, ui);
-  const bool beside = captions.min.y > view.min.y ||
-                      captions.max.x + OverlayLegend::width(session, ui) <= view.max.x;
+  const bool beside =
+      captions.min.y > view.min.y || captions.max.x + OverlayLegend::width(session, ui) <= view.max.x;
   return {session, view, beside ? view.min.y : captions.max.y, ui};
 }
 
