@@ -56,7 +56,8 @@ end
 
 -- Contacts to be stopped, so that what is known of the others stays.
 local function copy_of(touch)
-  return {a = touch.a, b = touch.b, nx = touch.nx, ny = touch.ny, friction = touch.friction, of = touch, room = 0.0}
+  return {a = touch.a, b = touch.b, nx = touch.nx, ny = touch.ny, friction = touch.friction, conveyor = touch.conveyor,
+          of = touch, room = 0.0}
 end
 
 -- Each contact bounces as if it were alone.

@@ -28,8 +28,12 @@ local function heard(world, body, box, contact, respond, ...)
   local x, y = respond(...)
   local change = box.change or (box.vx - vx) * nx + (box.vy - vy) * ny
   if change > world.quiet[kind.rule] then
-    local mass = (kind.mass or 1.0) * (body.w * body.h / MASS_AREA)
-    world:note_hit(body, contact.other, nx, ny, mass * change)
+    local w, h = body.w, body.h
+    if kind.round then
+      w = 2 * (min(w, h) / 2)
+      h = w
+    end
+    world:note_hit(body, contact.other, nx, ny, (kind.mass or 1.0) * (w * h / MASS_AREA) * change)
   end
   return x, y
 end

@@ -224,6 +224,8 @@ function M.speed(touch, nx, ny)
   if other then vx, vy = vx - other.svx, vy - other.svy end
   return vx * nx + vy * ny
 end
+-- The same along the contact: how fast the surface of the body slides on that of the other one.
+function M.slip(touch, nx, ny) return M.speed(touch, nx, ny) - touch.conveyor end
 function M.gain(touch, nx, ny)
   local px, py, other = touch.a.spx, touch.a.spy, touch.b
   if other then px, py = px - other.spx, py - other.spy end
@@ -289,7 +291,7 @@ function M.reflect(chosen)
     end
   end
   if #rows == 0 then return end
-  M.set_up(rows, M.speed)
+  M.set_up(rows, M.slip)
   for i = 1, #rows do M.bound(i, -most[i], most[i]) end
   M.solve_evenly()
   for i, row in ipairs(rows) do M.push(row.touch, row.x * x[i], row.y * x[i]) end
@@ -314,7 +316,7 @@ function M.support(chosen)
     for i = normals + 1, #rows do
       local row = rows[i]
       local most = row.touch.friction * before[of[i]]
-      local slip = M.speed(row.touch, row.x, row.y)
+      local slip = M.slip(row.touch, row.x, row.y)
       local slides = abs(slip) > STILL
       M.bound(i, slides and slip < 0 and most or -most, slides and slip > 0 and -most or most)
     end
@@ -745,7 +747,7 @@ function M.add_pairs(event)
       if m ~= event.a then nx, ny = nx * -1, ny * -1 end
     end
     M.touches[#M.touches + 1] = {a = m, b = n, nx = nx, ny = ny, bounce = 0.0, impulse = 0.0, pressure = 0.0,
-                                 friction = sqrt(m.friction * n.friction), still = STILL}
+                                 friction = sqrt(m.friction * n.friction), conveyor = 0.0, still = STILL}
   end
 end
 
@@ -753,7 +755,7 @@ end
 
 function M.add_ground(m, nx, ny, contact)
   local touch = {a = m, nx = nx, ny = ny, bounce = 0.0, friction = m.friction, impulse = 0.0, pressure = 0.0,
-                 still = STILL_ON_GROUND, contact = contact}
+                 conveyor = 0.0, still = STILL_ON_GROUND, contact = contact}
   M.touches[#M.touches + 1] = touch
   table.sort(M.touches, function(t, u)
     if t.a ~= u.a then return t.a.place < u.a.place end
@@ -952,7 +954,7 @@ function M.look_for_turn(touch)
   local vx, vy, px, py = m.vx, m.vy, m.px, m.py
   if n then vx, vy, px, py = vx - n.vx, vy - n.vy, px - n.px, py - n.py end
   local along_x, along_y = -touch.ny, touch.nx
-  local speed, gain = vx * along_x + vy * along_y, px * along_x + py * along_y
+  local speed, gain = vx * along_x + vy * along_y - touch.conveyor, px * along_x + py * along_y
   if not (speed * gain < 0) or abs(speed) <= STILL then return end
   local at = M.time - speed / gain
   if at < M.part then M.add_event {time = at, kind = "turn", a = m.inner and m or n} end

@@ -3,7 +3,7 @@ has.players = true
 
 local function take_keys(n, body, box, input)
   local direction = (input.right and 1 or 0) - (input.left and 1 or 0)
-  local target = n.run_speed * direction
+  local target = n.run_speed * direction + (box.carried or 0)
   local gain = direction == 0 and n.run_loss or body.grounded and n.run_gain or n.air_gain
   if box.vx < target then box.vx = min(box.vx + gain, target) else box.vx = max(box.vx - gain, target) end
   if input.jump and not body.jump_held and (body.grounded or body.coyote > 0) then
@@ -51,20 +51,20 @@ local function meet(world, body, box, contact, x, y)
   return slide_along(nx, ny, rest_x, rest_y)
 end
 
--- The y on the level ground straight below, within `reach`, or at the foot of something too steep.
+-- The y on the level ground straight below, within `reach`, or at the foot of something too steep; and the contact.
 local function floor_under(world, body, box, reach)
   local others, steepest = world:others(body, box, 0.0, reach), world.tuning.steepest
   local function cast(without)
     return cast_box(world.terrain, box.x, box.y, box.w, box.h, 0.0, reach, box.centre, others, without)
   end
   local found = cast()
-  if not found or is_level(found, steepest) then return found and found.y end
+  if not found or is_level(found, steepest) then return found and found.y, found end
   local side = found.edge.source or found.edge
   local on = cast(side)
   if on and on.edge and not is_level(on, steepest) then  -- the same side once more, or another one behind it
     on = Walk.without(on.edge.source or on.edge, cast, side)
   end
-  return on and is_level(on, steepest) and on.y - found.y <= LIP and found.y or nil
+  return on and is_level(on, steepest) and on.y - found.y <= LIP and found.y, on
 end
 
 -- Whether a body lies on two sides that are too steep to stand on, but hold it up together. Puts it on them.

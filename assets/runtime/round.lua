@@ -415,7 +415,7 @@ function M.look_for_turn(touch)
     spin, spin_pull = spin + n.spin, spin_pull + n.spin_pull
   end
   local along_x, along_y = -touch.ny, touch.nx
-  local speed, gain = vx * along_x + vy * along_y - spin, px * along_x + py * along_y - spin_pull
+  local speed, gain = vx * along_x + vy * along_y - spin - touch.conveyor, px * along_x + py * along_y - spin_pull
   if not (speed * gain < 0) or abs(speed) <= STILL then return end
   local at = M.time - speed / gain
   if at < M.part then M.add_event {time = at, kind = "turn", a = m.inner and m or n} end

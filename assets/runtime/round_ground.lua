@@ -25,7 +25,9 @@ local function add_tiles(terrain, first, last, row, found)
       local from = x
       while x <= last and terrain:is_open(x, row, 0, n == 1 and -1 or 1) do x = x + 1 end
       if x > from then
-        found[#found + 1] = line(from * TILE_W, y, x * TILE_W, y, 1.0, 0.0, 0.0, ny, n == 1 and UP or DOWN)
+        local side = line(from * TILE_W, y, x * TILE_W, y, 1.0, 0.0, 0.0, ny, n == 1 and UP or DOWN)
+        side.column, side.row = from, row
+        found[#found + 1] = side
       end
       x = x + 1
     end
@@ -34,7 +36,9 @@ local function add_tiles(terrain, first, last, row, found)
     for column_ = first, last do
       if terrain:is_open(column_, row, n == 1 and -1 or 1, 0) then
         local x = (n == 1 and column_ or column_ + 1) * TILE_W
-        found[#found + 1] = line(x, top, x, bottom, 0.0, 1.0, n == 1 and -1.0 or 1.0, 0.0, n == 1 and LEFT or RIGHT)
+        local side = line(x, top, x, bottom, 0.0, 1.0, n == 1 and -1.0 or 1.0, 0.0, n == 1 and LEFT or RIGHT)
+        side.column, side.row = column_, row
+        found[#found + 1] = side
       end
     end
   end

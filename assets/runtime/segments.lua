@@ -56,8 +56,8 @@ end
 local function put_tip(cut, piece, first, facing)
   local x, y = first and piece.x0 or piece.x1, first and piece.y0 or piece.y1
   cut.pieces[#cut.pieces + 1] = {x0 = x, y0 = y, x1 = x, y1 = y, base_x = x, base_y = y, slope = 0.0,
-                                 slope_rest = 0.0, facing = facing, convex0 = true, convex1 = true,
-                                 is_tip = true, solid = true, form = Free}
+                                 slope_rest = 0.0, facing = facing, convex0 = true, convex1 = true, is_tip = true,
+                                 solid = true, form = Free, conveyor = piece.conveyor}
 end
 local function put_tips(cut)
   local count = #cut.pieces

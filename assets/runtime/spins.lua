@@ -25,7 +25,9 @@ local function any_turns()
 end
 
 -- px/frame: how fast the surface of the body slides on that of the other one.
-function M.slip(touch) return M.speed(touch, -touch.ny, touch.nx) - turning(touch, "sspin") end
+function M.slip(touch)
+  return M.speed(touch, -touch.ny, touch.nx) - turning(touch, "sspin") - touch.conveyor
+end
 
 local gain = M.gain
 function M.gain(touch, nx, ny) return gain(touch, nx, ny) + (touch.parts or 0.0) end
@@ -60,6 +62,7 @@ function M.set_up(rows, value, what)
     local one = row.touch
     if row.rubs then
       b[i] = b[i] - turning(one, what)
+      if what == "sspin" then b[i] = b[i] - one.conveyor end
       for k = 1, i do
         if rows[k].rubs then
           local other, at = rows[k].touch, (i - 1) * size + k

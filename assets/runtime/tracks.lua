@@ -4,7 +4,7 @@
 -- stop nothing, of which it follows the first ones, by number `followed`; or other, a body that stands still, version,
 -- form, and gap, px, which it keeps; on_end: it goes round a corner, or the end of a side; is_alone: nothing else
 -- touches the circle; rolls: the share of a pull along it that moves the circle; pull_x, pull_y, without the track;
--- drive, px/frame^2, along it, beside that share.
+-- drive, px/frame^2, along it, beside that share; conveyor, px/frame, of its surface.
 
 -- A function, as the names of a file of Lua are few. M: see meet.lua.
 function World.begin_tracks(M)
@@ -112,7 +112,7 @@ function M.from(m, t)
     M.path_from(m, t)
   else
     local onward_x, onward_y = take(m.track, m, t)
-    if m.track.rolls < 1 then spin = m.vx * onward_x + m.vy * onward_y end
+    if m.track.rolls < 1 then spin = m.vx * onward_x + m.vy * onward_y - m.track.conveyor end
   end
   m.turned = m.turned + (m.spin + spin) / 2 * s
   m.spin = spin
@@ -284,8 +284,9 @@ function M.begin_track(world, met)
   local onward_x, onward_y = -ny, nx
   local straight = m.pull_x * onward_x + m.pull_y * onward_y
   local drawn = m.spx * onward_x + m.spy * onward_y
-  local slip = m.svx * onward_x + m.svy * onward_y - m.sspin
+  local slip = m.svx * onward_x + m.svy * onward_y - m.sspin - met.conveyor
   local rolls = met.friction > 0 and abs(slip) <= STILL and abs(drawn - m.sspin_pull) <= STILL
+  track.conveyor = met.conveyor
   track.rolls = rolls and 1 / (1 + m.inverse / m.yields) or 1.0
   track.drive = drawn - track.rolls * straight
   m.track = track

@@ -200,7 +200,7 @@ void write_spawn(LuaTable&& table, const Spawn& spawn, TileSize tile, const Leve
   if (!picture.empty()) write_picture(table.in_a_row("picture"), picture);
 }
 
-// meets: whether the bodies of the level do.
+// meets: whether the bodies of the level do. Otherwise the form counts for the impulses of events alone.
 void write_kind(LuaTable&& table, BodyKind kind, TileSize tile, bool meets) {
   const BodyTraits& traits = traits_of(kind);
   const Vec2 size = new_body_size(kind, tile);
@@ -210,11 +210,11 @@ void write_kind(LuaTable&& table, BodyKind kind, TileSize tile, bool meets) {
   table.number("h", size.y);
   table.word("foot", foot_word(traits.foot));
   table.word("look", look_word(traits.look));
+  if (traits.shape == BodyShape::circle && (meets || table.writes_defaults())) table.truth("round");
   if (!meets) return;
   table.number("mass", traits.mass);
   table.number("friction", traits.friction);
   if (traits.bounce) table.number("bounce", *traits.bounce);
-  if (traits.shape == BodyShape::circle) table.truth("round");
 }
 
 void write_tiles(LuaTable&& rows, std::span<const TileNumber> cells, int columns, const Progress& progress) {

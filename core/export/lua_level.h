@@ -4,11 +4,12 @@
 //   width, height     cells
 //   tiles             width * height tile numbers, row by row
 //   shapes            by tile number: kind ("solid", "slope", "profile"); unless default: side ("floor"),
-//                     one_way (false), tiles (width, 1); heights, for slopes and profiles
+//                     one_way (false), conveyor (0), tiles (width, 1); heights, for slopes and profiles
 //   balls             by tile number, of tiles that are bodies: their kind, such as "ball"
 //   flags             by the name of a flag, the tiles that have it: true by tile number; only if flags have
 //                     names, and not in a small table
-//   curves            kind, faces ("up", "down", "both") and the numbers of talus/collision/shape.h
+//   curves            kind, faces ("up", "down", "both"), conveyor (0) and the numbers in
+//                     talus/collision/shape.h
 //   spawns            kind, name, x, y, w, h, vx, vy, foot ("box", "centre"); only if the body has a picture,
 //                     picture: sheet ("tiles"; "sprites"), columns, rows (tiles of a frame), steps (for which
 //                     it is shown), and for each of stand, run, jump and fall the tile, or sprite, of the

@@ -35,6 +35,7 @@ constexpr LuaPart kLuaParts[] = {
     {"mouse", {"mouse"}},
     {"meet", {"meet"}, {"balls"}},
     {"round", {"forms", "round_ground", "spins", "tracks", "crowd", "round"}, {"meet", "balls"}},
+    {"conveyors", {"conveyors"}},
     {"events", {"events"}},
     {"end", {"luajit", "module"}},
 };
@@ -99,6 +100,9 @@ PartNames used_parts(const Level& level) {
         return !std::holds_alternative<Segment>(curve.form) && !std::holds_alternative<Polyline>(curve.form);
       }))
     used.emplace("curves");
+  const auto is_conveyor = [](const auto& part) { return part.conveyor != 0; };
+  if (any_cell([&](TileNumber tile) { return is_conveyor(ground.shapes[tile]); }) || any_curve(is_conveyor))
+    used.emplace("conveyors");
   const bool has_slopes = used.contains("slopes") || used.contains("polygons") || used.contains("segments");
   if (has_centre && has_slopes) used.emplace("walk");
   if (level.tuning.shared.pairs() != BodyPairs::pass && bodies > 1) used.emplace("pairs");

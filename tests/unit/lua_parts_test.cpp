@@ -91,7 +91,7 @@ TEST(LuaParts, OtherPartsCanBeChosen) {
   EXPECT_EQ(
       wrong.error().message,
       "\"plyers\" is not a part of the runtime; the parts are slopes, one_way, polygons, segments, curves, "
-      "balls, flight, walk, players, pairs, mouse, meet, round, events");
+      "balls, flight, walk, players, pairs, mouse, meet, round, conveyors, events");
 }
 
 // Words that occur in the code of one part only.
@@ -213,7 +213,7 @@ TEST(LuaLevel, HasALineForEachRowTileAndBody) {
       "    [\"player\"] = {rule = \"run\", takes_keys = true, w = 8, h = 8, foot = \"centre\", look = "
       "\"figure\"},\n"
       "    [\"crate\"] = {rule = \"fall\", w = 8, h = 8, foot = \"box\", look = \"crate\"},\n"
-      "    [\"disc\"] = {rule = \"fall\", w = 8, h = 8, foot = \"box\", look = \"wheel\"},\n"
+      "    [\"disc\"] = {rule = \"fall\", w = 8, h = 8, foot = \"box\", look = \"wheel\", round = true},\n"
       "  },\n"
       "  tuning = {\n";
   EXPECT_EQ(text.substr(0, begin.size()), begin);

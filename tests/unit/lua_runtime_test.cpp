@@ -444,6 +444,35 @@ TEST_F(LuaRuntime, GivesTheBitsOfTheYard) {
 }
 
 // Discs and crates fall into a heap, on tiles, hills, lines and curves.
+TEST_F(LuaRuntime, GivesTheBitsOfConveyors) {
+  constexpr double kLevels = 60;
+  const auto last = static_cast<std::uint64_t>(tries("TALUS_LUA_LEVELS", kLevels));
+  for (std::uint64_t seed = 1; seed <= last; ++seed) {
+    Dice dice(7'000'000 + seed);
+    Level level = random_level(dice);
+    for (TileShape& shape : level.tile_shapes)
+      if (shape.kind != TileShape::Kind::none && !dice.one_in(3)) shape.conveyor = dice.in(-3, 3);
+    for (LevelCurve& curve : level.curves)
+      if (!dice.one_in(3)) curve.curve.conveyor = dice.in(-3, 3);
+    constexpr BodyKind kKinds[] = {BodyKind::crate, BodyKind::disc, BodyKind::player, BodyKind::ball};
+    const Spawn first = level.spawns.front();
+    for (const BodyKind kind : kKinds) {
+      Spawn& spawn = level.spawns.emplace_back(first);
+      spawn.kind = kind;
+      spawn.foot = {};
+      if (dice.one_in(4)) spawn.size = {dice.in(1, 20), dice.in(1, 20)};
+      spawn.position = first.position + Vec2{dice.in(-30, 30), dice.in(-30, 10)};
+    }
+    if (!dice.one_in(3)) level.tuning.shared.bodies = static_cast<double>(BodyPairs::meet);
+    if (dice.one_in(2)) level.tuning.shared.fall_blend = level.tuning.shared.drift_blend = 0;
+    constexpr int kFrames = 60;
+    add(level, kFrames, random_input(dice, kFrames, level.map.px_width(), level.map.px_height()),
+        "seed " + std::to_string(seed));
+  }
+  EXPECT_GE(body_frames(), 100 * levels());
+  expect_same_bits();
+}
+
 TEST_F(LuaRuntime, GivesTheBitsOfDiscs) {
   constexpr double kLevels = 60;
   const auto last = static_cast<std::uint64_t>(tries("TALUS_LUA_LEVELS", kLevels));
