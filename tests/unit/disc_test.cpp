@@ -27,7 +27,7 @@ void add_line(Level& level, Vec2 from, Vec2 to) {
   level.curves.push_back({"", {Segment{from, to}, Curve::Faces::up}, ""});
 }
 Vec2 middle(const Body& disc) { return disc.box.center(); }
-double length(Vec2 v) { return std::hypot(v.x, v.y); }
+double norm(Vec2 v) { return std::hypot(v.x, v.y); }
 double mass(const Body& body) { return mass_of(body.kind, {body.box.w, body.box.h}); }
 
 // Of motion, of turning and of height, for a mass of 1.
@@ -100,7 +100,7 @@ TEST(Disc, KeepsItsEnergyInABowl) {
     const double before = energy(run.body(0), 0.1);
     for (int frame = 0; frame < 3000; ++frame) {
       run.step();
-      ASSERT_NEAR(length(middle(run.body(0)) - Vec2{150, 100}), around, 1e-9) << frame;
+      ASSERT_NEAR(norm(middle(run.body(0)) - Vec2{150, 100}), around, 1e-9) << frame;
     }
     EXPECT_NEAR(energy(run.body(0), 0.1), before, 1e-7 * std::abs(before)) << parts;
   }
@@ -246,7 +246,7 @@ double deepest_overlap(const State& state) {
   double deepest = 0;
   for (const Body& a : state.bodies)
     for (const Body& b : state.bodies)
-      if (a.id < b.id) deepest = std::max(deepest, (a.box.w + b.box.w) / 2 - length(middle(a) - middle(b)));
+      if (a.id < b.id) deepest = std::max(deepest, (a.box.w + b.box.w) / 2 - norm(middle(a) - middle(b)));
   return deepest;
 }
 
