@@ -61,7 +61,8 @@ local function take(track, m, t)
   M.path_from(m, t)
   local near = near_track(track, M.form_at(m, t))
   local onward_x, onward_y = -near.ny, near.nx
-  if near.bend == 0 then
+  -- At the end of an end or a corner rounding may call the place the flat beyond: the speed is due there, too.
+  if near.bend == 0 and not track.on_end then
     if not track.other then M.put_on(track.sides[1], m) end
     return onward_x, onward_y
   end

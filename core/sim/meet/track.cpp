@@ -40,7 +40,9 @@ Vec2 Track::take(MovingBox& circle, double time) const {
   circle.path = before.from(time);
   const Nearness here = near(circle.form_at(time));
   const Vec2 onward = along(here.normal);
-  if (here.bend == 0) {
+  // At the end of an end or a corner rounding may call the place the flat beyond: the speed is due there,
+  // too.
+  if (here.bend == 0 && !on_end) {
     if (is_ground) put_on(sides.front(), circle);
     return onward;
   }

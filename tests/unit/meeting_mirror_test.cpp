@@ -1,0 +1,48 @@
+// Bodies that meet run mirrored in a mirrored level: each scene has parted from its image once.
+#include <gtest/gtest.h>
+
+#include "level/transform.h"
+#include "meeting_run.h"
+
+namespace talus::meeting_mirror_test {
+
+// A room with a floor and two walls.
+Level room(double gravity, double bounce, double parts) {
+  Level level;
+  level.map = TileMap(32, 24);
+  level.sheet(SheetId::tiles).flags[1] = 1;
+  for (int x = 0; x < 32; ++x) level.map.set({x, 23}, 1);
+  for (int y = 0; y < 24; ++y) {
+    for (const int x : {0, 31}) level.map.set({x, y}, 1);
+  }
+  let_bodies_meet(level.tuning, gravity, bounce);
+  level.tuning.exact.substeps = parts;
+  return level;
+}
+void add_line(Level& level, Vec2 from, Vec2 to) {
+  level.curves.push_back({"", {Segment{from, to}, Curve::Faces::up}, ""});
+}
+
+void expect_mirrored(const Level& level) {
+  constexpr double kWidth = 256;  // px
+  MeetingRun run(level), other(mirrored(level));
+  for (int frame = 1; frame <= 300; ++frame) {
+    run.step();
+    other.step();
+    for (std::size_t i = 0; i < level.spawns.size(); ++i) {
+      ASSERT_NEAR(run.body(i).box.x, kWidth - other.body(i).box.right(), 1e-9) << frame;
+      ASSERT_NEAR(run.body(i).box.y, other.body(i).box.y, 1e-9) << frame;
+    }
+  }
+}
+
+// Where the end ends, rounding took the place for the line beyond, in one of the two.
+TEST(MeetingMirror, ADiscRollsOverAnEndOntoAFlat) {
+  Level level = room(0.2, 0, 1);
+  add_line(level, {78, 155}, {136, 129});
+  add_line(level, {136, 129}, {176, 115});
+  add_body(level, BodyKind::disc, {103, 96}, {2, 0}, {11, 11});
+  expect_mirrored(level);
+}
+
+}  // namespace talus::meeting_mirror_test
