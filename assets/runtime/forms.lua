@@ -29,6 +29,13 @@ local function half_of(form)
   return form.w / 2, form.h / 2
 end
 
+-- px: the point of a form's box, or the middle of its circle, that is nearest to another point.
+function M.nearest_point(form, x, y)
+  local half_x, half_y = half_of(form)
+  local there_x, there_y = M.middle(form)
+  return there_x + clamp(x - there_x, -half_x, half_x), there_y + clamp(y - there_y, -half_y, half_y)
+end
+
 -- The first one shrinks to a point, and the other one grows by it: to a box with round corners. is_first: tells two in
 -- one place apart.
 function M.nearness(form, other, is_first)

@@ -11,12 +11,18 @@ function World.begin_tracks(M)
 
 local STILL = 1e-11  -- px/frame, and px/frame^2
 local STILL_ON_GROUND = 1e-12
+local SHORT = 1e-5  -- px: over so little, a curve is a part of a circle
 local PAST = 1e-9  -- px: only what is further past an end has left it
+
+local function is_first_nearer(side, x, y)
+  local from_x, from_y, to_x, to_y = x - side.ax, y - side.ay, x - side.bx, y - side.by
+  return from_x * from_x + from_y * from_y < to_x * to_x + to_y * to_y
+end
 
 -- px: how far a middle is past the nearer end of a side, or before it, along the side there.
 local function past_end(side, x, y)
   local from_x, from_y, to_x, to_y = x - side.ax, y - side.ay, x - side.bx, y - side.by
-  local is_first = from_x * from_x + from_y * from_y < to_x * to_x + to_y * to_y
+  local is_first = is_first_nearer(side, x, y)
   local onward_x, onward_y = side.ux, side.uy
   if side.stretch then onward_x, onward_y = tangent_at(side.stretch, is_first and side.ax or side.bx) end
   if is_first then to_x, to_y = from_x, from_y end
@@ -54,10 +60,53 @@ local function go_down(track, m, onward_x, onward_y, missing)
   m.x, m.y = m.x - near.nx * off, m.y - near.ny * off
 end
 
+local function centre_for(track, form)
+  local x, y = M.middle(form)
+  if track.other then
+    if near_track(track, form).bend == 0 then return nil end
+    return M.nearest_point(track.form, x, y)
+  end
+  local side = track.sides[1]
+  if track.on_end then
+    if is_first_nearer(side, x, y) then return side.ax, side.ay end
+    return side.bx, side.by
+  end
+  if side.stretch and side.stretch.kind == "arc" then return side.stretch.c1, side.stretch.c2 end
+end
+
+-- px: the way of a circle until a time, and on to the track. Of places, or of gaps, the rounding would be all that is
+-- left of a speed that is about to turn back. m: before the way, there: how near it is after it.
+local function way_along(track, m, t, there)
+  local s = t - m.time
+  local half = s * s / 2
+  local x, y = m.vx * s + m.px * half, m.vy * s + m.py * half
+  local begin = M.form_at(m, m.time)
+  local from_x, from_y
+  if track.centre_x then
+    from_x, from_y = M.middle(begin)
+    from_x, from_y = from_x - track.centre_x, from_y - track.centre_y
+  else
+    if not (x * x + y * y <= SHORT * SHORT) then
+      local off = there.gap - track.gap
+      return x - there.nx * off, y - there.ny * off
+    end
+    local here = near_track(track, begin)
+    if here.bend == 0 then
+      local off = x * here.nx + y * here.ny
+      return x - here.nx * off, y - here.ny * off
+    end
+    from_x, from_y = here.nx * (1 / here.bend), here.ny * (1 / here.bend)
+  end
+  local to_x, to_y = from_x + x, from_y + y
+  local before, after = sqrt(from_x * from_x + from_y * from_y), sqrt(to_x * to_x + to_y * to_y)
+  local share = (2 * (from_x * x + from_y * y) + (x * x + y * y)) / ((before + after) * after)
+  return x - to_x * share, y - to_y * share
+end
+
 -- Takes a circle on it to a time, and returns the direction of the track there. The square of the speed follows from
 -- the way along gravity, as energy is kept.
 local function take(track, m, t)
-  local x, y, vx, vy = m.x, m.y, m.vx, m.vy
+  local before = M.moving_at(m, m.time)
   M.path_from(m, t)
   local near = near_track(track, M.form_at(m, t))
   local onward_x, onward_y = -near.ny, near.nx
@@ -68,11 +117,12 @@ local function take(track, m, t)
   end
   local off = near.gap - track.gap
   m.x, m.y = m.x - near.nx * off, m.y - near.ny * off
-  local way_x, way_y = m.x - x, m.y - y
+  local way_x, way_y = way_along(track, before, t, near)
   local sign = m.vx * onward_x + m.vy * onward_y < 0 and -1 or 1
   local driven = track.drive * (way_x * onward_x + way_y * onward_y < 0 and -1 or 1) *
       sqrt(way_x * way_x + way_y * way_y)
-  local square = vx * vx + vy * vy + 2 * (track.rolls * (track.pull_x * way_x + track.pull_y * way_y) + driven)
+  local kept = before.vx * before.vx + before.vy * before.vy
+  local square = kept + 2 * (track.rolls * (track.pull_x * way_x + track.pull_y * way_y) + driven)
   local speed = sign * sqrt(max(square, 0.0))
   m.vx, m.vy = onward_x * speed, onward_y * speed
   if square < 0 then go_down(track, m, onward_x, onward_y, -square) end
@@ -281,6 +331,7 @@ function M.begin_track(world, met)
   elseif not follow_ground(world, track, m, nx, ny) then
     return
   end
+  track.centre_x, track.centre_y = centre_for(track, M.form_at(m, M.time))
   track.is_alone = is_alone(met, m)
   local onward_x, onward_y = -ny, nx
   local straight = m.pull_x * onward_x + m.pull_y * onward_y

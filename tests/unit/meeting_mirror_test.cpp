@@ -45,4 +45,11 @@ TEST(MeetingMirror, ADiscRollsOverAnEndOntoAFlat) {
   expect_mirrored(level);
 }
 
+// A speed near 0 was what rounding left between two places.
+TEST(MeetingMirror, ADiscTurnsBackOnACorner) {
+  Level level = room(0.2, 0, 2);
+  add_body(level, BodyKind::disc, {165, 105}, {-3, 0}, {6, 6});
+  expect_mirrored(level);
+}
+
 }  // namespace talus::meeting_mirror_test

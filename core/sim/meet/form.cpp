@@ -18,6 +18,11 @@ Nearness out_of_middle(Vec2 point, Vec2 half, bool is_first) {
 
 }  // namespace
 
+Vec2 nearest_point(const Form& form, Vec2 to) {
+  const Vec2 half = half_of(form), way = to - form.middle();
+  return form.middle() + Vec2{std::clamp(way.x, -half.x, half.x), std::clamp(way.y, -half.y, half.y)};
+}
+
 // The first one shrinks to a point, and the other one grows by it: to a box with round corners.
 Nearness nearness(const Form& a, const Form& b, bool is_first) {
   const Vec2 half = half_of(a) + half_of(b), way = a.middle() - b.middle();

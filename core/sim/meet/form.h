@@ -21,6 +21,9 @@ struct Nearness {
   bool on_end = false;  // the nearest point is a corner, or the end of a piece of ground
 };
 
+// px: the point of a form's box, or the middle of its circle, that is nearest to another point.
+Vec2 nearest_point(const Form& form, Vec2 to);
+
 // How near two forms are, of which one is round at least. is_first: tells two in the same place apart.
 Nearness nearness(const Form& a, const Form& b, bool is_first);
 

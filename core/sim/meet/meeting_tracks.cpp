@@ -163,6 +163,7 @@ void Meeting::begin_track(const Met& met) {
   track = {};
   track.on_end = near.on_end;
   track.is_on = other == Touch::kGround ? follow_ground(member, normal) : follow_body(track, near, other);
+  if (track.is_on) track.begin(member.moving.form_at(time_));
   track.is_alone = std::none_of(met_.begin(), met_.end(), [&](const Met& m) {
     return &m != &met && (m.touch.a == place || m.touch.b == place) && m.touch.pressure > 0;
   });

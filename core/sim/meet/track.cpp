@@ -8,11 +8,17 @@ namespace {
 
 // px: only what is further past an end has left it. Putting a circle on its track may move it by rounding.
 constexpr double kPast = 1e-9;
+constexpr double kShort = 1e-5;  // px: over so little, a curve is a part of a circle
+
+bool is_first_nearer(const GroundSide& side, Vec2 middle) {
+  const Vec2 from = middle - side.from, to = middle - side.to;
+  return dot(from, from) < dot(to, to);
+}
 
 // px: how far a middle is past the nearer end of a side, or before it, along the side there.
 double past_end(const GroundSide& side, Vec2 middle) {
   const Vec2 from = middle - side.from, to = middle - side.to;
-  const bool is_first = dot(from, from) < dot(to, to);
+  const bool is_first = is_first_nearer(side, middle);
   const Vec2 onward =
       side.stretch == nullptr ? side.along : side.stretch->tangent_at(is_first ? side.from.x : side.to.x);
   return std::abs(dot(is_first ? from : to, onward));
@@ -34,10 +40,38 @@ bool Track::goes_on(const Form& circle) const {
                      });
 }
 
+std::optional<Vec2> Track::centre_for(const Form& circle) const {
+  const Vec2 middle = circle.middle();
+  if (!is_ground) return near(circle).bend == 0 ? std::nullopt : std::optional(nearest_point(form, middle));
+  const GroundSide& side = sides.front();
+  if (on_end) return is_first_nearer(side, middle) ? side.from : side.to;
+  const bool is_arc = side.stretch != nullptr && side.stretch->kind == CurveStretch<double>::Kind::arc;
+  return is_arc ? std::optional(Vec2{side.stretch->c[0], side.stretch->c[1]}) : std::nullopt;
+}
+
+// px: the way of a circle until a time, and on to the track. Of places, or of gaps, the rounding would be all
+// that is left of a speed that is about to turn back.
+Vec2 Track::way_along(const MovingBox& circle, double time, const Nearness& there) const {
+  const Vec2 way = circle.path.way_to(time);
+  const Form begin = circle.form_at(circle.path.time);
+  Vec2 from;
+  if (centre) {
+    from = begin.middle() - *centre;
+  } else {
+    if (!(dot(way, way) <= kShort * kShort)) return way - there.normal * (there.gap - gap);
+    const Nearness here = near(begin);
+    if (here.bend == 0) return way - here.normal * dot(way, here.normal);
+    from = here.normal * (1 / here.bend);
+  }
+  const Vec2 to = from + way;
+  const double before = std::sqrt(dot(from, from)), after = std::sqrt(dot(to, to));
+  return way - to * ((2 * dot(from, way) + dot(way, way)) / ((before + after) * after));
+}
+
 // The square of the speed follows from the way along gravity, as energy is kept.
 Vec2 Track::take(MovingBox& circle, double time) const {
-  const FallPath before = circle.path;
-  circle.path = before.from(time);
+  const MovingBox before = circle;
+  circle.path = before.path.from(time);
   const Nearness here = near(circle.form_at(time));
   const Vec2 onward = along(here.normal);
   // At the end of an end or a corner rounding may call the place the flat beyond: the speed is due there,
@@ -47,10 +81,11 @@ Vec2 Track::take(MovingBox& circle, double time) const {
     return onward;
   }
   circle.path.place = circle.path.place - here.normal * (here.gap - gap);
-  const Vec2 way = circle.path.place - before.place;
+  const Vec2 way = way_along(before, time, here);
   const double straight = dot(circle.path.velocity, onward), sign = straight < 0 ? -1 : 1;
   const double driven = drive * (dot(way, onward) < 0 ? -1 : 1) * std::sqrt(dot(way, way));
-  const double square = dot(before.velocity, before.velocity) + 2 * (rolls * dot(pull, way) + driven);
+  const double square =
+      dot(before.path.velocity, before.path.velocity) + 2 * (rolls * dot(pull, way) + driven);
   circle.path.velocity = onward * (sign * std::sqrt(std::max(square, 0.0)));
   if (square < 0) go_down(circle, onward, -square);
   return onward;

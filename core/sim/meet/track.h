@@ -2,6 +2,7 @@
 // falls behind on it.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "round_ground.h"
@@ -19,6 +20,7 @@ struct Track {
   std::uint32_t version = 0;      // of its path
   Form form;                      // of the body
   double gap = 0;                 // px, which it keeps
+  std::optional<Vec2> centre;     // px, of an end, a corner, a circle or an arc that it goes round
   bool on_end = false;            // it goes round a corner, or the end of a side
   bool is_alone = false;          // nothing else touches the circle
   double conveyor = 0;            // px/frame, as Touch::conveyor
@@ -26,6 +28,8 @@ struct Track {
   Vec2 pull;                      // px/frame^2, without the track
   double drive = 0;               // px/frame^2, along the track, beside that share: friction, and others
 
+  // Called when it is known what a circle follows.
+  void begin(const Form& circle) { centre = centre_for(circle); }
   // Takes a circle on it to a time, and returns the direction of the track there.
   Vec2 take(MovingBox& circle, double time) const;
   // The time before `most` at which a circle comes to another part of it, or leaves it; `most` if it does
@@ -34,6 +38,8 @@ struct Track {
 
  private:
   Nearness near(const Form& circle) const;
+  std::optional<Vec2> centre_for(const Form& circle) const;
+  Vec2 way_along(const MovingBox& circle, double time, const Nearness& there) const;
   // Whether a circle touches the same part of it still: not one behind an end.
   bool goes_on(const Form& circle) const;
   void go_down(MovingBox& circle, Vec2 onward, double missing) const;
