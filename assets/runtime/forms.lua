@@ -107,6 +107,19 @@ local function first_touch_by_samples(search, from, near_at)
   end
 end
 
+-- A touch found to the slack, to rounding: what is left of the gap is gone soon, or was gone just before.
+local function touch_to_rounding(search, t, near, near_at)
+  for _ = 1, 3 do
+    local vx, vy = search.vx + search.px * t, search.vy + search.py * t
+    local left = near.gap / -(vx * near.nx + vy * near.ny)
+    if not (abs(left) <= 1e-6) then break end
+    t = max(0.0, t + left)
+    near = near_at(t)
+    if abs(left) <= 1e-12 then break end
+  end
+  return t, near
+end
+
 -- The first time at which two touch and come nearer, and how near they are then. The plane through the nearest point
 -- parts them until it is reached; the next plane is nearer to what is met.
 function M.first_touch(search, near_at)
@@ -127,9 +140,7 @@ function M.first_touch(search, near_at)
     else
       local stays = speed >= -still and -opens > least_gain(near)
       if not (speed > still) and not stays then return first_touch_by_samples(search, t, near_at) end
-      -- What is left of the gap is gone soon, or was gone just before.
-      local left = t > 0 and speed > still and near.gap / speed or 0.0
-      if abs(left) <= 1e-6 then t = max(0.0, t + left) end
+      if t > 0 and speed > still then t, near = touch_to_rounding(search, t, near, near_at) end
       if t < most then return t, near end
       return nil
     end

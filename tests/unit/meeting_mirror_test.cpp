@@ -52,4 +52,12 @@ TEST(MeetingMirror, ADiscTurnsBackOnACorner) {
   expect_mirrored(level);
 }
 
+// The time of a touch was right to 1e-6 frames of the slack alone, and its normal was that of before.
+TEST(MeetingMirror, TwoDiscsInAColumnHitTheFloor) {
+  Level level = room(0.05, 0.2, 3);
+  add_body(level, BodyKind::disc, {95, 74}, {0, 0}, {10, 10});
+  add_body(level, BodyKind::disc, {95, 57}, {0, 0}, {9, 9});
+  expect_mirrored(level);
+}
+
 }  // namespace talus::meeting_mirror_test

@@ -64,6 +64,21 @@ std::optional<RoundTouch> first_touch_by_samples(const RoundSearch& search, doub
   return std::nullopt;
 }
 
+// A touch found to the slack, to rounding: what is left of the gap is gone soon, or was gone just before.
+template <class NearAt>
+RoundTouch touch_to_rounding(const FallPath& way, RoundTouch touch, NearAt near_at) {
+  constexpr double kSoon = 1e-6, kSame = 1e-12;  // frames
+  constexpr int kMostTries = 3;
+  for (int i = 0; i < kMostTries; ++i) {
+    const double left = touch.near.gap / -dot(way.velocity_at(touch.time), touch.near.normal);
+    if (!(std::abs(left) <= kSoon)) break;
+    touch.time = std::max(0.0, touch.time + left);
+    touch.near = near_at(touch.time);
+    if (std::abs(left) <= kSame) break;
+  }
+  return touch;
+}
+
 // The first time at which they touch and come nearer. near_at(time): a Nearness. The plane through the
 // nearest point parts the two until it is reached, so nothing is met before; the next plane is nearer to what
 // is met.
@@ -89,11 +104,9 @@ std::optional<RoundTouch> first_touch(const RoundSearch& search, NearAt near_at)
     }
     const bool stays = speed >= -still && closing_gain(near, velocity, way.pull) > least_gain(near);
     if (!(speed > still) && !stays) return first_touch_by_samples(search, time, near_at);
-    // What is left of the gap is gone soon, or was gone just before.
-    constexpr double kSoon = 1e-6;  // frames
-    const double left = time > 0 && speed > still ? near.gap / speed : 0;
-    if (std::abs(left) <= kSoon) time = std::max(0.0, time + left);
-    return time < most ? std::optional(RoundTouch{time, near}) : std::nullopt;
+    const RoundTouch touch =
+        time > 0 && speed > still ? touch_to_rounding(way, {time, near}, near_at) : RoundTouch{time, near};
+    return touch.time < most ? std::optional(touch) : std::nullopt;
   }
   return std::nullopt;
 }
