@@ -486,6 +486,13 @@ function M.touched(world, m, way_x, way_y)
   end
 end
 
+-- Whether a way along what a body touches is so short that rounding alone would lead it into that: such bodies would
+-- meet it again and again.
+local function is_rounding(m, way_x, way_y, nx, ny)
+  if -(m.vx * nx + m.vy * ny) > STILL_ON_GROUND or -(m.px * nx + m.py * ny) > STILL_ON_GROUND then return false end
+  return max(abs(way_x), abs(way_y)) <= M.slack(m.x, m.y, m.w, m.h, m.x, m.y, m.w, m.h)
+end
+
 -- The first time on its path, before `to`, at which a body meets the ground: the time, the place, the normal and the
 -- contact; nil: it does not. A chord may meet another piece first than the path does: each is cut where the last one
 -- led to.
@@ -495,7 +502,7 @@ function M.next_ground(world, m, to)
     local way_x, way_y = way_to(m, to)
     if way_x == 0 and way_y == 0 then break end
     local contact = cast_box(world.terrain, m.x, m.y, m.w, m.h, way_x, way_y, false)
-    if not contact then break end
+    if not contact or is_rounding(m, way_x, way_y, contact.nx, contact.ny) then break end
     local t, nx, ny = M.arrival(m, contact, to - m.time)
     t = m.time + t
     if not (t < to) then break end  -- what it comes to at the end of a part belongs to the next one

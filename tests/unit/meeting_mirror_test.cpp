@@ -60,4 +60,12 @@ TEST(MeetingMirror, TwoDiscsInAColumnHitTheFloor) {
   expect_mirrored(level);
 }
 
+// It met the slope again and again in what was left of the part, 1e-14 px, and stopped there.
+TEST(MeetingMirror, ACrateMeetsASlopeAtTheEndOfAPart) {
+  Level level = room(0.05, 0.5, 2);
+  add_line(level, {121, 104}, {163, 132});
+  add_body(level, BodyKind::crate, {160, 80}, {0, 0}, {7, 10});
+  expect_mirrored(level);
+}
+
 }  // namespace talus::meeting_mirror_test

@@ -26,6 +26,15 @@ Arrival<double> arrival(const Terrain& ground, const MovingBox& box, const Conta
                     [&](double time) { return path.place_at(path.time + time).x; });
 }
 
+// Whether a way along what a box touches is so short that rounding alone would lead it into that: such boxes
+// would meet it again and again.
+bool is_rounding(const MovingBox& box, Vec2 way, Vec2 normal) {
+  const FallPath& path = box.path;
+  if (-dot(path.velocity, normal) > kStillOnGround || -dot(path.pull, normal) > kStillOnGround) return false;
+  const Rect from = box.at(path.time);
+  return longest(way) <= touch_slack(from, from);
+}
+
 // Puts a box exactly on what it has met.
 void put_on(const Terrain& ground, const Contact<double>& contact, Rect& box) {
   if (contact.normal.x == 0 || contact.on_end) {
@@ -93,7 +102,7 @@ std::optional<GroundMeeting> GroundProbe::next_meeting(const MovingBox& box, dou
     const Vec2 way = box.path.way_to(to);
     if (way == Vec2()) break;
     const Contact<double> contact = cast_box<double>(ground_, {from, way, Foot::box}, {}, nullptr, &budget);
-    if (!contact) break;
+    if (!contact || is_rounding(box, way, contact.normal)) break;
     const Arrival<double> then = arrival(ground_, box, contact, to - box.path.time);
     const double time = box.path.time + then.time;
     if (!(time < to)) break;  // what it comes to at the end of a part belongs to the next one
