@@ -387,9 +387,9 @@ local function time_to_close(gap, speed, gain)
 end
 
 local function reach_of(x_, y_, w, h) return abs(x_) + abs(y_) + w + h end
--- px; boxes that are so near to each other touch.
+-- px; boxes that are so near to each other touch. In levels up to 8192 px, a mirrored place has the same.
 function M.slack(ax, ay, aw, ah, bx_, by_, bw_, bh_)
-  return 1e-9 + max(reach_of(ax, ay, aw, ah), reach_of(bx_, by_, bw_, bh_)) * (64 * 2.0 ^ -52)
+  return 1e-9 + max(max(reach_of(ax, ay, aw, ah), reach_of(bx_, by_, bw_, bh_)), 8192.0) * (64 * 2.0 ^ -52)
 end
 
 -- The normal of two boxes that touch, or overlap; nil: they are apart, or only their corners touch.

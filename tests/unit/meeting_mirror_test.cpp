@@ -68,4 +68,13 @@ TEST(MeetingMirror, ACrateMeetsASlopeAtTheEndOfAPart) {
   expect_mirrored(level);
 }
 
+// The slack grew with x, and with it the time of a touch.
+TEST(MeetingMirror, TwoDiscsOnALineHaveTheSameSlack) {
+  Level level = room(0.2, 0.2, 2);
+  add_line(level, {141, 120}, {198, 125});
+  add_body(level, BodyKind::disc, {146, 73}, {0, 0}, {9, 9});
+  add_body(level, BodyKind::disc, {148, 27}, {0, 0}, {10, 10});
+  expect_mirrored(level);
+}
+
 }  // namespace talus::meeting_mirror_test

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kNear = 1e-9;               // px
 constexpr double kRoundings = 64 * 0x1p-52;  // share of a coordinate
+constexpr double kUsual = 8192;              // px: in levels up to this, a mirrored place has the same slack
 
 // One axis of the way of one box as another sees it.
 struct Axis {
@@ -41,7 +42,7 @@ double time_from(const Axis& axis, double side, double slack, double still) {
 
 double touch_slack(const Rect& a, const Rect& b) {
   const auto reach = [](const Rect& box) { return std::abs(box.x) + std::abs(box.y) + box.w + box.h; };
-  return kNear + std::max(reach(a), reach(b)) * kRoundings;
+  return kNear + std::max({reach(a), reach(b), kUsual}) * kRoundings;
 }
 
 Rect touch_area(const Rect& box) {
