@@ -517,9 +517,13 @@ end
 
 -- The time until a path meets the surface of a contact, and the normal there.
 function M.arrival(m, contact, most)
+  local slack = M.slack(m.x, m.y, m.w, m.h, m.x, m.y, m.w, m.h)
   local function time_to(at_x, at_y, nx, ny)
     local gap = max(0.0, (m.x - at_x) * nx + (m.y - at_y) * ny)
-    local t = time_to_close(gap, -(m.vx * nx + m.vy * ny), -(m.px * nx + m.py * ny))
+    local speed, gain = -(m.vx * nx + m.vy * ny), -(m.px * nx + m.py * ny)
+    -- A body at rest above rounding would fall for much longer than rounding.
+    if gap <= slack and abs(speed) <= STILL_ON_GROUND and gain > STILL_ON_GROUND then return 0.0 end
+    local t = time_to_close(gap, speed, gain)
     if t < most then return t end
     return most * contact.t
   end

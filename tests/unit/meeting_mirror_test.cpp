@@ -77,4 +77,13 @@ TEST(MeetingMirror, TwoDiscsOnALineHaveTheSameSlack) {
   expect_mirrored(level);
 }
 
+// A gap of 1e-14 px takes 1e-7 frames to fall through, which friction turned into a speed.
+TEST(MeetingMirror, TwoCratesSlideDownASlope) {
+  Level level = room(0.2, 0.2, 2);
+  add_line(level, {191, 113}, {232, 158});
+  add_body(level, BodyKind::crate, {215, 99}, {0, 0}, {9, 8});
+  add_body(level, BodyKind::crate, {203, 105}, {1, 0}, {8, 5});
+  expect_mirrored(level);
+}
+
 }  // namespace talus::meeting_mirror_test

@@ -16,9 +16,14 @@ double longest(Vec2 v) { return std::max(std::abs(v.x), std::abs(v.y)); }
 Arrival<double> arrival(const Terrain& ground, const MovingBox& box, const Contact<double>& contact,
                         double most) {
   const FallPath& path = box.path;
+  const Rect from = box.at(path.time);
+  const double slack = touch_slack(from, from);
   const auto time_to = [&](Vec2 point, Vec2 normal) {
     const double gap = std::max(0.0, dot(path.place - point, normal));
-    const double time = time_to_close(gap, -dot(path.velocity, normal), -dot(path.pull, normal));
+    const double speed = -dot(path.velocity, normal), gain = -dot(path.pull, normal);
+    // A box at rest above rounding would fall for much longer than rounding.
+    if (gap <= slack && std::abs(speed) <= kStillOnGround && gain > kStillOnGround) return 0.0;
+    const double time = time_to_close(gap, speed, gain);
     return time < most ? time : most * contact.t;
   };
   const Rect there{contact.position.x, contact.position.y, box.size.x, box.size.y};
