@@ -493,6 +493,12 @@ local function is_rounding(m, way_x, way_y, nx, ny)
   return max(abs(way_x), abs(way_y)) <= M.slack(m.x, m.y, m.w, m.h, m.x, m.y, m.w, m.h)
 end
 
+local function is_same_line(contact, other)
+  local p, q = contact.edge, other.edge
+  if not p or not q or contact.on_end or other.on_end or p.form.normal_at then return false end
+  return p.x0 == q.x0 and p.y0 == q.y0 and p.x1 == q.x1 and p.y1 == q.y1
+end
+
 -- The first time on its path, before `to`, at which a body meets the ground: the time, the place, the normal and the
 -- contact; nil: it does not. A chord may meet another piece first than the path does: each is cut where the last one
 -- led to.
@@ -503,6 +509,8 @@ function M.next_ground(world, m, to)
     if way_x == 0 and way_y == 0 then break end
     local contact = cast_box(world.terrain, m.x, m.y, m.w, m.h, way_x, way_y, false)
     if not contact or is_rounding(m, way_x, way_y, contact.nx, contact.ny) then break end
+    -- A path that ends on a line meets it there, wherever rounding lets the chord meet it.
+    if last and is_same_line(contact, last) then break end
     local t, nx, ny = M.arrival(m, contact, to - m.time)
     t = m.time + t
     if not (t < to) then break end  -- what it comes to at the end of a part belongs to the next one

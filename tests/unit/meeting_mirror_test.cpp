@@ -86,4 +86,14 @@ TEST(MeetingMirror, TwoCratesSlideDownASlope) {
   expect_mirrored(level);
 }
 
+// The chord to the place where it meets the line met that line before, by rounding.
+TEST(MeetingMirror, ACrateHopsInAHollow) {
+  Level level = room(0.1, 0, 1);
+  add_line(level, {63, 120}, {113, 160});
+  add_line(level, {113, 160}, {159, 119});
+  add_body(level, BodyKind::crate, {125, 82}, {-1, 0}, {8, 5});
+  add_body(level, BodyKind::disc, {123, 66}, {-1, 0}, {5, 5});
+  expect_mirrored(level);
+}
+
 }  // namespace talus::meeting_mirror_test

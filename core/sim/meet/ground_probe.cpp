@@ -40,6 +40,12 @@ bool is_rounding(const MovingBox& box, Vec2 way, Vec2 normal) {
   return longest(way) <= touch_slack(from, from);
 }
 
+bool is_same_line(const Contact<double>& a, const Contact<double>& b) {
+  const Piece<double>*const p = a.piece, *const q = b.piece;
+  if (p == nullptr || q == nullptr || a.on_end || b.on_end || p->stretch != 0) return false;
+  return p->x0 == q->x0 && p->y0 == q->y0 && p->x1 == q->x1 && p->y1 == q->y1;
+}
+
 // Puts a box exactly on what it has met.
 void put_on(const Terrain& ground, const Contact<double>& contact, Rect& box) {
   if (contact.normal.x == 0 || contact.on_end) {
@@ -108,6 +114,8 @@ std::optional<GroundMeeting> GroundProbe::next_meeting(const MovingBox& box, dou
     if (way == Vec2()) break;
     const Contact<double> contact = cast_box<double>(ground_, {from, way, Foot::box}, {}, nullptr, &budget);
     if (!contact || is_rounding(box, way, contact.normal)) break;
+    // A path that ends on a line meets it there, wherever rounding lets the chord meet it.
+    if (found && is_same_line(contact, found->contact)) break;
     const Arrival<double> then = arrival(ground_, box, contact, to - box.path.time);
     const double time = box.path.time + then.time;
     if (!(time < to)) break;  // what it comes to at the end of a part belongs to the next one
