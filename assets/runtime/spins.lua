@@ -265,7 +265,7 @@ end
 function M.settle(chosen)
   local rows, moves = {}, false
   local function add(row, speed)
-    if abs(speed) > (row.touch.slow or 0.0) then return end
+    if abs(speed) > max(row.touch.still, row.touch.slow or 0.0) then return end
     rows[#rows + 1] = row
     moves = moves or speed ~= 0
   end

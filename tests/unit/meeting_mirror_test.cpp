@@ -96,4 +96,13 @@ TEST(MeetingMirror, ACrateHopsInAHollow) {
   expect_mirrored(level);
 }
 
+// A contact at rest but for rounding was left out, so a crate was pushed into its slope.
+TEST(MeetingMirror, ADiscAndACrateSlideDownTogether) {
+  Level level = room(0.3, 0.5, 3);
+  add_line(level, {81, 136}, {132, 144});
+  add_body(level, BodyKind::disc, {86, 95}, {0, 0}, {9, 9});
+  add_body(level, BodyKind::crate, {97, 49}, {0, 0}, {4, 7});
+  expect_mirrored(level);
+}
+
 }  // namespace talus::meeting_mirror_test

@@ -333,7 +333,7 @@ void ContactSet::settle(std::span<Inertia> bodies, std::span<const Touch> touche
   rows_.clear();
   bool moves = false;
   const auto add = [&](std::size_t touch, Vec2 direction, bool rubs, double speed) {
-    if (std::abs(speed) > touches[touch].slow) return;
+    if (std::abs(speed) > std::max(touches[touch].still(), touches[touch].slow)) return;
     rows_.push_back({touch, direction, rubs});
     moves = moves || speed != 0;
   };
