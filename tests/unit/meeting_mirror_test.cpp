@@ -47,16 +47,19 @@ TEST(MeetingMirror, ADiscRollsOverAnEndOntoAFlat) {
 
 // A speed near 0 was what rounding left between two places.
 TEST(MeetingMirror, ADiscTurnsBackOnACorner) {
-  Level level = room(0.2, 0, 2);
-  add_body(level, BodyKind::disc, {165, 105}, {-3, 0}, {6, 6});
+  Level level = room(0.05, 0, 2);
+  add_line(level, {97, 106}, {139, 119});
+  add_line(level, {139, 119}, {171, 106});
+  add_body(level, BodyKind::disc, {166, 34}, {0, 0}, {7, 7});
   expect_mirrored(level);
 }
 
 // The time of a touch was right to 1e-6 frames of the slack alone, and its normal was that of before.
-TEST(MeetingMirror, TwoDiscsInAColumnHitTheFloor) {
-  Level level = room(0.05, 0.2, 3);
-  add_body(level, BodyKind::disc, {95, 74}, {0, 0}, {10, 10});
-  add_body(level, BodyKind::disc, {95, 57}, {0, 0}, {9, 9});
+TEST(MeetingMirror, TwoDiscsMeetOnASlope) {
+  Level level = room(0.05, 0, 1);
+  add_line(level, {20, 167}, {73, 116});
+  add_body(level, BodyKind::disc, {27, 26}, {0, 0}, {11, 11});
+  add_body(level, BodyKind::disc, {73, 37}, {-3, 0}, {7, 7});
   expect_mirrored(level);
 }
 
@@ -69,11 +72,12 @@ TEST(MeetingMirror, ACrateMeetsASlopeAtTheEndOfAPart) {
 }
 
 // The slack grew with x, and with it the time of a touch.
-TEST(MeetingMirror, TwoDiscsOnALineHaveTheSameSlack) {
-  Level level = room(0.2, 0.2, 2);
-  add_line(level, {141, 120}, {198, 125});
-  add_body(level, BodyKind::disc, {146, 73}, {0, 0}, {9, 9});
-  add_body(level, BodyKind::disc, {148, 27}, {0, 0}, {10, 10});
+TEST(MeetingMirror, TwoDiscsInAHollowHaveTheSameSlack) {
+  Level level = room(0.3, 0, 1);
+  add_line(level, {60, 109}, {112, 115});
+  add_line(level, {112, 115}, {161, 112});
+  add_body(level, BodyKind::disc, {126, 69}, {0, 0}, {8, 8});
+  add_body(level, BodyKind::disc, {133, 52}, {0, 0}, {8, 8});
   expect_mirrored(level);
 }
 
