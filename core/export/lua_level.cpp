@@ -217,6 +217,12 @@ void write_kind(LuaTable&& table, BodyKind kind, TileSize tile, bool meets) {
   if (traits.bounce) table.number("bounce", *traits.bounce);
 }
 
+// Whether nothing tells it from a kind with a role or keys, where bodies do not meet. Carts are short of
+// space.
+bool moves_like_another(const BodyTraits& traits) {
+  return traits.role == TileRole::none && !traits.takes_keys;
+}
+
 void write_tiles(LuaTable&& rows, std::span<const TileNumber> cells, int columns, const Progress& progress) {
   const auto width = static_cast<std::size_t>(columns);
   for (std::size_t from = 0; from < cells.size() && progress.at(from, cells.size()); from += width)
@@ -418,11 +424,14 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
     for (const Spawn& spawn : level.spawns) write_spawn(spawns.in_a_row(""), spawn, ground.tile, level);
   }
   {
+    const bool meets = level.tuning.shared.pairs() == BodyPairs::meet;
     LuaTable kinds = table.in_lines("kinds");
     for (std::size_t i = 0; i < body_kinds().size(); ++i) {
       const auto kind = static_cast<BodyKind>(i);
-      write_kind(kinds.in_a_row("[" + lua_string(traits_of(kind).word) + "]"), kind, ground.tile,
-                 level.tuning.shared.pairs() == BodyPairs::meet);
+      const bool is_used = std::any_of(level.spawns.begin(), level.spawns.end(),
+                                       [&](const Spawn& spawn) { return spawn.kind == kind; });
+      if (!is_used && !meets && !kinds.writes_defaults() && moves_like_another(traits_of(kind))) continue;
+      write_kind(kinds.in_a_row("[" + lua_string(traits_of(kind).word) + "]"), kind, ground.tile, meets);
     }
   }
   {

@@ -37,6 +37,12 @@ std::span<const BodyTraits> body_kinds() {
        .ldtk_identifier = "Disc",
        .ldtk_color = "#41A6F6",
        .svg_color = "#41a6f6"},
+      {.word = "marble",
+       .help = "A marble falls and bounces like a ball. With bodies that meet it is round.",
+       .shape = BodyShape::circle,
+       .ldtk_identifier = "Marble",
+       .ldtk_color = "#73EFF7",
+       .svg_color = "#73eff7"},
   };
   return kKinds;
 }

@@ -75,6 +75,26 @@ inline double cosine_where_it_leaves(double start, double gravity, double around
   return 2.0 / 3 + start * start / (3 * gravity * around);
 }
 
+// Swings to and fro around the lowest place of its round way, by the method of Runge and Kutta. angle:
+// radians, from there; gain: what pulls it along its way where that is upright, by the way's radius,
+// 1/frame^2.
+struct Pendulum {
+  double angle = 0, gain = 0, speed = 0;
+  void frame() {
+    constexpr int kParts = 64;
+    constexpr double kStep = 1.0 / kParts;
+    for (int i = 0; i < kParts; ++i) {
+      const auto pull = [&](double at) { return -gain * std::sin(at); };
+      const double v1 = speed, a1 = pull(angle), v2 = speed + kStep / 2 * a1,
+                   a2 = pull(angle + kStep / 2 * v1);
+      const double v3 = speed + kStep / 2 * a2, a3 = pull(angle + kStep / 2 * v2);
+      const double v4 = speed + kStep * a3, a4 = pull(angle + kStep * v3);
+      angle += kStep / 6 * (v1 + 2 * v2 + 2 * v3 + v4);
+      speed += kStep / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+    }
+  }
+};
+
 // A body that falls from rest, and bounces.
 struct Fall {
   double height = 0, gravity = 0, bounce = 0;  // of the start above the floor

@@ -188,11 +188,12 @@ TEST(ExportLdtk, SpawnsAreEntities) {
   level.map.set({2, 1}, 0);  // removes the ball tile
   const LdtkJson json = project(level);
   const LdtkJson& definitions = json["defs"]["entities"];
-  ASSERT_EQ(definitions.size(), 4U);
+  ASSERT_EQ(definitions.size(), 5U);
   EXPECT_EQ(definitions[0]["identifier"], "Ball");
   EXPECT_EQ(definitions[1]["identifier"], "Player");
   EXPECT_EQ(definitions[2]["identifier"], "Crate");
   EXPECT_EQ(definitions[3]["identifier"], "Disc");
+  EXPECT_EQ(definitions[4]["identifier"], "Marble");
   ASSERT_EQ(definitions[1]["fieldDefs"].size(), 9U);
   EXPECT_EQ(definitions[1]["fieldDefs"][7]["identifier"], "foot");
   EXPECT_EQ(definitions[1]["fieldDefs"][7]["type"], "F_String");

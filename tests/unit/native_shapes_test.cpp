@@ -226,7 +226,7 @@ TEST(NativeShapes, TheMapMayFollowItsCurvesInTheFile) {
 
 TEST(NativeShapes, SpawnAndTuningErrorsSayWhere) {
   expect_error(R"("spawns": [{"kind": "coin"}])", "key spawns[0].kind",
-               R"(must be "ball", "player", "crate" or "disc")");
+               R"(must be "ball", "player", "crate", "disc" or "marble")");
   expect_error(R"("spawns": [{"foot": null}])", "key spawns[0].foot", R"(must be "box" or "centre")");
   expect_error(R"("spawns": [{"size": [8, 0]}])", "key spawns[0].size",
                "must be [width, height], each from 0.00390625 to 1024 px");

@@ -12,7 +12,7 @@
 namespace talus {
 
 // The order is that of body_kinds().
-enum class BodyKind : std::uint8_t { ball, player, crate, disc };
+enum class BodyKind : std::uint8_t { ball, player, crate, disc, marble };
 
 // What moves a body in a step of the exact solver. The other solvers move all kinds alike.
 enum class BodyRule : std::uint8_t {
