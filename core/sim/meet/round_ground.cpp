@@ -41,6 +41,12 @@ const std::vector<SideTouch>& RoundGround::touched(const Form& form, CastBudget&
 }
 
 const std::vector<SideTouch>& RoundGround::touched(const Form& form, const Rect& area, CastBudget& budget) {
+  // One contact asks several times for the same. It costs what it did.
+  if (asked_.box == form.box && asked_.radius == form.radius && asked_area_ == area) {
+    budget.left -= asked_cost_;
+    return touched_;
+  }
+  const std::int64_t before = budget.left;
   touched_.clear();
   find_sides(ground_, area, budget, sides_);
   const Vec2 middle = form.middle();
@@ -51,6 +57,9 @@ const std::vector<SideTouch>& RoundGround::touched(const Form& form, const Rect&
     if (here.near.on_end && hides(i, middle, form.radius) != nullptr) continue;
     touched_.push_back({sides_[i], here.near});
   }
+  asked_ = budget.left > 0 ? form : Form();
+  asked_area_ = area;
+  asked_cost_ = before - budget.left;
   return touched_;
 }
 

@@ -45,6 +45,9 @@ class RoundGround {
   const Terrain& ground_;
   std::vector<GroundSide> sides_;
   std::vector<SideTouch> touched_;
+  Form asked_;  // what touched() was asked for the last time
+  Rect asked_area_;
+  std::int64_t asked_cost_ = 0;
 };
 
 // px: holds all that a body touches on its way between two places.
