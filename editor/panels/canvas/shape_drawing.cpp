@@ -63,6 +63,16 @@ void draw_polygon(ImDrawList& list, const TileShape& shape, ImVec2 corner, ImVec
   list.AddPolyline(points.data(), count, bright, ImDrawFlags_Closed, width);
 }
 
+// The way that the surface of a conveyor goes above its floor.
+void draw_way(ImDrawList& list, bool to_the_right, ImVec2 corner, ImVec2 cell, ImU32 bright, float width) {
+  const float way = to_the_right ? cell.x : -cell.x, head = cell.x / 6;
+  const ImVec2 middle{corner.x + cell.x / 2, corner.y + cell.y / 2}, tip{middle.x + way * 0.3f, middle.y};
+  const float back = to_the_right ? tip.x - head : tip.x + head;
+  list.AddLine({middle.x - way * 0.3f, middle.y}, tip, bright, width);
+  list.AddLine({back, tip.y - head}, tip, bright, width);
+  list.AddLine({back, tip.y + head}, tip, bright, width);
+}
+
 }  // namespace
 
 void fill_to_base(ImDrawList& list, const std::vector<ImVec2>& line, float base, ImU32 color) {
@@ -79,6 +89,7 @@ void draw_tile_shape(ImDrawList& list, const TileShape& shape, TileSize tile, Im
   const ImU32 bright = theme::color(color), tint = theme::color(color, kTint);
   const bool is_outlined = std::min(cell.x, cell.y) >= kOutlinedCell;
   const float width = is_outlined ? ui.px(2) : ui.px(1);
+  if (shape.conveyor != 0) draw_way(list, shape.conveyor > 0, corner, cell, bright, width);
   const bool hangs = shape.side == TileShape::Side::ceiling;
   const float foot = corner.y + cell.y, right = corner.x + cell.x;
   const float base = hangs ? corner.y : foot;

@@ -14,7 +14,7 @@ namespace talus {
 void fill_to_base(ImDrawList& list, const std::vector<ImVec2>& line, float base, ImU32 color);
 // One shape whose own tile has its top-left corner at `corner`. tile: px, the tile's size in the level. cell:
 // px of the screen, the size that it is drawn with. A shape that stops bodies only from one side is a line;
-// other ground is tinted, too. color: 0xRRGGBB, of the overlay.
+// other ground is tinted, too; a conveyor has an arrow. color: 0xRRGGBB, of the overlay.
 void draw_tile_shape(ImDrawList& list, const TileShape& shape, TileSize tile, ImVec2 corner, ImVec2 cell,
                      std::uint32_t color, const Ui& ui);
 // The shapes of all visible cells, of all layers that are ground; nothing if tiles are too small to show a
