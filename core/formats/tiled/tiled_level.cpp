@@ -67,6 +67,7 @@ class TiledLevelMaker {
                              std::optional<bool> one_way, bool is_ceiling);
   std::optional<TileShape> nearest_shape_of(const std::string& tile, const std::vector<Vec2>& outline,
                                             bool one_way);
+  void tell_wrong_conveyor(const TiledProperties& properties, std::string_view name);
   void take_conveyor(const TiledTile& tile, TileTurn turn, const TileShape& of_flags, TileShape& own);
   void tell_stale_words(const TiledTile& tile, const TileShape& shape);
   // number: of the layer among those that are not of tiles.
@@ -312,14 +313,19 @@ void TiledLevelMaker::take_note(TileNumber number, const TiledTile& tile) {
   put_note(level_.tile_notes, number, std::move(note));
 }
 
+// Called for a speed that could not be read.
+void TiledLevelMaker::tell_wrong_conveyor(const TiledProperties& properties, std::string_view name) {
+  const auto has_name = [&](const TiledProperty& property) { return property.name == name; };
+  if (std::any_of(properties.begin(), properties.end(), has_name))
+    drops_.add("the speed of a conveyor, which is no number of at most 64 px a frame");
+}
+
 // Gives a tile's own shape the speed that a property says.
 void TiledLevelMaker::take_conveyor(const TiledTile& tile, TileTurn turn, const TileShape& of_flags,
                                     TileShape& own) {
   own.conveyor = 0;
-  const auto has_name = [](const TiledProperty& property) { return property.name == kTiledConveyor; };
-  if (std::none_of(tile.properties.begin(), tile.properties.end(), has_name)) return;
   const auto speed = conveyor_of(tile.properties, kTiledConveyor);
-  if (!speed) return drops_.add("the speed of a conveyor, which is no number of at most 64 px a frame");
+  if (!speed) return tell_wrong_conveyor(tile.properties, kTiledConveyor);
   if (*speed != 0 && own.kind == TileShape::Kind::none) own = of_flags;
   if (own.kind != TileShape::Kind::none) own.conveyor = is_mirror(turn) ? 0 - *speed : *speed;
 }
@@ -615,10 +621,12 @@ const Spawn* TiledLevelMaker::base_spawn_like(const Spawn& spawn, const TiledObj
 void TiledLevelMaker::take_curve(const TiledObject& object) {
   const std::vector<Curve> curves = curves_of(object);
   if (curves.empty()) return drops_.add(named("the curve", object.name));
+  if (!conveyor_of(object.properties, "conveyor")) tell_wrong_conveyor(object.properties, "conveyor");
   const auto near = near_in_x(std::span(std::as_const(curves_by_x_)), object.position.x, kXOfCurve);
   const auto same = std::find_if(near.begin(), near.end(), [&](const auto& old) {
-    return is_name_of(old.first->name, object.name) && old.first->curve.faces == curves.front().faces &&
-           is_same_outline(old.second, object);
+    const Curve &was = old.first->curve, &now = curves.front();
+    return is_name_of(old.first->name, object.name) && was.faces == now.faces &&
+           was.conveyor == now.conveyor && is_same_outline(old.second, object);
   });
   if (same != near.end()) {
     const LevelCurve& old = *same->first;
