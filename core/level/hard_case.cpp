@@ -95,6 +95,7 @@ const std::array<CaseMeasureInfo, kCaseMeasureCount>& case_measure_infos() {
                                                                              {M::untouched, "untouched"},
                                                                              {M::normal, "normal"},
                                                                              {M::changes, "changes"},
+                                                                             {M::energy, "energy"},
                                                                              {M::apex, "apex"},
                                                                              {M::mirror, "mirror"},
                                                                              {M::translate, "translate"},

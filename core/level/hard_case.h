@@ -28,6 +28,7 @@ struct CaseCheck {
     untouched,  // frames without a contact
     normal,     // degrees between `x`, `y` and the normal of any contact; infinite if there is no contact
     changes,    // frames in which a bit of `y` differs from that of the first frame of the range
+    energy,     // share of the greatest energy of motion that is gained or lost since the start, in any frame
     apex,       // px: distance of any highest point of a flight from `y`; infinite if there is no flight
     mirror,     // px: distance from the same run in the mirrored level, mirrored back
     translate,  // px: the same for the level moved by `x`, `y`, whole tiles
@@ -45,7 +46,7 @@ struct CaseMeasureInfo {
   CaseCheck::Measure measure;
   std::string_view key;  // in files
 };
-inline constexpr int kCaseMeasureCount = 16;
+inline constexpr int kCaseMeasureCount = 17;
 const std::array<CaseMeasureInfo, kCaseMeasureCount>& case_measure_infos();  // in the order of the enum
 
 // What is held from a frame on.

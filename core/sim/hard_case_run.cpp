@@ -19,6 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 struct Sample {
   Rect box;
   Vec2 velocity;
+  double spin = 0;            // px/frame
   double further = 0;         // px moved further than asked for
   std::vector<Vec2> normals;  // of its contacts
 };
@@ -54,7 +55,7 @@ class InputAt {
 
 std::vector<Sample> sample(const State& state, const StepRecord& record) {
   std::vector<Sample> samples;
-  for (const Body& body : state.bodies) samples.push_back({body.box, body.velocity, 0, {}});
+  for (const Body& body : state.bodies) samples.push_back({body.box, body.velocity, body.spin, 0, {}});
   for (const BodyPath& path : record.paths) {
     const double asked = length(path.goal - path.from.position());
     const double went = length(path.to.position() - path.from.position());
@@ -159,6 +160,8 @@ class Measurer {
       case M::changes:
         return total(check, [&, y = sample_at(check, std::max<std::int64_t>(check.first, 1)).box.y](
                                 const Sample& s) { return s.box.y != y; });
+      case M::energy:
+        return energy(check);
       case M::apex:
         return apex(check);
       case M::mirror:
@@ -235,6 +238,22 @@ class Measurer {
       return most;
     });
     return most < 0 ? kInfinity : most;
+  }
+
+  // A body without spin has none to gain; half of a disc's mass counts at its rim.
+  double energy(const CaseCheck& check) const {
+    const double gravity = level_.tuning.exact.gravity;
+    const auto of_motion = [](const Sample& s) {
+      return dot(s.velocity, s.velocity) / 2 + s.spin * s.spin / 4;
+    };
+    const auto whole = [&](const Sample& s) { return of_motion(s) - gravity * s.box.y; };
+    double most = 0, off = 0;
+    for (std::int64_t frame = 0; frame <= hard_.frames; ++frame) {
+      const Sample& s = sample_at(check, frame);
+      most = worse(of_motion(s), most);
+      off = worse(std::abs(whole(s) - whole(sample_at(check, 0))), off);
+    }
+    return most > 0 ? off / most : kInfinity;
   }
 
   double apex(const CaseCheck& check) const {

@@ -162,6 +162,7 @@ TEST(HardCaseRun, MeasuresWhereABodyIs) {
   reaches.x = 5;
   EXPECT_EQ(measured(reaches), 5);
   EXPECT_EQ(measured(check_of(M::walls)), 0);
+  EXPECT_EQ(measured(check_of(M::energy)), 1) << "without gravity all that it has is new";
   CaseCheck untouched = check_of(M::untouched);
   untouched.first = 1;
   untouched.last = 6;  // it falls 0.375, 0.72, 1.04, 1.34, 1.62 and 1.87 px: 6.97 of 8
