@@ -11,6 +11,7 @@
 #include "cli/timing.h"
 #include "debug/metrics.h"
 #include "scenes.h"
+#include "sim/meet/form.h"
 
 namespace talus {
 namespace {
@@ -183,8 +184,57 @@ MeetingScene valley() {
   return scene;
 }
 
+// ---- Scenes of circles ----
+
+MeetingScene marbles() {
+  MeetingScene scene{"marbles", "Thirty marbles of all sizes fly about in a closed room.", 1000,
+                     room(40, 30, 0)};
+  scene.is_elastic = true;
+  std::uint64_t random = 1;
+  for (int i = 0; i < 30; ++i) {
+    const double side = next_between(random, 4, 24);
+    const double vx = next_between(random, -3, 3), vy = next_between(random, -3, 3);
+    add(scene.level, {12 + 49.0 * (i % 6), 12 + 44.0 * (i / 6), side, side}, {vx, vy}, BodyKind::marble);
+  }
+  return scene;
+}
+
+MeetingScene rolling() {
+  MeetingScene scene{"rolling", "A disc rolls down a slope of 3 in 4.", 80, open_level(64, 64, kGravity)};
+  scene.level.curves.push_back({"", {Segment{{0, 100}, {400, 400}}, Curve::Faces::up}, ""});
+  const Vec2 start{40 + 4 * 0.6 - 4, 130 - 4 * 0.8 - 4};
+  add(scene.level, {start.x, start.y, 8, 8}, {}, BodyKind::disc);
+  scene.right = [=](int frame) {
+    const double way = kGravity * 0.6 * 2 / 3 * frame * frame / 2;
+    return std::vector<Vec2>{{start.x + 0.8 * way, start.y + 0.6 * way}};
+  };
+  return scene;
+}
+
+MeetingScene bowl() {
+  MeetingScene scene{"bowl", "A disc rolls to and fro in a round bowl.", 3000, open_level(32, 24, kGravity)};
+  scene.is_elastic = true;
+  scene.level.curves.push_back({"", {Arc{{128, 60}, 60, 68, 188, false}, Curve::Faces::up}, ""});
+  const double around = 60 - 4, angle = 0.6;
+  add(scene.level, {128 - around * std::sin(angle) - 4, 60 + around * std::cos(angle) - 4, 8, 8}, {},
+      BodyKind::disc);
+  return scene;
+}
+
+MeetingScene pile_of_discs() {
+  MeetingScene scene{"pile of discs", "60 discs fall into a bin.", 400, room(14, 60, kGravity)};
+  std::uint64_t random = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double side = next_between(random, 5, 12);
+    const double x = 10 + 16.0 * (i % 6) + next_between(random, 0, 3), y = 10 + 17.0 * (i / 6);
+    add(scene.level, {x, y, side, side}, {}, BodyKind::disc);
+  }
+  return scene;
+}
+
 std::vector<MeetingScene> meeting_scenes() {
-  return {cradle(), unequal(), gas(), bounce(), incline(), stack(), pyramid(), pile(), valley()};
+  return {cradle(), unequal(), gas(),     bounce(),  incline(), stack(),        pyramid(),
+          pile(),   valley(),  marbles(), rolling(), bowl(),    pile_of_discs()};
 }
 
 // ---- Measures ----
@@ -199,22 +249,22 @@ Vec2 momentum(const State& state) {
 
 double energy(const State& state, double gravity) {
   double sum = 0;
-  for (const Body& body : state.bodies)
-    sum += mass(body) * (dot(body.velocity, body.velocity) / 2 - gravity * body.box.y);
+  for (const Body& body : state.bodies) {
+    const double turning = body.spin * body.spin / 4;  // half of a disc's mass counts at its rim
+    sum += mass(body) * (dot(body.velocity, body.velocity) / 2 + turning - gravity * body.box.y);
+  }
   return sum;
 }
 
 // px
 double deepest_overlap(const State& state) {
+  const auto form = [](const Body& body) {
+    return Form{body.box, radius_of(body.kind, {body.box.w, body.box.h})};
+  };
   double deepest = 0;
-  for (std::size_t i = 0; i < state.bodies.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      const Rect &a = state.bodies[i].box, &b = state.bodies[k].box;
-      const double x = std::min(a.right() - b.x, b.right() - a.x);
-      const double y = std::min(a.bottom() - b.y, b.bottom() - a.y);
-      deepest = std::max(deepest, std::min(x, y));
-    }
-  }
+  for (std::size_t i = 0; i < state.bodies.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      deepest = std::max(deepest, -nearness(form(state.bodies[i]), form(state.bodies[k]), true).gap);
   return deepest;
 }
 
@@ -286,7 +336,7 @@ std::string meetings_csv(std::span<const MeetingRow> rows, const BuildFacts& fac
 std::string meetings_section(std::span<const MeetingRow> rows) {
   std::string page = R"(## Bodies that meet
 
-Boxes with the tuning `bodies: meet` of `exact`, in double precision; all rows are in `meetings.csv`. Momentum and energy: the
+Boxes and circles with the tuning `bodies: meet` of `exact`, in double precision; all rows are in `meetings.csv`. Momentum and energy: the
 largest drift in any frame, as a share of what there was at the start, where nothing else may change them. Penetration: the deepest
 overlap of two bodies in any frame, px. Error: the largest distance of a body from the closed form in any frame, px.
 
