@@ -1090,26 +1090,35 @@ function M.led(world, m, way_x, way_y)
   return m.x + way_x, m.y + way_y
 end
 
+-- How deep two are in one another, and the normal out of the second one; nil: they are not.
+function M.overlap(m, n)
+  local depth_x, depth_y = min(m.x + m.w - n.x, n.x + n.w - m.x), min(m.y + m.h - n.y, n.y + n.h - m.y)
+  local least = min(depth_x, depth_y)
+  if not (least > 0) or least <= M.slack(m.x, m.y, m.w, m.h, n.x, n.y, n.w, n.h) then return nil end
+  return M.depth_of(m, n, depth_x, depth_y)
+end
+
+-- The same of two whose boxes overlap.
+function M.depth_of(m, n, depth_x, depth_y)
+  local nx, ny = M.touching(m.x, m.y, m.w, m.h, n.x, n.y, n.w, n.h, m.index < n.index)
+  if nx then return nx ~= 0 and depth_x or depth_y, nx, ny end
+end
+
 function M.way_apart(m)
   local least_x, least_y, most_x, most_y, pile_x, pile_y = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
   for _, n in ipairs(M.members) do
-    if n ~= m then
-      local depth_x = min(m.x + m.w - n.x, n.x + n.w - m.x)
-      local depth_y = min(m.y + m.h - n.y, n.y + n.h - m.y)
-      if min(depth_x, depth_y) > M.slack(m.x, m.y, m.w, m.h, n.x, n.y, n.w, n.h) then
-        local nx, ny = M.touching(m.x, m.y, m.w, m.h, n.x, n.y, n.w, n.h, m.index < n.index)
-        if nx then
-          local share = m.inverse_mass / (m.inverse_mass + n.inverse_mass)
-          if ny ~= 0 and n.inverse_mass > 0 then share = ny < 0 and 1.0 or 0.0 end
-          local length = share * (nx ~= 0 and depth_x or depth_y)
-          local way_x, way_y = nx * length, ny * length
-          if m.x + m.w / 2 == n.x + n.w / 2 and m.y + m.h / 2 == n.y + n.h / 2 then
-            pile_x, pile_y = pile_x + way_x, pile_y + way_y
-          end
-          least_x, least_y = min(least_x, way_x), min(least_y, way_y)
-          most_x, most_y = max(most_x, way_x), max(most_y, way_y)
-        end
+    local deep, nx, ny
+    if n ~= m then deep, nx, ny = M.overlap(m, n) end
+    if deep then
+      -- The upper one goes up all the way, as the lower one may stand on something.
+      local share = m.inverse_mass / (m.inverse_mass + n.inverse_mass)
+      if abs(ny) > abs(nx) and n.inverse_mass > 0 then share = ny < 0 and 1.0 or 0.0 end
+      local way_x, way_y = nx * (share * deep), ny * (share * deep)
+      if m.x + m.w / 2 == n.x + n.w / 2 and m.y + m.h / 2 == n.y + n.h / 2 then
+        pile_x, pile_y = pile_x + way_x, pile_y + way_y
       end
+      least_x, least_y = min(least_x, way_x), min(least_y, way_y)
+      most_x, most_y = max(most_x, way_x), max(most_y, way_y)
     end
   end
   if pile_x ~= 0 or pile_y ~= 0 then return pile_x, pile_y end

@@ -134,40 +134,18 @@ function M.led(world, m, way_x, way_y)
   return m.x + way_x, m.y + way_y
 end
 
--- How deep two are in one another, and the normal out of the second one; nil: they are not.
-local function overlap(m, n)
-  local depth_x, depth_y = min(m.x + m.w - n.x, n.x + n.w - m.x), min(m.y + m.h - n.y, n.y + n.h - m.y)
-  local least = min(depth_x, depth_y)
-  if not (least > 0) or least <= M.slack(m.x, m.y, m.w, m.h, n.x, n.y, n.w, n.h) then return nil end
-  if m.radius > 0 or n.radius > 0 then
-    local near = M.nearness(m, n, m.index < n.index)
-    if -near.gap <= M.NEAR_CIRCLE then return nil end  -- a crowd takes small overlaps back by itself
-    return -near.gap, near.nx, near.ny
-  end
-  local nx, ny = M.touching(m.x, m.y, m.w, m.h, n.x, n.y, n.w, n.h, m.index < n.index)
-  if nx then return nx ~= 0 and depth_x or depth_y, nx, ny end
+local depth_of = M.depth_of
+function M.depth_of(m, n, depth_x, depth_y)
+  if not (m.radius > 0 or n.radius > 0) then return depth_of(m, n, depth_x, depth_y) end
+  local near = M.nearness(m, n, m.index < n.index)
+  if -near.gap <= M.NEAR_CIRCLE then return nil end  -- a crowd takes small overlaps back by itself
+  return -near.gap, near.nx, near.ny
 end
 
+local way_apart = M.way_apart
 function M.way_apart(m)
-  local least_x, least_y, most_x, most_y, pile_x, pile_y = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
   if m.stays then return 0.0, 0.0 end
-  for _, n in ipairs(M.members) do
-    local deep, nx, ny
-    if n ~= m then deep, nx, ny = overlap(m, n) end
-    if deep then
-      -- The upper one goes up all the way, as the lower one may stand on something.
-      local share = m.inverse_mass / (m.inverse_mass + n.inverse_mass)
-      if abs(ny) > abs(nx) and n.inverse_mass > 0 then share = ny < 0 and 1.0 or 0.0 end
-      local way_x, way_y = nx * (share * deep), ny * (share * deep)
-      if m.x + m.w / 2 == n.x + n.w / 2 and m.y + m.h / 2 == n.y + n.h / 2 then
-        pile_x, pile_y = pile_x + way_x, pile_y + way_y
-      end
-      least_x, least_y = min(least_x, way_x), min(least_y, way_y)
-      most_x, most_y = max(most_x, way_x), max(most_y, way_y)
-    end
-  end
-  if pile_x ~= 0 or pile_y ~= 0 then return pile_x, pile_y end
-  return least_x + most_x, least_y + most_y
+  return way_apart(m)
 end
 
 -- ---- Events ----
