@@ -10,7 +10,6 @@ for name, value in pairs(Free) do
 end
 
 local TAU = 6.283185307179586476925286766559
-local TRIES = 100  -- limit for iterations
 local FINE = 8  -- iterations end when the gap is this share of the slack
 local STRAIGHT_END = 0.25  -- px; the length of the straight end of a curve
 
@@ -288,24 +287,6 @@ local function newton_between(a, b, f, derivative, rounding)
     t = next_t
   end
   return t
-end
-
--- The same without a derivative: regula falsi (Illinois). It ends at a place where f is still >= 0.
-local function zero_between(a, b, f)
-  local fa, fb = f(a), f(b)
-  for _ = 1, TRIES do
-    if not (fa > 0) then break end
-    local t = (a * fb - b * fa) / (fb - fa)
-    if not (t > a and t < b) then t = a + (b - a) / 2 end
-    if not (t > a and t < b) then break end
-    local ft = f(t)
-    if ft >= 0 then
-      a, fa, fb = t, ft, fb / 2
-    else
-      b, fb, fa = t, ft, fa / 2
-    end
-  end
-  return a
 end
 
 -- from, to: the part of the motion during which the box is over or under the stretch; gap, last_gap: its

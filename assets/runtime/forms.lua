@@ -69,24 +69,6 @@ end
 -- px/frame^2: what closes the gap of two that touch faster than that keeps them together.
 local function least_gain(near) return near.bend ~= 0 and BRINK or STILL end
 
--- The place where f falls through zero: regula falsi (Illinois). It ends at a place where f is still >= 0.
-local function zero_between(a, b, f)
-  local fa, fb = f(a), f(b)
-  for _ = 1, 100 do
-    if not (fa > 0) then break end
-    local t = (a * fb - b * fa) / (fb - fa)
-    if not (t > a and t < b) then t = a + (b - a) / 2 end
-    if not (t > a and t < b) then break end
-    local ft = f(t)
-    if ft >= 0 then
-      a, fa, fb = t, ft, fb / 2
-    else
-      b, fb, fa = t, ft, fa / 2
-    end
-  end
-  return a
-end
-
 -- For a way that may come back to what it touches, or meet it beside the nearest point, as in a hollow.
 local function first_touch_by_samples(search, from, near_at)
   local most, start = search.most, near_at(from).gap

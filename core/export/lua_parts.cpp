@@ -11,7 +11,7 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostFiles = 6, kMostNeeds = 2;
+constexpr std::size_t kMostFiles = 7, kMostNeeds = 2;
 struct LuaPart {
   std::string_view name;
   std::array<std::string_view, kMostFiles> files;
@@ -26,7 +26,7 @@ constexpr LuaPart kLuaParts[] = {
     {"one_way", {"one_way"}, {"slopes"}},
     {"polygons", {"polygons"}, {"slopes"}},
     {"segments", {"segments"}, {"slopes"}},
-    {"curves", {"curves"}, {"segments", "slopes"}},
+    {"curves", {"zeros", "curves"}, {"segments", "slopes"}},
     {"balls", {"balls"}},
     {"flight", {"flight"}, {"balls"}},
     {"walk", {"walk"}},
@@ -34,7 +34,7 @@ constexpr LuaPart kLuaParts[] = {
     {"pairs", {"pairs"}},
     {"mouse", {"mouse"}},
     {"meet", {"meet"}, {"balls"}},
-    {"round", {"forms", "round_ground", "spins", "tracks", "crowd", "round"}, {"meet", "balls"}},
+    {"round", {"zeros", "forms", "round_ground", "spins", "tracks", "crowd", "round"}, {"meet", "balls"}},
     {"conveyors", {"conveyors"}},
     {"events", {"events"}},
     {"end", {"luajit", "module"}},
@@ -163,7 +163,8 @@ std::vector<std::string> lua_part_files(const std::vector<std::string>& parts) {
   for (const LuaPart& part : kLuaParts) {
     if (!is_always_there(part) && std::find(parts.begin(), parts.end(), part.name) == parts.end()) continue;
     for (const std::string_view file : part.files) {
-      if (!file.empty()) files.emplace_back(file);
+      const bool is_new = std::find(files.begin(), files.end(), file) == files.end();
+      if (!file.empty() && is_new) files.emplace_back(file);  // two parts may share one
     }
   }
   return files;
