@@ -83,6 +83,11 @@ class LuaRuntime : public FolderTest {
                 static_cast<long long>(differences));
   }
 
+  // Random levels, each from a seed after `seeds`, as change(dice, level) makes them; one in so many has an
+  // input.
+  template <class Change>
+  void compare_random_levels(std::uint64_t seeds, int frames, int one_in, Change change);
+
   // What a program prints that has the module and the level, in Lua 5.3.
   std::string printed(const Level& level, const std::string& program) {
     put("program.lua", "local talus = dofile('" + runtime_file(lua_parts(level, "").value()) +
@@ -414,6 +419,24 @@ Level random_level(Dice& dice) {
   return level;
 }
 
+template <class Change>
+void LuaRuntime::compare_random_levels(std::uint64_t seeds, int frames, int one_in, Change change) {
+  constexpr double kLevels = 60;
+  const auto last = static_cast<std::uint64_t>(tries("TALUS_LUA_LEVELS", kLevels));
+  for (std::uint64_t seed = 1; seed <= last; ++seed) {
+    Dice dice(seeds + seed);
+    Level level = random_level(dice);
+    change(dice, level);
+    if (dice.one_in(2)) level.tuning.shared.fall_blend = level.tuning.shared.drift_blend = 0;
+    const auto input = dice.one_in(one_in)
+                           ? random_input(dice, frames, level.map.px_width(), level.map.px_height())
+                           : std::vector<CaseInput>();
+    add(level, frames, input, "seed " + std::to_string(seed));
+  }
+  EXPECT_GE(body_frames(), 100 * levels());
+  expect_same_bits();
+}
+
 TEST_F(LuaRuntime, GivesTheBitsOfRandomLevels) {
   // In this one, as g++ makes it, a ball hangs with its middle on a wall that faces both ways. After 40
   // frames its velocity is 1e-15 px, and C++ and Lua take it for one that leads to different sides. Why is
@@ -443,13 +466,8 @@ TEST_F(LuaRuntime, GivesTheBitsOfTheYard) {
   expect_same_bits();
 }
 
-// Discs and crates fall into a heap, on tiles, hills, lines and curves.
 TEST_F(LuaRuntime, GivesTheBitsOfConveyors) {
-  constexpr double kLevels = 60;
-  const auto last = static_cast<std::uint64_t>(tries("TALUS_LUA_LEVELS", kLevels));
-  for (std::uint64_t seed = 1; seed <= last; ++seed) {
-    Dice dice(7'000'000 + seed);
-    Level level = random_level(dice);
+  compare_random_levels(7'000'000, 60, 1, [](Dice& dice, Level& level) {
     for (TileShape& shape : level.tile_shapes)
       if (shape.kind != TileShape::Kind::none && !dice.one_in(3)) shape.conveyor = dice.in(-3, 3);
     for (LevelCurve& curve : level.curves)
@@ -464,21 +482,12 @@ TEST_F(LuaRuntime, GivesTheBitsOfConveyors) {
       spawn.position = first.position + Vec2{dice.in(-30, 30), dice.in(-30, 10)};
     }
     if (!dice.one_in(3)) level.tuning.shared.bodies = static_cast<double>(BodyPairs::meet);
-    if (dice.one_in(2)) level.tuning.shared.fall_blend = level.tuning.shared.drift_blend = 0;
-    constexpr int kFrames = 60;
-    add(level, kFrames, random_input(dice, kFrames, level.map.px_width(), level.map.px_height()),
-        "seed " + std::to_string(seed));
-  }
-  EXPECT_GE(body_frames(), 100 * levels());
-  expect_same_bits();
+  });
 }
 
+// Discs and crates fall into a heap, on tiles, hills, lines and curves.
 TEST_F(LuaRuntime, GivesTheBitsOfDiscs) {
-  constexpr double kLevels = 60;
-  const auto last = static_cast<std::uint64_t>(tries("TALUS_LUA_LEVELS", kLevels));
-  for (std::uint64_t seed = 1; seed <= last; ++seed) {
-    Dice dice(6'000'000 + seed);
-    Level level = random_level(dice);
+  compare_random_levels(6'000'000, 45, 2, [](Dice& dice, Level& level) {
     const Spawn first = level.spawns.front();
     const double grid = dice.one_in(2) ? 4 : 1e10;
     for (int i = 1 + dice.up_to(9); i > 0; --i) {
@@ -489,23 +498,11 @@ TEST_F(LuaRuntime, GivesTheBitsOfDiscs) {
       spawn.position = first.position + Vec2{dice.step(-20, 20, grid), dice.step(-30, 10, grid)};
     }
     level.tuning.shared.bodies = static_cast<double>(BodyPairs::meet);
-    if (dice.one_in(2)) level.tuning.shared.fall_blend = level.tuning.shared.drift_blend = 0;
-    constexpr int kFrames = 45;
-    const auto input = dice.one_in(2)
-                           ? random_input(dice, kFrames, level.map.px_width(), level.map.px_height())
-                           : std::vector<CaseInput>();
-    add(level, kFrames, input, "seed " + std::to_string(seed));
-  }
-  EXPECT_GE(body_frames(), 100 * levels());
-  expect_same_bits();
+  });
 }
 
 TEST_F(LuaRuntime, GivesTheBitsOfBodiesThatMeet) {
-  constexpr double kLevels = 60;
-  const auto last = static_cast<std::uint64_t>(tries("TALUS_LUA_LEVELS", kLevels));
-  for (std::uint64_t seed = 1; seed <= last; ++seed) {
-    Dice dice(5'000'000 + seed);
-    Level level = random_level(dice);
+  compare_random_levels(5'000'000, 45, 2, [](Dice& dice, Level& level) {
     const Spawn first = level.spawns.front();
     for (int i = dice.up_to(8); i > 0; --i) {
       Spawn& spawn = level.spawns.emplace_back(first);
@@ -514,15 +511,7 @@ TEST_F(LuaRuntime, GivesTheBitsOfBodiesThatMeet) {
       spawn.position = first.position + Vec2{dice.step(-20, 20, 4), dice.step(-30, 10, 4)};
     }
     level.tuning.shared.bodies = static_cast<double>(BodyPairs::meet);
-    if (dice.one_in(2)) level.tuning.shared.fall_blend = level.tuning.shared.drift_blend = 0;
-    constexpr int kFrames = 45;
-    const auto input = dice.one_in(2)
-                           ? random_input(dice, kFrames, level.map.px_width(), level.map.px_height())
-                           : std::vector<CaseInput>();
-    add(level, kFrames, input, "seed " + std::to_string(seed));
-  }
-  EXPECT_GE(body_frames(), 100 * levels());
-  expect_same_bits();
+  });
 }
 
 }  // namespace talus::lua_runtime_test
