@@ -101,18 +101,22 @@ MeetingScene unequal() {
   return scene;
 }
 
-MeetingScene gas() {
-  MeetingScene scene{"closed room", "Thirty boxes of all sizes fly about in a closed room.", 1000,
-                     room(40, 30, 0)};
+// Thirty bodies of all sizes.
+MeetingScene closed_room(std::string_view name, std::string_view meaning, BodyKind kind) {
+  MeetingScene scene{name, meaning, 1000, room(40, 30, 0)};
   scene.is_elastic = true;
   std::uint64_t random = 1;
   for (int i = 0; i < 30; ++i) {
-    const double w = next_between(random, 4, 24), h = next_between(random, 4, 24);
-    const Vec2 at{12 + 49.0 * (i % 6), 12 + 44.0 * (i / 6)};
+    const double w = next_between(random, 4, 24);
+    const double h = kind == BodyKind::marble ? w : next_between(random, 4, 24);
     const double vx = next_between(random, -3, 3), vy = next_between(random, -3, 3);
-    add(scene.level, {at.x, at.y, w, h}, {vx, vy});
+    add(scene.level, {12 + 49.0 * (i % 6), 12 + 44.0 * (i / 6), w, h}, {vx, vy}, kind);
   }
   return scene;
+}
+
+MeetingScene gas() {
+  return closed_room("closed room", "Thirty boxes of all sizes fly about in a closed room.", BodyKind::ball);
 }
 
 MeetingScene bounce() {
@@ -187,16 +191,7 @@ MeetingScene valley() {
 // ---- Scenes of circles ----
 
 MeetingScene marbles() {
-  MeetingScene scene{"marbles", "Thirty marbles of all sizes fly about in a closed room.", 1000,
-                     room(40, 30, 0)};
-  scene.is_elastic = true;
-  std::uint64_t random = 1;
-  for (int i = 0; i < 30; ++i) {
-    const double side = next_between(random, 4, 24);
-    const double vx = next_between(random, -3, 3), vy = next_between(random, -3, 3);
-    add(scene.level, {12 + 49.0 * (i % 6), 12 + 44.0 * (i / 6), side, side}, {vx, vy}, BodyKind::marble);
-  }
-  return scene;
+  return closed_room("marbles", "Thirty marbles of all sizes fly about in a closed room.", BodyKind::marble);
 }
 
 MeetingScene rolling() {
