@@ -27,8 +27,8 @@ struct Inertia {
   double inverse_mass = 1;  // 0: nothing moves it
   double spin = 0;          // px/frame, of a circle's rim, clockwise
   double spin_pull = 0;     // px/frame^2
-  double inverse_spin =
-      0;              // px/frame that an impulse of 1 along the rim changes its spin by; 0: nothing turns it
+  // px/frame that an impulse of 1 along the rim changes its spin by; 0: nothing turns it
+  double inverse_spin = 0;
   double strain = 0;  // px/frame^2: the most that one contact gives it
 };
 
