@@ -1062,8 +1062,7 @@ function M.take(world, body, index, input)
     m.vy = reachable(body.y, lerp(body.y, input.mouse_y - n.drag_offset, n.drag_blend)) - body.y
   else
     m.vx, m.vy = lerp(body.vx, n.drift_speed, n.drift_blend), body.vy
-    if not (n.gravity > 0) then m.vy = lerp(m.vy, n.fall_speed, n.fall_blend) end
-    m.pull_y = n.gravity
+    m.pull_y = n.gravity > 0 and n.gravity or (n.fall_speed - m.vy) * n.fall_blend
   end
   return m
 end

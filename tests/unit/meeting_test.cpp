@@ -417,6 +417,18 @@ TEST(Meeting, TheMouseDragsABallIntoOthersAndMovesThem) {
   EXPECT_NEAR(run.body(0).velocity.x, speed, 1e-12);
 }
 
+TEST(Meeting, ABallThatFallsAsInTheArticleComesToRest) {
+  Level level = meeting_level({"..........", "..........", "..........", "##########"}, 0);
+  level.tuning.shared.fall_speed = 5;
+  level.tuning.shared.fall_blend = 0.075;
+  level.tuning.shared.floor_bounce = 0.9;
+  level.spawns = {body({24, 3.3})};
+  Play run(level);
+  run.step(400);
+  EXPECT_EQ(run.body(0).box.bottom(), 24);
+  EXPECT_EQ(run.body(0).velocity.y, 0);
+}
+
 TEST(Meeting, APlayerStandsLikeAWall) {
   Level level = meeting_level({"....................", "....................", "####################"}, 0.2);
   level.tuning.shared.floor_bounce = 0;

@@ -112,8 +112,9 @@ void Meeting::take(State& state, const Input& input) {
     } else {
       velocity = body.velocity;
       velocity.x = lerp(velocity.x, t.drift_speed, t.drift_blend);
-      if (!(gravity_.y > 0)) velocity.y = lerp(velocity.y, t.fall_speed, t.fall_blend);
-      member.pull = gravity_;
+      // The article's fall, as a pull: at once, at the start of a frame, it would give back what a bounce
+      // loses.
+      member.pull = gravity_.y > 0 ? gravity_ : Vec2{0, (t.fall_speed - velocity.y) * t.fall_blend};
     }
     if (member.moving.is_round()) {
       if (circles_.size() != members_.size()) circles_.resize(members_.size());
