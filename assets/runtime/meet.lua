@@ -813,7 +813,18 @@ function M.probe(world, m, way_x, way_y, fastest)
   return false
 end
 
+-- What the mouse presses on others would tremble if they bounced.
+local function is_dragged()
+  if M.drags then
+    for _, m in ipairs(M.set) do
+      if m.held then return true end
+    end
+  end
+  return false
+end
+
 function M.bounce_of(n, touch)
+  if is_dragged() then return 0.0 end
   local is_floor = abs(touch.nx) <= n.steepest * abs(touch.ny)
   local own = is_floor and touch.a.floor_bounce or touch.a.wall_bounce
   if not touch.b then return own end
@@ -1153,7 +1164,7 @@ function M.step(world, input)
   local n = world.tuning
   M.slowest = n.gravity > 0 and n.gravity or abs(n.fall_speed * n.fall_blend)
   M.part = 1.0 / n.substeps
-  M.members = {}
+  M.members, M.drags = {}, (world.grabbed or 0) ~= 0
   for i, body in ipairs(world.bodies) do M.members[i] = M.take(world, body, i, input) end
   M.part_overlaps(world)
   for _ = 1, n.substeps do M.run_part(world) end

@@ -417,6 +417,21 @@ TEST(Meeting, TheMouseDragsABallIntoOthersAndMovesThem) {
   EXPECT_NEAR(run.body(0).velocity.x, speed, 1e-12);
 }
 
+TEST(Meeting, WhatTheMouseDragsDoesNotBounce) {
+  Level level = meeting_level({"....................", "....................", "####################"}, 0.2);
+  level.tuning.shared.floor_bounce = level.tuning.shared.wall_bounce = 0.9;
+  level.spawns = {body({24, -8}), body({20, 8})};
+  Play run(level);
+  Input input{.mouse = {24, 12}, .mouse_down = true, .grab = 1};
+  run.step(60, input);
+  const Rect at = run.body(0).box;
+  EXPECT_NEAR(at.bottom(), run.body(1).box.y, 1e-9) << "on the other one, however much it is pulled down";
+  for (int i = 0; i < 60; ++i) {
+    run.step(1, input);
+    EXPECT_NEAR(run.body(0).box.y, at.y, 1e-9) << i;
+  }
+}
+
 TEST(Meeting, ABallThatFallsAsInTheArticleComesToRest) {
   Level level = meeting_level({"..........", "..........", "..........", "##########"}, 0);
   level.tuning.shared.fall_speed = 5;

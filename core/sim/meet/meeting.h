@@ -187,6 +187,7 @@ class Meeting {
   void level_out();
   bool choose(bool is_late);
   bool is_level(Vec2 normal) const;
+  bool is_dragged() const;
   double bounce_of(const Touch& touch) const;
   double slowest_on(const Touch& touch) const;
   bool bounced_lately(const Touch& touch) const;

@@ -163,7 +163,14 @@ bool Meeting::is_level(Vec2 normal) const {
   return std::abs(normal.x) <= scene_->tuning.exact.steepest * std::abs(normal.y);
 }
 
+// What the mouse presses on others would tremble if they bounced.
+bool Meeting::is_dragged() const {
+  return state_->grabbed != 0 &&
+         std::any_of(set_.begin(), set_.end(), [&](std::uint32_t index) { return members_[index].is_held; });
+}
+
 double Meeting::bounce_of(const Touch& touch) const {
+  if (is_dragged()) return 0;
   const auto of = [&](int place) {
     const Member& member = members_[set_[static_cast<std::size_t>(place)]];
     return is_level(touch.normal) ? member.floor_bounce : member.wall_bounce;
