@@ -318,8 +318,10 @@ TEST_F(UiEdit, WhatBodiesAreToOneAnotherIsChosenByWord) {
   frames(2);
   click("tuning/bodies_meet");
   EXPECT_EQ(level().tuning.shared.pairs(), BodyPairs::meet);
+  EXPECT_EQ(level().tuning.solver, SolverKind::exact) << "the only one with which bodies meet";
   key(ctrl('z'));
   EXPECT_EQ(level().tuning.shared.pairs(), BodyPairs::block);
+  EXPECT_EQ(level().tuning.solver, SolverKind::article);
 }
 
 TEST_F(UiEdit, HistorySaysWhatChangedAndWhere) {

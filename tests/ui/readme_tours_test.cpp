@@ -107,6 +107,42 @@ TEST_F(UiFirstTour, GoesAsTheReadmeSays) {
   EXPECT_EQ(saved->level.map.tile_at({12, 9}), 3);
 }
 
+// The guide's tour: the article's wish.
+TEST_F(UiFirstTour, ADraggedBallMovesTheOthers) {
+  start(source_path("assets/demo.talus.json"));
+  click("tabs/tuning");
+  click("tuning/bodies");
+  frames(2);
+  click("tuning/bodies_meet");
+  key(kKeyF5);
+  frames(240);  // until they lie still
+  const auto& bodies = session().state().bodies;
+  const auto by_x = [](const Body& a, const Body& b) { return a.box.x < b.box.x; };
+  const int lone = std::min_element(bodies.begin(), bodies.end(), by_x)->id;
+  const int dragged = std::max_element(bodies.begin(), bodies.end(), by_x)->id;
+  const auto box_of = [&](int id) { return session().state().find(id)->box; };
+  const Rect before = box_of(lone);
+  std::vector<ImVec2> way;  // looking a place up moves the mouse
+  for (const Vec2 beside : {Vec2{75, -30}, Vec2{40, -24}, Vec2{16, 0}, Vec2{0, 0}})
+    way.push_back(on_canvas("play", before.center() + beside));
+  move(on_canvas("play", box_of(dragged).center()));
+  press();
+  for (const ImVec2 place : way) {
+    move(place);
+    for (int i = 0; i < 30; ++i) {
+      frames();
+      const Rect a = box_of(dragged), b = box_of(lone);
+      EXPECT_LE(std::min(b.right() - a.x, b.bottom() - a.y), 1e-9) << "none is in the other";
+    }
+  }
+  EXPECT_EQ(session().state().grabbed, dragged);
+  EXPECT_LT(box_of(lone).x, before.x - 2);
+  move(way[1]);
+  release();
+  frames(2);
+  EXPECT_GT(session().state().find(dragged)->velocity.x, 1) << "it is thrown";
+}
+
 // "Five minutes with a map of Tiled".
 class UiSecondTour : public UiTest {
  protected:

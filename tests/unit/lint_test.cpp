@@ -290,8 +290,19 @@ TEST(Lint, CratesThatNothingPushes) {
   EXPECT_THAT(problems(level), lacks);
   level.tuning.solver = SolverKind::article;
   EXPECT_THAT(problems(level), lacks);
+  level.tuning.solver = SolverKind::exact;
   level.tuning.shared.bodies = static_cast<double>(BodyPairs::meet);
-  EXPECT_THAT(problems(level), lacks);
+  EXPECT_THAT(problems(level), IsEmpty());
+}
+
+TEST(Lint, BodiesThatMeetWithAnotherSolver) {
+  Level level = level_of({"...", "###"});
+  level.spawns = {{"", {2, 0}, {}, "", BodyKind::ball, {8, 8}}};
+  level.tuning.shared.bodies = static_cast<double>(BodyPairs::meet);
+  level.tuning.solver = SolverKind::article;
+  EXPECT_THAT(problems(level),
+              ElementsAre("W needs-meet: bodies meet only with the solver exact, but the level's solver "
+                          "is article, where they block one another"));
   level.tuning.solver = SolverKind::exact;
   EXPECT_THAT(problems(level), IsEmpty());
 }

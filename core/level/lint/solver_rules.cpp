@@ -31,7 +31,7 @@ constexpr LintRule kNotInBump{
     .label = "ground that bump does not know",
     .by_hand = "Choose the solver exact in Tuning, or give the tiles other shapes."};
 constexpr LintRule kNeedsMeet{.code = "needs-meet",
-                              .label = "crates that nothing pushes",
+                              .label = "bodies that do not meet",
                               .by_hand = "Choose the solver exact, and meet for bodies, in Tuning.",
                               .fix = fix_meet};
 constexpr LintRule kTooMuchGround{.code = "too-much-ground",
@@ -111,10 +111,16 @@ void check_conveyors(const Level& level, std::vector<Problem>& out) {
          Cell{at % level.map.width(), at / level.map.width()}, *first);
 }
 
-// Mass and friction of a kind count only where bodies meet.
+// Bodies meet with one solver alone, and mass and friction of a kind count only where they meet.
 void check_pairs(const Level& level, std::vector<Problem>& out) {
   const Tuning& tuning = level.tuning;
-  if (tuning.solver == SolverKind::exact && tuning.shared.pairs() == BodyPairs::meet) return;
+  if (tuning.shared.pairs() == BodyPairs::meet) {
+    if (tuning.solver == SolverKind::exact) return;
+    report(out, kNeedsMeet,
+           "bodies meet only with the solver exact, but the level's solver is " +
+               std::string(solver_name(tuning.solver)) + ", where they block one another");
+    return;
+  }
   const auto first = std::find_if(level.spawns.begin(), level.spawns.end(),
                                   [](const Spawn& spawn) { return traits_of(spawn.kind).friction > 0; });
   if (first == level.spawns.end()) return;

@@ -84,6 +84,7 @@ void draw_choice(const TuningField& field, const Session& session, Actions& acti
     const std::string word(field.words[i]);
     if (selectable(word, {}, word == chosen)) {
       field.in(tuning) = static_cast<double>(i);
+      if (tuning.shared.pairs() == BodyPairs::meet) tuning.solver = SolverKind::exact;  // no other has it
       actions.push_back(action::EditLevel{set_tuning(session.level(), tuning)});
     }
     ui.item(item + "_" + word);
