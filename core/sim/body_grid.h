@@ -13,9 +13,14 @@ namespace talus {
 // Keeps each body, by its index in the state, in the cells that its box meets.
 class BodyGrid {
  public:
+  // Called before the bodies are placed. If they are fewer than before, those that are gone would stay in it.
+  void begin(std::size_t count) {
+    if (count < placed_.size()) clear();
+  }
+
   // Takes the current boxes; cheap for bodies that have not moved.
   void synchronise(const std::vector<Body>& bodies) {
-    if (bodies.size() < placed_.size()) clear();
+    begin(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) place(static_cast<std::uint32_t>(i), bodies[i].box);
   }
 

@@ -282,6 +282,19 @@ TEST(Meeting, APileFallsWhenItsLowestBodyIsTakenAway) {
     EXPECT_NEAR(state.bodies[i].box.y, 72 - 8.0 * static_cast<double>(i) + 0.1 * 8 * 8, 1e-9) << i;
 }
 
+TEST(Meeting, ASolverGoesOnWhenABodyIsTakenAway) {
+  const Level level = pile();
+  Play run(level);
+  run.step(300);
+  run.state.bodies.erase(run.state.bodies.begin());
+  State state = run.state;
+  for (int i = 0; i < 100; ++i) {
+    run.step(1);
+    state = step(*run.scene, state, {});
+    ASSERT_EQ(run.state, state) << i;
+  }
+}
+
 TEST(Meeting, HeavyAndLightRestOnOneAnother) {
   for (const bool heavy_below : {true, false}) {
     Level level = pile();

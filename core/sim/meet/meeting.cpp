@@ -63,6 +63,7 @@ std::int64_t Meeting::step(State& state, const Input& input, StepRecord* record,
   budget_ = {kMostStepWork};
   is_stopped_ = false;
   take(state, input);
+  grid_.begin(members_.size());
   for (std::uint32_t i = 0; i < members_.size(); ++i) {
     members_[i].moving.path.pull = members_[i].pull;
     sweep(i);
