@@ -33,7 +33,8 @@ struct CaseCheck {
     mirror,     // px: distance from the same run in the mirrored level, mirrored back
     translate,  // px: the same for the level moved by `x`, `y`, whole tiles
     permute,    // px: the same for the spawns and curves in reverse order
-    repeat      // px: the same for a second run, with a new solver in each frame
+    repeat      // px: the same for a second run, with a new solver in each frame, and for a third one, without
+                // records, so that bodies may sleep
   };
   Measure measure = Measure::position;
   int body = 1;                         // id
