@@ -33,8 +33,8 @@ struct CaseCheck {
     mirror,     // px: distance from the same run in the mirrored level, mirrored back
     translate,  // px: the same for the level moved by `x`, `y`, whole tiles
     permute,    // px: the same for the spawns and curves in reverse order
-    repeat      // px: the same for a second run, with a new solver in each frame, and for a third one, without
-                // records, so that bodies may sleep
+    repeat  // px: the same for a second run, with a new solver in each frame, and for a third one, without
+            // records, so that bodies may sleep
   };
   Measure measure = Measure::position;
   int body = 1;                         // id
@@ -58,6 +58,14 @@ struct CaseInput {
   bool left = false, right = false, jump = false;
 };
 
+// What is done to the bodies after the step to a frame, in the runs that checks measure. The frame itself is
+// measured as it was before. A body that is gone is measured as it was last.
+struct CaseEdit {
+  std::int64_t frame = 0;    // from 0 to the frames of the case; 0: before the first step
+  int remove = 0;            // id of a body that is taken away; 0: none
+  bool turns_round = false;  // all velocities and spins are negated
+};
+
 // The line that bodies should stand on, for `sink` and `gap`: the highest of its parts counts.
 struct CaseFloor {
   std::vector<std::variant<Segment, Arc, Sine>> parts;
@@ -70,6 +78,7 @@ struct HardCase {
   std::string title, set_up, right_answer;  // sentences
   std::int64_t frames = 0;                  // steps of a run
   std::vector<CaseInput> input;             // by frame; each entry holds until the next one
+  std::vector<CaseEdit> edits;              // by frame; of one frame in this order
   CaseFloor floor;
   std::vector<CaseCheck> checks;
 };

@@ -8,6 +8,7 @@
 
 #include <talus/sim/solver.h>
 #include "../level/transform.h"
+#include "case_edit.h"
 #include "case_input.h"
 
 namespace talus {
@@ -23,7 +24,8 @@ struct Sample {
   double further = 0;         // px moved further than asked for
   std::vector<Vec2> normals;  // of its contacts
 };
-// By frame, then by body in the order of ids; frame 0 is the start.
+// By frame, then by body in the order of ids; frame 0 is the start. A body that was removed keeps its last
+// box and speed.
 using Run = std::vector<std::vector<Sample>>;
 
 // The larger number; NaN wins.
@@ -53,30 +55,38 @@ class InputAt {
   double width_;  // px of the map
 };
 
-std::vector<Sample> sample(const State& state, const StepRecord& record) {
-  std::vector<Sample> samples;
-  for (const Body& body : state.bodies) samples.push_back({body.box, body.velocity, body.spin, 0, {}});
+// Ids are from 1, in the order of the start.
+std::size_t index_of(int body) { return static_cast<std::size_t>(body - 1); }
+
+// before: samples of the frame before; empty at the start.
+std::vector<Sample> sample(const State& state, const StepRecord& record, const std::vector<Sample>& before) {
+  std::vector<Sample> samples(before.empty() ? state.bodies.size() : before.size());
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const Sample& last = before[i];
+    samples[i] = {last.box, last.velocity, last.spin, 0, {}};
+  }
+  for (const Body& body : state.bodies)
+    samples[index_of(body.id)] = {body.box, body.velocity, body.spin, 0, {}};
   for (const BodyPath& path : record.paths) {
     const double asked = length(path.goal - path.from.position());
     const double went = length(path.to.position() - path.from.position());
-    samples[static_cast<std::size_t>(path.body - 1)].further = went - asked;
+    samples[index_of(path.body)].further = went - asked;
   }
   for (const ContactRecord& contact : record.contacts) {
-    if (contact.handled)
-      samples[static_cast<std::size_t>(contact.body - 1)].normals.push_back(contact.normal);
+    if (contact.handled) samples[index_of(contact.body)].normals.push_back(contact.normal);
   }
   return samples;
 }
 
-// Thrown and caught in this file only: a run that would keep too much.
-struct TooMuch {
+// Thrown and caught in this file only: a case that cannot be run.
+struct Refused {
   std::string message;
 };
 
 // bodies, contacts: of all frames of the run.
 void check_amounts(std::size_t bodies, std::size_t contacts, const HardCase& hard, const State& state) {
   if (bodies <= kMaxCaseBodies && contacts <= kMaxCaseContacts) return;
-  throw TooMuch{"makes " + std::to_string(hard.frames) + " frames of " + std::to_string(state.bodies.size()) +
+  throw Refused{"makes " + std::to_string(hard.frames) + " frames of " + std::to_string(state.bodies.size()) +
                 " bodies, but all frames together may have at most " + std::to_string(kMaxCaseBodies) +
                 " bodies and " + std::to_string(kMaxCaseContacts) + " contacts"};
 }
@@ -85,6 +95,19 @@ std::size_t normals_of(const std::vector<Sample>& samples) {
   std::size_t count = 0;
   for (const Sample& sample : samples) count += sample.normals.size();
   return count;
+}
+
+// Every body that is removed must be there.
+void check_edits(const HardCase& hard, const State& state) {
+  const auto bodies = static_cast<int>(state.bodies.size());
+  std::vector<int> gone;
+  for (const CaseEdit& edit : hard.edits) {
+    if (edit.remove == 0) continue;
+    const std::string body = "removes body " + std::to_string(edit.remove);
+    if (edit.remove > bodies) throw Refused{body + ", but the level has " + std::to_string(bodies)};
+    if (std::count(gone.begin(), gone.end(), edit.remove) > 0) throw Refused{body + " twice"};
+    gone.push_back(edit.remove);
+  }
 }
 
 enum class Way {
@@ -100,12 +123,15 @@ Run run(const HardCase& hard, const Level& level, InputAt input, Way way = Way::
   const std::size_t bodies = state.bodies.size() * static_cast<std::size_t>(hard.frames + 1);
   std::size_t contacts = 0;
   check_amounts(bodies, contacts, hard, state);
+  check_edits(hard, state);
   StepRecord record;
-  Run frames = {sample(state, record)};
+  Run frames = {sample(state, record, {})};
+  make_edits(hard.edits, state);
   for (std::int64_t frame = 1; frame <= hard.frames; ++frame) {
     if (way == Way::new_solvers) solver = make_solver(scene);
     solver->step(state, input(frame), way == Way::unrecorded ? nullptr : &record);
-    frames.push_back(sample(state, record));
+    frames.push_back(sample(state, record, frames.back()));
+    make_edits(hard.edits, state);
     check_amounts(bodies, contacts += normals_of(frames.back()), hard, state);
   }
   return frames;
@@ -193,7 +219,7 @@ class Measurer {
     return check.x.value_or(kInfinity) < start(check) ? -1 : 1;
   }
   const Sample& sample_at(const CaseCheck& check, std::int64_t frame) const {
-    return run_[static_cast<std::size_t>(frame)][static_cast<std::size_t>(check.body - 1)];
+    return run_[static_cast<std::size_t>(frame)][index_of(check.body)];
   }
 
   // The greatest value over the check's frames, by default from `first` to the last one.
@@ -301,7 +327,11 @@ class Measurer {
     Level image = level_;
     std::reverse(image.spawns.begin(), image.spawns.end());
     std::reverse(image.curves.begin(), image.curves.end());
-    return distance(run_, run(hard_, image, {hard_, false, {}, width_}),
+    HardCase reversed = hard_;
+    for (CaseEdit& edit : reversed.edits) {
+      if (edit.remove != 0) edit.remove = static_cast<int>(run_[0].size()) + 1 - edit.remove;
+    }
+    return distance(run_, run(reversed, image, {hard_, false, {}, width_}),
                     [](const std::vector<Sample>& samples, std::size_t body) {
                       return samples[samples.size() - 1 - body].box.position();
                     });
@@ -324,8 +354,8 @@ tl::expected<std::vector<CaseResult>, std::string> run_hard_case(const HardCase&
       results.push_back({check, measured <= check.bound, measured});
     }
     return results;
-  } catch (TooMuch& too_much) {
-    return tl::unexpected(std::move(too_much.message));
+  } catch (Refused& refused) {
+    return tl::unexpected(std::move(refused.message));
   }
 }
 

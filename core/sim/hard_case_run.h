@@ -20,7 +20,7 @@ struct CaseResult {
 inline constexpr std::size_t kMaxCaseBodies = std::size_t{1} << 21, kMaxCaseContacts = std::size_t{1} << 22;
 
 // Results of all checks, in order, with the solver that the level's tuning names. The error is a sentence
-// about the case: "makes 1000000 frames of 3000 bodies, but ...".
+// about the case: "makes 1000000 frames of 3000 bodies, but ...", or "removes body 7, but the level has 6".
 tl::expected<std::vector<CaseResult>, std::string> run_hard_case(const HardCase& hard, const Level& level);
 
 }  // namespace talus

@@ -7,8 +7,11 @@
 #include <cmath>
 #include <limits>
 
+#include "formats/native/native.h"
 #include "level_picture.h"
+#include "sim/case_edit.h"
 #include "sim/hard_case_run.h"
+#include "unit/meeting_run.h"
 
 namespace talus::hard_case_test {
 
@@ -32,6 +35,7 @@ TEST(HardCase, ALevelWithoutTheKeyIsNoHardCase) {
 TEST(HardCase, IsReadWhole) {
   const auto hard = hard_case_of(level_with(case_text(
       R"(,"input":[{"frame":2,"mouse":[3,4],"down":true,"keys":["left","jump"]}],
+         "edits":[{"frame":0,"turn_round":true},{"frame":10,"remove":4},{"frame":10,"remove":2,"turn_round":true}],
          "floor":[[[0,8],[8,8],[16,0]],{"arc":[40,20,10,30,50]},{"bowl":[60,20,10,50,60]}],
          "checks":[{"measure":"position","body":2,"frame":5,"right":9,"bound":0.5},
                    {"measure":"gap","frames":[3,7]}])")));
@@ -42,6 +46,12 @@ TEST(HardCase, IsReadWhole) {
   ASSERT_EQ(h.input.size(), 1u);
   EXPECT_EQ(h.input[0].mouse, (Vec2{3, 4}));
   EXPECT_TRUE(h.input[0].mouse_down && h.input[0].left && h.input[0].jump && !h.input[0].right);
+  ASSERT_EQ(h.edits.size(), 3u);
+  EXPECT_EQ(h.edits[0].frame, 0);
+  EXPECT_TRUE(h.edits[0].turns_round && h.edits[0].remove == 0);
+  EXPECT_EQ(h.edits[1].frame, 10);
+  EXPECT_TRUE(!h.edits[1].turns_round && h.edits[1].remove == 4);
+  EXPECT_TRUE(h.edits[2].turns_round && h.edits[2].remove == 2);
   EXPECT_EQ(h.floor.parts.size(), 4u);
   EXPECT_EQ(h.floor.top(54, 58), 28);
   ASSERT_EQ(h.checks.size(), 2u);
@@ -94,6 +104,39 @@ TEST(HardCase, NumbersAndAmountsAreLimited) {
   EXPECT_EQ(error_of(",\"checks\":[" + checks + "]"), "key hard_case.checks may have at most 256 checks");
   EXPECT_EQ(error_of(",\"floor\":[[" + points + "]]"),
             "key hard_case.floor may have at most 256 lines and curves");
+}
+
+TEST(HardCase, EditsAreChecked) {
+  const auto error_of = [](const std::string& edits) {
+    const auto hard = hard_case_of(level_with(case_text(R"(,"edits":)" + edits)));
+    return hard ? std::string("none") : hard.error().place + " " + hard.error().message;
+  };
+  const std::string key = "key hard_case.edits";
+  EXPECT_EQ(error_of("[]"), "none");
+  EXPECT_EQ(error_of("{}"), key + " must be a list");
+  EXPECT_EQ(error_of("[1]"), key + "[0] must be an object");
+  EXPECT_EQ(error_of(R"([{"remove":1}])"), key + "[0].frame is missing");
+  EXPECT_EQ(error_of(R"([{"frame":11,"remove":1}])"), key + "[0].frame must be a whole number from 0 to 10");
+  EXPECT_EQ(error_of(R"([{"frame":-1,"remove":1}])"), key + "[0].frame must be a whole number from 0 to 10");
+  EXPECT_EQ(error_of(R"([{"frame":1,"remove":0}])"),
+            key + "[0].remove must be a whole number from 1 to 1000");
+  EXPECT_EQ(error_of(R"([{"frame":1,"turn_round":1}])"), key + "[0].turn_round must be true");
+  EXPECT_EQ(error_of(R"([{"frame":1}])"), key + R"([0] must have "remove" or "turn_round")");
+  EXPECT_EQ(error_of(R"([{"frame":2,"remove":1},{"frame":1,"remove":2}])"), key + "[1].frame goes backwards");
+  std::string many;
+  for (int i = 0; i < 257; ++i) many += R"({"frame":1,"turn_round":true},)";
+  many.pop_back();
+  EXPECT_EQ(error_of("[" + many + "]"), key + " may have at most 256 edits");
+}
+
+// Every file is read as the program writes it.
+TEST(HardCase, ItsEditsAreWrittenInOrder) {
+  Level level = level_of({"#"});
+  level.extra = R"({"hard_case":{"edits":[{"turn_round":true,"remove":2,"frame":3}],"number":61}})";
+  const auto written = write_native(level, {});
+  ASSERT_TRUE(written);
+  EXPECT_NE(written->bytes.find(R"({"frame": 3, "remove": 2, "turn_round": true})"), std::string::npos)
+      << written->bytes;
 }
 
 TEST(HardCase, ATranslatedLevelIsOneAsWell) {
@@ -191,6 +234,82 @@ TEST(HardCaseRun, KeepsABoundedNumberOfBodies) {
       run_hard_case(hard, level).error(),
       "makes 1000000 frames of 3000 bodies, but all frames together may have at most 2097152 bodies and "
       "4194304 contacts");
+}
+
+// ---- Edits ----
+
+TEST(HardCaseRun, EditsAreMadeInTheirFrameAlone) {
+  State state;
+  state.frame = 3;
+  state.bodies.resize(2);
+  state.bodies[0].id = 1;
+  state.bodies[0].velocity = {1, -2};
+  state.bodies[0].spin = 3;
+  state.bodies[1].id = state.grabbed = 2;
+  const std::vector<CaseEdit> edits = {
+      {.frame = 2, .remove = 1}, {.frame = 3, .remove = 2, .turns_round = true}, {.frame = 4, .remove = 1}};
+  make_edits(edits, state);
+  ASSERT_EQ(state.bodies.size(), 1u);
+  EXPECT_EQ(state.bodies[0].velocity, (Vec2{-1, 2}));
+  EXPECT_EQ(state.bodies[0].spin, -3);
+  EXPECT_EQ(state.grabbed, 0) << "what the mouse held is gone";
+}
+
+// Two balls fly to the right without gravity, by 1 and 2 px a frame.
+Level two_flying() {
+  Level level = open_level(0, 1);
+  add_body(level, BodyKind::ball, {100, 40}, {1, 0});
+  add_body(level, BodyKind::ball, {200, 80}, {2, 0});
+  return level;
+}
+
+double measured(const Level& level, std::int64_t frames, std::vector<CaseEdit> edits, CaseCheck check) {
+  HardCase hard;
+  hard.frames = frames;
+  hard.edits = std::move(edits);
+  hard.checks = {check};
+  return run_hard_case(hard, level).value().at(0).measured;
+}
+
+TEST(HardCaseRun, ABodyThatIsRemovedIsMeasuredAsItWasLast) {
+  const Level level = two_flying();
+  const std::vector<CaseEdit> edits = {{.frame = 3, .remove = 1}};
+  using M = CaseCheck::Measure;
+  CaseCheck first = check_of(M::position), second = first, further = check_of(M::further);
+  first.x = 103;
+  second.body = further.body = 2;
+  second.x = 212;
+  EXPECT_EQ(measured(level, 6, edits, first), 0);
+  EXPECT_EQ(measured(level, 6, edits, second), 0);
+  EXPECT_EQ(measured(level, 6, edits, further), 0);
+  EXPECT_EQ(measured(level, 6, edits, check_of(M::untouched)), 6);
+}
+
+// In a level whose spawns are in reverse order the same body has another id.
+TEST(HardCaseRun, EditsFindTheirBodyInEveryRun) {
+  const std::vector<CaseEdit> edits = {{.frame = 0, .remove = 2}, {.frame = 3, .turns_round = true}};
+  using M = CaseCheck::Measure;
+  for (const M measure : {M::permute, M::repeat, M::mirror, M::translate})
+    EXPECT_EQ(measured(two_flying(), 6, edits, check_of(measure)), 0) << static_cast<int>(measure);
+}
+
+TEST(HardCaseRun, WhatIsTurnedRoundGoesBack) {
+  const Level level = two_flying();
+  CaseCheck position = check_of(CaseCheck::Measure::position);
+  position.x = 94;
+  EXPECT_EQ(measured(level, 6, {{.frame = 0, .turns_round = true}}, position), 0);
+}
+
+TEST(HardCaseRun, RefusesToRemoveABodyThatIsNotThere) {
+  const auto error_of = [](std::vector<CaseEdit> edits) {
+    HardCase hard;
+    hard.frames = 6;
+    hard.edits = std::move(edits);
+    hard.checks = {check_of(CaseCheck::Measure::position)};
+    return run_hard_case(hard, two_flying()).error();
+  };
+  EXPECT_EQ(error_of({{.frame = 1, .remove = 3}}), "removes body 3, but the level has 2");
+  EXPECT_EQ(error_of({{.frame = 1, .remove = 2}, {.frame = 2, .remove = 2}}), "removes body 2 twice");
 }
 
 TEST(HardCaseRun, ACheckOfAMissingBodyFails) {

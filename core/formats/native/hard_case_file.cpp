@@ -13,6 +13,8 @@ constexpr std::int64_t kMaxFrames = 1'000'000;
 constexpr double kMaxCaseNumber = 1e8;  // px or px/frame; farther away than any level reaches
 constexpr std::size_t kMaxFloorParts = 256;
 constexpr std::size_t kMaxChecks = 256;  // some of them take a run each
+constexpr std::size_t kMaxEdits = 256;
+constexpr int kMaxId = 1000;  // of a body that a case names
 
 // Thrown and caught in this file only: ends the reading of nested values at the first error.
 struct Wrong {
@@ -80,6 +82,27 @@ CaseInput read_input(const Json& json, const std::string& path) {
   return input;
 }
 
+CaseEdit read_edit(const Json& json, const std::string& path, std::int64_t frames) {
+  if (!json.is_object()) fail(path, "must be an object");
+  CaseEdit edit;
+  edit.frame = whole(member(json, path + ".", "frame"), path + ".frame", 0, frames);
+  if (json.contains("remove"))
+    edit.remove = static_cast<int>(whole(json["remove"], path + ".remove", 1, kMaxId));
+  if (json.contains("turn_round")) {
+    if (json["turn_round"] != true) fail(path + ".turn_round", "must be true");
+    edit.turns_round = true;
+  }
+  if (edit.remove == 0 && !edit.turns_round) fail(path, "must have \"remove\" or \"turn_round\"");
+  return edit;
+}
+
+// Adds an entry to a list that is sorted by frame.
+template <class Entry>
+void add_by_frame(std::vector<Entry>& list, const Entry& entry, const std::string& path) {
+  if (!list.empty() && entry.frame < list.back().frame) fail(path + ".frame", "goes backwards");
+  list.push_back(entry);
+}
+
 void read_line(const Json& points, const std::string& path, CaseFloor& floor) {
   std::vector<Vec2> ends;
   for (const Json& point : points) {
@@ -122,7 +145,7 @@ CaseCheck read_check(const Json& json, const std::string& path, std::int64_t fra
   if (!json.is_object()) fail(path, "must be an object");
   CaseCheck check;
   check.measure = measure_of(member(json, path + ".", "measure"), path + ".measure");
-  if (json.contains("body")) check.body = static_cast<int>(whole(json["body"], path + ".body", 1, 1000));
+  if (json.contains("body")) check.body = static_cast<int>(whole(json["body"], path + ".body", 1, kMaxId));
   if (json.contains("frame")) check.first = check.last = whole(json["frame"], path + ".frame", 1, frames);
   if (json.contains("frames")) {
     if (!json["frames"].is_array() || json["frames"].size() != 2) fail(path + ".frames", "must be [a, b]");
@@ -169,10 +192,12 @@ HardCase read_case(const Json& json, const Level& level) {
       read(list[i], std::string(key) + "[" + std::to_string(i) + "]");
   };
   each("input", [&](const Json& entry, const std::string& path) {
-    hard.input.push_back(read_input(entry, path));
-    const std::size_t count = hard.input.size();
-    if (count > 1 && hard.input[count - 1].frame < hard.input[count - 2].frame)
-      fail(path + ".frame", "goes backwards");
+    add_by_frame(hard.input, read_input(entry, path), path);
+  });
+  each("edits", [&](const Json& entry, const std::string& path) {
+    if (hard.edits.size() == kMaxEdits)
+      fail("edits", "may have at most " + std::to_string(kMaxEdits) + " edits");
+    add_by_frame(hard.edits, read_edit(entry, path, hard.frames), path);
   });
   each("floor", [&](const Json& part, const std::string& path) {
     read_floor_part(part, path, hard.floor);
@@ -192,10 +217,10 @@ HardCase read_case(const Json& json, const Level& level) {
 }  // namespace
 
 std::span<const std::string_view> hard_case_keys() {
-  static constexpr std::array<std::string_view, 21> kKeys = {
-      "hard_case", "number", "title", "set_up", "right_answer", "measure", "body",
-      "frame",     "frames", "mouse", "down",   "keys",         "input",   "floor",
-      "arc",       "bowl",   "sine",  "checks", "right",        "bottom",  "bound"};
+  static constexpr std::array<std::string_view, 24> kKeys = {
+      "hard_case", "number", "title", "set_up", "right_answer", "measure", "body",   "frame",
+      "frames",    "mouse",  "down",  "keys",   "input",        "edits",   "remove", "turn_round",
+      "floor",     "arc",    "bowl",  "sine",   "checks",       "right",   "bottom", "bound"};
   return kKeys;
 }
 

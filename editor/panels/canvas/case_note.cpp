@@ -20,8 +20,12 @@ std::string held_text(const Input& input) {
 }  // namespace
 
 std::string case_note(const Session& session) {
-  if (!session.hard_case() || session.hard_case()->input.empty()) return {};
-  const Input own = case_input(session.hard_case()->input, session.state().frame + 1);
+  if (!session.hard_case()) return {};
+  const HardCase& hard = *session.hard_case();
+  if (hard.input.empty())
+    return hard.edits.empty() ? ""
+                              : "Only the checks of the hard case make its edits; here you make your own";
+  const Input own = case_input(hard.input, session.state().frame + 1);
   const Input& user = session.playback().input;
   if ((own.left && user.right) || (own.right && user.left))
     return "The hard case holds " + held_text(own) + " and you hold the opposite key: the two cancel out";

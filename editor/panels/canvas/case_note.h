@@ -1,4 +1,4 @@
-// Says which input plays besides the user's keys.
+// Says what a hard case does besides the user.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace talus {
 
 // For a hard case with input of its own: what it holds in the next step, and what the user's keys change.
-// Empty for other levels.
+// For one without input that is edited: that only its checks do that. Empty for other levels.
 std::string case_note(const Session& session);
 
 }  // namespace talus

@@ -13,6 +13,7 @@
 #include "panels/canvas/canvas_layers.h"
 #include "panels/canvas/opening_area.h"
 #include "panels/files/picture_in_list.h"
+#include "sim/case_edit.h"
 #include "sim/case_input.h"
 
 namespace talus {
@@ -87,7 +88,9 @@ bool LevelPreview::is_over() const {
 void LevelPreview::step() {
   if (!solver_) return;
   if (is_over()) state_ = start_;
+  if (state_.frame == 0) make_edits(case_.edits, state_);
   solver_->step(state_, input());
+  make_edits(case_.edits, state_);
 }
 
 void LevelPreview::draw_body(const BodyDrawing& drawing, const Body& body, const CanvasView& view,
