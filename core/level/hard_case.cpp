@@ -34,10 +34,11 @@ double crest(const Sine& s, double left, double right) {
   return next < right ? next : left;
 }
 
-// Whether it is a number of px or px/frame, not a count or an angle.
+// Whether it is a number of px or px/frame, not a count, an angle or a share.
 bool is_length(CaseCheck::Measure measure) {
   using M = CaseCheck::Measure;
-  return measure != M::walls && measure != M::untouched && measure != M::normal && measure != M::changes;
+  return measure != M::walls && measure != M::untouched && measure != M::normal && measure != M::changes &&
+         measure != M::energy && measure != M::total_energy;
 }
 
 Vec2 range_of(const Segment& s) { return {s.from.x, s.to.x}; }
@@ -84,23 +85,26 @@ HardCase scaled(const HardCase& hard, int factor) {
 
 const std::array<CaseMeasureInfo, kCaseMeasureCount>& case_measure_infos() {
   using M = CaseCheck::Measure;
-  static constexpr std::array<CaseMeasureInfo, kCaseMeasureCount> kInfos = {{{M::position, "position"},
-                                                                             {M::velocity, "velocity"},
-                                                                             {M::sink, "sink"},
-                                                                             {M::gap, "gap"},
-                                                                             {M::reaches, "reaches"},
-                                                                             {M::backwards, "backwards"},
-                                                                             {M::further, "further"},
-                                                                             {M::walls, "walls"},
-                                                                             {M::untouched, "untouched"},
-                                                                             {M::normal, "normal"},
-                                                                             {M::changes, "changes"},
-                                                                             {M::energy, "energy"},
-                                                                             {M::apex, "apex"},
-                                                                             {M::mirror, "mirror"},
-                                                                             {M::translate, "translate"},
-                                                                             {M::permute, "permute"},
-                                                                             {M::repeat, "repeat"}}};
+  static constexpr std::array<CaseMeasureInfo, kCaseMeasureCount> kInfos = {
+      {{M::position, "position"},
+       {M::velocity, "velocity"},
+       {M::sink, "sink"},
+       {M::gap, "gap"},
+       {M::reaches, "reaches"},
+       {M::backwards, "backwards"},
+       {M::further, "further"},
+       {M::walls, "walls"},
+       {M::untouched, "untouched"},
+       {M::normal, "normal"},
+       {M::changes, "changes"},
+       {M::energy, "energy"},
+       {M::total_energy, "total_energy"},
+       {M::apex, "apex"},
+       {M::returns, "returns"},
+       {M::mirror, "mirror"},
+       {M::translate, "translate"},
+       {M::permute, "permute"},
+       {M::repeat, "repeat"}}};
   return kInfos;
 }
 

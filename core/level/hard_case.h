@@ -29,10 +29,12 @@ struct CaseCheck {
     normal,     // degrees between `x`, `y` and the normal of any contact; infinite if there is no contact
     changes,    // frames in which a bit of `y` differs from that of the first frame of the range
     energy,     // share of the greatest energy of motion that is gained or lost since the start, in any frame
-    apex,       // px: distance of any highest point of a flight from `y`; infinite if there is no flight
-    mirror,     // px: distance from the same run in the mirrored level, mirrored back
-    translate,  // px: the same for the level moved by `x`, `y`, whole tiles
-    permute,    // px: the same for the spawns and curves in reverse order
+    total_energy,  // the same for the energy of all bodies together, by their masses; ignores `body`
+    apex,          // px: distance of any highest point of a flight from `y`; infinite if there is no flight
+    returns,       // px: greatest distance of any body in the last frame from where it began; ignores `body`
+    mirror,        // px: distance from the same run in the mirrored level, mirrored back
+    translate,     // px: the same for the level moved by `x`, `y`, whole tiles
+    permute,       // px: the same for the spawns and curves in reverse order
     repeat  // px: the same for a second run, with a new solver in each frame, and for a third one, without
             // records, so that bodies may sleep
   };
@@ -47,7 +49,7 @@ struct CaseMeasureInfo {
   CaseCheck::Measure measure;
   std::string_view key;  // in files
 };
-inline constexpr int kCaseMeasureCount = 17;
+inline constexpr int kCaseMeasureCount = 19;
 const std::array<CaseMeasureInfo, kCaseMeasureCount>& case_measure_infos();  // in the order of the enum
 
 // What is held from a frame on.

@@ -20,7 +20,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 struct Sample {
   Rect box;
   Vec2 velocity;
-  double spin = 0;            // px/frame
+  double spin = 0;  // px/frame
+  double mass = 0;
   double further = 0;         // px moved further than asked for
   std::vector<Vec2> normals;  // of its contacts
 };
@@ -63,10 +64,12 @@ std::vector<Sample> sample(const State& state, const StepRecord& record, const s
   std::vector<Sample> samples(before.empty() ? state.bodies.size() : before.size());
   for (std::size_t i = 0; i < before.size(); ++i) {
     const Sample& last = before[i];
-    samples[i] = {last.box, last.velocity, last.spin, 0, {}};
+    samples[i] = {last.box, last.velocity, last.spin, last.mass, 0, {}};
   }
-  for (const Body& body : state.bodies)
-    samples[index_of(body.id)] = {body.box, body.velocity, body.spin, 0, {}};
+  for (const Body& body : state.bodies) {
+    const double mass = mass_of(body.kind, {body.box.w, body.box.h});
+    samples[index_of(body.id)] = {body.box, body.velocity, body.spin, mass, 0, {}};
+  }
   for (const BodyPath& path : record.paths) {
     const double asked = length(path.goal - path.from.position());
     const double went = length(path.to.position() - path.from.position());
@@ -192,8 +195,12 @@ class Measurer {
                                 const Sample& s) { return s.box.y != y; });
       case M::energy:
         return energy(check);
+      case M::total_energy:
+        return total_energy();
       case M::apex:
         return apex(check);
+      case M::returns:
+        return returns();
       case M::mirror:
       case M::translate:
       case M::permute:
@@ -270,20 +277,41 @@ class Measurer {
     return most < 0 ? kInfinity : most;
   }
 
-  // A body without spin has none to gain; half of a disc's mass counts at its rim.
-  double energy(const CaseCheck& check) const {
+  // The share of the greatest energy of motion that is gained or lost. sum(frame, energy): the energy of all
+  // that counts in a frame, if `energy` gives that of a sample for each unit of mass. A body without spin has
+  // none to gain; half of a disc's mass counts at its rim.
+  template <class Sum>
+  double energy_change(Sum sum) const {
     const double gravity = level_.tuning.exact.gravity;
     const auto of_motion = [](const Sample& s) {
       return dot(s.velocity, s.velocity) / 2 + s.spin * s.spin / 4;
     };
     const auto whole = [&](const Sample& s) { return of_motion(s) - gravity * s.box.y; };
+    const double start = sum(0, whole);
     double most = 0, off = 0;
     for (std::int64_t frame = 0; frame <= hard_.frames; ++frame) {
-      const Sample& s = sample_at(check, frame);
-      most = worse(of_motion(s), most);
-      off = worse(std::abs(whole(s) - whole(sample_at(check, 0))), off);
+      most = worse(sum(frame, of_motion), most);
+      off = worse(std::abs(sum(frame, whole) - start), off);
     }
     return most > 0 ? off / most : kInfinity;
+  }
+  double energy(const CaseCheck& check) const {
+    return energy_change(
+        [&](std::int64_t frame, const auto& energy) { return energy(sample_at(check, frame)); });
+  }
+  double total_energy() const {
+    return energy_change([&](std::int64_t frame, const auto& energy) {
+      double sum = 0;
+      for (const Sample& s : run_[static_cast<std::size_t>(frame)]) sum += s.mass * energy(s);
+      return sum;
+    });
+  }
+
+  double returns() const {
+    double most = 0;
+    for (std::size_t i = 0; i < run_[0].size(); ++i)
+      most = worse(length(run_.back()[i].box.position() - run_[0][i].box.position()), most);
+    return most;
   }
 
   double apex(const CaseCheck& check) const {

@@ -298,6 +298,9 @@ TEST(HardCaseRun, WhatIsTurnedRoundGoesBack) {
   CaseCheck position = check_of(CaseCheck::Measure::position);
   position.x = 94;
   EXPECT_EQ(measured(level, 6, {{.frame = 0, .turns_round = true}}, position), 0);
+  const CaseCheck returns = check_of(CaseCheck::Measure::returns);
+  EXPECT_EQ(measured(level, 6, {{.frame = 3, .turns_round = true}}, returns), 0);
+  EXPECT_EQ(measured(level, 6, {}, returns), 12) << "of the faster one";
 }
 
 TEST(HardCaseRun, RefusesToRemoveABodyThatIsNotThere) {
@@ -310,6 +313,21 @@ TEST(HardCaseRun, RefusesToRemoveABodyThatIsNotThere) {
   };
   EXPECT_EQ(error_of({{.frame = 1, .remove = 3}}), "removes body 3, but the level has 2");
   EXPECT_EQ(error_of({{.frame = 1, .remove = 2}, {.frame = 2, .remove = 2}}), "removes body 2 twice");
+}
+
+// A box of mass 1 hits one of mass 3 that is at rest. Without bounce a quarter of the energy is left.
+TEST(HardCaseRun, TotalEnergyIsThatOfAllMasses) {
+  const CaseCheck total = check_of(CaseCheck::Measure::total_energy);
+  for (const double bounce : {0.0, 1.0}) {
+    Level level = open_level(0, bounce);
+    add_body(level, BodyKind::ball, {100, 40}, {4, 0});
+    add_body(level, BodyKind::ball, {120, 40}, {}, {24, 8});
+    EXPECT_NEAR(measured(level, 10, {}, total), bounce == 0 ? 0.75 : 0, 1e-12);
+  }
+  Level falling = open_level(0.25, 1);
+  add_body(falling, BodyKind::ball, {100, 40}, {1, 0});
+  add_body(falling, BodyKind::marble, {200, 40}, {}, {24, 24});
+  EXPECT_NEAR(measured(falling, 10, {}, total), 0, 1e-12) << "what the fall gives was there as height";
 }
 
 TEST(HardCaseRun, ACheckOfAMissingBodyFails) {
