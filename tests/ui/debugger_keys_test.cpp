@@ -243,6 +243,13 @@ TEST_F(UiDebuggerKeys, ACaseSaysThatItsOwnInputPlays) {
             "The hard case holds Right and you hold the opposite key: the two cancel out");
 }
 
+TEST_F(UiDebuggerKeys, ACaseSaysWhoMakesItsEdits) {
+  start(source_path("assets/hard_cases/66-crate-taken-away.talus.json"));
+  EXPECT_EQ(case_note(session()), "Only the checks of the hard case make its edits; here you make your own");
+  start(source_path("assets/hard_cases/44-stack.talus.json"));
+  EXPECT_EQ(case_note(session()), "");
+}
+
 TEST_F(UiDebuggerKeys, AfterEnterAFieldOfPlotsKeepsTheKeys) {
   key(ctrl(kKeyF8));
   frames(3);

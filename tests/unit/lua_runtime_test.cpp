@@ -181,6 +181,7 @@ TEST_F(LuaRuntime, RefusesTilesForCellsThatAreNotThere) {
                                          "0.5, 0\n" + no + "0, 0.5\n79\t16\n");
 }
 
+// They are played without their edits, as games play them.
 TEST_F(LuaRuntime, GivesTheBitsOfEveryHardCase) {
   for (const auto& entry : fs::directory_iterator(source_path("assets/hard_cases"))) {
     if (entry.path().extension() != ".json") continue;

@@ -15,8 +15,9 @@ struct CaseTheme {
 };
 
 constexpr int kSeams[] = {1, 2, 3, 7, 21}, kSlopes[] = {4, 5, 6, 8, 12, 13, 14, 15, 16},
-              kWalls[] = {9, 10, 11, 17, 20, 22, 23}, kRest[] = {26, 27, 28, 29, 30}, kCurves[] = {38, 39},
-              kPairs[] = {37, 40, 41, 42, 43, 44, 54, 58, 64, 65}, kRolling[] = {53, 57, 59, 60};
+              kWalls[] = {9, 10, 11, 17, 20, 22, 23}, kRest[] = {26, 27, 28, 29, 30, 61, 66},
+              kCurves[] = {38, 39}, kPairs[] = {37, 40, 41, 42, 43, 44, 54, 58, 64, 65},
+              kRolling[] = {53, 57, 59, 60};
 constexpr std::array kThemes = {
     CaseTheme{"Seams", "Hard cases: bodies that catch on the border of two tiles.", kSeams},
     CaseTheme{"Slopes", "Hard cases: peaks, valleys, and ways up and down.", kSlopes},
