@@ -93,6 +93,17 @@ TEST(NativeShapes, ConveyorsAreReadAsWritten) {
                "must be a number");
 }
 
+TEST(NativeShapes, AConveyorTakesTheShapeOfTheFlags) {
+  const std::string flags = R"("roles": {"solid": 0}, "tiles": {"5": {"flags": [0]}}, )";
+  const std::string conveyor = R"("tile_shapes": {"5": {"conveyor": 1.5}})";
+  const auto level = level_of_native(native_with(flags + conveyor));
+  EXPECT_EQ(level.tile_shapes[5], (TileShape{.kind = TileShape::Kind::solid, .conveyor = 1.5}));
+  expect_error(conveyor, "key tile_shapes.5",
+               "has a conveyor, but neither a \"kind\" nor flags that give it a shape");
+  expect_error(R"("flag_shapes": {"5": {"conveyor": 1}})", "key flag_shapes.5",
+               "has a conveyor, but no \"kind\"");
+}
+
 Level level_with_polygons() {
   Level level;
   TileShape polygon;

@@ -79,6 +79,7 @@ class Reader {
       take_object(document, kSheetKeys[i], kSheetKeys[i],
                   [&](Json& v) { read_sheet(v, kSheetKeys[i], level_.sheets[i]); });
     }
+    shape_conveyors();
     take(document, "picture", [this](const Json& v) { read_picture(v); });
     take(document, "tilesets",
          [this](Json& v) { keep(take_tilesets(v, level_.sheet(SheetId::tiles).layout()), level_.tilesets); });
@@ -236,6 +237,25 @@ class Reader {
       take_object(shapes, key, entry, [&](Json& json) { keep(take_shape(json, entry, tile_size_), out[i]); });
     }
     check_numbers(shapes, path, no_number, out.size());
+  }
+
+  // A tile's shape without a kind is that of its flags, which may be a conveyor on this tile alone.
+  void shape_conveyors() {
+    for (std::size_t tile = 0; tile < level_.tile_shapes.size(); ++tile) {
+      TileShape& own = level_.tile_shapes[tile];
+      if (own.conveyor == 0 || own.kind != TileShape::Kind::none) continue;
+      TileShape shape = shape_of_flags(level_, level_.tile_flags(static_cast<TileNumber>(tile)));
+      if (shape.kind == TileShape::Kind::none)
+        return fail_key("tile_shapes." + std::to_string(tile),
+                        "has a conveyor, but neither a \"kind\" nor flags that give it a shape");
+      shape.conveyor = own.conveyor;
+      own = std::move(shape);
+    }
+    for (std::size_t flag = 0; flag < level_.flag_shapes.size(); ++flag) {
+      const TileShape& shape = level_.flag_shapes[flag];
+      if (shape.conveyor != 0 && shape.kind == TileShape::Kind::none)
+        fail_key("flag_shapes." + std::to_string(flag), "has a conveyor, but no \"kind\"");
+    }
   }
 
   void read_sheet(Json& tiles, const std::string& path, Sheet& sheet) {

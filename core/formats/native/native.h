@@ -53,7 +53,8 @@
 //                  list of 3..256 points [x, y] in px from the tile's top left, none further than 8 tiles
 //                  from it, and no two sides that meet but neighbours; or "group", with "parts", 1..64 shapes
 //                  that are no groups, with up to 1024 points in all, and without other members but
-//                  "conveyor". Each may have "conveyor", px/frame, -64..64 (0).
+//                  "conveyor". Each may have "conveyor", px/frame, -64..64 (0); without "kind" it makes
+//                  the shape that the flags give a conveyor, and there has to be one.
 //   "tiles"        by tile number, from "0": "flags", a list of the flags that are set (default: no
 //                  flags), and "pixels", eight rows of eight hexadecimal palette indices, "." for 0
 //                  (default: all 0). Blank tiles are left out.
