@@ -106,6 +106,32 @@ TEST(TiledShapes, APropertyMakesAConveyor) {
               ElementsAre("the speed of a conveyor, which is no number of at most 64 px a frame"));
 }
 
+// A map whose tile 0 is a conveyor without an outline, in a layer of this name.
+LoadedLevel map_with_bare_conveyor(const std::string& layer) {
+  const auto loaded = read_level(
+      R"(<map orientation="orthogonal" width="2" height="1" tilewidth="8" tileheight="8">)"
+      R"(<tileset firstgid="1" name="t" tilewidth="8" tileheight="8" tilecount="4" columns="4">)"
+      R"(<tile id="0"><properties><property name="shape_conveyor" type="float" value="1.5"/></properties>)"
+      R"(</tile></tileset><layer name=")" +
+          layer + R"(" width="2" height="1"><data encoding="csv">1,2147483649</data></layer></map>)",
+      {"tmx"});
+  EXPECT_TRUE(loaded) << loaded.error().message;
+  return *loaded;
+}
+
+TEST(TiledShapes, AConveyorWithoutAnOutlineMayBeSolid) {
+  const LoadedLevel loaded = map_with_bare_conveyor("ground");
+  const Level& level = loaded.level;
+  EXPECT_EQ(shape_of_cell(level, level.map.cells()[0]), (TileShape{.kind = Kind::solid, .conveyor = 1.5}));
+  EXPECT_EQ(shape_of_cell(level, level.map.cells()[1]), (TileShape{.kind = Kind::solid, .conveyor = -1.5}));
+  EXPECT_THAT(told(loaded), ElementsAre());
+}
+
+TEST(TiledShapes, AConveyorThatIsNoGroundIsTold) {
+  EXPECT_THAT(told(map_with_bare_conveyor("l")),
+              ElementsAre("the speed of a conveyor on a tile that is no ground"));
+}
+
 TEST(TiledShapes, AnEllipseIsAPolygon) {
   const LoadedLevel loaded = map_with(R"(<object x="1" y="2" width="6" height="4"><ellipse/></object>)");
   const TileShape& shape = loaded.level.tile_shapes[5];

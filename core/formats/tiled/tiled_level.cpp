@@ -68,7 +68,9 @@ class TiledLevelMaker {
   std::optional<TileShape> nearest_shape_of(const std::string& tile, const std::vector<Vec2>& outline,
                                             bool one_way);
   void tell_wrong_conveyor(const TiledProperties& properties, std::string_view name);
-  void take_conveyor(const TiledTile& tile, TileTurn turn, const TileShape& of_flags, TileShape& own);
+  std::optional<double> conveyor_of_tile(TileNumber number) const;
+  void take_conveyor(TileNumber number, const TiledTile& tile, const TileShape& of_flags, TileShape& own);
+  void tell_bare_conveyors();
   void tell_stale_words(const TiledTile& tile, const TileShape& shape);
   // number: of the layer among those that are not of tiles.
   void take_objects(const TiledLayer& layer, int place, int number);
@@ -320,14 +322,32 @@ void TiledLevelMaker::tell_wrong_conveyor(const TiledProperties& properties, std
     drops_.add("the speed of a conveyor, which is no number of at most 64 px a frame");
 }
 
+// The speed that a property of a tile says; nothing if there is none that can be read.
+std::optional<double> TiledLevelMaker::conveyor_of_tile(TileNumber number) const {
+  const TiledSource& source = tiles_.sources[number];
+  const TiledTile* const tile = tile_of(source);
+  const auto speed = tile == nullptr ? std::nullopt : conveyor_of(tile->properties, kTiledConveyor);
+  if (!speed || !is_mirror(static_cast<TileTurn>(source.turn >> kTiledTurnShift))) return speed;
+  return 0 - *speed;
+}
+
 // Gives a tile's own shape the speed that a property says.
-void TiledLevelMaker::take_conveyor(const TiledTile& tile, TileTurn turn, const TileShape& of_flags,
+void TiledLevelMaker::take_conveyor(TileNumber number, const TiledTile& tile, const TileShape& of_flags,
                                     TileShape& own) {
   own.conveyor = 0;
-  const auto speed = conveyor_of(tile.properties, kTiledConveyor);
+  const auto speed = conveyor_of_tile(number);
   if (!speed) return tell_wrong_conveyor(tile.properties, kTiledConveyor);
   if (*speed != 0 && own.kind == TileShape::Kind::none) own = of_flags;
-  if (own.kind != TileShape::Kind::none) own.conveyor = is_mirror(turn) ? 0 - *speed : *speed;
+  if (own.kind != TileShape::Kind::none) own.conveyor = *speed;
+}
+
+// Called when all tiles have their shapes.
+void TiledLevelMaker::tell_bare_conveyors() {
+  for (std::size_t i = 0; i < tiles_.sources.size(); ++i) {
+    const auto tile = static_cast<TileNumber>(i);
+    if (shape_of_tile(level_, tile).kind == TileShape::Kind::none && conveyor_of_tile(tile).value_or(0) != 0)
+      drops_.add("the speed of a conveyor on a tile that is no ground");
+  }
 }
 
 void TiledLevelMaker::take_tile(TileNumber number) {
@@ -339,7 +359,7 @@ void TiledLevelMaker::take_tile(TileNumber number) {
   level_.sheet(SheetId::tiles).flags[number] = flags_->flags_of(*tile, drops_);
   const TileShape of_flags = shape_of_flags(level_, level_.tile_flags(number));
   TileShape own = own_shape_of(number, source, *tile, before);
-  take_conveyor(*tile, static_cast<TileTurn>(source.turn >> kTiledTurnShift), of_flags, own);
+  take_conveyor(number, *tile, of_flags, own);
   if (own == before || own != of_flags) level_.tile_shapes[number] = std::move(own);
   const TileShape shape = shape_of_tile(level_, number);
   if (is_own_ && tile->objects.empty() && !tiled_objects(shape, map_.tile_size).empty() && source.turn == 0)
@@ -376,7 +396,8 @@ void TiledLevelMaker::fill_named_ground(const std::vector<const TiledLayer*>& la
   for (std::size_t i = first; i < tiles_.sources.size(); ++i) {
     const auto tile = static_cast<TileNumber>(i);
     if (tilesets.contains(tiles_.sources[i].tileset) && !has_shape(tile) && !is_ball_tile(level_, tile))
-      level_.tile_shapes[tile] = {.kind = TileShape::Kind::solid};
+      level_.tile_shapes[tile] = {.kind = TileShape::Kind::solid,
+                                  .conveyor = conveyor_of_tile(tile).value_or(0)};
   }
 }
 
@@ -685,6 +706,7 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
   level_.tile_notes.clear();
   for (int tile = 0; tile < layout.count; ++tile) take_tile(static_cast<TileNumber>(tile));
   if (!is_own_) fill_named_ground(*layers);
+  tell_bare_conveyors();
   take_animations();
   if (!is_own_) level_.large_tiles = parts_.large_tiles(tiles_);
   take_other_layers(*layers);
