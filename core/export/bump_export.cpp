@@ -25,7 +25,10 @@ FormatResult<Exported> export_bump(const ExportRequest& request) {
   if (const std::size_t curves = request.level.curves.size(); curves > 0)
     out.dropped.push_back(std::to_string(curves) + (curves == 1 ? " curve" : " curves") +
                           ", which bump does not know");
-  tell_conveyors(request.level, out.dropped);
+  if (const int conveyors = conveyor_tiles(request.level); conveyors > 0)
+    out.dropped.push_back((conveyors == 1 ? std::string("what a conveyor does")
+                                          : "what " + std::to_string(conveyors) + " conveyors do") +
+                          " to bodies, which bump does not know");
   for (std::string& phrase : dropped_by_bump(request.level)) out.dropped.push_back(std::move(phrase));
   return with_license(request, std::move(out));
 }

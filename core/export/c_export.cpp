@@ -396,7 +396,7 @@ FormatResult<Exported> export_c(const ExportRequest& request) {
   for (std::string& phrase : dropped_polygons(request.level)) dropped.push_back(std::move(phrase));
   for (std::string& phrase : dropped_numbers(request.level.spawns)) dropped.push_back(std::move(phrase));
   tell_body_pictures(request.level, dropped);
-  tell_conveyors(request.level, dropped);
+  tell_conveyors(request.level, false, dropped);
   return exported_file(CHeader(request.level, c_name(request.stem())).take(), std::move(dropped));
 }
 

@@ -388,7 +388,7 @@ FormatResult<Exported> export_ldtk(const ExportRequest& request) {
                             request.progress);
   std::vector<std::string> dropped = dropped_curves(request.level);
   tell_body_pictures(request.level, dropped);
-  tell_conveyors(request.level, dropped);
+  tell_conveyors(request.level, false, dropped);
   if (const std::size_t cells = project.overlaps(); cells > 0)
     dropped.push_back("a second shape in " + std::to_string(cells) + (cells == 1 ? " cell" : " cells") +
                       " that two shapes reach into");

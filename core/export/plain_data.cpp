@@ -270,11 +270,15 @@ void tell_body_pictures(const Level& level, std::vector<std::string>& dropped) {
                                  : "the pictures of " + std::to_string(count) + " bodies");
 }
 
-void tell_conveyors(const Level& level, std::vector<std::string>& dropped) {
-  const TerrainSource ground = ground_of(level);
-  const auto is_conveyor = [](const auto& part) { return part.conveyor != 0; };
-  const auto count = used_tiles(ground, is_conveyor) +
-                     std::count_if(ground.curves.begin(), ground.curves.end(), is_conveyor);
+int conveyor_tiles(const Level& level) {
+  return used_tiles(ground_of(level), [](const TileShape& shape) { return shape.conveyor != 0; });
+}
+
+void tell_conveyors(const Level& level, bool holds_curves, std::vector<std::string>& dropped) {
+  const std::vector<Curve> curves = ground_of(level).curves;
+  const auto moving_curves =
+      std::count_if(curves.begin(), curves.end(), [](const Curve& curve) { return curve.conveyor != 0; });
+  const auto count = conveyor_tiles(level) + (holds_curves ? moving_curves : 0);
   if (count > 0)
     dropped.push_back(count == 1 ? "the speed of a conveyor"
                                  : "the speeds of " + std::to_string(count) + " conveyors");

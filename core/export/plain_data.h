@@ -74,8 +74,11 @@ std::vector<std::string> dropped_curves(const Level& level);
 // Says so if bodies have pictures, for exports that cannot hold those.
 void tell_body_pictures(const Level& level, std::vector<std::string>& dropped);
 
-// The same for tiles on the map and curves that are conveyors.
-void tell_conveyors(const Level& level, std::vector<std::string>& dropped);
+// How many tiles on the map are conveyors.
+int conveyor_tiles(const Level& level);
+// Says so if tiles on the map are conveyors, for exports that cannot hold the speeds; and of curves, if the
+// export holds curves.
+void tell_conveyors(const Level& level, bool holds_curves, std::vector<std::string>& dropped);
 
 // The words of the exports: "solid", "slope", "profile" or "none"; "box" or "centre"; "fall" or "run"; "tile"
 // or "figure".

@@ -45,6 +45,18 @@ TEST(ExportBump, SaysThatCurvesAreDropped) {
   EXPECT_EQ(exported(level)->dropped, std::vector<std::string>{"2 curves, which bump does not know"});
 }
 
+// level.lua has their speeds.
+TEST(ExportBump, SaysThatConveyorsMoveNothing) {
+  Level level = small_level();
+  level.tile_shapes[1].conveyor = 1;
+  EXPECT_EQ(exported(level)->dropped,
+            std::vector<std::string>{"what a conveyor does to bodies, which bump does not know"});
+  level.map.set({2, 2}, 2);
+  level.tile_shapes[2] = level.tile_shapes[1];
+  EXPECT_EQ(exported(level)->dropped,
+            std::vector<std::string>{"what 2 conveyors do to bodies, which bump does not know"});
+}
+
 TEST(ExportBump, FailsWhereAFileOfTheProgramIsMissing) {
   const ReadAsset read = [](const std::string& name) -> FormatResult<std::string> {
     if (name == "templates/camera.lua") return tl::unexpected(FormatError{"", "it is not there"});

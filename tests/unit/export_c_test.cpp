@@ -77,6 +77,18 @@ TEST(ExportC, CurvesAreDroppedWithAWarning) {
   EXPECT_EQ(exported("c", level, "cave.h")->dropped, std::vector<std::string>{"2 curves"});
 }
 
+// A curve that is not there has no speed.
+TEST(ExportC, ConveyorsAreDroppedWithAWarning) {
+  Level level;
+  level.map = TileMap(2, 1);
+  level.map.set({0, 0}, 1);
+  level.map.set({1, 0}, 2);
+  level.tile_shapes[1] = level.tile_shapes[2] = {.kind = TileShape::Kind::solid, .conveyor = 1};
+  level.curves.push_back({"", {Segment{{0, 0}, {8, 0}}, Curve::Faces::up, 2.0}, ""});
+  EXPECT_EQ(exported("c", level, "cave.h")->dropped,
+            (std::vector<std::string>{"1 curve", "the speeds of 2 conveyors"}));
+}
+
 TEST(ExportC, AMapTooLongForFixedPointIsRefused) {
   Level level;
   level.map = TileMap(1 << 20, 1);

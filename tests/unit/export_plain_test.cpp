@@ -258,6 +258,17 @@ TEST(ExportJson, GivesTheSizeOfOtherTiles) {
   EXPECT_THAT(exported_file("csv", level, "flags.csv"), HasSubstr(",y16,y17\n0,0,none"));
 }
 
+TEST(ExportCsv, ConveyorsAreDroppedWithAWarning) {
+  Level level;
+  level.map = TileMap(2, 1);
+  level.map.set({0, 0}, 1);
+  level.map.set({1, 0}, 2);
+  level.tile_shapes[1] = level.tile_shapes[2] = {.kind = TileShape::Kind::solid, .conveyor = 1};
+  level.curves.push_back({"", {Segment{{0, 0}, {8, 0}}, Curve::Faces::up, 2.0}, ""});
+  EXPECT_EQ(exported("csv", level, "cave")->dropped, std::vector<std::string>{"the speeds of 3 conveyors"});
+  EXPECT_TRUE(exported("json", level, "cave")->dropped.empty());
+}
+
 TEST(ExportCsv, HasARowForEachTileAndForEachColumnOfCells) {
   const std::string text = exported_file("csv", cave(), "flags.csv");
   EXPECT_THAT(text, StartsWith("tile,flags,kind,side,one_way,tiles,column,y0,y1,y2,y3,y4,y5,y6,y7\n"
