@@ -216,6 +216,108 @@ bool overlaps_counted(const BasicTerrain<Real>& ground, const BasicRect<Real>& b
   return false;
 }
 
+// The mean speed of the ground along a side of a box, from `from` to `to`, px. Sums are of what speeds have
+// more than the first one, so that ground of one speed has exactly that.
+class MeanSpeed {
+ public:
+  MeanSpeed(double from, double to) : from_(from), to_(to) {}
+  // Ground that only touches an end of the side counts where nothing else is.
+  void add(double from, double to, double speed) {
+    const double shared = std::min(to, to_) - std::max(from, from_);
+    if (shared < 0) return;
+    if (count_ == 0) first_ = speed;
+    ++count_;
+    touched_ += speed - first_;
+    length_ += shared;
+    along_ += shared * (speed - first_);
+  }
+  std::optional<double> get() const {
+    if (count_ == 0) return std::nullopt;
+    return first_ + (length_ > 0 ? along_ / length_ : touched_ / count_);
+  }
+
+ private:
+  double from_, to_;
+  double first_ = 0, touched_ = 0, length_ = 0, along_ = 0;
+  int count_ = 0;
+};
+
+// The cells of level or upright ground along a line: `i` counts them along it.
+struct CellsOfLine {
+  bool is_upright;
+  int tiles, curves;  // the row, or the column, of the tiles and of the curves on the line
+  Cell of_tiles(int i) const { return is_upright ? Cell{tiles, i} : Cell{i, tiles}; }
+  Cell of_curves(int i) const { return is_upright ? Cell{curves, i} : Cell{i, curves}; }
+};
+
+// Adds those pieces in a cell that lie on a line, or end on it, and face as a contact, either of curves or of
+// tiles, and of them what is from `from` to `to`.
+template <class Real>
+void add_pieces(const BasicTerrain<Real>& ground, Cell cell, Facing facing, double line, bool of_curves,
+                double from, double to, MeanSpeed& mean) {
+  for (const Piece<Real>& piece : ground.pieces_in(cell)) {
+    if (piece.facing != facing || (piece.origin < 0) != of_curves) continue;
+    const bool is_wall = piece.is_wall();
+    const bool ends_on_it = !is_wall && (piece.y0 == line) != (piece.y1 == line);
+    if (ends_on_it) {
+      const double end = piece.y0 == line ? piece.x0 : piece.x1;
+      if (end >= from && end <= to) mean.add(end, end, ground.conveyor_of(piece.origin));
+    }
+    if (is_wall ? piece.x0 != line : piece.y0 != line || piece.y1 != line) continue;
+    // The walls of tiles above one another are one, which has the origin of the first.
+    const bool is_of_tile = is_wall && !of_curves && ground.shape_at(cell).kind != TileShape::Kind::none;
+    mean.add(std::max(double(is_wall ? piece.y0 : piece.x0), from),
+             std::min(double(is_wall ? piece.y1 : piece.x1), to),
+             is_of_tile ? ground.shape_at(cell).conveyor : ground.conveyor_of(piece.origin));
+  }
+}
+
+// px: the y of level ground that was met, or the x of upright ground.
+template <class Real>
+double line_of(const BasicTerrain<Real>& ground, const Contact<Real>& contact, bool is_upright) {
+  if (const Piece<Real>* piece = contact.piece) {
+    if (is_upright) return piece->x0;
+    return contact.facing == Facing::up ? std::min(piece->y0, piece->y1) : std::max(piece->y0, piece->y1);
+  }
+  const int after = contact.facing == Facing::right || contact.facing == Facing::down ? 1 : 0;
+  return is_upright ? ground.x_of(contact.origin % ground.width() + after)
+                    : ground.y_of(contact.origin / ground.width() + after);
+}
+
+// The mean speed of the level or upright ground that the side of a box touches.
+template <class Real>
+std::optional<double> mean_conveyor(const BasicTerrain<Real>& ground, const Contact<Real>& contact,
+                                    const BasicRect<Real>& box) {
+  const Facing facing = contact.facing;
+  const bool is_upright = facing == Facing::left || facing == Facing::right;
+  const TileSize tile = ground.tile_size();
+  const double across = is_upright ? tile.width : tile.height, side = is_upright ? tile.height : tile.width;
+  const int last_across = (is_upright ? ground.width() : ground.height()) - 1;
+  const int last_along = (is_upright ? ground.height() : ground.width()) - 1;
+  const double line = line_of(ground, contact, is_upright);
+  const bool is_before = facing == Facing::up || facing == Facing::left;  // the line, of its ground
+  const int here = static_cast<int>(std::floor(line / across));
+  const CellsOfLine cells{is_upright, is_before ? here : static_cast<int>(std::ceil(line / across)) - 1,
+                          std::clamp(here, 0, last_across)};
+  const double from = is_upright ? box.y : box.x, to = from + (is_upright ? box.h : box.w);
+  const auto within = [&](double at) {
+    return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(last_along)));
+  };
+  MeanSpeed mean(from, to);
+  for (int i = within(std::ceil(from / side) - 1); i <= within(std::floor(to / side)); ++i) {
+    const double begin = i * side, end = (i + 1) * side;
+    const Cell cell = cells.of_tiles(i);
+    if (ground.is_detailed(cell))
+      add_pieces(ground, cell, facing, line, false, begin, end, mean);
+    else if (ground.is_solid(cell))
+      mean.add(begin, end, ground.shape_at(cell).conveyor);
+    // The cells at the sides of the terrain have the curves beyond it, too.
+    add_pieces(ground, cells.of_curves(i), facing, line, true, i == 0 ? -HUGE_VAL : begin,
+               i == last_along ? HUGE_VAL : end, mean);
+  }
+  return mean.get();
+}
+
 }  // namespace
 
 std::optional<Surface> floor_below(const Terrain& ground, const Rect& box, double reach, Foot foot,
@@ -309,21 +411,12 @@ template <class Real>
 double conveyor_at(const BasicTerrain<Real>& ground, const Contact<Real>& contact,
                    const BasicRect<Real>& box) {
   if (!ground.has_conveyors() || contact.is_other) return 0;
-  if (contact.piece != nullptr) return ground.conveyor_of(contact.origin);
-  const bool is_flat = contact.facing == Facing::up || contact.facing == Facing::down;
-  const TileSize tile = ground.tile_size();
-  const Real middle =
-      is_flat ? (box.x + box.w / 2) / Real(tile.width) : (box.y + box.h / 2) / Real(tile.height);
-  double sum = 0;
-  int count = 0;
-  for (const Real at : {std::ceil(middle) - 1, std::floor(middle)}) {
-    Cell cell{contact.origin % ground.width(), contact.origin / ground.width()};
-    (is_flat ? cell.x : cell.y) = static_cast<int>(at);
-    if (!ground.is_solid(cell)) continue;
-    sum += ground.shape_at(cell).conveyor;
-    ++count;
-  }
-  return count > 0 ? sum / count : ground.conveyor_of(contact.origin);
+  const Piece<Real>* piece = contact.piece;
+  // A flat side may lie on the ends of slopes, beside level ground.
+  const bool is_straight = piece == nullptr || piece->is_wall() || piece->y0 == piece->y1 ||
+                           (contact.on_end && contact.normal.x == 0);
+  const std::optional<double> mean = is_straight ? mean_conveyor(ground, contact, box) : std::nullopt;
+  return mean ? *mean : ground.conveyor_of(contact.origin);
 }
 
 template bool overlaps_ground(const BasicTerrain<double>&, const BasicRect<double>&, Foot);

@@ -46,8 +46,9 @@ std::optional<BasicVec2<Real>> way_out(const BasicTerrain<Real>& ground, const B
                                        Foot foot = Foot::box, CastBudget* budget = nullptr);
 
 // px/frame: how fast the surface that a box touches goes along it, clockwise around the ground: on a floor to
-// the right. Of full tiles the one counts that the middle of the box touches, if it touches ground there; of
-// two beside one another there, half of both.
+// the right. On level ground and at upright walls it is the mean of all the ground along the side of the box,
+// by the px of the side that lie on each; a side without length counts what is at its place, and equally what
+// meets there. Elsewhere that of the contact counts, and where nothing is at the side.
 template <class Real>
 double conveyor_at(const BasicTerrain<Real>& ground, const Contact<Real>& contact,
                    const BasicRect<Real>& box);

@@ -11,6 +11,7 @@
 #include "level/transform.h"
 #include "level_picture.h"
 #include "meeting_run.h"
+#include "property/random_ground.h"
 #include "reference/closed_forms.h"
 
 namespace talus::conveyor_test {
@@ -124,21 +125,165 @@ TEST(Conveyor, CarriesMirrored) {
 
 // ---- Which conveyor ----
 
-TEST(Conveyor, OfTilesSideBySideIsThatUnderTheMiddle) {
+// The shapes whose top is level, at the same height for each of them.
+std::vector<TileShape> level_shapes() {
+  using Kind = TileShape::Kind;
+  return {{.kind = Kind::solid},
+          {.kind = Kind::solid, .one_way = true},
+          {.kind = Kind::slope, .heights = {8, 8}},
+          {.kind = Kind::polygon, .points = {{0, 0}, {8, 0}, {8, 8}, {0, 8}}},
+          {.kind = Kind::group, .parts = {{.kind = Kind::slope, .heights = {8, 8}}, {.kind = Kind::solid}}}};
+}
+
+TileShape with_speed(TileShape shape, double speed) {
+  shape.conveyor = speed;
+  return shape;
+}
+
+// A floor that goes at one speed up to x = 80, and at another one from there on.
+Level joint(const TileShape& left, const TileShape& right, double left_speed, double right_speed) {
+  Level level = belt(0);
+  level.tile_shapes[40] = with_speed(left, left_speed);
+  level.tile_shapes[41] = with_speed(right, right_speed);
+  for (int x = 0; x < level.map.width(); ++x) level.map.set({x, 3}, x < 10 ? 40 : 41);
+  return level;
+}
+
+// The speed that a box gets that comes down, or goes this way, to the ground.
+double speed_at(const Terrain& ground, const Rect& box, Vec2 way = {0, 8}) {
+  const auto contact = cast_box<double>(ground, {box, way});
+  EXPECT_TRUE(contact);
+  return conveyor_at(ground, contact, {contact.position.x, contact.position.y, box.w, box.h});
+}
+
+TEST(Conveyor, OfGroundSideBySideIsTheMean) {
+  for (const TileShape& left : level_shapes()) {
+    for (const TileShape& right : level_shapes()) {
+      const Terrain ground = terrain_of(joint(left, right, 1, -0.5));
+      const auto under = [&](double x, double w) { return speed_at(ground, {x, 6, w, 16}); };
+      EXPECT_EQ(under(40, 8), 1);
+      EXPECT_EQ(under(60, 20), 1);
+      EXPECT_EQ(under(80, 8), -0.5);
+      EXPECT_EQ(under(73, 8), 1 - 1.5 / 8);
+      EXPECT_EQ(under(68, 16), 1 - 1.5 / 4);
+      EXPECT_EQ(under(72, 16), 0.25) << "half on each";
+      EXPECT_EQ(under(80, 0), 0.25) << "without a width";
+    }
+  }
+}
+
+TEST(Conveyor, IsNoneOnGroundThatStandsStill) {
+  const TileShape solid{.kind = TileShape::Kind::solid},
+      half{.kind = TileShape::Kind::slope, .heights = {4, 4}};
+  EXPECT_EQ(speed_at(terrain_of(joint(solid, solid, 0, 2)), {74, 8, 8, 8}), 0.5);
+  EXPECT_EQ(speed_at(terrain_of(joint(half, half, 0, 2)), {74, 8, 8, 8}, {0, 16}), 0.5);
+  EXPECT_EQ(speed_at(terrain_of(joint(solid, half, 0, 2)), {74, 8, 8, 8}), 0) << "4 px below";
+  EXPECT_EQ(speed_at(terrain_of(joint(solid, half, 3, 0)), {74, 8, 8, 8}), 3) << "air is no ground";
+}
+
+TEST(Conveyor, OfCurvesAndTilesIsTheMean) {
   Level level = belt(1);
-  level.tile_shapes[40] = {.kind = TileShape::Kind::solid, .conveyor = -0.5};
-  level.map.set({10, 3}, 40);
+  for (int x = 10; x < 20; ++x) level.map.set({x, 3}, 0);
+  level.curves.push_back({"", {Segment{{80, 24}, {110, 24}}, Curve::Faces::up, -1.0}, ""});
+  level.curves.push_back({"", {Segment{{110, 24}, {160, 24}}, Curve::Faces::both, 0.0}, ""});
   const Terrain ground = terrain_of(level);
-  const auto under = [&](double x, double w) {
-    const Rect box{x, 8, w, 16};
-    const auto contact = cast_box<double>(ground, {box, {0, 1}});
-    return conveyor_at(ground, contact, box);
-  };
-  EXPECT_EQ(under(40, 8), 1);
-  EXPECT_EQ(under(80, 8), -0.5);
-  EXPECT_EQ(under(73, 16), -0.5);
-  EXPECT_EQ(under(71, 16), 1);
-  EXPECT_EQ(under(72, 16), 0.25) << "half on each";
+  EXPECT_EQ(speed_at(ground, {72, 8, 16, 10}), 0);
+  EXPECT_EQ(speed_at(ground, {78, 8, 8, 10}), -0.5);
+  EXPECT_EQ(speed_at(ground, {90, 8, 8, 10}), -1);
+  EXPECT_EQ(speed_at(ground, {108, 8, 8, 10}), -0.25);
+}
+
+// A box may lie on the peak between two slopes, and on level ground as high.
+TEST(Conveyor, OfAPeakIsThatOfBothSides) {
+  const TileShape up{.kind = TileShape::Kind::slope, .heights = {0, 8}};
+  Level level = joint(up, {.kind = TileShape::Kind::slope, .heights = {8, 0}}, 2, -1);
+  for (int x = 0; x < 30; ++x)
+    if (x != 9 && x != 10) level.map.set({x, 3}, 0);
+  EXPECT_EQ(speed_at(terrain_of(level), {75, 8, 8, 10}), 0.5);
+  level.tile_shapes[42] = {.kind = TileShape::Kind::solid, .conveyor = 3};
+  level.map.set({10, 3}, 42);
+  EXPECT_EQ(speed_at(terrain_of(level), {74, 8, 8, 10}), 3) << "the peak has no length";
+}
+
+TEST(Conveyor, OfWallsIsTheMean) {
+  for (const TileShape& shape : level_shapes()) {
+    if (shape.one_way) continue;
+    Level level = open_level(0, 0);
+    level.tile_shapes[40] = with_speed(shape, 1);
+    level.tile_shapes[41] = with_speed(shape, -1);
+    for (int y = 5; y < 15; ++y) level.map.set({10, y}, y < 10 ? 40 : 41);
+    const Terrain ground = terrain_of(level);
+    for (const auto& [x, way] : {std::pair{66.0, 16.0}, std::pair{94.0, -16.0}}) {
+      EXPECT_EQ(speed_at(ground, {x, 60, 8, 8}, {way, 0}), 1);
+      EXPECT_EQ(speed_at(ground, {x, 74, 8, 8}, {way, 0}), 0.5);
+      EXPECT_EQ(speed_at(ground, {x, 76, 8, 8}, {way, 0}), 0);
+      EXPECT_EQ(speed_at(ground, {x, 90, 8, 8}, {way, 0}), -1);
+    }
+  }
+}
+
+// A crate slows down over the joint, and so does a player; where the mean is 0, they stay.
+TEST(Conveyor, LetsThemRestBetweenTwoThatMeet) {
+  for (const BodyKind kind : {BodyKind::crate, BodyKind::player}) {
+    for (const TileShape& shape : level_shapes()) {
+      Level level = joint(shape, shape, 1, -1);
+      add_body(level, kind, {60, 16});
+      MeetingRun run(level);
+      run.step(300);
+      EXPECT_NEAR(run.body(0).box.x, 76, 1e-9);
+      EXPECT_NEAR(run.body(0).velocity.x, 0, 1e-9);
+    }
+  }
+}
+
+// A crate never stops on the way off a conveyor, though this slows down under it.
+TEST(Conveyor, CarriesACrateSmoothlyOffItsEnd) {
+  Level level = joint(level_shapes()[0], level_shapes()[2], 1, 0);
+  add_body(level, BodyKind::crate, {79.4, 16});
+  MeetingRun run(level);
+  for (int frame = 0; frame < 30; ++frame) {
+    run.step();
+    const Body& body = run.body(0);
+    ASSERT_GT(body.velocity.x, 0) << frame;
+    ASSERT_LT(body.velocity.x, 0.6 / 8) << frame;
+    ASSERT_LT(body.box.x, 80) << frame;
+  }
+  EXPECT_GT(run.body(0).box.x, 79.9);
+}
+
+// A disc touches one point of the ground. It swings over a joint, and no further with time.
+TEST(Conveyor, LetsADiscSwingBetweenTwoThatMeet) {
+  Level level = joint(level_shapes()[0], level_shapes()[2], 1, -1);
+  add_body(level, BodyKind::disc, {60, 16});
+  MeetingRun run(level);
+  run.step(200);
+  for (int frame = 0; frame < 800; ++frame) {
+    run.step();
+    ASSERT_NEAR(run.body(0).box.x, 76, 1.5) << frame;
+  }
+}
+
+TEST(Conveyor, CarriesMirroredOverJoints) {
+  const std::vector<TileShape> shapes = level_shapes();
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    Dice dice(seed);
+    Level level = belt(0);
+    for (int x = 0; x < level.map.width(); ++x) {
+      const auto tile = static_cast<TileNumber>(40 + x);
+      level.tile_shapes[tile] = with_speed(shapes[static_cast<std::size_t>(dice.up_to(4))], dice.in(-2, 2));
+      level.map.set({x, 3}, tile);
+    }
+    add_body(level, seed % 2 == 0 ? BodyKind::crate : BodyKind::disc, {dice.step(60, 160, 1), 10},
+             {dice.in(-1, 1), 0});
+    MeetingRun run(level), image(mirrored(level));
+    for (int frame = 0; frame < 120; ++frame) {
+      run.step();
+      image.step();
+      const Body &body = run.body(0), &other = image.body(0);
+      ASSERT_NEAR(body.box.x, level.map.px_width() - other.box.right(), 1e-9) << seed << " " << frame;
+      ASSERT_NEAR(body.spin, -other.spin, 1e-9) << seed << " " << frame;
+    }
+  }
 }
 
 TEST(Conveyor, GoesClockwiseAroundTheGround) {

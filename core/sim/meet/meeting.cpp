@@ -139,6 +139,7 @@ void Meeting::run_part() {
     member.moving.path.time = 0;
     member.moving.path.pull = member.is_asleep || member.is_capped ? Vec2() : member.pull;
     member.events = member.is_asleep ? rests_[i].events : 0;
+    member.belts = {};
     member.bounced = -1;
     member.is_spent = false;
     if (!std::exchange(member.is_swept, false)) sweep(i);

@@ -2,6 +2,7 @@
 // the same time, from one contact to the next: nothing depends on their order.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -45,6 +46,12 @@ class Meeting {
     Track track = {};
   };
 
+  // What a body has learnt of the conveyors that it touches.
+  struct Belt {
+    Vec2 normal;       // of the contact; 0: none
+    double speed = 0;  // px/frame
+  };
+
   // A body in a step.
   struct Member {
     MovingBox moving = {};
@@ -55,6 +62,8 @@ class Meeting {
     double floor_bounce = 0, wall_bounce = 0;
     std::uint32_t version = 0;  // of its path; an event of an older one is void
     int events = 0;             // that it had in this part of the step
+    // Of level and of upright ground, since this part of the step began, or it met other ground.
+    std::array<Belt, 2> belts = {};
     double bounced = -1;    // frames since the part of the step began: the last time; less than 0: not yet
     int order = 0;          // of its next contact in the record
     bool is_swept = false;  // `swept` is that of its path in this part
@@ -180,6 +189,7 @@ class Meeting {
   void resolve(const Event& event);
   void set_paths();
   void stop_set();
+  double conveyor_under(Member& member, const Met& met) const;
   void add_ground(std::size_t place, Vec2 normal, const Contact<double>& contact, int side = -1);
   bool probe(std::size_t place, Vec2 way, double fastest);
   bool is_new(std::size_t place, Vec2 normal) const;

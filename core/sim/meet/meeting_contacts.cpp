@@ -15,6 +15,13 @@ namespace {
 // After so many, it and what it touches stop there until the part is over.
 constexpr int kMostEvents = 64;
 
+// The point at which a circle touches a level or upright side, as a box without size.
+Rect point_on(const GroundSide& side, const Form& form) {
+  const Vec2 middle = form.middle();
+  const auto [top, bottom] = std::minmax(side.from.y, side.to.y);
+  return {std::clamp(middle.x, side.from.x, side.to.x), std::clamp(middle.y, top, bottom), 0, 0};
+}
+
 }  // namespace
 
 void Meeting::resolve(const Event& event) {
@@ -22,6 +29,7 @@ void Meeting::resolve(const Event& event) {
   time_ = event.time;
   const bool is_ground = event.kind == Event::Kind::ground;
   if (is_ground) {
+    first.belts = {};
     const bool is_on_track = first.is_on_track();
     go_to(first, time_);
     if (is_on_track) first.circle->track.is_on = false;
@@ -108,15 +116,29 @@ void Meeting::stop_set() {
 
 // ---- The ground that they touch ----
 
+// px/frame, of the ground that a body touches. What keeps its ground keeps the speed: on the way over a joint
+// a body that has become as fast as its conveyor would be too fast at once, and so on.
+double Meeting::conveyor_under(Member& member, const Met& met) const {
+  if (!probe_.ground().has_conveyors()) return 0;
+  const bool is_upright = met.contact.facing == Facing::left || met.contact.facing == Facing::right;
+  Belt& belt = member.belts[is_upright ? 1 : 0];
+  if (belt.normal == met.touch.normal) return belt.speed;
+  const MovingBox& moving = member.moving;
+  const Rect touching =
+      met.is_round() ? point_on(side_of(met).side, moving.form_at(time_)) : moving.at(time_);
+  belt = {met.touch.normal, conveyor_at(probe_.ground(), met.contact, touching)};
+  return belt.speed;
+}
+
 // side: as Met::side.
 void Meeting::add_ground(std::size_t place, Vec2 normal, const Contact<double>& contact, int side) {
   Met& met = met_.emplace_back();
+  met.contact = contact;
+  met.side = side;
   met.touch.a = static_cast<int>(place);
   met.touch.normal = normal;
   met.touch.friction = members_[set_[place]].friction;
-  met.touch.conveyor = conveyor_at(probe_.ground(), contact, members_[set_[place]].moving.at(time_));
-  met.contact = contact;
-  met.side = side;
+  met.touch.conveyor = conveyor_under(members_[set_[place]], met);
   if (met.is_round()) met.touch.slow = slow_;
   std::sort(met_.begin(), met_.end(), [](const Met& a, const Met& b) {
     const auto key = [](const Touch& t) { return std::tuple(t.a, t.b, t.normal.y, t.normal.x); };
