@@ -178,8 +178,8 @@ TileShape shape_of_number(const Level& level, std::span<const TileStack> stacks,
   for (const MapCell cell : stack) {
     TileShape shape = shape_of_cell(level, cell);
     if (shape.kind == TileShape::Kind::none || problem_of(shape, level.map.tile_size())) continue;
-    // Of several conveyors the one in front counts.
-    if (shape.conveyor != 0) group.conveyor = std::exchange(shape.conveyor, 0);
+    // The one in front counts, even if it is no conveyor.
+    group.conveyor = std::exchange(shape.conveyor, 0);
     if (shape.kind == TileShape::Kind::group)
       std::move(shape.parts.begin(), shape.parts.end(), std::back_inserter(group.parts));
     else

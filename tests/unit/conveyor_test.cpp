@@ -286,6 +286,28 @@ TEST(Conveyor, CarriesMirroredOverJoints) {
   }
 }
 
+TEST(Conveyor, OfLayersIsThatOfTheOneInFront) {
+  const TileShape solid{.kind = TileShape::Kind::solid},
+      half{.kind = TileShape::Kind::slope, .heights = {4, 4}};
+  const auto speed = [](const TileShape& behind, const TileShape& in_front) {
+    Level level = belt(0);
+    level.tile_shapes[1] = behind;
+    level.tile_shapes[40] = in_front;
+    TileLayer front;
+    MapCells cells(level.map.cells().size());
+    for (std::size_t x = 0; x < 30; ++x) cells.set(90 + x, 40);
+    front.cells = std::make_shared<const MapCells>(cells);
+    level.layers.list.push_back(front);
+    return speed_at(terrain_of(level), {40, 6, 8, 10}, {0, 16});
+  };
+  EXPECT_EQ(speed(with_speed(solid, 1), with_speed(solid, -1)), -1);
+  EXPECT_EQ(speed(with_speed(solid, 1), solid), 0) << "what is hidden moves nothing";
+  EXPECT_EQ(speed(solid, with_speed(solid, 1)), 1);
+  EXPECT_EQ(speed(with_speed(solid, 1), half), 0) << "though the one behind is higher";
+  EXPECT_EQ(speed(with_speed(half, 1), with_speed(solid, 2)), 2);
+  EXPECT_EQ(speed(with_speed(solid, 1), {}), 1) << "air is no ground";
+}
+
 TEST(Conveyor, GoesClockwiseAroundTheGround) {
   Level level = open_level(0, 0);
   level.tile_shapes[1] = {.kind = TileShape::Kind::solid, .conveyor = 1};
