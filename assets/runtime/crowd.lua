@@ -13,8 +13,12 @@ M.NEAR_CIRCLE = NEAR_CIRCLE
 -- to meet the others again.
 local touching_in_set = M.touching_in_set
 function M.touching_in_set(m, n)
-  if not (m.radius > 0 or n.radius > 0) then return touching_in_set(m, n) end
+  local is_round = m.radius > 0 or n.radius > 0
+  if not is_round and not m.track and not n.track then return touching_in_set(m, n) end
   local time, form, other = M.time, M.form_of(m), M.form_of(n)
+  if not is_round then
+    return M.touching(form.x, form.y, form.w, form.h, other.x, other.y, other.w, other.h, m.index < n.index)
+  end
   local near = M.nearness(form, other, m.index < n.index)
   if near.gap > NEAR_CIRCLE then return nil end
   if near.gap <= M.slack(form.x, form.y, form.w, form.h, other.x, other.y, other.w, other.h) then

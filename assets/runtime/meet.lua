@@ -502,12 +502,13 @@ end
 -- The first time on its path, before `to`, at which a body meets the ground: the time, the place, the normal and the
 -- contact; nil: it does not. A chord may meet another piece first than the path does: each is cut where the last one
 -- led to.
-function M.next_ground(world, m, to)
+-- along: a piece that stops nothing; may be nil.
+function M.next_ground(world, m, to, along)
   local found, found_x, found_y, found_nx, found_ny, last
   for _ = 1, 8 do
     local way_x, way_y = way_to(m, to)
     if way_x == 0 and way_y == 0 then break end
-    local contact = cast_box(world.terrain, m.x, m.y, m.w, m.h, way_x, way_y, false)
+    local contact = cast_box(world.terrain, m.x, m.y, m.w, m.h, way_x, way_y, false, nil, along)
     if not contact or is_rounding(m, way_x, way_y, contact.nx, contact.ny) then break end
     -- A path that ends on a line meets it there, wherever rounding lets the chord meet it.
     if last and is_same_line(contact, last) then break end

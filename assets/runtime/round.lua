@@ -46,14 +46,14 @@ end
 local stop = M.stop
 function M.stop(m)
   stop(m)
-  m.spin, m.spin_pull, m.inverse_spin, m.track = 0.0, 0.0, 0.0, nil
+  m.spin, m.spin_pull, m.inverse_spin, m.track, m.leaves = 0.0, 0.0, 0.0, nil, nil
 end
 
 local run_part = M.run_part
 function M.run_part(world)
   for _, m in ipairs(M.members) do m.spent = false end
   run_part(world)
-  for _, m in ipairs(M.members) do m.track, m.spin_pull = nil, 0.0 end
+  for _, m in ipairs(M.members) do m.track, m.leaves, m.spin_pull = nil, nil, 0.0 end
 end
 
 -- by: radians
@@ -264,7 +264,7 @@ function M.gather(event)
     if m.inner then
       m.cut = is_cut
       M.from(m, M.time)
-      m.track = nil
+      m.track, m.leaves = nil, nil
     end
   end
   table.sort(M.set, M.by_place)
@@ -343,7 +343,7 @@ function M.hold(world)
       m.spx, m.spy = m.free_x, m.free_y
       if m.inner then m.sspin_pull = 0.0 end
     end
-    M.find_tracks()
+    M.find_tracks(world)
     for _, touch in ipairs(M.touches) do
       local slow = touch.slow or 0.0
       if not touch.is_apart and not (M.speed(touch, touch.nx, touch.ny) > max(touch.still, slow)) then
@@ -416,8 +416,8 @@ function M.meet(world, event)
   local is_ground = event.kind == "ground"
   if is_ground then
     local had_track = first.track
-    M.from(first, M.time)
-    first.track = nil
+    if had_track and not (first.radius > 0) then M.arrive_along(world, first) else M.from(first, M.time) end
+    first.track, first.leaves = nil, nil
     if not had_track then first.x, first.y = first.ground.x, first.ground.y end
   end
   M.shaken = {}

@@ -78,6 +78,8 @@ local function find_sides(terrain, x, y, w, h)
   return found
 end
 
+M.side_of, M.find_sides = side_of, find_sides
+
 -- ---- The nearest point of a curve ----
 
 -- px: the x of the point of an arc that is nearest, or infinite if that is on the other half of the circle.
@@ -166,8 +168,35 @@ local function near_curve(side, x, y, radius)
           bend = around < huge and middles ~= 0 and 1 / middles or 0.0}, far >= 0
 end
 
+-- px: the x of the nearest point of another curve, of a point that is on it, or hardly beside it.
+local function nearest_by_steps(side, x, y)
+  local curve, at = side.stretch, x
+  for _ = 1, 6 do
+    if not (at > side.ax and at < side.bx) then break end
+    local along_x, along_y = tangent_at(curve, at)
+    local step = ((x - at) * along_x + (y - curve_y(curve, at)) * along_y) * along_x
+    if at + step == at then break end
+    at = at + step
+  end
+  return at
+end
+
+-- A corner of a box has no radius, and is on the curve, or hardly beside it.
+local function near_corner(side, x, y)
+  local curve = side.stretch
+  local on_curve = curve.kind == "arc" and nearest_on_arc(curve, x, y) or nearest_by_steps(side, x, y)
+  local at = clamp(on_curve, side.ax, side.bx)
+  local nx, ny = side.piece.form.normal_at(side.piece, at)
+  local gap = (x - at) * nx + (y - curve_y(curve, at)) * ny
+  return {nx = nx, ny = ny, gap = gap, on_end = at ~= on_curve,
+          bend = curvature_at(curve, at) * (side.is_hollow and -1 or 1)}, true
+end
+
 function M.near_side(side, x, y, radius)
-  if side.stretch then return near_curve(side, x, y, radius) end
+  if side.stretch then
+    if not (radius > 0) then return near_corner(side, x, y) end
+    return near_curve(side, x, y, radius)
+  end
   local way_x, way_y, back_x, back_y = x - side.ax, y - side.ay, x - side.bx, y - side.by
   local passed, left = way_x * side.ux + way_y * side.uy, -(back_x * side.ux + back_y * side.uy)
   if passed < 0 then return near_end(side.ax, side.ay, side.nx, side.ny, x, y, radius) end

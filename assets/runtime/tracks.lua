@@ -1,4 +1,4 @@
--- ---- Tracks: what circles roll or slide along in a part of a step ----
+-- ---- Tracks: what circles roll or slide along in a part of a step, and boxes on curves with one of their corners ----
 -- Paths are parabolas. One that has the bend of the track stays near it; at its end the circle is put back on it, and
 -- gets the speed that its way down or up gives it. A track has sides of the ground, which the circle touches and which
 -- stop nothing, of which it follows the first ones, by number `followed`; or other, a body that stands still, version,
@@ -111,7 +111,8 @@ local function take(track, m, t)
   local near = near_track(track, M.form_at(m, t))
   local onward_x, onward_y = -near.ny, near.nx
   -- At the end of an end or a corner rounding may call the place the flat beyond: the speed is due there, too.
-  if near.bend == 0 and not track.on_end then
+  local is_curve = track.sides and track.sides[1].stretch  -- it may be straight in one place
+  if near.bend == 0 and not track.on_end and not is_curve then
     if not track.other then M.put_on(track.sides[1], m) end
     return onward_x, onward_y
   end
@@ -131,9 +132,10 @@ end
 
 -- The time before `most` at which a circle comes to another part of it, or leaves it; `most` if it does not.
 local function end_of(track, m, most)
-  -- A parabola is near to what is bent only for so long: for 1/8, in radians.
+  -- A parabola is near to what is bent only for so long, in radians.
+  local most_turn = m.radius > 0 and 0.125 or 0.03125
   local turn = abs(near_track(track, M.form_at(m, m.time)).bend) * sqrt(m.vx * m.vx + m.vy * m.vy)
-  if turn > 0 then most = min(most, m.time + 0.125 / turn) end
+  if turn > 0 then most = min(most, m.time + most_turn / turn) end
   local function holds(t)
     local form = M.form_at(m, t)
     if not goes_on(track, form) then return false end
@@ -153,10 +155,40 @@ local function end_of(track, m, most)
   return to
 end
 
--- ---- Where circles are ----
+-- ---- Where they are ----
+
+-- The corner of a box with which it goes along a curve: a circle without a radius.
+local function corner_of(track, m)
+  local corner = M.moving_at(m, m.time)
+  corner.x, corner.y, corner.w, corner.h = m.x + track.corner_x, m.y + track.corner_y, 0.0, 0.0
+  return corner
+end
+
+local function take_along(track, m, t)
+  if m.radius > 0 then return take(track, m, t) end
+  local corner = corner_of(track, m)
+  local onward_x, onward_y = take(track, corner, t)
+  m.time, m.x, m.y = corner.time, corner.x - track.corner_x, corner.y - track.corner_y
+  m.vx, m.vy, m.px, m.py = corner.vx, corner.vy, corner.px, corner.py
+  return onward_x, onward_y
+end
+
+-- Takes a box along a curve to what else of the ground it meets there. It must not be in one or the other.
+function M.arrive_along(world, m)
+  local piece, x, y = m.track.sides[1].piece, m.x, m.y
+  M.from(m, M.time)
+  local met = cast_box(world.terrain, x, y, m.w, m.h, m.x - x, m.y - y, false, nil, piece.source or piece)
+  if not met then return end
+  local rest = piece.form.rest(piece, met.x, m.w, m.h, false)
+  m.x, m.y = met.x, met.y
+  if piece.facing == UP then m.y = min(met.y, rest) else m.y = max(met.y, rest) end
+end
 
 function M.from(m, t)
-  if not (m.radius > 0) then return M.path_from(m, t) end
+  if not (m.radius > 0) then
+    if m.track then take_along(m.track, m, t) else M.path_from(m, t) end
+    return
+  end
   local s = t - m.time
   local spin = m.spin + m.spin_pull * s
   if not m.track then
@@ -173,13 +205,16 @@ end
 function M.form_of(m)
   if not m.track then return M.form_at(m, M.time) end
   local moving = M.moving_at(m, m.time)
-  take(m.track, moving, M.time)
+  take_along(m.track, moving, M.time)
   return M.form_at(moving, M.time)
 end
 
 local next_ground = M.next_ground
 function M.next_ground(world, m, to)
-  if not (m.radius > 0) then return next_ground(world, m, to) end
+  if not (m.radius > 0) then
+    local along = m.track and m.track.sides[1].piece or m.leaves
+    return next_ground(world, m, to, along and (along.source or along))
+  end
   local met = M.meeting_of_circle(world, m, to, m.track and m.track.sides or {})
   if met then return met.time, met.x, met.y, met.nx, met.ny, met.side end
 end
@@ -188,7 +223,7 @@ local set_off = M.set_off
 function M.set_off(world, m)
   set_off(world, m)
   if not m.track or m.time >= M.part then return end
-  local at = end_of(m.track, m, M.part)
+  local at = end_of(m.track, m.radius > 0 and m or corner_of(m.track, m), M.part)
   if at < M.part then M.add_event {time = at, kind = "turn", a = m} end
 end
 
@@ -271,14 +306,69 @@ local function best_track(m)
   return best
 end
 
-function M.find_tracks()
+-- Whether a circle would turn so much in a hollow hardly wider than itself that parabolas cannot follow.
+local function is_too_narrow(near, m)
+  return -near.bend * sqrt(m.svx * m.svx + m.svy * m.svy) * M.part > 4
+end
+
+-- Whether a way along x, from a corner that touches a curve, does not leave it at once.
+local function leads_along(side, x, way)
+  if way < 0 then return x > side.ax + PAST end
+  return x < side.bx - PAST
+end
+
+local function corner_on(piece, m) return piece.form.offset(piece, m.w, false), piece.facing == UP and m.h or 0.0 end
+
+-- The curve that goes on where another one ends at a corner, and which the same corner of a box touches. way: px, along
+-- x.
+local function next_curve(world, last, x, y, way, m)
+  for _, side in ipairs(M.find_sides(world.terrain, x - PAST, y - PAST, 2 * PAST, 2 * PAST)) do
+    local end_x, end_y = side.ax, side.ay
+    if way < 0 then end_x, end_y = side.bx, side.by end
+    if side.stretch and side.facing == last.facing and leads_along(side, x, way) and abs(end_x - x) <= PAST and
+        abs(end_y - y) <= PAST and corner_on(side.piece, m) == corner_on(last.piece, m) then
+      return side
+    end
+  end
+end
+
+-- The curve along which a box goes that touches one with a corner, and how near it is.
+local function curve_of(world, touch)
+  local m, piece = touch.a, touch.contact and not touch.contact.on_end and touch.contact.edge
+  if not piece or not piece.stretch then return nil end
+  local x, y = M.place_at(m, M.time)
+  local corner_x, corner_y = corner_on(piece, m)
+  x, y = x + corner_x, y + corner_y
+  local way = m.svx ~= 0 and m.svx or m.spx
+  local side = M.side_of(piece)
+  if not leads_along(side, x, way) then side = next_curve(world, side, x, y, way, m) end
+  if side then return side, (M.near_side(side, x, y, 0.0)) end
+end
+
+-- A box goes along the one that bends towards it most of the curves that it keeps touching with a corner.
+local function best_curve(world, m)
+  local best, least = nil, 0.0
+  for _, touch in ipairs(M.touches) do
+    if touch.a == m and not touch.b and not (abs(M.speed(touch, touch.nx, touch.ny)) > touch.still) then
+      local side, near = curve_of(world, touch)
+      if side and not (best and near.bend >= least) then best, least = touch, near.bend end
+    end
+  end
+  return best, least
+end
+
+function M.find_tracks(world)
   for _, touch in ipairs(M.touches) do touch.is_track, touch.parts = false, 0.0 end
   for _, m in ipairs(M.set) do
-    local best = m.inner and m.radius > 0 and best_track(m)
-    if best then
-      best.is_track = true
-      best.parts = best.near.bend * (m.svx * m.svx + m.svy * m.svy)
+    local best, bend
+    if m.inner and m.radius > 0 then
+      best = best_track(m)
+      if best and is_too_narrow(best.near, m) then best = nil end
+      bend = best and best.near.bend
+    elseif m.inner then
+      best, bend = best_curve(world, m)
     end
+    if best then best.is_track, best.parts = true, bend * (m.svx * m.svx + m.svy * m.svy) end
   end
 end
 
@@ -312,19 +402,42 @@ local function is_alone(met, m)
   return true
 end
 
--- A circle that something holds on a track goes along it from now on.
-function M.begin_track(world, met)
-  local function goes(m)
-    return m and m.inner and m.radius > 0 and not (m.vx == 0 and m.vy == 0 and m.px == 0 and m.py == 0)
+local function is_moving(m) return m.inner and not (m.vx == 0 and m.vy == 0 and m.px == 0 and m.py == 0) end
+
+-- Says what moves a body along its track. nx, ny: out of what it follows.
+local function drive(track, met, m, nx, ny)
+  local onward_x, onward_y = -ny, nx
+  track.is_alone = is_alone(met, m)
+  track.pull_x, track.pull_y = m.pull_x, m.pull_y
+  track.drive = m.spx * onward_x + m.spy * onward_y - track.rolls * (m.pull_x * onward_x + m.pull_y * onward_y)
+end
+
+-- A box that a curve holds goes along it with a corner.
+local function begin_track_of_box(world, met)
+  local m, side, near = met.a, curve_of(world, met)
+  if not side or not is_moving(m) then return end
+  m.track, m.leaves = nil, nil
+  if near.bend > 0 and not (met.pressure * m.inverse > M.BRINK) then
+    m.leaves = side.piece
+  elseif met.pressure > 0 then
+    local track = {on_end = false, gap = 0.0, sides = {side}, followed = 1, rolls = 1.0, conveyor = 0.0}
+    track.corner_x, track.corner_y = corner_on(side.piece, m)
+    track.centre_x, track.centre_y = centre_for(track, M.form_at(corner_of(track, m), M.time))
+    drive(track, met, m, met.nx, met.ny)
+    m.track = track
   end
+end
+
+-- A body that something holds on a track goes along it from now on.
+function M.begin_track(world, met)
+  if not met.near then return begin_track_of_box(world, met) end
+  local function goes(m) return m and m.radius > 0 and is_moving(m) end
   local is_first, near = goes(met.a), met.near
   if not (met.pressure > 0) or not (is_first or goes(met.b)) then return end
   local m, other, nx, ny = met.a, met.b, met.nx, met.ny
   if not is_first then m, other, nx, ny = met.b, met.a, 0 - nx, 0 - ny end
-  -- It is about to leave what bends away, or is in a hollow as narrow as itself.
-  if near.bend > 0 and not (met.pressure * m.inverse > M.BRINK) then return end
-  if -near.bend * m.radius > 1 then return end
-  local track = {on_end = near.on_end, gap = 0.0, pull_x = m.pull_x, pull_y = m.pull_y}
+  if near.bend > 0 and not (met.pressure * m.inverse > M.BRINK) then return end  -- it is about to leave
+  local track = {on_end = near.on_end, gap = 0.0}
   m.track = nil
   if other then
     if not follow_body(track, near, other) then return end
@@ -332,15 +445,13 @@ function M.begin_track(world, met)
     return
   end
   track.centre_x, track.centre_y = centre_for(track, M.form_at(m, M.time))
-  track.is_alone = is_alone(met, m)
   local onward_x, onward_y = -ny, nx
-  local straight = m.pull_x * onward_x + m.pull_y * onward_y
   local drawn = m.spx * onward_x + m.spy * onward_y
   local slip = m.svx * onward_x + m.svy * onward_y - m.sspin - met.conveyor
   local rolls = met.friction > 0 and abs(slip) <= STILL and abs(drawn - m.sspin_pull) <= STILL
   track.conveyor = met.conveyor
   track.rolls = rolls and 1 / (1 + m.inverse / m.yields) or 1.0
-  track.drive = drawn - track.rolls * straight
+  drive(track, met, m, nx, ny)
   m.track = track
 end
 

@@ -107,7 +107,8 @@ PartNames used_parts(const Level& level) {
   if (has_centre && has_slopes) used.emplace("walk");
   if (level.tuning.shared.pairs() != BodyPairs::pass && bodies > 1) used.emplace("pairs");
   const bool meets = level.tuning.shared.pairs() == BodyPairs::meet;
-  if (meets && has_circle) used.emplace("round");
+  // Boxes go along curves with a corner, as circles without a radius do.
+  if (meets && (has_circle || (used.contains("balls") && used.contains("curves")))) used.emplace("round");
   const ExactTuning& exact = level.tuning.exact;
   if (used.contains("balls") && !meets && exact.rebound != 0 && exact.gravity > 0) used.emplace("flight");
   return used;

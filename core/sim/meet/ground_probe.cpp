@@ -104,7 +104,7 @@ std::optional<Contact<double>> GroundProbe::touched(Rect& box, Vec2 way, CastBud
 }
 
 std::optional<GroundMeeting> GroundProbe::next_meeting(const MovingBox& box, double to,
-                                                       CastBudget& budget) const {
+                                                       const Piece<double>* along, CastBudget& budget) const {
   const Rect from = box.at(box.path.time);
   std::optional<GroundMeeting> found;
   // A chord may meet another piece first than the path does: each is cut where the last one led to.
@@ -112,7 +112,7 @@ std::optional<GroundMeeting> GroundProbe::next_meeting(const MovingBox& box, dou
   for (int i = 0; i < kMostTries; ++i) {
     const Vec2 way = box.path.way_to(to);
     if (way == Vec2()) break;
-    const Contact<double> contact = cast_box<double>(ground_, {from, way, Foot::box}, {}, nullptr, &budget);
+    const Contact<double> contact = cast_box<double>(ground_, {from, way, Foot::box}, {}, along, &budget);
     if (!contact || is_rounding(box, way, contact.normal)) break;
     // A path that ends on a line meets it there, wherever rounding lets the chord meet it.
     if (found && is_same_line(contact, found->contact)) break;

@@ -23,8 +23,10 @@ class GroundProbe {
   // What a box touches that would go along `way`, any length but 0. It is lifted over edges of a curve's end.
   std::optional<Contact<double>> touched(Rect& box, Vec2 way, CastBudget& budget) const;
 
-  // The first time on its path, before `to`, at which a box meets the ground.
-  std::optional<GroundMeeting> next_meeting(const MovingBox& box, double to, CastBudget& budget) const;
+  // The first time on its path, before `to`, at which a box meets the ground. along: a piece that stops
+  // nothing, as it goes along it; null: none.
+  std::optional<GroundMeeting> next_meeting(const MovingBox& box, double to, const Piece<double>* along,
+                                            CastBudget& budget) const;
 
   // Puts a box that neither approaches nor leaves a straight piece of the ground exactly on it, and its
   // velocity along it, so that rounding does not lead it into the ground. stays: its pull, too.

@@ -51,22 +51,6 @@ void add_tiles(const Terrain& ground, const Terrain::RowWindow& window, int colu
   }
 }
 
-GroundSide side_of(const Piece<double>& piece, std::span<const CurveStretch<double>> stretches) {
-  GroundSide side;
-  if (piece.is_wall()) {
-    side = line({piece.x0, piece.y0}, {piece.x1, piece.y1}, {0, 1},
-                {piece.facing == Facing::left ? -1.0 : 1.0, 0}, piece.facing, piece.origin);
-  } else {
-    const double size = std::sqrt(1 + piece.slope * piece.slope), up = piece.facing == Facing::up ? 1 : -1;
-    side = line({piece.x0, piece.y0}, {piece.x1, piece.y1}, {1 / size, piece.slope / size},
-                {up * piece.slope / size + 0.0, -up / size}, piece.facing, piece.origin);
-  }
-  side.piece = &piece;
-  if (piece.stretch != 0) side.stretch = &stretches[piece.stretch - 1];
-  side.is_thin = piece.one_way || piece.origin < 0;
-  return side;
-}
-
 // ---- The nearest point of a curve ----
 
 // px: the x of the point of an arc that is nearest, or infinite if that is on the other half of the circle.
@@ -124,10 +108,54 @@ Nearness near_point(Vec2 point, Vec2 middle, double radius) {
   return near;
 }
 
+// px: the same, of a point that is on the curve, or hardly beside it.
+double nearest_by_steps(const CurveStretch<double>& curve, double x0, double x1, Vec2 point) {
+  constexpr int kMostSteps = 6;
+  double x = point.x;
+  for (int i = 0; i < kMostSteps && x > x0 && x < x1; ++i) {
+    const Vec2 along = curve.tangent_at(x);
+    const double step = dot(point - Vec2{x, curve.y_at(x)}, along) * along.x;
+    if (x + step == x) break;
+    x += step;
+  }
+  return x;
+}
+
+// A corner of a box has no radius, and is on the curve, or hardly beside it.
+SideNearness corner_nearness(const GroundSide& side, Vec2 corner) {
+  const CurveStretch<double>& curve = *side.stretch;
+  const bool is_arc = curve.kind == CurveStretch<double>::Kind::arc;
+  const double on_curve =
+      is_arc ? nearest_on_arc(curve, corner) : nearest_by_steps(curve, side.from.x, side.to.x, corner);
+  const double x = std::clamp(on_curve, side.from.x, side.to.x);
+  SideNearness found;
+  found.near.normal = normal_on(curve.tangent_at(x), side.facing);
+  found.near.gap = dot(corner - Vec2{x, curve.y_at(x)}, found.near.normal);
+  found.near.bend = curve.curvature_at(x) * (side.is_hollow() ? -1 : 1);
+  found.near.on_end = x != on_curve;
+  return found;
+}
+
 }  // namespace
 
 bool GroundSide::is_hollow() const {
   return stretch != nullptr && stretch->bends_down != (facing == Facing::up);
+}
+
+GroundSide side_of(const Piece<double>& piece, std::span<const CurveStretch<double>> stretches) {
+  GroundSide side;
+  if (piece.is_wall()) {
+    side = line({piece.x0, piece.y0}, {piece.x1, piece.y1}, {0, 1},
+                {piece.facing == Facing::left ? -1.0 : 1.0, 0}, piece.facing, piece.origin);
+  } else {
+    const double size = std::sqrt(1 + piece.slope * piece.slope), up = piece.facing == Facing::up ? 1 : -1;
+    side = line({piece.x0, piece.y0}, {piece.x1, piece.y1}, {1 / size, piece.slope / size},
+                {up * piece.slope / size + 0.0, -up / size}, piece.facing, piece.origin);
+  }
+  side.piece = &piece;
+  if (piece.stretch != 0) side.stretch = &stretches[piece.stretch - 1];
+  side.is_thin = piece.one_way || piece.origin < 0;
+  return side;
 }
 
 SideNearness nearness(const GroundSide& side, Vec2 middle, double radius) {
@@ -142,6 +170,7 @@ SideNearness nearness(const GroundSide& side, Vec2 middle, double radius) {
     const double far = dot(passed < left ? way : back, side.normal);
     return {{side.normal, far - radius}, far >= 0};
   }
+  if (!(radius > 0)) return corner_nearness(side, middle);
   const CurveStretch<double>& curve = *side.stretch;
   const auto normal_at = [&](double x) { return normal_on(curve.tangent_at(x), side.facing); };
   const bool is_arc = curve.kind == CurveStretch<double>::Kind::arc;

@@ -20,12 +20,16 @@ struct GroundSide {
   bool is_hollow() const;  // a curve that bends towards what it stops
 };
 
-// How near a circle is to a side. It is in front of the side, or behind it.
+// How near a circle is to a side, or the corner of a box, a circle without a radius, to a curve that it
+// touches. It is in front of the side, or behind it.
 struct SideNearness {
   Nearness near;
   bool in_front = true;  // of a point at the end: level with the end counts
 };
 SideNearness nearness(const GroundSide& side, Vec2 middle, double radius);
+
+// The side that a piece of the ground's outline is.
+GroundSide side_of(const Piece<double>& piece, std::span<const CurveStretch<double>> stretches);
 
 // Finds the sides in an area, px. Tiles side by side are one. Each side found costs 1, each row of tiles 1.
 void find_sides(const Terrain& ground, const Rect& area, CastBudget& budget, std::vector<GroundSide>& found);

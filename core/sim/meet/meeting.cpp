@@ -86,6 +86,10 @@ std::int64_t Meeting::step(State& state, const Input& input, StepRecord* record,
 void Meeting::take(State& state, const Input& input) {
   const SharedTuning& t = scene_->tuning.shared;
   members_.resize(state.bodies.size());
+  const bool has_circles = std::any_of(state.bodies.begin(), state.bodies.end(), [](const Body& body) {
+    return radius_of(body.kind, {body.box.w, body.box.h}) > 0;
+  });
+  if (has_circles || !probe_.ground().stretches().empty()) tracks_.resize(members_.size());
   for (std::size_t i = 0; i < members_.size(); ++i) {
     Body& body = state.bodies[i];
     const BodyTraits& traits = traits_of(body.kind);
@@ -124,8 +128,9 @@ void Meeting::take(State& state, const Input& input) {
       circle.inverse_spin = 2 * member.inverse_mass;
       circle.spin = member.is_held ? 0 : lerp(body.spin, 0, t.drift_blend);
       circle.spin_pull = circle.turned = 0;
-      circle.track.is_on = false;
     }
+    if (!tracks_.empty()) member.track = &tracks_[i];
+    member.leave_track();
     member.is_steady =
         velocity == body.velocity && (member.circle == nullptr || member.circle->spin == body.spin);
     if (record_ != nullptr) record_->paths[i].goal = body.box.position() + velocity + member.pull * 0.5;
@@ -167,9 +172,8 @@ void Meeting::run_part() {
   for (Member& member : members_) {
     go_to(member, end);
     member.moving.path.time = 0;
-    if (member.circle == nullptr) continue;
-    member.circle->track.is_on = false;
-    member.circle->spin_pull = 0;
+    member.leave_track();
+    if (member.circle != nullptr) member.circle->spin_pull = 0;
   }
 }
 
@@ -292,9 +296,8 @@ Vec2 Meeting::way_apart(std::uint32_t index) {
 
 void Meeting::stop(Member& member) {
   member.moving.path.velocity = member.moving.path.pull = {};
-  if (member.circle == nullptr) return;
-  member.circle->spin = member.circle->spin_pull = 0;
-  member.circle->track.is_on = false;
+  member.leave_track();
+  if (member.circle != nullptr) member.circle->spin = member.circle->spin_pull = 0;
 }
 
 // The work of the step is used up. What has met something, or would now, loses its speed: else the next step
@@ -362,8 +365,7 @@ void Meeting::look_for_ground(std::uint32_t index) {
   };
   turn(path.velocity.x, path.pull.x);
   turn(path.velocity.y, path.pull.y);
-  const auto meeting = member.circle != nullptr ? next_meeting_of_circle(member, to)
-                                                : probe_.next_meeting(member.moving, to, budget_);
+  const auto meeting = next_meeting(member, to);
   if (meeting) {
     member.ground = *meeting;
     push({.time = meeting->time, .kind = Event::Kind::ground, .a = index});

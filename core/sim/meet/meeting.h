@@ -43,7 +43,6 @@ class Meeting {
     double inverse_spin = 0;         // as in Inertia
     double turned = 0;               // px of its rim, in this step
     GroundSide ground = {};          // that its path leads to
-    Track track = {};
   };
 
   // What a body has learnt of the conveyors that it touches.
@@ -80,7 +79,13 @@ class Meeting {
     bool is_spent = false;      // it is in a crowd, and has got what its pull gives it in this part
     GroundMeeting ground = {};  // that its path leads to
     Circle* circle = nullptr;   // null: it is a box
-    bool is_on_track() const { return circle != nullptr && circle->track.is_on; }
+    Track* track = nullptr;     // null: it never needs one, as a box where there are no curves
+    bool is_on_track() const { return track != nullptr && track->is_on; }
+    void leave_track() const {
+      if (track == nullptr) return;
+      track->is_on = false;
+      track->leaves = nullptr;
+    }
     // One that is capped stands still from then on.
     bool may_have_moved() const { return inverse_mass > 0 || is_capped; }
   };
@@ -100,7 +105,7 @@ class Meeting {
     Contact<double> contact;
     int side = -1;  // in sides_, if a circle touches something; -1: two boxes, or a box and the ground
     bool is_round() const { return side >= 0; }
-    bool is_track = false;  // a circle in it goes along the other one
+    bool is_track = false;  // a body in it goes along the other one: a circle, or a box along a curve
     bool is_apart = false;  // two that do not touch yet, but are near, one of which is a circle
   };
 
@@ -159,11 +164,21 @@ class Meeting {
   void add_ground_of_circles();
   const SideTouch& side_of(const Met& met) const { return sides_[static_cast<std::size_t>(met.side)]; }
   bool probe_circle(std::size_t place, Vec2 way, double fastest);
+  void arrive_along(Member& member);
+  Vec2 take_along(const Track& track, MovingBox& moving, double time) const;
+  std::optional<SideTouch> curve_of(const Met& met);
+  std::optional<GroundSide> next_curve(const GroundSide& last, Vec2 corner, double way);
+  bool is_too_narrow(const Nearness& near, std::size_t place) const;
+  void find_track_of_circle(std::size_t place);
+  void find_track_of_box(std::size_t place);
   void find_tracks();
   void begin_track(const Met& met);
   bool follow_ground(Member& member, Vec2 normal);
+  void begin_track_of_box(const Met& met);
+  bool is_moving(std::size_t place) const;
+  void drive(Track& track, const Met& met, int place, Vec2 normal) const;
   bool follow_body(Track& track, const Nearness& near, int other) const;
-  std::optional<GroundMeeting> next_meeting_of_circle(const Member& member, double to);
+  std::optional<GroundMeeting> next_meeting(const Member& member, double to);
   void look_for_end_of_track(std::uint32_t index);
 
   // meeting_crowd.cpp
@@ -222,6 +237,7 @@ class Meeting {
   CastBudget budget_;
   std::vector<Member> members_;  // by index of the body
   std::vector<Circle> circles_;  // the same; empty if there are none
+  std::vector<Track> tracks_;    // the same; empty if there are neither circles nor curves
   std::vector<Rest> rests_;      // the same
   std::vector<Island> islands_;
   std::vector<std::uint32_t> in_islands_;  // indices of bodies

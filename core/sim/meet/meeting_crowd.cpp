@@ -10,9 +10,9 @@ namespace talus {
 // The normal of two that touch at the time of the set. Circles that are slow to part or to meet are in it a
 // little earlier: in a pile that comes to rest, each would go on to meet the others again.
 std::optional<Vec2> Meeting::touching_in_set(std::uint32_t a, std::uint32_t b) const {
-  if (members_[a].circle == nullptr && members_[b].circle == nullptr)
-    return touching_normal(members_[a].moving.form_at(time_), members_[b].moving.form_at(time_), a < b);
   const Form one = form_of(a), other = form_of(b);
+  if (members_[a].circle == nullptr && members_[b].circle == nullptr)
+    return touching_normal(one, other, a < b);
   const Nearness near = nearness(one, other, a < b);
   if (near.gap > kNearCircle) return std::nullopt;
   if (near.gap <= touch_slack(one.box, other.box)) return near.normal;

@@ -65,7 +65,7 @@ void Meeting::gather(const Event& event) {
     if (!member.is_inner) continue;
     member.is_cut = is_cut;
     go_to(member, time_);
-    if (member.circle != nullptr) member.circle->track.is_on = false;
+    member.leave_track();
   }
   sort_by_place(set_);
   inertias_.clear();

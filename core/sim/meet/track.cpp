@@ -76,7 +76,8 @@ Vec2 Track::take(MovingBox& circle, double time) const {
   const Vec2 onward = along(here.normal);
   // At the end of an end or a corner rounding may call the place the flat beyond: the speed is due there,
   // too.
-  if (here.bend == 0 && !on_end) {
+  const bool is_curve = is_ground && sides.front().stretch != nullptr;  // it may be straight in one place
+  if (here.bend == 0 && !on_end && !is_curve) {
     if (is_ground) put_on(sides.front(), circle);
     return onward;
   }
@@ -103,10 +104,10 @@ void Track::go_down(MovingBox& circle, Vec2 onward, double missing) const {
 
 double Track::end(const MovingBox& circle, double most) const {
   // A parabola is near to what is bent only for so long.
-  constexpr double kMostTurn = 1.0 / 8;  // radians
+  const double most_turn = circle.is_round() ? 1.0 / 8 : 1.0 / 32;  // radians
   const double turn = std::abs(near(circle.form_at(circle.path.time)).bend) *
                       std::sqrt(dot(circle.path.velocity, circle.path.velocity));
-  if (turn > 0) most = std::min(most, circle.path.time + kMostTurn / turn);
+  if (turn > 0) most = std::min(most, circle.path.time + most_turn / turn);
   const auto holds = [&](double time) {
     const Form now = circle.form_at(time);
     if (!goes_on(now)) return false;

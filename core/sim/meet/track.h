@@ -1,5 +1,5 @@
 // Track: what a circle rolls or slides along in a part of a step, so that it neither leaves what is bent nor
-// falls behind on it.
+// falls behind on it. A box slides along a curve with one of its corners, a circle without a radius.
 #pragma once
 
 #include <optional>
@@ -25,8 +25,11 @@ struct Track {
   bool is_alone = false;          // nothing else touches the circle
   double conveyor = 0;            // px/frame, as Touch::conveyor
   double rolls = 1;               // share of a pull along the track that moves it; the rest turns it
-  Vec2 pull;                      // px/frame^2, without the track
-  double drive = 0;               // px/frame^2, along the track, beside that share: friction, and others
+  Vec2 corner;                    // px, of a box, from its top-left corner: what slides along a curve
+  // Of a box that is about to leave a curve, which stops it no longer: rounding would. Null: none.
+  const Piece<double>* leaves = nullptr;
+  Vec2 pull;         // px/frame^2, without the track
+  double drive = 0;  // px/frame^2, along the track, beside that share: friction, and others
 
   // Called when it is known what a circle follows.
   void begin(const Form& circle) { centre = centre_for(circle); }
