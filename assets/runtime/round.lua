@@ -428,7 +428,10 @@ function M.meet(world, event)
     is_crowd = M.is_crowd()
     if is_crowd then M.bounce_crowd(world) else M.bounce(world) end
   until is_crowd or not M.shakes_more()
-  if is_crowd then return M.move_on(world) end
+  if is_crowd then
+    world.leaves_apart = false
+    return M.move_on(world)
+  end
   M.hold(world)
   if not M.is_dozing() then return end
   for _, m in ipairs(M.set) do

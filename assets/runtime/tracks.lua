@@ -425,6 +425,7 @@ local function begin_track_of_box(world, met)
     track.centre_x, track.centre_y = centre_for(track, M.form_at(corner_of(track, m), M.time))
     drive(track, met, m, met.nx, met.ny)
     m.track = track
+    world.leaves_apart = false  -- it leaves its path a little, to stay on the curve
   end
 end
 

@@ -146,7 +146,7 @@ void Meeting::run_part() {
     member.events = member.is_asleep ? rests_[i].events : 0;
     member.belts = {};
     member.bounced = -1;
-    member.is_spent = false;
+    member.is_spent = member.is_asleep && rests_[i].is_spent;
     if (!std::exchange(member.is_swept, false)) sweep(i);
   }
   for (std::uint32_t i = 0; i < members_.size(); ++i) {

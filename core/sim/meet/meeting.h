@@ -115,6 +115,7 @@ class Meeting {
     Vec2 velocity;
     std::uint32_t island = 0;  // from 1; 0: none
     int events = 0;            // as Member::events, after it was solved
+    bool is_spent = false;     // the same for Member::is_spent
     bool is_of(const Body& body) const { return body.box == box && body.velocity == velocity; }
     // The same for a body that the step moved: nothing has changed it, nor the scene, since.
     bool is_left_in(const Body& body) const { return is_of(body) && body.is_clear; }
@@ -262,7 +263,7 @@ class Meeting {
   const State* state_ = nullptr;
   StepRecord* record_ = nullptr;
   std::vector<StepEvent>* step_events_ = nullptr;
-  bool leaves_apart_ = false;  // the last step left no two bodies inside of one another
+  bool leaves_apart_ = false;  // the last step cannot have left two bodies inside of one another
   bool is_stopped_ = false;    // the work that a step may take is used up
 };
 

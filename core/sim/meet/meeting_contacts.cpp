@@ -57,6 +57,7 @@ void Meeting::resolve(const Event& event) {
     is_crowded = is_crowd();
     is_crowded ? bounce_crowd() : bounce();
   } while (!is_crowded && shakes_more());
+  if (is_crowded) leaves_apart_ = false;
   is_crowded ? move_on() : hold();
   if (!is_crowded && is_dozing()) {
     for (Inertia& body : inertias_) {

@@ -156,6 +156,7 @@ void Meeting::form_islands() {
       if (!moves(first->second)) continue;
       rests_[first->second].island = static_cast<std::uint32_t>(islands_.size() + 1);
       rests_[first->second].events = members_[first->second].events;
+      rests_[first->second].is_spent = members_[first->second].is_spent;
     }
     if (is_same) islands_.push_back({begins, in_islands_.size()});
   }

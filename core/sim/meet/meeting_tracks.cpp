@@ -298,6 +298,7 @@ void Meeting::begin_track_of_box(const Met& met) {
     track.leaves = curve->side.piece;
   } else if (met.touch.pressure > 0) {
     track.is_on = true;
+    leaves_apart_ = false;  // it leaves its path a little, to stay on the curve
     track.corner = corner_on(*curve->side.piece, member.moving.size);
     track.sides = {curve->side};
     track.followed = 1;
