@@ -6,12 +6,14 @@
 --                      Animated tiles show the frame that is due since pictures() was called
 --   draw_body(body, step)  its kind, x, y, w and h; step: those made so far. A body with a `picture` shows the frame of
 --                      what it does, see frames.lua. Kinds that look like a figure, such as players, are boxes with
---                      a face; crates and wheels have a look of their own. Others have the picture of their `tile`,
---                      without one that of the level's first ball tile, and without any they are circles
+--                      a face; crates, wheels and marbles have looks of their own. Others have the picture of their
+--                      `tile`, without one that of the level's first ball tile, and without any they are circles
 local frames = require "frames"
 local TYRE = {41 / 255, 54 / 255, 111 / 255}
 local LIGHT, BLUE = {244 / 255, 244 / 255, 244 / 255}, {65 / 255, 166 / 255, 246 / 255}
 local DARK = {11 / 255, 12 / 255, 20 / 255}
+local RIM, GLASS = {37 / 255, 113 / 255, 121 / 255}, {115 / 255, 239 / 255, 247 / 255}  -- of marbles
+local EYE = {239 / 255, 125 / 255, 87 / 255}
 local BOARD, FRAME = {160 / 255, 112 / 255, 60 / 255}, {92 / 255, 61 / 255, 32 / 255}  -- of crates
 
 local function image(picture)
@@ -197,6 +199,24 @@ local function draw_wheel(body)
   love.graphics.circle("fill", x + way_x * 0.6, y + way_y * 0.6, rim)
 end
 
+-- A ball of glass that stands on the middle of the box's bottom. Its eye turns with it, its gleam does not.
+local function draw_marble(body)
+  local radius = math.min(body.w, body.h) / 2
+  love.graphics.push()
+  love.graphics.translate(body.x + body.w / 2, body.y + body.h - radius)
+  love.graphics.setColor(RIM)
+  love.graphics.circle("fill", 0, 0, radius)
+  love.graphics.setColor(GLASS)
+  love.graphics.circle("fill", 0, 0, radius * 0.85)
+  love.graphics.rotate(body.turn or 0)
+  love.graphics.setColor(EYE)
+  love.graphics.ellipse("fill", 0, 0, radius * 0.65, radius * 0.25)
+  love.graphics.rotate(-(body.turn or 0))
+  love.graphics.setColor(LIGHT)
+  love.graphics.circle("fill", -radius * 0.35, -radius * 0.4, radius * 0.18)
+  love.graphics.pop()
+end
+
 return function(level, file)
   local tile_width, tile_height = level.tile_width or 8, level.tile_height or 8  -- px
   local picture = love.image.newImageData(file)
@@ -271,6 +291,7 @@ return function(level, file)
     if kind and kind.look == "figure" then return draw_figure(body) end
     if kind and kind.look == "crate" then return draw_crate(body) end
     if kind and kind.look == "wheel" then return draw_wheel(body) end
+    if kind and kind.look == "marble" then return draw_marble(body) end
     love.graphics.setColor(tile and {1, 1, 1} or LIGHT)
     if tile then
       love.graphics.draw(clear, quads[tile], body.x, body.y, 0, body.w / tile_width, body.h / tile_height)

@@ -312,6 +312,8 @@ std::string_view look_word(BodyLook look) {
       return "crate";
     case BodyLook::wheel:
       return "wheel";
+    case BodyLook::marble:
+      return "marble";
   }
   return {};
 }

@@ -40,6 +40,7 @@ std::span<const BodyTraits> body_kinds() {
       {.word = "marble",
        .help = "A marble falls and bounces like a ball. With bodies that meet it is round.",
        .shape = BodyShape::circle,
+       .look = BodyLook::marble,
        .ldtk_identifier = "Marble",
        .ldtk_color = "#73EFF7",
        .svg_color = "#73eff7"},

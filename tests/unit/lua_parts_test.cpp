@@ -214,7 +214,7 @@ TEST(LuaLevel, HasALineForEachRowTileAndBody) {
       "\"figure\"},\n"
       "    [\"crate\"] = {rule = \"fall\", w = 8, h = 8, foot = \"box\", look = \"crate\"},\n"
       "    [\"disc\"] = {rule = \"fall\", w = 8, h = 8, foot = \"box\", look = \"wheel\", round = true},\n"
-      "    [\"marble\"] = {rule = \"fall\", w = 8, h = 8, foot = \"box\", look = \"tile\", round = true},\n"
+      "    [\"marble\"] = {rule = \"fall\", w = 8, h = 8, foot = \"box\", look = \"marble\", round = true},\n"
       "  },\n"
       "  tuning = {\n";
   EXPECT_EQ(text.substr(0, begin.size()), begin);

@@ -34,17 +34,20 @@ end
 -- As Talus's editor does it: a ball without a tile has the picture of the first ball tile, or is a disc.
 local function draw_body(body, left, top)
   local x, y, w, h, tile = (body.x - left) // 1, (body.y - top) // 1, body.w, body.h, body.tile or first_ball
-  local picture = body.picture
+  local picture, drawn_as = body.picture, level.kinds[body.kind].look
   if picture then  -- the frame stands on the bottom of the box, in its middle
     local frame, looks_left = frames(body, world.frame)
     local number = frame + (picture.sheet and 256 or 0)  -- sprites come behind the tiles
     spr(number, x + (w - picture.columns * TILE) // 2, y + h - picture.rows * TILE, 0, 1, looks_left and 1 or 0, 0,
         picture.columns, picture.rows)
-  elseif level.kinds[body.kind].look == "figure" then
+  elseif drawn_as == "figure" then
     draw_figure(body, x, y, w, h)
-  elseif level.kinds[body.kind].look == "crate" then
+  elseif drawn_as == "crate" then
     rect(x, y, w, h, 3)
     rectb(x, y, w, h, 2)
+  elseif drawn_as == "marble" then
+    local radius = math.min(w, h) / 2
+    circ(x + w / 2, y + h - radius, radius, 11)
   elseif not tile then
     circ(x + w / 2, y + h / 2, w / 2, 12)
   elseif w == TILE and h == TILE then

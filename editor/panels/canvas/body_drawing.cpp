@@ -53,6 +53,29 @@ void draw_wheel(ImDrawList& list, ImVec2 from, ImVec2 to, double turn, int alpha
   list.AddCircleFilled({middle.x + way.x * 0.6f, middle.y + way.y * 0.6f}, rim, light);
 }
 
+void draw_ellipse(ImDrawList& list, ImVec2 middle, ImVec2 radii, double turn, ImU32 color) {
+  constexpr int kPoints = 32;
+  const auto cosine = static_cast<float>(std::cos(turn)), sine = static_cast<float>(std::sin(turn));
+  for (int i = 0; i < kPoints; ++i) {
+    const float angle = 6.2831853f * static_cast<float>(i) / kPoints;
+    const float x = radii.x * std::cos(angle), y = radii.y * std::sin(angle);
+    list.PathLineTo({middle.x + x * cosine - y * sine, middle.y + x * sine + y * cosine});
+  }
+  list.PathFillConvex(color);
+}
+
+// A ball of glass that stands on the middle of the box's bottom. Its eye turns with it, its gleam does not.
+void draw_marble(ImDrawList& list, ImVec2 from, ImVec2 to, double turn, int alpha) {
+  constexpr std::uint32_t kRim = 0x257179, kGlass = 0x73eff7, kEye = 0xef7d57;
+  const float radius = std::min(to.x - from.x, to.y - from.y) / 2, rim = std::max(1.0f, radius * 0.15f);
+  const ImVec2 middle{(from.x + to.x) / 2, to.y - radius};
+  list.AddCircleFilled(middle, radius, theme::color(kRim, alpha));
+  list.AddCircleFilled(middle, radius - rim, theme::color(kGlass, alpha));
+  draw_ellipse(list, middle, {radius * 0.65f, radius * 0.25f}, turn, theme::color(kEye, alpha));
+  list.AddCircleFilled({middle.x - radius * 0.35f, middle.y - radius * 0.4f}, radius * 0.18f,
+                       theme::color(theme::kText, alpha));
+}
+
 }  // namespace
 
 const BodyPicture* picture_of_body(const Level& level, const Body& body) {
@@ -79,6 +102,9 @@ bool draw_own_look(ImDrawList& list, const Body& body, ImVec2 from, ImVec2 to, i
       return true;
     case BodyLook::wheel:
       draw_wheel(list, from, to, body.turn, alpha);
+      return true;
+    case BodyLook::marble:
+      draw_marble(list, from, to, body.turn, alpha);
       return true;
   }
   return false;

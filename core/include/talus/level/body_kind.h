@@ -31,7 +31,8 @@ enum class BodyLook : std::uint8_t {
   tile,    // as its tile, or as the first tile that is such a body; a disc where there is none
   figure,  // as a box with a face, and the foot that it stands on
   crate,   // as a wooden box
-  wheel    // as a disc that shows how it is turned
+  wheel,   // as a disc that shows how it is turned
+  marble   // as a marble of glass, whose eye shows how it is turned
 };
 
 inline constexpr double kMassArea = 64;  // px^2, for BodyTraits::mass: the area of a ball of the article
