@@ -204,26 +204,30 @@ class ConveyorDrawer {
       for (const Facing facing : {Facing::up, Facing::down, Facing::left, Facing::right}) {
         const Vec2 n = normal_of(facing);
         const Cell beyond{cell.x + static_cast<int>(n.x), cell.y + static_cast<int>(n.y)};
-        if (!ground_.is_solid(beyond)) draw_arrow(middle + Vec2{n.x * half.x, n.y * half.y}, n, speed);
+        if (!ground_.is_solid(beyond))
+          draw_arrow(middle + Vec2{n.x * half.x, n.y * half.y} - n * kInside, n, speed);
       }
     }
   }
 
  private:
+  static constexpr double kInside = 1.5, kOutside = 2;  // px, of the arrows from the surface
+
   void draw_piece(const Piece<double>& piece) {
     const double speed = ground_.conveyor_of(piece.origin);
     if (speed == 0 || !new_pieces_.has(piece)) return;
+    // A curve is thin, and may face both ways: its arrows lie on the side that they belong to.
+    const double inside = piece.origin < 0 ? -kOutside : kInside;
     VisiblePiece(piece, ground_.stretches(), pen_.visible()).each_normal([&](Vec2 at, Vec2 n) {
-      draw_arrow(at, n, speed);
+      draw_arrow(at - n * inside, n, speed);
     });
   }
 
   void draw_arrow(Vec2 at, Vec2 n, double speed) {
-    constexpr double kGap = 8, kLength = 5, kInside = 1.5;  // px
+    constexpr double kGap = 8, kLength = 5;  // px
     const double gone = std::fmod(speed * static_cast<double>(frame_), kGap);
     const double shift = gone + (gone < -kGap / 2 ? kGap : gone > kGap / 2 ? -kGap : 0);
-    const Vec2 onward = Vec2{-n.y, n.x} * (speed > 0 ? 1 : -1),
-               middle = at - n * kInside + Vec2{-n.y, n.x} * shift;
+    const Vec2 onward = Vec2{-n.y, n.x} * (speed > 0 ? 1 : -1), middle = at + Vec2{-n.y, n.x} * shift;
     pen_.line(middle - onward * (kLength / 2), middle + onward * (kLength / 2), true);
   }
 

@@ -120,6 +120,32 @@ TEST(Outline, OneWaySidesHaveArrowsInThePassableDirection) {
   EXPECT_EQ(drawing.lines[0].to, (Vec2{20, 3}));
 }
 
+OverlayDrawing drawn_conveyors(const Level& level) {
+  const Scene scene = compile_scene(level);
+  const Terrain ground(ground_of(level));
+  const State state;
+  const StepRecord record;
+  OverlaySet overlays;
+  overlays.set(overlay::conveyors, true);
+  return make_overlays({.scene = scene, .state = state, .record = record, .ground = &ground}, overlays,
+                       kEverything);
+}
+
+TEST(Conveyors, OfATwoSidedLineHaveArrowsOnBothSides) {
+  Level level = empty_level();
+  level.curves.push_back({"", {Segment{{8, 16}, {56, 16}}, Curve::Faces::both, 1}, ""});
+  int above = 0, below = 0;
+  for (const OverlayLine& arrow : drawn_conveyors(level).lines) {
+    const Vec2 way = arrow.to - arrow.from;
+    if (way.x == 0) continue;  // at an end
+    const bool is_above = arrow.from.y < 16;
+    EXPECT_GT(way.x * (is_above ? 1 : -1), 0);
+    ++(is_above ? above : below);
+  }
+  EXPECT_GT(above, 0);
+  EXPECT_EQ(above, below);
+}
+
 std::vector<Ends> removed(const Level& level) {
   OverlayDrawing drawing;
   add_removed_edges(Terrain(ground_of(level)), kEverything, drawing);
