@@ -273,8 +273,13 @@ bool has_conveyors(const Level& level) {
                      [](const LevelCurve& curve) { return curve.curve.conveyor != 0; });
 }
 
+std::string_view why_no_conveyors(const Level& level) {
+  return level.tuning.solver == SolverKind::exact ? "" : "Conveyors move only with the solver exact.";
+}
+
 void draw_conveyors(const OverlaySource& source, OverlayPen& pen) {
-  if (source.ground == nullptr || !source.ground->has_conveyors()) return;
+  // Another solver than `exact` has no ground in its scene, and no conveyors.
+  if (source.ground == nullptr || !source.scene.ground || !source.ground->has_conveyors()) return;
   ConveyorDrawer drawer(*source.ground, source.state.frame, pen);
   each_visible_cell(*source.ground, pen.visible(), [&](Cell cell) { drawer.draw_cell(cell); });
 }
@@ -338,6 +343,7 @@ const Overlay conveyors{
     .shift = true,
     .is_default = true,
     .applies = has_conveyors,
+    .why_nothing = why_no_conveyors,
     .near_only = true,
     .layer = -1,
     .covers_much = true,

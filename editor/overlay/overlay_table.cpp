@@ -6,6 +6,10 @@
 
 namespace talus {
 
+std::string_view why_nothing(const Overlay& overlay, const Level& level) {
+  return overlay.why_nothing != nullptr ? overlay.why_nothing(level) : std::string_view();
+}
+
 std::uint32_t overlay_color(const Overlay& overlay, OverlayPalette palette) {
   return palette == OverlayPalette::standard ? overlay.color : overlay.safe_color;
 }

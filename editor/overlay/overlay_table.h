@@ -51,7 +51,9 @@ struct Overlay {
   bool needs_reach = false;   // OverlaySource::reach; `talus shot` searches it then
   bool needs_proof = false;   // OverlaySource::proof; `talus shot` proves the level then
   bool (*applies)(const Level&) = nullptr;  // false: the legend leaves it out; null: always true
-  bool near_only = false;                   // left out at low zoom, where there would be millions of lines
+  // A sentence that says why nothing of it is drawn for a level; "" if it is drawn. Null: always "".
+  std::string_view (*why_nothing)(const Level&) = nullptr;
+  bool near_only = false;  // left out at low zoom, where there would be millions of lines
 
   // How it is drawn.
   int layer = 0;                   // below 0: before what is drawn of each body, the lowest first
@@ -73,6 +75,8 @@ struct Overlay {
 
 // All overlays of overlay_list.cpp, in the order of the switches and the legend.
 std::span<const Overlay* const> all_overlays();
+// What why_nothing says; "" if it says nothing.
+std::string_view why_nothing(const Overlay& overlay, const Level& level);
 std::uint32_t overlay_color(const Overlay& overlay, OverlayPalette palette);
 // A lighter one for its labels, as letters are thin.
 std::uint32_t overlay_text_color(const Overlay& overlay, OverlayPalette palette);

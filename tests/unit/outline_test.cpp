@@ -146,6 +146,17 @@ TEST(Conveyors, OfATwoSidedLineHaveArrowsOnBothSides) {
   EXPECT_EQ(above, below);
 }
 
+TEST(Conveyors, AreDrawnOnlyWithTheirSolver) {
+  Level level = empty_level();
+  level.map.set({2, 1}, 1);
+  level.tile_shapes[1].conveyor = 1;
+  EXPECT_FALSE(drawn_conveyors(level).lines.empty());
+  EXPECT_EQ(why_nothing(overlay::conveyors, level), "");
+  level.tuning.solver = SolverKind::bump;
+  EXPECT_TRUE(drawn_conveyors(level).lines.empty());
+  EXPECT_EQ(why_nothing(overlay::conveyors, level), "Conveyors move only with the solver exact.");
+}
+
 std::vector<Ends> removed(const Level& level) {
   OverlayDrawing drawing;
   add_removed_edges(Terrain(ground_of(level)), kEverything, drawing);

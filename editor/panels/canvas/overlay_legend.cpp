@@ -9,6 +9,7 @@
 namespace talus {
 namespace {
 
+constexpr int kDimmed = 150;  // alpha of the name of an overlay of which nothing is drawn
 constexpr float kLegendSwatch = 14, kLegendPad = 4, kLegendText = 6;  // px at scale 1
 // Share of the canvas that names may take: more would hide the level.
 constexpr float kMostWide = 0.34f, kMostHigh = 0.6f, kMostOfAll = 0.07f;
@@ -38,7 +39,7 @@ float OverlayLegend::width(const Session& session, const Ui& ui) {
 }
 
 OverlayLegend::OverlayLegend(const Session& session, const CanvasView& view, float top, const Ui& ui)
-    : choices_(session.choices()), ui_(ui), shown_(shown_overlays(session)) {
+    : session_(session), ui_(ui), shown_(shown_overlays(session)) {
   const float width = view.max.x - view.min.x, height = view.max.y - view.min.y, pad = ui.px(kLegendPad);
   if (shown_.empty() || height < ui.px(80) || width < ui.px(80)) return;
   const ImVec2 corner{view.max.x - pad, top + pad};
@@ -72,18 +73,24 @@ void OverlayLegend::draw(ImDrawList& list) const {
     const ImVec2 at{box_->min.x + pad + cell * static_cast<float>(column),
                     box_->min.y + pad + cell * static_cast<float>(row)};
     paint_overlay_swatch(list, *shown_[i], {at.x, at.y + (cell - swatch) / 2}, swatch,
-                         choices_.overlay_palette);
-    const std::string_view label = shown_[i]->label;
+                         session_.choices().overlay_palette);
+    const int alpha = why_nothing(*shown_[i], session_.level()).empty() ? 255 : kDimmed;
     if (has_names_)
-      add_text(list, {at.x + swatch + ui_.px(kLegendText), at.y}, theme::color(theme::kMuted), label);
+      add_text(list, {at.x + swatch + ui_.px(kLegendText), at.y}, theme::color(theme::kMuted, alpha),
+               shown_[i]->label);
   }
 }
 
 std::string OverlayLegend::help() const {
-  if (has_names_) return "The overlays that are shown. Click to fold their names away.";
-  std::string names;
-  for (const Overlay* overlay : shown_) names.append(names.empty() ? "" : ", ").append(overlay->label);
-  return "Shown: " + names + ". " + (is_tight_ ? "Their names have no room here." : "Click for the names.");
+  std::string names, missing;
+  for (const Overlay* overlay : shown_) {
+    names.append(names.empty() ? "" : ", ").append(overlay->label);
+    if (const auto why = why_nothing(*overlay, session_.level()); !why.empty())
+      missing.append("\n").append(why);
+  }
+  if (has_names_) return "The overlays that are shown. Click to fold their names away." + missing;
+  return "Shown: " + names + ". " + (is_tight_ ? "Their names have no room here." : "Click for the names.") +
+         missing;
 }
 
 bool OverlayLegend::take_mouse(Ui& ui) const {

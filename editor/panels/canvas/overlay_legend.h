@@ -30,7 +30,7 @@ class OverlayLegend {
   void lay_out_swatches(ImVec2 corner, float room);
   std::string help() const;
 
-  const Choices& choices_;
+  const Session& session_;
   const Ui& ui_;
   std::vector<const Overlay*> shown_;
   std::optional<ScreenBox> box_;

@@ -23,7 +23,9 @@ void draw_switch(const Overlay& overlay, const Session& session, Actions& action
   const float width = text + ui.px(kRowWidth);
   if (selectable({}, id, false, ImGuiSelectableFlags_DontClosePopups, {width, ui.px(kRowHeight)}))
     command.run(session, actions, ui);
-  ui.item(id, overlay.help, keys_of(command, ui));
+  std::string help(overlay.help);
+  if (const auto why = why_nothing(overlay, session.level()); !why.empty()) help.append(" ").append(why);
+  ui.item(id, help, keys_of(command, ui));
   if (ImGui::IsItemHovered()) ui.view.canvas.hovered_overlay = &overlay;
   const bool on = session.choices().overlays.has(overlay);
   const float middle = at.y + (ui.px(kRowHeight) - ImGui::GetTextLineHeight()) / 2;
