@@ -23,6 +23,20 @@ Rect first_screen(const TileMap& map) {
 
 constexpr int kFramesToSettle = 3;  // text and tables need more than one frame to find their sizes
 
+// Opens the places of the panels, and the debugger. In a small window, that of the first one goes before.
+void show_panels(const std::vector<std::string>& panels, View& view) {
+  WindowView& window = view.window;
+  window.tabs = panels;
+  window.dock_open = !panels.empty();
+  if (panels.empty()) return;
+  view.canvas.mode = CanvasMode::play;
+  for (auto panel = panels.rbegin(); panel != panels.rend(); ++panel) {
+    const auto tab = std::ranges::find(tab_infos(), *panel, &TabInfo::id);
+    open_place(window, tab->place);
+    window.first = tab->place;
+  }
+}
+
 // Does what a user would do to see what the options ask for. Returns false if it was told to stop.
 bool prepare(const WindowShotOptions& options, Session& session, View& view) {
   if (options.solver) {
@@ -41,9 +55,7 @@ bool prepare(const WindowShotOptions& options, Session& session, View& view) {
   if (options.overlays.any(&Overlay::needs_reach)) session.apply(action::FindReach{});
   if (options.overlays.any(&Overlay::needs_proof)) session.apply(action::Prove{});
   if (options.compared) session.apply(action::CompareVariant{Variant{*options.compared}});
-  view.window.tabs = options.panels;
-  view.window.dock_open = !options.panels.empty();
-  if (view.window.dock_open) view.canvas.mode = CanvasMode::play;
+  show_panels(options.panels, view);
   view.canvas.split_compared = options.two_views;
   view.debugger.stage = options.stage;
   return true;

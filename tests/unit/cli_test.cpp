@@ -332,6 +332,16 @@ TEST_F(CliCheck, ErrorsExitWithOneAndNameTheirCell) {
   EXPECT_THAT(answer.out, HasSubstr(file + ":cell 0,0: error: "));
 }
 
+TEST_F(CliShot, APanelIsShownInASmallWindow) {
+  const auto picture_with = [&](const std::string& panel) {
+    const std::string picture = path(panel + ".png");
+    EXPECT_EQ(status_of_own_process({"shot", kSix, "--window", "800x600", "--panel", panel, "-o", picture}),
+              kExitGood);
+    return bytes_of(picture);
+  };
+  EXPECT_NE(picture_with("why"), picture_with("shape"));
+}
+
 TEST_F(CliShot, TheThemeIsThatOfTheWindow) {
   const std::string dark = path("dark.png"), light = path("light.png");
   EXPECT_EQ(cli_answer({"shot", kSix, "--light", "-o", light}).status, kExitUsage)
