@@ -274,6 +274,36 @@ TEST_F(UiKeys, LayoutIsReset) {
   EXPECT_EQ(centre("layout/left").x, before);
 }
 
+// Whether each tab is either whole in its bar or out of it, and the chosen one is whole.
+bool has_whole_tabs(const ImGuiTabBar& bar) {
+  const float left = bar.ScrollingAnim - 0.5f,
+              right = left + 1 + bar.ScrollingRectMaxX - bar.ScrollingRectMinX;
+  return std::ranges::all_of(bar.Tabs, [&](const ImGuiTabItem& tab) {
+    const float begin = tab.Offset, end = begin + tab.Width;
+    const bool is_whole = begin >= left && end <= right;
+    const bool is_out = end - 1 <= left || begin + 1 >= right;
+    return is_whole || (is_out && tab.ID != bar.SelectedTabId);
+  });
+}
+
+TEST_F(UiKeys, TabsThatScrollAreWhole) {
+  begin_with_the_first_layout();  // in the harness's own one all have room
+  start();
+  for (const char* chosen : {"brushes", "tile", "shape", "inspector"}) {
+    app().ui().view.requests.ask(request::ShowTab{chosen});
+    frames(30);
+    int scrolled = 0;
+    auto& bars = ImGui::GetCurrentContext()->TabBars;
+    for (int i = 0; i < bars.GetMapSize(); ++i) {
+      const ImGuiTabBar* const bar = bars.TryGetMapData(i);
+      if (bar == nullptr || !(bar->Flags & ImGuiTabBarFlags_FittingPolicyScroll)) continue;
+      ++scrolled;
+      EXPECT_TRUE(has_whole_tabs(*bar)) << chosen;
+    }
+    EXPECT_GT(scrolled, 0);
+  }
+}
+
 TEST_F(UiKeys, SmallCharactersHaveNames) {
   EXPECT_EQ(to_string(KeyChord{','}), "Comma");
   EXPECT_EQ(to_string(ctrl('.')), "Ctrl+Period");

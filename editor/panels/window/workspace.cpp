@@ -147,6 +147,23 @@ ImGuiTabBarFlags flags_of_tabs(const std::vector<Panel*>& here) {
          ImGuiTabBarFlags_NoTabListScrollingButtons;
 }
 
+// Of tabs that scroll, shows the chosen one with those that have room beside it, all of them whole: Dear
+// ImGui would cut the first and the last one. Call it before the first tab.
+void show_whole_tabs(ImGuiTabBar& bar) {
+  const ImGuiID id = bar.NextSelectedTabId != 0 ? bar.NextSelectedTabId : bar.SelectedTabId;
+  const ImGuiTabItem* const chosen = ImGui::TabBarFindTabByID(&bar, id);
+  if (!(bar.Flags & ImGuiTabBarFlags_FittingPolicyScroll) || chosen == nullptr) return;
+  const float list = ImGui::GetFontSize() + ImGui::GetStyle().FramePadding.y;  // width of its button
+  const float room = bar.BarRect.GetWidth() - list;
+  const auto end_of = [](const ImGuiTabItem& tab) { return tab.Offset + tab.Width; };
+  const ImGuiTabItem* first = bar.Tabs.begin();
+  while (first < chosen && end_of(*chosen) - first->Offset > room) ++first;
+  const ImGuiTabItem* last = chosen;
+  while (last + 1 < bar.Tabs.end() && end_of(last[1]) - first->Offset <= room) ++last;
+  bar.ScrollingAnim = bar.ScrollingTarget = first->Offset;
+  bar.BarRect.Max.x = bar.BarRect.Min.x + list + std::min(room, end_of(*last) - first->Offset);
+}
+
 // Of the panels that share a region, `id` is shown now.
 void remember_tab(std::vector<std::string>& chosen, const std::vector<Panel*>& here, const std::string& id) {
   if (std::find(chosen.begin(), chosen.end(), id) != chosen.end()) return;
@@ -455,6 +472,7 @@ void Workspace::draw_tabs(Frame& frame, Region region) {
   // Dear ImGui shows the first tab in the first frame, and the remembered one from the second frame on.
   const bool first = ImGui::IsWindowAppearing();
   if (!ImGui::BeginTabBar("tabs", flags_of_tabs(here))) return;
+  show_whole_tabs(*ImGui::GetCurrentContext()->CurrentTabBar);
   std::vector<std::string>& chosen = frame.ui.view.window.tabs;
   Requests& requests = frame.ui.view.requests;
   std::vector<std::string>& wanted_tabs = frame.ui.view.window.wanted_tabs;
