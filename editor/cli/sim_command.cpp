@@ -129,7 +129,7 @@ void add_sim_command(CLI::App& program, CommandContext& context) {
                       "Recorded mouse and keys (JSON lines), in addition to those of a hard case");
   command->add_option("--trace", options->trace, "Write each frame here (JSON lines); - for standard output");
   command->add_flag("--no-contacts", options->no_contacts,
-                    "Leave contacts and cut_short out of the trace; events stay");
+                    "Leave contacts, capped and cut_short out of the trace; events stay");
   command->add_flag("--hash", options->hash, "Print the hash of the last state on the last line");
   command
       ->add_option("--until", options->until,

@@ -128,14 +128,15 @@ void append_list(std::string& line, std::string_view begin, const Items& items, 
   line += "]";
 }
 
-void append_cut_short(std::string& line, const std::vector<BodyPath>& paths) {
-  std::vector<int> cut_short;
+// The bodies whose path has this mark, if there are any.
+void append_marked(std::string& line, std::string_view begin, const std::vector<BodyPath>& paths,
+                   bool BodyPath::*mark) {
+  std::vector<int> bodies;
   for (const BodyPath& path : paths) {
-    if (path.cut_short) cut_short.push_back(path.body);
+    if (path.*mark) bodies.push_back(path.body);
   }
-  if (cut_short.empty()) return;
-  append_list(line, ",\"cut_short\":[", cut_short,
-              [](std::string& text, int body) { append_number(text, body); });
+  if (bodies.empty()) return;
+  append_list(line, begin, bodies, [](std::string& text, int body) { append_number(text, body); });
 }
 
 }  // namespace
@@ -149,7 +150,10 @@ std::string trace_line(const State& state, const StepRecord* record, bool with_c
   if (has_contacts) append_list(line, ",\"contacts\":[", record->contacts, append);
   if (record != nullptr && !record->events.empty())
     append_list(line, ",\"events\":[", record->events, append_event);
-  if (has_contacts) append_cut_short(line, record->paths);
+  if (has_contacts) {
+    append_marked(line, ",\"capped\":[", record->paths, &BodyPath::capped);
+    append_marked(line, ",\"cut_short\":[", record->paths, &BodyPath::cut_short);
+  }
   line += "}";
   return line;
 }

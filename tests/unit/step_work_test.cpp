@@ -237,6 +237,9 @@ TEST(StepWork, IsTold) {
             R"("contacts":[],"cut_short":[1]})");
   record.paths[0].cut_short = false;
   EXPECT_EQ(trace_line(run.state, &record).find("cut_short"), std::string::npos);
+  record.paths[0].capped = true;
+  EXPECT_NE(trace_line(run.state, &record).find(R"("contacts":[],"capped":[1]})"), std::string::npos);
+  EXPECT_EQ(trace_line(run.state, &record, false).find("capped"), std::string::npos);
 }
 
 TEST(StepWork, OfAWorldAloneIsBounded) {
