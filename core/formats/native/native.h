@@ -19,28 +19,24 @@
 //                  units and ranges; and objects "exact" and "player" with the numbers of these groups,
 //                  each written only if a number in it differs from its default.
 //   "spawns"       bodies placed by hand: "name" (""); "x", "y" in px (0) and "vx", "vy" in px/frame (0),
-//                  each within 100 million; "kind", a word of level/body_kind_list.cpp
-//                  ("ball"); "size", [width, height], each 1/256..1024 px, and "foot", "box" or "centre"
-//                  (default: by kind);
+//                  each within 100 million; "kind", a word of level/body_kind_list.cpp ("ball"); "size",
+//                  [width, height], each 1/256..1024 px, and "foot", "box" or "centre" (default: by kind);
 //                  "picture", {"stand": [tile, frames], "run": ..., "jump": ..., "fall": ..., "size":
 //                  [columns, rows] of a frame in tiles ([1, 1]), "steps" of a frame (6)}.
 //   "curves"       curves free of the grid: "name" (""); "faces", "up", "down" or "both" ("up"); "conveyor",
-//                  px/frame, -64..64 (0); "kind",
-//                  "segment", "arc", "parabola", "cubic", "sine" or "polyline"; and the members of the
-//                  struct of that name in collision/shape.h, with points as [x, y]. All are needed except
-//                  "upper" (true). The ends lie on the map.
+//                  px/frame, -64..64 (0); "kind", "segment", "arc", "parabola", "cubic", "sine" or
+//                  "polyline"; and the members of the struct of that name in collision/shape.h, with points
+//                  as [x, y]. All are needed except "upper" (true). The ends lie on the map.
 //   "brushes"      up to 1000 named brushes: "name" (""), up to 1000 bytes; "random", whether each cell
 //                  takes a random tile of the brush (false); "rows", 1..256 rows of one length, 1..256
 //                  cells, as in the map; "turns", rows as in the map.
 //   "auto_tiles"   which tile, not 0, plays which part of painted ground, by the names of the parts in
 //                  level/auto_tiles.h ("inside", "slope_up", ...). Default: no tiles.
-//   "animations"   by tile number, from "0": what the tile shows in play, a list of [tile, ms], each frame 1
-//   to
-//                  60000 ms, and up to 65536 frames in all. Default: each tile shows itself.
+//   "animations"   by tile number, from "0": what the tile shows in play, a list of [tile, ms], each frame
+//                  1 to 60000 ms, and up to 65536 frames in all. Default: each tile shows itself.
 //   "tile_notes"   by tile number, from "0": "class" (""); "probability", its weight among tiles that are
-//   chosen
-//                  at random, 0..1000000 (1); "properties", an object of what its user wrote there; 16777216
-//                  bytes of classes and properties in all. Default: no notes.
+//                  chosen at random, 0..1000000 (1); "properties", an object of what its user wrote there;
+//                  16777216 bytes of classes and properties in all. Default: no notes.
 //   "exports"      up to 100 presets of exports: "name" (""); "to", the id of an exporter (""), kept if it
 //                  is unknown; "path" of the file or folder, with '/', absolute or relative to the folder
 //                  of the level's file (""); "parts", those of the Lua runtime besides those that the level
@@ -59,9 +55,8 @@
 //                  flags), and "pixels", eight rows of eight hexadecimal palette indices, "." for 0
 //                  (default: all 0). Blank tiles are left out.
 //   "sprites"      the same for the images that are not on the map.
-//   "sheet_size"   [columns, tiles] of the sheet of tiles: 1..2048 columns, 1..65536 tiles, at most 2048
-//   rows.
-//                  Default: [16, 256]. With more than 256 tiles each cell has four digits instead of two.
+//   "sheet_size"   [columns, tiles] of the sheet of tiles: 1..2048 columns, 1..65536 tiles, at most
+//                  2048 rows. Default: [16, 256]. With more than 256 tiles each cell has four digits.
 //   "picture"      how the tiles look in true colour: lines of Base64, together a PNG with the tiles at their
 //                  places on the sheet, each as large as a cell. Default: "pixels" say how they look.
 //   "tilesets"     up to 1024 parts of the sheet of tiles, in the order of their tiles: "name" (""); "first",
@@ -73,20 +68,17 @@
 //                  are shown right of and below their places, each within 1024 ([0, 0]). Default: no
 //                  tilesets.
 //   "pictures"     pictures in true colour, each as lines of Base64 with a PNG, up to 33554432 px in all.
-//   Parts
-//                  of them are named by "picture", its number in the list; "rect", [x, y, width, height] in
-//                  px of the picture (all of it); "shift", [x, y] in px of the picture, by which it is drawn
-//                  right of and below its place, each within 1024 ([0, 0]); "keeps_ratio", whether it is as
-//                  large as fits its place, or else fills it (false); "swaps_axes", then "mirrors_x" and
-//                  "mirrors_y", how it is turned (false).
+//                  Parts of them are named by "picture", its number in the list; "rect", [x, y, width,
+//                  height] in px of the picture (all of it); "shift", [x, y] in px of the picture, by which
+//                  it is drawn right of and below its place, each within 1024 ([0, 0]); "keeps_ratio",
+//                  whether it is as large as fits its place, or else fills it (false); "swaps_axes", then
+//                  "mirrors_x" and "mirrors_y", how it is turned (false).
 //   "large_tiles"  by tile number, from "0": the part of a picture that the tile is drawn by, and "size",
-//   [width,
-//                  height] in px, each 1..4096, of its place, whose bottom left corner is that of the cell.
+//                  [width, height] in px, each 1..4096, of its place, whose bottom left corner is the cell's.
 //   "tile_size"    [width, height] of the cells of the map, 1..256 px each. Default: [8, 8].
-//   "map"          "width" (240) and "height" (136), 1..2097152 cells each, 16777216 cells in all, and at
-//   most
-//                  16777216 px each; "rows", from the top: two hexadecimal digits for each cell, ".." for
-//                  tile 0. Empty cells at the end of a row and empty rows at the end are left out.
+//   "map"          "width" (240) and "height" (136), 1..2097152 cells each, 16777216 cells in all, and
+//                  at most 16777216 px each; "rows", from the top: two hexadecimal digits for each cell, ".."
+//                  for tile 0. Empty cells at the end of a row and empty rows at the end are left out.
 //                  "turns", rows of a digit for each cell: how the tile is turned, the sum of 1 for Tiled's
 //                  diagonal flip, which comes first, 2 if top and bottom change places, and 4 for left and
 //                  right; "." for a tile that is not turned, also at the end of a row. Default: none is.
