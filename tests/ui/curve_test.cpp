@@ -174,6 +174,15 @@ TEST_F(UiCurve, InspectorEditsNameAndNumbers) {
   EXPECT_TRUE(tooltip == nullptr || !tooltip->Active) << "a tooltip would cover the problem";
 }
 
+TEST_F(UiCurve, TheLongestLabelIsApartFromItsField) {
+  draw_kind(CurveKind::arc, {16, 40}, {80, 40});
+  frames(2);
+  const Widget* conveyor = find("inspector/curve_conveyor");
+  ASSERT_NE(conveyor, nullptr);
+  const float gap = 4, label = conveyor->clip_min.x + 4 + ImGui::CalcTextSize("Conveyor").x;  // px
+  EXPECT_GE(conveyor->min.x, label + gap);
+}
+
 TEST_F(UiCurve, NumbersAreNotCutInTheirFields) {
   draw_kind(CurveKind::arc, {16, 40}, {80, 33});
   frames(2);

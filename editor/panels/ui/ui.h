@@ -37,7 +37,7 @@ struct UvRect {
 inline constexpr int kBoldFont = 1;
 
 // px at scale 1: of the left column of a form, and of a field of which two fit beside it.
-inline constexpr float kFormLabel = 56, kFormField = 80;
+inline constexpr float kFormLabel = 64, kFormField = 80;
 
 class Ui {
  public:
