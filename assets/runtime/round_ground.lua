@@ -206,14 +206,17 @@ function M.near_side(side, x, y, radius)
   return {nx = side.nx, ny = side.ny, gap = far - radius, bend = 0.0, on_end = false}, far >= 0
 end
 
+local function nearer_end(side, x, y)
+  local ax, ay, bx_, by_ = x - side.ax, y - side.ay, x - side.bx, y - side.by
+  if ax * ax + ay * ay <= bx_ * bx_ + by_ * by_ then return side.ax, side.ay end
+  return side.bx, side.by
+end
+
 local function goes_through(side, near) return side.is_thin and near.gap < -THROUGH end
 
 -- Another side that goes on from the end that a circle touches, so that it does not touch the end alone.
 local function hides(sides, index, x, y, radius)
-  local side = sides[index]
-  local ax, ay, bx_, by_ = x - side.ax, y - side.ay, x - side.bx, y - side.by
-  local end_x, end_y = side.bx, side.by
-  if ax * ax + ay * ay <= bx_ * bx_ + by_ * by_ then end_x, end_y = side.ax, side.ay end
+  local end_x, end_y = nearer_end(sides[index], x, y)
   for i, beside in ipairs(sides) do
     if i ~= index and (beside.ax == end_x and beside.ay == end_y or beside.bx == end_x and beside.by == end_y) then
       local near, in_front = M.near_side(beside, x, y, radius)
@@ -237,7 +240,29 @@ function M.area_around(a, c)
   return M.touch_area(x, y, max(a.x + a.w, c.x + c.w) - x, max(a.y + a.h, c.y + c.h) - y)
 end
 
--- The sides that a circle touches in an area, px: {side, near}. Tiles side by side in it are one side.
+-- The normal across a gap as wide as a circle, out of the end of a side, if the circle touches that end and one on the
+-- other side of the gap. The two hold nothing that goes along the gap. A circle touches both a little before its middle
+-- is between them, and their own normals would be those of a wedge.
+local function across_gap(sides, side, form)
+  local x, y = M.middle(form)
+  local end_x, end_y = nearer_end(side, x, y)
+  local slack = own_slack(form)
+  for i, other in ipairs(sides) do
+    local way_x, way_y = nearer_end(other, x, y)
+    way_x, way_y = way_x - end_x, way_y - end_y
+    local wide = sqrt(way_x * way_x + way_y * way_y)
+    if wide >= 2 * form.radius - slack then
+      local near, in_front = M.near_side(other, x, y, form.radius)
+      if near.on_end and in_front and not (near.gap > slack) and not hides(sides, i, x, y, form.radius) then
+        local share = 1 / wide
+        return way_x * share, way_y * share
+      end
+    end
+  end
+end
+
+-- The sides that a circle touches in an area, px: {side, near, is_in_gap}. Tiles side by side in it are one side.
+-- is_in_gap: its end, in a gap as wide as the circle; its normal leads across the gap.
 function M.sides_touched(world, form, x, y, w, h)
   local sides, touched = find_sides(world.terrain, x, y, w, h), {}
   local middle_x, middle_y = M.middle(form)
@@ -246,7 +271,10 @@ function M.sides_touched(world, form, x, y, w, h)
     local near, in_front = M.near_side(side, middle_x, middle_y, form.radius)
     if in_front and not (near.gap > most) and not goes_through(side, near) and
         not (near.on_end and hides(sides, i, middle_x, middle_y, form.radius)) then
-      touched[#touched + 1] = {side = side, near = near}
+      local nx, ny
+      if near.on_end then nx, ny = across_gap(sides, side, form) end
+      if nx then near.nx, near.ny = nx, ny end
+      touched[#touched + 1] = {side = side, near = near, is_in_gap = nx ~= nil}
     end
   end
   return touched
@@ -279,25 +307,44 @@ local function is_among(sides, side)
   return false
 end
 
+-- Whether a circle on a path comes nearer to a straight side that it touches.
+local function comes_nearer(m, nx, ny)
+  local speed = -(m.vx * nx + m.vy * ny)
+  return speed > STILL or speed >= -STILL and -(m.px * nx + m.py * ny) > STILL
+end
+
+-- What a circle meets where its path leads to a side, and the normal; nil if it does not stop there. near: of the side
+-- then, there: the circle then.
+local function met_with(sides, i, near, there, along)
+  local side = sides[i]
+  if not near.on_end then return side, near.nx, near.ny end
+  local form = M.form_at(there, there.time)
+  local x, y = M.middle(form)
+  local beside = hides(sides, i, x, y, form.radius)
+  if beside then
+    -- It met this end before the hollow that goes on from there was looked at.
+    near = M.near_side(beside, x, y, form.radius)
+    local meets = near.gap <= own_slack(form) and -(there.vx * near.nx + there.vy * near.ny) > STILL
+    if is_among(along, beside) or not beside.is_hollow or not meets or near.gap < -THROUGH then return nil end
+    return beside, near.nx, near.ny
+  end
+  local nx, ny = across_gap(sides, side, form)
+  if not nx then return side, near.nx, near.ny end
+  if comes_nearer(there, nx, ny) then return side, nx, ny end
+end
+
 -- What a circle meets of these sides between two times, before `first`.
 local function meet_side(sides, i, m, along, from, to, first)
-  local side = sides[i]
-  if is_among(along, side) then return first end
-  local t, near = time_to(side, m, from, to)
+  if is_among(along, sides[i]) then return first end
+  local t, near = time_to(sides[i], m, from, to)
   if not t or first and from + t >= first.time then return first end
   t = from + t
   local there = M.moving_at(m, t)
-  local x, y = M.middle(M.form_at(there, t))
-  local beside = near.on_end and hides(sides, i, x, y, m.radius) or nil
-  if beside then
-    -- It met this end before the hollow that goes on from there was looked at.
-    side, near = beside, M.near_side(beside, x, y, m.radius)
-    local meets = near.gap <= own_slack(M.form_at(m, t)) and -(there.vx * near.nx + there.vy * near.ny) > STILL
-    if is_among(along, side) or not side.is_hollow or not meets or near.gap < -THROUGH then return first end
-  end
+  local side, nx, ny = met_with(sides, i, near, there, along)
+  if not side then return first end
   M.put_on(side, there)
   local place = M.form_at(there, t)
-  return {time = t, nx = near.nx, ny = near.ny, x = place.x, y = place.y, side = side}
+  return {time = t, nx = nx, ny = ny, x = place.x, y = place.y, side = side}
 end
 
 -- The first time on its path, before `to`, at which a circle meets the ground. along: sides that stop nothing, as it

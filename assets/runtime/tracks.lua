@@ -250,12 +250,12 @@ end
 
 -- ---- The ground that they touch ----
 
--- Adds the contact of a circle with a side. Returns whether it is new.
-function M.add_side(m, side, nx, ny)
+-- Adds the contact of a circle with a side. is_in_gap: see M.sides_touched. Returns whether it is new.
+function M.add_side(m, side, nx, ny, is_in_gap)
   if not M.is_new(m, nx, ny) then return false end
   local x, y = M.middle(M.form_at(m, M.time))
   local touch = M.add_ground(m, nx, ny, side)
-  touch.near, touch.slow = M.near_side(side, x, y, m.radius), M.slow
+  touch.near, touch.slow, touch.is_in_gap = M.near_side(side, x, y, m.radius), M.slow, is_in_gap
   return true
 end
 
@@ -265,7 +265,9 @@ function M.add_ground_of_circles(world)
     if m.inner and m.radius > 0 then
       for _, touch in ipairs(M.all_touched(world, M.form_at(m, M.time))) do
         local near = touch.near
-        if m.svx * near.nx + m.svy * near.ny <= M.slow then M.add_side(m, touch.side, near.nx, near.ny) end
+        if m.svx * near.nx + m.svy * near.ny <= M.slow then
+          M.add_side(m, touch.side, near.nx, near.ny, touch.is_in_gap)
+        end
       end
     end
   end
@@ -279,7 +281,7 @@ function M.probe(world, m, way_x, way_y, fastest)
   for _, touch in ipairs(M.all_touched(world, M.form_at(m, M.time))) do
     local nx, ny = touch.near.nx, touch.near.ny
     if -(way_x * nx + way_y * ny) > STILL_ON_GROUND and not (m.svx * nx + m.svy * ny > fastest) and
-        M.add_side(m, touch.side, nx, ny) then
+        M.add_side(m, touch.side, nx, ny, touch.is_in_gap) then
       finds = true
     end
   end
@@ -293,7 +295,8 @@ end
 local function best_track(m)
   local best, is_on_ground = nil, false
   for _, touch in ipairs(M.touches) do
-    if touch.near and not touch.is_apart and (touch.a == m or touch.b == m) and
+    -- Through a gap a circle goes, not round its end.
+    if touch.near and not touch.is_apart and not touch.is_in_gap and (touch.a == m or touch.b == m) and
         not (abs(M.speed(touch, touch.nx, touch.ny)) > touch.still) then
       local other = touch.a == m and touch.b or touch.a
       local is_ground = not touch.b

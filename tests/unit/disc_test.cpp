@@ -167,6 +167,72 @@ TEST(Disc, FallsThroughAGapAsWideAsItself) {
   }
 }
 
+// A floor at y = 24 with a hole, that a circle of 8 px rolls to.
+Level holed_floor(double hole, BodyKind kind, double speed, int parts) {
+  Level level = open_level(0.1, 0);
+  level.tuning.exact.substeps = parts;
+  add_line(level, {0, 24}, {240, 24});
+  add_line(level, {240 + hole, 24}, {480, 24});
+  add(level, {speed > 0 ? 231 : 241 + hole, 16}, {speed, 0}, {8, 8}, kind);
+  return level;
+}
+
+// The same with a hole of a tile in tiles.
+Level holed_tiles(BodyKind kind, double speed, int parts) {
+  Level level = disc_level({"....................", "....................", "....................",
+                            "##########.#########", "....................", "...................."},
+                           0.1);
+  level.tuning.exact.substeps = parts;
+  add(level, {speed > 0 ? 71.0 : 89.0, 16}, {speed, 0}, {8, 8}, kind);
+  return level;
+}
+
+template <class Check>
+void roll_to_holes(Check check) {
+  for (const BodyKind kind : {BodyKind::marble, BodyKind::disc}) {
+    for (const double speed : {0.1, 0.2, 0.5, 1.0, 1.5, -0.1, -0.2, -0.5, -1.0, -1.5}) {
+      for (const int parts : {1, 3}) check(kind, speed, parts);
+    }
+  }
+}
+
+// hole: px, its left end.
+void expect_through_or_across(const Level& level, double hole) {
+  const double speed = level.spawns.front().velocity.x;
+  Play run(level);
+  run.step(140);
+  const Rect& circle = run.body(0).box;
+  const bool is_across = speed > 0 ? circle.x > hole + 8 : circle.right() < hole;
+  EXPECT_TRUE(is_across || circle.y > 48) << speed << " " << level.tuning.exact.substeps;
+  EXPECT_TRUE(is_across || std::abs(circle.x - hole) < 1e-8) << speed << " " << circle.x;
+}
+
+// It touches both corners a little before its middle is between them, where they would hold it as a wedge.
+TEST(Disc, NoHoleAsWideAsItselfHoldsIt) {
+  roll_to_holes([](BodyKind kind, double speed, int parts) {
+    expect_through_or_across(holed_floor(8, kind, speed, parts), 240);
+    expect_through_or_across(holed_tiles(kind, speed, parts), 80);
+  });
+}
+
+TEST(Disc, ALittleNarrowerHoleHoldsIt) {
+  roll_to_holes([](BodyKind kind, double speed, int parts) {
+    Play run(holed_floor(8 - 1.0 / 256, kind, speed, parts));
+    run.step(140);
+    EXPECT_LT(run.body(0).box.bottom(), 28) << speed << " " << parts;
+  });
+}
+
+TEST(Disc, FallsOutOfAHoleWhereItWasHeld) {
+  Level level = holed_tiles(BodyKind::marble, 0.1, 1);
+  level.spawns.front().position = {80 - 2e-10, 20 - 4e-5};
+  level.spawns.front().velocity = {};
+  Play run(level);
+  run.step(40);
+  EXPECT_NEAR(run.body(0).box.y, 100, 5);
+  EXPECT_NEAR(run.body(0).box.x, 80, 1e-8);
+}
+
 TEST(Disc, StandsOnTheMiddleOfABoxThatIsNoSquare) {
   Level level = disc_level({"........", "........", "........", "########"}, 0.1);
   add(level, {10, 0}, {}, {6, 14});

@@ -22,6 +22,7 @@
 #include "property/random_walkways.h"
 #include "property/tries.h"
 #include "sim/case_input.h"
+#include "unit/meeting_run.h"
 #include "unit/program_output.h"
 
 namespace talus::lua_runtime_test {
@@ -500,6 +501,21 @@ TEST_F(LuaRuntime, GivesTheBitsOfDiscs) {
     }
     level.tuning.shared.bodies = static_cast<double>(BodyPairs::meet);
   });
+}
+
+TEST_F(LuaRuntime, GivesTheBitsOfCirclesInHoles) {
+  for (const BodyKind kind : {BodyKind::marble, BodyKind::disc}) {
+    Level level = meeting_level({"................................", "................................",
+                                 "####.#####.#####.#####.#########", "................................"},
+                                0.1, 0);
+    double x = 20;
+    for (const double speed : {0.1, 0.2, 0.5, 1.0}) {
+      add_body(level, kind, {x, 8}, {speed, 0});
+      x += 48;
+    }
+    add(level, 200, {}, "holes");
+  }
+  expect_same_bits();
 }
 
 TEST_F(LuaRuntime, GivesTheBitsOfBodiesThatMeet) {

@@ -128,7 +128,7 @@ bool Meeting::add_side(std::size_t place, const SideTouch& touch) {
   const MovingBox& moving = members_[set_[place]].moving;
   const Form form = moving.form_at(time_);
   const int side = static_cast<int>(sides_.size());
-  sides_.push_back({touch.side, nearness(touch.side, form.middle(), moving.radius).near});
+  sides_.push_back({touch.side, nearness(touch.side, form.middle(), moving.radius).near, touch.is_in_gap});
   add_ground(place, normal, round_.contact_with(touch, form), side);
   return true;
 }
@@ -186,6 +186,7 @@ void Meeting::find_track_of_circle(std::size_t place) {
   for (Met& met : met_) {
     const Touch& touch = met.touch;
     if (!met.is_round() || met.is_apart || (touch.a != index && touch.b != index)) continue;
+    if (side_of(met).is_in_gap) continue;  // a circle goes through it, not round its end
     if (std::abs(ContactSet::speed(touch, inertias_, touch.normal)) > touch.still()) continue;
     const bool is_ground = touch.b == Touch::kGround;
     if (!is_ground && (is_on_ground || !is_at_rest(touch.a == index ? touch.b : touch.a))) continue;

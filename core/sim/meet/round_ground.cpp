@@ -15,6 +15,23 @@ bool goes_through(const GroundSide& side, const SideNearness& here) {
   return side.is_thin && here.near.gap < -kThrough;
 }
 
+Vec2 nearer_end(const GroundSide& side, Vec2 middle) {
+  const Vec2 a = middle - side.from, b = middle - side.to;
+  return dot(a, a) <= dot(b, b) ? side.from : side.to;
+}
+
+bool is_among(std::span<const GroundSide> sides, const GroundSide& one) {
+  return std::any_of(sides.begin(), sides.end(), [&](const GroundSide& other) {
+    return other.from == one.from && other.to == one.to && other.facing == one.facing;
+  });
+}
+
+// Whether a circle on a path comes nearer to a straight side that it touches.
+bool comes_nearer(const FallPath& path, Vec2 normal) {
+  const double speed = -dot(path.velocity, normal);
+  return speed > kStill || (speed >= -kStill && -dot(path.pull, normal) > kStill);
+}
+
 }  // namespace
 
 Rect area_around(const Rect& a, const Rect& b) {
@@ -25,15 +42,30 @@ Rect area_around(const Rect& a, const Rect& b) {
 // Another side that goes on from the end that a circle touches, so that it does not touch the end alone;
 // null: there is none.
 const GroundSide* RoundGround::hides(std::size_t index, Vec2 middle, double radius) const {
-  const GroundSide& side = sides_[index];
-  const Vec2 a = middle - side.from, b = middle - side.to;
-  const Vec2 end = dot(a, a) <= dot(b, b) ? side.from : side.to;
+  const Vec2 end = nearer_end(sides_[index], middle);
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     if (i == index || !(sides_[i].from == end || sides_[i].to == end)) continue;
     const SideNearness there = nearness(sides_[i], middle, radius);
     if (!there.near.on_end && there.in_front) return &sides_[i];
   }
   return nullptr;
+}
+
+// The normal across a gap as wide as a circle, out of the end of a side, if the circle touches that end and
+// one on the other side of the gap. The two hold nothing that goes along the gap. A circle touches both a
+// little before its middle is between them, and their own normals would be those of a wedge.
+std::optional<Vec2> RoundGround::across_gap(const GroundSide& side, const Form& form) const {
+  const Vec2 middle = form.middle(), end = nearer_end(side, middle);
+  const double slack = touch_slack(form.box, form.box);
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const Vec2 way = nearer_end(sides_[i], middle) - end;
+    const double wide = std::sqrt(dot(way, way));
+    if (!(wide >= 2 * form.radius - slack)) continue;
+    const SideNearness here = nearness(sides_[i], middle, form.radius);
+    if (!here.near.on_end || !here.in_front || here.near.gap > slack) continue;
+    if (hides(i, middle, form.radius) == nullptr) return way * (1 / wide);
+  }
+  return std::nullopt;
 }
 
 const std::vector<SideTouch>& RoundGround::touched(const Form& form, CastBudget& budget) {
@@ -55,7 +87,10 @@ const std::vector<SideTouch>& RoundGround::touched(const Form& form, const Rect&
     const SideNearness here = nearness(sides_[i], middle, form.radius);
     if (!here.in_front || here.near.gap > slack || goes_through(sides_[i], here)) continue;
     if (here.near.on_end && hides(i, middle, form.radius) != nullptr) continue;
-    touched_.push_back({sides_[i], here.near});
+    const auto across = here.near.on_end ? across_gap(sides_[i], form) : std::nullopt;
+    SideTouch touch{sides_[i], here.near, across.has_value()};
+    if (across) touch.near.normal = *across;
+    touched_.push_back(touch);
   }
   asked_ = budget.left > 0 ? form : Form();
   asked_area_ = area;
@@ -77,6 +112,28 @@ std::optional<RoundTouch> RoundGround::time_to(const GroundSide& side, const Mov
   return met;
 }
 
+// What a circle meets where its path leads to a side; nothing if it does not stop there. near: of the side
+// then, there: the circle then.
+std::optional<SideTouch> RoundGround::met_with(std::size_t index, const Nearness& near,
+                                               const MovingBox& there,
+                                               std::span<const GroundSide> along) const {
+  SideTouch touch{sides_[index], near};
+  if (!near.on_end) return touch;
+  const Form form = there.form_at(there.path.time);
+  if (const GroundSide* other = hides(index, form.middle(), form.radius)) {
+    // It met this end before the hollow that goes on from there was looked at.
+    touch = {*other, nearness(*other, form.middle(), form.radius).near};
+    const bool meets = touch.near.gap <= touch_slack(form.box, form.box) &&
+                       -dot(there.path.velocity, touch.near.normal) > kStill;
+    if (is_among(along, *other) || !other->is_hollow() || !meets || touch.near.gap < -kThrough)
+      return std::nullopt;
+  } else if (const auto across = across_gap(touch.side, form)) {
+    if (!comes_nearer(there.path, *across)) return std::nullopt;
+    touch.near.normal = *across;
+  }
+  return touch;
+}
+
 std::optional<GroundMeeting> RoundGround::next_meeting(const MovingBox& box, double to,
                                                        std::span<const GroundSide> along, CastBudget& budget,
                                                        GroundSide& side) {
@@ -85,11 +142,6 @@ std::optional<GroundMeeting> RoundGround::next_meeting(const MovingBox& box, dou
   const double start = box.path.time;
   const Vec2 way = box.path.way_to(to);
   const double slices = std::ceil(std::max({1.0, std::abs(way.x) / kSlice, std::abs(way.y) / kSlice}));
-  const auto is_along = [&](const GroundSide& one) {
-    return std::any_of(along.begin(), along.end(), [&](const GroundSide& other) {
-      return other.from == one.from && other.to == one.to && other.facing == one.facing;
-    });
-  };
   for (double i = 0; i < slices && budget.left > 0; ++i) {
     const double begin = start + (to - start) * (i / slices),
                  end = i + 1 == slices ? to : start + (to - start) * ((i + 1) / slices);
@@ -97,25 +149,18 @@ std::optional<GroundMeeting> RoundGround::next_meeting(const MovingBox& box, dou
     find_sides(ground_, area_around(box.at(begin), box.at(end)), budget, sides_);
     std::optional<GroundMeeting> first;
     for (std::size_t k = 0; k < sides_.size(); ++k) {
-      if (is_along(sides_[k])) continue;
+      if (is_among(along, sides_[k])) continue;
       const auto met = time_to(sides_[k], box, begin, end);
       if (!met || (first && begin + met->time >= first->time)) continue;
       const double time = begin + met->time;
       MovingBox there = box;
       there.path = box.path.from(time);
-      SideTouch touch{sides_[k], met->near};
-      const Vec2 middle = there.form_at(time).middle();
-      if (const GroundSide* other = touch.near.on_end ? hides(k, middle, box.radius) : nullptr) {
-        // It met this end before the hollow that goes on from there was looked at.
-        touch = {*other, nearness(*other, middle, box.radius).near};
-        const bool meets = touch.near.gap <= touch_slack(box.at(time), box.at(time)) &&
-                           -dot(there.path.velocity, touch.near.normal) > kStill;
-        if (is_along(*other) || !other->is_hollow() || !meets || touch.near.gap < -kThrough) continue;
-      }
-      put_on(touch.side, there);
+      const auto touch = met_with(k, met->near, there, along);
+      if (!touch) continue;
+      put_on(touch->side, there);
       const Form form = there.form_at(time);
-      first = {time, touch.near.normal, form.box.position(), contact_with(touch, form)};
-      side = touch.side;
+      first = {time, touch->near.normal, form.box.position(), contact_with(*touch, form)};
+      side = touch->side;
     }
     if (first) return first;
   }

@@ -14,6 +14,7 @@ namespace talus {
 struct SideTouch {
   GroundSide side;
   Nearness near;
+  bool is_in_gap = false;  // its end, in a gap as wide as the circle: its normal leads across the gap
 };
 
 class RoundGround {
@@ -39,6 +40,9 @@ class RoundGround {
 
  private:
   const GroundSide* hides(std::size_t index, Vec2 middle, double radius) const;
+  std::optional<Vec2> across_gap(const GroundSide& side, const Form& form) const;
+  std::optional<SideTouch> met_with(std::size_t index, const Nearness& near, const MovingBox& there,
+                                    std::span<const GroundSide> along) const;
   std::optional<RoundTouch> time_to(const GroundSide& side, const MovingBox& box, double from,
                                     double to) const;
 
