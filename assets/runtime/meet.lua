@@ -688,6 +688,10 @@ function M.touching_in_set(m, n)
   return M.touching(ax, ay, m.w, m.h, cx, cy, n.w, n.h, m.index < n.index)
 end
 
+function M.is_pair_of(event, m, n)
+  return event.kind == "pair" and (m == event.a and n == event.b or m == event.b and n == event.a)
+end
+
 function M.look_around(m, event)
   local place, found = m.place, {}
   for _, n in ipairs(M.members) do
@@ -698,8 +702,7 @@ function M.look_around(m, event)
   table.sort(found, by_place)
   for _, n in ipairs(found) do
     if not (n.place and n.place < place and n.inner) then
-      local is_event = event.kind == "pair" and (m == event.a and n == event.b or m == event.b and n == event.a)
-      if is_event or M.touching_in_set(m, n) then
+      if M.is_pair_of(event, m, n) or M.touching_in_set(m, n) then
         if #M.pairs == MOST_PAIRS then return end
         M.pairs[#M.pairs + 1] = {m, n}
         M.join(n)
@@ -762,12 +765,14 @@ function M.add_pairs(event)
   for _, pair in ipairs(M.pairs) do
     local m, n = pair[1], pair[2]
     local nx, ny = M.touching_in_set(m, n)
-    if not nx then
+    if not nx and M.is_pair_of(event, m, n) then
       nx, ny = event.nx, event.ny
       if m ~= event.a then nx, ny = nx * -1, ny * -1 end
     end
-    M.touches[#M.touches + 1] = {a = m, b = n, nx = nx, ny = ny, bounce = 0.0, impulse = 0.0, pressure = 0.0,
-                                 friction = sqrt(m.friction * n.friction), conveyor = 0.0, still = STILL}
+    if nx then
+      M.touches[#M.touches + 1] = {a = m, b = n, nx = nx, ny = ny, bounce = 0.0, impulse = 0.0, pressure = 0.0,
+                                   friction = sqrt(m.friction * n.friction), conveyor = 0.0, still = STILL}
+    end
   end
 end
 
@@ -1164,7 +1169,7 @@ end
 function M.step(world, input)
   local n = world.tuning
   M.slowest = n.gravity > 0 and n.gravity or abs(n.fall_speed * n.fall_blend)
-  M.part = 1.0 / n.substeps
+  M.part, M.terrain = 1.0 / n.substeps, world.terrain
   M.members, M.drags = {}, (world.grabbed or 0) ~= 0
   for i, body in ipairs(world.bodies) do M.members[i] = M.take(world, body, i, input) end
   M.part_overlaps(world)

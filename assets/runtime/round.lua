@@ -207,8 +207,7 @@ function M.look_around(m, event)
   table.sort(found, M.by_place)
   for _, n in ipairs(found) do
     if not (n.place and n.place < place and n.inner) then
-      local is_event = event.kind == "pair" and (m == event.a and n == event.b or m == event.b and n == event.a)
-      if is_event or M.touching_in_set(m, n) then
+      if M.is_pair_of(event, m, n) or M.touching_in_set(m, n) then
         if #M.pairs == most then return end
         M.pairs[#M.pairs + 1] = {m, n}
         M.join(n)
@@ -416,7 +415,7 @@ function M.meet(world, event)
   local is_ground = event.kind == "ground"
   if is_ground then
     local had_track = first.track
-    if had_track and not (first.radius > 0) then M.arrive_along(world, first) else M.from(first, M.time) end
+    M.from(first, M.time)
     first.track, first.leaves = nil, nil
     if not had_track then first.x, first.y = first.ground.x, first.ground.y end
   end

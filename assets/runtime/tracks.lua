@@ -164,24 +164,21 @@ local function corner_of(track, m)
   return corner
 end
 
+-- The track of a box leads a little beside the path for which the ground was looked at: it must not lead into what is
+-- there.
 local function take_along(track, m, t)
   if m.radius > 0 then return take(track, m, t) end
-  local corner = corner_of(track, m)
+  local x, y, corner, piece = m.x, m.y, corner_of(track, m), track.sides[1].piece
   local onward_x, onward_y = take(track, corner, t)
   m.time, m.x, m.y = corner.time, corner.x - track.corner_x, corner.y - track.corner_y
   m.vx, m.vy, m.px, m.py = corner.vx, corner.vy, corner.px, corner.py
+  local met = cast_box(M.terrain, x, y, m.w, m.h, m.x - x, m.y - y, false, nil, piece.source or piece)
+  if met then
+    -- The way is straight, and may be beside the curve where it ends.
+    local rest = piece.form.rest(piece, met.x, m.w, m.h, false)
+    m.x, m.y = met.x, piece.facing == UP and min(met.y, rest) or max(met.y, rest)
+  end
   return onward_x, onward_y
-end
-
--- Takes a box along a curve to what else of the ground it meets there. It must not be in one or the other.
-function M.arrive_along(world, m)
-  local piece, x, y = m.track.sides[1].piece, m.x, m.y
-  M.from(m, M.time)
-  local met = cast_box(world.terrain, x, y, m.w, m.h, m.x - x, m.y - y, false, nil, piece.source or piece)
-  if not met then return end
-  local rest = piece.form.rest(piece, met.x, m.w, m.h, false)
-  m.x, m.y = met.x, met.y
-  if piece.facing == UP then m.y = min(met.y, rest) else m.y = max(met.y, rest) end
 end
 
 function M.from(m, t)

@@ -129,6 +129,23 @@ TEST(BoxOnCurve, CarriesOthers) {
   EXPECT_GT(run.body(0).box.x, level.spawns[0].position.x + 10);
 }
 
+// The curve leads a little beside the path for which the wall was looked for.
+TEST(BoxOnCurve, StopsAtAWall) {
+  for (const int start : {0, 1, 2, 3, 4, 5, 6, 7}) {
+    Level level = open_level(kGravity, 0);
+    level.tile_shapes[1].kind = TileShape::Kind::solid;
+    for (int y = 14; y < 24; ++y) level.map.set({19, y}, 1);
+    add_curve(level, Arc{{150, 100}, 60, 90, 210, false});
+    add_on_bowl(level, BodyKind::ball, 60, 0.5 + 0.05 * start);
+    MeetingRun run(level);
+    for (int frame = 0; frame < 120; ++frame) {
+      run.step();
+      ASSERT_LE(run.body(0).box.right(), 152 + 1e-9) << frame;
+    }
+    EXPECT_NEAR(run.body(0).box.right(), 152, 1e-9);
+  }
+}
+
 TEST(BoxOnCurve, AMirroredBowlRunsMirrored) {
   for (const BodyKind kind : {BodyKind::ball, BodyKind::crate}) {
     Level level = open_level(kGravity, 0.3);

@@ -98,6 +98,9 @@ class Meeting {
     std::uint32_t a = 0, b = 0;  // indices; b: of a pair
     std::uint32_t version_a = 0, version_b = 0;
     Vec2 normal = {};  // of a pair, out of b
+    bool is_pair_of(std::uint32_t one, std::uint32_t other) const {
+      return kind == Kind::pair && ((one == a && other == b) || (one == b && other == a));
+    }
   };
   // What touches in a set, beside Touch: the piece of ground, or nothing for two bodies.
   struct Met {
@@ -158,15 +161,14 @@ class Meeting {
 
   // meeting_tracks.cpp
   void go_to(Member& member, double time);
-  Form form_of(std::uint32_t index) const;
+  Form form_of(std::uint32_t index);
   bool goes_along(const Member& member, std::uint32_t other) const;
   void align(const Met& met, bool stays);
   bool add_side(std::size_t place, const SideTouch& touch);
   void add_ground_of_circles();
   const SideTouch& side_of(const Met& met) const { return sides_[static_cast<std::size_t>(met.side)]; }
   bool probe_circle(std::size_t place, Vec2 way, double fastest);
-  void arrive_along(Member& member);
-  Vec2 take_along(const Track& track, MovingBox& moving, double time) const;
+  Vec2 take_along(const Track& track, MovingBox& moving, double time);
   std::optional<SideTouch> curve_of(const Met& met);
   std::optional<GroundSide> next_curve(const GroundSide& last, Vec2 corner, double way);
   bool is_too_narrow(const Nearness& near, std::size_t place) const;
@@ -178,13 +180,13 @@ class Meeting {
   void begin_track_of_box(const Met& met);
   bool is_moving(std::size_t place) const;
   void drive(Track& track, const Met& met, int place, Vec2 normal) const;
-  bool follow_body(Track& track, const Nearness& near, int other) const;
+  bool follow_body(Track& track, const Nearness& near, int other);
   std::optional<GroundMeeting> next_meeting(const Member& member, double to);
   void look_for_end_of_track(std::uint32_t index);
 
   // meeting_crowd.cpp
   Rect area_of_set(const Form& form) const;
-  std::optional<Vec2> touching_in_set(std::uint32_t a, std::uint32_t b) const;
+  std::optional<Vec2> touching_in_set(std::uint32_t a, std::uint32_t b);
   bool is_gentle(const Event& event) const;
   bool is_crowd() const;
   void bounce_crowd();

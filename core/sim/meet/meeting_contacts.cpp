@@ -31,10 +31,7 @@ void Meeting::resolve(const Event& event) {
   if (is_ground) {
     first.belts = {};
     const bool is_on_track = first.is_on_track();
-    if (is_on_track && first.circle == nullptr)
-      arrive_along(first);
-    else
-      go_to(first, time_);
+    go_to(first, time_);
     if (is_on_track) first.track->is_on = false;
     if (!is_on_track) first.moving.path.place = first.ground.place;
   }

@@ -9,7 +9,7 @@ namespace talus {
 
 // The normal of two that touch at the time of the set. Circles that are slow to part or to meet are in it a
 // little earlier: in a pile that comes to rest, each would go on to meet the others again.
-std::optional<Vec2> Meeting::touching_in_set(std::uint32_t a, std::uint32_t b) const {
+std::optional<Vec2> Meeting::touching_in_set(std::uint32_t a, std::uint32_t b) {
   const Form one = form_of(a), other = form_of(b);
   if (members_[a].circle == nullptr && members_[b].circle == nullptr)
     return touching_normal(one, other, a < b);

@@ -108,9 +108,7 @@ void Meeting::look_around(std::size_t place, const Event& event) {
     if (known >= 0 && known < static_cast<int>(place) && members_[other].is_inner) continue;
     --budget_.left;
     // Two corners meet on the way alone.
-    const bool is_event = event.kind == Event::Kind::pair &&
-                          ((index == event.a && other == event.b) || (index == event.b && other == event.a));
-    if (!is_event && !touching_in_set(index, other)) continue;
+    if (!event.is_pair_of(index, other) && !touching_in_set(index, other)) continue;
     if (pairs_.size() == (form.is_round() ? kMostPairsOfCircles : kMostPairs)) return;
     pairs_.emplace_back(index, other);
     join(other);
@@ -126,10 +124,11 @@ void Meeting::add_pairs(const Event& event) {
     return std::pair(place(a.first), place(a.second)) < std::pair(place(b.first), place(b.second));
   });
   for (const auto& [a, b] : pairs_) {
+    const auto normal = touching_in_set(a, b);
+    if (!normal && !event.is_pair_of(a, b)) continue;
     Met& met = met_.emplace_back();
     met.touch.a = place(a);
     met.touch.b = place(b);
-    const auto normal = touching_in_set(a, b);
     met.touch.normal = normal ? *normal : a == event.a ? event.normal : event.normal * -1;
     met.touch.friction = std::sqrt(members_[a].friction * members_[b].friction);
     if (members_[a].circle == nullptr && members_[b].circle == nullptr) continue;

@@ -49,34 +49,29 @@ void Meeting::go_to(Member& member, double time) {
   circle->spin = spin;
 }
 
-// Takes a box along a curve to what else of the ground it meets there. It must not be in one or the other.
-void Meeting::arrive_along(Member& member) {
-  const Track& track = *member.track;
-  const Piece<double>& piece = *track.sides.front().piece;
-  FallPath& path = member.moving.path;
-  const Rect from = member.moving.at(path.time);
-  go_to(member, time_);
-  const Contact<double> met = cast_box<double>(
-      probe_.ground(), {from, path.place - from.position(), Foot::box}, {}, &piece, &budget_);
-  if (!met) return;
-  const double rest = rest_on(piece, probe_.ground().stretches(),
-                              {met.position.x, met.position.y, from.w, from.h}, Foot::box);
-  const bool is_in = piece.facing == Facing::up ? met.position.y > rest : met.position.y < rest;
-  path.place = {met.position.x, is_in ? rest : met.position.y};
-}
-
-// Takes a body on its track to a time, and returns the direction of the track there.
-Vec2 Meeting::take_along(const Track& track, MovingBox& moving, double time) const {
+// Takes a body on its track to a time, and returns the direction of the track there. The track of a box leads
+// a little beside the path for which the ground was looked at: it must not lead into what is there.
+Vec2 Meeting::take_along(const Track& track, MovingBox& moving, double time) {
   if (moving.is_round()) return track.take(moving, time);
+  const Rect from = moving.at(moving.path.time);
   MovingBox corner = corner_of(moving, track);
   const Vec2 onward = track.take(corner, time);
   moving.path = corner.path;
   moving.path.place = corner.path.place - track.corner;
+  const Piece<double>& piece = *track.sides.front().piece;
+  const Vec2 way = moving.path.place - from.position();
+  const Contact<double> met = cast_box<double>(probe_.ground(), {from, way, Foot::box}, {}, &piece, &budget_);
+  if (!met) return onward;
+  // The way is straight, and may be beside the curve where it ends.
+  const Rect there{met.position.x, met.position.y, from.w, from.h};
+  const double rest = rest_on(piece, probe_.ground().stretches(), there, Foot::box);
+  const bool is_in = piece.facing == Facing::up ? there.y > rest : there.y < rest;
+  moving.path.place = {there.x, is_in ? rest : there.y};
   return onward;
 }
 
 // What of a body is solid at the time of the set.
-Form Meeting::form_of(std::uint32_t index) const {
+Form Meeting::form_of(std::uint32_t index) {
   const Member& member = members_[index];
   if (!member.is_on_track()) return member.moving.form_at(time_);
   MovingBox moving = member.moving;
@@ -341,7 +336,7 @@ bool Meeting::follow_ground(Member& member, Vec2 normal) {
 }
 
 // Returns whether the other body stands still.
-bool Meeting::follow_body(Track& track, const Nearness& near, int other) const {
+bool Meeting::follow_body(Track& track, const Nearness& near, int other) {
   const std::uint32_t index = set_[static_cast<std::size_t>(other)];
   const FallPath& path = members_[index].moving.path;
   track.is_ground = false;
