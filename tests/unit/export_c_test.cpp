@@ -79,13 +79,7 @@ TEST(ExportC, CurvesAreDroppedWithAWarning) {
 
 // A curve that is not there has no speed.
 TEST(ExportC, ConveyorsAreDroppedWithAWarning) {
-  Level level;
-  level.map = TileMap(2, 1);
-  level.map.set({0, 0}, 1);
-  level.map.set({1, 0}, 2);
-  level.tile_shapes[1] = level.tile_shapes[2] = {.kind = TileShape::Kind::solid, .conveyor = 1};
-  level.curves.push_back({"", {Segment{{0, 0}, {8, 0}}, Curve::Faces::up, 2.0}, ""});
-  EXPECT_EQ(exported("c", level, "cave.h")->dropped,
+  EXPECT_EQ(exported("c", level_of_conveyors(), "cave.h")->dropped,
             (std::vector<std::string>{"1 curve", "the speeds of 2 conveyors"}));
 }
 

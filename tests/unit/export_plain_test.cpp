@@ -259,12 +259,7 @@ TEST(ExportJson, GivesTheSizeOfOtherTiles) {
 }
 
 TEST(ExportCsv, ConveyorsAreDroppedWithAWarning) {
-  Level level;
-  level.map = TileMap(2, 1);
-  level.map.set({0, 0}, 1);
-  level.map.set({1, 0}, 2);
-  level.tile_shapes[1] = level.tile_shapes[2] = {.kind = TileShape::Kind::solid, .conveyor = 1};
-  level.curves.push_back({"", {Segment{{0, 0}, {8, 0}}, Curve::Faces::up, 2.0}, ""});
+  const Level level = level_of_conveyors();
   EXPECT_EQ(exported("csv", level, "cave")->dropped, std::vector<std::string>{"the speeds of 3 conveyors"});
   EXPECT_TRUE(exported("json", level, "cave")->dropped.empty());
 }

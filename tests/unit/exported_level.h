@@ -18,6 +18,17 @@ inline Level level_of_shapes(const std::vector<std::string>& rows) {
   return level;
 }
 
+// Two tiles and a curve that are conveyors.
+inline Level level_of_conveyors() {
+  Level level;
+  level.map = TileMap(2, 1);
+  level.map.set({0, 0}, 1);
+  level.map.set({1, 0}, 2);
+  level.tile_shapes[1] = level.tile_shapes[2] = {.kind = TileShape::Kind::solid, .conveyor = 1};
+  level.curves.push_back({"", {Segment{{0, 0}, {8, 0}}, Curve::Faces::up, 2.0}, ""});
+  return level;
+}
+
 inline FormatResult<Exported> exported(const char* id, const Level& level, const std::string& name) {
   const ReadAsset nothing = [](const std::string& asset) -> FormatResult<std::string> {
     return tl::unexpected(FormatError{asset, "is missing"});
