@@ -21,11 +21,9 @@ Vec2 corner_on(const Piece<double>& piece, Vec2 size) {
   return {foot_offset(piece, size.x, Foot::box), piece.facing == Facing::up ? size.y : 0};
 }
 
-constexpr double kAtEnd = 1e-9;  // px; as near, a corner is at the end of a curve
-
 // Whether a way along x, from a corner that touches a curve, does not leave it at once.
 bool leads_along(const GroundSide& side, Vec2 corner, double way) {
-  return way < 0 ? corner.x > side.from.x + kAtEnd : corner.x < side.to.x - kAtEnd;
+  return way < 0 ? corner.x > side.from.x + kPast : corner.x < side.to.x - kPast;
 }
 
 }  // namespace
@@ -241,14 +239,14 @@ std::optional<SideTouch> Meeting::curve_of(const Met& met) {
 // The curve that goes on where another one ends at a corner, and which the same corner of a box touches. way:
 // px, along x.
 std::optional<GroundSide> Meeting::next_curve(const GroundSide& last, Vec2 corner, double way) {
-  const Rect around{corner.x - kAtEnd, corner.y - kAtEnd, 2 * kAtEnd, 2 * kAtEnd};
+  const Rect around{corner.x - kPast, corner.y - kPast, 2 * kPast, 2 * kPast};
   std::vector<GroundSide> sides;
   find_sides(probe_.ground(), around, budget_, sides);
   for (const GroundSide& side : sides) {
     if (side.stretch == nullptr || side.facing != last.facing || !leads_along(side, corner, way)) continue;
     if (side.piece->rises_to_the_right() != last.piece->rises_to_the_right()) continue;
     const Vec2 end = way < 0 ? side.to : side.from;
-    if (std::abs(end.x - corner.x) <= kAtEnd && std::abs(end.y - corner.y) <= kAtEnd) return side;
+    if (std::abs(end.x - corner.x) <= kPast && std::abs(end.y - corner.y) <= kPast) return side;
   }
   return std::nullopt;
 }

@@ -6,8 +6,6 @@
 namespace talus {
 namespace {
 
-// px: only what is further past an end has left it. Putting a circle on its track may move it by rounding.
-constexpr double kPast = 1e-9;
 constexpr double kShort = 1e-5;  // px: over so little, a curve is a part of a circle
 
 bool is_first_nearer(const GroundSide& side, Vec2 middle) {

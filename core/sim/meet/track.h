@@ -9,6 +9,9 @@
 
 namespace talus {
 
+// px: only what is further past an end has left it. Putting a body on its track may move it by rounding.
+inline constexpr double kPast = 1e-9;
+
 // Paths are parabolas. One that has the bend of the track stays near it; at its end the circle is put back on
 // it, and gets the speed that its way down or up gives it.
 struct Track {
