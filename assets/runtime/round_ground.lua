@@ -206,9 +206,14 @@ function M.near_side(side, x, y, radius)
   return {nx = side.nx, ny = side.ny, gap = far - radius, bend = 0.0, on_end = false}, far >= 0
 end
 
-local function nearer_end(side, x, y)
+-- Whether the first end of a side is nearer to a point than the second one, or as near.
+function M.is_first_nearer(side, x, y)
   local ax, ay, bx_, by_ = x - side.ax, y - side.ay, x - side.bx, y - side.by
-  if ax * ax + ay * ay <= bx_ * bx_ + by_ * by_ then return side.ax, side.ay end
+  return ax * ax + ay * ay <= bx_ * bx_ + by_ * by_
+end
+
+function M.nearer_end(side, x, y)
+  if M.is_first_nearer(side, x, y) then return side.ax, side.ay end
   return side.bx, side.by
 end
 
@@ -216,7 +221,7 @@ local function goes_through(side, near) return side.is_thin and near.gap < -THRO
 
 -- Another side that goes on from the end that a circle touches, so that it does not touch the end alone.
 local function hides(sides, index, x, y, radius)
-  local end_x, end_y = nearer_end(sides[index], x, y)
+  local end_x, end_y = M.nearer_end(sides[index], x, y)
   for i, beside in ipairs(sides) do
     if i ~= index and (beside.ax == end_x and beside.ay == end_y or beside.bx == end_x and beside.by == end_y) then
       local near, in_front = M.near_side(beside, x, y, radius)
@@ -245,10 +250,10 @@ end
 -- is between them, and their own normals would be those of a wedge.
 local function across_gap(sides, side, form)
   local x, y = M.middle(form)
-  local end_x, end_y = nearer_end(side, x, y)
+  local end_x, end_y = M.nearer_end(side, x, y)
   local slack = own_slack(form)
   for i, other in ipairs(sides) do
-    local way_x, way_y = nearer_end(other, x, y)
+    local way_x, way_y = M.nearer_end(other, x, y)
     way_x, way_y = way_x - end_x, way_y - end_y
     local wide = sqrt(way_x * way_x + way_y * way_y)
     if wide >= 2 * form.radius - slack then

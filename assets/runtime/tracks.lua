@@ -14,15 +14,10 @@ local STILL_ON_GROUND = 1e-12
 local SHORT = 1e-5  -- px: over so little, a curve is a part of a circle
 local PAST = 1e-9  -- px: only what is further past an end has left it
 
-local function is_first_nearer(side, x, y)
-  local from_x, from_y, to_x, to_y = x - side.ax, y - side.ay, x - side.bx, y - side.by
-  return from_x * from_x + from_y * from_y < to_x * to_x + to_y * to_y
-end
-
 -- px: how far a middle is past the nearer end of a side, or before it, along the side there.
 local function past_end(side, x, y)
   local from_x, from_y, to_x, to_y = x - side.ax, y - side.ay, x - side.bx, y - side.by
-  local is_first = is_first_nearer(side, x, y)
+  local is_first = M.is_first_nearer(side, x, y)
   local onward_x, onward_y = side.ux, side.uy
   if side.stretch then onward_x, onward_y = tangent_at(side.stretch, is_first and side.ax or side.bx) end
   if is_first then to_x, to_y = from_x, from_y end
@@ -67,10 +62,7 @@ local function centre_for(track, form)
     return M.nearest_point(track.form, x, y)
   end
   local side = track.sides[1]
-  if track.on_end then
-    if is_first_nearer(side, x, y) then return side.ax, side.ay end
-    return side.bx, side.by
-  end
+  if track.on_end then return M.nearer_end(side, x, y) end
   if side.stretch and side.stretch.kind == "arc" then return side.stretch.c1, side.stretch.c2 end
 end
 

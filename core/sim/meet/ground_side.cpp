@@ -142,6 +142,11 @@ bool GroundSide::is_hollow() const {
   return stretch != nullptr && stretch->bends_down != (facing == Facing::up);
 }
 
+bool is_first_nearer(const GroundSide& side, Vec2 point) {
+  const Vec2 from = point - side.from, to = point - side.to;
+  return dot(from, from) <= dot(to, to);
+}
+
 GroundSide side_of(const Piece<double>& piece, std::span<const CurveStretch<double>> stretches) {
   GroundSide side;
   if (piece.is_wall()) {

@@ -20,6 +20,12 @@ struct GroundSide {
   bool is_hollow() const;  // a curve that bends towards what it stops
 };
 
+// Whether the first end of a side is nearer to a point than the second one, or as near.
+bool is_first_nearer(const GroundSide& side, Vec2 point);
+inline Vec2 nearer_end(const GroundSide& side, Vec2 point) {
+  return is_first_nearer(side, point) ? side.from : side.to;
+}
+
 // How near a circle is to a side, or the corner of a box, a circle without a radius, to a curve that it
 // touches. It is in front of the side, or behind it.
 struct SideNearness {

@@ -15,11 +15,6 @@ bool goes_through(const GroundSide& side, const SideNearness& here) {
   return side.is_thin && here.near.gap < -kThrough;
 }
 
-Vec2 nearer_end(const GroundSide& side, Vec2 middle) {
-  const Vec2 a = middle - side.from, b = middle - side.to;
-  return dot(a, a) <= dot(b, b) ? side.from : side.to;
-}
-
 bool is_among(std::span<const GroundSide> sides, const GroundSide& one) {
   return std::any_of(sides.begin(), sides.end(), [&](const GroundSide& other) {
     return other.from == one.from && other.to == one.to && other.facing == one.facing;

@@ -8,11 +8,6 @@ namespace {
 
 constexpr double kShort = 1e-5;  // px: over so little, a curve is a part of a circle
 
-bool is_first_nearer(const GroundSide& side, Vec2 middle) {
-  const Vec2 from = middle - side.from, to = middle - side.to;
-  return dot(from, from) < dot(to, to);
-}
-
 // px: how far a middle is past the nearer end of a side, or before it, along the side there.
 double past_end(const GroundSide& side, Vec2 middle) {
   const Vec2 from = middle - side.from, to = middle - side.to;
@@ -42,7 +37,7 @@ std::optional<Vec2> Track::centre_for(const Form& circle) const {
   const Vec2 middle = circle.middle();
   if (!is_ground) return near(circle).bend == 0 ? std::nullopt : std::optional(nearest_point(form, middle));
   const GroundSide& side = sides.front();
-  if (on_end) return is_first_nearer(side, middle) ? side.from : side.to;
+  if (on_end) return nearer_end(side, middle);
   const bool is_arc = side.stretch != nullptr && side.stretch->kind == CurveStretch<double>::Kind::arc;
   return is_arc ? std::optional(Vec2{side.stretch->c[0], side.stretch->c[1]}) : std::nullopt;
 }
