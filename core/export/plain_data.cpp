@@ -198,6 +198,9 @@ std::string polygon_tiles(int count) {
   return std::to_string(count) + (count == 1 ? " tile that is a polygon" : " tiles that are polygons");
 }
 
+// Of a tile's shape, or of a curve.
+constexpr auto has_conveyor = [](const auto& ground) { return ground.conveyor != 0; };
+
 }  // namespace
 
 bool PlainShape::has_floor_at(double y) const {
@@ -270,15 +273,12 @@ void tell_body_pictures(const Level& level, std::vector<std::string>& dropped) {
                                  : "the pictures of " + std::to_string(count) + " bodies");
 }
 
-int conveyor_tiles(const Level& level) {
-  return used_tiles(ground_of(level), [](const TileShape& shape) { return shape.conveyor != 0; });
-}
+int conveyor_tiles(const Level& level) { return used_tiles(ground_of(level), has_conveyor); }
 
 void tell_conveyors(const Level& level, bool holds_curves, std::vector<std::string>& dropped) {
-  const std::vector<Curve> curves = ground_of(level).curves;
-  const auto moving_curves =
-      std::count_if(curves.begin(), curves.end(), [](const Curve& curve) { return curve.conveyor != 0; });
-  const auto count = conveyor_tiles(level) + (holds_curves ? moving_curves : 0);
+  const TerrainSource ground = ground_of(level);
+  std::ptrdiff_t count = used_tiles(ground, has_conveyor);
+  if (holds_curves) count += std::count_if(ground.curves.begin(), ground.curves.end(), has_conveyor);
   if (count > 0)
     dropped.push_back(count == 1 ? "the speed of a conveyor"
                                  : "the speeds of " + std::to_string(count) + " conveyors");
