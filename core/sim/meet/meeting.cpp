@@ -86,10 +86,7 @@ std::int64_t Meeting::step(State& state, const Input& input, StepRecord* record,
 void Meeting::take(State& state, const Input& input) {
   const SharedTuning& t = scene_->tuning.shared;
   members_.resize(state.bodies.size());
-  const bool has_circles = std::any_of(state.bodies.begin(), state.bodies.end(), [](const Body& body) {
-    return radius_of(body.kind, {body.box.w, body.box.h}) > 0;
-  });
-  if (has_circles || !probe_.ground().stretches().empty()) tracks_.resize(members_.size());
+  const bool has_curves = !probe_.ground().stretches().empty();
   for (std::size_t i = 0; i < members_.size(); ++i) {
     Body& body = state.bodies[i];
     const BodyTraits& traits = traits_of(body.kind);
@@ -129,8 +126,11 @@ void Meeting::take(State& state, const Input& input) {
       circle.spin = member.is_held ? 0 : lerp(body.spin, 0, t.drift_blend);
       circle.spin_pull = circle.turned = 0;
     }
-    if (!tracks_.empty()) member.track = &tracks_[i];
-    member.leave_track();
+    if (has_curves || member.moving.is_round()) {
+      if (tracks_.size() != members_.size()) tracks_.resize(members_.size());
+      member.track = &tracks_[i];
+      member.leave_track();
+    }
     member.is_steady =
         velocity == body.velocity && (member.circle == nullptr || member.circle->spin == body.spin);
     if (record_ != nullptr) record_->paths[i].goal = body.box.position() + velocity + member.pull * 0.5;
