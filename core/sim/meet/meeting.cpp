@@ -139,12 +139,12 @@ void Meeting::take(State& state, const Input& input) {
 
 void Meeting::run_part() {
   events_.clear();
+  if (probe_.ground().has_conveyors()) belts_.assign(members_.size(), {});
   for (std::uint32_t i = 0; i < members_.size(); ++i) {
     Member& member = members_[i];
     member.moving.path.time = 0;
     member.moving.path.pull = member.is_asleep || member.is_capped ? Vec2() : member.pull;
     member.events = member.is_asleep ? rests_[i].events : 0;
-    member.belts = {};
     member.bounced = -1;
     member.is_spent = member.is_asleep && rests_[i].is_spent;
     if (!std::exchange(member.is_swept, false)) sweep(i);

@@ -45,11 +45,13 @@ class Meeting {
     GroundSide ground = {};          // that its path leads to
   };
 
-  // What a body has learnt of the conveyors that it touches.
+  // What a body has learnt of a conveyor that it touches.
   struct Belt {
     Vec2 normal;       // of the contact; 0: none
     double speed = 0;  // px/frame
   };
+  // Of level and of upright ground, since this part of the step began, or it met other ground.
+  using Belts = std::array<Belt, 2>;
 
   // A body in a step.
   struct Member {
@@ -61,8 +63,6 @@ class Meeting {
     double floor_bounce = 0, wall_bounce = 0;
     std::uint32_t version = 0;  // of its path; an event of an older one is void
     int events = 0;             // that it had in this part of the step
-    // Of level and of upright ground, since this part of the step began, or it met other ground.
-    std::array<Belt, 2> belts = {};
     double bounced = -1;    // frames since the part of the step began: the last time; less than 0: not yet
     int order = 0;          // of its next contact in the record
     bool is_swept = false;  // `swept` is that of its path in this part
@@ -207,7 +207,7 @@ class Meeting {
   void resolve(const Event& event);
   void set_paths();
   void stop_set();
-  double conveyor_under(Member& member, const Met& met) const;
+  double conveyor_under(const Met& met);
   void add_ground(std::size_t place, Vec2 normal, const Contact<double>& contact, int side = -1);
   bool probe(std::size_t place, Vec2 way, double fastest);
   bool is_new(std::size_t place, Vec2 normal) const;
@@ -241,6 +241,7 @@ class Meeting {
   std::vector<Member> members_;  // by index of the body
   std::vector<Circle> circles_;  // the same; empty if there are none
   std::vector<Track> tracks_;    // the same; empty if there are neither circles nor curves
+  std::vector<Belts> belts_;     // the same; empty if there are no conveyors
   std::vector<Rest> rests_;      // the same
   std::vector<Island> islands_;
   std::vector<std::uint32_t> in_islands_;  // indices of bodies

@@ -29,7 +29,7 @@ void Meeting::resolve(const Event& event) {
   time_ = event.time;
   const bool is_ground = event.kind == Event::Kind::ground;
   if (is_ground) {
-    first.belts = {};
+    if (!belts_.empty()) belts_[event.a] = {};
     const bool is_on_track = first.is_on_track();
     go_to(first, time_);
     if (is_on_track) first.track->is_on = false;
@@ -119,12 +119,13 @@ void Meeting::stop_set() {
 
 // px/frame, of the ground that a body touches. What keeps its ground keeps the speed: on the way over a joint
 // a body that has become as fast as its conveyor would be too fast at once, and so on.
-double Meeting::conveyor_under(Member& member, const Met& met) const {
-  if (!probe_.ground().has_conveyors()) return 0;
+double Meeting::conveyor_under(const Met& met) {
+  if (belts_.empty()) return 0;
+  const std::uint32_t index = set_[static_cast<std::size_t>(met.touch.a)];
   const bool is_upright = met.contact.facing == Facing::left || met.contact.facing == Facing::right;
-  Belt& belt = member.belts[is_upright ? 1 : 0];
+  Belt& belt = belts_[index][is_upright ? 1 : 0];
   if (belt.normal == met.touch.normal) return belt.speed;
-  const MovingBox& moving = member.moving;
+  const MovingBox& moving = members_[index].moving;
   const Rect touching =
       met.is_round() ? point_on(side_of(met).side, moving.form_at(time_)) : moving.at(time_);
   belt = {met.touch.normal, conveyor_at(probe_.ground(), met.contact, touching)};
@@ -139,7 +140,7 @@ void Meeting::add_ground(std::size_t place, Vec2 normal, const Contact<double>& 
   met.touch.a = static_cast<int>(place);
   met.touch.normal = normal;
   met.touch.friction = members_[set_[place]].friction;
-  met.touch.conveyor = conveyor_under(members_[set_[place]], met);
+  met.touch.conveyor = conveyor_under(met);
   if (met.is_round()) met.touch.slow = slow_;
   std::sort(met_.begin(), met_.end(), [](const Met& a, const Met& b) {
     const auto key = [](const Touch& t) { return std::tuple(t.a, t.b, t.normal.y, t.normal.x); };
