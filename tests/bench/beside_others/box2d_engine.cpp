@@ -21,8 +21,8 @@ b2Vec2 metres(Vec2 px) {
   return {static_cast<float>(px.x / kPxPerMetre), static_cast<float>(px.y / kPxPerMetre)};
 }
 
-// Box2D keeps shapes apart by a skin around each of them. The shapes are smaller by it, so that the skins
-// meet where the boxes of the other engines meet.
+// Box2D keeps shapes apart by a skin around each of them, but for circles. The shapes are smaller by it, so
+// that the skins meet where the boxes of the other engines meet.
 void set_box(b2PolygonShape& shape, double width, double height) {
   const b2Vec2 half = metres({width / 2, height / 2});
   shape.SetAsBox(half.x - shape.m_radius, half.y - shape.m_radius);
@@ -36,7 +36,8 @@ class Box2dEngine : public Engine {
         material_(world.material) {
     for (const Rect& wall : world.walls) add_wall(wall);
     for (const Incline& incline : world.inclines) add_incline(incline);
-    for (const Box& box : world.boxes) add_box(box);
+    for (const HalfCircle& half : world.half_circles) add_half_circle(half);
+    for (const Body& body : world.bodies) add_body(body);
   }
   void step() override {
     for (int i = 0; i < settings_.substeps; ++i)
@@ -51,6 +52,9 @@ class Box2dEngine : public Engine {
   Vec2 velocity(std::size_t index) const override {
     const b2Vec2 v = bodies_[index]->GetLinearVelocity();
     return Vec2{v.x, v.y} * (kPxPerMetre / kFramesPerSecond);
+  }
+  double spin(std::size_t index) const override {
+    return bodies_[index]->GetAngularVelocity() * sizes_[index].x / 2 / kFramesPerSecond;
   }
 
  private:
@@ -83,23 +87,42 @@ class Box2dEngine : public Engine {
     const b2BodyDef def;
     add_shape(*world_.CreateBody(&def), shape);
   }
-  void add_box(const Box& box) {
+  void add_half_circle(HalfCircle half) {
+    b2ChainShape shape;
+    half.radius += (half.is_hill ? -1 : 1) * shape.m_radius * kPxPerMetre;  // the skin
+    std::vector<b2Vec2> points;
+    for (const Vec2 point : points_of(half)) points.push_back(metres(point));
+    const b2Vec2 on{0, half.is_hill ? 1.0F : -1.0F};  // where the circle would go on beyond its ends
+    shape.CreateChain(points.data(), static_cast<int>(points.size()), points.front() + on,
+                      points.back() + on);
+    const b2BodyDef def;
+    add_shape(*world_.CreateBody(&def), shape);
+  }
+  void add_body(const Body& start) {
     b2BodyDef def;
     def.type = b2_dynamicBody;
-    def.fixedRotation = true;
+    def.fixedRotation = !start.is_round;
     def.bullet = settings_.is_continuous;
-    def.position = metres(box.at.center());
-    def.linearVelocity = metres(box.velocity * kFramesPerSecond);
+    def.position = metres(start.at.center());
+    def.linearVelocity = metres(start.velocity * kFramesPerSecond);
     b2Body* body = world_.CreateBody(&def);
-    b2PolygonShape shape;
-    set_box(shape, box.at.w, box.at.h);
-    add_shape(*body, shape);
+    const b2Vec2 size = metres({start.at.w, start.at.h});
+    const float radius = size.x / 2;
+    if (start.is_round) {
+      b2CircleShape shape;
+      shape.m_radius = radius;
+      add_shape(*body, shape);
+    } else {
+      b2PolygonShape shape;
+      set_box(shape, start.at.w, start.at.h);
+      add_shape(*body, shape);
+    }
     // The mass of the whole box, not that of the smaller shape.
-    const b2Vec2 size = metres({box.at.w, box.at.h});
-    const b2MassData mass{size.x * size.y, {0, 0}, 1};
-    body->SetMassData(&mass);
+    const float mass = size.x * size.y;
+    const b2MassData data{mass, {0, 0}, mass * radius * radius / 2};
+    body->SetMassData(&data);
     bodies_.push_back(body);
-    sizes_.push_back({box.at.w, box.at.h});
+    sizes_.push_back({start.at.w, start.at.h});
   }
 
   Settings settings_;

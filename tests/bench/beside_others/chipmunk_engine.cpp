@@ -30,7 +30,8 @@ class ChipmunkEngine : public Engine {
       add_shape(cpBoxShapeNew2(ground, {wall.x, wall.y, wall.right(), wall.bottom()}, 0));
     for (const Incline& line : world.inclines)
       add_shape(cpSegmentShapeNew(ground, {line.from.x, line.from.y}, {line.to.x, line.to.y}, 0));
-    for (const Box& box : world.boxes) add_box(box);
+    for (const HalfCircle& half : world.half_circles) add_half_circle(half);
+    for (const Body& body : world.bodies) add_body(body);
   }
   ~ChipmunkEngine() override {
     for (cpShape* shape : shapes_) {
@@ -58,6 +59,9 @@ class ChipmunkEngine : public Engine {
     const cpVect v = cpBodyGetVelocity(bodies_[index]);
     return Vec2{v.x, v.y} * (1 / kFramesPerSecond);
   }
+  double spin(std::size_t index) const override {
+    return cpBodyGetAngularVelocity(bodies_[index]) * sizes_[index].x / 2 / kFramesPerSecond;
+  }
 
  private:
   // Chipmunk multiplies the numbers of the two that meet.
@@ -66,14 +70,27 @@ class ChipmunkEngine : public Engine {
     cpShapeSetElasticity(shape, std::sqrt(material_.bounce));
     shapes_.push_back(cpSpaceAddShape(space_, shape));
   }
-  void add_box(const Box& box) {
-    cpBody* body = cpSpaceAddBody(space_, cpBodyNew(box.at.w * box.at.h / (kCell * kCell), INFINITY));
-    const Vec2 center = box.at.center(), velocity = box.velocity * kFramesPerSecond;
+  void add_half_circle(const HalfCircle& half) {
+    const std::vector<Vec2> points = points_of(half);
+    const auto at = [&](std::size_t i) { return cpv(points[i].x, points[i].y); };
+    const std::size_t last = points.size() - 1;
+    for (std::size_t i = 0; i < last; ++i) {
+      cpShape* segment = cpSegmentShapeNew(cpSpaceGetStaticBody(space_), at(i), at(i + 1), 0);
+      if (i > 0 && i + 1 < last) cpSegmentShapeSetNeighbors(segment, at(i - 1), at(i + 2));
+      add_shape(segment);
+    }
+  }
+  void add_body(const Body& start) {
+    const double mass = start.at.w * start.at.h / (kCell * kCell), radius = start.at.w / 2;
+    cpBody* body = cpBodyNew(mass, start.is_round ? mass * radius * radius / 2 : INFINITY);
+    cpSpaceAddBody(space_, body);
+    const Vec2 center = start.at.center(), velocity = start.velocity * kFramesPerSecond;
     cpBodySetPosition(body, {center.x, center.y});
     cpBodySetVelocity(body, {velocity.x, velocity.y});
-    add_shape(cpBoxShapeNew(body, box.at.w, box.at.h, 0));
+    add_shape(start.is_round ? cpCircleShapeNew(body, radius, cpvzero)
+                             : cpBoxShapeNew(body, start.at.w, start.at.h, 0));
     bodies_.push_back(body);
-    sizes_.push_back({box.at.w, box.at.h});
+    sizes_.push_back({start.at.w, start.at.h});
   }
 
   int substeps_;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "measures.h"
 #include "same_scenes.h"
 #include "text_table.h"
 
@@ -59,11 +60,12 @@ class Comparison {
   bool is_empty() const { return contestants_.empty(); }
 
   void run() {
-    for (const ErrorScene& scene : error_scenes()) {
-      if (!has(scene.name, options_.scene)) continue;
-      find_errors(scene);
-      time_error_scene(scene);
-    }
+    for (const auto& scenes : {impact_scenes(), ground_scenes(), pile_scenes()})
+      for (const ErrorScene& scene : scenes) {
+        if (!has(scene.name, options_.scene)) continue;
+        find_errors(scene);
+        time_error_scene(scene);
+      }
     auto speed = speed_scenes(options_.bodies);
     for (SpeedScene& scene : speed) {
       // What comes after the last phase that is asked for need not run.
@@ -72,7 +74,7 @@ class Comparison {
         phases.pop_back();
       if (!phases.empty()) time_speed_scene(scene);
     }
-    std::cout << "Errors\n\n" << errors_.text(options_.is_markdown) << "\nns for a box and frame";
+    std::cout << "Errors\n\n" << errors_.text(options_.is_markdown) << "\nns for a body and frame";
     std::cout << " (times the first column)\n\n" << times_.text(options_.is_markdown);
   }
 
@@ -97,7 +99,7 @@ class Comparison {
         while (time < kEnough) {
           const auto engine = contestants_[k].make(scene.world);
           time += step(*engine, scene.frames);
-          steps += scene.frames * static_cast<double>(scene.world.boxes.size());
+          steps += scene.frames * static_cast<double>(scene.world.bodies.size());
         }
         times[k].push_back(time / steps);
       }
@@ -109,13 +111,13 @@ class Comparison {
     std::vector<Times> times(scene.phases.size(), Times(contestants_.size()));
     std::vector<std::vector<std::string>> overlaps(scene.phases.size());
     std::vector<std::string> lost, moving;
-    const double boxes = static_cast<double>(scene.world.boxes.size());
+    const double bodies = static_cast<double>(scene.world.bodies.size());
     for (int round = 0; round < options_.rounds; ++round) {
       for (std::size_t k = 0; k < contestants_.size(); ++k) {
         const auto engine = contestants_[k].make(scene.world);
         for (std::size_t i = 0; i < scene.phases.size(); ++i) {
           const int frames = scene.phases[i].frames;
-          times[i][k].push_back(step(*engine, frames) / (boxes * frames));
+          times[i][k].push_back(step(*engine, frames) / (bodies * frames));
           if (round == 0) overlaps[i].push_back(short_number(deepest_overlap(scene.world, *engine)));
         }
         if (round > 0) continue;
@@ -123,15 +125,15 @@ class Comparison {
         moving.push_back(std::to_string(count_moving(scene.world, *engine)));
       }
     }
-    const std::string size = std::to_string(scene.world.boxes.size()) + " ";
+    const std::string size = std::to_string(scene.world.bodies.size()) + " ";
     for (std::size_t i = 0; i < scene.phases.size(); ++i) {
       if (scene.phases[i].name.empty()) continue;
       add_times(size + scene.phases[i].name, times[i]);
       errors_.add({size + scene.phases[i].name, "overlap at the end, px"}, overlaps[i]);
     }
     if (scene.phases.size() == 1) return;
-    errors_.add({size + scene.phases.back().name, "boxes that went through a wall"}, lost);
-    errors_.add({size + scene.phases.back().name, "boxes that move"}, moving);
+    errors_.add({size + scene.phases.back().name, "bodies that went through a wall"}, lost);
+    errors_.add({size + scene.phases.back().name, "bodies that move"}, moving);
   }
 
   void add_times(const std::string& name, const Times& times) {

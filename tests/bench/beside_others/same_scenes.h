@@ -17,7 +17,10 @@ struct ErrorScene {
   // Runs a new engine of the world for all frames.
   std::vector<double> (*run)(const World& world, int frames, Engine& engine);
 };
-std::vector<ErrorScene> error_scenes();
+// By theme; one file each.
+std::vector<ErrorScene> impact_scenes();
+std::vector<ErrorScene> ground_scenes();
+std::vector<ErrorScene> pile_scenes();
 
 // A stretch of frames.
 struct Phase {
@@ -29,12 +32,5 @@ struct SpeedScene {
   std::vector<Phase> phases;  // one after the other
 };
 std::vector<SpeedScene> speed_scenes(int bodies);
-
-// px: how deep the two that overlap most are in one another, of boxes and walls.
-double deepest_overlap(const World& world, const Engine& engine);
-// How many boxes are off the map, as they went through a wall.
-int count_lost(const World& world, const Engine& engine);
-// Steps once, and returns how many boxes that moves by more than a hundredth of a px.
-int count_moving(const World& world, Engine& engine);
 
 }  // namespace talus::beside

@@ -18,6 +18,11 @@ void set_tuning(Tuning& tuning, const World& world, int substeps) {
   tuning.exact.substeps = substeps;
 }
 
+BodyKind kind_of(const World& world, const Body& body) {
+  if (body.is_round) return world.material == kDisc ? BodyKind::disc : BodyKind::marble;
+  return world.material == kCrate ? BodyKind::crate : BodyKind::ball;
+}
+
 Level level_of(const World& world, int substeps) {
   Level level;
   set_tuning(level.tuning, world, substeps);
@@ -31,12 +36,17 @@ Level level_of(const World& world, int substeps) {
   }
   for (const Incline& incline : world.inclines)
     level.curves.push_back({"", {Segment{incline.from, incline.to}, Curve::Faces::up}, ""});
-  for (const Box& box : world.boxes) {
+  for (const HalfCircle& half : world.half_circles) {
+    const double left = half.center.x - half.radius, right = half.center.x + half.radius;
+    level.curves.push_back(
+        {"", {Arc{half.center, half.radius, left, right, half.is_hill}, Curve::Faces::up}, ""});
+  }
+  for (const Body& body : world.bodies) {
     Spawn spawn;
-    spawn.position = box.at.position();
-    spawn.size = {box.at.w, box.at.h};
-    spawn.velocity = box.velocity;
-    spawn.kind = world.material == kCrate ? BodyKind::crate : BodyKind::ball;
+    spawn.position = body.at.position();
+    spawn.size = {body.at.w, body.at.h};
+    spawn.velocity = body.velocity;
+    spawn.kind = kind_of(world, body);
     spawn.foot = Foot::box;
     level.spawns.push_back(spawn);
   }
@@ -52,6 +62,7 @@ class TalusEngine : public Engine {
   void step() override { solver_->step(state_, {}); }
   Rect box(std::size_t index) const override { return state_.bodies[index].box; }
   Vec2 velocity(std::size_t index) const override { return state_.bodies[index].velocity; }
+  double spin(std::size_t index) const override { return state_.bodies[index].spin; }
 
  private:
   std::shared_ptr<const Scene> scene_;
