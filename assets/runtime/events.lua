@@ -23,9 +23,10 @@ end
 
 -- Calls respond(...), which may change the velocity of a body's box, and notes a hit.
 local function heard(world, body, box, contact, respond, ...)
-  local vx, vy, kind, nx, ny = box.vx, box.vy, world.kinds[body.kind], contact.nx, contact.ny
+  local vx, vy, kind = box.vx, box.vy, world.kinds[body.kind]
   box.change = nil
   local x, y = respond(...)
+  local nx, ny = contact.nx, contact.ny
   local change = box.change or (box.vx - vx) * nx + (box.vy - vy) * ny
   if change > world.quiet[kind.rule] then
     local w, h = body.w, body.h

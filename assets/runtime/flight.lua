@@ -3,10 +3,15 @@ has.flight = true
 
 do
 
--- Under constant gravity a ball flies along a parabola. Casts go along its chords, so a contact of a chord is
--- moved to where the parabola itself meets the surface. A flight is at (px, py), px of the body, with a velocity
--- there (ux, uy), px/frame, under `pull`, px/frame^2, for the `left` frames of a part of a step.
+local NEAR_HIT = 0.0009765625  -- frames; so short a chord is the parabola but for the hit's time
+local MOST_AIMS = 8  -- of one contact; more are needed by what the parabola grazes
+
+-- Under constant gravity a ball flies along a parabola. Casts go along its chords. So what a chord has met is looked
+-- for once more by shorter chords, and then moved to where the parabola itself meets the surface. A flight is at
+-- (px, py), px of the body, with a velocity there (ux, uy), px/frame, under `pull`, px/frame^2, for the `left` frames
+-- of a part of a step. Its chord begins at (from_x, from_y), px: on what it has left, as a cast puts the body there.
 function begin_flight(ball, px, py, ux, uy, pull, left)
+  ball.from_x, ball.from_y = px, py
   ball.px, ball.py, ball.ux, ball.uy, ball.pull, ball.left = px, py, ux, uy, pull, left
 end
 
@@ -26,23 +31,116 @@ local function time_to(ball, x, y, nx, ny)
   return ball.left < time and ball.left or time
 end
 
--- Flies on to the surface of a contact. Returns the normal there.
-local function reach(ball, contact)
-  local x, nx, ny = ball.x, contact.nx, contact.ny
-  local time = time_to(ball, x, ball.y, nx, ny)
-  local piece = not contact.on_end and contact.edge or nil
-  for _ = 1, piece and piece.form.normal_at and 8 or 0 do
+-- Whether a contact is with two mirror images at once, the piece and another one: then its normal is that of neither.
+local function is_between_curves(contact, piece, at)
+  return contact.nx == 0 and piece.form.normal_at(piece, clamp(at, piece.x0, piece.x1)) ~= 0
+end
+
+-- Frames, until a ball on its parabola is at the surface of a contact, and the normal there.
+local function arrival(ball, contact)
+  local x, nx, ny = contact.x, contact.nx, contact.ny
+  local time = time_to(ball, x, contact.y, nx, ny)
+  local piece = not contact.on_end and contact.edge
+  if not piece or not piece.form.normal_at then return time, nx, ny end
+  local offset = piece.form.offset(piece, ball.w, ball.centre)
+  if is_between_curves(contact, piece, x + offset) then return time, nx, ny end
+  for _ = 1, 8 do
     x = flight_at(ball, time)
-    local at = x + piece.form.offset(piece, ball.w, ball.centre)
+    local at = x + offset
     if not (at >= piece.x0 and at <= piece.x1) then break end
     nx, ny = piece.form.normal_at(piece, at)
     local before = time
     time = time_to(ball, x, piece.form.rest(piece, x, ball.w, ball.h, ball.centre), nx, ny)
     if time == before then break end
   end
+  return time, nx, ny
+end
+
+local function go_on(ball, time)
   local px, py = flight_at(ball, time)
   begin_flight(ball, px, py, ball.ux + 0.0, ball.uy + ball.pull * time, ball.pull, ball.left - time)
+end
+
+-- Flies on to the surface of a contact. Returns the normal there.
+local function reach(ball, contact)
+  local time, nx, ny = arrival(ball, contact)
+  go_on(ball, time)
   return nx, ny
+end
+
+-- What a ball meets on the straight way to where its flight is after a time: true, a contact or nil. Not true: there
+-- is no answer, as `move` alone knows how deep a box on its centre may sink.
+local function cast_flight(world, ball, others, time)
+  local x, y = flight_at(ball, time)
+  local met = cast_box(world.terrain, ball.from_x, ball.from_y, ball.w, ball.h, x - ball.from_x, y - ball.from_y,
+                       ball.centre, others, nil, 0.0)
+  return not (met and ball.centre and met.ny == 0), met
+end
+
+-- Finds what the parabola meets first, where its chord had a contact: returns that, or nil if it is nothing, or
+-- false if there is no answer.
+local function first_of_flight(world, ball, others, contact)
+  local met, to, whole, sure = contact, ball.left, ball.left, nil
+  for _ = 1, MOST_AIMS do
+    local time = arrival(ball, met)
+    if not (time > 0 and time < to) then time = met.t * to end
+    local before, again = time - NEAR_HIT, false
+    if before > 0 then
+      local earlier
+      sure, earlier = cast_flight(world, ball, others, before)
+      if not sure then return false end
+      to = before
+      if earlier then
+        met, again = earlier, true
+      else
+        go_on(ball, before)
+        time = NEAR_HIT
+      end
+    end
+    if not again then
+      to = min(time + NEAR_HIT, ball.left)
+      sure, met = cast_flight(world, ball, others, to)
+      if not sure then return false end
+      if met then
+        met.t = min((whole - ball.left + met.t * to) / whole, 1.0)
+        return met
+      end
+      if not (to < ball.left) then return nil end
+      go_on(ball, to)
+      to = ball.left
+      sure, met = cast_flight(world, ball, others, to)
+      if not sure then return false end
+      if not met then return nil end
+    end
+  end
+  return false
+end
+
+-- Makes a contact of the chord that of the flight. Returns false if the flight meets nothing; then the ball is at its
+-- end.
+local function aim(world, body, ball, contact, x, y)
+  if ball.pull == 0 or contact.t == 0 or ball.centre and contact.ny == 0 then return true end
+  local from_x, from_y, px, py, ux, uy, left = ball.from_x, ball.from_y, ball.px, ball.py, ball.ux, ball.uy, ball.left
+  local met = first_of_flight(world, ball, world:others(body, ball, x, y), contact)
+  if met == false then
+    begin_flight(ball, px, py, ux, uy, ball.pull, left)
+    ball.from_x, ball.from_y = from_x, from_y
+    return true
+  end
+  for key in pairs(contact) do contact[key] = nil end
+  for key, value in pairs(met or {nx = 0.0, ny = 0.0}) do contact[key] = value end
+  if met then
+    ball.x, ball.y = met.x, met.y
+  else
+    ball.x, ball.y = flight_at(ball, ball.left)
+  end
+  return met ~= nil
+end
+
+local plain_bounce_off = bounce_off
+function bounce_off(world, body, ball, contact, x, y)
+  if flies(world.tuning) and not aim(world, body, ball, contact, x, y) then return 0.0, 0.0 end
+  return plain_bounce_off(world, body, ball, contact, x, y)
 end
 
 -- Flies off the surface of a contact, or stays on it.
@@ -62,6 +160,7 @@ function fly_off(n, ball, contact, slide_x, slide_y, bounce, grip)
   end
   local kept = (ball.ux * -ny + ball.uy * nx) * grip
   ball.ux, ball.uy = -ny * kept + nx * away, nx * kept + ny * away
+  ball.from_x, ball.from_y = ball.x, ball.y
   local x, y = flight_at(ball, ball.left)
   ball.vx, ball.vy = ball.ux + 0.0, ball.uy + ball.pull * (ball.left - ball.part / 2)
   return x - ball.x, y - ball.y

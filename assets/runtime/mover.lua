@@ -77,8 +77,8 @@ local function move(world, body, box, x, y, respond)
       else
         -- The way that was left at the chord's end is left here, too.
         if followed then x, y, contact.t, followed = x * whole, y * whole, contact.t / whole, nil end
-        surface = not contact.on_end and contact.edge or nil
         x, y = respond(world, body, box, contact, x, y)
+        surface = not contact.on_end and contact.edge or nil
         -- Sliding along one plane leads into the one before: there is nowhere to go.
         local slides = x * contact.nx + y * contact.ny <= tolerance(x, y)
         if before_x and slides and x * before_x + y * before_y < -tolerance(x, y) then

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <span>
 #include <type_traits>
 
 #include <talus/level/tuning.h>
@@ -91,6 +93,24 @@ class BallRule {
 
   // px/frame: how much the last contact changed the speed along its normal.
   Real change() const { return change_; }
+
+  // Called before respond(): makes a contact of the motion, which is a chord, that of the flight. Returns
+  // false if the flight meets nothing; then the body is at its end. others, budget: as for a Mover.
+  bool aim(Contact<Real>& contact, std::span<const BasicRect<Real>> others, CastBudget& budget) {
+    const bool may_sink = body_.foot == Foot::centre;  // the Mover alone knows how deep
+    if (!flies || (may_sink && contact.normal.y == 0)) return true;
+    const auto cast = [&](Vec from, Vec to) {
+      const Cast<Real> way{moved_to(body_, from).box, to - from, body_.foot};
+      const Contact<Real> met = cast_box<Real>(ground_, way, others, nullptr, &budget);
+      const bool unsure = budget.seen < 1 || (met && may_sink && met.normal.y == 0);
+      return unsure ? std::nullopt : std::optional(met);
+    };
+    if constexpr (flies) {
+      if (flight_.aim(contact, ground_.stretches(), body_.box, body_.foot, cast)) return true;
+      body_ = moved_to(body_, flight_.end());
+    }
+    return !flies;
+  }
 
   // Reverses the velocity and returns the motion to go on with. As in the article, the rest of the motion
   // slides, or bounces if the tuning says so. motion: the one that the contact is a part of.

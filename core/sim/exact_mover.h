@@ -109,7 +109,7 @@ class RestMemo {
     return cast.motion.y > 0 && cast.motion.y <= kShortMotion && !moves_sideways(cast);
   }
   // The answer for a fall, or null.
-  const Contact<Real>* find(const Cast<Real>& fall) const {
+  Contact<Real>* find(const Cast<Real>& fall) {
     return known_ && foot_ == fall.foot && box_ == fall.box ? &contact_ : nullptr;
   }
   // False: the box did not touch the ground, and nothing is kept.
@@ -153,7 +153,8 @@ class Mover {
       : terrain_(terrain), others_(others), max_passes_(max_passes), rest_(rest), budget_(budget) {}
 
   // Moves the body by `motion`. For each contact, first calls seen(contact, motion), then respond(contact,
-  // motion), where motion is the one that the contact is a part of. respond may change the body's velocity,
+  // motion), where motion is the one that the contact is a part of. seen may change a contact with t > 0; if
+  // it returns false, it has moved the body to the end of the motion. respond may change the body's velocity,
   // and returns the motion to go on with. Before that, of a body on its centre that meets a side, calls
   // sinks(contact, motion, sunk), if it is given, with the Cast::sunk of its casts, px: more than 0 is a new
   // one, with which it may pass.
@@ -176,7 +177,7 @@ class Mover {
         break;
       }
       if (budget_ != nullptr) --budget_->left;
-      const Contact<Real>& contact = first_contact({body.box, motion, body.foot, sunk}, followed);
+      Contact<Real>& contact = first_contact({body.box, motion, body.foot, sunk}, followed);
       if (!contact && budget_ != nullptr && budget_->seen < 1) {
         advance(body, motion * static_cast<Real>(budget_->seen));
         result.cut_short = true;
@@ -211,7 +212,10 @@ class Mover {
         contact_.t /= whole;
         followed = nullptr;
       }
-      seen(contact, motion);
+      if (!seen(contact, motion)) {
+        surface_ = nullptr;
+        break;
+      }
       const Vec from = body.box.position();
       body.box.x = contact.position.x;
       body.box.y = contact.position.y;
@@ -240,11 +244,11 @@ class Mover {
 
  private:
   // Valid until the next call.
-  const Contact<Real>& first_contact(const Cast<Real>& cast, const Piece<Real>* followed) {
+  Contact<Real>& first_contact(const Cast<Real>& cast, const Piece<Real>* followed) {
     const bool may_rest =
         rest_ != nullptr && followed == nullptr && cast.sunk == 0 && RestMemo<Real>::is_fall(cast);
     if (may_rest) {
-      if (const Contact<Real>* known = rest_->find(cast)) {
+      if (Contact<Real>* known = rest_->find(cast)) {
         if (budget_ != nullptr) budget_->left -= rest_->work();
         return *known;
       }

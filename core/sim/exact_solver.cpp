@@ -133,11 +133,13 @@ class ExactSolver final : public Solver {
     for (int i = 0; i < substeps_; ++i) {
       rule.begin();
       if (i == 0) note_goal(moving, moving.velocity);
-      move(state, index, moving, moving.velocity * part_, [&](const auto& contact, Vec motion) {
+      const auto respond = [&](const auto& contact, Vec motion) {
         const Vec rest = rule.respond(contact, motion);
         note_change(body, contact, rule.change(), quiet_fall_);
         return rest;
-      });
+      };
+      move(state, index, moving, moving.velocity * part_, respond,
+           [&](Contact<Real>& contact) { return rule.aim(contact, others_, budget_); });
     }
     rule.end();
     body.gait.grounded = rule.grounded();
@@ -150,7 +152,7 @@ class ExactSolver final : public Solver {
     const Vec2 goal = drag_goal(scene_->tuning.shared, body, input);
     const Vec way = narrow(within_limits(body.previous, goal) - body.previous);
     note_goal(moving, way);
-    move(state, index, moving, way, slide);
+    move(state, index, moving, way, slide, is_as_met);
   }
 
   // ---- Players ----
@@ -165,11 +167,12 @@ class ExactSolver final : public Solver {
     Vec motion = walked ? Vec{moving.velocity.x, 0} : moving.velocity;
     note_goal(moving, motion);
     if (walked && walk(state, index, moving, rule, motion)) return rule.stand();
-    const bool held = move(state, index, moving, motion, [&](const auto& contact, Vec m) {
+    const auto respond = [&](const auto& contact, Vec m) {
       const Vec velocity = moving.velocity, rest = rule.respond(contact, m);
       note_change(state.bodies[index], contact, dot(moving.velocity - velocity, contact.normal), quiet_run_);
       return rest;
-    });
+    };
+    const bool held = move(state, index, moving, motion, respond, is_as_met);
     if (held && motion.y > 0) return rule.stand();
     if (rule.landed()) rule.stand();
     if (!gait.grounded) return;
@@ -360,7 +363,7 @@ class ExactSolver final : public Solver {
     if (budget_.left <= 0 || !gather(state, index, moving, down)) return false;
     Moving<Real> there = moving;
     Mover<Real> mover(ground_, others_, max_passes_, nullptr, &budget_);
-    if (!mover.move(there, down, slide, [](const Contact<Real>&, Vec) {}).held) return false;
+    if (!mover.move(there, down, slide, [](const Contact<Real>&, Vec) { return true; }).held) return false;
     moving = moved_to(moving, there.box.position());
     return true;
   }
@@ -372,9 +375,13 @@ class ExactSolver final : public Solver {
     return slide_along(contact.normal, motion * (1 - contact.t));
   }
 
-  // Returns whether two sides that it met hold it up.
-  template <class Respond>
-  bool move(const State& state, std::size_t index, Moving<Real>& moving, Vec motion, Respond respond) {
+  static bool is_as_met(Contact<Real>&) { return true; }
+
+  // aim(contact): may change a contact before the body responds to it; false: it meets nothing. Returns
+  // whether two sides that it met hold it up.
+  template <class Respond, class Aim>
+  bool move(const State& state, std::size_t index, Moving<Real>& moving, Vec motion, Respond respond,
+            Aim aim) {
     if (!gather(state, index, moving, motion)) {
       note_cut_short();
       return false;
@@ -385,8 +392,10 @@ class ExactSolver final : public Solver {
       note_after(after);
       return after;
     };
-    const auto seen = [&](const Contact<Real>& contact, Vec way) {
+    const auto seen = [&](Contact<Real>& contact, Vec way) {
+      if (!aim(contact)) return false;
       if (record_ != nullptr) note(state.bodies[index], contact, way);
+      return true;
     };
     const auto sinks = [&](const Contact<Real>& contact, Vec way, Real sunk) {
       return depth_below_floor(moving, contact, way.y, sunk);

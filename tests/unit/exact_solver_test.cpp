@@ -340,7 +340,7 @@ TEST(ExactSolver, ABoxIsNotPutBackOnAPieceThatItSlidPast) {
   const auto slide = [](const Contact<float>& contact, BasicVec2<float> motion) {
     return slide_along(contact.normal, motion * (1 - contact.t));
   };
-  Mover<float>(ground, {}, 8).move(body, {-0.86466753f, 0.17298125f}, slide, [](auto&&...) {});
+  Mover<float>(ground, {}, 8).move(body, {-0.86466753f, 0.17298125f}, slide, [](auto&&...) { return true; });
   ASSERT_LT(body.box.x, 56);
   EXPECT_LE(body.box.y + 3.4375f, 23.25f + (body.box.x - 48) / 32 + 0x1p-18f);
 }
