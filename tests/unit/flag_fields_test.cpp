@@ -81,11 +81,12 @@ TEST(FlagFieldFile, AnEmptyListIsLeftOut) {
 TEST(FlagFieldFile, ErrorsSayWhere) {
   expect_field_error("7", "key flag_fields", "must be a list");
   expect_field_error("[1]", "key flag_fields[0]", "must be an object");
-  expect_field_error(R"([{"bits": 2}])", "key flag_fields[0].first", "must be a flag from 0 to 31");
+  expect_field_error(R"([{"bits": 2}])", "key flag_fields[0].first", "must be a flag from 0 to 30");
   expect_field_error(R"([{"first": 0, "bits": 9}])", "key flag_fields[0].bits",
                      "must be a whole number from 2 to 8");
-  expect_field_error(R"([{"first": 0, "bits": 1}])", "key flag_fields[0]", "must have 2 to 8 bits");
-  expect_field_error(R"([{"first": 31, "bits": 2}])", "key flag_fields[0]", "reaches beyond flag 31");
+  expect_field_error(R"([{"first": 0, "bits": 1}])", "key flag_fields[0].bits",
+                     "must be a whole number from 2 to 8");
+  expect_field_error(R"([{"first": 30, "bits": 3}])", "key flag_fields[0]", "reaches beyond flag 31");
   expect_field_error(R"([{"first": 0, "bits": 2, "values": [1]}])", "key flag_fields[0].values",
                      "must be a list of strings");
   expect_field_error(R"([{"first": 0, "bits": 2, "name": 1}])", "key flag_fields[0].name",
@@ -99,7 +100,7 @@ TEST(FlagFieldFile, FieldsThatAReaderRefusesAreNotWritten) {
   level.flag_fields = {{"", 31, 2, {}, ""}};
   const auto written = write_native(level, {});
   ASSERT_FALSE(written);
-  EXPECT_EQ(written.error().place, "key flag_fields[0]");
+  EXPECT_EQ(written.error().place, "key flag_fields[0].first");
 }
 
 TEST(FlagSearch, CountsTilesAndCells) {

@@ -354,7 +354,7 @@ TEST(Native, CartErrorsSayWhere) {
   expect(R"("kind": "tic", "chunks": [{"chunk": "CODE"}])", "key cart.chunks[0]",
          "has 0 bytes, which a chunk's header cannot express");
   expect(R"("kind": "tic", "chunks": [{"chunk": 1, "date": []}])", "key cart.chunks[0]",
-         "has an unknown key");
+         "has the key \"date\", which no chunk has");
   expect(R"("kind": "tic", "chunks": [{"chunk": "CODE_ZIP", "data": ["00"]}])", "key cart",
          "is damaged at byte 0: the compressed code is damaged");
   expect(R"("kind": "text", "comment": "%")", "key cart.comment", "must be \"--\", \"//\", \";;\" or \"#\"");

@@ -94,10 +94,10 @@ TEST(TileAnimations, BadOnesAreRefusedWithTheirPlace) {
   };
   EXPECT_EQ(error_of("[]"), "a:key animations: error: must be an object");
   EXPECT_EQ(error_of(R"({"01": [[1, 9]]})"),
-            "a:key animations: error: must have only numbers of tiles as keys");
+            "a:key animations: error: has the key \"01\", which is no number of a tile");
   EXPECT_EQ(error_of(R"({"1": []})"), "a:key animations.1: error: must have frames");
   EXPECT_EQ(error_of(R"({"1": [[1, 0]]})"),
-            "a:key animations.1: error: must have frames [tile, ms] of 1 to 60000 ms");
+            "a:key animations.1[0]: error: must be a frame [tile, ms] of 1 to 60000 ms");
   EXPECT_EQ(
       error_of(R"({"1": [[256, 1]]})"),
       "a:key animations: error: has one that cannot be: of tile 1 has a frame with tile 256, but the last "

@@ -51,7 +51,7 @@ TEST(TileNotes, AreKeptByLevelsOfVersion6) {
 TEST(TileNotes, WrongOnesAreErrors) {
   for (const auto& [json, error] : std::vector<std::pair<const char*, const char*>>{
            {R"([])", "must be an object"},
-           {R"({"x": {}})", "must have only numbers of tiles as keys"},
+           {R"({"x": {}})", "has the key \"x\", which is no number of a tile"},
            {R"({"256": {"class": "a"}})", "of tile 256 is none of the level's"},
            {R"({"1": {"probability": -1}})", "must be a number from 0 to 1000000"},
            {R"({"1": {"properties": 3}})", "must be an object"},

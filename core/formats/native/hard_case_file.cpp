@@ -71,7 +71,10 @@ CaseInput read_input(const Json& json, const std::string& path) {
     const std::vector<double> at = numbers(json["mouse"], path + ".mouse", 2);
     input.mouse = {at[0], at[1]};
   }
-  input.mouse_down = json.value("down", Json(false)) == true;
+  if (json.contains("down")) {
+    if (!json["down"].is_boolean()) fail(path + ".down", "must be true or false");
+    input.mouse_down = json["down"].get<bool>();
+  }
   if (!json.contains("keys")) return input;
   const auto wrong_keys = [&] { fail(path + ".keys", "must be a list of \"left\", \"right\" and \"jump\""); };
   if (!json["keys"].is_array()) wrong_keys();

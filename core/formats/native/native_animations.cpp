@@ -26,13 +26,15 @@ FormatResult<TileAnimations> take_animations(const Json& json, int tile_count) {
   TileAnimations animations;
   for (const auto& [key, frames] : json.items()) {
     const auto tile = number_of_key(key, kMaxTiles);
-    if (!tile) return animation_error("animations", "must have only numbers of tiles as keys");
+    if (!tile) return animation_error("animations", no_tile_text(key));
     const std::string path = "animations." + key;
     if (!frames.is_array() || frames.size() > kMaxAnimationFrames)
       return animation_error(path, "must be a list of frames");
-    for (const Json& entry : frames) {
-      const auto frame = frame_of(entry);
-      if (!frame) return animation_error(path, "must have frames [tile, ms] of 1 to 60000 ms");
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      const auto frame = frame_of(frames[i]);
+      if (!frame)
+        return animation_error(path + "[" + std::to_string(i) + "]",
+                               "must be a frame [tile, ms] of 1 to 60000 ms");
       animations[static_cast<TileNumber>(*tile)].push_back(*frame);
     }
     if (frames.empty()) return animation_error(path, "must have frames");

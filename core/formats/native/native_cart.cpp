@@ -121,6 +121,8 @@ void put_text(const Level& level, std::string_view bytes, std::string_view comme
 FormatResult<std::string> text_of_line(const Json& line, const Level& level, const std::string& comment,
                                        const std::string& key) {
   if (line.is_string()) return line.get<std::string>();
+  for (auto it = line.begin(); line.is_object() && it != line.end(); ++it)
+    if (it.key() != "level") return error_at(key, "has the key \"" + it.key() + "\", which no line has");
   const bool named =
       line.is_object() && line.size() == 1 && line.contains("level") && line["level"].is_string();
   if (!named) return error_at(key, "must be a string or {\"level\": SECTION}");
@@ -195,7 +197,7 @@ FormatResult<void> append_chunk(std::string& bytes, const Json& json, const Leve
   for (auto it = json.begin(); it != json.end(); ++it) {
     constexpr std::array<std::string_view, 5> kKeys = {"chunk", "bank", "reserved", "code", "data"};
     if (std::find(kKeys.begin(), kKeys.end(), it.key()) == kKeys.end()) {
-      return error_at(key, "has an unknown key");
+      return error_at(key, "has the key \"" + it.key() + "\", which no chunk has");
     }
   }
   TicChunk chunk = {.type = json.contains("chunk") ? chunk_type(json["chunk"]) : -1};

@@ -22,8 +22,9 @@ FormatResult<FlagField> take_flag_field(Json json, const std::string& path) {
   const Json name = json.value("name", Json("")), values = json.value("values", Json::array());
   const Json first = json.value("first", Json()), bits = json.value("bits", Json());
   if (!name.is_string()) return error_at_key(path + ".name", "must be a string");
-  if (!is_whole(first, 0, kMaxFlags - 1)) return error_at_key(path + ".first", "must be a flag from 0 to 31");
-  if (!is_whole(bits, 0, FlagField::kMostBits))
+  if (!is_whole(first, 0, kMaxFlags - FlagField::kLeastBits))
+    return error_at_key(path + ".first", "must be a flag from 0 to 30");
+  if (!is_whole(bits, FlagField::kLeastBits, FlagField::kMostBits))
     return error_at_key(path + ".bits", "must be a whole number from 2 to 8");
   if (!are_strings(values)) return error_at_key(path + ".values", "must be a list of strings");
   FlagField field{name, first, bits, values, {}};

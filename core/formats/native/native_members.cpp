@@ -45,6 +45,10 @@ std::optional<std::size_t> number_of_key(const std::string& key, std::size_t cou
   return good ? std::optional(number) : std::nullopt;
 }
 
+std::string no_tile_text(const std::string& key) {
+  return "has the key \"" + key + "\", which is no number of a tile";
+}
+
 std::string too_many_unknown() {
   return "has more than " + std::to_string(kMaxUnknownKeys) + " keys that this Talus does not know";
 }

@@ -28,6 +28,9 @@ std::string length_text(std::size_t most);
 // The number below `count` that a key spells without leading zeros; nothing for any other key.
 std::optional<std::size_t> number_of_key(const std::string& key, std::size_t count);
 
+// "has the key "x", which is no number of a tile".
+std::string no_tile_text(const std::string& key);
+
 // "has more than 65536 keys that this Talus does not know".
 std::string too_many_unknown();
 

@@ -34,7 +34,7 @@ FormatResult<TileNotes> take_notes(Json& json, int tile_count) {
   TileNotes notes;
   for (auto& [key, value] : json.items()) {
     const auto tile = number_of_key(key, kMaxTiles);
-    if (!tile) return note_error("must have only numbers of tiles as keys");
+    if (!tile) return note_error(no_tile_text(key));
     auto note = take_note(value, "tile_notes." + key);
     if (!note) return tl::unexpected(note.error());
     put_note(notes, static_cast<TileNumber>(*tile), *std::move(note));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <talus/level/limits.h>
 #include "native_layers.h"
@@ -34,9 +35,11 @@ FormatResult<MapObject> take_object(Json& json, const std::string& path, const N
   const auto is_share = [](double share) { return share >= 0 && share <= 1; };
   if (!is_share(object.anchor.x) || !is_share(object.anchor.y))
     take.fail("anchor", "must be [x, y], each from 0 to 1");
-  double tile = 0;
-  take.ranged("tile", 0, 4294967295.0, "", tile);
-  object.tile = static_cast<std::uint32_t>(tile);
+  take.member("tile", [&](const Json& tile) {
+    constexpr std::int64_t kMost = std::numeric_limits<std::uint32_t>::max();
+    if (!is_whole(tile, 0, kMost)) return take.fail("tile", range_text(0, kMost, "", true));
+    object.tile = tile.get<std::uint32_t>();
+  });
   take.member("properties", [&](const Json& its) {
     if (!its.is_object()) return take.fail("properties", "must be an object");
     object.properties = its.dump();
@@ -46,7 +49,7 @@ FormatResult<MapObject> take_object(Json& json, const std::string& path, const N
     problem = "has the key \"" + json.begin().key() + "\", which no object has";
   for (const Vec2 point : object.points) {
     const bool is_near = std::abs(point.x) <= kMaxObjectPlace && std::abs(point.y) <= kMaxObjectPlace;
-    if (!is_near) problem = "has a point further than 16777216 px from its position";
+    if (!is_near) take.fail("points", "has a point further than 16777216 px from its position");
   }
   return take.result(std::move(object), std::move(problem));
 }

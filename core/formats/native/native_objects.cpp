@@ -1,7 +1,9 @@
 // One list of members for each kind of object serves reading and writing.
 #include "native_objects.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <talus/level/limits.h>
 #include "native_members.h"
@@ -60,6 +62,33 @@ void list_members(Io& io, Polyline& p) {
   io("ys", p.ys);
 }
 
+// Looks at each coordinate of a curve alone, so that an error has its key. problem_of() looks at the whole.
+class ReachChecker {
+ public:
+  explicit ReachChecker(MemberTaker& take) : take_(take) {}
+  void operator()(std::string_view key, double coordinate) {
+    constexpr std::array<std::string_view, 4> kNoPlaces = {"radius", "amplitude", "from_slope", "to_slope"};
+    if (std::find(kNoPlaces.begin(), kNoPlaces.end(), key) == kNoPlaces.end()) check(key, coordinate);
+  }
+  void operator()(std::string_view key, Vec2 point) {
+    check(key, point.x);
+    check(key, point.y);
+  }
+  void operator()(std::string_view key, const std::vector<double>& heights) {
+    if (heights.size() < 2 || heights.size() > kMaxPolylineHeights)
+      take_.fail(key, "must have 2 to 65536 heights");
+    for (const double height : heights) check(key, height);
+  }
+
+ private:
+  void check(std::string_view key, double coordinate) {
+    if (!(std::abs(coordinate) <= kMaxCoordinate))
+      take_.fail(key, "reaches further than 16777216 px from the origin");
+  }
+
+  MemberTaker& take_;
+};
+
 template <std::size_t... I>
 void set_form(Curve& curve, std::size_t index, std::index_sequence<I...>) {
   ((I == index ? void(curve.form.emplace<I>()) : void()), ...);
@@ -76,6 +105,8 @@ FormatResult<LevelCurve> take_curve(Json& json, const std::string& path, const T
   take.optional("conveyor", curve.curve.conveyor);
   std::visit([&](auto& members) { list_members(take, members); }, curve.curve.form);
   if (Arc* arc = std::get_if<Arc>(&curve.curve.form)) take.optional("upper", arc->upper);
+  ReachChecker reach(take);
+  std::visit([&](auto& members) { list_members(reach, members); }, curve.curve.form);
   if (const auto bad = take.result(true); !bad) return tl::unexpected(bad.error());
   curve.extra = take.rest();
   auto problem = problem_of(curve.curve, map);
@@ -128,10 +159,12 @@ TileShape take_simple_shape(MemberTaker& take) {
 }
 
 // A part of a group. Its other members could not be kept.
-FormatResult<TileShape> take_group_part(Json& json, const std::string& path) {
+FormatResult<TileShape> take_group_part(Json& json, const std::string& path, TileSize tile) {
   MemberTaker take(json, path);
+  take.require("kind");
   TileShape shape = take_simple_shape(take);
-  std::optional<std::string> problem;
+  std::optional<std::string> problem = problem_of(shape, tile);
+  if (shape.kind == TileShape::Kind::group) problem = "is a group, which a part cannot be";
   if (json.is_object() && !json.empty())
     problem = "has the key \"" + json.begin().key() + "\", which no part has";
   return take.result(std::move(shape), std::move(problem));
@@ -157,7 +190,10 @@ FormatResult<TileShape> take_shape(Json& json, const std::string& path, TileSize
   std::optional<FormatError> wrong_part;
   take.member("parts", [&](const Json& list) {
     Json parts = list;
-    auto taken = take_list<TileShape>(parts, path + ".parts", take_group_part, kMaxGroupParts,
+    const auto take_part = [&](Json& part, const std::string& entry) {
+      return take_group_part(part, entry, tile);
+    };
+    auto taken = take_list<TileShape>(parts, path + ".parts", take_part, kMaxGroupParts,
                                       "must be a list of up to 64 shapes");
     if (taken)
       shape.parts = *std::move(taken);
@@ -192,31 +228,43 @@ namespace {
 
 constexpr const char* kSpritesWord = "sprites";  // of a picture on that sheet; pictures of tiles have no key
 
+// Whether the value is [first, second], whole numbers from those least ones to these most ones.
+bool is_whole_pair(const Json& pair, int least_first, int most_first, int most_second) {
+  return pair.is_array() && pair.size() == 2 && is_whole(pair[0], least_first, most_first) &&
+         is_whole(pair[1], 1, most_second);
+}
+
 // {"sheet": "sprites", "size": [columns, rows], "steps": n, "stand": [first image, frames], ...}
-std::optional<BodyPicture> body_picture_of(const Json& json) {
-  if (!json.is_object()) return std::nullopt;
+FormatResult<BodyPicture> take_body_picture(Json json, const std::string& path) {
+  MemberTaker take(json, path);
   BodyPicture picture;
-  const auto is_pair = [](const Json& pair, int most_first, int most_second) {
-    return pair.is_array() && pair.size() == 2 && is_whole(pair[0], 0, most_first) &&
-           is_whole(pair[1], 1, most_second);
-  };
-  for (const auto& [key, value] : json.items()) {
-    const auto act = std::find(kBodyActWords.begin(), kBodyActWords.end(), key);
-    if (act != kBodyActWords.end() && is_pair(value, kMaxTiles - 1, kMaxBodyFrames)) {
-      picture.acts[static_cast<std::size_t>(act - kBodyActWords.begin())] = {value[0].get<TileNumber>(),
-                                                                             value[1].get<std::uint8_t>()};
-    } else if (key == "size" && is_pair(value, kMaxBodyPictureSide, kMaxBodyPictureSide) && value[0] != 0) {
-      picture.columns = value[0].get<std::uint8_t>();
-      picture.rows = value[1].get<std::uint8_t>();
-    } else if (key == "sheet" && value == kSpritesWord) {
-      picture.sheet = SheetId::sprites;
-    } else if (key == "steps" && is_whole(value, 1, kMaxFrameSteps)) {
-      picture.steps = value.get<std::uint16_t>();
-    } else {
-      return std::nullopt;
-    }
+  take.member("sheet", [&](const Json& word) {
+    if (word != kSpritesWord) return take.fail("sheet", "must be \"sprites\"; without it, it is the tiles");
+    picture.sheet = SheetId::sprites;
+  });
+  take.member("size", [&](const Json& size) {
+    if (!is_whole_pair(size, 1, kMaxBodyPictureSide, kMaxBodyPictureSide))
+      return take.fail("size", "must be [columns, rows], each from 1 to 16 tiles");
+    picture.columns = size[0].get<std::uint8_t>();
+    picture.rows = size[1].get<std::uint8_t>();
+  });
+  take.member("steps", [&](const Json& steps) {
+    if (!is_whole(steps, 1, kMaxFrameSteps))
+      return take.fail("steps", range_text(1, kMaxFrameSteps, "", true));
+    picture.steps = steps.get<std::uint16_t>();
+  });
+  for (std::size_t act = 0; act < kBodyActWords.size(); ++act) {
+    const std::string key(kBodyActWords[act]);
+    take.member(key.c_str(), [&](const Json& frames) {
+      if (!is_whole_pair(frames, 0, kMaxTiles - 1, kMaxBodyFrames))
+        return take.fail(key, "must be [tile, frames], with a tile from 0 to 65535 and 1 to 32 frames");
+      picture.acts[act] = {frames[0].get<TileNumber>(), frames[1].get<std::uint8_t>()};
+    });
   }
-  return picture;
+  std::optional<std::string> problem;
+  if (json.is_object() && !json.empty())
+    problem = "has the key \"" + json.begin().key() + "\", which no picture of a body has";
+  return take.result(std::move(picture), std::move(problem));
 }
 
 Json json_of(const BodyPicture& picture) {
@@ -243,15 +291,15 @@ FormatResult<Spawn> take_spawn(Json& json, const std::string& path) {
   take.size("size", spawn.size);
   Foot foot = Foot::box;
   if (take.choice("foot", kFeet, foot)) spawn.foot = foot;
+  std::optional<FormatError> wrong_picture;
   take.member("picture", [&](const Json& value) {
-    if (const auto picture = body_picture_of(value))
+    const auto picture = take_body_picture(value, path + ".picture");
+    if (picture)
       spawn.picture = *picture;
     else
-      take.fail("picture",
-                "must hold \"size\", [columns, rows] of 1 to 16 tiles, \"steps\", 1 to 600, \"sheet\", "
-                "\"sprites\", and [tile, frames], 1 to 32 frames, for some of \"stand\", \"run\", "
-                "\"jump\" and \"fall\"");
+      wrong_picture = picture.error();
   });
+  if (wrong_picture) return tl::unexpected(*std::move(wrong_picture));
   spawn.extra = take.rest();
   return take.result(std::move(spawn));
 }

@@ -17,10 +17,8 @@ namespace {
 
 using SharedPicture = std::shared_ptr<const SheetPicture>;
 
-constexpr const char* kPartText =
-    "must have as \"rect\" the [x, y, width, height] of a part of its picture, and as \"shift\" [x, y] "
-    "within "
-    "1024 px";
+constexpr const char* kRectText = "must be [x, y, width, height] of a part of its picture, in whole px";
+constexpr const char* kShiftText = "must be [x, y], whole numbers from -1024 to 1024 px";
 
 // The place of a picture in the list, or of one with the same content: reading a file again makes others.
 NativePictures::const_iterator find_picture(const NativePictures& pictures, const SharedPicture& picture) {
@@ -116,18 +114,20 @@ void take_part(MemberTaker& take, const NativePictures& pictures, PicturePart& p
     part.width = part.picture->width;
     part.height = part.picture->height;
   });
-  std::optional<std::array<int, 4>> rect = std::array<int, 4>{0, 0, part.width, part.height};
-  std::optional<std::array<int, 2>> shift = std::array<int, 2>{0, 0};
-  take.member("rect", [&](const Json& its) { rect = whole_numbers<4>(its); });
-  take.member("shift", [&](const Json& its) { shift = whole_numbers<2>(its); });
+  take.member("rect", [&](const Json& its) {
+    const auto rect = whole_numbers<4>(its);
+    if (rect) part.x = (*rect)[0], part.y = (*rect)[1], part.width = (*rect)[2], part.height = (*rect)[3];
+    if (!rect || !is_valid(part)) take.fail("rect", kRectText);
+  });
+  take.member("shift", [&](const Json& its) {
+    const auto shift = whole_numbers<2>(its);
+    if (shift) part.shift_x = (*shift)[0], part.shift_y = (*shift)[1];
+    if (!shift || !is_valid(part)) take.fail("shift", kShiftText);
+  });
   take.optional("keeps_ratio", part.keeps_ratio);
   take.optional("swaps_axes", part.swaps_axes);
   take.optional("mirrors_x", part.mirrors_x);
   take.optional("mirrors_y", part.mirrors_y);
-  if (!rect || !shift) return take.fail("", kPartText);
-  part.x = (*rect)[0], part.y = (*rect)[1], part.width = (*rect)[2], part.height = (*rect)[3];
-  part.shift_x = (*shift)[0], part.shift_y = (*shift)[1];
-  if (!is_valid(part)) take.fail("", kPartText);
 }
 
 void put_part(const PicturePart& part, const NativePictures& pictures, Json& json) {
@@ -150,7 +150,7 @@ FormatResult<LargeTiles> take_large_tiles(Json& json, const NativePictures& pict
   LargeTiles tiles;
   for (auto& [key, entry] : json.items()) {
     const auto number = number_of_key(key, tile_count);
-    if (!number) return part_error("key large_tiles", "must have only numbers of tiles as keys");
+    if (!number) return part_error("key large_tiles", no_tile_text(key));
     auto tile = take_large_tile(entry, "large_tiles." + key, pictures);
     if (!tile) return tl::unexpected(tile.error());
     tiles[static_cast<TileNumber>(*number)] = *std::move(tile);
