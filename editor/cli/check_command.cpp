@@ -4,6 +4,8 @@
 #include <ostream>
 
 #include "command.h"
+#include "formats/native/hard_case_file.h"
+#include "formats/native/unknown_keys.h"
 #include "level/lint/lint.h"
 
 namespace talus {
@@ -16,11 +18,23 @@ std::string place_of(const Problem& problem, int tile_count) {
   return "";
 }
 
+// What reading leaves alone: unknown keys, and the right answer of a hard case.
+void check_keys(CommandContext& context, const std::string& file, const Level& level) {
+  if (const auto hard = hard_case_of(level); !hard)
+    fail(context, file, hard.error().place, hard.error().message);
+  const std::vector<UnknownKey> unknown = unknown_keys(level);
+  for (const UnknownKey& key : unknown)
+    say(context.out, file + ":key " + key.place + ": warning: " + key.problem + " [unknown-key]");
+  if (unknown.size() == kMaxUnknownListed)
+    say(context.out, file + ": warning: has as many unknown keys as are listed, or more [unknown-key]");
+}
+
 void check(CommandContext& context, const std::string& file) {
   const auto loaded = load_file_or_fail(context, file);
   if (!loaded) return;
   fail_for_missing(context, file, *loaded);
   const Level& level = loaded->level;
+  check_keys(context, file, level);
   for (const Problem& problem : lint(level)) {
     const bool is_error = problem.severity == Severity::error;
     const std::string place = place_of(problem, level.tile_count());

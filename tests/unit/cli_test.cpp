@@ -332,6 +332,27 @@ TEST_F(CliCheck, ErrorsExitWithOneAndNameTheirCell) {
   EXPECT_THAT(answer.out, HasSubstr(file + ":cell 0,0: error: "));
 }
 
+TEST_F(CliCheck, UnknownKeysAreWarningsAndStay) {
+  const std::string file = put("a.talus.json", R"({"talus": 1, "spwans": [7], "spawns": [{"naem": "b"}]})");
+  const CliAnswer answer = cli_answer({"check", file});
+  EXPECT_EQ(answer.status, kExitGood) << answer.err;
+  for (const std::string& said :
+       {R"(:key spwans: warning: is not known; did you mean "spawns"? [unknown-key])",
+        R"(:key spawns[0].naem: warning: is not known; did you mean "name"? )"})
+    EXPECT_THAT(answer.out, HasSubstr(file + said));
+  EXPECT_EQ(cli_answer({"import", file, "-o", path("b.talus.json")}).status, kExitGood);
+  const auto kept = nlohmann::json::parse(bytes_of(path("b.talus.json")));
+  EXPECT_EQ(kept["spwans"], nlohmann::json({7}));
+  EXPECT_EQ(kept["spawns"][0]["naem"], "b");
+}
+
+TEST_F(CliCheck, AWrongHardCaseIsAnError) {
+  const std::string file = put("a.talus.json", R"({"talus": 1, "hard_case": {"number": 0}})");
+  const CliAnswer answer = cli_answer({"check", file});
+  EXPECT_EQ(answer.status, kExitBad);
+  EXPECT_THAT(answer.err, HasSubstr(":key hard_case.number: error: must be a whole number from 1 to 999"));
+}
+
 TEST_F(CliShot, APanelIsShownInASmallWindow) {
   const auto picture_with = [&](const std::string& panel) {
     const std::string picture = path(panel + ".png");
