@@ -443,7 +443,8 @@ TEST(Prove, HasNoFindingOfTheSolverInCartsAndExamples) {
   for (const char* folder : {"assets", "assets/hard_cases", "tests/golden/article", "tests/golden/carts"}) {
     for (const auto& file : std::filesystem::directory_iterator(source_path(folder))) {
       const std::string extension = file.path().extension().string();
-      const bool is_level = extension == ".json" || extension == ".lua" || extension == ".tic";
+      const bool is_level =
+          file.path().string().ends_with(".talus.json") || extension == ".lua" || extension == ".tic";
       if (is_level) files.push_back(file.path().string());
     }
   }

@@ -1,0 +1,75 @@
+// Keys that no reader takes: what is said of them, and that all kinds are those of the schema.
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "formats/native/unknown_keys.h"
+#include "native_text.h"
+#include "paths.h"
+
+namespace talus::unknown_keys_test {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+using testing::UnorderedElementsAreArray;
+
+// "PLACE PROBLEM" of each unknown key of a level with these members.
+std::vector<std::string> said_of(const std::string& members) {
+  std::vector<std::string> said;
+  for (const UnknownKey& key : unknown_keys(level_of_native(R"({"talus": 1, )" + members + "}")))
+    said.push_back(key.place + " " + key.problem);
+  return said;
+}
+
+TEST(UnknownKeys, TheNearestKeyOfTheKindIsNamed) {
+  EXPECT_THAT(said_of(R"("spwans": [])"), ElementsAre("spwans is not known; did you mean \"spawns\"?"));
+  EXPECT_THAT(said_of(R"("spawns": [{}, {"naem": "a"}])"),
+              ElementsAre("spawns[1].naem is not known; did you mean \"name\"?"));
+  EXPECT_THAT(said_of(R"("tuning": {"exact": {"gravty": 1}})"),
+              ElementsAre("tuning.exact.gravty is not known; did you mean \"gravity\"?"));
+  EXPECT_THAT(said_of(R"("tiles": {"3": {"flag": [1]}})"),
+              ElementsAre("tiles.3.flag is not known; did you mean \"flags\"?"));
+}
+
+TEST(UnknownKeys, WithoutANearOneNoneIsNamed) {
+  EXPECT_THAT(said_of(R"("colour": 1)"), ElementsAre("colour is not known, and is kept as it is"));
+  EXPECT_THAT(said_of(R"("tiles": {"shape": 1})"),
+              ElementsAre("tiles.shape is not known, and is kept as it is"));
+  EXPECT_THAT(said_of('"' + std::string(1000, 's') + "\": 1"), SizeIs(1));
+}
+
+TEST(UnknownKeys, AKeyOfAnotherKindOfCurveIsNotUsed) {
+  EXPECT_THAT(said_of(R"("curves": [{"kind": "segment", "from": [0, 0], "to": [8, 0], "radius": 4}])"),
+              ElementsAre("curves[0].radius is not used here, and is kept as it is"));
+}
+
+TEST(UnknownKeys, WhatOthersReadIsKnown) {
+  EXPECT_THAT(said_of(R"("$schema": "talus.schema.json", "layers": [{"ldtk": "a"}],
+    "hard_case": {"input": [{"frame": 1}], "checks": [{"bound": 0}], "floor": [[[0, 1], [2, 3]], {"bowl": []}]})"),
+              IsEmpty());
+  EXPECT_THAT(said_of(R"("hard_case": {"checks": [{"bounds": 0}], "floor": [{"bowls": []}]})"),
+              ElementsAre("hard_case.checks[0].bounds is not known; did you mean \"bound\"?",
+                          "hard_case.floor[0].bowls is not known; did you mean \"bowl\"?"));
+}
+
+TEST(UnknownKeys, AreListedUpToALimit) {
+  std::string members = "\"k0\": 0";
+  for (std::size_t i = 1; i < 2 * kMaxUnknownListed; ++i) members += ", \"k" + std::to_string(i) + "\": 0";
+  EXPECT_THAT(said_of(members), SizeIs(kMaxUnknownListed));
+}
+
+TEST(UnknownKeys, KindsHaveTheKeysOfTheSchema) {
+  std::ifstream file(source_path("assets/talus.schema.json"));
+  const auto schema = nlohmann::json::parse(file);
+  for (const KeyKind& kind : key_kinds()) {
+    if (kind.keys.empty()) continue;  // its keys are numbers
+    const auto& described = kind.name == "level" ? schema : schema["definitions"][std::string(kind.name)];
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : described["properties"].items()) keys.push_back(key);
+    EXPECT_THAT(kind.keys, UnorderedElementsAreArray(keys)) << kind.name;
+  }
+}
+
+}  // namespace talus::unknown_keys_test
