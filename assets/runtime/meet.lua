@@ -675,10 +675,10 @@ local function by_place(m, n)
   return m.index < n.index
 end
 
-function M.join(m)
+function M.join(m, depth)
   if m.place then return end
   M.set[#M.set + 1] = m
-  m.place = #M.set
+  m.place, m.depth = #M.set, depth
 end
 
 -- The normal of two that touch at the time of the set; nil: they do not.

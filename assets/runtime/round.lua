@@ -210,7 +210,7 @@ function M.look_around(m, event)
       if M.is_pair_of(event, m, n) or M.touching_in_set(m, n) then
         if #M.pairs == most then return end
         M.pairs[#M.pairs + 1] = {m, n}
-        M.join(n)
+        M.join(n, m.depth + 1)
       end
     end
   end
@@ -237,9 +237,10 @@ local function join_all(event)
     local is_round = m.radius > 0
     local is_solved = m.cut and m.events > 0 and m.time == M.time
     local most = is_round and MOST_CIRCLES or MOST_INNER + 4 * circles
-    local has_room = i <= given or ((is_round and circles or inner - circles) < most and not is_solved)
+    local is_reached = i <= given or m.depth <= M.reach
+    local has_room = i <= given or (is_reached and (is_round and circles or inner - circles) < most and not is_solved)
     m.inner = has_room and m.inverse_mass > 0
-    is_cut = is_cut or not has_room
+    is_cut = is_cut or (is_reached and not has_room)
     if m.inner then
       inner = inner + 1
       if is_round then circles = circles + 1 end
@@ -253,11 +254,12 @@ end
 function M.gather(event)
   for _, m in ipairs(M.set) do m.place = nil end
   M.set, M.touches, M.pairs = {}, {}, {}
-  M.join(event.a)
-  if event.kind == "pair" then M.join(event.b) end
+  M.join(event.a, 0)
+  if event.kind == "pair" then M.join(event.b, 0) end
+  M.hit = M.hit_of(event)
   local is_gentle = M.is_gentle(event)
   table.sort(M.shaken, M.by_place)
-  for _, m in ipairs(M.shaken) do M.join(m) end
+  for _, m in ipairs(M.shaken) do M.join(m, 0) end
   local is_cut = join_all(event)
   for _, m in ipairs(M.set) do
     if m.inner then
@@ -269,7 +271,7 @@ function M.gather(event)
   table.sort(M.set, M.by_place)
   for k, m in ipairs(M.set) do
     m.place = k
-    begin_in_set(m, not m.inner and (#M.shaken >= MOST_SHAKEN or is_gentle))
+    begin_in_set(m, not m.inner and (#M.shaken >= MOST_SHAKEN or (is_gentle and M.reach == huge)))
   end
   M.add_pairs(event)
 end
@@ -411,7 +413,7 @@ local function meet_ground(world, m)
 end
 
 function M.meet(world, event)
-  local first, is_crowd = event.a, false
+  local first, is_crowd, goes_on = event.a, false, false
   local is_ground = event.kind == "ground"
   if is_ground then
     local had_track = first.track
@@ -419,18 +421,22 @@ function M.meet(world, event)
     first.track, first.leaves = nil, nil
     if not had_track then first.x, first.y = first.ground.x, first.ground.y end
   end
-  M.shaken = {}
+  M.shaken, M.reach = {}, M.first_reach(event)
   repeat
     M.gather(event)
     M.add_ground_of_circles(world)
     if is_ground then meet_ground(world, first) end
     is_crowd = M.is_crowd()
-    if is_crowd then M.bounce_crowd(world) else M.bounce(world) end
-  until is_crowd or not M.shakes_more()
-  if is_crowd then
-    world.leaves_apart = false
-    return M.move_on(world)
-  end
+    if is_crowd then
+      M.bounce_crowd(world)
+      M.move_on(world)
+      goes_on = M.reaches_further()
+    else
+      M.bounce(world)
+      goes_on = M.shakes_more()
+    end
+  until not goes_on
+  if is_crowd then return M.spend_pulls(world) end
   M.hold(world)
   if not M.is_dozing() then return end
   for _, m in ipairs(M.set) do

@@ -230,35 +230,80 @@ function M.support(chosen)
   forget_rounding()
 end
 
--- Ends all approaches that are faster than the `room` of each contact, without any bounce; nearly, but at a cost that
--- grows with the contacts alone: each is solved alone, again and again. `pressure` of each gets its impulse.
-function M.stop_all(chosen)
+-- Contacts that can change anything, for stop_all(). given: impulses so far. tried: the same, as this turn began. last:
+-- the same, as the last turn ended.
+local function take_stops(chosen)
+  local stops = {}
   for _, touch in ipairs(chosen) do
     local one, other = touch.a, touch.b
-    touch.across, touch.along = 0.0, 0.0
-    touch.across_yields = one.inverse + (other and other.inverse or 0.0)
-    touch.along_yields = touch.across_yields + one.yields + (other and other.yields or 0.0)
+    local yields = one.inverse + (other and other.inverse or 0.0)
+    if yields > 0 then
+      touch.across_yields = yields
+      touch.along_yields = yields + one.yields + (other and other.yields or 0.0)
+      touch.given_x, touch.given_y = touch.pressure, touch.rubbing
+      touch.last_x, touch.last_y = touch.pressure, touch.rubbing
+      stops[#stops + 1] = touch
+    end
   end
-  local function solve_one(touch)
-    if not (touch.across_yields > 0) then return end
-    local faster = M.speed(touch, touch.nx, touch.ny) + touch.room
-    local across = max(0.0, touch.across - faster / touch.across_yields)
-    local more = across - touch.across
-    M.push(touch, touch.nx * more, touch.ny * more)
-    touch.across = across
-    if touch.friction == 0 then return end
-    local most = touch.friction * across
-    local rubbed = clamp(touch.along - M.slip(touch) / touch.along_yields, -most, most)
-    more = rubbed - touch.along
-    M.push(touch, -touch.ny * more, touch.nx * more)
-    turn(touch, "sspin", more)
-    touch.along = rubbed
+  return stops
+end
+
+local function push_stop(touch, change_x, change_y)
+  local one, other = touch.a, touch.b
+  touch.given_x, touch.given_y = touch.given_x + change_x, touch.given_y + change_y
+  local x, y = touch.nx * change_x - touch.ny * change_y, touch.ny * change_x + touch.nx * change_y
+  one.svx, one.svy = one.svx + x * one.inverse, one.svy + y * one.inverse
+  one.sspin = one.sspin - change_y * one.yields
+  if not other then return end
+  other.svx, other.svy = other.svx - x * other.inverse, other.svy - y * other.inverse
+  other.sspin = other.sspin - change_y * other.yields
+end
+
+local function stop_one(touch)
+  local one, other, nx, ny = touch.a, touch.b, touch.nx, touch.ny
+  local vx, vy, turning = one.svx, one.svy, one.sspin
+  if other then vx, vy, turning = vx - other.svx, vy - other.svy, turning + other.sspin end
+  local faster = vx * nx + vy * ny + touch.room
+  local across = max(0.0, touch.given_x - faster / touch.across_yields)
+  local most = touch.friction * across
+  local slips = vx * -ny + vy * nx - turning - touch.conveyor
+  local rubbed = clamp(touch.given_y - slips / touch.along_yields, -most, most)
+  push_stop(touch, across - touch.given_x, rubbed - touch.given_y)
+end
+
+-- How much the turn goes against the way of the last ones, and the most that it has changed a contact, in px/frame.
+local function result_of_turn(stops)
+  local back, largest = 0.0, 0.0
+  for _, touch in ipairs(stops) do
+    local x, y = touch.given_x - touch.tried_x, touch.given_y - touch.tried_y
+    back = back - (x * (touch.given_x - touch.last_x) + y * (touch.given_y - touch.last_y))
+    largest = max(max(largest, abs(x) * touch.across_yields), abs(y) * touch.along_yields)
   end
-  for _ = 1, 50 do
-    for i = 1, #chosen do solve_one(chosen[i]) end
-    for i = #chosen, 1, -1 do solve_one(chosen[i]) end
+  return back, largest
+end
+
+-- Ends all approaches that are faster than the `room` of each contact, without any bounce; nearly, but at a cost that
+-- grows with the contacts alone: each is solved alone, again and again. `pressure` and `rubbing` of each get its
+-- impulses; a call goes on from those of the last one. still: px/frame, it ends when a turn changes nothing by more.
+function M.stop_all(chosen, still, most_turns)
+  local stops, pace = take_stops(chosen), 1.0
+  for turn = 1, most_turns do
+    for _, touch in ipairs(stops) do touch.tried_x, touch.tried_y = touch.given_x, touch.given_y end
+    for i = 1, #stops do stop_one(stops[i]) end
+    for i = #stops, 1, -1 do stop_one(stops[i]) end
+    local back, largest = result_of_turn(stops)
+    if largest <= still or turn == most_turns then break end
+    if back > 0 then pace = 1.0 end
+    local after = (1 + sqrt(1 + 4 * pace * pace)) / 2
+    local share = (pace - 1) / after
+    pace = after
+    for _, touch in ipairs(stops) do
+      local x, y = (touch.given_x - touch.last_x) * share, (touch.given_y - touch.last_y) * share
+      touch.last_x, touch.last_y = touch.given_x, touch.given_y
+      push_stop(touch, x, y)
+    end
   end
-  for _, touch in ipairs(chosen) do touch.pressure = touch.across end
+  for _, touch in ipairs(stops) do touch.pressure, touch.rubbing = touch.given_x, touch.given_y end
 end
 
 -- Ends the slow motion of contacts that hold after support().

@@ -75,8 +75,9 @@ class ContactSet {
   void support(std::span<Inertia> bodies, std::span<Touch> touches);
 
   // Ends all approaches that are faster than their room, without any bounce; nearly, but at a cost that grows
-  // with the contacts alone. `pressure` of each gets its impulse, mass times px/frame.
-  void stop(std::span<Inertia> bodies, std::span<Touch> touches);
+  // with the contacts alone. `pressure` and `rubbing` of each get its impulses, mass times px/frame; a call
+  // goes on from those of the last one. still: px/frame, it ends when a turn changes nothing by more.
+  void stop(std::span<Inertia> bodies, std::span<Touch> touches, double still, int most_turns);
 
   // Ends the slow motion of contacts that hold after support().
   void settle(std::span<Inertia> bodies, std::span<const Touch> touches);
@@ -91,6 +92,20 @@ class ContactSet {
     Vec2 direction;
     bool rubs = false;  // friction: along the contact
   };
+  // A contact in stop(). x: across it; y: along it.
+  struct Stop {
+    std::size_t touch = 0;
+    int a = 0, b = 0;  // as in Touch
+    Vec2 normal;
+    double room = 0, friction = 0, conveyor = 0;
+    double yields = 0, rim_yields = 0;  // px/frame that an impulse of 1 changes it by, across and along
+    Vec2 given;                         // impulses so far
+    Vec2 tried;                         // the same, as this turn began
+    Vec2 last;                          // the same, as the last turn ended
+  };
+  void take_stops(std::span<const Inertia> bodies, std::span<const Touch> touches);
+  static void push_stop(std::span<Inertia> bodies, Stop& stop, Vec2 change);
+  static void stop_one(std::span<Inertia> bodies, Stop& stop);
   template <class Value>
   void set_up(std::span<const Inertia> bodies, std::span<const Touch> touches, Value value);
   bool solve(bool rubs);
@@ -107,6 +122,7 @@ class ContactSet {
 
   BoundedSystem system_;
   std::vector<Row> rows_;
+  std::vector<Stop> stops_;
   std::vector<double> before_;  // the pressures of the last try
   std::int64_t work_ = 0;       // as of take_work(), beside that of the system
 };

@@ -2,6 +2,7 @@
 // the same time, from one contact to the next: nothing depends on their order.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -34,6 +35,7 @@ class Meeting {
  private:
   // Events of one body in a part of a step, after which it is to come to rest.
   static constexpr int kMostSlowEvents = 6;
+  static constexpr int kAll = 1 << 30;             // as reach_: there is no bound
   static constexpr double kTouching = 1.0 / 1024;  // px: two that are slow, one of them a circle, touch
   static constexpr double kNearCircle = 1.0 / 16;  // px: they may come to meet in a part of a step
 
@@ -67,6 +69,7 @@ class Meeting {
     int order = 0;          // of its next contact in the record
     bool is_swept = false;  // `swept` is that of its path in this part
     int place_in_set = -1;
+    int depth = 0;          // in the set: so many contacts are between it and the event
     bool is_inner = false;  // of the set that is resolved, and solved with it
     bool is_cut = false;    // it was solved with a part of those that it touches
     bool is_grounded = false;
@@ -164,7 +167,7 @@ class Meeting {
   Form form_of(std::uint32_t index);
   bool goes_along(const Member& member, std::uint32_t other) const;
   void align(const Met& met, bool stays);
-  bool add_side(std::size_t place, const SideTouch& touch);
+  bool add_side(std::size_t place, const SideTouch& touch, bool is_sorted = true);
   void add_ground_of_circles();
   const SideTouch& side_of(const Met& met) const { return sides_[static_cast<std::size_t>(met.side)]; }
   bool probe_circle(std::size_t place, Vec2 way, double fastest);
@@ -187,16 +190,23 @@ class Meeting {
   // meeting_crowd.cpp
   Rect area_of_set(const Form& form) const;
   std::optional<Vec2> touching_in_set(std::uint32_t a, std::uint32_t b);
+  double hit_of(const Event& event) const;
   bool is_gentle(const Event& event) const;
   bool is_crowd() const;
+  int first_reach(const Event& event) const;
+  bool reaches_further();
+  void spend_pulls();
+  void add_near_ground(std::size_t place);
+  void give_pulls(double rest);
   void bounce_crowd();
   void move_on();
   bool stick();
-  double crowd_still() const { return slowest_ / 64; }  // px/frame
+  double crowd_left() const { return std::max(kStill, slowest_ / 4096); }  // px/frame
+  double crowd_still() const { return slowest_ / 64; }                     // px/frame
 
   // meeting_set.cpp
   void gather(const Event& event);
-  void join(std::uint32_t index);
+  void join(std::uint32_t index, int depth);
   void look_around(std::size_t place, const Event& event);
   void add_pairs(const Event& event);
   void sort_by_place(std::span<std::uint32_t> indices) const;
@@ -208,7 +218,9 @@ class Meeting {
   void set_paths();
   void stop_set();
   double conveyor_under(const Met& met);
-  void add_ground(std::size_t place, Vec2 normal, const Contact<double>& contact, int side = -1);
+  void add_ground(std::size_t place, Vec2 normal, const Contact<double>& contact, int side = -1,
+                  bool is_sorted = true);
+  void sort_met();
   bool probe(std::size_t place, Vec2 way, double fastest);
   bool is_new(std::size_t place, Vec2 normal) const;
   void bounce();
@@ -252,7 +264,9 @@ class Meeting {
   // Of the set that is resolved.
   double time_ = 0;     // frames since the part of the step began
   double started_ = 0;  // frames since the step began, of its part
+  double hit_ = 0;      // px/frame: how fast the event closes a gap
   bool is_gentle_ = false;
+  int reach_ = kAll;  // what is deeper in the set is not solved
   std::vector<std::uint32_t> set_;
   std::vector<std::uint32_t> shaken_;                           // those that must be in it
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;  // of it that touch

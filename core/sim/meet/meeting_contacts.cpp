@@ -36,7 +36,8 @@ void Meeting::resolve(const Event& event) {
     if (!is_on_track) first.moving.path.place = first.ground.place;
   }
   shaken_.clear();
-  bool is_crowded = false;
+  reach_ = first_reach(event);
+  bool is_crowded = false, goes_on = false;
   do {
     gather(event);
     add_ground_of_circles();
@@ -52,10 +53,16 @@ void Meeting::resolve(const Event& event) {
       probe(place, {0, velocity.y}, -kStillOnGround);
     }
     is_crowded = is_crowd();
-    is_crowded ? bounce_crowd() : bounce();
-  } while (!is_crowded && shakes_more());
-  if (is_crowded) leaves_apart_ = false;
-  is_crowded ? move_on() : hold();
+    if (is_crowded) {
+      bounce_crowd();
+      move_on();
+      goes_on = reaches_further();
+    } else {
+      bounce();
+      goes_on = shakes_more();
+    }
+  } while (goes_on);
+  is_crowded ? spend_pulls() : hold();
   if (!is_crowded && is_dozing()) {
     for (Inertia& body : inertias_) {
       body.velocity = body.pull = {};
@@ -132,8 +139,9 @@ double Meeting::conveyor_under(const Met& met) {
   return belt.speed;
 }
 
-// side: as Met::side.
-void Meeting::add_ground(std::size_t place, Vec2 normal, const Contact<double>& contact, int side) {
+// side: as Met::side. is_sorted: else sort_met() is to follow.
+void Meeting::add_ground(std::size_t place, Vec2 normal, const Contact<double>& contact, int side,
+                         bool is_sorted) {
   Met& met = met_.emplace_back();
   met.contact = contact;
   met.side = side;
@@ -142,6 +150,10 @@ void Meeting::add_ground(std::size_t place, Vec2 normal, const Contact<double>& 
   met.touch.friction = members_[set_[place]].friction;
   met.touch.conveyor = conveyor_under(met);
   if (met.is_round()) met.touch.slow = slow_;
+  if (is_sorted) sort_met();
+}
+
+void Meeting::sort_met() {
   std::sort(met_.begin(), met_.end(), [](const Met& a, const Met& b) {
     const auto key = [](const Touch& t) { return std::tuple(t.a, t.b, t.normal.y, t.normal.x); };
     return key(a.touch) < key(b.touch);

@@ -38,11 +38,12 @@ void Meeting::gather(const Event& event) {
   met_.clear();
   sides_.clear();
   pairs_.clear();
-  join(event.a);
-  if (event.kind == Event::Kind::pair) join(event.b);
+  join(event.a, 0);
+  if (event.kind == Event::Kind::pair) join(event.b, 0);
+  hit_ = hit_of(event);
   is_gentle_ = is_gentle(event);
   sort_by_place(shaken_);
-  for (const std::uint32_t index : shaken_) join(index);
+  for (const std::uint32_t index : shaken_) join(index, 0);
   const std::size_t given = set_.size();
   std::size_t inner = 0;
   std::size_t circles = 0;  // of those
@@ -51,10 +52,12 @@ void Meeting::gather(const Event& event) {
     Member& member = members_[set_[i]];
     const bool is_solved = member.is_cut && member.events > 0 && member.moving.path.time == time_;
     const std::size_t most = member.moving.is_round() ? kMostCircles : kMostInner + 4 * circles;
+    const bool is_reached = i < given || member.depth <= reach_;
     const bool has_room =
-        i < given || ((member.moving.is_round() ? circles : inner - circles) < most && !is_solved);
+        i < given ||
+        (is_reached && (member.moving.is_round() ? circles : inner - circles) < most && !is_solved);
     member.is_inner = has_room && member.inverse_mass > 0;
-    is_cut = is_cut || !has_room;
+    is_cut = is_cut || (is_reached && !has_room);
     if (!member.is_inner) continue;
     ++inner;
     circles += member.moving.is_round();
@@ -77,7 +80,7 @@ void Meeting::gather(const Event& event) {
     // One that rests, and is not solved yet, is going to rest on.
     const bool may_rest = member.events == 0 && path.velocity == Vec2();
     const Vec2 pull = is_inner(i) ? (member.is_spent ? Vec2() : member.pull) : may_rest ? Vec2() : path.pull;
-    const bool is_wall = !is_inner(i) && (shaken_.size() >= kMostShaken || is_gentle_);
+    const bool is_wall = !is_inner(i) && (shaken_.size() >= kMostShaken || (is_gentle_ && reach_ == kAll));
     Inertia& body = inertias_.emplace_back();
     body.velocity = path.velocity_at(time_);
     body.pull = pull;
@@ -91,9 +94,11 @@ void Meeting::gather(const Event& event) {
   add_pairs(event);
 }
 
-void Meeting::join(std::uint32_t index) {
+// depth: as Member::depth.
+void Meeting::join(std::uint32_t index, int depth) {
   if (members_[index].place_in_set >= 0) return;
   members_[index].place_in_set = static_cast<int>(set_.size());
+  members_[index].depth = depth;
   set_.push_back(index);
 }
 
@@ -111,7 +116,7 @@ void Meeting::look_around(std::size_t place, const Event& event) {
     if (!event.is_pair_of(index, other) && !touching_in_set(index, other)) continue;
     if (pairs_.size() == (form.is_round() ? kMostPairsOfCircles : kMostPairs)) return;
     pairs_.emplace_back(index, other);
-    join(other);
+    join(other, members_[index].depth + 1);
   }
 }
 

@@ -115,14 +115,14 @@ void Meeting::align(const Met& met, bool stays) {
 // ---- The ground that they touch ----
 
 // Adds the contact of a circle with a side. Returns whether it is new.
-bool Meeting::add_side(std::size_t place, const SideTouch& touch) {
+bool Meeting::add_side(std::size_t place, const SideTouch& touch, bool is_sorted) {
   const Vec2 normal = touch.near.normal;
   if (!is_new(place, normal)) return false;
   const MovingBox& moving = members_[set_[place]].moving;
   const Form form = moving.form_at(time_);
   const int side = static_cast<int>(sides_.size());
   sides_.push_back({touch.side, nearness(touch.side, form.middle(), moving.radius).near, touch.is_in_gap});
-  add_ground(place, normal, round_.contact_with(touch, form), side);
+  add_ground(place, normal, round_.contact_with(touch, form), side, is_sorted);
   return true;
 }
 
@@ -135,9 +135,10 @@ void Meeting::add_ground_of_circles() {
     const Form form = moving.form_at(time_);
     for (const SideTouch& touch : round_.touched(form, budget_)) {
       const Vec2 normal = touch.near.normal;
-      if (dot(inertias_[i].velocity, normal) <= slow_) add_side(i, touch);
+      if (dot(inertias_[i].velocity, normal) <= slow_) add_side(i, touch, false);
     }
   }
+  sort_met();
 }
 
 // The same for a circle, and all sides that it touches.
