@@ -119,6 +119,10 @@ function M.first_touch(search, near_at)
     elseif speed > still and opens > 0 and speed * speed / (2 * opens) - near.gap <= slack then
       -- What bends away is only brushed by a circle that comes no deeper than that.
       t = t + 2 * speed / opens
+    elseif speed < -still and not search.is_hollow then
+      -- It leaves the plane, and is back on it when its pull has turned it round.
+      if not (gain > 0) then return nil end
+      t = t + -2 * speed / gain
     else
       local stays = speed >= -still and -opens > least_gain(near)
       if not (speed > still) and not stays then return first_touch_by_samples(search, t, near_at) end

@@ -225,7 +225,7 @@ local function hides(sides, index, x, y, radius)
   for i, beside in ipairs(sides) do
     if i ~= index and (beside.ax == end_x and beside.ay == end_y or beside.bx == end_x and beside.by == end_y) then
       local near, in_front = M.near_side(beside, x, y, radius)
-      if not near.on_end and in_front then return beside end
+      if not near.on_end and in_front and not goes_through(beside, near) then return beside end
     end
   end
 end

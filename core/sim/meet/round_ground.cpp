@@ -41,7 +41,7 @@ const GroundSide* RoundGround::hides(std::size_t index, Vec2 middle, double radi
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     if (i == index || !(sides_[i].from == end || sides_[i].to == end)) continue;
     const SideNearness there = nearness(sides_[i], middle, radius);
-    if (!there.near.on_end && there.in_front) return &sides_[i];
+    if (!there.near.on_end && there.in_front && !goes_through(sides_[i], there)) return &sides_[i];
   }
   return nullptr;
 }

@@ -102,6 +102,12 @@ std::optional<RoundTouch> first_touch(const RoundSearch& search, NearAt near_at)
       time += 2 * speed / opens;
       continue;
     }
+    // It leaves the plane, and is back on it when its pull has turned it round.
+    if (speed < -still && !is_hollow) {
+      if (!(gain > 0)) return std::nullopt;
+      time += -2 * speed / gain;
+      continue;
+    }
     const bool stays = speed >= -still && closing_gain(near, velocity, way.pull) > least_gain(near);
     if (!(speed > still) && !stays) return first_touch_by_samples(search, time, near_at);
     const RoundTouch touch =
