@@ -338,6 +338,7 @@ function M.hold(world)
     m.free_x, m.free_y = m.spx, m.spy
     if not m.inner then m.inverse, m.yields = 0.0, 0.0 end
   end
+  local has_settled = false
   for _ = 1, 16 do
     local chosen, finds, is_slow = {}, false, false
     for _, m in ipairs(M.set) do
@@ -356,8 +357,9 @@ function M.hold(world)
       if M.probe(world, m, m.spx, m.spy, STILL_ON_GROUND) then finds = true end
     end
     if not finds then
-      if is_slow then M.settle(chosen) end
-      return
+      if not is_slow or has_settled then return end
+      has_settled = true
+      if not M.settle(chosen) then return end
     end
   end
 end

@@ -306,9 +306,17 @@ function M.stop_all(chosen, still, most_turns)
   for _, touch in ipairs(stops) do touch.pressure, touch.rubbing = touch.given_x, touch.given_y end
 end
 
--- Ends the slow motion of contacts that hold after support().
+local function all_sliding(chosen)
+  local count = 0
+  for _, touch in ipairs(chosen) do
+    if touch.friction > 0 and abs(M.slip(touch)) > max(STILL, touch.slow or 0.0) then count = count + 1 end
+  end
+  return count
+end
+
+-- Ends the slow motion of contacts that hold after support(). Returns whether one that slid has ended.
 function M.settle(chosen)
-  local rows, moves = {}, false
+  local rows, moves, slid = {}, false, all_sliding(chosen)
   local function add(row, speed)
     if abs(speed) > max(row.touch.still, row.touch.slow or 0.0) then return end
     rows[#rows + 1] = row
@@ -323,11 +331,12 @@ function M.settle(chosen)
       end
     end
   end
-  if not moves then return end
+  if not moves then return false end
   M.set_up(rows, M.speed, "sspin")
   for i = 1, #rows do M.bound(i, -huge, huge) end
   M.solve_evenly()
   for i, row in ipairs(rows) do push(row, x[i]) end
+  return all_sliding(chosen) < slid
 end
 
 end

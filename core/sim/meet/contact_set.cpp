@@ -376,9 +376,14 @@ void ContactSet::stop_one(std::span<Inertia> bodies, Stop& stop) {
   push_stop(bodies, stop, Vec2{across, along} - stop.given);
 }
 
-void ContactSet::settle(std::span<Inertia> bodies, std::span<const Touch> touches) {
+bool ContactSet::settle(std::span<Inertia> bodies, std::span<const Touch> touches) {
   rows_.clear();
   bool moves = false;
+  const auto slides = [&](const Touch& touch) {
+    return touch.friction > 0 && std::abs(slip(touch, bodies)) > std::max(kStill, touch.slow);
+  };
+  const auto all_sliding = [&] { return std::count_if(touches.begin(), touches.end(), slides); };
+  const auto slid = all_sliding();
   const auto add = [&](std::size_t touch, Vec2 direction, bool rubs, double speed) {
     if (std::abs(speed) > std::max(touches[touch].still(), touches[touch].slow)) return;
     rows_.push_back({touch, direction, rubs});
@@ -392,11 +397,12 @@ void ContactSet::settle(std::span<Inertia> bodies, std::span<const Touch> touche
     if (std::abs(touch.rubbing) < kAlmost * touch.friction * touch.pressure)
       add(i, touch.along(), true, slip(touch, bodies));
   }
-  if (!moves) return;
+  if (!moves) return false;
   set_up_speeds(bodies, touches);
   for (std::size_t i = 0; i < rows_.size(); ++i) system_.bound(i, -kAny, kAny);
   solve(true);
   push_all(bodies, touches);
+  return all_sliding() < slid;
 }
 
 }  // namespace talus

@@ -80,7 +80,8 @@ class ContactSet {
   void stop(std::span<Inertia> bodies, std::span<Touch> touches, double still, int most_turns);
 
   // Ends the slow motion of contacts that hold after support().
-  void settle(std::span<Inertia> bodies, std::span<const Touch> touches);
+  // Returns whether one that slid has ended, so that its friction is another now.
+  bool settle(std::span<Inertia> bodies, std::span<const Touch> touches);
 
   // The work since the last call, in units of about 20 ns.
   std::int64_t take_work();

@@ -355,6 +355,7 @@ void Meeting::hold() {
     find_tracks();
     for (std::size_t i = 0; i < met_.size(); ++i) {
       const Touch& touch = met_[i].touch;
+  bool has_settled = false;
       if (met_[i].is_apart) continue;
       if (ContactSet::speed(touch, inertias_, touch.normal) > std::max(touch.still(), touch.slow)) continue;
       chosen_.push_back(touch);
@@ -370,11 +371,13 @@ void Meeting::hold() {
       if (probe(i, inertias_[i].pull, kStillOnGround)) finds = true;
     }
     if (finds) continue;
-    if (std::any_of(chosen_.begin(), chosen_.end(), [](const Touch& touch) { return touch.slow > 0; })) {
-      contacts_.settle(inertias_, chosen_);
-      budget_.left -= contacts_.take_work();
-    }
-    return;
+    const bool is_slow =
+        std::any_of(chosen_.begin(), chosen_.end(), [](const Touch& touch) { return touch.slow > 0; });
+    if (!is_slow || has_settled) return;
+    has_settled = true;
+    const bool may_rub_otherwise = contacts_.settle(inertias_, chosen_);
+    budget_.left -= contacts_.take_work();
+    if (!may_rub_otherwise) return;
   }
 }
 
