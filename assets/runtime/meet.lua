@@ -499,18 +499,36 @@ local function is_same_line(contact, other)
   return p.x0 == q.x0 and p.y0 == q.y0 and p.x1 == q.x1 and p.y1 == q.y1
 end
 
+-- Whether a body that has come to the ground at a place touches some there.
+local function touches(world, m, at_x, at_y, nx, ny, along)
+  local longest = max(abs(nx), abs(ny))
+  local step_x, step_y = nx * (-1 / longest), ny * (-1 / longest)
+  local contact = cast_box(world.terrain, at_x, at_y, m.w, m.h, step_x, step_y, false, nil, along)
+  return contact and -(contact.nx * step_x + contact.ny * step_y) * contact.t <=
+    M.slack(at_x, at_y, m.w, m.h, at_x, at_y, m.w, m.h)
+end
+
+-- Whether a path is off its chord until a time by more than so many px.
+local function bends(m, t, px)
+  local s = t - m.time
+  return max(abs(m.px), abs(m.py)) * (s * s / 8) > px
+end
+
 -- The first time on its path, before `to`, at which a body meets the ground: the time, the place, the normal and the
 -- contact; nil: it does not. A chord may meet another piece first than the path does: each is cut where the last one
 -- led to.
 -- along: a piece that stops nothing; may be nil.
-function M.next_ground(world, m, to, along)
+local function next_ground(world, m, to, along)
   local found, found_x, found_y, found_nx, found_ny, last
+  local without, finish, is_sure = along, to, true
+  local slack = M.slack(m.x, m.y, m.w, m.h, m.x, m.y, m.w, m.h)
   for _ = 1, 8 do
     local way_x, way_y = way_to(m, to)
     if way_x == 0 and way_y == 0 then break end
-    local contact = cast_box(world.terrain, m.x, m.y, m.w, m.h, way_x, way_y, false, nil, along)
+    local contact = cast_box(world.terrain, m.x, m.y, m.w, m.h, way_x, way_y, false, nil, without)
     if not contact or is_rounding(m, way_x, way_y, contact.nx, contact.ny) then break end
     -- A path that ends on a line meets it there, wherever rounding lets the chord meet it.
+    is_sure = not last
     if last and is_same_line(contact, last) then break end
     local t, nx, ny = M.arrival(m, contact, to - m.time)
     t = m.time + t
@@ -518,11 +536,24 @@ function M.next_ground(world, m, to, along)
     local x_, y_ = place_at(m, t)
     x_, y_ = put_on(contact, x_, y_, m.w, m.h)
     found, found_x, found_y, found_nx, found_ny, last = t, x_, y_, nx, ny, contact
-    if max(abs(x_ - contact.x), abs(y_ - contact.y)) <= M.slack(m.x, m.y, m.w, m.h, m.x, m.y, m.w, m.h) then break end
+    is_sure = max(abs(x_ - contact.x), abs(y_ - contact.y)) <= slack
+    if is_sure then break end
+    local piece = not along and not contact.on_end and contact.edge
+    if piece and not piece.form.normal_at then without = piece.source or piece end
     to = t
   end
-  return found, found_x, found_y, found_nx, found_ny, last
+  -- The path may pass the end of what a chord meets. Shorter chords are nearer to the path.
+  if is_sure or touches(world, m, found_x, found_y, found_nx, found_ny, along) or not bends(m, finish, slack) then
+    return found, found_x, found_y, found_nx, found_ny, last
+  end
+  local middle = (m.time + finish) / 2
+  found, found_x, found_y, found_nx, found_ny, last = next_ground(world, m, middle, along)
+  if found then return found, found_x, found_y, found_nx, found_ny, last end
+  local rest = {w = m.w, h = m.h, radius = 0.0, time = m.time, x = m.x, y = m.y, vx = m.vx, vy = m.vy, px = m.px, py = m.py}
+  M.from(rest, middle)
+  return next_ground(world, rest, finish, along)
 end
+M.next_ground = next_ground
 
 -- The time until a path meets the surface of a contact, and the normal there.
 function M.arrival(m, contact, most)
@@ -801,6 +832,19 @@ function M.is_new(m, nx, ny)
   return true
 end
 
+-- Whether a body that has no speed is moved off a crest that only its very corner is on. One that slides over it goes on
+-- by itself.
+function M.leaves_crest(world, m, contact)
+  if not is_still(m.svx, m.svy) or not contact.on_end or contact.ny >= 0 or contact.nx ~= 0 then return false end
+  local piece, slack = contact.edge, M.slack(m.x, m.y, m.w, m.h, m.x, m.y, m.w, m.h)
+  local crest, off = piece.y1 < piece.y0 and piece.x1 or piece.x0, 0.0
+  if abs(m.x - crest) <= slack then off = crest + 2 * slack - m.x end
+  if abs(m.x + m.w - crest) <= slack then off = crest - 2 * slack - (m.x + m.w) end
+  if off == 0 or cast_box(world.terrain, m.x, m.y, m.w, m.h, off, 0.0, false) then return false end
+  m.x = m.x + off
+  return true
+end
+
 -- Looks for ground that a body touches, that it would go into, and that it leaves no faster than `fastest`.
 function M.probe(world, m, way_x, way_y, fastest)
   if not m.inner then return false end
@@ -809,12 +853,14 @@ function M.probe(world, m, way_x, way_y, fastest)
     M.from(m, M.time)
     local contact = M.touched(world, m, way_x, way_y)
     if not contact then return false end
-    local nx, ny = contact.nx, contact.ny
-    if not (-(way_x * nx + way_y * ny) > STILL_ON_GROUND) then return false end
-    if m.svx * nx + m.svy * ny <= fastest then
-      return M.is_new(m, nx, ny) and M.add_ground(m, nx, ny, contact) ~= nil
+    if not M.leaves_crest(world, m, contact) then
+      local nx, ny = contact.nx, contact.ny
+      if not (-(way_x * nx + way_y * ny) > STILL_ON_GROUND) then return false end
+      if m.svx * nx + m.svy * ny <= fastest then
+        return M.is_new(m, nx, ny) and M.add_ground(m, nx, ny, contact) ~= nil
+      end
+      way_x, way_y = slide_along(nx, ny, way_x, way_y)
     end
-    way_x, way_y = slide_along(nx, ny, way_x, way_y)
   end
   return false
 end
@@ -1014,7 +1060,7 @@ function M.meet(world, event)
     M.gather(event)
     if is_ground then
       local vx, vy, met = first.svx, first.svy, first.ground
-      M.add_ground(first, met.nx, met.ny, met.contact)
+      if not M.leaves_crest(world, first, met.contact) then M.add_ground(first, met.nx, met.ny, met.contact) end
       M.probe(world, first, vx, 0.0, -STILL_ON_GROUND)
       M.probe(world, first, 0.0, vy, -STILL_ON_GROUND)
     end

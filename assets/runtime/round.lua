@@ -407,7 +407,7 @@ local function meet_ground(world, m)
   local vx, vy, met = m.svx, m.svy, m.ground
   if m.radius > 0 then
     M.add_side(m, met.contact, met.nx, met.ny)
-  else
+  elseif not M.leaves_crest(world, m, met.contact) then
     M.add_ground(m, met.nx, met.ny, met.contact)
   end
   M.probe(world, m, vx, 0.0, -STILL_ON_GROUND)

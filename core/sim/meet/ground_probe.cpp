@@ -103,18 +103,34 @@ std::optional<Contact<double>> GroundProbe::touched(Rect& box, Vec2 way, CastBud
   return std::nullopt;
 }
 
+bool GroundProbe::moves_off_crest(const Contact<double>& contact, Rect& box, CastBudget& budget) const {
+  if (!contact.on_end || contact.facing != Facing::up || contact.normal.x != 0) return false;
+  const Piece<double>& piece = *contact.piece;
+  const double crest = piece.rises_to_the_right() ? piece.x1 : piece.x0, slack = touch_slack(box, box);
+  double off = 0;
+  if (std::abs(box.x - crest) <= slack) off = crest + 2 * slack - box.x;
+  if (std::abs(box.right() - crest) <= slack) off = crest - 2 * slack - box.right();
+  if (off == 0 || cast_box<double>(ground_, {box, {off, 0}, Foot::box}, {}, nullptr, &budget)) return false;
+  box.x += off;
+  return true;
+}
+
 std::optional<GroundMeeting> GroundProbe::next_meeting(const MovingBox& box, double to,
                                                        const Piece<double>* along, CastBudget& budget) const {
   const Rect from = box.at(box.path.time);
+  const double slack = touch_slack(from, from), end = to;
   std::optional<GroundMeeting> found;
+  const Piece<double>* ignored = along;
+  bool is_sure = true;
   // A chord may meet another piece first than the path does: each is cut where the last one led to.
   constexpr int kMostTries = 8;
   for (int i = 0; i < kMostTries; ++i) {
     const Vec2 way = box.path.way_to(to);
     if (way == Vec2()) break;
-    const Contact<double> contact = cast_box<double>(ground_, {from, way, Foot::box}, {}, along, &budget);
+    const Contact<double> contact = cast_box<double>(ground_, {from, way, Foot::box}, {}, ignored, &budget);
     if (!contact || is_rounding(box, way, contact.normal)) break;
     // A path that ends on a line meets it there, wherever rounding lets the chord meet it.
+    is_sure = !found;
     if (found && is_same_line(contact, found->contact)) break;
     const Arrival<double> then = arrival(ground_, box, contact, to - box.path.time);
     const double time = box.path.time + then.time;
@@ -122,10 +138,26 @@ std::optional<GroundMeeting> GroundProbe::next_meeting(const MovingBox& box, dou
     Rect there = box.at(time);
     put_on(ground_, contact, there);
     found = GroundMeeting{time, then.normal, there.position(), contact};
-    if (longest(there.position() - contact.position) <= touch_slack(from, from)) break;
+    is_sure = longest(there.position() - contact.position) <= slack;
+    if (is_sure) break;
+    if (along == nullptr && contact.piece != nullptr && contact.piece->stretch == 0 && !contact.on_end)
+      ignored = contact.piece;
     to = time;
   }
-  return found;
+  // The path may pass the end of what a chord meets. Shorter chords are nearer to the path.
+  if (is_sure || touches(*found, box.size, along, budget) || !box.path.bends(end, slack)) return found;
+  const double middle = (box.path.time + end) / 2;
+  if (auto first = next_meeting(box, middle, along, budget)) return first;
+  return next_meeting({box.path.from(middle), box.size}, end, along, budget);
+}
+
+// Whether a box that a meeting has put on the ground touches some there.
+bool GroundProbe::touches(const GroundMeeting& met, Vec2 size, const Piece<double>* along,
+                          CastBudget& budget) const {
+  const Rect there{met.place.x, met.place.y, size.x, size.y};
+  const Vec2 step = met.normal * (-1 / longest(met.normal));
+  const Contact<double> contact = cast_box<double>(ground_, {there, step, Foot::box}, {}, along, &budget);
+  return contact && -dot(contact.normal, step) * contact.t <= touch_slack(there, there);
 }
 
 }  // namespace talus

@@ -23,6 +23,10 @@ class GroundProbe {
   // What a box touches that would go along `way`, any length but 0. It is lifted over edges of a curve's end.
   std::optional<Contact<double>> touched(Rect& box, Vec2 way, CastBudget& budget) const;
 
+  // Moves a box, by a little more than rounding, off a crest that only its very corner is on. There it slides
+  // down the slope below it, as it does anywhere else on that slope. Returns whether it was so.
+  bool moves_off_crest(const Contact<double>& contact, Rect& box, CastBudget& budget) const;
+
   // The first time on its path, before `to`, at which a box meets the ground. along: a piece that stops
   // nothing, as it goes along it; null: none.
   std::optional<GroundMeeting> next_meeting(const MovingBox& box, double to, const Piece<double>* along,
@@ -35,6 +39,8 @@ class GroundProbe {
   const Terrain& ground() const { return ground_; }
 
  private:
+  bool touches(const GroundMeeting& met, Vec2 size, const Piece<double>* along, CastBudget& budget) const;
+
   const Terrain& ground_;
 };
 

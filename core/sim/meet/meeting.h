@@ -221,6 +221,7 @@ class Meeting {
   void add_ground(std::size_t place, Vec2 normal, const Contact<double>& contact, int side = -1,
                   bool is_sorted = true);
   void sort_met();
+  bool leaves_crest(std::size_t place, const Contact<double>& contact);
   bool probe(std::size_t place, Vec2 way, double fastest);
   bool is_new(std::size_t place, Vec2 normal) const;
   void bounce();

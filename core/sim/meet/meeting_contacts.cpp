@@ -47,7 +47,7 @@ void Meeting::resolve(const Event& event) {
       const Vec2 velocity = inertias_[place].velocity;
       if (first.circle != nullptr)
         add_side(place, {first.circle->ground, {first.ground.normal}});
-      else
+      else if (!leaves_crest(place, first.ground.contact))
         add_ground(place, first.ground.normal, first.ground.contact);
       probe(place, {velocity.x, 0}, -kStillOnGround);
       probe(place, {0, velocity.y}, -kStillOnGround);
@@ -160,6 +160,15 @@ void Meeting::sort_met() {
   });
 }
 
+// Whether a box that has no speed is moved off a crest. One that slides over it goes on by itself.
+bool Meeting::leaves_crest(std::size_t place, const Contact<double>& contact) {
+  MovingBox& moving = members_[set_[place]].moving;
+  Rect box = moving.at(time_);
+  if (!is_still(inertias_[place].velocity) || !probe_.moves_off_crest(contact, box, budget_)) return false;
+  moving.path.place = box.position();
+  return true;
+}
+
 // Looks for ground that a body touches, that it would go into on this way, and that it leaves no faster than
 // `fastest`. Returns whether there is some that is new.
 bool Meeting::probe(std::size_t place, Vec2 way, double fastest) {
@@ -173,6 +182,7 @@ bool Meeting::probe(std::size_t place, Vec2 way, double fastest) {
     if (!contact) return false;
     const Vec2 normal = contact->normal;
     member.moving.path.place = box.position();
+    if (leaves_crest(place, *contact)) continue;
     if (!(-dot(way, normal) > kStillOnGround)) return false;
     if (dot(inertias_[place].velocity, normal) <= fastest) {
       if (!is_new(place, normal)) return false;
@@ -345,6 +355,7 @@ void Meeting::hold() {
     if (!is_inner(i)) inertias_[i].inverse_mass = inertias_[i].inverse_spin = 0;
   }
   constexpr int kMostTurns = 16;
+  bool has_settled = false;
   for (int turn = 0; turn < kMostTurns; ++turn) {
     chosen_.clear();
     chosen_at_.clear();
@@ -355,7 +366,6 @@ void Meeting::hold() {
     find_tracks();
     for (std::size_t i = 0; i < met_.size(); ++i) {
       const Touch& touch = met_[i].touch;
-  bool has_settled = false;
       if (met_[i].is_apart) continue;
       if (ContactSet::speed(touch, inertias_, touch.normal) > std::max(touch.still(), touch.slow)) continue;
       chosen_.push_back(touch);

@@ -1,6 +1,7 @@
 // FallPath: where a body is in a step, from its last event on.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include <talus/collision/geometry.h>
@@ -20,6 +21,11 @@ struct FallPath {
   }
   Vec2 place_at(double t) const { return place + way_to(t); }
   Vec2 velocity_at(double t) const { return velocity + pull * (t - time); }
+  // Whether it is off its chord until then by more than so many px.
+  bool bends(double t, double px) const {
+    const double s = t - time;
+    return std::max(std::abs(pull.x), std::abs(pull.y)) * (s * s / 8) > px;
+  }
   // The same path, as seen from another time on.
   FallPath from(double t) const { return t == time ? *this : FallPath{t, place_at(t), velocity_at(t), pull}; }
 };

@@ -1,0 +1,128 @@
+// Bodies that meet, where the ground ends or begins: nothing stops them that is not there, and nothing lets
+// them in. `talus prove` has found each of these.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <talus/level/body_kind.h>
+#include "unit/meeting_run.h"
+
+namespace talus::meeting_edges_test {
+
+constexpr double kGravity = 0.2;  // px/frame^2
+
+void put(Level& level, Cell cell, const TileShape& shape) {
+  const auto unused = std::find_if(level.tile_shapes.begin() + 1, level.tile_shapes.end(),
+                                   [](const auto& s) { return s.kind == TileShape::Kind::none; });
+  *unused = shape;
+  level.map.set(cell, static_cast<TileNumber>(unused - level.tile_shapes.begin()));
+}
+TileShape solid(bool one_way = false) {
+  return {.kind = TileShape::Kind::solid, .side = TileShape::Side::floor, .one_way = one_way};
+}
+TileShape slope(double left, double right) {
+  return {.kind = TileShape::Kind::slope, .heights = {left, right}};
+}
+
+// The chord of the frame meets the floor a little before its end, and the parabola passes above that.
+TEST(MeetingEdges, AFlightPastTheEndOfAFloorHitsNothing) {
+  for (const int parts : {1, 2}) {
+    Level level = open_level(kGravity, 1);
+    level.tuning.exact.substeps = parts;
+    put(level, {18, 10}, solid());
+    // Its left side is over the end, at 152, after 0.8 frames: it is 0.002 px above the floor then.
+    const double fallen = 2 * 0.8 + kGravity * 0.8 * 0.8 / 2;
+    add_body(level, BodyKind::ball, {152 - 2 * 0.8, 80 - 8 - fallen - 0.002}, {2, 2});
+    MeetingRun run(level);
+    StepRecord record;
+    run.solver->step(run.state, {}, &record);
+    EXPECT_TRUE(record.contacts.empty()) << parts;
+    EXPECT_EQ(run.body(0).velocity.y, 2 + kGravity) << parts;
+  }
+}
+
+TEST(MeetingEdges, AFlightThatReachesTheFloorBounces) {
+  Level level = open_level(kGravity, 1);
+  put(level, {18, 10}, solid());
+  const double fallen = 2 * 0.8 + kGravity * 0.8 * 0.8 / 2;
+  add_body(level, BodyKind::ball, {152 - 2 * 0.8, 80 - 8 - fallen + 0.002}, {2, 2});
+  MeetingRun run(level);
+  run.step();
+  EXPECT_LT(run.body(0).velocity.y, -2);
+}
+
+// Its box is just beside the peak: it stands on one point, with no width.
+TEST(MeetingEdges, ABallOnTheCornerOfAPeakSlidesDown) {
+  for (const bool is_left : {false, true}) {
+    Level level = open_level(kGravity, 0);
+    put(level, {9, 10}, slope(0, 8));
+    put(level, {10, 10}, slope(8, 0));
+    add_body(level, BodyKind::ball, {is_left ? 72.0 : 80.0, 60});
+    MeetingRun run(level);
+    run.step(40);
+    EXPECT_GT(run.body(0).box.y, 80) << "it has left the peak";
+    EXPECT_GT(std::abs(run.body(0).box.x - 76), 10) << is_left;
+  }
+}
+
+// The air slows a disc that rolls up a slope along x alone: it leaves the slope, and is back within the
+// frame. By then it is over the next tile.
+TEST(MeetingEdges, ADiscThatTheAirSlowsStaysOutOfItsSlope) {
+  for (const double start : {70.0, 71.3, 72.9, 74.2}) {
+    Level level = open_level(kGravity, 0);
+    level.tuning.shared.drift_blend = 0.03;
+    for (int i = 0; i < 8; ++i) put(level, {5 + i, 10}, slope(8 - i, 7 - i));
+    add_body(level, BodyKind::disc, {start, 66}, {-4, 0}, {9, 9});
+    MeetingRun run(level);
+    for (int frame = 1; frame <= 12; ++frame) {
+      run.step();
+      // Above the line through the tiles, which falls by an eighth to the right from 40, 80.
+      const Vec2 middle = run.body(0).box.center();
+      const double height = (80 + (middle.x - 40) / 8 - middle.y) / std::hypot(1.0, 1.0 / 8);
+      if (middle.x < 41) break;
+      ASSERT_GT(height, 4.5 - 1e-9) << start << ", " << frame;
+    }
+  }
+}
+
+// It rises through a one-way floor, and comes down across it, beside a floor of the same height.
+TEST(MeetingEdges, ACircleAcrossAOneWayFloorMeetsTheWall) {
+  for (const double speed : {-0.5, -1.5, -3.0}) {
+    Level level = open_level(kGravity, 0);
+    put(level, {9, 10}, solid());
+    for (int column = 10; column < 16; ++column) put(level, {column, 10}, solid(true));
+    add_body(level, BodyKind::marble, {90, 77}, {speed, 0}, {10, 10});
+    MeetingRun run(level);
+    for (int frame = 1; frame <= 60; ++frame) {
+      run.step();
+      const Vec2 middle = run.body(0).box.center();
+      const Vec2 nearest{std::clamp(middle.x, 72.0, 80.0), std::clamp(middle.y, 80.0, 88.0)};
+      ASSERT_GT(std::hypot(middle.x - nearest.x, middle.y - nearest.y), 5 - 1e-6) << speed << ", " << frame;
+    }
+  }
+}
+
+// Friction that slowed its last motion must not go on when that has ended.
+TEST(MeetingEdges, ADiscThatSettlesBetweenTwoGetsNoSpeed) {
+  Level level = open_level(1.125, 0.9);
+  for (int i = 0; i < 4; ++i) put(level, {8 + i, 10}, slope(8 - 2 * i, 6 - 2 * i));
+  for (int row = 6; row < 11; ++row) put(level, {12, row}, solid());
+  for (int start = 0; start < 24; ++start) {
+    level.spawns.clear();
+    add_body(level, BodyKind::disc, {70 + start * 0.71, 60}, {1, 0});
+    MeetingRun run(level);
+    const auto energy = [&] {
+      const Body& disc = run.body(0);
+      return dot(disc.velocity, disc.velocity) / 2 + disc.spin * disc.spin / 4 - 1.125 * disc.box.y;
+    };
+    double last = energy();
+    for (int frame = 1; frame <= 120; ++frame) {
+      run.step();
+      ASSERT_LT(energy(), last + 1e-6) << start << ", " << frame;
+      last = energy();
+    }
+  }
+}
+
+}  // namespace talus::meeting_edges_test
