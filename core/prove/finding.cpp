@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view kOfSolver =
     "The ground is good: choose the solver exact in Tuning, or report it with this level.";
 
-constexpr std::array<FindingInfo, 11> kInfos = {{
+constexpr std::array<FindingInfo, 12> kInfos = {{
     {"stops", "stops, though the way is free", false, kOfSolver},
     {"slows", "loses speed, though nothing is in the way", false, kOfSolver},
     {"leaves-floor", "leaves the floor, though it goes on", false, kOfSolver},
@@ -22,6 +22,7 @@ constexpr std::array<FindingInfo, 11> kInfos = {{
     {"inside", "comes into the ground", false, kOfSolver},
     {"falls-through", "falls through a floor", false, kOfSolver},
     {"ghost", "is stopped by something that is not there", false, kOfSolver},
+    {"gains", "gets speed from nothing", false, kOfSolver},
     {"lip", "is stopped by a low edge", true,
      "Let the floors on both sides of the edge meet at one height, or make the edge a wall."},
     {"gap", "comes to a gap in its floor", true,

@@ -21,6 +21,7 @@ enum class FindingKind : std::uint8_t {
   inside,         // it came into the ground
   falls_through,  // it came through a floor from above
   ghost,          // it was stopped by something that is not there
+  gains,          // it got speed or height from nothing
   lip,            // an edge stopped it that is too low to be meant
   gap,            // its floor has a gap that is narrower than it is
   wedged          // it is between two grounds too steep to stand on, and comes back there from every jump
@@ -58,9 +59,11 @@ struct Finding {
   Cell cell;      // of the place; of a lip that of the higher ground; on the map
   Vec2 place;     // px, the middle of the body's bottom then; of a lip the top of the edge, of a gap where
                   // the floor ends
-  double amount = 0;  // px: of a lip its height, of a gap its width, of jumps, floats and slows how much
-  Obstacle met;       // what stopped it; of other kinds what it met last
-  int count = 1;      // trials of this body, direction and kind with a finding in this cell
+  // px: of a lip its height, of a gap its width, of jumps, floats and slows how much; of gains the fall that
+  // gives as much speed
+  double amount = 0;
+  Obstacle met;   // what stopped it; of other kinds what it met last
+  int count = 1;  // trials of this body, direction and kind with a finding in this cell
 };
 
 // Counts another finding of the same kind, body and cell. The trial that shows more of the way there is kept,

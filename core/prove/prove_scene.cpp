@@ -47,6 +47,8 @@ double rolling_speed(const SharedTuning& tuning, int cell) {
   return std::max({kLeastSpeed, std::min(wanted, cell / 2.0), std::abs(tuning.drift_speed)});
 }
 
+bool has_conveyors(const Scene& scene) { return scene.ground != nullptr && scene.ground->has_conveyors(); }
+
 std::vector<ProveBody> bodies_of(const Scene& scene) {
   std::vector<ProveBody> bodies;
   for (const SceneItem& item : scene.items) {
@@ -74,6 +76,7 @@ ProveScene::ProveScene(const Level& level, const ProveOptions& options) : ground
   const double rolling = rolling_speed(scene.tuning.shared, level.map.tile_size().width);
   for (ProveBody& body : bodies_) body.speed = std::max(body.speed, rolling);
   LoneBody tried;
+  tried.spawn.kind = BodyKind::player;
   tried.spawn.size = bodies_[0].size;
   lip_ = options.lip > 0 ? options.lip : highest_lip(level.map.tile_size());
   for (const double share : kShares) {
@@ -82,6 +85,11 @@ ProveScene::ProveScene(const Level& level, const ProveOptions& options) : ground
     auto judge = std::make_unique<const Judge>(ground_, slower->tuning, lip_);
     speeds_.push_back({share, std::move(slower), std::move(judge)});
   }
+  tried.spawn.kind = BodyKind::ball;
+  auto meeting = std::make_shared<const Scene>(scene_for(tried, scene));
+  if (!meeting->features.meets || meeting->ground == nullptr) return;
+  meeting_ = std::move(meeting);
+  meet_judge_ = std::make_unique<const MeetJudge>(ground_, *meeting_, lip_);
 }
 
 bool ProveScene::is_same_in(const ProveScene& other, int block) const {
@@ -89,6 +97,7 @@ bool ProveScene::is_same_in(const ProveScene& other, int block) const {
   if (ground_.columns() != old.columns() || ground_.rows() != old.rows()) return false;
   if (ground_.tile_size() != old.tile_size() || bodies_ != other.bodies_ || lip_ != other.lip_) return false;
   if (speeds_.front().scene->tuning != other.speeds_.front().scene->tuning) return false;
+  if (has_conveyors(*speeds_.front().scene) || has_conveyors(*other.speeds_.front().scene)) return false;
   // Trials end before they are so far away.
   const Cell first = first_cell(block);
   const int beyond = 2 * kProveBlock - 1;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <talus/level/level.h>
-#include "judge.h"
+#include "meet_judge.h"
 
 namespace talus {
 
@@ -60,6 +60,11 @@ class ProveScene {
   int block_columns() const { return (ground_.columns() + kProveBlock - 1) / kProveBlock; }
   int block_rows() const { return (ground_.rows() + kProveBlock - 1) / kProveBlock; }
   int blocks() const { return block_columns() * block_rows(); }
+  // Whether a kind of body is tried as one that meets others: by the scene and the judge below.
+  bool meets(BodyKind kind) const { return meeting_ != nullptr && !traits_of(kind).takes_keys; }
+  const std::shared_ptr<const Scene>& meeting() const { return meeting_; }
+  const MeetJudge& meet_judge() const { return *meet_judge_; }
+
   // All blocks, those near a cell first.
   std::vector<int> blocks_around(Cell cell) const;
   Cell first_cell(int block) const {
@@ -73,6 +78,8 @@ class ProveScene {
   bool assumes_body_ = false;
   double lip_;  // px
   std::vector<Speed> speeds_;
+  std::shared_ptr<const Scene> meeting_;  // null: no bodies meet
+  std::unique_ptr<const MeetJudge> meet_judge_;
 };
 
 }  // namespace talus

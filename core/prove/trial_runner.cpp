@@ -62,6 +62,10 @@ Trial start_at(const ProveBody& body, const Rect& box) {
   return trial;
 }
 
+bool has_moved(const Body& before, const Body& after) {
+  return std::abs(after.box.x - before.box.x) + std::abs(after.box.y - before.box.y) >= kStill;
+}
+
 // Whether a trial of such a body is steered by keys: the other solvers move players as balls.
 bool is_steered(BodyKind kind, SolverKind solver) {
   return traits_of(kind).takes_keys && solver == SolverKind::exact;
@@ -89,6 +93,7 @@ void ProveCounts::add(const ProveCounts& other) {
 TrialRunner::TrialRunner(const ProveScene& scene)
     : scene_(scene), is_single_(scene.speeds().front().scene->single_ground != nullptr) {
   for (const ProveScene::Speed& speed : scene.speeds()) solvers_.push_back(make_solver(speed.scene));
+  if (scene.meeting() != nullptr) meeting_ = make_solver(scene.meeting());
 }
 
 BlockProof TrialRunner::prove(int block) {
@@ -184,6 +189,7 @@ void TrialRunner::try_cell(Cell cell, std::size_t body) {
 void TrialRunner::try_top(Place place, double x, Top top) {
   const ProveBody& tried = scene_.bodies()[place.body];
   const ProveScene::Speed& speed = scene_.speeds().front();
+  if (scene_.meets(tried.kind)) return try_meeting(place, x, top);
   place.box = {held(x - tried.size.x / 2), top.y - tried.size.y, tried.size.x, tried.size.y};
   if (top.is_steep) return drop(place, nullptr);
   const double rise = tried.foot == Foot::box ? tried.size.x / 2 * speed.scene->tuning.exact.steepest : 0;
@@ -193,6 +199,33 @@ void TrialRunner::try_top(Place place, double x, Top top) {
   place.box.y = held(*y - (is_single_ ? std::max(kLift, *y * kFloatLift) : kLift));
   ++proof_.counts.places;
   try_place(place);
+}
+
+// A body that meets others rolls from where it stands, and is dropped and thrown from above.
+void TrialRunner::try_meeting(Place place, double x, Top top) {
+  const ProveBody& tried = scene_.bodies()[place.body];
+  const MeetJudge& judge = scene_.meet_judge();
+  const Rect lowest{x - tried.size.x / 2, top.y - tried.size.y, tried.size.x, tried.size.y};
+  const auto standing = judge.standing_place(tried.kind, lowest, tried.size.x);
+  if (!standing) return;
+  ++proof_.counts.places;
+  const auto start = [&](const Rect& box, double speed) {
+    Trial trial = start_at(tried, box);
+    trial.speed = std::abs(speed);
+    trial.direction = speed < 0 ? -1 : speed > 0 ? 1 : 0;
+    trial.body.velocity.x = speed;
+    trial.frames = kMostSteps;
+    run(trial, place, 0);
+  };
+  const double fast = tried.speed, slow = fast * scene_.speeds().back().share;
+  if (place.start.walks)
+    for (const double speed : {fast, -fast}) start(*standing, speed);
+  if (place.start.slowest != 0) start(*standing, place.start.slowest * slow);
+  if (!place.start.drops) return;
+  Rect above = *standing;
+  above.y -= kDropRows * scene_.ground().tile_size().height + kPhaseOfPx;
+  if (!judge.is_free(tried.kind, above)) above = *standing;
+  for (const double speed : {0.0, fast, -fast}) start(above, speed);
 }
 
 void TrialRunner::try_place(const Place& place) {
@@ -315,13 +348,56 @@ std::optional<Finding> TrialRunner::play(const Trial& trial) {
   return play(trial, speed, nullptr);
 }
 
-std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, const Place* place) {
-  const Judge& judge = *scene_.speeds()[speed].judge;
+void TrialRunner::begin(const Trial& trial) {
   state_ = {.frame = 0, .bodies = {trial.body}, .grabbed = 0, .next_id = 2};
+}
+
+bool TrialRunner::is_beyond_reach(const Place& place) const {
+  const Reach reach = reach_of(scene_.bodies()[place.body]);
+  const Cell at = cell_at(foot_of(state_.bodies.front().box), scene_.ground());
+  return std::abs(at.x - place.cell.x) >= reach.columns || at.y - place.cell.y >= reach.down;
+}
+
+Finding TrialRunner::finding_of(const Trial& trial, int frame, const Verdict& verdict) const {
+  Finding finding;
+  finding.kind = verdict.kind;
+  finding.solver = scene_.solver();
+  finding.trial = trial;
+  finding.frame = frame;
+  finding.place = verdict.edge.value_or(foot_of(state_.bodies.front().box));
+  finding.cell = cell_at(finding.place + Vec2{verdict.side * kIntoEdge, 0}, scene_.ground());
+  finding.amount = verdict.amount;
+  if (!record_.contacts.empty()) finding.met = record_.contacts.back().other;
+  return finding;
+}
+
+std::optional<Finding> TrialRunner::play_meeting(const Trial& trial, const Place* place) {
+  const MeetJudge& judge = scene_.meet_judge();
+  begin(trial);
+  const Body& body = state_.bodies.front();
+  int still = 0;
+  for (int frame = 1; frame <= trial.frames && still < kStillFrames; ++frame) {
+    if (leaves_map(body.box, scene_.ground())) break;
+    const Body before = body;
+    meeting_->step(state_, {}, &record_);
+    ++proof_.counts.steps;
+    if (meets_ground_above_map(hull(fine_box(before.box), fine_box(body.box)), scene_.ground())) break;
+    still = has_moved(before, body) ? 0 : still + 1;
+    auto verdict = judge.judge(before, body, record_);
+    if (!verdict && still == kStillFrames) verdict = judge.judge_rest(body);
+    if (verdict) return finding_of(trial, frame, *verdict);
+    if (place != nullptr && is_beyond_reach(*place)) break;
+  }
+  return std::nullopt;
+}
+
+std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, const Place* place) {
+  if (scene_.meets(trial.body.kind)) return play_meeting(trial, place);
+  const Judge& judge = *scene_.speeds()[speed].judge;
+  begin(trial);
   const Body& body = state_.bodies.front();
   const bool walks = trial.body.gait.grounded && trial.jump_frames == 0;
   const bool takes_keys = is_steered(body.kind, scene_.solver());
-  const Reach reach = place != nullptr ? reach_of(scene_.bodies()[place->body]) : Reach();
   int still = 0;
   for (int frame = 1; frame <= trial.frames; ++frame) {
     if (leaves_map(body.box, scene_.ground())) break;
@@ -336,30 +412,16 @@ std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, 
       verdict = judge.judge(before, body, input, record_);
     else if (judge.comes_into_ground(before, body))
       verdict = Verdict{FindingKind::inside};
-    still =
-        std::abs(body.box.x - before.box.x) + std::abs(body.box.y - before.box.y) < kStill ? still + 1 : 0;
+    still = has_moved(before, body) ? 0 : still + 1;
     const bool has_landed =
         takes_keys && !walks && body.gait.grounded && frame > std::min(trial.jump_frames, kJumpHeld);
     const bool hangs =
         body.gait.grounded ? has_landed && !judge.is_on_floor(body) : takes_keys && still == kStillFrames;
     if (!verdict && hangs && is_wedged(state_, speed)) verdict = Verdict{FindingKind::wedged};
-    if (verdict) {
-      Finding finding;
-      finding.kind = verdict->kind;
-      finding.solver = scene_.solver();
-      finding.trial = trial;
-      finding.frame = frame;
-      finding.place = verdict->edge.value_or(foot_of(body.box));
-      finding.cell = cell_at(finding.place + Vec2{verdict->side * kIntoEdge, 0}, scene_.ground());
-      finding.amount = verdict->amount;
-      if (!record_.contacts.empty()) finding.met = record_.contacts.back().other;
-      return finding;
-    }
+    if (verdict) return finding_of(trial, frame, *verdict);
     if (walks && (!body.gait.grounded || (trial.direction != 0 && body.velocity.x == 0))) break;
     if (has_landed || (!walks && still > kStillFrames)) break;
-    if (place == nullptr) continue;
-    const Cell at = cell_at(foot_of(body.box), scene_.ground());
-    if (std::abs(at.x - place->cell.x) >= reach.columns || at.y - place->cell.y >= reach.down) break;
+    if (place != nullptr && is_beyond_reach(*place)) break;
   }
   return std::nullopt;
 }

@@ -82,6 +82,7 @@ class TrialRunner {
   void try_top(Place place, double x, Top top);
   void try_place(const Place& place);
   bool stand(Body& body);
+  void try_meeting(Place place, double x, Top top);
   void walk_from(const Place& place, const Trial& standing);
   void walk(const Place& place, Trial trial, std::size_t speed, int direction, bool at_rest);
   double way_past_joint(const Start& start, int direction) const;
@@ -89,6 +90,10 @@ class TrialRunner {
   void drop(const Place& place, const Body* standing);
   void run(Trial trial, const Place& place, std::size_t speed);
   std::optional<Finding> play(const Trial& trial, std::size_t speed, const Place* place);
+  std::optional<Finding> play_meeting(const Trial& trial, const Place* place);
+  void begin(const Trial& trial);
+  bool is_beyond_reach(const Place& place) const;
+  Finding finding_of(const Trial& trial, int frame, const Verdict& verdict) const;
   bool is_wedged(const State& state, std::size_t speed);
   std::vector<Top> tops_at(Cell cell, double x) const;
   std::string surroundings_of(Cell cell, std::size_t body) const;
@@ -98,6 +103,7 @@ class TrialRunner {
   const ProveScene& scene_;
   const bool is_single_;                          // whether the solver takes single precision
   std::vector<std::unique_ptr<Solver>> solvers_;  // by speed
+  std::unique_ptr<Solver> meeting_;               // of bodies that meet; null: there are none
   State state_;                                   // working storage
   StepRecord record_;
   BlockProof proof_;  // of the block under trial

@@ -14,7 +14,10 @@ Scene scene_for(const LoneBody& body, Scene scene) {
                          .spawn = kLoneSpawn,
                          .kind = spawn.kind,
                          .foot = spawn.used_foot()});
-  scene.features = {.pairs = false, .meets = false, .players = traits_of(spawn.kind).takes_keys};
+  const bool takes_keys = traits_of(spawn.kind).takes_keys;
+  const bool meets =
+      scene.tuning.solver == SolverKind::exact && scene.tuning.shared.pairs() == BodyPairs::meet;
+  scene.features = {.pairs = false, .meets = meets && !takes_keys, .players = takes_keys};
   scene.tuning.player.run_speed = body.run_speed;
   return scene;
 }

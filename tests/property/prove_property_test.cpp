@@ -12,21 +12,50 @@
 namespace talus::prove_property_test {
 
 constexpr int kLevels = 200;
+constexpr int kMeetLevels = 24;
 constexpr int kShares = 8;  // tests, so that they run side by side
 
 class ProveProperty : public testing::TestWithParam<int> {};
 
-void expect_no_finding_of_the_solver(std::uint64_t seed) {
-  Dice dice(seed);
-  const Proof proof = *prove(ProveScene(random_level(dice), {}), 1);
+void expect_no_finding_of_the_solver(const Level& level, std::uint64_t seed) {
+  const Proof proof = *prove(ProveScene(level, {}), 1);
   for (const Finding& finding : proof.findings)
     EXPECT_TRUE(info_of(finding.kind).of_level) << "level " << seed << ": " << message_of(finding);
+}
+
+void expect_no_finding_of_the_solver(std::uint64_t seed) {
+  Dice dice(seed);
+  expect_no_finding_of_the_solver(random_level(dice), seed);
 }
 
 TEST_P(ProveProperty, RandomLevelsHaveNoFindingOfTheSolver) {
   const auto levels = static_cast<std::uint64_t>(tries("TALUS_PROVE_LEVELS", kLevels));
   for (auto seed = static_cast<std::uint64_t>(GetParam()); seed < levels; seed += kShares)
     expect_no_finding_of_the_solver(seed);
+}
+
+// The same level, with one body of each kind that meets others.
+Level level_of_bodies_that_meet(std::uint64_t seed) {
+  Dice dice(seed);
+  Level level = random_level(dice);
+  level.tuning.shared.bodies = static_cast<double>(BodyPairs::meet);
+  level.tuning.exact.gravity = dice.one_in(2) ? 0 : 0.2;
+  const Vec2 usual = new_body_size(BodyKind::ball, level.map.tile_size());
+  level.spawns.clear();
+  for (const BodyKind kind : {BodyKind::ball, BodyKind::crate, BodyKind::disc, BodyKind::marble}) {
+    Spawn spawn;
+    spawn.kind = kind;
+    spawn.size = usual * dice.step(0.5, 1.75, 4);
+    if (kind == BodyKind::crate) spawn.size.y = usual.y;
+    level.spawns.push_back(spawn);
+  }
+  return level;
+}
+
+TEST_P(ProveProperty, BodiesThatMeetHaveNoFindingOfTheSolver) {
+  const auto levels = static_cast<std::uint64_t>(tries("TALUS_PROVE_LEVELS", kMeetLevels));
+  for (auto seed = static_cast<std::uint64_t>(GetParam()); seed < levels; seed += kShares)
+    expect_no_finding_of_the_solver(level_of_bodies_that_meet(seed), seed);
 }
 
 // What the nightly run has found.
