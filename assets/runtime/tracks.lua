@@ -111,23 +111,26 @@ local function take(track, m, t)
   local off = near.gap - track.gap
   m.x, m.y = m.x - near.nx * off, m.y - near.ny * off
   local way_x, way_y = way_along(track, before, t, near)
-  local sign = m.vx * onward_x + m.vy * onward_y < 0 and -1 or 1
+  local straight = m.vx * onward_x + m.vy * onward_y
   local driven = track.drive * (way_x * onward_x + way_y * onward_y < 0 and -1 or 1) *
       sqrt(way_x * way_x + way_y * way_y)
   local kept = before.vx * before.vx + before.vy * before.vy
   local square = kept + 2 * (track.rolls * (track.pull_x * way_x + track.pull_y * way_y) + driven)
-  local speed = sign * sqrt(max(square, 0.0))
+  -- Where the path turns back, the energy may lead a little higher.
+  if straight * straight < square / 16 then straight = before.vx * onward_x + before.vy * onward_y end
+  local speed = (straight < 0 and -1 or 1) * sqrt(max(square, 0.0))
   m.vx, m.vy = onward_x * speed, onward_y * speed
   if square < 0 then go_down(track, m, onward_x, onward_y, -square) end
   return onward_x, onward_y
 end
 
 -- The time before `most` at which a circle comes to another part of it, or leaves it; `most` if it does not.
+-- frames: a path that turns by so many radians a frame is near to its track only for so long.
+local function longest(turn, is_round) return (is_round and 0.125 or 0.03125) / abs(turn) end
+
 local function end_of(track, m, most)
-  -- A parabola is near to what is bent only for so long, in radians.
-  local most_turn = m.radius > 0 and 0.125 or 0.03125
   local turn = abs(near_track(track, M.form_at(m, m.time)).bend) * sqrt(m.vx * m.vx + m.vy * m.vy)
-  if turn > 0 then most = min(most, m.time + most_turn / turn) end
+  if turn > 0 then most = min(most, m.time + longest(turn, m.radius > 0)) end
   local function holds(t)
     local form = M.form_at(m, t)
     if not goes_on(track, form) then return false end
@@ -404,6 +407,19 @@ local function drive(track, met, m, nx, ny)
   track.drive = m.spx * onward_x + m.spy * onward_y - track.rolls * (m.pull_x * onward_x + m.pull_y * onward_y)
 end
 
+-- Changes the pull along the track of a circle, so that the path ends, with this piece of the track, where the circle
+-- would be. A parabola goes further along than what it is bent to, and the pull changes as the track turns.
+local function keep_pace(track, m, bend, nx, ny)
+  local onward_x, onward_y = -ny, nx
+  local speed = m.vx * onward_x + m.vy * onward_y
+  local turn = bend * speed
+  if turn == 0 then return end
+  local t = min(M.part - M.time, longest(turn, true))
+  local change = -turn * (track.rolls * (track.pull_x * nx + track.pull_y * ny) + turn * speed)
+  local more = change * t / 3
+  m.px, m.py = m.px + onward_x * more, m.py + onward_y * more
+end
+
 -- A box that a curve holds goes along it with a corner.
 local function begin_track_of_box(world, met)
   local m, side, near = met.a, curve_of(world, met)
@@ -445,6 +461,7 @@ function M.begin_track(world, met)
   track.conveyor = met.conveyor
   track.rolls = rolls and 1 / (1 + m.inverse / m.yields) or 1.0
   drive(track, met, m, nx, ny)
+  keep_pace(track, m, near.bend, nx, ny)
   m.track = track
 end
 

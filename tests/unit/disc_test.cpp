@@ -57,6 +57,43 @@ TEST(Disc, SlidesOverAFloorUntilItRolls) {
   EXPECT_GT(turned, 0);
 }
 
+// Radians from the lowest place of a bowl, of a body that swings from there, by steps of a two-thousandth of
+// a frame (Runge and Kutta's).
+double swung(double angle, double speed, double pull, double radius, int frames) {
+  constexpr int kSteps = 2000;
+  const double h = 1.0 / kSteps;
+  const auto gain = [&](double at) { return -pull / radius * std::sin(at); };
+  double turning = speed / radius;
+  for (int i = 0; i < kSteps * frames; ++i) {
+    const double k1 = turning, l1 = gain(angle), k2 = turning + h / 2 * l1, l2 = gain(angle + h / 2 * k1);
+    const double k3 = turning + h / 2 * l2, l3 = gain(angle + h / 2 * k2), k4 = turning + h * l3;
+    const double l4 = gain(angle + h * k3);
+    angle += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    turning += h / 6 * (l1 + 2 * l2 + 2 * l3 + l4);
+  }
+  return angle;
+}
+
+TEST(Disc, SwingsInABowlAsAPendulumDoes) {
+  for (const BodyKind kind : {BodyKind::marble, BodyKind::disc}) {
+    for (const double angle : {-0.6, 0.0, 0.5}) {
+      for (const double speed : {-2.0, 1.0}) {
+        Level level = open_level(0.2, 1);
+        level.curves.push_back({"", {Arc{{150, 100}, 64, 86, 214, false}, Curve::Faces::up}, ""});
+        const Vec2 at{150 + 60 * std::sin(angle), 100 + 60 * std::cos(angle)};
+        add_body(level, kind, at - Vec2{4, 4}, Vec2{std::cos(angle), -std::sin(angle)} * speed);
+        Play run(level);
+        const bool rolls = kind == BodyKind::disc;
+        if (rolls) run.state.bodies[0].spin = speed;
+        run.step(3);
+        const Vec2 from = middle(run.body(0)) - Vec2{150, 100};
+        const double right = swung(angle, speed, rolls ? 0.2 * 2 / 3 : 0.2, 60, 3);
+        EXPECT_NEAR(60 * std::atan2(from.x, from.y), 60 * right, 1e-4) << angle << ", " << speed;
+      }
+    }
+  }
+}
+
 TEST(Disc, RollsOrSlidesDownAnIncline) {
   for (const double slope : {0.25, 0.5, 1.0, 1.5, 2.0, 3.0}) {
     Level level = open_level(0.1, 0);

@@ -181,6 +181,7 @@ class Meeting {
   void begin_track(const Met& met);
   bool follow_ground(Member& member, Vec2 normal);
   void begin_track_of_box(const Met& met);
+  void keep_pace(Member& member, double bend, Vec2 normal) const;
   bool is_moving(std::size_t place) const;
   void drive(Track& track, const Met& met, int place, Vec2 normal) const;
   bool follow_body(Track& track, const Nearness& near, int other);

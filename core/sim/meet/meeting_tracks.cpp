@@ -279,6 +279,7 @@ void Meeting::begin_track(const Met& met) {
   track.conveyor = met.touch.conveyor;
   track.rolls = rolls ? 1 / (1 + body.inverse_mass / body.inverse_spin) : 1;
   drive(track, met, place, normal);
+  if (track.is_on) keep_pace(member, near.bend, normal);
 }
 
 // A box that a curve holds goes along it with a corner.
@@ -300,6 +301,21 @@ void Meeting::begin_track_of_box(const Met& met) {
     track.begin(corner_of(member.moving, track).form_at(time_));
     drive(track, met, met.touch.a, met.touch.normal);
   }
+}
+
+// Changes the pull along the track of a circle, so that the path ends, with this piece of the track, where
+// the circle would be. A parabola goes further along than what it is bent to, and the pull changes as the
+// track turns: each makes a difference with the third power of the time. bend: as in Nearness. normal: out of
+// what it follows.
+void Meeting::keep_pace(Member& member, double bend, Vec2 normal) const {
+  FallPath& path = member.moving.path;
+  const Track& track = *member.track;
+  const Vec2 onward = along(normal);
+  const double speed = dot(path.velocity, onward), turn = bend * speed;
+  if (turn == 0) return;
+  const double time = std::min(part_ - time_, Track::longest(turn, true));
+  const double change = -turn * (track.rolls * dot(track.pull, normal) + turn * speed);
+  path.pull = path.pull + onward * (change * time / 3);
 }
 
 bool Meeting::is_moving(std::size_t place) const {

@@ -76,10 +76,13 @@ Vec2 Track::take(MovingBox& circle, double time) const {
   }
   circle.path.place = circle.path.place - here.normal * (here.gap - gap);
   const Vec2 way = way_along(before, time, here);
-  const double straight = dot(circle.path.velocity, onward), sign = straight < 0 ? -1 : 1;
+  const double straight = dot(circle.path.velocity, onward);
   const double driven = drive * (dot(way, onward) < 0 ? -1 : 1) * std::sqrt(dot(way, way));
   const double square =
       dot(before.path.velocity, before.path.velocity) + 2 * (rolls * dot(pull, way) + driven);
+  // Where the path turns back, the energy may lead a little higher.
+  const bool turns_back = straight * straight < square / 16;
+  const double sign = (turns_back ? dot(before.path.velocity, onward) : straight) < 0 ? -1 : 1;
   circle.path.velocity = onward * (sign * std::sqrt(std::max(square, 0.0)));
   if (square < 0) go_down(circle, onward, -square);
   return onward;
@@ -96,11 +99,9 @@ void Track::go_down(MovingBox& circle, Vec2 onward, double missing) const {
 }
 
 double Track::end(const MovingBox& circle, double most) const {
-  // A parabola is near to what is bent only for so long.
-  const double most_turn = circle.is_round() ? 1.0 / 8 : 1.0 / 32;  // radians
   const double turn = std::abs(near(circle.form_at(circle.path.time)).bend) *
                       std::sqrt(dot(circle.path.velocity, circle.path.velocity));
-  if (turn > 0) most = std::min(most, circle.path.time + most_turn / turn);
+  if (turn > 0) most = std::min(most, circle.path.time + longest(turn, circle.is_round()));
   const auto holds = [&](double time) {
     const Form now = circle.form_at(time);
     if (!goes_on(now)) return false;

@@ -2,6 +2,7 @@
 // falls behind on it. A box slides along a curve with one of its corners, a circle without a radius.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -34,6 +35,10 @@ struct Track {
   Vec2 pull;         // px/frame^2, without the track
   double drive = 0;  // px/frame^2, along the track, beside that share: friction, and others
 
+  // frames: a path that turns by so many radians a frame is near to its track only for so long.
+  static double longest(double turn, bool is_round) {
+    return (is_round ? 1.0 / 8 : 1.0 / 32) / std::abs(turn);
+  }
   // Called when it is known what a circle follows.
   void begin(const Form& circle) { centre = centre_for(circle); }
   // Takes a circle on it to a time, and returns the direction of the track there.
