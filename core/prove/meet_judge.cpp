@@ -91,7 +91,7 @@ std::optional<Rect> MeetJudge::standing_place(BodyKind kind, Rect box, double ri
   return box;
 }
 
-bool MeetJudge::is_free(BodyKind kind, const Rect& box) const {
+bool MeetJudge::is_clear(BodyKind kind, const Rect& box) const {
   return is_clear({box, radius_of(kind, {box.w, box.h})});
 }
 

@@ -22,7 +22,8 @@ class MeetJudge {
   // The box in which a body of this kind is free, at most `rise` px above this one, nearly as low as it can
   // be; nothing: there is no room.
   std::optional<Rect> standing_place(BodyKind kind, Rect box, double rise) const;
-  bool is_free(BodyKind kind, const Rect& box) const;
+  // Whether neither ground nor a line is in what is solid of such a body.
+  bool is_clear(BodyKind kind, const Rect& box) const;
 
  private:
   bool is_free(const RawForm& form, double slack) const;

@@ -224,7 +224,7 @@ void TrialRunner::try_meeting(Place place, double x, Top top) {
   if (!place.start.drops) return;
   Rect above = *standing;
   above.y -= kDropRows * scene_.ground().tile_size().height + kPhaseOfPx;
-  if (!judge.is_free(tried.kind, above)) above = *standing;
+  if (!judge.is_clear(tried.kind, above)) above = *standing;
   for (const double speed : {0.0, fast, -fast}) start(above, speed);
 }
 

@@ -11,14 +11,8 @@ namespace talus::meeting_pile_test {
 
 // Discs of many sizes above one another in a room.
 Level heap(int bodies, std::uint64_t seed) {
-  constexpr int kWidth = 14, kHeight = 40;
-  Level level = open_level(0.2, 0);
-  level.map = TileMap(kWidth, kHeight);
-  level.tile_shapes[1].kind = TileShape::Kind::solid;
-  for (int x = 0; x < kWidth; ++x) level.map.set({x, kHeight - 1}, 1);
-  for (int y = 0; y < kHeight; ++y) {
-    for (const int x : {0, kWidth - 1}) level.map.set({x, y}, 1);
-  }
+  constexpr int kHeight = 40;
+  Level level = room_level(14, kHeight, 0.2);
   Dice dice(seed);
   for (int i = 0; i < bodies; ++i) {
     const double size = dice.in(6, 10);

@@ -10,14 +10,7 @@ namespace talus::meeting_repeat_test {
 
 // Bodies above one another in a narrow room: they fall into a heap, and some of them rest.
 Level heap(std::initializer_list<BodyKind> kinds, int bodies, std::uint64_t seed) {
-  constexpr int kWidth = 14, kHeight = 16;
-  Level level = open_level(0.1, 0);
-  level.map = TileMap(kWidth, kHeight);
-  level.tile_shapes[1].kind = TileShape::Kind::solid;
-  for (int x = 0; x < kWidth; ++x) level.map.set({x, kHeight - 1}, 1);
-  for (int y = 0; y < kHeight; ++y) {
-    for (const int x : {0, kWidth - 1}) level.map.set({x, y}, 1);
-  }
+  Level level = room_level(14, 16, 0.1);
   Dice dice(seed);
   for (int i = 0; i < bodies; ++i) {
     const Vec2 at{10 + 14.0 * (i % 6) + dice.in(0, 4), 4 + 20.0 * (i / 6) + dice.in(0, 8)};

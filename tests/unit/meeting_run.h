@@ -34,6 +34,18 @@ inline Level open_level(double gravity, double bounce) {
   return level;
 }
 
+// A room of tiles, with a floor, two walls and no ceiling. width and height: cells, with those.
+inline Level room_level(int width, int height, double gravity) {
+  Level level = open_level(gravity, 0);
+  level.map = TileMap(width, height);
+  level.tile_shapes[1].kind = TileShape::Kind::solid;
+  for (int x = 0; x < width; ++x) level.map.set({x, height - 1}, 1);
+  for (int y = 0; y < height; ++y) {
+    for (const int x : {0, width - 1}) level.map.set({x, y}, 1);
+  }
+  return level;
+}
+
 inline void add_body(Level& level, BodyKind kind, Vec2 at, Vec2 velocity = {}, Vec2 size = {8, 8}) {
   level.spawns.push_back(
       {.name = "", .position = at, .velocity = velocity, .extra = "", .kind = kind, .size = size});
