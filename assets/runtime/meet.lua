@@ -470,15 +470,23 @@ local function put_on(contact, x_, y_, w, h)
   return x_, y_
 end
 
--- What a body touches that would go along a way. It is lifted over the edge of a curve's end.
-function M.touched(world, m, way_x, way_y)
+-- What a body touches at a place that would go along a way. along: a piece that stops nothing; may be nil.
+local function touched_there(world, x_, y_, w, h, way_x, way_y, along)
   local longest = max(abs(way_x), abs(way_y))
   local step_x, step_y = way_x * (1 / longest), way_y * (1 / longest)
+  local contact = cast_box(world.terrain, x_, y_, w, h, step_x, step_y, false, nil, along)
+  if not contact or -(contact.nx * step_x + contact.ny * step_y) * contact.t > M.slack(x_, y_, w, h, x_, y_, w, h) then
+    return nil
+  end
+  return contact
+end
+
+-- What a body touches that would go along a way. It is lifted over the edge of a curve's end.
+function M.touched(world, m, way_x, way_y)
   local box = {x = m.x, y = m.y, w = m.w, h = m.h, centre = false}
   for _ = 1, 2 do
-    local contact = cast_box(world.terrain, box.x, box.y, box.w, box.h, step_x, step_y, false)
-    if not contact or -(contact.nx * step_x + contact.ny * step_y) * contact.t >
-        M.slack(box.x, box.y, box.w, box.h, box.x, box.y, box.w, box.h) then return nil end
+    local contact = touched_there(world, box.x, box.y, box.w, box.h, way_x, way_y)
+    if not contact then return nil end
     if not world.terrain:climbs(box, contact) then
       m.y = box.y
       return contact
@@ -497,15 +505,6 @@ local function is_same_line(contact, other)
   local p, q = contact.edge, other.edge
   if not p or not q or contact.on_end or other.on_end or p.form.normal_at then return false end
   return p.x0 == q.x0 and p.y0 == q.y0 and p.x1 == q.x1 and p.y1 == q.y1
-end
-
--- Whether a body that has come to the ground at a place touches some there.
-local function touches(world, m, at_x, at_y, nx, ny, along)
-  local longest = max(abs(nx), abs(ny))
-  local step_x, step_y = nx * (-1 / longest), ny * (-1 / longest)
-  local contact = cast_box(world.terrain, at_x, at_y, m.w, m.h, step_x, step_y, false, nil, along)
-  return contact and -(contact.nx * step_x + contact.ny * step_y) * contact.t <=
-    M.slack(at_x, at_y, m.w, m.h, at_x, at_y, m.w, m.h)
 end
 
 -- Whether a path is off its chord until a time by more than so many px.
@@ -543,7 +542,8 @@ local function next_ground(world, m, to, along)
     to = t
   end
   -- The path may pass the end of what a chord meets. Shorter chords are nearer to the path.
-  if is_sure or touches(world, m, found_x, found_y, found_nx, found_ny, along) or not bends(m, finish, slack) then
+  if is_sure or not bends(m, finish, slack) or
+      touched_there(world, found_x, found_y, m.w, m.h, -found_nx, -found_ny, along) then
     return found, found_x, found_y, found_nx, found_ny, last
   end
   local middle = (m.time + finish) / 2

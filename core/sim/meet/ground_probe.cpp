@@ -91,13 +91,22 @@ void GroundProbe::align(const Contact<double>& contact, bool stays, MovingBox& b
   path.place = there.position();
 }
 
-std::optional<Contact<double>> GroundProbe::touched(Rect& box, Vec2 way, CastBudget& budget) const {
+// The same where it is. along: as for next_meeting().
+std::optional<Contact<double>> GroundProbe::touched_there(const Rect& box, Vec2 way,
+                                                          const Piece<double>* along,
+                                                          CastBudget& budget) const {
   const Vec2 step = way * (1 / longest(way));
+  const Contact<double> contact = cast_box<double>(ground_, {box, step, Foot::box}, {}, along, &budget);
+  if (!contact || -dot(contact.normal, step) * contact.t > touch_slack(box, box)) return std::nullopt;
+  return contact;
+}
+
+std::optional<Contact<double>> GroundProbe::touched(Rect& box, Vec2 way, CastBudget& budget) const {
   for (int lifts = 0; lifts < 2; ++lifts) {
-    const Contact<double> contact = cast_box<double>(ground_, {box, step, Foot::box}, {}, nullptr, &budget);
-    if (!contact || -dot(contact.normal, step) * contact.t > touch_slack(box, box)) return std::nullopt;
+    const auto contact = touched_there(box, way, nullptr, budget);
+    if (!contact) return std::nullopt;
     Moving<double> there{box, {}, Foot::box};
-    if (!climbs<double>(ground_, {}, there, contact, &budget)) return contact;
+    if (!climbs<double>(ground_, {}, there, *contact, &budget)) return contact;
     box = there.box;
   }
   return std::nullopt;
@@ -145,19 +154,12 @@ std::optional<GroundMeeting> GroundProbe::next_meeting(const MovingBox& box, dou
     to = time;
   }
   // The path may pass the end of what a chord meets. Shorter chords are nearer to the path.
-  if (is_sure || touches(*found, box.size, along, budget) || !box.path.bends(end, slack)) return found;
+  if (is_sure || !box.path.bends(end, slack)) return found;
+  const Rect there{found->place.x, found->place.y, box.size.x, box.size.y};
+  if (touched_there(there, found->normal * -1, along, budget)) return found;
   const double middle = (box.path.time + end) / 2;
   if (auto first = next_meeting(box, middle, along, budget)) return first;
   return next_meeting({box.path.from(middle), box.size}, end, along, budget);
-}
-
-// Whether a box that a meeting has put on the ground touches some there.
-bool GroundProbe::touches(const GroundMeeting& met, Vec2 size, const Piece<double>* along,
-                          CastBudget& budget) const {
-  const Rect there{met.place.x, met.place.y, size.x, size.y};
-  const Vec2 step = met.normal * (-1 / longest(met.normal));
-  const Contact<double> contact = cast_box<double>(ground_, {there, step, Foot::box}, {}, along, &budget);
-  return contact && -dot(contact.normal, step) * contact.t <= touch_slack(there, there);
 }
 
 }  // namespace talus

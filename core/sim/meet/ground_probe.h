@@ -39,7 +39,8 @@ class GroundProbe {
   const Terrain& ground() const { return ground_; }
 
  private:
-  bool touches(const GroundMeeting& met, Vec2 size, const Piece<double>* along, CastBudget& budget) const;
+  std::optional<Contact<double>> touched_there(const Rect& box, Vec2 way, const Piece<double>* along,
+                                               CastBudget& budget) const;
 
   const Terrain& ground_;
 };
