@@ -25,6 +25,16 @@ RawForm form_of(const Body& body) { return {body.box, radius_of(body.kind, {body
 // px^2/frame^2, of a mass of 1.
 double energy(Vec2 velocity, double spin) { return dot(velocity, velocity) / 2 + spin * spin / 4; }
 
+// px: a height between two at which something fits that does not fit just below. It fits at `high`.
+template <class Fits>
+double lowest(double low, double high, Fits fits) {
+  while (high - low > kNarrow) {
+    const double middle = (low + high) / 2;
+    (fits(middle) ? high : low) = middle;
+  }
+  return high;
+}
+
 }  // namespace
 
 MeetJudge::MeetJudge(const RawGround& ground, const Scene& scene, double lip)
@@ -50,7 +60,7 @@ std::optional<Verdict> MeetJudge::judge(const Body& before, const Body& after,
 // its friction holds. A circle rolls, whatever its friction.
 std::optional<Verdict> MeetJudge::judge_rest(const Body& body) const {
   const RawForm form = form_of(body);
-  if (!only_weight_moves_ || !(pull_on(body).y > 0) || is_across_line(form) || !is_free(form, kRestSlack))
+  if (!only_weight_moves_ || !(pull_on(body) > 0) || is_across_line(form) || !is_free(form, kRestSlack))
     return std::nullopt;
   const double friction = form.is_round() ? 0 : traits_of(body.kind).friction;
   // On the very end of a slope or a ledge both that and what is beside it may hold it.
@@ -81,13 +91,8 @@ std::optional<Rect> MeetJudge::standing_place(BodyKind kind, Rect box, double ri
     box.y = bottom - lift;
     return is_clear({box, radius});
   };
-  double low = 0, high = rise;
-  if (!is_free_at(high)) return std::nullopt;
-  while (high - low > kNarrow) {
-    const double middle = (low + high) / 2;
-    (is_free_at(middle) ? high : low) = middle;
-  }
-  box.y = bottom - high - kNarrow;
+  if (!is_free_at(rise)) return std::nullopt;
+  box.y = bottom - lowest(0, rise, is_free_at) - kNarrow;
   return box;
 }
 
@@ -182,24 +187,19 @@ std::optional<double> MeetJudge::lip_before(const RawForm& touching, Vec2 normal
     return is_free(there, kInGround) && !is_across_line(there) ? std::optional(height) : std::nullopt;
   }
   if (normal.y != 0 || !has_room(lip_ + kInGround) || has_room(weld + kInGround)) return std::nullopt;
-  double low = weld, high = lip_ + kInGround;
-  while (high - low > kNarrow) {
-    const double middle = (low + high) / 2;
-    (has_room(middle) ? high : low) = middle;
-  }
-  return high;
+  return lowest(weld, lip_ + kInGround, has_room);
 }
 
-// px/frame^2
-Vec2 MeetJudge::pull_on(const Body& before) const {
-  return {0, gravity_ > 0 ? gravity_ : (tuning_.fall_speed - before.velocity.y) * tuning_.fall_blend};
+// px/frame^2, down.
+double MeetJudge::pull_on(const Body& before) const {
+  return gravity_ > 0 ? gravity_ : (tuning_.fall_speed - before.velocity.y) * tuning_.fall_blend;
 }
 
 // px: as much energy a body has got from nothing as a fall of so many px gives it; of a body that nothing
 // pulls, how far it would go in a frame with that alone. 0: it has got none.
 double MeetJudge::gain(const Body& before, const Body& after) const {
   if (!only_weight_moves_ || !before.is_clear) return 0;
-  const double kept = 1 - tuning_.drift_blend, pull = pull_on(before).y;
+  const double kept = 1 - tuning_.drift_blend, pull = pull_on(before);
   const double had = energy({before.velocity.x * kept, before.velocity.y}, before.spin * kept);
   const double has = energy(after.velocity, after.spin);
   const double gained = has - had - pull * (after.box.y - before.box.y);

@@ -37,7 +37,7 @@ class MeetJudge {
   std::optional<Verdict> judge_contacts(const Body& before, const StepRecord& record) const;
   std::optional<Verdict> lip_met(const RawForm& touching, Vec2 normal) const;
   std::optional<double> lip_before(const RawForm& touching, Vec2 normal) const;
-  Vec2 pull_on(const Body& before) const;
+  double pull_on(const Body& before) const;
   double gain(const Body& before, const Body& after) const;
 
   const RawGround& ground_;

@@ -352,8 +352,7 @@ void TrialRunner::begin(const Trial& trial) {
   state_ = {.frame = 0, .bodies = {trial.body}, .grabbed = 0, .next_id = 2};
 }
 
-bool TrialRunner::is_beyond_reach(const Place& place) const {
-  const Reach reach = reach_of(scene_.bodies()[place.body]);
+bool TrialRunner::is_beyond(const Reach& reach, const Place& place) const {
   const Cell at = cell_at(foot_of(state_.bodies.front().box), scene_.ground());
   return std::abs(at.x - place.cell.x) >= reach.columns || at.y - place.cell.y >= reach.down;
 }
@@ -375,6 +374,7 @@ std::optional<Finding> TrialRunner::play_meeting(const Trial& trial, const Place
   const MeetJudge& judge = scene_.meet_judge();
   begin(trial);
   const Body& body = state_.bodies.front();
+  const Reach reach = place != nullptr ? reach_of(scene_.bodies()[place->body]) : Reach();
   int still = 0;
   for (int frame = 1; frame <= trial.frames && still < kStillFrames; ++frame) {
     if (leaves_map(body.box, scene_.ground())) break;
@@ -386,7 +386,7 @@ std::optional<Finding> TrialRunner::play_meeting(const Trial& trial, const Place
     auto verdict = judge.judge(before, body, record_);
     if (!verdict && still == kStillFrames) verdict = judge.judge_rest(body);
     if (verdict) return finding_of(trial, frame, *verdict);
-    if (place != nullptr && is_beyond_reach(*place)) break;
+    if (place != nullptr && is_beyond(reach, *place)) break;
   }
   return std::nullopt;
 }
@@ -398,6 +398,7 @@ std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, 
   const Body& body = state_.bodies.front();
   const bool walks = trial.body.gait.grounded && trial.jump_frames == 0;
   const bool takes_keys = is_steered(body.kind, scene_.solver());
+  const Reach reach = place != nullptr ? reach_of(scene_.bodies()[place->body]) : Reach();
   int still = 0;
   for (int frame = 1; frame <= trial.frames; ++frame) {
     if (leaves_map(body.box, scene_.ground())) break;
@@ -421,7 +422,7 @@ std::optional<Finding> TrialRunner::play(const Trial& trial, std::size_t speed, 
     if (verdict) return finding_of(trial, frame, *verdict);
     if (walks && (!body.gait.grounded || (trial.direction != 0 && body.velocity.x == 0))) break;
     if (has_landed || (!walks && still > kStillFrames)) break;
-    if (place != nullptr && is_beyond_reach(*place)) break;
+    if (place != nullptr && is_beyond(reach, *place)) break;
   }
   return std::nullopt;
 }

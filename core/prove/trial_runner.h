@@ -92,7 +92,7 @@ class TrialRunner {
   std::optional<Finding> play(const Trial& trial, std::size_t speed, const Place* place);
   std::optional<Finding> play_meeting(const Trial& trial, const Place* place);
   void begin(const Trial& trial);
-  bool is_beyond_reach(const Place& place) const;
+  bool is_beyond(const Reach& reach, const Place& place) const;
   Finding finding_of(const Trial& trial, int frame, const Verdict& verdict) const;
   bool is_wedged(const State& state, std::size_t speed);
   std::vector<Top> tops_at(Cell cell, double x) const;
