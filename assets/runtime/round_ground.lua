@@ -90,11 +90,25 @@ local function nearest_on_arc(arc, x, y)
   return arc.c1 + way_x / far * arc.c3
 end
 
--- The same for other curves. Of several points that are nearer than those beside them, the nearest of some samples
--- leads to one.
-local function nearest_by_halving(side, x, y)
+-- 1/px, at least 0: one over the radius of the circle that fits the curve best.
+local function curvature_at(s, x)
+  if s.kind == "arc" then return 1 / s.c3 end
+  local u = x - s.c1
+  local second
+  if s.kind == "sine" then
+    second = s.c3 * (TAU / s.c4) * (TAU / s.c4) * sine_of_turns(u / s.c4)
+  else
+    second = 2 * s.c4 + 6 * s.c5 * u
+  end
+  local flat = tangent_at(s, x)
+  return abs(second) * (flat * flat * flat)
+end
+
+-- The same for other curves, between two places on the side. Of several points that are nearer than those beside them,
+-- the nearest of some samples leads to one. is_fine: the samples are close together.
+local function nearest_by_halving(side, x0, x1, x, y, is_fine)
   local curve, best, least = side.stretch, 0, huge
-  local function sample(i) return i == 8 and side.bx or side.ax + (side.bx - side.ax) * i / 8 end
+  local function sample(i) return i == 8 and x1 or x0 + (x1 - x0) * i / 8 end
   for i = 0, 8 do
     local at = sample(i)
     local way_x, way_y = at - x, curve_y(curve, at) - y
@@ -108,8 +122,18 @@ local function nearest_by_halving(side, x, y)
   end
   local left, right = sample(max(best - 1, 0)), sample(min(best + 1, 8))
   local at_left, at_right = beyond(left), beyond(right)
-  if at_left >= 0 then return best == 0 and -huge or left end
-  if at_right <= 0 then return best == 8 and huge or right end
+  if not (at_left < 0 and at_right > 0) then
+    local is_first, is_last = best == 0 and at_left >= 0, best == 8 and at_right <= 0
+    local at = sample(best)
+    local bend = curvature_at(curve, at)
+    -- In a hollow narrower than the circle its lowest point may be farther than those on either side.
+    local is_narrow = side.is_hollow and least * bend * bend > 1
+    if is_fine or ((is_first or is_last) and not is_narrow) then return is_first and -huge or is_last and huge or at end
+    local fine = nearest_by_halving(side, left, right, x, y, true)
+    if fine < left then return left == x0 and -huge or left end
+    if fine > right then return right == x1 and huge or right end
+    return fine
+  end
   for i = 0, 59 do
     local at = left - at_left * (right - left) / (at_right - at_left)
     if i % 3 == 2 or not (at > left and at < right) then at = left + (right - left) / 2 end
@@ -119,20 +143,6 @@ local function nearest_by_halving(side, x, y)
     if off < 0 then left, at_left = at, off else right, at_right = at, off end
   end
   return at_right < -at_left and right or left
-end
-
--- 1/px, at least 0: one over the radius of the circle that fits the curve best.
-local function curvature_at(s, x)
-  if s.kind == "arc" then return 1 / s.c3 end
-  local u = x - s.c1
-  local second
-  if s.kind == "sine" then
-    second = s.c3 * (TAU / s.c4) * (TAU / s.c4) * sine_of_turns(u / s.c4)
-  else
-    second = 2 * s.c4 + 6 * s.c5 * u
-  end
-  local flat = tangent_at(s, x)
-  return abs(second) * (flat * flat * flat)
 end
 
 -- ---- How near a circle is to a side, and whether it is in front of it; level with the end counts ----
@@ -151,7 +161,7 @@ end
 
 local function near_curve(side, x, y, radius)
   local curve, normal_at = side.stretch, side.piece.form.normal_at
-  local at = curve.kind == "arc" and nearest_on_arc(curve, x, y) or nearest_by_halving(side, x, y)
+  local at = curve.kind == "arc" and nearest_on_arc(curve, x, y) or nearest_by_halving(side, side.ax, side.bx, x, y)
   if at < side.ax then
     local nx, ny = normal_at(side.piece, side.ax)
     return near_end(side.ax, side.ay, nx, ny, x, y, radius)

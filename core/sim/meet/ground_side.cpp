@@ -61,10 +61,11 @@ double nearest_on_arc(const CurveStretch<double>& arc, Vec2 middle) {
   return arc.c[0] + way.x / far * arc.c[2];
 }
 
-// The same for other curves, between x0 and x1. Of several points that are nearer than those beside them, the
-// nearest of some samples leads to one.
-double nearest_by_halving(const CurveStretch<double>& curve, double x0, double x1, Vec2 middle) {
+// The same for other curves, between two places on the side. Of several points that are nearer than those
+// beside them, the nearest of some samples leads to one. is_fine: the samples are close together.
+double nearest_by_halving(const GroundSide& side, double x0, double x1, Vec2 middle, bool is_fine = false) {
   constexpr int kSamples = 8;
+  const CurveStretch<double>& curve = *side.stretch;
   int best = 0;
   double least = HUGE_VAL;
   const auto sample = [&](int i) { return i == kSamples ? x1 : x0 + (x1 - x0) * i / kSamples; };
@@ -82,8 +83,18 @@ double nearest_by_halving(const CurveStretch<double>& curve, double x0, double x
   };
   double left = sample(std::max(best - 1, 0)), right = sample(std::min(best + 1, kSamples));
   double at_left = beyond(left), at_right = beyond(right);
-  if (at_left >= 0) return best == 0 ? -HUGE_VAL : left;
-  if (at_right <= 0) return best == kSamples ? HUGE_VAL : right;
+  if (!(at_left < 0 && at_right > 0)) {
+    const bool is_first = best == 0 && at_left >= 0, is_last = best == kSamples && at_right <= 0;
+    const double at = sample(best), curvature = curve.curvature_at(at);
+    // In a hollow narrower than the circle its lowest point may be farther than those on either side.
+    const bool is_narrow = side.is_hollow() && least * curvature * curvature > 1;
+    if (is_fine || ((is_first || is_last) && !is_narrow))
+      return is_first ? -HUGE_VAL : is_last ? HUGE_VAL : at;
+    const double fine = nearest_by_halving(side, left, right, middle, true);
+    if (fine < left) return left == x0 ? -HUGE_VAL : left;
+    if (fine > right) return right == x1 ? HUGE_VAL : right;
+    return fine;
+  }
   constexpr int kMostTries = 60;
   for (int i = 0; i < kMostTries; ++i) {
     double x = left - at_left * (right - left) / (at_right - at_left);
@@ -180,7 +191,7 @@ SideNearness nearness(const GroundSide& side, Vec2 middle, double radius) {
   const auto normal_at = [&](double x) { return normal_on(curve.tangent_at(x), side.facing); };
   const bool is_arc = curve.kind == CurveStretch<double>::Kind::arc;
   const double x =
-      is_arc ? nearest_on_arc(curve, middle) : nearest_by_halving(curve, side.from.x, side.to.x, middle);
+      is_arc ? nearest_on_arc(curve, middle) : nearest_by_halving(side, side.from.x, side.to.x, middle);
   if (x < side.from.x) return end(side.from, normal_at(side.from.x));
   if (x > side.to.x) return end(side.to, normal_at(side.to.x));
   const Vec2 normal = normal_at(x);
