@@ -124,17 +124,24 @@ local function take(track, m, t)
   return onward_x, onward_y
 end
 
--- The time before `most` at which a circle comes to another part of it, or leaves it; `most` if it does not.
--- frames: a path that turns by so many radians a frame is near to its track only for so long.
-local function longest(turn, is_round) return (is_round and 0.125 or 0.03125) / abs(turn) end
+-- Radians: a path that turns no more is near to its track.
+local function most_turn(is_round) return is_round and 0.125 or 0.03125 end
 
+-- frames, for a path that turns by so many radians a frame.
+local function longest(turn, is_round) return most_turn(is_round) / abs(turn) end
+
+-- The time before `most` at which a circle comes to another part of it, or leaves it; `most` if it does not.
 local function end_of(track, m, most)
-  local turn = abs(near_track(track, M.form_at(m, m.time)).bend) * sqrt(m.vx * m.vx + m.vy * m.vy)
-  if turn > 0 then most = min(most, m.time + longest(turn, m.radius > 0)) end
+  local begin, is_round = near_track(track, M.form_at(m, m.time)), m.radius > 0
+  local turn = abs(begin.bend) * sqrt(m.vx * m.vx + m.vy * m.vy)
+  if turn > 0 then most = min(most, m.time + longest(turn, is_round)) end
   local function holds(t)
     local form = M.form_at(m, t)
     if not goes_on(track, form) then return false end
     local near = near_track(track, form)
+    -- A curve may bend much more further on.
+    local cosine, sine = begin.nx * near.nx + begin.ny * near.ny, begin.nx * near.ny - begin.ny * near.nx
+    if not (cosine > 0 and abs(sine) <= 2 * most_turn(is_round)) then return false end
     if near.bend <= 0 or not track.is_alone or near.on_end ~= track.on_end then return true end
     local there = M.moving_at(m, m.time)
     take(track, there, t)
@@ -201,6 +208,25 @@ function M.form_of(m)
   return M.form_at(moving, M.time)
 end
 
+-- The path of a circle leads a little beside its track. Returns the time of a meeting, and the normal, of the circle on
+-- the track.
+local function meet_on_track(m, to, met)
+  local t, nx, ny = met.time, met.nx, met.ny
+  for _ = 1, 3 do
+    local there = M.moving_at(m, m.time)
+    take(m.track, there, t)
+    local x, y = M.middle(M.form_at(there, t))
+    local near = M.near_side(met.side, x, y, m.radius)
+    local time = t + near.gap / -(there.vx * near.nx + there.vy * near.ny)
+    if not (time >= m.time and time <= to) then break end
+    if not near.on_end then nx, ny = near.nx, near.ny end
+    local is_same = abs(time - t) <= 1e-12
+    t = time
+    if is_same then break end
+  end
+  return t, nx, ny
+end
+
 local next_ground = M.next_ground
 function M.next_ground(world, m, to)
   if not (m.radius > 0) then
@@ -208,7 +234,10 @@ function M.next_ground(world, m, to)
     return next_ground(world, m, to, along and (along.source or along))
   end
   local met = M.meeting_of_circle(world, m, to, m.track and m.track.sides or {})
-  if met then return met.time, met.x, met.y, met.nx, met.ny, met.side end
+  if not met then return end
+  local time, nx, ny = met.time, met.nx, met.ny
+  if m.track then time, nx, ny = meet_on_track(m, to, met) end
+  return time, met.x, met.y, nx, ny, met.side
 end
 
 local set_off = M.set_off

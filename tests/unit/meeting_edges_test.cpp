@@ -125,4 +125,69 @@ TEST(MeetingEdges, ADiscThatSettlesBetweenTwoGetsNoSpeed) {
   }
 }
 
+// px: how far a circle is from the nearest point of a sine, found by samples alone.
+double height_over(const Sine& sine, Vec2 middle, double radius) {
+  double least = 1e9;
+  constexpr int kSamples = 1000;
+  for (int i = 0; i <= kSamples; ++i) {
+    const double x = middle.x + radius * 1.25 * (2.0 * i / kSamples - 1);
+    if (x < sine.x0 || x > sine.x1) continue;
+    const double turn = 2 * std::acos(-1.0) * (x - sine.origin) / sine.wavelength;
+    least =
+        std::min(least, std::hypot(x - middle.x, sine.middle + sine.amplitude * std::sin(turn) - middle.y));
+  }
+  return least - radius;
+}
+
+struct CircleOnSine {
+  Sine sine;
+  double radius;  // px
+};
+
+void expect_outside(const CircleOnSine& scene, const Level& level, int frames) {
+  MeetingRun run(level);
+  for (int frame = 1; frame <= frames; ++frame) {
+    run.step();
+    const Vec2 middle = run.body(0).box.center();
+    if (middle.x - scene.radius < scene.sine.x0) return;  // past the end it may come from behind
+    ASSERT_GT(height_over(scene.sine, middle, scene.radius), -1e-4)
+        << scene.sine.x0 << ", from " << level.spawns[0].position.x << ", frame " << frame;
+  }
+}
+
+// Hollows a little narrower than the circle, a little wider, and much narrower.
+constexpr CircleOnSine kHollows[] = {
+    {{100, 149, 53, 4, 24.5, 100}, 4}, {{47, 156, 122, 8, 54.5, 47}, 8}, {{59, 113, 150, 12, 27, 59}, 6}};
+
+TEST(MeetingEdges, ACircleInANarrowHollowStaysOutOfIt) {
+  for (const CircleOnSine& scene : kHollows) {
+    const Sine& sine = scene.sine;
+    for (int start = 0; start < 12; ++start) {
+      Level level = open_level(kGravity, 0.9);
+      level.curves.push_back({"", {sine, Curve::Faces::up}, ""});
+      const double x = sine.x0 + sine.wavelength * (0.5 + start / 24.0), size = 2 * scene.radius;
+      add_body(level, BodyKind::disc, {x, sine.middle - sine.amplitude - 1.5 * size}, {1 - start / 6.0, 0},
+               {size, size});
+      expect_outside(scene, level, 60);
+    }
+  }
+}
+
+// The bend of their way changes much within a frame, and they meet the other side from there.
+TEST(MeetingEdges, ACircleThatFallsFastKeepsToASine) {
+  for (const CircleOnSine& scene : kHollows) {
+    const Sine& sine = scene.sine;
+    for (int start = 0; start < 24; ++start) {
+      Level level = open_level(0, 0.9);
+      level.tuning.shared = {};
+      level.tuning.shared.bodies = static_cast<double>(BodyPairs::meet);
+      level.curves.push_back({"", {sine, Curve::Faces::up}, ""});
+      const double size = 2 * scene.radius;
+      add_body(level, start % 2 == 0 ? BodyKind::disc : BodyKind::marble,
+               {sine.x0 + start / 2, sine.middle - 40}, {4.9 - 0.4 * start, 0}, {size, size});
+      expect_outside(scene, level, 40);
+    }
+  }
+}
+
 }  // namespace talus::meeting_edges_test

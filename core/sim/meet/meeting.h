@@ -186,6 +186,7 @@ class Meeting {
   void drive(Track& track, const Met& met, int place, Vec2 normal) const;
   bool follow_body(Track& track, const Nearness& near, int other);
   std::optional<GroundMeeting> next_meeting(const Member& member, double to);
+  void meet_on_track(const Member& member, double to, GroundMeeting& met) const;
   void look_for_end_of_track(std::uint32_t index);
 
   // meeting_crowd.cpp

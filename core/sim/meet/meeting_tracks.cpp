@@ -80,10 +80,32 @@ Form Meeting::form_of(std::uint32_t index) {
 std::optional<GroundMeeting> Meeting::next_meeting(const Member& member, double to) {
   const auto along =
       member.is_on_track() ? std::span<const GroundSide>(member.track->sides) : std::span<const GroundSide>();
-  if (member.circle != nullptr)
-    return round_.next_meeting(member.moving, to, along, budget_, member.circle->ground);
+  if (member.circle != nullptr) {
+    auto met = round_.next_meeting(member.moving, to, along, budget_, member.circle->ground);
+    if (met && member.is_on_track()) meet_on_track(member, to, *met);
+    return met;
+  }
   const Piece<double>* leaves = member.track != nullptr ? member.track->leaves : nullptr;
   return probe_.next_meeting(member.moving, to, along.empty() ? leaves : along.front().piece, budget_);
+}
+
+// The path of a circle leads a little beside its track. Changes the time of a meeting to that at which the
+// circle on the track touches the side.
+void Meeting::meet_on_track(const Member& member, double to, GroundMeeting& met) const {
+  constexpr double kSame = 1e-12;  // frames
+  constexpr int kMostTries = 3;
+  for (int i = 0; i < kMostTries; ++i) {
+    MovingBox there = member.moving;
+    member.track->take(there, met.time);
+    const Form form = there.form_at(met.time);
+    const Nearness near = nearness(member.circle->ground, form.middle(), form.radius).near;
+    const double time = met.time + near.gap / -dot(there.path.velocity, near.normal);
+    if (!(time >= member.moving.path.time && time <= to)) break;
+    if (!near.on_end) met.normal = near.normal;
+    const bool is_same = std::abs(time - met.time) <= kSame;
+    met.time = time;
+    if (is_same) break;
+  }
 }
 
 void Meeting::look_for_end_of_track(std::uint32_t index) {

@@ -98,14 +98,21 @@ void Track::go_down(MovingBox& circle, Vec2 onward, double missing) const {
   circle.path.place = circle.path.place - here.normal * (here.gap - gap);
 }
 
+// Whether a normal has turned no more than twice as far as a path may.
+bool Track::is_near_to(Vec2 begin, Vec2 now, bool is_round) {
+  return dot(begin, now) > 0 && std::abs(dot(along(begin), now)) <= 2 * most_turn(is_round);
+}
+
 double Track::end(const MovingBox& circle, double most) const {
-  const double turn = std::abs(near(circle.form_at(circle.path.time)).bend) *
-                      std::sqrt(dot(circle.path.velocity, circle.path.velocity));
+  const Nearness begin = near(circle.form_at(circle.path.time));
+  const double turn = std::abs(begin.bend) * std::sqrt(dot(circle.path.velocity, circle.path.velocity));
   if (turn > 0) most = std::min(most, circle.path.time + longest(turn, circle.is_round()));
   const auto holds = [&](double time) {
     const Form now = circle.form_at(time);
     if (!goes_on(now)) return false;
     const Nearness here = near(now);
+    // A curve may bend much more further on.
+    if (!is_near_to(begin.normal, here.normal, circle.is_round())) return false;
     if (here.bend <= 0 || !is_alone || here.on_end != on_end) return true;
     MovingBox there = circle;
     take(there, time);

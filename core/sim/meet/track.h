@@ -35,10 +35,10 @@ struct Track {
   Vec2 pull;         // px/frame^2, without the track
   double drive = 0;  // px/frame^2, along the track, beside that share: friction, and others
 
-  // frames: a path that turns by so many radians a frame is near to its track only for so long.
-  static double longest(double turn, bool is_round) {
-    return (is_round ? 1.0 / 8 : 1.0 / 32) / std::abs(turn);
-  }
+  // Radians: a path that turns no more is near to its track.
+  static double most_turn(bool is_round) { return is_round ? 1.0 / 8 : 1.0 / 32; }
+  // frames, for a path that turns by so many radians a frame.
+  static double longest(double turn, bool is_round) { return most_turn(is_round) / std::abs(turn); }
   // Called when it is known what a circle follows.
   void begin(const Form& circle) { centre = centre_for(circle); }
   // Takes a circle on it to a time, and returns the direction of the track there.
@@ -53,6 +53,7 @@ struct Track {
   Vec2 way_along(const MovingBox& circle, double time, const Nearness& there) const;
   // Whether a circle touches the same part of it still: not one behind an end.
   bool goes_on(const Form& circle) const;
+  static bool is_near_to(Vec2 begin, Vec2 now, bool is_round);
   void go_down(MovingBox& circle, Vec2 onward, double missing) const;
 };
 
