@@ -13,6 +13,8 @@
 -- With the part events, world.events lists what happened in the last step: {kind = "hit", body, other, nx, ny,
 -- impulse}, where other is a body, or nil for the ground; {kind = "landed", body}; {kind = "left", body}.
 -- Between steps you may change vx and vy, or x and y; then also set clear to false, which frees it from walls.
+-- With the part steer, bodies have touched, what they met in the last step at their floor, ceiling, left and right; and
+-- they may have input, keys of their own, and sensor, true if they pass all bodies.
 -- With the part mouse, step() also takes mouse_x, mouse_y and mouse_down, and drags bodies; games for LÖVE and
 -- TIC-80 have it. You can ask about the ground, for any box:
 --   world:floor(x, y, w, h, 16)      -- the floor's y, at most 16 px below, and its normal nx, ny; or nil
@@ -21,6 +23,9 @@
 --
 -- What the game adds to the level while it runs:
 --   world:add {kind = "player", x = 40, y = 8}   -- a body, which it returns
+--   world:remove(body)                           -- takes one out (part steer)
+--   world:bodies_in(x, y, w, h)                  -- lists those that a box overlaps (part steer)
+--   world:cell_beside(body, side)                -- the cell that one touches at a side (part steer)
 --   world.terrain:set_tile(x, y, tile)           -- another tile in a cell, counted from 0
 -- needs the parts for it: balls and players, for bodies that fall or run; pairs, for several bodies that block one
 -- another; slopes and one_way, for tiles of these shapes. Parts that the level itself does not use are named in the

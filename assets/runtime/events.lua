@@ -21,12 +21,21 @@ function World:note_standing(body, stood)
   if body.grounded ~= stood then self.events[#self.events + 1] = {kind = stood and "left" or "landed", body = body} end
 end
 
+-- body.touched: what touches a body in this step, by its side: floor, ceiling, left or right. It is another body, or
+-- true for the ground.
+function World:note_touch(body, other, nx, ny)
+  local is_level = abs(nx) <= self.tuning.steepest * abs(ny)
+  local side = is_level and (ny < 0 and "floor" or "ceiling") or nx > 0 and "left" or "right"
+  if body.touched then body.touched[side] = other or true end
+end
+
 -- Calls respond(...), which may change the velocity of a body's box, and notes a hit.
 local function heard(world, body, box, contact, respond, ...)
   local vx, vy, kind = box.vx, box.vy, world.kinds[body.kind]
   box.change = nil
   local x, y = respond(...)
   local nx, ny = contact.nx, contact.ny
+  world:note_touch(body, contact.other, nx, ny)
   local change = box.change or (box.vx - vx) * nx + (box.vy - vy) * ny
   if change > world.quiet[kind.rule] then
     local w, h = body.w, body.h

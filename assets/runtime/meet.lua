@@ -988,8 +988,12 @@ function M.note_hit(world, touch)
   -- An impulse that only holds what rests above changes the speed of none of the two.
   local function change(of) return abs((of.svx - of.bvx) * nx + (of.svy - of.bvy) * ny) end
   local changed = max(change(m), n and change(n) or 0.0)
-  if not (touch.impulse * yields > quiet and changed > quiet) then return end
   local there = n and n.body or nil
+  if touch.impulse > 0 or touch.pressure > 0 then
+    world:note_touch(m.body, there, nx, ny)
+    if n then world:note_touch(there, m.body, 0.0 - nx, 0.0 - ny) end
+  end
+  if not (touch.impulse * yields > quiet and changed > quiet) then return end
   if m.inner then world:note_hit(m.body, there, nx, ny, touch.impulse) end
   if n and n.inner then world:note_hit(there, m.body, 0.0 - nx, 0.0 - ny, touch.impulse) end
 end

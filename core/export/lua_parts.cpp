@@ -37,6 +37,7 @@ constexpr LuaPart kLuaParts[] = {
     {"round", {"zeros", "forms", "round_ground", "spins", "tracks", "crowd", "round"}, {"meet", "balls"}},
     {"conveyors", {"conveyors"}},
     {"events", {"events"}},
+    {"steer", {"steer"}, {"events"}},
     {"end", {"luajit", "module"}},
 };
 

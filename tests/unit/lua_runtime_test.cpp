@@ -52,7 +52,7 @@ class LuaRuntime : public FolderTest {
       for (const Body& body : state.bodies) expected_ += body_text(frame, body);
     }
     list_ += "{name=[[" + name + "]],frames=" + std::to_string(frames) + ",runtime='" +
-             runtime_file(lua_parts(level, entries.empty() ? "events" : "mouse,events").value()) +
+             runtime_file(lua_parts(level, entries.empty() ? "steer" : "mouse,steer").value()) +
              "',level=function()\n" + lua_level(level) + "end,input=function() " + inputs + "} end},\n";
     ++levels_;
     frames_ += frames;

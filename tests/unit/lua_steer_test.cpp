@@ -1,0 +1,143 @@
+// Games in Lua that steer their world: bodies come and go, have keys of their own, sense others, and say what
+// they touch.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <string>
+
+#include "export/lua_level.h"
+#include "export/lua_parts.h"
+#include "export/lua_runtime.h"
+#include "folder_test.h"
+#include "paths.h"
+#include "unit/meeting_run.h"
+#include "unit/program_output.h"
+
+namespace talus::lua_steer_test {
+
+class LuaSteer : public FolderTest {
+ protected:
+  // What a program prints that has a level in `level`, and its world in `world`: the same in both Luas.
+  std::string printed(const Level& level, const std::string& program) {
+    std::vector<std::string> texts;
+    for (const std::string& file : lua_part_files(lua_parts(level, "players,balls,pairs,steer").value()))
+      texts.push_back(bytes_of(source_path("assets/runtime/") + file + ".lua"));
+    put("talus.lua", join_lua(texts));
+    put("level.lua", lua_level(level));
+    put("program.lua",
+        "local talus, level = require 'talus', require 'level'\nlocal world = talus.new(level)\n" + program);
+    const std::string in_folder = "cd '" + folder_.string() + "' && ";
+    const std::string out = output_of(in_folder + "lua5.3 program.lua 2>&1");
+    EXPECT_EQ(output_of(in_folder + "luajit program.lua 2>&1"), out);
+    return out;
+  }
+};
+
+// A room of 16x12 tiles of 8 px, with a floor at y 88.
+Level room() {
+  Level level = room_level(16, 12, 0.2);
+  level.tuning.shared.bodies = static_cast<double>(BodyPairs::block);
+  return level;
+}
+
+TEST_F(LuaSteer, IdsOfBodiesThatAreGoneAreNotGivenAgain) {
+  EXPECT_EQ(printed(room(), R"(
+for i = 1, 3 do world:add {kind = "ball", x = 20 * i, y = 40} end
+for _, body in ipairs(world.bodies) do
+  io.write(body.id, " ")
+  if body.id ~= 2 then world:remove(body) end
+end
+world:add {kind = "ball", x = 60, y = 40}
+for _, body in ipairs(world.bodies) do io.write(body.id, " ") end
+print(pcall(world.remove, world, {}))
+)"),
+            "1 2 3 2 4 false\tthis body is not in the world\n");
+}
+
+TEST_F(LuaSteer, AnErrorNamesTheKindsThatAreThere) {
+  EXPECT_EQ(printed(room(), R"(print(pcall(world.add, world, {kind = "typo", x = 0, y = 0})))"),
+            "false\tno kind \"typo\"; this level has ball, crate, disc, marble, player\n");
+}
+
+// The crates above fall, to the bit as in the program, where the lowest one is erased.
+TEST_F(LuaSteer, TheRestOfAStackFallsWhenOneIsRemoved) {
+  Level level = room_level(16, 12, 0.2);
+  for (int i = 1; i <= 3; ++i) add_body(level, BodyKind::crate, {40.0 + i, 88 - 8.0 * i});
+  MeetingRun run(level);
+  run.step(60);
+  run.state.bodies.erase(run.state.bodies.begin());
+  std::string expected;
+  for (int frame = 0; frame < 30; ++frame) {
+    run.step();
+    for (const Body& body : run.state.bodies) {
+      char text[80];
+      std::snprintf(text, sizeof text, "%d %a %a\n", body.id, body.box.y, body.velocity.y);
+      expected += text;
+    }
+  }
+  EXPECT_EQ(run.body(0).box.y, 80) << "it has fallen onto the floor";
+  EXPECT_EQ(printed(level, R"(
+for _ = 1, 60 do world:step() end
+world:remove(world.bodies[1])
+for _ = 1, 30 do
+  world:step()
+  for _, b in ipairs(world.bodies) do print(("%d %a %a"):format(b.id, b.y, b.vy)) end
+end
+)"),
+            expected);
+}
+
+TEST_F(LuaSteer, EachBodyMayHaveKeysOfItsOwn) {
+  EXPECT_EQ(printed(room(), R"(
+level.kinds.enemy = {rule = "run", w = 8, h = 8, foot = "box"}
+local player = world:add {kind = "player", x = 60, y = 72}
+local idle = world:add {kind = "enemy", x = 90, y = 80}
+local walker = world:add {kind = "enemy", x = 40, y = 80, input = {left = true}}
+for _ = 1, 10 do world:step {right = true} end
+print(player.x > 61, idle.x == 90, walker.x < 39)
+)"),
+            "true\ttrue\ttrue\n");
+}
+
+TEST_F(LuaSteer, SensorsStopNobodyAndFindWhoIsThere) {
+  const std::string program = R"(
+level.kinds.coin = {rule = "still", w = 8, h = 8, foot = "box"}
+local coin = world:add {kind = "coin", x = 40, y = 40, sensor = true}
+local wall = world:add {kind = "coin", x = 80, y = 60}
+local ball, other = world:add {kind = "ball", x = 40, y = 8}, world:add {kind = "ball", x = 80, y = 8}
+local ghost = world:add {kind = "ball", x = 83, y = 8, sensor = true}
+local found, seen = {}, 0
+for _ = 1, 120 do
+  world:step()
+  for _, body in ipairs(world:bodies_in(coin.x, coin.y, coin.w, coin.h, found)) do
+    if body == ball then seen = seen + 1 end
+  end
+end
+print(coin.y == 40, wall.y == 60, ball.y > 79, other.y < 60, ghost.y > 79, seen > 0, #found)
+)";
+  Level level = room();
+  EXPECT_EQ(printed(level, program), "true\ttrue\ttrue\ttrue\ttrue\ttrue\t1\n");
+  let_bodies_meet(level.tuning, 0.2, 0);
+  EXPECT_EQ(printed(level, program), "true\ttrue\ttrue\ttrue\ttrue\ttrue\t1\n");
+}
+
+TEST_F(LuaSteer, ABodySaysWhatItTouches) {
+  EXPECT_EQ(printed(room(), R"(
+local low = world:add {kind = "player", x = 9, y = 72}
+for _ = 1, 20 do world:step {left = true} end
+print(low.touched.left, low.touched.right, low.touched.floor, world:cell_beside(low, "left"))
+print(world:cell_beside(low, "floor"))
+print(world:cell_beside(low, "right"), pcall(world.cell_beside, world, low, "top"))
+local on_it = world:add {kind = "ball", x = 9, y = 40}
+local was_hit = false
+for _ = 1, 120 do
+  world:step()
+  was_hit = was_hit or on_it.touched.floor == low
+end
+print(was_hit, on_it.grounded)
+)"),
+            "true\tnil\ttrue\t0\t9\n1\t11\nnil\tfalse\tno side \"top\"; the sides are floor, ceiling, left and "
+            "right\ntrue\ttrue\n");
+}
+
+}  // namespace talus::lua_steer_test
