@@ -7,7 +7,7 @@ namespace talus {
 namespace {
 
 FormatResult<Exported> export_plain(const ExportRequest& request, Dialect dialect, const std::string& head) {
-  auto text = plain_text(request.level, dialect, request.progress);
+  auto text = plain_text(request.level, request.whole(), dialect, request.progress);
   if (!text) return tl::unexpected(text.error());
   std::vector<std::string> dropped;
   tell_body_pictures(request.level, dropped);
@@ -23,7 +23,9 @@ FormatResult<Exported> export_lua(const ExportRequest& request) {
 -- and its shape, if it has one, shapes[tile]. floor: how far below the tile's top the ground is, in the
 -- middle of each column of pixels. polygons: the ground's outline, x, y, x, y, ..., clockwise on the screen,
 -- holes the other way. lines: what stops bodies on their left hand side alone, and curves.
--- bodies: all that move, at their start; `tile` where a tile of the map is one, which is not to be drawn then.
+-- layers: those of the level with their own tiles; left out where map is the only one. objects: those of all
+-- layers, with class, name, place and properties. bodies: all that move, at their start; `tile` where a tile
+-- of the map is one, which is not to be drawn then.
 )";
   return export_plain(request, Dialect::lua, head);
 }

@@ -57,10 +57,17 @@ void tell_objects(const Exporter& exporter, const Level& level, std::vector<std:
   if (!level.large_tiles.empty() && !exporter.draws_pictures)
     dropped.emplace_back("the parts of tiles that are outside of their cells");
   for (const ObjectLayer& layer : level.objects) {
+    if (exporter.lists_objects && !layer.image) continue;
     if (exporter.draws_pictures && drawn_pictures(layer).size() == layer.objects.size()) continue;
     const std::string kind = layer.image ? "the layer of a picture " : "the layer of objects ";
     if (!layer.is_ground) dropped.push_back(kind + quoted_name(layer.name));
   }
+}
+
+// The same request for a level that was made of its own.
+ExportRequest request_for(const ExportRequest& request, const Level& level, const Level* layered = nullptr) {
+  return {level,   request.name,    request.read_asset, request.parts, request.progress,
+          layered, &request.whole()};
 }
 
 // The ground of all layers of tiles as one layer.
@@ -78,9 +85,9 @@ FormatResult<Exported> write_flat(const Exporter& exporter, const ExportRequest&
                : exporter.has_cart_tiles ? with_cart_tiles(flat->level)
                                          : flat->level;
   if (!level) return tl::unexpected(level.error());
-  auto exported = exporter.write({*level, request.name, request.read_asset, request.parts, request.progress,
-                                  is_turned ? &flat->level : nullptr});
-  if (exported) exported->dropped.insert(exported->dropped.end(), flat->dropped.begin(), flat->dropped.end());
+  auto exported = exporter.write(request_for(request, *level, is_turned ? &flat->level : nullptr));
+  if (exported && !exporter.lists_layers)
+    exported->dropped.insert(exported->dropped.end(), flat->dropped.begin(), flat->dropped.end());
   return exported;
 }
 
@@ -101,8 +108,7 @@ FormatResult<Exported> write_layered(const Exporter& exporter, const ExportReque
   const GroundCells cells = ground_cells(request.level);
   const auto ground = ground_for_export(request.level, cells);
   if (!ground) return tl::unexpected(ground.error());
-  auto exported = exporter.write(
-      {*ground, request.name, request.read_asset, request.parts, request.progress, &request.level});
+  auto exported = exporter.write(request_for(request, *ground, &request.level));
   const std::size_t lost = bodies_in_stacks(request.level, cells);
   if (exported && lost > 0)
     exported->dropped.push_back(std::to_string(lost) + (lost == 1 ? " body" : " bodies") +
@@ -167,7 +173,7 @@ FormatResult<Exported> Exporter::make(const ExportRequest& request) const {
     Level tiles = with_object_tiles(request.level, true);
     tiles.objects = request.level.objects;  // what is drawn of them
     for (ObjectLayer& layer : tiles.objects) layer.is_ground = false;
-    exported = write_one(*this, {tiles, request.name, request.read_asset, request.parts, request.progress});
+    exported = write_one(*this, request_for(request, tiles));
   } else {
     exported = write_one(*this, request);
   }
@@ -242,6 +248,7 @@ std::span<const Exporter> exporters() {
        .purpose = "A folder that LÖVE runs as it is: a start for your own game.",
        .draws_layers = true,
        .draws_pictures = true,
+       .lists_objects = true,
        .takes_parts = true,
        .beside = kLoveFiles},
       {.id = "lua-runtime",
@@ -249,6 +256,7 @@ std::span<const Exporter> exporters() {
        .write = export_lua_runtime,
        .purpose = "The exact solver and the level, for any game in Lua 5.3 or LuaJIT.",
        .draws_layers = true,
+       .lists_objects = true,
        .takes_parts = true,
        .beside = kRuntimeFiles},
       {.id = "bump",
@@ -257,6 +265,7 @@ std::span<const Exporter> exporters() {
        .purpose = "Slopes as a response for bump.lua, the level, and an example that uses them.",
        .draws_layers = true,
        .draws_pictures = true,
+       .lists_objects = true,
        .beside = kBumpFiles},
       {.id = "cpp",
        .label = "game in C++",
@@ -308,13 +317,18 @@ std::span<const Exporter> exporters() {
        .label = "Lua table of plain data",
        .extensions = kLua,
        .write = export_lua,
-       .purpose =
-           "Map, flags, floor heights, outlines, bodies and tuning for a Lua game with physics of its own."},
+       .purpose = "Layers, flags, objects, floor heights, outlines, bodies and tuning for a Lua game with "
+                  "physics of its "
+                  "own.",
+       .takes_objects = true,
+       .lists_layers = true},
       {.id = "json",
        .label = "JSON file of plain data",
        .extensions = kJson,
        .write = export_json,
-       .purpose = "Map, flags, floor heights, outlines, bodies and tuning for any language."},
+       .purpose = "Layers, flags, objects, floor heights, outlines, bodies and tuning for any language.",
+       .takes_objects = true,
+       .lists_layers = true},
       {.id = "csv",
        .label = "set of CSV tables",
        .write = export_csv,

@@ -57,9 +57,14 @@ struct ExportRequest {
   // The level with its layers of tiles, if `level` has only the ground of all of them as its one layer, see
   // Exporter::draws_layers; null: `level` is all that there is.
   const Level* layered = nullptr;
+  // The level as it is, if `level` and `layered` have more tiles and layers, which were made of its layers
+  // and objects; null: they have not.
+  const Level* source = nullptr;
 
   // The level that is drawn.
   const Level& drawn() const { return layered == nullptr ? level : *layered; }
+  // The level with the layers, tiles and objects that its author made.
+  const Level& whole() const { return source == nullptr ? drawn() : *source; }
 
   std::string stem() const;  // the name up to its first dot: "cave"; "level" for "-" and for an empty name
   std::string sheet_name() const;  // name of a picture of the tiles beside the file: "cave-tiles.png"
@@ -87,6 +92,10 @@ struct Exporter {
   bool takes_groups = false;    // whether it has groups of layers; else their layers get their looks
   bool takes_objects =
       false;  // whether it takes layers of objects, or nothing of the map; else it tells them
+  bool lists_objects =
+      false;  // whether it takes layers of objects, and layers of pictures as far as it draws them
+  // Whether it has all layers of tiles and their turns besides the flat map, of which nothing is lost then.
+  bool lists_layers = false;
   // Whether it has no more tiles than a cart, so that those of flat_level() take the places of blank ones.
   bool has_cart_tiles = false;
   bool takes_parts = false;  // whether it writes the Lua runtime, which has parts

@@ -13,7 +13,8 @@ namespace talus {
 FormatResult<Exported> export_lua_runtime(const ExportRequest& request) {
   FormatResult<std::string> runtime = lua_runtime(request, LuaForm::readable, false);
   if (!runtime) return tl::unexpected(runtime.error());
-  std::string level = lua_level(request.level, LuaForm::readable, request.progress, request.layered);
+  std::string level = lua_level(request.level, LuaForm::readable, request.progress, request.layered, nullptr,
+                                &request.whole());
   const std::size_t code = runtime->size() + level.size();
   return with_license(request, {{{"talus.lua", std::move(*runtime)}, {"level.lua", std::move(level)}},
                                 dropped_physics(request.level),
@@ -22,8 +23,9 @@ FormatResult<Exported> export_lua_runtime(const ExportRequest& request) {
 
 void add_drawn_level(const ExportRequest& request, Exported& out) {
   const auto pictures = lua_pictures(request.drawn());
-  out.files.push_back({"level.lua", lua_level(request.level, LuaForm::readable, request.progress,
-                                              request.layered, pictures ? &*pictures : nullptr)});
+  out.files.push_back(
+      {"level.lua", lua_level(request.level, LuaForm::readable, request.progress, request.layered,
+                              pictures ? &*pictures : nullptr, &request.whole())});
   out.files.push_back({"sheet.png", write_clear_sheet(request.drawn(), SheetId::tiles)});
   const std::vector<Spawn>& spawns = request.level.spawns;
   const bool shows_sprites = std::any_of(spawns.begin(), spawns.end(), [](const Spawn& spawn) {

@@ -9,12 +9,12 @@
 
 #include <talus/level/ground.h>
 #include "../formats/text/append_number.h"
-#include "../formats/tiled/tiled_properties.h"
 #include "../level/bump_boxes.h"
 #include "../level/placed_picture.h"
 #include "lua_parts.h"
 #include "lua_text.h"
 #include "plain_data.h"
+#include "plain_layers.h"
 
 namespace talus {
 namespace {
@@ -43,7 +43,11 @@ class LuaTable {
   }
   // Tables as members. Those of a small table are small.
   LuaTable in_a_row(std::string_view key) { return {member(key), std::min(layout_, Layout::row)}; }
-  LuaTable in_lines(std::string_view key) { return {member(key), layout_, indent_ + 2}; }
+  // call: what stands before its brace.
+  LuaTable in_lines(std::string_view key, std::string_view call = {}) {
+    return {member(key).append(call), layout_, indent_ + 2};
+  }
+  void add(std::string_view text) { text_ += text; }  // to the last member
 
   void number(std::string_view key, double value) { append_number(member(key), value); }
   void word(std::string_view key, std::string_view value) { member(key).append("\"").append(value) += '"'; }
@@ -293,9 +297,11 @@ void write_other(LuaTable&& table, const ObjectLayer& layer, const LuaPictures& 
     parts.numbers("", numbers_of(placed(layer.objects[i]), pictures));
 }
 
-void write_layers(const Level& level, const LuaPictures* pictures, LuaTable& table) {
+// count: of the layers of tiles that the level's author made; behind them is the ground of objects.
+void write_layers(const Level& level, int count, const LuaPictures* pictures, LuaTable& table) {
   LuaTable layers = table.in_lines("layers");
   for (const auto& [has_tiles, index] : layers_in_order(level)) {
+    if (has_tiles && index >= count) continue;
     if (has_tiles)
       write_layer(layers.in_lines(""), level, index);
     else if (pictures != nullptr)
@@ -328,42 +334,59 @@ void write_pictures(const Level& level, const LuaPictures& pictures, LuaTable& t
                   numbers_of(placed(tile, {0, 0}, level.map.tile_size()), pictures));
 }
 
-// By tile, the tiles that it shows and for how many ms, in turn.
-void write_animations(const Level& level, LuaTable& table) {
-  if (level.animations.empty()) return;
-  LuaTable animations = table.in_lines("animations");
-  for (const auto& [tile, animation] : level.animations) {
-    std::vector<int> numbers;
-    for (const AnimationFrame& frame : animation) {
-      numbers.push_back(frame.tile);
-      numbers.push_back(frame.duration);
-    }
-    animations.numbers("[" + std::to_string(tile) + "]", numbers);
+// A value of JSON as a member. Its keys are names, or what users called their properties.
+void write_json(LuaTable& table, const std::string& key, const OrderedJson& value) {
+  if (value.is_structured()) {
+    LuaTable inner = table.in_a_row(key);
+    for (const auto& [name, entry] : value.items())
+      write_json(inner,
+                 value.is_array()    ? ""
+                 : is_lua_name(name) ? name
+                                     : "[" + lua_string(name) + "]",
+                 entry);
+  } else if (value.is_number_float()) {
+    table.number(key, value.get<double>());
+  } else if (value.is_string()) {
+    table.member(key) += lua_string(value.get_ref<const std::string&>());
+  } else {
+    table.member(key) += value.is_null() ? "nil" : value.dump();
   }
 }
 
-// By tile, what its user wrote.
-void write_notes(const Level& level, LuaTable& table) {
-  if (level.tile_notes.empty()) return;
-  LuaTable notes = table.in_lines("tile_notes");
-  for (const auto& [tile, note] : level.tile_notes) {
-    LuaTable entry = notes.in_a_row("[" + std::to_string(tile) + "]");
-    if (!note.type.empty()) entry.member("class") += lua_string(note.type);
-    if (note.probability != 1) entry.number("probability", note.probability);
-    if (note.properties.empty()) continue;
-    LuaTable properties = entry.in_a_row("properties");
-    for (const TiledProperty& property : properties_of_json(note.properties)) {
-      std::string& text = properties.member("[" + lua_string(property.name) + "]");
-      if (const auto* truth = std::get_if<bool>(&property.value))
-        text += *truth ? "true" : "false";
-      else if (const auto* whole = std::get_if<std::int64_t>(&property.value))
-        text += std::to_string(*whole);
-      else if (const auto* number = std::get_if<double>(&property.value))
-        append_number(text, *number);
-      else
-        text += lua_string(std::get<std::string>(property.value));
-    }
+void write_by_number(LuaTable& table, std::string_view key, const OrderedJson& values) {
+  if (values.empty()) return;
+  LuaTable list = table.in_lines(key);
+  for (const auto& [number, value] : values.items()) write_json(list, "[" + number + "]", value);
+}
+
+// In functions of their own where they are many, see lua_text.h.
+void write_objects(const Level& level, LuaTable& table) {
+  const std::vector<ObjectPlace> objects = objects_in_order(level);
+  const auto write = [&](LuaTable&& list, std::size_t from) {
+    const std::size_t end = std::min(objects.size(), from + kMostLuaEntries);
+    for (std::size_t i = from; i < end; ++i) write_json(list, "", plain_object_json(level, objects[i]));
+  };
+  if (objects.size() <= kMostLuaEntries) return write(table.in_lines("objects"), 0);
+  LuaTable parts = table.in_lines("objects", "join");
+  for (std::size_t from = 0; from < objects.size(); from += kMostLuaEntries) {
+    write(parts.in_lines("", "function() return "), from);
+    parts.add(" end");
   }
+}
+
+// What games ask for beside the ground.
+void write_data(const Level& level, LuaTable& table) {
+  OrderedJson flags = OrderedJson::object();
+  for (int tile = 0; tile < level.tile_count(); ++tile)
+    if (const FlagSet set = level.tile_flags(static_cast<TileNumber>(tile)); set != 0)
+      flags[std::to_string(tile)] = set;
+  write_by_number(table, "tile_flags", flags);
+  write_by_number(table, "flag_names", plain_flag_names(level));
+  if (!level.tilesets.empty()) {
+    LuaTable tilesets = table.in_lines("tilesets");
+    for (const OrderedJson& tileset : plain_tilesets(level)) write_json(tilesets, "", tileset);
+  }
+  write_objects(level, table);
 }
 
 // The player's gravity has the same key as that of balls.
@@ -388,7 +411,7 @@ void write_flags(const Level& level, LuaTable& table) {
 }
 
 void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Progress& progress,
-                 const Level* layered, const LuaPictures* pictures) {
+                 const Level* layered, const LuaPictures* pictures, const Level* whole) {
   const TerrainSource ground = ground_of(level);
   const auto number_key = [](auto tile) { return "[" + std::to_string(tile) + "]"; };
   table.number("width", ground.width);
@@ -443,14 +466,17 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
         tuning.word(lua_key(field), field.word_of(level.tuning));
     }
   }
+  if (whole != nullptr) write_data(*whole, table);
   if (!with_tiles) return;
   write_flags(level, table);
   if (layered != nullptr) {
-    write_layers(*layered, pictures, table);
+    write_layers(*layered, whole->layers.count(), pictures, table);
     if (pictures != nullptr) write_pictures(*layered, *pictures, table);
+  } else if (const std::string& name = drawn.layers.list.front().name; !name.empty()) {
+    table.member("layer_name") += lua_string(name);
   }
-  write_animations(drawn, table);
-  write_notes(drawn, table);
+  write_by_number(table, "animations", plain_animations(drawn));
+  write_by_number(table, "tile_notes", plain_notes(drawn));
   LuaTable parts = table.in_a_row("parts");
   // A loop over the temporary would not keep it alive.
   const std::vector<std::string> used = lua_parts(level).value();
@@ -460,13 +486,15 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
 }  // namespace
 
 std::string lua_level(const Level& level, LuaForm form, const Progress& progress, const Level* layered,
-                      const LuaPictures* pictures) {
+                      const LuaPictures* pictures, const Level* whole) {
+  const bool is_readable = form == LuaForm::readable;
+  if (whole == nullptr && is_readable) whole = layered == nullptr ? &level : layered;
   std::string text;
-  if (form == LuaForm::readable)
-    text = "-- A level made with Talus, for talus.lua or bump_slopes.lua. Lengths in px.\n";
+  if (is_readable) text = "-- A level made with Talus, for talus.lua or bump_slopes.lua. Lengths in px.\n";
+  if (whole != nullptr && objects_in_order(*whole).size() > kMostLuaEntries) text += kLuaJoin;
   text += "return ";
-  write_level(LuaTable(text, form == LuaForm::readable ? LuaTable::Layout::lines : LuaTable::Layout::small),
-              level, form == LuaForm::readable, progress, layered, pictures);
+  write_level(LuaTable(text, is_readable ? LuaTable::Layout::lines : LuaTable::Layout::small), level,
+              is_readable, progress, layered, pictures, whole);
   return text + '\n';
 }
 

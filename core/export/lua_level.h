@@ -10,6 +10,17 @@
 //                     names, and not in a small table
 //   curves            kind, faces ("up", "down", "both"), conveyor (0) and the numbers in
 //                     talus/collision/shape.h
+//   tile_flags        by tile number, the flags of tiles that have any: bit n is flag n
+//   flag_names        by the number of the flag
+//   tilesets          name, first (tile number), count, columns; path of its picture, if it is a file
+//   objects           of all layers, from the back to the front: layer (its name), form ("box", "point",
+//                     "ellipse", "polygon", "polyline", "tile", "other"), class, name, x, y (of the top left
+//                     corner of its box, on the map), w, h, properties; unless default: rotation (0, degrees
+//                     clockwise about x, y), points (of polygons and polylines: x and y on the map in turn,
+//                     rotated), ground (false: its layer is none), one_way, hidden (false)
+//   animations        by tile number, the tiles that it shows, and for how many ms, in turn
+//   tile_notes        by tile number, what its user wrote: class, probability (1), properties
+//   layer_name        of the only layer, if there are no layers and it has one
 //   spawns            kind, name, x, y, w, h, vx, vy, foot ("box", "centre"); only if the body has a picture,
 //                     picture: sheet ("tiles"; "sprites"), columns, rows (tiles of a frame), steps (for which
 //                     it is shown), and for each of stand, run, jump and fall the tile, or sprite, of the
@@ -47,9 +58,11 @@ namespace talus {
 // curve, body and number of the tuning. small: without tiles, flags and parts, as a cart has the map itself,
 // and without what the runtime takes anyway for a spawn: size and foot of its kind, no velocity. layered: the
 // level that has the layers, as ExportRequest::layered; null: none are written. pictures: of that level;
-// null: none are shown.
+// null: none are shown. whole: as ExportRequest::whole(), of which flags, tilesets and objects are; null:
+// layered or level where the text is readable, none where it is small.
 std::string lua_level(const Level& level, LuaForm form = LuaForm::readable, const Progress& progress = {},
-                      const Level* layered = nullptr, const LuaPictures* pictures = nullptr);
+                      const Level* layered = nullptr, const LuaPictures* pictures = nullptr,
+                      const Level* whole = nullptr);
 
 // Adds the files of a level that templates/pictures.lua draws: level.lua, sheet.png and, if there are any,
 // pictures.png; and sprites.png, if bodies show sprites.

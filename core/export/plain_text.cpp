@@ -9,6 +9,7 @@
 #include "../formats/text/json_text.h"
 #include "ground_polygons.h"
 #include "lua_text.h"
+#include "plain_layers.h"
 
 namespace talus {
 namespace {
@@ -28,14 +29,6 @@ OrderedJson roles_of(const Level& level) {
     if (flag != FlagRoles::kUnused) roles[std::string(info.key)] = flag;
   }
   return roles;
-}
-
-// By number; flags without a name are left out.
-OrderedJson flag_names_of(const Level& level) {
-  OrderedJson names = OrderedJson::object();
-  for (std::size_t flag = 0; flag < level.flag_names.size(); ++flag)
-    if (!level.flag_names[flag].empty()) names[std::to_string(flag)] = level.flag_names[flag];
-  return names;
 }
 
 // As in the level's file.
@@ -60,19 +53,6 @@ OrderedJson shapes_of(const TerrainSource& ground) {
   return shapes;
 }
 
-OrderedJson notes_of(const TileNotes& notes) {
-  OrderedJson list = OrderedJson::object();
-  for (const auto& [tile, note] : notes) {
-    OrderedJson& entry = list[std::to_string(tile)] = OrderedJson::object();
-    if (!note.type.empty()) entry["class"] = note.type;
-    if (note.probability != 1) entry["probability"] = number(note.probability);
-    if (note.properties.empty()) continue;
-    entry["properties"] = OrderedJson::parse(note.properties, nullptr, false);
-    if (entry["properties"].is_discarded()) entry.erase("properties");
-  }
-  return list;
-}
-
 bool is_nested(const OrderedJson& list) {
   return std::any_of(list.begin(), list.end(),
                      [](const OrderedJson& entry) { return entry.is_structured(); });
@@ -89,29 +69,24 @@ class PlainPrinter {
     print(value, 1);
   }
 
+  void put_if_any(const char* key, const OrderedJson& value) {
+    if (!value.empty()) put(key, value);
+  }
+
   // A list with one entry on each line. entry(i) writes the entry number i.
   template <class Entry>
   void put_list(const char* key, std::size_t count, const Progress& progress, const Entry& entry) {
     begin_member(key);
-    const bool in_parts = is_lua_ && count > kMostLuaEntries;
-    joins_ = joins_ || in_parts;
-    if (in_parts)
-      text_ += "join{";
-    else
-      open_list();
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!progress.at(i, count)) return;
-      const bool begins_part = in_parts && i % kMostLuaEntries == 0;
-      if (begins_part) text_ += i == 0 ? "function() return {" : "} end,function() return {";
-      if (i > 0 && !begins_part) text_ += ',';
-      print_line_break(2);
-      entry(i);
-    }
-    if (count > 0) print_line_break(1);
-    if (in_parts)
-      text_ += "} end}";
-    else
-      close_list();
+    print_list(1, count, kMostLuaEntries, progress, entry);
+  }
+
+  // All layers with their own tiles.
+  void put_layers(const Level& level, const Progress& progress) {
+    begin_member("layers");
+    const std::vector<LayerInOrder> layers = layers_in_order(level);
+    const std::size_t rows = 2 * static_cast<std::size_t>(level.map.height()) + 1;
+    print_list(1, layers.size(), std::max<std::size_t>(1, kMostLuaEntries / rows), progress,
+               [&](std::size_t i) { print_layer(level, layers[i]); });
   }
 
   // Entries of such a list.
@@ -126,7 +101,7 @@ class PlainPrinter {
     for (auto entry = value.begin(); entry != value.end(); ++entry, first = false) {
       if (!first) text_ += ',';
       if (in_lines) print_line_break(depth + 1);
-      if (value.is_object()) print_key(entry.key());
+      if (value.is_object()) print_key(entry.key(), depth == 1);
       print(*entry, depth + 1);
     }
     if (in_lines && !value.empty()) print_line_break(depth);
@@ -178,6 +153,52 @@ class PlainPrinter {
     print_line_break(1);
     print_key(key);
   }
+  // depth: of the list's key. most: entries of a table.
+  template <class Entry>
+  void print_list(int depth, std::size_t count, std::size_t most, const Progress& progress,
+                  const Entry& entry) {
+    const bool in_parts = is_lua_ && count > most;
+    joins_ = joins_ || in_parts;
+    if (in_parts)
+      text_ += "join{";
+    else
+      open_list();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!progress.at(i, count)) return;
+      const bool begins_part = in_parts && i % most == 0;
+      if (begins_part) text_ += i == 0 ? "function() return {" : "} end,function() return {";
+      if (i > 0 && !begins_part) text_ += ',';
+      print_line_break(depth + 1);
+      entry(i);
+    }
+    if (count > 0) print_line_break(depth);
+    if (in_parts)
+      text_ += "} end}";
+    else
+      close_list();
+  }
+
+  void print_layer(const Level& level, LayerInOrder layer) {
+    print(plain_layer_json(level, layer), 2);
+    if (!layer.has_tiles) return;
+    text_.pop_back();  // the brace: the cells follow
+    const MapCells& cells = level.cells_of(layer.index);
+    print_rows("map", cells.tiles(), level.map.width());
+    std::vector<TileNumber> turns;
+    if (cells.has_turned())
+      for (const TileTurn turn : cells.turns()) turns.push_back(static_cast<TileNumber>(turn));
+    if (!turns.empty()) print_rows("turns", turns, level.map.width());
+    text_ += '}';
+  }
+  // A member of an entry of a list.
+  void print_rows(const char* key, std::span<const TileNumber> cells, int columns) {
+    const auto width = static_cast<std::size_t>(columns);
+    text_ += ',';
+    print_key(key);
+    print_list(2, cells.size() / width, kMostLuaEntries, {},
+               [&](std::size_t row) { print(cells.subspan(row * width, width)); });
+  }
+
   void open_list() { text_ += is_lua_ ? '{' : '['; }
   void close_list() { text_ += is_lua_ ? '}' : ']'; }
 
@@ -185,9 +206,9 @@ class PlainPrinter {
     text_ += is_lua_ ? lua_string(text)
                      : OrderedJson(text).dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
   }
-  // Keys are names, the numbers of tiles and flags, and what users called their properties.
-  void print_key(const std::string& key) {
-    const bool is_number = !key.empty() && key.find_first_not_of("0123456789") == key.npos;
+  // may_be_number: whether digits are the number of a tile or a flag; else users may call properties so.
+  void print_key(const std::string& key, bool may_be_number = false) {
+    const bool is_number = may_be_number && key.find_first_not_of("0123456789") == key.npos;
     if (!is_lua_) {
       print_string(key);
       text_ += ':';
@@ -260,7 +281,8 @@ OrderedJson plain_body_json(const PlainBody& body) {
   return members;
 }
 
-FormatResult<std::string> plain_text(const Level& level, Dialect dialect, const Progress& progress) {
+FormatResult<std::string> plain_text(const Level& level, const Level& whole, Dialect dialect,
+                                     const Progress& progress) {
   TerrainSource ground = ground_of(level);
   const std::span<const TileNumber> cells = ground.cells;
   const auto width = static_cast<std::size_t>(ground.width);
@@ -274,11 +296,17 @@ FormatResult<std::string> plain_text(const Level& level, Dialect dialect, const 
                    [&](std::size_t y) { printer.print(cells.subspan(y * width, width)); });
   printer.put("flags", {{"tiles", level.sheet(SheetId::tiles).flags},
                         {"sprites", level.sheet(SheetId::sprites).flags}});
-  if (const OrderedJson names = flag_names_of(level); !names.empty()) printer.put("flag_names", names);
+  printer.put_if_any("flag_names", plain_flag_names(level));
   printer.put("roles", roles_of(level));
   printer.put("shapes", shapes_of(ground));
-  if (!level.tile_notes.empty()) printer.put("tile_notes", notes_of(level.tile_notes));
-  ground.progress = progress.part(0.1, 0.6).function();
+  printer.put_if_any("tile_notes", plain_notes(level));
+  printer.put_if_any("animations", plain_animations(whole));
+  printer.put_if_any("tilesets", plain_tilesets(whole));
+  if (has_plain_layers(whole)) printer.put_layers(whole, progress.part(0.1, 0.15));
+  const std::vector<ObjectPlace> objects = objects_in_order(whole);
+  printer.put_list("objects", objects.size(), {},
+                   [&](std::size_t i) { printer.print(plain_object_json(whole, objects[i]), 2); });
+  ground.progress = progress.part(0.15, 0.6).function();
   const FormatResult<std::vector<GroundPolygon>> polygons = ground_polygons(ground);
   if (!polygons) return tl::unexpected(polygons.error());
   printer.put_list("polygons", polygons->size(), progress.part(0.6, 0.8),

@@ -23,7 +23,8 @@ enum class Dialect { json, lua };
 
 // One line for each member of the object, and for each entry of a list of lists or objects. Lua has `return`
 // before it, and, if lists are too long for LuaJIT, a function that joins their parts. Errors are those of
-// ground_polygons().
-FormatResult<std::string> plain_text(const Level& level, Dialect dialect, const Progress& progress = {});
+// ground_polygons(). level: with its ground in one layer of tiles. whole: as ExportRequest::whole().
+FormatResult<std::string> plain_text(const Level& level, const Level& whole, Dialect dialect,
+                                     const Progress& progress = {});
 
 }  // namespace talus

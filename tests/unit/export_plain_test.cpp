@@ -97,8 +97,8 @@ TEST(ExportJson, AnEmptyMapHasEmptyLists) {
   const std::string text = exported_file("json", level);
   EXPECT_THAT(text, StartsWith("{\n \"width\":2,\n \"height\":1,\n \"tile_size\":8,\n \"tile_width\":8,\n "
                                "\"tile_height\":8,\n \"map\":[\n  [0,0]\n ],\n"));
-  EXPECT_THAT(
-      text, HasSubstr(" \"shapes\":{},\n \"polygons\":[],\n \"lines\":[],\n \"bodies\":[],\n \"tuning\":{"));
+  EXPECT_THAT(text, HasSubstr(" \"shapes\":{},\n \"objects\":[],\n \"polygons\":[],\n \"lines\":[],\n "
+                              "\"bodies\":[],\n \"tuning\":{"));
 }
 
 // The data are written as in a level's file, and a body has the id that it has in the simulation.

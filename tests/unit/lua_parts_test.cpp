@@ -219,7 +219,7 @@ TEST(LuaLevel, HasALineForEachRowTileAndBody) {
       "  tuning = {\n";
   EXPECT_EQ(text.substr(0, begin.size()), begin);
   EXPECT_NE(text.find("\n    fall_speed = 5,\n"), std::string::npos);
-  const std::string end = ",\n  },\n  parts = {\"slopes\", \"segments\", \"balls\"},\n}\n";
+  const std::string end = "\n  },\n  objects = {},\n  parts = {\"slopes\", \"segments\", \"balls\"},\n}\n";
   EXPECT_EQ(text.substr(text.size() - end.size()), end);
 }
 
