@@ -20,6 +20,10 @@
 --   world:floor(x, y, w, h, 16)      -- the floor's y, at most 16 px below, and its normal nx, ny; or nil
 --   world:cast(x, y, w, h, dx, dy)   -- its first contact on that way: t (0..1), x, y, nx, ny; or nil
 --   world:overlaps(x, y, w, h)       -- whether it is in the ground
+-- The part data tells what the level says beside its ground; x, y: a point of the map:
+--   world:flags_at(x, y).ladder             -- whether a tile there has the flag; flags_at(x, y, "front"): in a layer
+--   world:tile_at(x, y)                     -- the number of the foremost tile that is not 0, or 0; nil beside the map
+--   world:objects {class = "coin"}          -- a list of objects, by class, name and layer: see level.objects
 --
 -- What the game adds to the level while it runs:
 --   world:add {kind = "player", x = 40, y = 8}   -- a body, which it returns

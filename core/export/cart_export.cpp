@@ -6,6 +6,7 @@
 #include "cart_files.h"
 #include "export_targets.h"
 #include "lua_level.h"
+#include "lua_parts.h"
 #include "lua_runtime.h"
 #include "short_names.h"
 
@@ -33,6 +34,9 @@ FormatResult<std::string> game_code(const ExportRequest& request) {
   const Level& level = request.level;
   FormatResult<std::string> runtime = lua_runtime(request, LuaForm::small, true);
   if (!runtime) return tl::unexpected(runtime.error());
+  const auto parts = lua_parts(level, request.parts);
+  if (!parts) return tl::unexpected(parts.error());
+  const bool has_data = std::find(parts->begin(), parts->end(), "data") != parts->end();
   std::vector<std::string> game;
   const bool has_pictures = std::any_of(level.spawns.begin(), level.spawns.end(),
                                         [](const Spawn& spawn) { return !spawn.picture.empty(); });
@@ -48,7 +52,8 @@ FormatResult<std::string> game_code(const ExportRequest& request) {
          "drags, B starts again\n-- license: MIT, (c) 2026 the Talus authors\n-- script: "
          "lua\ntalus=(function()\n" +
          with_short_names(join_lua({"\n", *runtime}), {"Terrain", "Walk"}) + "end)()\nlevel=(function()\n" +
-         lua_level(level, LuaForm::small) + "end)()\n" + join_lua(game);
+         lua_level(level, LuaForm::small, {}, nullptr, nullptr, has_data ? &level : nullptr) + "end)()\n" +
+         join_lua(game);
 }
 
 // The level's own cart, with its sounds and music; an empty cart if the level has none.

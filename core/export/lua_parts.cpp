@@ -38,6 +38,7 @@ constexpr LuaPart kLuaParts[] = {
     {"conveyors", {"conveyors"}},
     {"events", {"events"}},
     {"steer", {"steer"}, {"events"}},
+    {"data", {"data"}},
     {"end", {"luajit", "module"}},
 };
 

@@ -46,7 +46,7 @@ std::string lay_out(const std::vector<std::string>& texts, const std::vector<std
 
 FormatResult<std::string> lua_runtime(const ExportRequest& request, LuaForm form, bool with_mouse) {
   std::string more = std::string(request.parts) + (with_mouse ? ",mouse" : "");
-  if (form == LuaForm::readable) more += ",events,steer";  // carts are short of space
+  if (form == LuaForm::readable) more += ",events,steer,data";  // carts are short of space
   const auto parts = lua_parts(request.level, more);
   if (!parts) return tl::unexpected(parts.error());
   std::vector<std::string> texts;

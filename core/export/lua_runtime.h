@@ -9,8 +9,8 @@ namespace talus {
 // short.
 enum class LuaForm { readable, small };
 
-// The core of the runtime, the level's parts, those asked for, events in the readable form, and, with_mouse,
-// the part that drags bodies.
+// The core of the runtime, the level's parts, those asked for, events and data in the readable form, and,
+// with_mouse, the part that drags bodies.
 // Returns an error if a part is not known or cannot be read.
 FormatResult<std::string> lua_runtime(const ExportRequest& request, LuaForm form, bool with_mouse);
 

@@ -91,7 +91,7 @@ TEST(LuaParts, OtherPartsCanBeChosen) {
   EXPECT_EQ(
       wrong.error().message,
       "\"plyers\" is not a part of the runtime; the parts are slopes, one_way, polygons, segments, curves, "
-      "balls, flight, walk, players, pairs, mouse, meet, round, conveyors, events, steer");
+      "balls, flight, walk, players, pairs, mouse, meet, round, conveyors, events, steer, data");
 }
 
 // Words that occur in the code of one part only.
@@ -100,7 +100,7 @@ const std::map<std::string, std::string> kMarks = {
     {"one_way", "one_way"},
     {"segments", "segment|polyline|cutter|curves"},
     {"curves", "curve_|stretch|tangent|bends|\\barc\\b|sine|newton"},
-    {"balls", "\\bballs?\\b|bounce|friction"},
+    {"balls", "bounce|friction"},
     {"walk", "floor_leads_over|look_ahead"},
     {"players", "players?\\b|jump|coyote|run_speed"},
     {"pairs", "block_cells|near\\b"},
@@ -168,7 +168,7 @@ TEST(LuaParts, FoldersHaveTheModuleInReadableForm) {
   for (const char* id : {"love", "lua-runtime"}) {
     const std::string text = exported(with_slope(flat_level()), id).files.front().bytes;
     const std::string parts =
-        std::string(id) == "love" ? "slopes, balls, mouse, events, steer" : "slopes, balls, events, steer";
+        std::string(id) == "love" ? "slopes, balls, mouse, events, steer, data" : "slopes, balls, events, steer, data";
     EXPECT_NE(text.find("\n--\n-- The parts of this module: " + parts + ".\n\n"), std::string::npos) << id;
     for (const char* file : {"terrain", "cast", "slopes", "balls", "module"}) {
       const std::string part = read_asset("runtime/" + std::string(file) + ".lua").value();

@@ -1,0 +1,145 @@
+-- ---- What the level says beside its ground: tiles, flags and objects ----
+has.data = true
+
+-- In a function, as a module has room for 200 local variables.
+function World.begin_data()
+
+-- Tells a name that is wrong, and those that there are. depth: of the function that the game called.
+local function no_name(what, name, names, depth)
+  for i, one in ipairs(names) do names[i] = ("%q"):format(one) end
+  local all = #names > 0 and table.concat(names, ", ") or "none"
+  error(("no %s %q; this level names %s"):format(what, tostring(name), all), depth + 1)
+end
+
+-- The layers of tiles, from the back to the front. Without a list of them the ground is the only one.
+local function tile_layers(level)
+  if not level.layers then return {{name = level.layer_name, number = 1, ground = true}} end
+  local layers = {}
+  for number, layer in ipairs(level.layers) do
+    if layer.tiles then
+      layers[#layers + 1] = {name = layer.name, number = number, ground = layer.ground, tiles = layer.tiles}
+    end
+  end
+  return layers
+end
+
+local function layer_of(world, layer)
+  for _, one in ipairs(world.layers) do
+    if one.name == layer or one.number == layer then return one end
+  end
+  local names = {}
+  for _, one in ipairs(world.layers) do names[#names + 1] = one.name end
+  no_name("layer of tiles", layer, names, 3)
+end
+
+-- The number of the cell at a point, from 0; nil beside the map.
+local function cell_at(world, x, y)
+  if type(x) ~= "number" or type(y) ~= "number" then
+    error(("a point is two numbers, x and y in px, not %s and %s"):format(tostring(x), tostring(y)), 3)
+  end
+  local terrain = world.terrain
+  local column, row = floor(x / terrain.tile_w), floor(y / terrain.tile_h)
+  if not (column >= 0 and row >= 0 and column < terrain.width and row < terrain.height) then return nil end
+  return row * terrain.width + column
+end
+
+-- A tile of the ground that is a body leaves its cell.
+local function tile_in(world, layer, cell)
+  local tile = layer.tiles and layer.tiles[cell + 1] or world.terrain.tiles[cell]
+  return layer.ground and world.level.balls[tile] and 0 or tile
+end
+
+-- The number of the tile at a point, in a layer, by its name or its number in level.layers; without one the foremost
+-- tile there that is not 0. Beside the map it is nil.
+function World:tile_at(x, y, layer)
+  local cell = cell_at(self, x, y)
+  local one = layer ~= nil and layer_of(self, layer)
+  if not cell then return nil end
+  if one then return tile_in(self, one, cell) end
+  for i = #self.layers, 1, -1 do
+    local tile = tile_in(self, self.layers[i], cell)
+    if tile ~= 0 then return tile end
+  end
+  return 0
+end
+
+local function has_flag(flags, flag) return floor(flags / 2 ^ flag) % 2 == 1 end
+
+-- The flags of both numbers. Each sum is made once, as games ask for the same ones again and again.
+local sums = {}
+local function both(a, b)
+  if a == 0 or a == b then return b end
+  local of_a = sums[a] or {}
+  sums[a] = of_a
+  if not of_a[b] then
+    local sum = 0
+    for flag = 0, 31 do
+      if has_flag(a, flag) or has_flag(b, flag) then sum = sum + 2 ^ flag end
+    end
+    of_a[b] = sum
+  end
+  return of_a[b]
+end
+
+-- A set of flags: true or false by number and by name. To ask it for another name is an error.
+local function new_set(world, flags)
+  local set = {}
+  for flag = 0, 31 do
+    local name = world.level.flag_names and world.level.flag_names[flag]
+    set[flag] = has_flag(flags, flag)
+    if name then set[name] = set[name] or set[flag] end
+  end
+  return setmetatable(set, world.no_flag)
+end
+
+-- The flags of the tile at a point, in a layer or, without one, of the tiles of all layers: flags_at(x, y).ladder, or
+-- flags_at(x, y)[3] by number. The same flags are the same table, which must not be changed.
+function World:flags_at(x, y, layer)
+  local cell = cell_at(self, x, y)
+  local one = layer ~= nil and layer_of(self, layer)
+  local flags, of_tiles = 0, self.level.tile_flags or {}
+  if cell and one then
+    flags = of_tiles[tile_in(self, one, cell)] or 0
+  elseif cell then
+    for _, each in ipairs(self.layers) do flags = both(flags, of_tiles[tile_in(self, each, cell)] or 0) end
+  end
+  local set = self.flag_sets[flags]
+  if not set then
+    set = new_set(self, flags)
+    self.flag_sets[flags] = set
+  end
+  return set
+end
+
+-- The objects of the level that have this class, name and layer, from the back to the front; all may be missing. They
+-- are tables of level.objects.
+function World:objects(like)
+  local found = {}
+  for key in pairs(like or found) do
+    if key ~= "class" and key ~= "name" and key ~= "layer" then
+      error(("objects have no %q to be found by, but class, name and layer"):format(tostring(key)), 2)
+    end
+  end
+  for _, object in ipairs(self.level.objects or {}) do
+    local is_like = true
+    for key, value in pairs(like or {}) do is_like = is_like and object[key] == value end
+    if is_like then found[#found + 1] = object end
+  end
+  return found
+end
+
+local place_tiles = World.place_tiles
+function World:place_tiles(level)
+  self.level, self.layers, self.flag_sets = level, tile_layers(level), {}
+  self.no_flag = {__index = function(_, flag)
+    local names = {}
+    for _, name in pairs(level.flag_names or {}) do names[#names + 1] = name end
+    table.sort(names)
+    no_name("flag", flag, names, 2)
+  end}
+  place_tiles(self, level)
+end
+
+end
+
+World.begin_data()

@@ -1,0 +1,133 @@
+// The part data of the Lua runtime: tiles, flags and objects of a level, in Lua 5.3 and LuaJIT.
+#include <gmock/gmock.h>
+
+#include "export/exporter.h"
+#include "folder_test.h"
+#include "formats/files/atomic_file.h"
+#include "paths.h"
+#include "unit/program_output.h"
+
+namespace talus::lua_data_test {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr TileNumber kFloor = 1, kLadder = 2, kBall = 3, kSign = 4;
+
+// A floor, a ladder before it and a ball above.
+Level flat_level() {
+  Level level;
+  level.map = TileMap(4, 2);
+  level.flag_names[7] = "ladder";
+  level.flag_names[9] = level.flag_names[10] = "win zone";
+  level.sheet(SheetId::tiles).flags[kFloor] = 1;
+  level.sheet(SheetId::tiles).flags[kBall] = 2;
+  level.sheet(SheetId::tiles).flags[kLadder] = flag_bit(7);
+  level.sheet(SheetId::tiles).flags[kSign] = flag_bit(7) | flag_bit(10) | flag_bit(31);
+  level.map.cells() = MapCells(std::vector<TileNumber>{0, 0, kBall, 0, kFloor, kLadder, kFloor, kFloor});
+  level.layers.list.front().name = "ground";
+  return level;
+}
+
+// With a layer in front, which is hidden and moved, and objects between both.
+Level layered_level() {
+  Level level = flat_level();
+  TileLayer front{.name = "front", .is_ground = false, .visible = false, .offset = {100, 0}};
+  front.cells = std::make_shared<const MapCells>(std::vector<TileNumber>{0, kSign, 0, 0, 0, 0, kLadder, 0});
+  level.layers.list.push_back(front);
+  ObjectLayer things{.name = "things", .place = 1};
+  things.objects = {{.name = "a", .type = "coin", .position = {1, 2}, .properties = R"({"worth": 5})"},
+                    {.name = "b", .type = "coin"},
+                    {.name = "a", .type = "door"}};
+  level.objects = {things};
+  return level;
+}
+
+Exported made(const char* id, const Level& level, std::string_view parts = {}) {
+  const ReadAsset assets = [](const std::string& name) { return read_file(source_path("assets/") + name); };
+  return find_exporter(id)->make({level, "cave", assets, parts}).value();
+}
+
+class LuaDataPart : public FolderTest {
+ protected:
+  // Expects that both Luas print this for a program that has the world.
+  void expect_printed(const Level& level, const std::string& program, const std::string& expected,
+                      const char* id = "lua-runtime") const {
+    for (const ExportedFile& file : made(id, level).files) put(file.name, file.bytes);
+    put("program.lua", "local world = require('talus').new(require('level'))\n" + program);
+    for (const char* lua : {"lua5.3", "luajit"})
+      EXPECT_EQ(output_of("cd '" + folder_.string() + "' && " + lua + " program.lua 2>&1"), expected) << lua;
+  }
+};
+
+TEST_F(LuaDataPart, TellsTheTileAtAPoint) {
+  const std::string program =
+      "print(world:tile_at(0, 8), world:tile_at(15.9, 15.9), world:tile_at(0, 0), world:tile_at(16, 0))\n"
+      "print(world:tile_at(-0.1, 0), world:tile_at(0, 16), world:tile_at(32, 0), world:tile_at(0 / 0, 0))\n"
+      "print(world:tile_at(16, 8), world:tile_at(16, 8, 'ground'), world:tile_at(8, 0, 'ground'))\n";
+  const std::string ends = "1\t2\t0\t0\nnil\tnil\tnil\tnil\n";
+  expect_printed(flat_level(), program, ends + "1\t1\t0\n");
+  expect_printed(layered_level(), program, ends + "2\t1\t0\n");
+  expect_printed(layered_level(), "print(world:tile_at(16, 8, 2), world:tile_at(16, 8, 1))\n", "2\t1\n");
+  expect_printed(flat_level(), "world.terrain:set_tile(0, 0, 4)\nprint(world:tile_at(0, 0, 1))\n", "4\n");
+}
+
+TEST_F(LuaDataPart, TellsTheFlagsAtAPoint) {
+  const std::string program =
+      "local on = world:flags_at(8, 8)\n"
+      "print(on.ladder, on['win zone'], on[7], on[0], on[31], on == world:flags_at(9, 9))\n"
+      "on = world:flags_at(16, 8)\n"
+      "print(on.ladder, on[0], world:flags_at(16, 8, 'ground').ladder, world:flags_at(-1, 0).ladder)\n"
+      "on = world:flags_at(8, 0)\n"
+      "print(on.ladder, on['win zone'], on[9], on[10], on[31])\n";
+  expect_printed(flat_level(), program,
+                 "true\tfalse\ttrue\tfalse\tfalse\ttrue\nfalse\ttrue\tfalse\tfalse\n"
+                 "false\tfalse\tfalse\tfalse\tfalse\n");
+  for (const char* id : {"lua-runtime", "love"})
+    expect_printed(layered_level(), program,
+                   "true\tfalse\ttrue\tfalse\tfalse\ttrue\ntrue\ttrue\tfalse\tfalse\n"
+                   "true\ttrue\tfalse\ttrue\ttrue\n",
+                   id);
+}
+
+TEST_F(LuaDataPart, FindsObjects) {
+  expect_printed(layered_level(),
+                 "print(#world:objects(), #world:objects {class = 'coin'}, #world:objects {name = 'a'})\n"
+                 "print(#world:objects {class = 'coin', name = 'a'}, #world:objects {layer = 'other'})\n"
+                 "local coin = world:objects {layer = 'things'}[1]\n"
+                 "print(coin.x, coin.y, coin.properties.worth)\n",
+                 "3\t2\t2\n1\t0\n1\t2\t5\n");
+  expect_printed(flat_level(), "print(#world:objects())\n", "0\n");
+}
+
+TEST_F(LuaDataPart, ErrorsNameWhatIsWrong) {
+  const std::string program =
+      "local function tell(...) print((select(2, pcall(...)):gsub('^.*lua:%d+: ', ''))) end\n"
+      "tell(world.tile_at, world, 0, 0, 'typo')\n"
+      "tell(world.flags_at, world, -1, 0, 'things')\n"
+      "tell(world.tile_at, world, 'x')\n"
+      "tell(function() return world:flags_at(0, 0).lader end)\n"
+      "tell(world.objects, world, {clas = 'coin'})\n"
+      "print((select(2, pcall(function() return world:flags_at(0, 0).lader "
+      "end)):match('^program.lua:%d+:')))\n";
+  expect_printed(layered_level(), program,
+                 "no layer of tiles \"typo\"; this level names \"ground\", \"front\"\n"
+                 "no layer of tiles \"things\"; this level names \"ground\", \"front\"\n"
+                 "a point is two numbers, x and y in px, not x and nil\n"
+                 "no flag \"lader\"; this level names \"ladder\", \"win zone\", \"win zone\"\n"
+                 "objects have no \"clas\" to be found by, but class, name and layer\n"
+                 "program.lua:8:\n");
+  expect_printed(Level(), "print(pcall(world.flags_at, world, 0, 0, 'a'))\n",
+                 "false\tno layer of tiles \"a\"; this level names none\n");
+}
+
+TEST(LuaDataParts, AreInCartsByNameAlone) {
+  const std::string cart = made("tic-text-playable", layered_level()).files[0].bytes;
+  for (const char* word : {"flags_at", "coin", "ladder", "tile_flags"})
+    EXPECT_THAT(cart, Not(HasSubstr(word)));
+  const std::string with_data = made("tic-text-playable", layered_level(), "data").files[0].bytes;
+  for (const char* word : {"flags_at(", "coin", "ladder", "tile_flags={"})
+    EXPECT_THAT(with_data, HasSubstr(word));
+}
+
+}  // namespace talus::lua_data_test
