@@ -5,12 +5,12 @@
 #include <tuple>
 #include <utility>
 
+#include <talus/level/placed_picture.h>
 #include <talus/level/tile_turns.h>
 #include "../formats/import/import_drops.h"
 #include "../formats/pictures/png_picture.h"
 #include "../formats/tiled/tiled_object_layers.h"
 #include "../formats/tiled/tiled_properties.h"
-#include "../level/placed_picture.h"
 
 namespace talus {
 namespace {

@@ -5,13 +5,13 @@
 #include <array>
 #include <filesystem>
 
+#include <talus/level/placed_picture.h>
 #include "../formats/files/atomic_file.h"
 #include "../formats/import/import_drops.h"
 #include "../level/ground_cells.h"
 #include "../level/ground_level.h"
 #include "../level/layer_tree.h"
 #include "../level/object_ground.h"
-#include "../level/placed_picture.h"
 #include "export_targets.h"
 #include "flat_level.h"
 #include "lua_pictures.h"
@@ -47,7 +47,11 @@ constexpr Names<3> kRuntimeFiles = {"talus.lua", "level.lua", kLicenseFile};
 constexpr Names<11> kBumpFiles = {"level.lua",    "sheet.png",    "bump_slopes.lua", "main.lua",
                                   "conf.lua",     "camera.lua",   "controls.lua",    "frames.lua",
                                   "pictures.lua", "pictures.png", kLicenseFile};
-constexpr Names<4> kCppFiles = {"level.talus.json", "main.cpp", "CMakeLists.txt", kLicenseFile};
+constexpr Names<20> kCppFiles = {"level.talus.json", "main.cpp",         "CMakeLists.txt", "bodies.cpp",
+                                 "bodies.h",         "level_camera.cpp", "level_camera.h", "controls.cpp",
+                                 "controls.h",       "layers.cpp",       "layers.h",       "painter.cpp",
+                                 "painter.h",        "play.cpp",         "play.h",         "headless.cpp",
+                                 "headless.h",       "sheet.cpp",        "sheet.h",        kLicenseFile};
 constexpr Names<10> kCsvFiles = {"map.csv",      "flags.csv", "sprite_flags.csv", "flag_names.csv",
                                  "polygons.csv", "lines.csv", "bodies.csv",       "roles.csv",
                                  "tuning.csv",   "sizes.csv"};
@@ -270,8 +274,9 @@ std::span<const Exporter> exporters() {
       {.id = "cpp",
        .label = "game in C++",
        .write = export_cpp,
-       .purpose = "A program with the collision core that plays the level: a start for your own game.",
+       .purpose = "A program for SDL2 that draws and plays the level: a start for your own game.",
        .takes_layers = true,
+       .takes_groups = true,
        .takes_objects = true,
        .beside = kCppFiles},
       {.id = "tmj",

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include <talus/level/ground.h>
+#include <talus/level/placed_picture.h>
 #include "../formats/text/append_number.h"
 #include "../level/bump_boxes.h"
-#include "../level/placed_picture.h"
 #include "lua_parts.h"
 #include "lua_text.h"
 #include "plain_data.h"

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include <talus/level/placed_picture.h>
 #include "../formats/native/native_pictures.h"
-#include "../level/placed_picture.h"
 
 namespace talus {
 namespace {

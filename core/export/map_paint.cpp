@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <talus/level/placed_picture.h>
 #include <talus/level/tile_turns.h>
-#include "../level/placed_picture.h"
 #include "../level/tile_color.h"
 
 namespace talus {

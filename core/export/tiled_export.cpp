@@ -3,6 +3,7 @@
 #include <sstream>
 #include <utility>
 
+#include <talus/level/placed_picture.h>
 #include "../formats/native/native.h"
 #include "../formats/pictures/png_sheet.h"
 #include "../formats/text/append_number.h"
@@ -11,7 +12,6 @@
 #include "../formats/tiled/tiled_cells.h"
 #include "../formats/tiled/tiled_xml.h"
 #include "../level/layer_tree.h"
-#include "../level/placed_picture.h"
 #include "export_targets.h"
 #include "tiled_model.h"
 

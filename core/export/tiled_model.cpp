@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <iterator>
 
+#include <talus/level/placed_picture.h>
 #include "../formats/tiled/tiled_flags.h"
 #include "../formats/tiled/tiled_objects.h"
 #include "../formats/tiled/tiled_properties.h"
-#include "../level/placed_picture.h"
 #include "../level/tile_color.h"
 #include "export_layers.h"
 

@@ -2,10 +2,10 @@
 #include <cstdio>
 #include <string_view>
 
+#include <talus/level/placed_picture.h>
 #include "../formats/text/append_number.h"
 #include "../formats/tiled/tiled_cells.h"
 #include "../level/layer_tree.h"
-#include "../level/placed_picture.h"
 #include "lua_text.h"
 #include "tiled_model.h"
 

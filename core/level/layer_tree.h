@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "placed_picture.h"
+#include <talus/level/placed_picture.h>
 
 namespace talus {
 

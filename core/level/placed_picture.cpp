@@ -1,4 +1,4 @@
-#include "placed_picture.h"
+#include <talus/level/placed_picture.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include <talus/level/placed_picture.h>
 #include "level/edit.h"
-#include "level/placed_picture.h"
 
 namespace talus {
 

@@ -43,7 +43,7 @@ TEST_F(CliOwnFiles, ChangedStartersAreKept) {
   const std::pair<const char*, std::vector<const char*>> starters[] = {
       {"love", {"main.lua", "conf.lua"}},
       {"bump", {"main.lua", "conf.lua"}},
-      {"cpp", {"main.cpp", "CMakeLists.txt"}}};
+      {"cpp", {"main.cpp", "CMakeLists.txt", "bodies.cpp", "painter.h"}}};
   for (const auto& [format, names] : starters) {
     const std::string game = format;
     ASSERT_EQ(run_to(format, game), 0) << answer_.err;

@@ -62,8 +62,8 @@ TEST(ExportLove, AndOthersNameTheLicenseOfCode) {
     const Exported made = exported(Level(), id);
     for (const ExportedFile& file : made.files) {
       SCOPED_TRACE(std::string(id) + "/" + file.name);
-      const bool is_code =
-          file.name.ends_with(".lua") || file.name.ends_with(".cpp") || file.name == "CMakeLists.txt";
+      const bool is_code = file.name.ends_with(".lua") || file.name.ends_with(".cpp") ||
+                           file.name.ends_with(".h") || file.name == "CMakeLists.txt";
       if (is_code && file.name != "level.lua")
         EXPECT_THAT(first_line(file.bytes), testing::HasSubstr(notice));
     }

@@ -2,10 +2,10 @@
 #include <gmock/gmock.h>
 
 #include <talus/formats/format.h>
+#include <talus/level/placed_picture.h>
 #include "export/exporter.h"
 #include "folder_test.h"
 #include "formats/files/atomic_file.h"
-#include "level/placed_picture.h"
 #include "paths.h"
 #include "pictured_level.h"
 

@@ -5,10 +5,10 @@
 
 #include <limits>
 
+#include <talus/level/placed_picture.h>
 #include "edit/layer_looks.h"
 #include "edit/map_stroke.h"
 #include "edit/undo_stack.h"
-#include "level/placed_picture.h"
 #include "session/session.h"
 
 namespace talus::layer_tools_test {

@@ -1,5 +1,5 @@
 // Where pictures are on the map.
-#include "level/placed_picture.h"
+#include <talus/level/placed_picture.h>
 
 #include <gmock/gmock.h>
 

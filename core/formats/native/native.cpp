@@ -9,7 +9,7 @@
 #include <span>
 
 #include <talus/level/limits.h>
-#include "../../level/placed_picture.h"
+#include <talus/level/placed_picture.h>
 #include "../text/hex.h"
 #include "../text/json_text.h"
 #include "../text/utf8_text.h"

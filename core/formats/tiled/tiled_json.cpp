@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "../../level/placed_picture.h"
+#include <talus/level/placed_picture.h>
 #include "../import/hex_color.h"
 #include "../text/utf8_text.h"
 #include "tiled_cells.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "level/placed_picture.h"
+#include <talus/level/placed_picture.h>
 #include "panels/ui/shown_text.h"
 
 namespace talus {

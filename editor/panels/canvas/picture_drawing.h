@@ -2,8 +2,8 @@
 #pragma once
 
 #include <talus/level/level.h>
+#include <talus/level/placed_picture.h>
 #include "camera.h"
-#include "level/placed_picture.h"
 #include "panels/ui/ui.h"
 
 namespace talus {

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <optional>
 
-#include "level/placed_picture.h"
+#include <talus/level/placed_picture.h>
 #include "level/tile_color.h"
 #include "picture_drawing.h"
 #include "turned_tile.h"
