@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <talus/level/level.h>
-#include "../level/placed_picture.h"
+#include <talus/level/placed_picture.h>
 #include "plain_text.h"
 
 namespace talus {
