@@ -131,6 +131,8 @@ function M.first_touch(search, near_at)
       return nil
     end
   end
+  -- Beside an end that it has just left it may come nearer to what follows by tiny steps alone.
+  if t < most then return first_touch_by_samples(search, t, near_at) end
 end
 
 -- ---- Two bodies ----

@@ -125,6 +125,23 @@ TEST(MeetingEdges, ADiscThatSettlesBetweenTwoGetsNoSpeed) {
   }
 }
 
+// It is so slow that it leaves the edge only just before the slope, and then is beside it.
+TEST(MeetingEdges, AMarbleThatLeavesAnEdgeMeetsTheSlope) {
+  for (int start = 0; start < 120; ++start) {
+    Level level = open_level(kGravity, 0.9);
+    for (int i = 0; i < 4; ++i) put(level, {5 - i, 10 + i}, slope(0, 8));
+    put(level, {6, 10}, solid());
+    add_body(level, BodyKind::marble, {46, 72}, {-0.3116 - 0.0003 * start, 0});
+    MeetingRun run(level);
+    for (int frame = 1; frame <= 30; ++frame) {
+      run.step();
+      const Vec2 middle = run.body(0).box.center();
+      if (middle.y - middle.x <= 32 || middle.y > 100) continue;  // not beside the slope
+      ASSERT_GT((128 - middle.x - middle.y) / std::sqrt(2.0), 4 - 1e-9) << start << ", " << frame;
+    }
+  }
+}
+
 // px: how far a circle is from the nearest point of a sine, found by samples alone.
 double height_over(const Sine& sine, Vec2 middle, double radius) {
   double least = 1e9;

@@ -114,7 +114,8 @@ std::optional<RoundTouch> first_touch(const RoundSearch& search, NearAt near_at)
         time > 0 && speed > still ? touch_to_rounding(way, {time, near}, near_at) : RoundTouch{time, near};
     return touch.time < most ? std::optional(touch) : std::nullopt;
   }
-  return std::nullopt;
+  // Beside an end that it has just left it may come nearer to what follows by tiny steps alone.
+  return time < most ? first_touch_by_samples(search, time, near_at) : std::nullopt;
 }
 
 }  // namespace talus
