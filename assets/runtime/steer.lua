@@ -18,7 +18,8 @@ function World:add(body)
   if not self.kinds[body.kind] then
     error(("no kind %q; this level has %s"):format(tostring(body.kind), kind_names(self)), 2)
   end
-  add(self, body)
+  local is_added, message = pcall(add, self, body)
+  if not is_added then error(message, 2) end
   self.last_id = (self.last_id or 0) + 1  -- ids of bodies that are gone are not given again
   body.id, body.touched = self.last_id, {}
   return body

@@ -252,8 +252,7 @@ class LuaModule : public FolderTest {
 
 TEST_F(LuaModule, AnUnknownKindOfBodyIsAnError) {
   const std::string add = "try(world.add, world, {kind = 'plyer', x = 8, y = 8})";
-  EXPECT_EQ(run(flat_level(), add),
-            "no part of this module moves bodies of the kind \"plyer\": name it in the export\n");
+  EXPECT_EQ(run(flat_level(), add), "no kind \"plyer\"; this level has ball, crate, disc, marble, player\n");
 }
 
 TEST_F(LuaModule, ABodyWhosePartIsLeftOutIsAnError) {

@@ -122,7 +122,8 @@ print(coin.y == 40, wall.y == 60, ball.y > 79, other.y < 60, ghost.y > 79, seen 
 }
 
 TEST_F(LuaSteer, ABodySaysWhatItTouches) {
-  EXPECT_EQ(printed(room(), R"(
+  EXPECT_EQ(
+      printed(room(), R"(
 local low = world:add {kind = "player", x = 9, y = 72}
 for _ = 1, 20 do world:step {left = true} end
 print(low.touched.left, low.touched.right, low.touched.floor, world:cell_beside(low, "left"))
@@ -136,8 +137,8 @@ for _ = 1, 120 do
 end
 print(was_hit, on_it.grounded)
 )"),
-            "true\tnil\ttrue\t0\t9\n1\t11\nnil\tfalse\tno side \"top\"; the sides are floor, ceiling, left and "
-            "right\ntrue\ttrue\n");
+      "true\tnil\ttrue\t0\t9\n1\t11\nnil\tfalse\tno side \"top\"; the sides are floor, ceiling, left and "
+      "right\ntrue\ttrue\n");
 }
 
 }  // namespace talus::lua_steer_test
