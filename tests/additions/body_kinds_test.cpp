@@ -157,6 +157,7 @@ TEST_F(AddedBodyKinds, MoveAndLookInLoveAsInTheProgram) {
   put("nothing.jsonl", "");
   ASSERT_NO_FATAL_FAILURE(trace("level.talus.json", "nothing.jsonl"));
   picture(level_with_kinds(), "game/shot.png");
+  put("game/same_picture.lua", read_file(kGames + "same_picture.lua").value());
   const std::string printed = run_love("game", read_file(kGames + "love_look.lua").value() + R"(
 local look = love.load
 function love.load()
