@@ -22,13 +22,12 @@ local function image(picture)
   return drawable
 end
 
--- Whether tile 0 has one colour: then the background is all that there is of it.
-local function is_plain(picture, tile_width, tile_height)
-  local r, g, b = picture:getPixel(0, 0)
+-- Whether nothing is seen of tile 0.
+local function is_blank(picture, tile_width, tile_height)
   for y = 0, tile_height - 1 do
     for x = 0, tile_width - 1 do
-      local other_r, other_g, other_b = picture:getPixel(x, y)
-      if other_r ~= r or other_g ~= g or other_b ~= b then return false end
+      local _, _, _, opacity = picture:getPixel(x, y)
+      if opacity > 0 then return false end
     end
   end
   return true
@@ -115,11 +114,6 @@ local function animate(animated, quads, time)
       cell.tile = tile
     end
   end
-end
-
--- Whether a layer's picture is that of its tiles.
-local function is_unchanged(layer)
-  return not (layer.opacity or layer.x or layer.y or layer.parallax_x or layer.parallax_y or layer.tint)
 end
 
 -- The parts of a layer of objects, in one batch.
@@ -220,14 +214,12 @@ end
 return function(level, file)
   local tile_width, tile_height = level.tile_width or 8, level.tile_height or 8  -- px
   local picture = love.image.newImageData(file)
-  local r, g, b = picture:getPixel(0, 0)
-  love.graphics.setBackgroundColor(r, g, b)
+  local back = level.background or {0, 0, 0, 0}  -- what is not opaque lies over black
+  local opacity = back[4] / 255 ^ 2
+  love.graphics.setBackgroundColor(back[1] * opacity, back[2] * opacity, back[3] * opacity)
   local clear, sprites = image(picture), nil
   for _, spawn in ipairs(level.spawns or {}) do
     if spawn.picture and spawn.picture.sheet == "sprites" then sprites = sprites or image("sprites.png") end
-  end
-  if not level.true_colour then  -- else what is clear on the sheet is clear on the map
-    picture:mapPixel(function(_, _, red, green, blue) return red, green, blue, 1 end)
   end
   local quads, first_ball = {}, nil
   local columns, rows = picture:getWidth() / tile_width, picture:getHeight() / tile_height
@@ -236,7 +228,6 @@ return function(level, file)
                                         tile_width, tile_height, picture:getDimensions())
     if level.balls[tile] then first_ball = tile end
   end
-  local full, has_plain_0 = image(picture), is_plain(picture, tile_width, tile_height)
   local layers, drawings, animated = level.layers or {{tiles = level.tiles, ground = true}}, {}, {}
   local pictures = level.pictures and image(level.pictures)
   local large = {}
@@ -244,16 +235,13 @@ return function(level, file)
   for tile, turns in pairs(level.turned_large_tiles or {}) do
     for turn, numbers in pairs(turns) do large[tile][turn] = part_of(numbers, pictures) end
   end
-  if large[0] then has_plain_0 = false end
-  local layers_of_tiles = 0
-  for i, layer in ipairs(layers) do  -- in front of others, and in a changed layer, colour 0 is clear
+  local skips_empty = not large[0] and is_blank(picture, tile_width, tile_height)
+  for i, layer in ipairs(layers) do
     local batches
     if layer.tiles then
-      local is_back = i == 1 and is_unchanged(layer)
       batches, animated[i] =
-        batches_of(level, layer, is_back and full or clear, quads, layers_of_tiles > 0 or has_plain_0, tile_width,
-                   tile_height, large, pictures)
-      layers_of_tiles = layers_of_tiles + 1
+        batches_of(level, layer, clear, quads, skips_empty, tile_width, tile_height, large, pictures)
+      skips_empty = true  -- in layers in front of that one
     else
       batches, animated[i] = {layer.parts and batch_of_parts(layer, pictures)}, {}
     end

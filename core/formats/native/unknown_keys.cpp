@@ -46,11 +46,11 @@ Words tuning_keys(std::string_view group, Words keys) {
 std::vector<KeyKind> make_kinds() {
   return {
       {"level",
-       {"talus",      "$schema",     "palette",   "flag_names",   "flag_fields", "roles",    "flag_shapes",
-        "tuning",     "spawns",      "curves",    "brushes",      "auto_tiles",  "exports",  "tile_shapes",
-        "tiles",      "sprites",     "tile_size", "sheet_size",   "picture",     "tilesets", "animations",
-        "tile_notes", "large_tiles", "pictures",  "render_order", "map",         "layers",   "groups",
-        "objects",    "cart",        "hard_case"}},
+       {"talus",       "$schema",    "palette",     "background", "flag_names",   "flag_fields", "roles",
+        "flag_shapes", "tuning",     "spawns",      "curves",     "brushes",      "auto_tiles",  "exports",
+        "tile_shapes", "tiles",      "sprites",     "tile_size",  "sheet_size",   "picture",     "tilesets",
+        "animations",  "tile_notes", "large_tiles", "pictures",   "render_order", "map",         "layers",
+        "groups",      "objects",    "cart",        "hard_case"}},
       {"roles", role_keys()},
       {"flag_field", {"name", "first", "bits", "values"}},
       {"tuning", tuning_keys("", {"solver", "balls_block", "exact", "player"})},
