@@ -1,9 +1,10 @@
 -- Copyright (c) 2026 the Talus authors. MIT license, see LICENSE-talus.txt.
 -- Draws a level in LÖVE 11 as Talus's editor does, from its sheet: a picture of the tiles in which colour 0 is
 -- clear. pictures(level, file) gives
---   draw_ground(x, y)  the layers from the back to the front; a cell with a ball, which is a body, shows
+--   draw_ground(x, y, world)  the layers from the back to the front; a cell with a ball, which is a body, shows
 --                      tile 0. x, y: px, the middle of the view, from which layers with parallax have their places.
---                      Animated tiles show the frame that is due since pictures() was called
+--                      Animated tiles show the frame that is due since pictures() was called. world: has tiles that
+--                      the game changed by world:set_tile; may be missing
 --   draw_body(body, step)  its kind, x, y, w and h; step: those made so far. A body with a `picture` shows the frame of
 --                      what it does, see frames.lua. Kinds that look like a figure, such as players, are boxes with
 --                      a face; crates, wheels and marbles have looks of their own. Others have the picture of their
@@ -235,26 +236,37 @@ return function(level, file)
   for tile, turns in pairs(level.turned_large_tiles or {}) do
     for turn, numbers in pairs(turns) do large[tile][turn] = part_of(numbers, pictures) end
   end
-  local skips_empty = not large[0] and is_blank(picture, tile_width, tile_height)
-  for i, layer in ipairs(layers) do
-    local batches
-    if layer.tiles then
-      batches, animated[i] =
-        batches_of(level, layer, clear, quads, skips_empty, tile_width, tile_height, large, pictures)
-      skips_empty = true  -- in layers in front of that one
-    else
-      batches, animated[i] = {layer.parts and batch_of_parts(layer, pictures)}, {}
+  local is_0_blank, batches = not large[0] and is_blank(picture, tile_width, tile_height), {}
+  -- world: gives the tiles, if the game has changed some; nil: they are those of the level
+  local function lay_tiles(world)
+    local skips_empty = is_0_blank
+    for i, layer in ipairs(layers) do
+      if layer.tiles then
+        local shown = {tiles = layer.tiles, turns = layer.turns, ground = layer.ground}
+        if world then shown.tiles, shown.turns = world:tiles_of(i) end
+        batches[i], animated[i] =
+          batches_of(level, shown, clear, quads, skips_empty, tile_width, tile_height, large, pictures)
+        skips_empty = true  -- in layers in front of that one
+      end
     end
+  end
+  lay_tiles()
+  for i, layer in ipairs(layers) do
+    if not layer.tiles then batches[i], animated[i] = {layer.parts and batch_of_parts(layer, pictures)}, {} end
     local part = layer.image and part_of(layer.image, pictures)
     drawings[i] = function(to_x, to_y)
       if part then draw_image(layer, part, pictures, to_x, to_y) end
-      for _, batch in ipairs(batches) do love.graphics.draw(batch, to_x, to_y) end
+      for _, batch in ipairs(batches[i]) do love.graphics.draw(batch, to_x, to_y) end
     end
   end
 
-  local start = love.timer.getTime()
-  local function draw_ground(x, y)
+  local start, changes = love.timer.getTime(), 0
+  local function draw_ground(x, y, world)
     local time = (love.timer.getTime() - start) * 1000
+    if world and world.changes and world.changes ~= changes then
+      lay_tiles(world)
+      changes = world.changes
+    end
     for i, layer in ipairs(layers) do
       animate(animated[i], quads, time)
       if not layer.hidden then draw_layer(layer, drawings[i], x or 0, y or 0) end
