@@ -3,6 +3,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <talus/level/tuning.h>
 
 #include "formats/native/unknown_keys.h"
 #include "native_text.h"
@@ -69,6 +70,15 @@ TEST(UnknownKeys, KindsHaveTheKeysOfTheSchema) {
     std::vector<std::string> keys;
     for (const auto& [key, value] : described["properties"].items()) keys.push_back(key);
     EXPECT_THAT(kind.keys, UnorderedElementsAreArray(keys)) << kind.name;
+  }
+}
+
+TEST(UnknownKeys, WordsOfTheTuningAreThoseOfTheSchema) {
+  std::ifstream file(source_path("assets/talus.schema.json"));
+  const auto tuning = nlohmann::json::parse(file)["definitions"]["tuning"]["properties"];
+  for (const TuningField& field : tuning_fields()) {
+    if (field.words.empty()) continue;
+    EXPECT_EQ(tuning[std::string(field.key)]["enum"], nlohmann::json(std::vector<std::string>(field.words.begin(), field.words.end()))) << field.key;
   }
 }
 
