@@ -32,6 +32,11 @@ struct Court {
     const auto verdict = scene.meet_judge().judge(before, after, record);
     return verdict ? std::string(info_of(verdict->kind).word) : "";
   }
+  // px; 0 if a step is explained.
+  double amount(const Body& before, const Body& after, const StepRecord& record = {}) const {
+    const auto verdict = scene.meet_judge().judge(before, after, record);
+    return verdict ? verdict->amount : 0;
+  }
   std::string says_of_rest(const Body& body) const {
     const auto verdict = scene.meet_judge().judge_rest(body);
     return verdict ? std::string(info_of(verdict->kind).word) : "";
@@ -98,6 +103,46 @@ TEST(MeetJudge, FindsAContactWithNothing) {
     EXPECT_EQ(court.says(before, after, contact_at({20, 61}, {0, -1})), "ghost");
     EXPECT_EQ(court.says(before, after, contact_at({20, 61}, {1, 0})), "ghost");
   }
+}
+
+TEST(MeetJudge, MeasuresTheDepthInTheGround) {
+  const Court court;
+  for (const BodyKind kind : {BodyKind::crate, BodyKind::disc}) {
+    const Body before = body_at(kind, {20, 87}, {0, 2});
+    EXPECT_NEAR(court.amount(before, body_at(kind, {20, 88.25}, {0, 2})), 0.25, 1e-5);
+    EXPECT_NEAR(court.amount(before, body_at(kind, {20, 91}, {0, 2})), 3, 1e-5);
+  }
+}
+
+TEST(MeetJudge, MeasuresTheDepthBelowAFloor) {
+  const Body before = body_at(BodyKind::ball, {110, 55}, {0, 2});
+  EXPECT_NEAR(Court().amount(before, body_at(BodyKind::ball, {110, 57}, {0, 2})), 1, 1e-6);
+}
+
+TEST(MeetJudge, MeasuresTheWayThatAGhostLeavesFree) {
+  const Court court;
+  const Body before = body_at(BodyKind::ball, {20, 84}, {0, 2}), after = body_at(BodyKind::ball, {20, 85});
+  EXPECT_EQ(court.amount(before, after, contact_at({20, 85}, {0, -1})), 3);
+  EXPECT_EQ(court.amount(before, after, contact_at({20, 85}, {1, 0})), 8) << "nothing is there";
+}
+
+TEST(MeetJudge, TheMessageNamesTheAmount) {
+  Finding finding;
+  finding.trial.body = body_at(BodyKind::ball, {20, 87});
+  const auto says = [&](FindingKind kind, double amount) {
+    finding.kind = kind;
+    finding.amount = amount;
+    return message_of(finding);
+  };
+  EXPECT_EQ(says(FindingKind::inside, 0.25),
+            "a ball of 8x8 px comes into the ground by 0.25 px at 0, 0 px (solver exact)");
+  EXPECT_EQ(says(FindingKind::inside, 0), "a ball of 8x8 px comes into the ground at 0, 0 px (solver exact)");
+  EXPECT_EQ(says(FindingKind::falls_through, 1),
+            "a ball of 8x8 px falls through a floor by 1 px at 0, 0 px (solver exact)");
+  EXPECT_EQ(
+      says(FindingKind::ghost, 3),
+      "a ball of 8x8 px is stopped by something that is not there and leaves 3 px of its way free at 0, 0 "
+      "px (solver exact)");
 }
 
 TEST(MeetJudge, FindsSpeedFromNothing) {
