@@ -207,8 +207,9 @@ std::optional<double> MeetJudge::lip_before(const RawForm& touching, Vec2 normal
     const RawForm there = touching.moved(over);
     return is_free(there, kInGround) && !is_across_line(there) ? std::optional(height) : std::nullopt;
   }
-  if (normal.y != 0 || !has_room(lip_ + kInGround) || has_room(weld + kInGround)) return std::nullopt;
-  return lowest(weld, lip_ + kInGround, has_room);
+  // What may be in ground by a slack has room by so much below the height.
+  if (normal.y != 0 || !has_room(lip_) || has_room(weld)) return std::nullopt;
+  return rounded_px(lowest(weld, lip_, has_room) + kInGround);
 }
 
 // px/frame^2, down.

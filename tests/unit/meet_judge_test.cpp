@@ -204,6 +204,22 @@ TEST(MeetJudge, ALowEdgeIsALip) {
   EXPECT_NE(text.find("is stopped by a low edge of 1 px at 64, 95 px"), std::string::npos) << text;
 }
 
+TEST(MeetJudge, TheHeightOfALipIsExact) {
+  for (const double height : {0.5, 1.0, 2.0}) {
+    Level level = level_of_kinds();
+    level.tile_shapes[2] = {.kind = TileShape::Kind::profile, .heights = {height, height, height}};
+    const Court court(level);
+    for (const BodyKind kind : {BodyKind::ball, BodyKind::crate}) {
+      const Body before = body_at(kind, {55, 88}, {2, 0}), after = body_at(kind, {56, 88});
+      const auto lip = court.scene.meet_judge().judge(before, after, contact_at({56, 88}, {-1, 0}));
+      ASSERT_TRUE(lip);
+      EXPECT_EQ(lip->kind, FindingKind::lip);
+      EXPECT_EQ(lip->amount, height);
+      EXPECT_EQ(lip->edge->y, 96 - height);
+    }
+  }
+}
+
 TEST(MeetJudge, AHighEdgeIsAWall) {
   Level level = level_of_kinds();
   level.tile_shapes[2] = {.kind = TileShape::Kind::profile, .heights = {3, 3, 3}};
