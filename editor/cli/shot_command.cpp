@@ -169,7 +169,8 @@ void add_shot_command(CLI::App& program, CommandContext& context) {
       ->check(CLI::IsMember(overlay_keys()));
   command->add_option("--zoom", options->shot.zoom, "Pixels of the picture for each px of the level")
       ->check(CLI::Range(1, 16));
-  command->add_option("--body", options->shot.body, "Id of the body whose details are labelled");
+  command->add_option("--body", options->shot.body,
+                      "Id of the body whose details are labelled, and that the view goes with");
   command->add_option("--window", options->window, "Draw the editor's whole window in this size")
       ->type_name("WxH")
       ->check(check_size)

@@ -7,6 +7,7 @@
 #include "app.h"
 #include "edit/level_settings.h"
 #include "panels/canvas/canvas_layers.h"
+#include "panels/canvas/opening_area.h"
 #include "panels/canvas/tile_drawing.h"
 #include "panels/window/panel_list.h"
 #include "picture.h"
@@ -15,11 +16,6 @@
 
 namespace talus {
 namespace {
-
-Rect first_screen(const TileMap& map) {
-  return {0, 0, map.x_of(std::min(map.width(), kScreenColumns)),
-          map.y_of(std::min(map.height(), kScreenRows))};
-}
 
 constexpr int kFramesToSettle = 3;  // text and tables need more than one frame to find their sizes
 
@@ -75,7 +71,7 @@ WindowCost measure(App& app) {
 
 tl::expected<void, std::string> write_shot(const Session& session, const ShotOptions& options,
                                            const std::string& png_path) {
-  const Rect area = options.area.value_or(first_screen(session.level().map));
+  const Rect area = options.area.value_or(screen_with_bodies(session.level(), session.state(), options.body));
   const auto zoom = static_cast<float>(options.zoom);
   const ImVec2 size{std::max(1.0f, std::round(static_cast<float>(area.w) * zoom)),
                     std::max(1.0f, std::round(static_cast<float>(area.h) * zoom))};

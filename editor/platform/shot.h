@@ -15,7 +15,8 @@ namespace talus {
 
 struct ShotOptions {
   OverlaySet overlays;
-  // px of the level to show; nothing: the first screen, 240x136 px, or the map if that is smaller.
+  // px of the level to show; nothing: a screen, 240x136 px or the map if that is smaller, with `body`, else
+  // with the bodies.
   std::optional<Rect> area;
   int zoom = 4;  // px of the picture for each px of the level, 1 to 16
   int body = 0;  // id of the body whose details are always labelled; 0: no body
