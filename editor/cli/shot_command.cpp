@@ -137,7 +137,7 @@ std::vector<std::string> overlay_keys() {
 void add_debugger_options(CLI::App& command, ShotCommandOptions& options) {
   WindowShotOptions& shot = options.window_shot;
   const std::string window = "--window";
-  command.add_option("--panel", shot.panels, "Show these tabs, and the debugger")
+  command.add_option("--panel", shot.panels, "Show these tabs, one of each place, and the debugger")
       ->delimiter(',')
       ->check(CLI::IsMember(panels_in_tabs()))
       ->needs(window);
@@ -181,6 +181,9 @@ void add_shot_command(CLI::App& program, CommandContext& context) {
       ->needs("--window");
   command->add_option("-o,--output", options->output, "PNG to write; - for standard output")->required();
   command->callback([&context, options] {
+    if (const auto two = panels_of_one_place(options->window_shot.panels))
+      throw CLI::ValidationError("--panel", two->first + " and " + two->second +
+                                                " are tabs of one place, so only one of them can be shown");
     if (options->output == "-") return shoot_to_output(context, *options);
     shoot_to_file(context, *options);
   });

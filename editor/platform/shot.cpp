@@ -19,6 +19,11 @@ namespace {
 
 constexpr int kFramesToSettle = 3;  // text and tables need more than one frame to find their sizes
 
+// id: one of panels_in_tabs().
+TabPlace place_of_tab(const std::string& id) {
+  return std::ranges::find(tab_infos(), id, &TabInfo::id)->place;
+}
+
 // Opens the places of the panels, and the debugger. In a small window, that of the first one goes before.
 void show_panels(const std::vector<std::string>& panels, View& view) {
   WindowView& window = view.window;
@@ -27,9 +32,8 @@ void show_panels(const std::vector<std::string>& panels, View& view) {
   if (panels.empty()) return;
   view.canvas.mode = CanvasMode::play;
   for (auto panel = panels.rbegin(); panel != panels.rend(); ++panel) {
-    const auto tab = std::ranges::find(tab_infos(), *panel, &TabInfo::id);
-    open_place(window, tab->place);
-    window.first = tab->place;
+    window.first = place_of_tab(*panel);
+    open_place(window, window.first);
   }
 }
 
@@ -108,6 +112,13 @@ std::vector<std::string> panels_in_tabs() {
   std::vector<std::string> ids;
   for (const TabInfo& tab : tab_infos()) ids.push_back(tab.id);
   return ids;
+}
+
+std::optional<std::pair<std::string, std::string>> panels_of_one_place(const std::vector<std::string>& ids) {
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    for (std::size_t k = i + 1; k < ids.size(); ++k)
+      if (ids[i] != ids[k] && place_of_tab(ids[i]) == place_of_tab(ids[k])) return std::pair(ids[i], ids[k]);
+  return std::nullopt;
 }
 
 tl::expected<void, std::string> write_window_shot(const WindowShotOptions& options,

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 #include <tl/expected.hpp>
+#include <utility>
+#include <vector>
 
 #include "overlay/overlay_table.h"
 #include "panels/preferences.h"
@@ -54,6 +56,8 @@ struct WindowCost {
 
 // The ids that WindowShotOptions::panels may have.
 std::vector<std::string> panels_in_tabs();
+// Two of these that cannot be shown at once, as they are tabs of one place; nothing: there are none.
+std::optional<std::pair<std::string, std::string>> panels_of_one_place(const std::vector<std::string>& ids);
 // Draws the editor's whole window, with the default settings.
 // cost: measured before the picture is drawn; null: not measured.
 tl::expected<void, std::string> write_window_shot(const WindowShotOptions& options,
