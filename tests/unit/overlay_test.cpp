@@ -193,6 +193,8 @@ TEST(Overlays, AnImpulseIsDrawnAsTheSpeedThatItGave) {
   EXPECT_EQ(drawing.lines[0].to, (Vec2{8, 8 - 3 * 4}));
   ASSERT_EQ(drawing.labels.size(), 1u);
   EXPECT_EQ(drawing.labels[0].text, "6.00");
+  record.contacts[0].impulse = 0.004;
+  EXPECT_TRUE(drawn({}, state, record, only(overlay::impulses), 0).labels.empty()) << "it would be 0.00";
 }
 
 TEST(Overlays, TouchPointHasTheTimeOfImpact) {
