@@ -96,9 +96,13 @@ void add_alike(Finding& finding, const Finding& other) {
   finding.count = count;
 }
 
+std::string placeless_message_of(const Finding& finding) {
+  return subject_of(finding.trial) + " " + std::string(info_of(finding.kind).label) +
+         (finding.amount > 0 ? measure_of(finding) : "");
+}
+
 std::string message_of(const Finding& finding) {
-  std::string text = subject_of(finding.trial) + " " + std::string(info_of(finding.kind).label);
-  if (finding.amount > 0) text += measure_of(finding);
+  std::string text = placeless_message_of(finding);
   text += " at " + px_text(finding.place.x) + ", " + px_text(finding.place.y) + " px";
   if (!info_of(finding.kind).of_level) text += " (solver " + std::string(solver_name(finding.solver)) + ")";
   return text;

@@ -74,5 +74,7 @@ void add_alike(Finding& finding, const Finding& other);
 // A sentence without a full stop: "a player of 8x8 px stops at the place 12.5, 40 px, though its way is
 // free".
 std::string message_of(const Finding& finding);
+// The same without its place and its solver.
+std::string placeless_message_of(const Finding& finding);
 
 }  // namespace talus
