@@ -348,9 +348,9 @@ TEST_F(Steps, TellThatAConveyorCarriesABody) {
     history.go_to(recorded, 1);
     return explain_step(history.view(), body);
   };
-  EXPECT_THAT(why(1),
-              testing::HasSubstr("stopped by the top of the tile at (4, 3), whose conveyor carries it to "
-                                 "the left at 1.5 px/frame"));
+  EXPECT_THAT(why(1), testing::HasSubstr(
+                          "stopped by the top of the tile at (4, 3) at once, whose conveyor carries it to "
+                          "the left at 1.5 px/frame"));
   EXPECT_THAT(why(2), testing::Not(testing::HasSubstr("conveyor"))) << "a marble does not rub";
   level.tile_shapes[tile].conveyor = 0;
   EXPECT_THAT(why(1), testing::Not(testing::HasSubstr("conveyor")));
