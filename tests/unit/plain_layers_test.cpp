@@ -8,6 +8,7 @@
 #include "export/lua_level.h"
 #include "folder_test.h"
 #include "formats/files/atomic_file.h"
+#include "level/ground_level.h"
 #include "paths.h"
 #include "pictured_level.h"
 #include "unit/exported_level.h"
@@ -202,7 +203,7 @@ TEST_F(LuaData, LayersWithMoreRowsThanALuaJitFunctionHoldsAreRead) {
 }
 
 TEST(PlainLayers, CartsHaveNoneOfThem) {
-  const std::string small = lua_level(layered_level(), LuaForm::small);
+  const std::string small = lua_level(ground_level(layered_level()), LuaForm::small);
   for (const char* word : {"objects", "tile_flags", "flag_names", "tilesets", "layers", "money"})
     EXPECT_THAT(small, Not(HasSubstr(word)));
   EXPECT_THAT(lua_level(level_of_shapes({"1"})), Not(HasSubstr("layer_name")));
