@@ -30,9 +30,8 @@ talus::SheetPicture colored(const talus::Sheet& sheet, const talus::Palette& pal
 Sheet sheet_of(const talus::Level& level, talus::SheetId id) {
   const talus::Sheet& sheet = level.sheet(id);
   if (sheet.picture != nullptr) return {sheet.picture, sheet.layout(), level.map.tile_size()};
-  return {std::make_shared<talus::SheetPicture>(colored(sheet, level.palette)),
-          sheet.layout(),
-          {kSide, kSide}};
+  return {
+      std::make_shared<talus::SheetPicture>(colored(sheet, level.palette)), sheet.layout(), {kSide, kSide}};
 }
 
 }  // namespace game
