@@ -30,7 +30,8 @@
 --   world:remove(body)                           -- takes one out (part steer)
 --   world:bodies_in(x, y, w, h)                  -- lists those that a box overlaps (part steer)
 --   world:cell_beside(body, side)                -- the cell that one touches at a side (part steer)
---   world.terrain:set_tile(x, y, tile)           -- another tile in a cell, counted from 0
+--   world.terrain:set_tile(x, y, tile)           -- another tile in a cell, counted from 0; with the part data rather
+--                                                   world:set_tile(x, y, tile), which the game's pictures follow
 -- needs the parts for it: balls and players, for bodies that fall or run; pairs, for several bodies that block one
 -- another; slopes and one_way, for tiles of these shapes. Parts that the level itself does not use are named in the
 -- export, as in `talus export FILE --to lua-runtime --parts players,pairs -o OUT`, or in the preset's field

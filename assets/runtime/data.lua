@@ -17,7 +17,8 @@ local function tile_layers(level)
   local layers = {}
   for number, layer in ipairs(level.layers) do
     if layer.tiles then
-      layers[#layers + 1] = {name = layer.name, number = number, ground = layer.ground, tiles = layer.tiles}
+      layers[#layers + 1] = {name = layer.name, number = number, ground = layer.ground, tiles = layer.tiles,
+                             turns = layer.turns}
     end
   end
   return layers
@@ -61,6 +62,54 @@ function World:tile_at(x, y, layer)
     if tile ~= 0 then return tile end
   end
   return 0
+end
+
+-- The only layer of ground, nil without any; and how many there are.
+local function ground_layer(world)
+  local found, count = nil, 0
+  for _, one in ipairs(world.layers) do
+    if one.ground then found, count = one, count + 1 end
+  end
+  return found, count
+end
+
+local function copy_of(list)
+  local copy = {}
+  for i, value in ipairs(list) do copy[i] = value end
+  return copy
+end
+
+-- Puts a tile, not turned, into a cell, column and row from 0, of a layer; without one, of the only layer of ground.
+-- The level itself keeps its tiles. world.changes counts the calls.
+function World:set_tile(column, row, tile, layer)
+  local ground, count = ground_layer(self)
+  local one = layer ~= nil and layer_of(self, layer) or ground
+  if not one then error("the level has no layer of ground: name the layer", 2) end
+  if one.ground and count > 1 then
+    error("the level has several layers of ground, which are one here: a game can change the others alone", 2)
+  end
+  local terrain = self.terrain
+  if not (column % 1 == 0 and row % 1 == 0 and column >= 0 and row >= 0 and column < terrain.width and
+      row < terrain.height) then error("the level has no cell " .. column .. ", " .. row, 2) end
+  if not (tile % 1 == 0 and tile >= 0) then error("a tile is a number from 0, not " .. tile, 2) end
+  if one.ground then terrain:set_tile(column, row, tile) end
+  if one.tiles then
+    if not one.is_own then
+      one.tiles, one.turns, one.is_own = copy_of(one.tiles), one.turns and copy_of(one.turns), true
+    end
+    local cell = row * terrain.width + column + 1
+    one.tiles[cell] = tile
+    if one.turns then one.turns[cell] = 0 end
+  end
+  self.changes = self.changes + 1
+end
+
+-- The tiles of a layer, and how they are turned, or nil: lists, row by row, which must not be changed.
+function World:tiles_of(layer)
+  local one, tiles = layer_of(self, layer), {}
+  if one.tiles then return one.tiles, one.turns end
+  for cell = 0, self.terrain.width * self.terrain.height - 1 do tiles[cell + 1] = self.terrain.tiles[cell] end
+  return tiles
 end
 
 local function has_flag(flags, flag) return floor(flags / 2 ^ flag) % 2 == 1 end
@@ -130,7 +179,7 @@ end
 
 local place_tiles = World.place_tiles
 function World:place_tiles(level)
-  self.level, self.layers, self.flag_sets = level, tile_layers(level), {}
+  self.level, self.layers, self.flag_sets, self.changes = level, tile_layers(level), {}, 0
   self.no_flag = {__index = function(_, flag)
     local names = {}
     for _, name in pairs(level.flag_names or {}) do names[#names + 1] = name end

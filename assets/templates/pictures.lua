@@ -1,9 +1,10 @@
 -- Copyright (c) 2026 the Talus authors. MIT license, see LICENSE-talus.txt.
 -- Draws a level in LÖVE 11 as Talus's editor does, from its sheet: a picture of the tiles in which colour 0 is
 -- clear. pictures(level, file) gives
---   draw_ground(x, y)  the layers from the back to the front; a cell with a ball, which is a body, shows
+--   draw_ground(x, y, world)  the layers from the back to the front; a cell with a ball, which is a body, shows
 --                      tile 0. x, y: px, the middle of the view, from which layers with parallax have their places.
---                      Animated tiles show the frame that is due since pictures() was called
+--                      Animated tiles show the frame that is due since pictures() was called. world: has tiles that
+--                      the game changed by world:set_tile; may be missing
 --   draw_body(body, step)  its kind, x, y, w and h; step: those made so far. A body with a `picture` shows the frame of
 --                      what it does, see frames.lua. Kinds that look like a figure, such as players, are boxes with
 --                      a face; crates, wheels and marbles have looks of their own. Others have the picture of their
@@ -22,13 +23,12 @@ local function image(picture)
   return drawable
 end
 
--- Whether tile 0 has one colour: then the background is all that there is of it.
-local function is_plain(picture, tile_width, tile_height)
-  local r, g, b = picture:getPixel(0, 0)
+-- Whether nothing is seen of tile 0.
+local function is_blank(picture, tile_width, tile_height)
   for y = 0, tile_height - 1 do
     for x = 0, tile_width - 1 do
-      local other_r, other_g, other_b = picture:getPixel(x, y)
-      if other_r ~= r or other_g ~= g or other_b ~= b then return false end
+      local _, _, _, opacity = picture:getPixel(x, y)
+      if opacity > 0 then return false end
     end
   end
   return true
@@ -115,11 +115,6 @@ local function animate(animated, quads, time)
       cell.tile = tile
     end
   end
-end
-
--- Whether a layer's picture is that of its tiles.
-local function is_unchanged(layer)
-  return not (layer.opacity or layer.x or layer.y or layer.parallax_x or layer.parallax_y or layer.tint)
 end
 
 -- The parts of a layer of objects, in one batch.
@@ -220,14 +215,12 @@ end
 return function(level, file)
   local tile_width, tile_height = level.tile_width or 8, level.tile_height or 8  -- px
   local picture = love.image.newImageData(file)
-  local r, g, b = picture:getPixel(0, 0)
-  love.graphics.setBackgroundColor(r, g, b)
+  local back = level.background or {0, 0, 0, 0}  -- what is not opaque lies over black
+  local opacity = back[4] / 255 ^ 2
+  love.graphics.setBackgroundColor(back[1] * opacity, back[2] * opacity, back[3] * opacity)
   local clear, sprites = image(picture), nil
   for _, spawn in ipairs(level.spawns or {}) do
     if spawn.picture and spawn.picture.sheet == "sprites" then sprites = sprites or image("sprites.png") end
-  end
-  if not level.true_colour then  -- else what is clear on the sheet is clear on the map
-    picture:mapPixel(function(_, _, red, green, blue) return red, green, blue, 1 end)
   end
   local quads, first_ball = {}, nil
   local columns, rows = picture:getWidth() / tile_width, picture:getHeight() / tile_height
@@ -236,7 +229,6 @@ return function(level, file)
                                         tile_width, tile_height, picture:getDimensions())
     if level.balls[tile] then first_ball = tile end
   end
-  local full, has_plain_0 = image(picture), is_plain(picture, tile_width, tile_height)
   local layers, drawings, animated = level.layers or {{tiles = level.tiles, ground = true}}, {}, {}
   local pictures = level.pictures and image(level.pictures)
   local large = {}
@@ -244,29 +236,37 @@ return function(level, file)
   for tile, turns in pairs(level.turned_large_tiles or {}) do
     for turn, numbers in pairs(turns) do large[tile][turn] = part_of(numbers, pictures) end
   end
-  if large[0] then has_plain_0 = false end
-  local layers_of_tiles = 0
-  for i, layer in ipairs(layers) do  -- in front of others, and in a changed layer, colour 0 is clear
-    local batches
-    if layer.tiles then
-      local is_back = i == 1 and is_unchanged(layer)
-      batches, animated[i] =
-        batches_of(level, layer, is_back and full or clear, quads, layers_of_tiles > 0 or has_plain_0, tile_width,
-                   tile_height, large, pictures)
-      layers_of_tiles = layers_of_tiles + 1
-    else
-      batches, animated[i] = {layer.parts and batch_of_parts(layer, pictures)}, {}
+  local is_0_blank, batches = not large[0] and is_blank(picture, tile_width, tile_height), {}
+  -- world: gives the tiles, if the game has changed some; nil: they are those of the level
+  local function lay_tiles(world)
+    local skips_empty = is_0_blank
+    for i, layer in ipairs(layers) do
+      if layer.tiles then
+        local shown = {tiles = layer.tiles, turns = layer.turns, ground = layer.ground}
+        if world then shown.tiles, shown.turns = world:tiles_of(i) end
+        batches[i], animated[i] =
+          batches_of(level, shown, clear, quads, skips_empty, tile_width, tile_height, large, pictures)
+        skips_empty = true  -- in layers in front of that one
+      end
     end
+  end
+  lay_tiles()
+  for i, layer in ipairs(layers) do
+    if not layer.tiles then batches[i], animated[i] = {layer.parts and batch_of_parts(layer, pictures)}, {} end
     local part = layer.image and part_of(layer.image, pictures)
     drawings[i] = function(to_x, to_y)
       if part then draw_image(layer, part, pictures, to_x, to_y) end
-      for _, batch in ipairs(batches) do love.graphics.draw(batch, to_x, to_y) end
+      for _, batch in ipairs(batches[i]) do love.graphics.draw(batch, to_x, to_y) end
     end
   end
 
-  local start = love.timer.getTime()
-  local function draw_ground(x, y)
+  local start, changes = love.timer.getTime(), 0
+  local function draw_ground(x, y, world)
     local time = (love.timer.getTime() - start) * 1000
+    if world and world.changes and world.changes ~= changes then
+      lay_tiles(world)
+      changes = world.changes
+    end
     for i, layer in ipairs(layers) do
       animate(animated[i], quads, time)
       if not layer.hidden then draw_layer(layer, drawings[i], x or 0, y or 0) end

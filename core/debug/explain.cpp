@@ -53,7 +53,7 @@ class ContactSentence {
     if (is_crossed)
       return is_article() ? article_slope()
                           : "passed above the floor of " + name_of(*frame_.scene, contact_.other);
-    std::string text = stopped() + rest();
+    std::string text = stopped() + carried() + rest();
     if (!contact_.handled) text += "; its velocity was left alone, as a slope had put the body on its floor";
     return text;
   }
@@ -88,6 +88,28 @@ class ContactSentence {
     return frame_.scene->features.meets && body != nullptr && traits_of(body->kind).rule == BodyRule::fall;
   }
   bool is_cut() const { return is_exact() && tuning().exact.substeps > 1; }  // into parts of a step
+
+  // What a conveyor does to what rubs on it or walks on it.
+  std::string carried() const {
+    if (!is_exact() || frame_.ground == nullptr || contact_.other.body != 0) return "";
+    const Body* body = frame_.state.find(contact_.body);
+    if (body == nullptr) return "";
+    const bool rubs = meets() && traits_of(body->kind).friction > 0;
+    const bool walks = traits_of(body->kind).takes_keys && body->gait.grounded && contact_.normal.y < 0;
+    if (!rubs && !walks) return "";
+    const double speed = conveyor_of(contact_.other);
+    if (speed == 0) return "";
+    const Vec2 way = Vec2{-contact_.normal.y, contact_.normal.x} * speed;
+    return ", whose conveyor carries it " + direction_of(way) + " at " + short_text(std::abs(speed)) +
+           " px/frame";
+  }
+
+  // px/frame, as TileShape::conveyor.
+  double conveyor_of(const Obstacle& other) const {
+    const Terrain& ground = *frame_.ground;
+    if (other.curve >= 0) return ground.conveyor_of(-1 - other.curve);
+    return ground.contains(other.cell) ? ground.conveyor_of(other.cell.y * ground.width() + other.cell.x) : 0;
+  }
 
   // A body that meets others may be moved by what it did not run into.
   std::string what_it_did() const {

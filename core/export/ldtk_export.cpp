@@ -10,6 +10,7 @@
 // All keys that LDtk's schema requires are in assets/templates/ldtk.json. LDtk's own loader does without many
 // of them, other programs do not.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -257,7 +258,7 @@ class LdtkProject {
   std::size_t overlaps() const { return grid_.overlaps; }
 
   std::string text() const {
-    const std::string background = color_text(level_.palette[0]);
+    const std::string background = background_text();
     OrderedJson project =
         skeleton_.filled("project", {{"iid", iid(1)},
                                      {"nextUid", uid_of(static_cast<BodyKind>(body_kinds().size()))},
@@ -307,6 +308,12 @@ class LdtkProject {
   }
 
  private:
+  // LDtk has opaque backgrounds alone: what is not lies over that of a new project.
+  std::string background_text() const {
+    std::array<std::uint8_t, 4> pixel = {0x40, 0x46, 0x5b, 255};
+    lay_over(pixel.data(), background_of(level_));
+    return color_text({pixel[0], pixel[1], pixel[2]});
+  }
   OrderedJson layer_def(const char* name, const char* type, int uid) const {
     return skeleton_.filled(
         "layer_definition",

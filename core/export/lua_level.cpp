@@ -422,6 +422,8 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
   }
   const Level& drawn = layered == nullptr ? level : *layered;
   if (drawn.sheet(SheetId::tiles).picture != nullptr) table.truth("true_colour");
+  if (const Rgba back = background_of(drawn); with_tiles && back.a > 0)
+    table.numbers("background", std::vector<int>{back.r, back.g, back.b, back.a});
   if (with_tiles) write_tiles(table.in_lines("tiles"), ground.cells, ground.width, progress);
   {
     LuaTable shapes = table.in_lines("shapes");

@@ -2,6 +2,9 @@
 //
 // The table, all lengths in px:
 //   width, height     cells
+//   background        what is seen where nothing is drawn: red, green, blue and opacity, 0..255; only if that
+//   is
+//                     something, and not in a small table
 //   tiles             width * height tile numbers, row by row
 //   shapes            by tile number: kind ("solid", "slope", "profile"); unless default: side ("floor"),
 //                     one_way (false), conveyor (0), tiles (width, 1); heights, for slopes and profiles

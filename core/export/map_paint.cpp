@@ -37,10 +37,10 @@ class MapPainter {
         top_(top),
         height_(rows),
         sheet_(level.sheet(SheetId::tiles)) {
-    const Rgb back = level.palette[0];
-    pixels_.reserve(3 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+    const auto [r, g, b, a] = level.background ? Rgba() : background_of(level);
+    pixels_.reserve(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
     for (std::int64_t i = 0; i < std::int64_t{width_} * height_; ++i)
-      pixels_.insert(pixels_.end(), {back.r, back.g, back.b});
+      pixels_.insert(pixels_.end(), {r, g, b, a});
   }
 
   bool paint_tiles(int layer, const std::function<bool(double)>& goes_on) {
@@ -78,15 +78,11 @@ class MapPainter {
  private:
   // Over what is there. rgba: four bytes.
   void put(int x, int y, const std::uint8_t* rgba) {
-    std::uint8_t* under = &pixels_[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+    std::uint8_t* under = &pixels_[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                                         static_cast<std::size_t>(x))];
-    const int opacity = share_of(rgba[3], looks_.opacity);
-    if (opacity == 0) return;
-    const int tints[] = {looks_.tint.r, looks_.tint.g, looks_.tint.b};
-    for (int c = 0; c < 3; ++c) {
-      const int above = share_of(rgba[c], tints[c]);
-      under[c] = static_cast<std::uint8_t>((above * opacity + under[c] * (255 - opacity) + 127) / 255);
-    }
+    const Rgb tint = looks_.tint;
+    lay_over(under, {share_of(rgba[0], tint.r), share_of(rgba[1], tint.g), share_of(rgba[2], tint.b),
+                     share_of(rgba[3], looks_.opacity)});
   }
 
   void paint_tile(MapCell shown, Cell cell) {

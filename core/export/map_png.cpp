@@ -13,6 +13,14 @@ constexpr int kMostInStrip = 1 << 22;  // px
 
 std::string number(std::int64_t value) { return std::to_string(value); }
 
+// Leaves three bytes of each four.
+void drop_opacity(std::vector<std::uint8_t>& pixels) {
+  std::size_t to = 0;
+  for (std::size_t from = 0; from < pixels.size(); from += 4, to += 3)
+    std::copy_n(&pixels[from], 3, &pixels[to]);
+  pixels.resize(to);
+}
+
 }  // namespace
 
 FormatResult<std::string> map_png(const Level& level, const Progress& progress, std::int64_t most) {
@@ -23,13 +31,16 @@ FormatResult<std::string> map_png(const Level& level, const Progress& progress, 
     return wrong("the map is " + number(width) + "x" + number(height) +
                  " px, but a picture may have at most " + number(kMaxPictureSide) + " px on each side and " +
                  number(most) + " px in all");
-  PngStream png(static_cast<int>(width), static_cast<int>(height), 3);
+  const int channels = level.background ? 4 : 3;
+  PngStream png(static_cast<int>(width), static_cast<int>(height), channels);
   const int strip = static_cast<int>(std::max<std::int64_t>(1, kMostInStrip / width));
   const int all = static_cast<int>(height);
   for (int top = 0; top < all; top += strip) {
     const int rows = std::min(strip, all - top);
     const auto goes_on = [&](double done) { return progress.at((top + done * rows) / (1.0 * all)); };
-    png.add(map_pixels(level, top, rows, goes_on));
+    std::vector<std::uint8_t> pixels = map_pixels(level, top, rows, goes_on);
+    if (channels == 3) drop_opacity(pixels);
+    png.add(pixels);
     if (progress.stopped()) return std::string();
     if (png.size() > kMaxPictureBytes)
       return wrong("the picture of the map takes more than " + number(kMaxPictureBytes >> 20) + " MiB");

@@ -292,6 +292,7 @@ FormatResult<std::string> plain_text(const Level& level, const Level& whole, Dia
   if (ground.tile.width == ground.tile.height) printer.put("tile_size", ground.tile.width);
   printer.put("tile_width", ground.tile.width);
   printer.put("tile_height", ground.tile.height);
+  if (const auto [r, g, b, a] = background_of(level); a > 0) printer.put("background", {r, g, b, a});
   printer.put_list("map", static_cast<std::size_t>(ground.height), progress.part(0, 0.1),
                    [&](std::size_t y) { printer.print(cells.subspan(y * width, width)); });
   printer.put("flags", {{"tiles", level.sheet(SheetId::tiles).flags},

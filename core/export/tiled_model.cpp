@@ -71,7 +71,7 @@ TiledExport tiled_export_of(const ExportRequest& request) {
   map.width = level.map.width();
   map.height = level.map.height();
   map.tile_size = level.map.tile_size();
-  map.background = tiled_color(level.palette[0]);
+  map.background = tiled_background(level);
   map.order = level.layers.order;
   map.tilesets.push_back(tileset_of(request));
   const TiledTileset& tiles = map.tilesets.front();

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include <talus/level/placed_picture.h>
+#include "../formats/import/hex_color.h"
 #include "../formats/text/append_number.h"
 #include "../formats/tiled/tiled_cells.h"
 #include "../level/layer_tree.h"
@@ -193,11 +194,14 @@ class TiledTextWriter {
     }
   }
 
-  // hex: as in tiled_color. Tiled's Lua has three numbers.
+  // hex: as in tiled_background. Tiled's Lua has three numbers, and the opacity as a fourth if it is not
+  // full.
   void color(std::string_view key, const std::string& hex) {
     if (!text_.is_lua()) return text_.put(key, hex);
     text_.open(key, true, true);
-    for (const std::size_t digits : {1, 3, 5}) text_.put("", std::stoi(hex.substr(digits, 2), nullptr, 16));
+    const Rgba color = rgba_of_hex(hex).value_or(Rgba{});
+    for (const int part : {color.r, color.g, color.b}) text_.put("", part);
+    if (color.a != 255) text_.put("", int{color.a});
     text_.close();
   }
 

@@ -77,8 +77,8 @@ std::span<const Format> formats() {
   static constexpr std::array<std::string_view, 2> kTiledJsonExtensions = {"tmj", "tsj"};
   static constexpr std::array<std::string_view, 2> kTiledXmlExtensions = {"tmx", "tsx"};
   static constexpr std::array<std::string_view, 4> kCartMembers = {"palette", "tiles", "sprites", "map"};
-  static constexpr std::array<std::string_view, 6> kTiledMembers = {"tiles",  "tile_shapes", "map",
-                                                                    "spawns", "curves",      "objects"};
+  static constexpr std::array<std::string_view, 7> kTiledMembers = {
+      "tiles", "tile_shapes", "map", "spawns", "curves", "objects", "background"};
   static constexpr std::array<std::string_view, 3> kLdtkChoices = {"layer", "level", "mapping"};
   static constexpr std::array<std::string_view, 2> kTiledChoices = {"layer", "used_tiles"};
   static const std::array<Format, 7> list = {{

@@ -31,6 +31,10 @@ auto& place(L& level, const ColorChange& c) {
   return level.palette[c.color];
 }
 template <class L>
+auto& place(L& level, const BackgroundChange&) {
+  return level.background;
+}
+template <class L>
 auto& place(L& level, const FlagNameChange& c) {
   return level.flag_names[c.flag];
 }

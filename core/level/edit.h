@@ -42,6 +42,9 @@ struct ColorChange {
   int color;  // 0..15
   Rgb before, after;
 };
+struct BackgroundChange {
+  std::optional<Rgba> before, after;
+};
 struct FlagNameChange {
   int flag;  // 0..31
   std::string before, after;
@@ -110,11 +113,11 @@ struct MapChange {  // the whole map: its size has changed, or too many cells to
   TileMap before, after;
 };
 
-using AnyChange =
-    std::variant<CellChange, PixelChange, TileLookChange, FlagsChange, ColorChange, FlagNameChange,
-                 FlagFieldsChange, RolesChange, TileShapeChange, FlagShapeChange, CurvesChange, ObjectsChange,
-                 TuningChange, SpawnsChange, BrushesChange, AutoTilesChange, ExportsChange, TileNotesChange,
-                 TileAnimationsChange, TilesetsChange, LayersChange, LevelChange, MapChange>;
+using AnyChange = std::variant<CellChange, PixelChange, TileLookChange, FlagsChange, ColorChange,
+                               BackgroundChange, FlagNameChange, FlagFieldsChange, RolesChange,
+                               TileShapeChange, FlagShapeChange, CurvesChange, ObjectsChange, TuningChange,
+                               SpawnsChange, BrushesChange, AutoTilesChange, ExportsChange, TileNotesChange,
+                               TileAnimationsChange, TilesetsChange, LayersChange, LevelChange, MapChange>;
 // Copied, moved and destroyed in edit.cpp, so that the many files with edits need not compile that.
 struct Change : AnyChange {
   using AnyChange::AnyChange;

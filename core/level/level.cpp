@@ -52,13 +52,18 @@ bool same_layers(const Level& a, const Level& b) {
 
 bool operator==(const Level& a, const Level& b) {
   const bool same_cart = a.cart == b.cart || (a.cart && b.cart && *a.cart == *b.cart);
-  return same_cart && a.sheets == b.sheets && a.palette == b.palette && a.flag_names == b.flag_names &&
-         a.flag_fields == b.flag_fields && a.roles == b.roles && a.tile_shapes == b.tile_shapes &&
-         a.flag_shapes == b.flag_shapes && a.tilesets == b.tilesets && a.animations == b.animations &&
-         a.tile_notes == b.tile_notes && a.large_tiles == b.large_tiles && same_layers(a, b) &&
-         a.curves == b.curves && a.objects == b.objects && a.tuning == b.tuning && a.spawns == b.spawns &&
-         a.brushes == b.brushes && a.auto_tiles == b.auto_tiles && a.exports == b.exports &&
-         a.extra == b.extra;
+  return same_cart && a.sheets == b.sheets && a.palette == b.palette && a.background == b.background &&
+         a.flag_names == b.flag_names && a.flag_fields == b.flag_fields && a.roles == b.roles &&
+         a.tile_shapes == b.tile_shapes && a.flag_shapes == b.flag_shapes && a.tilesets == b.tilesets &&
+         a.animations == b.animations && a.tile_notes == b.tile_notes && a.large_tiles == b.large_tiles &&
+         same_layers(a, b) && a.curves == b.curves && a.objects == b.objects && a.tuning == b.tuning &&
+         a.spawns == b.spawns && a.brushes == b.brushes && a.auto_tiles == b.auto_tiles &&
+         a.exports == b.exports && a.extra == b.extra;
+}
+
+Rgba background_of(const Level& level) {
+  const auto [r, g, b] = level.palette[0];
+  return level.background.value_or(Rgba{r, g, b, 255});
 }
 
 void Level::set_tile_layout(const SheetLayout& layout) {

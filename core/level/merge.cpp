@@ -542,6 +542,7 @@ void LevelMerger::merge_parts() {
   merge_objects();
   merge_groups();
   merge_array(&Level::palette, "colour", "colours");
+  take_whole(&Level::background, "the background");
   merge_array(&Level::flag_names, "name of a flag", "names of flags");
   merge_array(&Level::flag_shapes, "flag's shape", "flags' shapes");
   take_whole(&Level::flag_fields, "the fields of flags");

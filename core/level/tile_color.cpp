@@ -26,18 +26,34 @@ bool is_clear(const SheetPicture& picture, const SheetLayout& layout, TileNumber
   return true;
 }
 
+void lay_over(std::uint8_t* under, Rgba over) {
+  constexpr int kOpaque = 255;
+  if (over.a == 0) return;
+  if (over.a == kOpaque) {
+    under[0] = over.r, under[1] = over.g, under[2] = over.b, under[3] = kOpaque;
+    return;
+  }
+  // Shares of the pixel in 255 * 255 parts.
+  const int above = over.a * kOpaque, below = under[3] * (kOpaque - over.a), both = above + below;
+  const auto mixed = [&](int color, int other) {
+    return static_cast<std::uint8_t>((color * above + other * below + both / 2) / both);
+  };
+  under[0] = mixed(over.r, under[0]);
+  under[1] = mixed(over.g, under[1]);
+  under[2] = mixed(over.b, under[2]);
+  under[3] = static_cast<std::uint8_t>((both + kOpaque / 2) / kOpaque);
+}
+
 Rgb color_on_map(const Level& level, TileNumber tile, int x, int y) {
   const Sheet& sheet = level.sheet(SheetId::tiles);
   const TileSize size = level.map.tile_size();
   if (sheet.picture == nullptr) return level.palette[color_at(sheet.images[tile], size, x, y)];
   const Cell place = sheet.layout().place_of(tile);
   const std::uint8_t* over = sheet.picture->at(place.x * size.width + x, place.y * size.height + y);
-  const auto mixed = [&](int above, int below) {
-    constexpr int kOpaque = 255;
-    return static_cast<std::uint8_t>((above * over[3] + below * (kOpaque - over[3]) + kOpaque / 2) / kOpaque);
-  };
   const Rgb under = level.palette[0];
-  return {mixed(over[0], under.r), mixed(over[1], under.g), mixed(over[2], under.b)};
+  std::array<std::uint8_t, 4> pixel = {under.r, under.g, under.b, 255};
+  lay_over(pixel.data(), {over[0], over[1], over[2], over[3]});
+  return {pixel[0], pixel[1], pixel[2]};
 }
 
 bool is_blank(const Level& level, TileNumber tile, SheetId id) {

@@ -25,6 +25,9 @@ bool is_blank(const Level& level, TileNumber tile, SheetId sheet = SheetId::tile
 // half opaque in true colour, if its sheet has it, else those that are not colour 0.
 std::uint64_t drawn_pixels(const Level& level, TileNumber tile);
 
+// Lays a colour over a pixel of four bytes, red, green, blue and opacity: Porter and Duff's "over".
+void lay_over(std::uint8_t* under, Rgba over);
+
 // The colour of a pixel of a tile, as the map shows it: what is not opaque lies over colour 0. x, y: px of
 // the map from the corner of the cell.
 Rgb color_on_map(const Level& level, TileNumber tile, int x, int y);

@@ -43,6 +43,23 @@ std::string subject_of(const Trial& trial) {
   return text + (trial.direction < 0 ? " to the left" : " to the right");
 }
 
+// " of 1 px" of an edge; nothing of kinds that need none.
+std::string measure_of(const Finding& finding) {
+  const std::string px = px_text(std::round(finding.amount * kWeldParts) / kWeldParts) + " px";
+  switch (finding.kind) {
+    case FindingKind::lip:
+    case FindingKind::gap:
+      return " of " + px;
+    case FindingKind::inside:
+    case FindingKind::falls_through:
+      return " by " + px;
+    case FindingKind::ghost:
+      return " and leaves " + px + " of its way free";
+    default:
+      return "";
+  }
+}
+
 }  // namespace
 
 const FindingInfo& info_of(FindingKind kind) {
@@ -79,10 +96,13 @@ void add_alike(Finding& finding, const Finding& other) {
   finding.count = count;
 }
 
+std::string placeless_message_of(const Finding& finding) {
+  return subject_of(finding.trial) + " " + std::string(info_of(finding.kind).label) +
+         (finding.amount > 0 ? measure_of(finding) : "");
+}
+
 std::string message_of(const Finding& finding) {
-  std::string text = subject_of(finding.trial) + " " + std::string(info_of(finding.kind).label);
-  if (finding.kind == FindingKind::lip || finding.kind == FindingKind::gap)
-    text += " of " + px_text(std::round(finding.amount * kWeldParts) / kWeldParts) + " px";
+  std::string text = placeless_message_of(finding);
   text += " at " + px_text(finding.place.x) + ", " + px_text(finding.place.y) + " px";
   if (!info_of(finding.kind).of_level) text += " (solver " + std::string(solver_name(finding.solver)) + ")";
   return text;

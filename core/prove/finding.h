@@ -59,8 +59,9 @@ struct Finding {
   Cell cell;      // of the place; of a lip that of the higher ground; on the map
   Vec2 place;     // px, the middle of the body's bottom then; of a lip the top of the edge, of a gap where
                   // the floor ends
-  // px: of a lip its height, of a gap its width, of jumps, floats and slows how much; of gains the fall that
-  // gives as much speed
+  // px: of a lip its height, of a gap its width, of stops, slows and jumps how much; of gains the fall that
+  // gives as much speed. Of bodies that meet, too: of inside and falls-through the depth, of a ghost how far
+  // the way is free, up to 8; of others these are 0.
   double amount = 0;
   Obstacle met;   // what stopped it; of other kinds what it met last
   int count = 1;  // trials of this body, direction and kind with a finding in this cell
@@ -73,5 +74,7 @@ void add_alike(Finding& finding, const Finding& other);
 // A sentence without a full stop: "a player of 8x8 px stops at the place 12.5, 40 px, though its way is
 // free".
 std::string message_of(const Finding& finding);
+// The same without its place and its solver.
+std::string placeless_message_of(const Finding& finding);
 
 }  // namespace talus

@@ -26,8 +26,6 @@ constexpr std::array<Fine, 2> kRiseWays = {kAhead, kFinePx};
 Fine scaled(Fine length, double factor) { return std::llround(static_cast<double>(length) * factor); }
 
 // px, to 1/1024: edges are measured a little beside the body.
-double rounded_px(Fine length) { return std::round(px_of(length) * 1024) / 1024; }
-
 // What of a box stands on floors.
 FineBox foot_of(const FineBox& box, Foot foot) { return foot == Foot::centre ? box.middle_line() : box; }
 
@@ -231,7 +229,8 @@ std::optional<Verdict> Judge::gap_after(const Body& before, int direction) const
     return true;
   });
   if (!narrowest) return std::nullopt;
-  return Verdict{FindingKind::gap, rounded_px(*narrowest), Vec2{px_of(end), rounded_px(y)}, -direction};
+  return Verdict{FindingKind::gap, rounded_px(px_of(*narrowest)), Vec2{px_of(end), rounded_px(px_of(y))},
+                 -direction};
 }
 
 // Whether a floor leads to this point in a direction.
@@ -479,7 +478,8 @@ std::optional<Verdict> Judge::lip_met(const Body& before, const ContactRecord& c
 }
 
 Verdict Judge::lip_of(int direction, const Edge& edge) const {
-  return {FindingKind::lip, rounded_px(edge.height), Vec2{px_of(edge.x), rounded_px(edge.top)}, direction};
+  return {FindingKind::lip, rounded_px(px_of(edge.height)), Vec2{px_of(edge.x), rounded_px(px_of(edge.top))},
+          direction};
 }
 
 // The middle of the body was above a floor, and is below it. A box that was in the floor already does not

@@ -1,6 +1,7 @@
 // Judge: says whether the geometry of the ground explains what a body did in a step.
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include <talus/sim/solver.h>
@@ -15,6 +16,9 @@ struct Verdict {
   std::optional<Vec2> edge = {};  // px, of a lip: the top of the edge; of a gap: where the floor ends
   int side = 0;                   // of an edge: -1 it is the right side of its ground, 1 the left one
 };
+
+// Lengths of edges, without what searches and slacks add to them.
+inline double rounded_px(double px) { return std::round(px * 1024) / 1024; }
 
 class Judge {
  public:

@@ -9,6 +9,7 @@ namespace {
 constexpr double kInGround =
     1.0 / 128;  // px; circles that come from a curve to other ground do so with small errors
 constexpr double kWay = 1.0 / 16;     // px; how far ahead its way is looked at
+constexpr double kFarthestWay = 8;    // px; the most that is said of a way where nothing stops it
 constexpr double kBeside = 1.0 / 64;  // px; what touches a corner may be so far beside it
 constexpr double kRestSlack = 1.0 / 8192, kRestWay = 1.0 / 128;  // px; the same two of a body that rests
 // px; behind a low edge there is room so far on, and before it a level floor.
@@ -49,9 +50,10 @@ std::optional<Verdict> MeetJudge::judge(const Body& before, const Body& after,
                                         const StepRecord& record) const {
   const RawForm from = form_of(before), to = form_of(after);
   if (!ground_.has_row_at(to.around().y1)) return std::nullopt;
-  if (!is_free(to, kInGround) && is_free(from, kInGround)) return Verdict{FindingKind::inside};
+  if (!is_free(to, kInGround) && is_free(from, kInGround))
+    return Verdict{FindingKind::inside, depth_in_ground(to)};
   if (is_across_line(from)) return std::nullopt;
-  if (falls_through(from, to)) return Verdict{FindingKind::falls_through};
+  if (const double px = depth_below_floor(from, to); px > 0) return Verdict{FindingKind::falls_through, px};
   if (const double px = gain(before, after); px > 0) return Verdict{FindingKind::gains, px};
   return judge_contacts(before, record);
 }
@@ -131,16 +133,34 @@ bool MeetJudge::is_there(const RawForm& touching, Vec2 normal) const {
          is_stopped(touching, touching.moved(into - beside));
 }
 
-// The middle of its bottom was above a floor, and is below it.
-bool MeetJudge::falls_through(const RawForm& before, const RawForm& after) const {
+// px, of a form that is not free: by so much all its sides must come in until it is.
+double MeetJudge::depth_in_ground(const RawForm& form) const {
+  const FineBox box = form.around();
+  const double half = px_of(std::min(box.x1 - box.x0, box.y1 - box.y0)) / 2;
+  return lowest(kInGround, half, [&](double slack) { return is_free(form, slack); });
+}
+
+// px: so far below a floor is the middle of its bottom, which was above it; 0: there is no such floor.
+double MeetJudge::depth_below_floor(const RawForm& before, const RawForm& after) const {
   const Vec2 from = before.foot(), to = after.foot();
-  if (to.y <= from.y) return false;
+  if (to.y <= from.y) return 0;
   const Fine left = fine(std::min(from.x, to.x)), right = fine(std::max(from.x, to.x));
-  return !ground_.for_parts({left, fine(from.y - kInGround), right, fine(to.y)}, [&](const RawPart& part) {
+  double deepest = 0;
+  ground_.for_parts({left, fine(from.y - kInGround), right, fine(to.y)}, [&](const RawPart& part) {
     if (!part.is_floor() || part.top.x0 > left || part.top.x1 < right) return true;
-    return !(px_of(part.top.at(fine(from.x))) >= from.y - kInGround &&
-             px_of(part.top.at(fine(to.x))) < to.y - kThrough);
+    const double depth = to.y - px_of(part.top.at(fine(to.x)));
+    if (px_of(part.top.at(fine(from.x))) >= from.y - kInGround && depth > kThrough)
+      deepest = std::max(deepest, depth);
+    return true;
   });
+  return deepest;
+}
+
+// px, of a body that something not there stopped: so far at least it could go on against that normal.
+double MeetJudge::free_way(const RawForm& touching, Vec2 normal) const {
+  double way = kWay;
+  while (way < kFarthestWay && !is_stopped(touching, touching.moved(normal * -(way + kWay)))) way += kWay;
+  return way;
 }
 
 std::optional<Verdict> MeetJudge::judge_contacts(const Body& before, const StepRecord& record) const {
@@ -151,7 +171,8 @@ std::optional<Verdict> MeetJudge::judge_contacts(const Body& before, const StepR
     there.box.y = contact.touch.y;
     const RawForm touching = form_of(there);
     if (!ground_.has_row_at(touching.around().y1)) continue;
-    if (!is_there(touching, contact.normal)) return Verdict{FindingKind::ghost};
+    if (!is_there(touching, contact.normal))
+      return Verdict{FindingKind::ghost, free_way(touching, contact.normal)};
     if (auto lip = lip_met(touching, contact.normal)) return lip;
   }
   return std::nullopt;
@@ -186,8 +207,9 @@ std::optional<double> MeetJudge::lip_before(const RawForm& touching, Vec2 normal
     const RawForm there = touching.moved(over);
     return is_free(there, kInGround) && !is_across_line(there) ? std::optional(height) : std::nullopt;
   }
-  if (normal.y != 0 || !has_room(lip_ + kInGround) || has_room(weld + kInGround)) return std::nullopt;
-  return lowest(weld, lip_ + kInGround, has_room);
+  // What may be in ground by a slack has room by so much below the height.
+  if (normal.y != 0 || !has_room(lip_) || has_room(weld)) return std::nullopt;
+  return rounded_px(lowest(weld, lip_, has_room) + kInGround);
 }
 
 // px/frame^2, down.

@@ -33,7 +33,9 @@ class MeetJudge {
   bool is_stopped(const RawForm& from, const RawForm& to, double slack) const;
   bool is_stopped(const RawForm& from, const RawForm& to) const;
   bool is_there(const RawForm& touching, Vec2 normal) const;
-  bool falls_through(const RawForm& before, const RawForm& after) const;
+  double depth_in_ground(const RawForm& form) const;
+  double depth_below_floor(const RawForm& before, const RawForm& after) const;
+  double free_way(const RawForm& touching, Vec2 normal) const;
   std::optional<Verdict> judge_contacts(const Body& before, const StepRecord& record) const;
   std::optional<Verdict> lip_met(const RawForm& touching, Vec2 normal) const;
   std::optional<double> lip_before(const RawForm& touching, Vec2 normal) const;

@@ -137,7 +137,7 @@ std::vector<std::string> overlay_keys() {
 void add_debugger_options(CLI::App& command, ShotCommandOptions& options) {
   WindowShotOptions& shot = options.window_shot;
   const std::string window = "--window";
-  command.add_option("--panel", shot.panels, "Show these tabs, and the debugger")
+  command.add_option("--panel", shot.panels, "Show these tabs, one of each place, and the debugger")
       ->delimiter(',')
       ->check(CLI::IsMember(panels_in_tabs()))
       ->needs(window);
@@ -169,7 +169,8 @@ void add_shot_command(CLI::App& program, CommandContext& context) {
       ->check(CLI::IsMember(overlay_keys()));
   command->add_option("--zoom", options->shot.zoom, "Pixels of the picture for each px of the level")
       ->check(CLI::Range(1, 16));
-  command->add_option("--body", options->shot.body, "Id of the body whose details are labelled");
+  command->add_option("--body", options->shot.body,
+                      "Id of the body whose details are labelled, and that the view goes with");
   command->add_option("--window", options->window, "Draw the editor's whole window in this size")
       ->type_name("WxH")
       ->check(check_size)
@@ -180,6 +181,9 @@ void add_shot_command(CLI::App& program, CommandContext& context) {
       ->needs("--window");
   command->add_option("-o,--output", options->output, "PNG to write; - for standard output")->required();
   command->callback([&context, options] {
+    if (const auto two = panels_of_one_place(options->window_shot.panels))
+      throw CLI::ValidationError("--panel", two->first + " and " + two->second +
+                                                " are tabs of one place, so only one of them can be shown");
     if (options->output == "-") return shoot_to_output(context, *options);
     shoot_to_file(context, *options);
   });

@@ -14,6 +14,10 @@ Edit set_color(const Level& level, int color, Rgb rgb) {
                        ColorChange{color, level.palette[color], rgb});
 }
 
+Edit set_background(const Level& level, std::optional<Rgba> background) {
+  return single_change("Change the background", BackgroundChange{level.background, background});
+}
+
 Edit rename_flag(const Level& level, int flag, std::string name) {
   assert(flag >= 0 && flag < kMaxFlags);
   return single_change("Rename flag " + std::to_string(flag),

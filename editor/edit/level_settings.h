@@ -2,6 +2,7 @@
 // function makes an Edit and changes nothing itself.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,8 @@
 
 namespace talus {
 
-Edit set_color(const Level& level, int color, Rgb rgb);            // color: 0..15 (asserted)
+Edit set_color(const Level& level, int color, Rgb rgb);  // color: 0..15 (asserted)
+Edit set_background(const Level& level, std::optional<Rgba> background);
 Edit rename_flag(const Level& level, int flag, std::string name);  // flag: 0..31 (asserted)
 Edit set_roles(const Level& level, const FlagRoles& roles);
 Edit set_tuning(const Level& level, const Tuning& tuning);

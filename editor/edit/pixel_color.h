@@ -4,14 +4,9 @@
 #include <bit>
 #include <cstdint>
 
-namespace talus {
+#include <talus/level/tileset.h>
 
-// A colour with opacity.
-struct Rgba {
-  std::uint8_t r = 0, g = 0, b = 0;
-  std::uint8_t a = 0;  // 0: clear
-  friend bool operator==(const Rgba&, const Rgba&) = default;
-};
+namespace talus {
 
 // Of a sheet in 16 colours, the index, 0..15; of one in true colour, the bits of an Rgba.
 using PixelColor = std::int32_t;

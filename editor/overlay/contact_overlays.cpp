@@ -7,7 +7,8 @@
 namespace talus {
 namespace {
 
-constexpr double kTouchedLength = 8;  // px
+constexpr double kTouchedLength = 8;      // px
+constexpr double kLeastLabelled = 0.005;  // of an impulse; less would be "0.00"
 
 // Returns the middle of the common part of two intervals, or of the gap between them if they have none.
 double shared_middle(double a_min, double a_max, double b_min, double b_max) {
@@ -44,7 +45,7 @@ void draw_impulse(const OverlaySource&, const ContactRecord& contact, const Body
   const double change = contact.impulse / mass_of(body.kind, {body.box.w, body.box.h});
   const Vec2 end = point + contact.normal * (change * kPixelsPerVelocity);
   pen.line(point, end, true);
-  pen.label(end, two_decimals(contact.impulse), body);
+  if (contact.impulse >= kLeastLabelled) pen.label(end, two_decimals(contact.impulse), body);
 }
 
 void draw_touch_point(const OverlaySource&, const ContactRecord& contact, const Body& body, OverlayPen& pen) {

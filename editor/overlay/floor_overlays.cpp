@@ -19,7 +19,9 @@ constexpr double kFloorReach =
     64;  // px below a body within which a floor is shown; the chosen body shows it at any distance
 constexpr double kFloorStep = 1;  // px between two drawn heights of a floor
 constexpr int kMostFloorParts = 64;
-constexpr double kFloorTick = 1.5;  // px
+constexpr double kFloorTick = 1.5;           // px
+constexpr double kTouchingBody = 1.0 / 64;   // px; what a body stands on may be in it by so much
+constexpr std::int64_t kBodiesPerWork = 16;  // looked at for a unit of work
 
 // The two ends of a slope's surface, left to right.
 std::pair<Vec2, Vec2> slope_surface(const Obstacle& slope) {
@@ -41,21 +43,68 @@ void draw_floor_profile(const Terrain& ground, const Rect& box, double reach, Bo
   }
 }
 
-// Draws the ground's floor straight below a body, and for the chosen body its height under every x.
+// The part of a body, px, under which another one may be: of a circle the middle.
+struct Underside {
+  double x0, x1, y;
+};
+
+// The y, px, at which another body comes first straight below; nothing: there is none.
+std::optional<double> top_below(const Underside& under, const Body& other, bool meets) {
+  const Rect& o = other.box;
+  const double radius = meets ? radius_of(other.kind, {o.w, o.h}) : 0;
+  double y = o.y;
+  if (radius > 0) {
+    const double beside = std::clamp(o.center().x, under.x0, under.x1) - o.center().x;
+    if (std::abs(beside) >= radius) return std::nullopt;
+    y = o.bottom() - radius - std::sqrt(radius * radius - beside * beside);
+  } else if (under.x0 >= o.right() || under.x1 <= o.x) {
+    return std::nullopt;
+  }
+  return y < under.y - kTouchingBody ? std::nullopt : std::optional(y);
+}
+
+struct BodyBelow {
+  int body;  // id
+  double y;  // px
+};
+
+// The first body straight below one, where bodies stop one another.
+std::optional<BodyBelow> body_below(const OverlaySource& source, const Body& body, double reach,
+                                    BodyWork& work) {
+  if (!source.scene.features.pairs) return std::nullopt;
+  work.budget()->left -= static_cast<std::int64_t>(source.state.bodies.size()) / kBodiesPerWork;
+  const bool meets = source.scene.features.meets;
+  const Rect& b = body.box;
+  Underside under{b.x, b.right(), b.bottom()};
+  if (meets && radius_of(body.kind, {b.w, b.h}) > 0) under.x0 = under.x1 = b.center().x;
+  std::optional<BodyBelow> first;
+  for (const Body& other : source.state.bodies) {
+    if (other.id == body.id) continue;
+    const auto y = top_below(under, other, meets);
+    if (y && *y <= under.y + reach && (!first || *y < first->y)) first = BodyBelow{other.id, *y};
+  }
+  return first;
+}
+
+// Draws what comes first straight below a body: the ground, for the chosen body at its height under every x,
+// or another body.
 void draw_floor(const OverlaySource& source, const Body& body, OverlayPen& pen) {
   const Rect& b = body.box;
   if (source.ground == nullptr || !pen.sees(b)) return;
   const bool is_chosen = body.id == source.chosen_body;
   const double reach = is_chosen ? source.ground->y_of(source.ground->height()) : kFloorReach;
   BodyWork work(pen.drawing(), is_chosen);
+  const auto below = body_below(source, body, reach, work);
   const auto floor = floor_below(*source.ground, b, reach, body.foot, work.budget());
-  if (!floor) return;
-  const double x = b.center().x;
-  const Vec2 end{b.right() + kFloorMargin, floor->y};
-  pen.line({b.x - kFloorMargin, floor->y}, end);
-  if (floor->y > b.bottom()) pen.line({x, b.bottom()}, {x, floor->y});
-  if (is_chosen) draw_floor_profile(*source.ground, b, reach, work, pen);
-  pen.label(end, "floor " + two_decimals(floor->y), body);
+  if (!floor && !below) return;
+  const bool is_body = below && (!floor || below->y < floor->y);
+  const double x = b.center().x, y = is_body ? below->y : floor->y;
+  const Vec2 end{b.right() + kFloorMargin, y};
+  pen.line({b.x - kFloorMargin, y}, end);
+  if (y > b.bottom()) pen.line({x, b.bottom()}, {x, y});
+  if (is_chosen && !is_body) draw_floor_profile(*source.ground, b, reach, work, pen);
+  pen.label(end, (is_body ? "body " + std::to_string(below->body) + " at " : "floor ") + two_decimals(y),
+            body);
 }
 
 // Draws the floor that article and bump compute on a slope.
@@ -105,8 +154,10 @@ const Overlay floor_height{
     .key = "floor_height",
     .label = "floor height",
     .help =
-        "The floor straight below each body, as the exact solver's ground has it; of the others, the floor "
-        "computed on a slope, before and after rounding, and the slope's surface.",
+        "What comes first straight below each body: the floor, as the exact solver's ground has it, or a "
+        "body "
+        "that stops it. Of the other solvers also the floor computed on a slope, before and after rounding, "
+        "and the slope's surface.",
     .group = OverlayGroup::ground,
     .color = 0xd55e00,
     .safe_color = 0xaa8c50,

@@ -1,23 +1,18 @@
 #include "small_picture.h"
 
+#include "level/tile_color.h"
 #include "map_picture.h"
 
 namespace talus {
 namespace {
 
-std::uint8_t blended(int under, int over, int opacity) {
-  constexpr int kOpaque = 255;
-  return static_cast<std::uint8_t>((under * (kOpaque - opacity) + over * opacity) / kOpaque);
-}
-
 // The tint multiplies the colours of the layer.
-void lay_over(SheetPicture& picture, const std::vector<std::uint8_t>& rgba, const LayerLooks& looks) {
-  const std::array<int, 3> tint = {looks.tint.r, looks.tint.g, looks.tint.b};
+void lay_layer_over(SheetPicture& picture, const std::vector<std::uint8_t>& rgba, const LayerLooks& looks) {
+  const auto tinted = [](int color, int tint) { return static_cast<std::uint8_t>(color * tint / 255); };
   for (std::size_t at = 0; at < rgba.size(); at += 4) {
-    const int opacity = static_cast<int>(rgba[at + 3] * looks.opacity);
-    for (std::size_t channel = 0; channel < tint.size(); ++channel)
-      picture.rgba[at + channel] =
-          blended(picture.rgba[at + channel], rgba[at + channel] * tint[channel] / 255, opacity);
+    lay_over(&picture.rgba[at],
+             {tinted(rgba[at], looks.tint.r), tinted(rgba[at + 1], looks.tint.g),
+              tinted(rgba[at + 2], looks.tint.b), static_cast<std::uint8_t>(rgba[at + 3] * looks.opacity)});
   }
 }
 
@@ -29,17 +24,18 @@ SheetPicture small_picture(const Level& level, int most_width, int most_height) 
   while (along(level.map.width(), block) > most_width || along(level.map.height(), block) > most_height)
     block *= 2;
   SheetPicture picture{along(level.map.width(), block), along(level.map.height(), block), {}};
-  const Rgb back = level.palette[0];
+  const auto [r, g, b, a] = background_of(level);
   for (int i = 0; i < picture.width * picture.height; ++i)
-    picture.rgba.insert(picture.rgba.end(), {back.r, back.g, back.b, 255});
+    picture.rgba.insert(picture.rgba.end(), {r, g, b, a});
   for (int layer = 0; layer < level.layers.count(); ++layer) {
     const TileLayer& its = level.layers.list[static_cast<std::size_t>(layer)];
     const LayerLooks looks = shown_looks(level.layers.groups, its);
     if (!looks.visible) continue;
     const LayerLook look{.layer = layer, .is_opaque = false, .look = {}};
-    lay_over(picture,
-             layer_picture(level, layer, layer_paint(level, look), {}, block, picture.width, picture.height),
-             looks);
+    lay_layer_over(
+        picture,
+        layer_picture(level, layer, layer_paint(level, look), {}, block, picture.width, picture.height),
+        looks);
   }
   return picture;
 }

@@ -7,6 +7,7 @@
 #include "app.h"
 #include "edit/level_settings.h"
 #include "panels/canvas/canvas_layers.h"
+#include "panels/canvas/opening_area.h"
 #include "panels/canvas/tile_drawing.h"
 #include "panels/window/panel_list.h"
 #include "picture.h"
@@ -16,12 +17,12 @@
 namespace talus {
 namespace {
 
-Rect first_screen(const TileMap& map) {
-  return {0, 0, map.x_of(std::min(map.width(), kScreenColumns)),
-          map.y_of(std::min(map.height(), kScreenRows))};
-}
-
 constexpr int kFramesToSettle = 3;  // text and tables need more than one frame to find their sizes
+
+// id: one of panels_in_tabs().
+TabPlace place_of_tab(const std::string& id) {
+  return std::ranges::find(tab_infos(), id, &TabInfo::id)->place;
+}
 
 // Opens the places of the panels, and the debugger. In a small window, that of the first one goes before.
 void show_panels(const std::vector<std::string>& panels, View& view) {
@@ -31,9 +32,8 @@ void show_panels(const std::vector<std::string>& panels, View& view) {
   if (panels.empty()) return;
   view.canvas.mode = CanvasMode::play;
   for (auto panel = panels.rbegin(); panel != panels.rend(); ++panel) {
-    const auto tab = std::ranges::find(tab_infos(), *panel, &TabInfo::id);
-    open_place(window, tab->place);
-    window.first = tab->place;
+    window.first = place_of_tab(*panel);
+    open_place(window, window.first);
   }
 }
 
@@ -75,7 +75,7 @@ WindowCost measure(App& app) {
 
 tl::expected<void, std::string> write_shot(const Session& session, const ShotOptions& options,
                                            const std::string& png_path) {
-  const Rect area = options.area.value_or(first_screen(session.level().map));
+  const Rect area = options.area.value_or(screen_with_bodies(session.level(), session.state(), options.body));
   const auto zoom = static_cast<float>(options.zoom);
   const ImVec2 size{std::max(1.0f, std::round(static_cast<float>(area.w) * zoom)),
                     std::max(1.0f, std::round(static_cast<float>(area.h) * zoom))};
@@ -112,6 +112,13 @@ std::vector<std::string> panels_in_tabs() {
   std::vector<std::string> ids;
   for (const TabInfo& tab : tab_infos()) ids.push_back(tab.id);
   return ids;
+}
+
+std::optional<std::pair<std::string, std::string>> panels_of_one_place(const std::vector<std::string>& ids) {
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    for (std::size_t k = i + 1; k < ids.size(); ++k)
+      if (ids[i] != ids[k] && place_of_tab(ids[i]) == place_of_tab(ids[k])) return std::pair(ids[i], ids[k]);
+  return std::nullopt;
 }
 
 tl::expected<void, std::string> write_window_shot(const WindowShotOptions& options,

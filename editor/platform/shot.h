@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 #include <tl/expected.hpp>
+#include <utility>
+#include <vector>
 
 #include "overlay/overlay_table.h"
 #include "panels/preferences.h"
@@ -15,7 +17,8 @@ namespace talus {
 
 struct ShotOptions {
   OverlaySet overlays;
-  // px of the level to show; nothing: the first screen, 240x136 px, or the map if that is smaller.
+  // px of the level to show; nothing: a screen, 240x136 px or the map if that is smaller, with `body`, else
+  // with the bodies.
   std::optional<Rect> area;
   int zoom = 4;  // px of the picture for each px of the level, 1 to 16
   int body = 0;  // id of the body whose details are always labelled; 0: no body
@@ -53,6 +56,8 @@ struct WindowCost {
 
 // The ids that WindowShotOptions::panels may have.
 std::vector<std::string> panels_in_tabs();
+// Two of these that cannot be shown at once, as they are tabs of one place; nothing: there are none.
+std::optional<std::pair<std::string, std::string>> panels_of_one_place(const std::vector<std::string>& ids);
 // Draws the editor's whole window, with the default settings.
 // cost: measured before the picture is drawn; null: not measured.
 tl::expected<void, std::string> write_window_shot(const WindowShotOptions& options,

@@ -47,3 +47,11 @@ cat >"$work/layers.talus.json" <<'LEVEL'
   {"name": "front", "ground": false, "offset": [0, 4], "rows": ["", "", "", "", "", "..02..02", "..02"]}]}
 LEVEL
 look "$work/layers.talus.json"
+
+# A background that is not colour 0, behind ground with pixels of colour 0 and beside it.
+cat >"$work/background.talus.json" <<'LEVEL'
+{"talus": 8, "background": "#204060", "tiles": {
+  "1": {"flags": [0], "pixels": "dddddddd 0000000d d000000d d00aa00d d00aa00d d000000d d000000d dddddddd"}},
+ "map": {"width": 30, "height": 17, "rows": ["", "", "", "..01", "0101010101"]}}
+LEVEL
+look "$work/background.talus.json"

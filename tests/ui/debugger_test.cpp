@@ -49,6 +49,21 @@ TEST_F(UiDebugger, DraggingTheTimelineShowsEachFrameAsItWas) {
   EXPECT_EQ(timeline().last_frame(), 40);
 }
 
+TEST_F(UiDebugger, ANarrowTableOfContactsHasAllColumns) {
+  for (const int width : {1280, 800}) {
+    start(save_test_level("level.talus.json"), width, width == 800 ? 600 : 720);
+    session().apply(action::SelectBody{ball().id});
+    while (session().record().contacts.empty()) session().apply(action::StepFrame{});
+    app().ui().view.requests.ask(request::ShowTab("inspector"));
+    frames(8);
+    for (const char* title : {"#", "other", "reaction", "t", "n", "delta", "floor", "done"}) {
+      const Widget* column = find(std::string("inspector/contacts/") + title);
+      ASSERT_NE(column, nullptr) << title << " at " << width;
+      EXPECT_LE(column->max.x, static_cast<float>(width)) << title;
+    }
+  }
+}
+
 TEST_F(UiDebugger, StepsBackAndForthByKeyWithoutLosingTheRest) {
   play(10);
   const State last = session().state();

@@ -75,6 +75,7 @@ TEST_F(UiDialogKeys, EachDialogIsWantedInTheFrameThatOpensIt) {
       {"Find a command", [&] { run("help/commands"_command); }},
       {"Keys of the commands", [&] { run("edit/keys"_command); }},
       {"Size of the map", [&] { run("map/resize"_command); }},
+      {"Background of the map", [&] { run("map/background"_command); }},
       {"Recover unsaved work", [&] { run("file/recover"_command); }},
       {"Unsaved changes", [&] { run("file/quit"_command); }},
       {"Import a picture", [&] { session().apply(action::OpenPng{path("tiles.png")}); }},

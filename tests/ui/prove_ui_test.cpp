@@ -1,4 +1,6 @@
 // Proofs in the panel of problems: the button, the rows, and what an edit does.
+#include <imgui_internal.h>
+
 #include "harness.h"
 #include "panels/canvas/fix_preview.h"
 #include "panels/commands/commands.h"
@@ -65,6 +67,56 @@ TEST_F(UiProve, AClickOnARowPlaysTheFinding) {
     frames(2);
     EXPECT_EQ(session().state().frame, session().prover().found()->findings[i % count].frame);
   }
+}
+
+// Ten plates on the floor, and two bodies that are inside of the ground.
+TEST_F(UiProve, ARowStaysUnderTheMouse) {
+  Level level = test_level();
+  level.tuning.solver = SolverKind::exact;
+  level.map.set({5, 10}, 0);
+  level.tile_shapes[7] = {.kind = TileShape::Kind::slope, .heights = {0.5, 0.5}};
+  for (int x = 3; x < 30; x += 4) level.map.set({x, 15}, 7);
+  for (const Vec2 at : {Vec2{16, 100}, Vec2{200, 130}, Vec2{40, 130}}) {
+    Spawn& spawn = level.spawns.emplace_back();
+    spawn.kind = BodyKind::crate;
+    spawn.position = at;
+  }
+  const std::string file = path("plates.talus.json");
+  ASSERT_TRUE(save_level(level, *format_for_file(file), file));
+  start(file, 1280, 720);
+  app().ui().view.requests.ask(request::ShowTab("problems"));
+  frames(8);
+  click("problems/prove");
+  ASSERT_TRUE(proof_ends());
+  frames(8);
+  int rows = 0;
+  while (find("proof/row" + std::to_string(rows)) != nullptr) ++rows;
+  EXPECT_GE(rows, 4) << "the list has room";
+  frames(120);
+  const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
+  EXPECT_TRUE(tooltip == nullptr || !tooltip->Active) << "that of the button would cover the rows";
+  const ImVec2 at = centre("proof/row1");
+  click(at);
+  for (int i = 0; i < 10; ++i) {
+    frames(6);
+    ASSERT_NE(find("proof/row1"), nullptr);
+    EXPECT_EQ(centre("proof/row1").y, at.y);
+  }
+}
+
+TEST_F(UiProve, TheOrderOfProblemsStaysUnderTheMouse) {
+  start();
+  session().apply(action::SelectBody{ball().id});
+  ProblemsView view;
+  note_followed_body(session(), true, view);
+  EXPECT_FALSE(view.near);
+  note_followed_body(session(), false, view);
+  EXPECT_TRUE(view.near);
+  session().apply(action::SelectBody{});  // as a finding, in which it does not play
+  note_followed_body(session(), true, view);
+  EXPECT_TRUE(view.near);
+  note_followed_body(session(), false, view);
+  EXPECT_FALSE(view.near);
 }
 
 TEST_F(UiProve, AnEditIsProvedAndAfterwardsAFindingIsGone) {

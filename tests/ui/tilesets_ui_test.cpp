@@ -5,6 +5,7 @@
 #include "formats/pictures/png_picture.h"
 #include "formats/tilesets/displaced_tile.h"
 #include "harness.h"
+#include "paths.h"
 
 namespace talus::tilesets_ui_test {
 

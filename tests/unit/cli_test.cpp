@@ -363,6 +363,14 @@ TEST_F(CliShot, APanelIsShownInASmallWindow) {
   EXPECT_NE(picture_with("why"), picture_with("shape"));
 }
 
+TEST_F(CliShot, PanelsOfOnePlaceAreRefused) {
+  const CliAnswer answer = cli_answer(
+      {"shot", kSix, "--window", "1280x720", "--panel", "why,problems,tuning", "-o", path("a.png")});
+  EXPECT_EQ(answer.status, kExitUsage);
+  EXPECT_THAT(answer.err,
+              HasSubstr("why and tuning are tabs of one place, so only one of them can be shown"));
+}
+
 TEST_F(CliShot, TheThemeIsThatOfTheWindow) {
   const std::string dark = path("dark.png"), light = path("light.png");
   EXPECT_EQ(cli_answer({"shot", kSix, "--light", "-o", light}).status, kExitUsage)

@@ -47,6 +47,7 @@ Level rich_level() {
   level.auto_tiles.tiles[0] = 4;
   level.exports = {{"game", "love", "game", "", false, ""}};
   level.palette = {};
+  level.background = Rgba{1, 2, 3, 4};
   level.extra = R"({"future":1,"map":{"mood":"dark"},"nothing":null})";
   return level;
 }

@@ -333,6 +333,29 @@ TEST_F(Steps, TellOfAnEndedWorkBudget) {
               testing::HasSubstr("It met the limit of work for a step, and stopped early."));
 }
 
+TEST_F(Steps, TellThatAConveyorCarriesABody) {
+  Level level = level_of({"..........", "..........", "..........", "##########"});
+  level.tuning.solver = SolverKind::exact;
+  level.tuning.shared.bodies = static_cast<double>(BodyPairs::meet);
+  level.tuning.exact.gravity = 0.25;
+  const TileNumber tile = level.map.at({0, 3}).tile;
+  level.tile_shapes[tile] = {.kind = TileShape::Kind::solid, .conveyor = -1.5};
+  level.spawns = {{.name = "", .position = {40, 16}, .velocity = {}, .extra = "", .kind = BodyKind::crate},
+                  {.name = "", .position = {16, 16}, .velocity = {}, .extra = "", .kind = BodyKind::marble}};
+  const auto why = [&](int body) {
+    const RecordedFrames recorded(level, 1);
+    FrameHistory history(1);
+    history.go_to(recorded, 1);
+    return explain_step(history.view(), body);
+  };
+  EXPECT_THAT(why(1), testing::HasSubstr(
+                          "stopped by the top of the tile at (4, 3) at once, whose conveyor carries it to "
+                          "the left at 1.5 px/frame"));
+  EXPECT_THAT(why(2), testing::Not(testing::HasSubstr("conveyor"))) << "a marble does not rub";
+  level.tile_shapes[tile].conveyor = 0;
+  EXPECT_THAT(why(1), testing::Not(testing::HasSubstr("conveyor")));
+}
+
 // A ball comes to a crate that another crate stands on.
 TEST_F(Steps, TellWhoHitWhomWhereBodiesMeet) {
   Level level = level_of({"..........", "..........", "..........", "##########"});

@@ -29,10 +29,11 @@ Edit one_of_each(const Level& level) {
   const LevelCurve curve{"hill", {Segment{{0, 0}, {8, 8}}, Curve::Faces::both}, ""};
   return {"Everything",
           {PixelChange{SheetId::sprites, 255, 63, 0, 15}, FlagsChange{SheetId::tiles, 0, 0, 255},
-           ColorChange{3, level.palette[3], {1, 2, 3}}, FlagNameChange{7, "", "water"},
-           FlagFieldsChange{{}, {{"ground", 4, 2, {}, ""}}}, RolesChange{level.roles, roles},
-           TileShapeChange{7, {}, solid}, FlagShapeChange{6, {}, solid}, CurvesChange{{}, {curve}},
-           TuningChange{level.tuning, tuning}, SpawnsChange{{}, {spawn}}, MapChange{level.map, map}}};
+           ColorChange{3, level.palette[3], {1, 2, 3}}, BackgroundChange{{}, Rgba{1, 2, 3, 4}},
+           FlagNameChange{7, "", "water"}, FlagFieldsChange{{}, {{"ground", 4, 2, {}, ""}}},
+           RolesChange{level.roles, roles}, TileShapeChange{7, {}, solid}, FlagShapeChange{6, {}, solid},
+           CurvesChange{{}, {curve}}, TuningChange{level.tuning, tuning}, SpawnsChange{{}, {spawn}},
+           MapChange{level.map, map}}};
 }
 
 TEST(Edit, ChangesEveryPartOfALevel) {
@@ -41,6 +42,7 @@ TEST(Edit, ChangesEveryPartOfALevel) {
   EXPECT_EQ(level.sheet(SheetId::sprites).images[255][63], 15);
   EXPECT_EQ(level.sheet(SheetId::tiles).flags[0], 255);
   EXPECT_EQ(level.palette[3], (Rgb{1, 2, 3}));
+  EXPECT_EQ(level.background, (Rgba{1, 2, 3, 4}));
   EXPECT_EQ(level.flag_names[7], "water");
   ASSERT_EQ(level.flag_fields.size(), 1u);
   EXPECT_EQ(level.flag_fields[0].name, "ground");

@@ -93,7 +93,7 @@ TEST(ExportPng, StripsOfAMapFitTogether) {
   ASSERT_EQ(picture->height, 200 * 250);
   int different = 0;
   for (std::size_t i = 0; i < whole.size(); ++i)
-    different += static_cast<std::uint8_t>(picture->bytes[i / 3 * 4 + i % 3]) == whole[i] ? 0 : 1;
+    different += static_cast<std::uint8_t>(picture->bytes[i]) == whole[i] ? 0 : 1;
   EXPECT_EQ(different, 0);
 }
 

@@ -95,8 +95,9 @@ TEST(ExportJson, AnEmptyMapHasEmptyLists) {
   Level level;
   level.map = TileMap(2, 1);
   const std::string text = exported_file("json", level);
-  EXPECT_THAT(text, StartsWith("{\n \"width\":2,\n \"height\":1,\n \"tile_size\":8,\n \"tile_width\":8,\n "
-                               "\"tile_height\":8,\n \"map\":[\n  [0,0]\n ],\n"));
+  EXPECT_THAT(text,
+              StartsWith("{\n \"width\":2,\n \"height\":1,\n \"tile_size\":8,\n \"tile_width\":8,\n "
+                         "\"tile_height\":8,\n \"background\":[26,28,44,255],\n \"map\":[\n  [0,0]\n ],\n"));
   EXPECT_THAT(text, HasSubstr(" \"shapes\":{},\n \"objects\":[],\n \"polygons\":[],\n \"lines\":[],\n "
                               "\"bodies\":[],\n \"tuning\":{"));
 }

@@ -98,7 +98,8 @@ TEST(ImportLdtk, GridsWithoutTilesetsHaveTheColoursOfTheirValues) {
   const Level level = level_of(ldtk_project(ldtk_level(ldtk_grid(2, 1, "1,0", R"("__opacity":1)")), kWall));
   const TileNumber wall = level.map.tile_at({0, 0});
   EXPECT_EQ(level.palette[level.sheet(SheetId::tiles).images[wall][0]], (Rgb{255, 128, 0}));
-  EXPECT_EQ(level.palette[0], kBack);
+  EXPECT_EQ(level.background, (Rgba{kBack.r, kBack.g, kBack.b, 255}));
+  EXPECT_EQ(level.palette[0], default_palette()[0]);
   EXPECT_EQ(level.map.at({1, 0}), 0);
 }
 
@@ -203,7 +204,8 @@ class ImportLdtkPictures : public FolderTest {
       if (color != 0 && level.layers.list[static_cast<std::size_t>(layer)].visible)
         return level.palette[color];
     }
-    return level.palette[0];
+    const Rgba back = background_of(level);
+    return {back.r, back.g, back.b};
   }
 };
 

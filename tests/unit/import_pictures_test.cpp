@@ -4,6 +4,7 @@
 #include <talus/formats/format.h>
 #include "folder_test.h"
 #include "formats/import/numbered_box.h"
+#include "level/tile_color.h"
 #include "png_bytes.h"
 
 namespace talus::import_pictures_test {
@@ -54,15 +55,11 @@ TEST_F(ImportPictures, WhereNothingIsDrawnNoColourOfTheTilesIsSeen) {
                                   "<image source=\"t.png\" width=\"32\" height=\"16\"/>");
   const Level level = read(set, "0,1,2").level;
   EXPECT_EQ(level.palette[0], default_palette()[0]);
-  const Sheet& sheet = level.sheet(SheetId::tiles);
-  ASSERT_NE(sheet.picture, nullptr);
-  for (int cell = 0; cell < 3; ++cell) {
-    const Cell place = sheet.layout().place_of(level.map.tile_at({cell, 0}));
-    const std::uint8_t* pixel = sheet.picture->at(16 * place.x, 16 * place.y);
-    EXPECT_EQ(pixel[3], cell == 0 ? 0 : 255);
-    if (cell > 0) {
-      EXPECT_EQ((Rgb{pixel[0], pixel[1], pixel[2]}), cell == 1 ? first : second);
-    }
+  EXPECT_TRUE(is_blank(level, level.map.tile_at({0, 0})));
+  for (const int cell : {1, 2}) {
+    const std::uint64_t all = ~std::uint64_t{0};
+    EXPECT_EQ(drawn_pixels(level, level.map.tile_at({cell, 0})), all);
+    EXPECT_EQ(color(level, cell, 0, 0), cell == 1 ? first : second);
   }
 }
 
@@ -108,10 +105,11 @@ TEST_F(ImportPictures, LeaveTheBackgroundToTheMap) {
     EXPECT_NE(loaded->level.sheet(SheetId::tiles).picture, nullptr);
     for (const std::string& phrase : loaded->dropped)
       EXPECT_EQ(phrase.find("backgroundcolor"), std::string::npos);
-    return loaded->level.palette[0];
+    EXPECT_EQ(loaded->level.palette[0], default_palette()[0]);
+    return loaded->level.background;
   };
-  EXPECT_EQ(background(" backgroundcolor=\"#0a7f64\""), (Rgb{0x0a, 0x7f, 0x64}));
-  EXPECT_EQ(background(""), default_palette()[0]);
+  EXPECT_EQ(background(" backgroundcolor=\"#0a7f64\""), (Rgba{0x0a, 0x7f, 0x64, 255}));
+  EXPECT_EQ(background(""), Rgba());
 }
 
 // A picture that grew after the tileset was written; Tiled numbers its tiles anew.

@@ -5,6 +5,7 @@
 #include "export/map_paint.h"
 #include "folder_test.h"
 #include "ldtk_text.h"
+#include "level/tile_color.h"
 #include "png_bytes.h"
 
 namespace talus::ldtk_background_test {
@@ -37,10 +38,11 @@ class LdtkBackground : public FolderTest {
     EXPECT_TRUE(loaded) << to_string(loaded.error(), "p.ldtk");
     return loaded ? *std::move(loaded) : LoadedLevel{Level(), nullptr};
   }
+  // That of the level where no layer shows anything.
   static Rgb color(const Level& level, int x, int y) {
-    const auto pixels =
-        map_pixels(level, 0, static_cast<int>(level.map.px_height()), [](double) { return true; });
-    const auto i = static_cast<std::size_t>(3 * (y * 32 + x));
+    auto pixels = map_pixels(level, 0, static_cast<int>(level.map.px_height()), [](double) { return true; });
+    const auto i = static_cast<std::size_t>(4 * (y * 32 + x));
+    if (pixels[i + 3] == 0) lay_over(&pixels[i], background_of(level));
     return {pixels[i], pixels[i + 1], pixels[i + 2]};
   }
 };

@@ -45,6 +45,7 @@ class LdtkCompanion : public FolderTest {
     level.map.set({1, 0}, 200);
     level.layers.list[0].name = "Walls";
     level.tuning.exact.gravity *= 2;
+    level.background = Rgba{1, 2, 3, 4};
     return level;
   }
   FormatResult<SavedLevel> save(const Level& level, const CompanionFile& known = {}) const {

@@ -99,7 +99,7 @@ TEST_F(LdtkMirrors, BecomeTurnsOfOneTile) {
   const auto pixels =
       map_pixels(level, 0, static_cast<int>(level.map.px_height()), [](double) { return true; });
   EXPECT_EQ(pixels[0], 255);
-  EXPECT_EQ(pixels[3 * 15], 255) << "the second one is mirrored";
+  EXPECT_EQ(pixels[4 * 15], 255) << "the second one is mirrored";
 }
 
 // Also where the level shows the tile in no other way.

@@ -285,14 +285,22 @@ TEST(Lint, CratesThatNothingPushes) {
   level.spawns = {{"", {2, 0}, {}, "", BodyKind::ball, {8, 8}},
                   {"", {12, 0}, {}, "", BodyKind::crate, {8, 8}}};
   const auto lacks = ElementsAre(
-      "W needs-meet (1, 0): crate 2 moves like a ball: bodies are pushed and rub only with the solver exact "
-      "and bodies that meet");
+      "W needs-meet (1, 0): crate 2 moves like a ball: bodies are round, are pushed and rub only with the "
+      "solver exact and bodies that meet");
   EXPECT_THAT(problems(level), lacks);
   level.tuning.solver = SolverKind::article;
   EXPECT_THAT(problems(level), lacks);
   level.tuning.solver = SolverKind::exact;
   level.tuning.shared.bodies = static_cast<double>(BodyPairs::meet);
   EXPECT_THAT(problems(level), IsEmpty());
+}
+
+TEST(Lint, EveryKindThatIsMoreThanABallNeedsBodiesThatMeet) {
+  for (const BodyKind kind : {BodyKind::crate, BodyKind::disc, BodyKind::marble}) {
+    Level level = level_of({"...", "###"});
+    level.spawns = {{"", {2, 0}, {}, "", kind, {8, 8}}};
+    EXPECT_THAT(problems(level), ElementsAre(testing::HasSubstr("W needs-meet"))) << traits_of(kind).word;
+  }
 }
 
 TEST(Lint, BodiesThatMeetWithAnotherSolver) {

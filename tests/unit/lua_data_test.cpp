@@ -100,6 +100,31 @@ TEST_F(LuaDataPart, FindsObjects) {
   expect_printed(flat_level(), "print(#world:objects())\n", "0\n");
 }
 
+TEST_F(LuaDataPart, ATileIsChangedInOneWorldAlone) {
+  const std::string program =
+      "world:set_tile(1, 0, 1)\n"
+      "print(world:tile_at(8, 0, 'ground'), world:overlaps(8, 0, 8, 8), world.changes)\n"
+      "print(table.concat(world:tiles_of(1), ' '))\n"
+      "local other = require('talus').new(require('level'))\n"
+      "print(other:tile_at(8, 0, 'ground'), other:overlaps(8, 0, 8, 8), other.changes)\n"
+      "print(pcall(world.set_tile, world, 4, 0, 1))\nprint(pcall(world.set_tile, world, 0, 0, 0.5))\n";
+  const std::string printed =
+      "1\ttrue\t1\n0 1 3 0 1 2 1 1\n0\tfalse\t0\n"
+      "false\tthe level has no cell 4, 0\nfalse\ta tile is a number from 0, not 0.5\n";
+  expect_printed(flat_level(), program, printed);
+  expect_printed(layered_level(), program, printed);
+  expect_printed(layered_level(),
+                 "world:set_tile(0, 0, 1, 'front')\n"
+                 "print(world:tile_at(0, 0), world:tile_at(0, 0, 'ground'), world:overlaps(0, 0, 8, 8))\n",
+                 "1\t0\tfalse\n");
+  Level two = layered_level();
+  two.layers.list[1].is_ground = true;
+  expect_printed(
+      two, "print(pcall(world.set_tile, world, 0, 0, 1, 'front'))\n",
+      "false\tthe level has several layers of ground, which are one here: a game can change the others "
+      "alone\n");
+}
+
 TEST_F(LuaDataPart, ErrorsNameWhatIsWrong) {
   const std::string program =
       "local function tell(...) print((select(2, pcall(...)):gsub('^.*lua:%d+: ', ''))) end\n"

@@ -189,6 +189,7 @@ TEST(LuaLevel, HasALineForEachRowTileAndBody) {
       "return {\n"
       "  width = 8,\n"
       "  height = 4,\n"
+      "  background = {26, 28, 44, 255},\n"
       "  tiles = {\n"
       "    0,0,0,0,0,0,0,200,\n"
       "    0,0,0,0,0,0,0,0,\n"

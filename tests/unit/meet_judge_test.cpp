@@ -32,6 +32,11 @@ struct Court {
     const auto verdict = scene.meet_judge().judge(before, after, record);
     return verdict ? std::string(info_of(verdict->kind).word) : "";
   }
+  // px; 0 if a step is explained.
+  double amount(const Body& before, const Body& after, const StepRecord& record = {}) const {
+    const auto verdict = scene.meet_judge().judge(before, after, record);
+    return verdict ? verdict->amount : 0;
+  }
   std::string says_of_rest(const Body& body) const {
     const auto verdict = scene.meet_judge().judge_rest(body);
     return verdict ? std::string(info_of(verdict->kind).word) : "";
@@ -100,6 +105,46 @@ TEST(MeetJudge, FindsAContactWithNothing) {
   }
 }
 
+TEST(MeetJudge, MeasuresTheDepthInTheGround) {
+  const Court court;
+  for (const BodyKind kind : {BodyKind::crate, BodyKind::disc}) {
+    const Body before = body_at(kind, {20, 87}, {0, 2});
+    EXPECT_NEAR(court.amount(before, body_at(kind, {20, 88.25}, {0, 2})), 0.25, 1e-5);
+    EXPECT_NEAR(court.amount(before, body_at(kind, {20, 91}, {0, 2})), 3, 1e-5);
+  }
+}
+
+TEST(MeetJudge, MeasuresTheDepthBelowAFloor) {
+  const Body before = body_at(BodyKind::ball, {110, 55}, {0, 2});
+  EXPECT_NEAR(Court().amount(before, body_at(BodyKind::ball, {110, 57}, {0, 2})), 1, 1e-6);
+}
+
+TEST(MeetJudge, MeasuresTheWayThatAGhostLeavesFree) {
+  const Court court;
+  const Body before = body_at(BodyKind::ball, {20, 84}, {0, 2}), after = body_at(BodyKind::ball, {20, 85});
+  EXPECT_EQ(court.amount(before, after, contact_at({20, 85}, {0, -1})), 3);
+  EXPECT_EQ(court.amount(before, after, contact_at({20, 85}, {1, 0})), 8) << "nothing is there";
+}
+
+TEST(MeetJudge, TheMessageNamesTheAmount) {
+  Finding finding;
+  finding.trial.body = body_at(BodyKind::ball, {20, 87});
+  const auto says = [&](FindingKind kind, double amount) {
+    finding.kind = kind;
+    finding.amount = amount;
+    return message_of(finding);
+  };
+  EXPECT_EQ(says(FindingKind::inside, 0.25),
+            "a ball of 8x8 px comes into the ground by 0.25 px at 0, 0 px (solver exact)");
+  EXPECT_EQ(says(FindingKind::inside, 0), "a ball of 8x8 px comes into the ground at 0, 0 px (solver exact)");
+  EXPECT_EQ(says(FindingKind::falls_through, 1),
+            "a ball of 8x8 px falls through a floor by 1 px at 0, 0 px (solver exact)");
+  EXPECT_EQ(
+      says(FindingKind::ghost, 3),
+      "a ball of 8x8 px is stopped by something that is not there and leaves 3 px of its way free at 0, 0 "
+      "px (solver exact)");
+}
+
 TEST(MeetJudge, FindsSpeedFromNothing) {
   const Court court;
   // A fall by 1 px gives a speed of the square root of 0.4 px/frame.
@@ -157,6 +202,22 @@ TEST(MeetJudge, ALowEdgeIsALip) {
   for (const char* body : {"a ball", "a crate", "a disc", "a marble"})
     EXPECT_NE(text.find(std::string(body) + " of 8x8 px"), std::string::npos) << body << "\n" << text;
   EXPECT_NE(text.find("is stopped by a low edge of 1 px at 64, 95 px"), std::string::npos) << text;
+}
+
+TEST(MeetJudge, TheHeightOfALipIsExact) {
+  for (const double height : {0.5, 1.0, 2.0}) {
+    Level level = level_of_kinds();
+    level.tile_shapes[2] = {.kind = TileShape::Kind::profile, .heights = {height, height, height}};
+    const Court court(level);
+    for (const BodyKind kind : {BodyKind::ball, BodyKind::crate}) {
+      const Body before = body_at(kind, {55, 88}, {2, 0}), after = body_at(kind, {56, 88});
+      const auto lip = court.scene.meet_judge().judge(before, after, contact_at({56, 88}, {-1, 0}));
+      ASSERT_TRUE(lip);
+      EXPECT_EQ(lip->kind, FindingKind::lip);
+      EXPECT_EQ(lip->amount, height);
+      EXPECT_EQ(lip->edge->y, 96 - height);
+    }
+  }
 }
 
 TEST(MeetJudge, AHighEdgeIsAWall) {

@@ -126,6 +126,7 @@ TEST(Merge, TakesEveryPartOfALevel) {
   Level mine = base;
   mine.sheet(SheetId::tiles).flags[9] = 4;
   mine.palette[2] = {9, 9, 9};
+  mine.background = Rgba{1, 2, 3, 4};
   mine.flag_names[3] = "lava";
   mine.flag_fields = {{.name = "kind", .first = 4, .bits = 2, .values = {}, .extra = ""}};
   mine.roles.one_way = 7;
@@ -145,13 +146,13 @@ TEST(Merge, TakesEveryPartOfALevel) {
   mine.auto_tiles.of(GroundPart{}) = 9;
   mine.exports = {{.name = "game", .exporter = "love", .path = "game", .extra = ""}};
   mine.extra = R"({"new":1})";
-  const auto& [sheets, palette, flag_names, flag_fields, roles, tile_shapes, flag_shapes, tilesets,
-               animations, tile_notes, large_tiles, layers, map, curves, objects, tuning, spawns, brushes,
-               auto_tiles, exports, cart, tiled, ldtk, extra] = mine;
-  EXPECT_FALSE(sheets == base.sheets || palette == base.palette || flag_names == base.flag_names ||
-               flag_fields == base.flag_fields || roles == base.roles || tile_shapes == base.tile_shapes ||
-               flag_shapes == base.flag_shapes || tilesets == base.tilesets ||
-               animations == base.animations || tile_notes == base.tile_notes ||
+  const auto& [sheets, palette, background, flag_names, flag_fields, roles, tile_shapes, flag_shapes,
+               tilesets, animations, tile_notes, large_tiles, layers, map, curves, objects, tuning, spawns,
+               brushes, auto_tiles, exports, cart, tiled, ldtk, extra] = mine;
+  EXPECT_FALSE(sheets == base.sheets || palette == base.palette || background == base.background ||
+               flag_names == base.flag_names || flag_fields == base.flag_fields || roles == base.roles ||
+               tile_shapes == base.tile_shapes || flag_shapes == base.flag_shapes ||
+               tilesets == base.tilesets || animations == base.animations || tile_notes == base.tile_notes ||
                large_tiles == base.large_tiles || layers == base.layers);
   EXPECT_FALSE(map.cells() == base.map.cells() || curves == base.curves || objects == base.objects ||
                tuning == base.tuning || spawns == base.spawns || brushes == base.brushes ||

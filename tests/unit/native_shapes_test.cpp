@@ -17,6 +17,16 @@ void expect_error(const std::string& members, const std::string& place, const st
   expect_native_error(native_with(members), place, message);
 }
 
+TEST(NativeShapes, NeighbouringCornersAreRoundedApart) {
+  const auto with_corner_at = [](const char* x) {
+    return R"("tile_shapes": {"1": {"kind": "polygon", "points": [[0, 8], [)" + std::string(x) +
+           ", 8], [8, 8], [8, 0]]}}";
+  };
+  EXPECT_EQ(level_of_native(native_with(with_corner_at("0.003"))).tile_shapes[1].points.size(), 4U);
+  expect_error(with_corner_at("0.0019"), "key tile_shapes.1",
+               "has two neighbouring points at the same place, rounded to 1/256 px");
+}
+
 Level level_with_everything() {
   Level level;
   level.tile_shapes[12] = {.kind = TileShape::Kind::slope,

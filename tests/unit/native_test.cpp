@@ -146,8 +146,8 @@ TEST(Native, UnknownKeysSurviveTheDataBesideThem) {
 }
 
 TEST(Native, ANewerVersionIsRefused) {
-  expect_native_error(R"({"talus": 8, "palette": 7})", "key talus",
-                      "has version 8, but this Talus reads only up to version 7");
+  expect_native_error(R"({"talus": 9, "palette": 7})", "key talus",
+                      "has version 9, but this Talus reads only up to version 8");
   expect_native_error(R"({"talus": "1"})", "key talus", "must be the version, a whole number from 1");
   expect_native_error(R"({"map": {}})", "key talus", "is missing, so this is not a Talus level");
   expect_native_error("[]", "", "is JSON, but not a Talus level");

@@ -42,6 +42,18 @@ TEST(OpeningArea, IsAScreenAroundThePlayer) {
   EXPECT_TRUE(shown.may_be_cut);
 }
 
+TEST(OpeningArea, AScreenGoesWithTheBodies) {
+  const Level tall = level_of(30, 200);
+  const State low = state_of({body_at(8, 1200), body_at(16, 1208)});
+  EXPECT_TRUE(holds(screen_with_bodies(tall, low, 0), {8, 1200, 16, 16}));
+  EXPECT_EQ(screen_with_bodies(tall, state_of({body_at(8, 8)}), 0), (Rect{0, 0, 240, 136}))
+      << "the first one";
+  const State apart = state_of({body_at(8, 8), body_at(100, 1500)});
+  EXPECT_EQ(screen_with_bodies(tall, apart, 0), (Rect{0, 0, 240, 136}));
+  EXPECT_TRUE(holds(screen_with_bodies(tall, apart, 2), {100, 1500, 8, 8}));
+  EXPECT_EQ(screen_with_bodies(tall, state_of({body_at(8, 5000)}), 1), (Rect{0, 1600 - 136, 240, 136}));
+}
+
 TEST(OpeningArea, StaysOnTheMap) {
   const OpeningArea shown =
       opening_area(level_of(200, 100), state_of({body_at(-500, 5000, BodyKind::player)}));

@@ -193,6 +193,8 @@ TEST(Overlays, AnImpulseIsDrawnAsTheSpeedThatItGave) {
   EXPECT_EQ(drawing.lines[0].to, (Vec2{8, 8 - 3 * 4}));
   ASSERT_EQ(drawing.labels.size(), 1u);
   EXPECT_EQ(drawing.labels[0].text, "6.00");
+  record.contacts[0].impulse = 0.004;
+  EXPECT_TRUE(drawn({}, state, record, only(overlay::impulses), 0).labels.empty()) << "it would be 0.00";
 }
 
 TEST(Overlays, TouchPointHasTheTimeOfImpact) {
@@ -320,6 +322,37 @@ TEST(Overlays, FloorHeightIsTheGroundBelowEachBody) {
   const auto chosen = drawn(scene, state, {}, only(overlay::floor_height), 2);
   ASSERT_EQ(chosen.labels.size(), 2u);
   EXPECT_EQ(chosen.labels[1].text, "floor 88.00");
+}
+
+// A crate on a crate on the ground, and a disc on the shoulder of another one.
+TEST(Overlays, FloorHeightIsTheBodyBelowWhereBodiesStop) {
+  Level level;
+  level.map = TileMap(30, 17);
+  level.tile_shapes[1].kind = TileShape::Kind::solid;
+  for (int x = 0; x < 30; ++x) level.map.set({x, 11}, 1);
+  Scene scene = compile_scene(level);
+  State state = state_of({body(1, {16, 80, 8, 8}), body(2, {20, 72, 8, 8}), body(3, {96, 68, 16, 16}),
+                          body(4, {100, 40, 16, 16})});
+  state.bodies[2].kind = state.bodies[3].kind = BodyKind::disc;
+  const auto says = [&](BodyPairs pairs) {
+    scene.tuning.shared.bodies = static_cast<double>(pairs);
+    scene.features.pairs = pairs != BodyPairs::pass;
+    scene.features.meets = pairs == BodyPairs::meet;
+    std::vector<std::string> texts;
+    for (const OverlayLabel& label : drawn(scene, state, {}, only(overlay::floor_height), 2).labels)
+      texts.push_back(label.text);
+    return texts;
+  };
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(says(BodyPairs::pass), (Texts{"floor 88.00", "floor 88.00", "floor 88.00", "floor 88.00"}));
+  EXPECT_EQ(says(BodyPairs::block),
+            (Texts{"floor 88.00", "body 1 at 80.00", "floor 88.00", "body 3 at 68.00"}));
+  EXPECT_EQ(says(BodyPairs::meet),
+            (Texts{"floor 88.00", "body 1 at 80.00", "floor 88.00", "body 3 at 69.07"}))
+      << "the disc is round";
+  const auto chosen = drawn(scene, state, {}, only(overlay::floor_height), 2);
+  for (const OverlayLine& line : chosen.lines)
+    EXPECT_FALSE(line.from.y > 80 && line.from.x > 20 && line.from.x < 28) << "nothing below the crate";
 }
 
 // The floor under each x: level from x = 12, a ramp up from 16, level again at its top from 24.

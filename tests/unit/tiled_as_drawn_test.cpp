@@ -8,6 +8,7 @@
 #include "cli_answer.h"
 #include "folder_test.h"
 #include "formats/pictures/png_picture.h"
+#include "level/tile_color.h"
 #include "tiled_files.h"
 
 namespace talus::tiled_as_drawn_test {
@@ -201,13 +202,14 @@ TEST_F(TiledAsDrawn, AnExportHasTheBackgroundOfTheMap) {
   put("t.png", encode_png(8, 4, 4, pixels.data()));
   put_map(tileset(kSize, kPicture), "2,0,1", "", " backgroundcolor=\"#102030\"");
   const Level level = load("m.tmx").level;
-  EXPECT_EQ(level.palette[0], (Rgb{0x10, 0x20, 0x30}));
+  EXPECT_EQ(level.background, (Rgba{0x10, 0x20, 0x30, 255}));
+  EXPECT_EQ(level.palette[0], default_palette()[0]);
   for (const ExportedFile& file : tiled_export_of(level, "tmx", "x.tmx").files)
     put(file.name.empty() ? "x.tmx" : file.name, file.bytes);
   const LoadedLevel again = load("x.tmx");
-  EXPECT_EQ(again.level.palette[0], (Rgb{0x10, 0x20, 0x30}));
+  EXPECT_EQ(again.level.background, (Rgba{0x10, 0x20, 0x30, 255}));
   EXPECT_THAT(again.dropped, Not(Contains(HasSubstr("backgroundcolor"))));
-  EXPECT_EQ(corner_of(again.level, again.level.map.tile_at({2, 0})), (std::array<int, 2>{250, 240}));
+  EXPECT_EQ(color_on_map(again.level, again.level.map.tile_at({2, 0}), 0, 0), (Rgb{250, 240, 50}));
 }
 
 TEST_F(TiledAsDrawn, ColoursHaveThreeSixOrEightDigits) {
@@ -224,11 +226,11 @@ TEST_F(TiledAsDrawn, ColoursHaveThreeSixOrEightDigits) {
   LoadedLevel loaded = read("#80ff8000", "#FFE0F8D0");
   EXPECT_EQ(loaded.level.layers.list[0].tint, (Rgb{128, 64, 0}));
   EXPECT_DOUBLE_EQ(loaded.level.layers.list[0].opacity, 128 / 255.0);
-  EXPECT_EQ(loaded.level.palette[0], (Rgb{0xe0, 0xf8, 0xd0}));
+  EXPECT_EQ(loaded.level.background, (Rgba{0xe0, 0xf8, 0xd0, 255}));
   EXPECT_THAT(loaded.dropped, Not(Contains(HasSubstr("backgroundcolor"))));
   loaded = read("#f80", "#000000ff");
   EXPECT_EQ(loaded.level.layers.list[0].tint, (Rgb{255, 136, 0}));
-  EXPECT_EQ(loaded.level.palette[0], default_palette()[0]) << "it is clear";
+  EXPECT_EQ(loaded.level.background, (Rgba{0, 0, 255, 0})) << "it is clear";
 }
 
 std::string layer(const std::string& name, const std::string& cells, const std::string& more = "") {

@@ -1,6 +1,7 @@
 // Keys that no reader takes: what is said of them, and that all kinds are those of the schema.
 #include <gmock/gmock.h>
 
+#include <talus/level/tuning.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,7 @@ namespace talus::unknown_keys_test {
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
+using testing::UnorderedElementsAre;
 using testing::UnorderedElementsAreArray;
 
 // "PLACE PROBLEM" of each unknown key of a level with these members.
@@ -31,6 +33,20 @@ TEST(UnknownKeys, TheNearestKeyOfTheKindIsNamed) {
               ElementsAre("tuning.exact.gravty is not known; did you mean \"gravity\"?"));
   EXPECT_THAT(said_of(R"("tiles": {"3": {"flag": [1]}})"),
               ElementsAre("tiles.3.flag is not known; did you mean \"flags\"?"));
+}
+
+TEST(UnknownKeys, AMisplacedKeyIsToldWhereItBelongs) {
+  EXPECT_THAT(
+      said_of(R"("tuning": {"gravity": 1, "run_speed": 2, "steepest": 1})"),
+      UnorderedElementsAre("tuning.gravity is not known here; did you mean \"tuning.exact.gravity\" or "
+                           "\"tuning.player.gravity\"?",
+                           "tuning.run_speed is not known here; did you mean \"tuning.player.run_speed\"?",
+                           "tuning.steepest is not known here; did you mean \"tuning.exact.steepest\"?"));
+  EXPECT_THAT(said_of(R"("tuning": {"exact": {"fall_speed": 1}})"),
+              ElementsAre("tuning.exact.fall_speed is not known here; did you mean \"tuning.fall_speed\"?"));
+  EXPECT_THAT(said_of(R"("width": 1)"), ElementsAre("width is not known here; did you mean \"map.width\"?"));
+  EXPECT_THAT(said_of(R"("map": {"width": 1, "height": 1, "rows": [".."], "tile_size": [8, 8]})"),
+              ElementsAre("map.tile_size is not known here, but at the top of the file"));
 }
 
 TEST(UnknownKeys, WithoutANearOneNoneIsNamed) {
@@ -69,6 +85,17 @@ TEST(UnknownKeys, KindsHaveTheKeysOfTheSchema) {
     std::vector<std::string> keys;
     for (const auto& [key, value] : described["properties"].items()) keys.push_back(key);
     EXPECT_THAT(kind.keys, UnorderedElementsAreArray(keys)) << kind.name;
+  }
+}
+
+TEST(UnknownKeys, WordsOfTheTuningAreThoseOfTheSchema) {
+  std::ifstream file(source_path("assets/talus.schema.json"));
+  const auto tuning = nlohmann::json::parse(file)["definitions"]["tuning"]["properties"];
+  for (const TuningField& field : tuning_fields()) {
+    if (field.words.empty()) continue;
+    EXPECT_EQ(tuning[std::string(field.key)]["enum"],
+              nlohmann::json(std::vector<std::string>(field.words.begin(), field.words.end())))
+        << field.key;
   }
 }
 

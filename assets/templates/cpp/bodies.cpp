@@ -72,8 +72,8 @@ void draw_marble(Painter& painter, const Body& body) {
 
 Bodies::Bodies(const talus::Level& level)
     : level_(level),
-      tiles_(sheet_of(level, talus::SheetId::tiles, true)),
-      sprites_(sheet_of(level, talus::SheetId::sprites, true)) {
+      tiles_(sheet_of(level, talus::SheetId::tiles)),
+      sprites_(sheet_of(level, talus::SheetId::sprites)) {
   for (int tile = level.tile_count() - 1; tile >= 0; --tile)
     if (talus::is_ball_tile(level, static_cast<talus::TileNumber>(tile))) first_ball_ = tile;
 }

@@ -12,18 +12,12 @@ using talus::Vec2;
 
 namespace {
 
-// Whether a layer's picture is that of its tiles.
-bool is_unchanged(const talus::LayerLooks& looks) {
-  return looks.opacity == 1 && looks.offset == Vec2() && looks.parallax == Vec2{1, 1} &&
-         looks.tint == talus::Rgb{255, 255, 255};
-}
-
-bool is_plain(const talus::Level& level) {
+// Whether nothing is seen of tile 0.
+bool is_0_blank(const talus::Level& level) {
   if (level.large_tiles.contains(0)) return false;
-  const talus::PicturePart tile = sheet_of(level, talus::SheetId::tiles, false).part(0);
-  const std::uint8_t* first = tile.picture->at(0, 0);
+  const talus::PicturePart tile = sheet_of(level, talus::SheetId::tiles).part(0);
   for (int i = 0; i < tile.width * tile.height; ++i)
-    if (!std::equal(first, first + 3, tile.picture->at(i % tile.width, i / tile.width))) return false;
+    if (tile.picture->at(tile.x + i % tile.width, tile.y + i / tile.width)[3] > 0) return false;
   return true;
 }
 
@@ -58,20 +52,20 @@ struct Layers::View {
 };
 
 Layers::Layers(const talus::Level& level)
-    : level_(level),
-      clear_(sheet_of(level, talus::SheetId::tiles, true)),
-      full_(sheet_of(level, talus::SheetId::tiles, false)),
-      is_0_plain_(is_plain(level)) {
+    : level_(level), sheet_(sheet_of(level, talus::SheetId::tiles)), is_0_blank_(is_0_blank(level)) {
   if (!level.curves.empty()) ground_ = talus::terrain_of(level);
 }
 
 talus::Rgb Layers::background() const {
-  const std::uint8_t* pixel = full_.picture->at(0, 0);
-  return {pixel[0], pixel[1], pixel[2]};
+  const talus::Rgba color = talus::background_of(level_);
+  const auto over_black = [&](std::uint8_t part) {
+    return static_cast<std::uint8_t>((part * color.a + 127) / 255);
+  };
+  return {over_black(color.r), over_black(color.g), over_black(color.b)};
 }
 
 void Layers::draw(Painter& painter, double time) const {
-  bool is_back = true, is_first_of_tiles = true;
+  bool skips_empty = is_0_blank_;
   for (const auto& [has_tiles, index] : talus::layers_in_order(level_)) {
     const auto at = static_cast<std::size_t>(index);
     const auto& groups = level_.layers.groups;
@@ -79,17 +73,15 @@ void Layers::draw(Painter& painter, double time) const {
         has_tiles ? shown_looks(groups, level_.layers.list[at]) : shown_looks(groups, level_.objects[at]);
     const View view(painter, looks);
     if (looks.visible && has_tiles)
-      draw_tiles(view, index, is_back && is_unchanged(looks) ? full_ : clear_,
-                 !is_first_of_tiles || is_0_plain_, time);
+      draw_tiles(view, index, skips_empty, time);
     else if (looks.visible)
       draw_others(view, level_.objects[at]);
-    is_back = false;
-    is_first_of_tiles = is_first_of_tiles && !has_tiles;
+    skips_empty = skips_empty || has_tiles;  // in layers in front of that one
   }
   draw_curves(painter);
 }
 
-void Layers::draw_tiles(const View& view, int layer, const Sheet& sheet, bool skips_0, double time) const {
+void Layers::draw_tiles(const View& view, int layer, bool skips_empty, double time) const {
   const talus::TileSize size = level_.map.tile_size();
   const talus::CellReach reach = talus::reach_of(level_.large_tiles, size);
   const talus::Rect area = view.painter.view();
@@ -107,12 +99,12 @@ void Layers::draw_tiles(const View& view, int layer, const Sheet& sheet, bool sk
           cells[static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(level_.map.width()) +
                 static_cast<std::size_t>(cell.x)];
       if (has_bodies && talus::is_ball_tile(level_, its.tile)) its.tile = 0;  // the body has left it
-      if (its.tile == 0 && skips_0) continue;
+      if (its.tile == 0 && skips_empty) continue;
       const auto large = level_.large_tiles.find(its.tile);
       const auto* animation = talus::find_animation(level_.animations, its.tile);
       if (animation != nullptr) its.tile = talus::tile_shown_at(*animation, time);
       const talus::LargeTile tile =
-          large != level_.large_tiles.end() ? large->second : talus::LargeTile{sheet.part(its.tile), size};
+          large != level_.large_tiles.end() ? large->second : talus::LargeTile{sheet_.part(its.tile), size};
       view.painter.draw(talus::placed(tile, cell, size, its.turn), view.shift, view.shade);
     }
   }

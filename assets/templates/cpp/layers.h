@@ -15,19 +15,19 @@ class Layers {
  public:
   // The level must stay alive.
   explicit Layers(const talus::Level& level);
-  talus::Rgb background() const;  // that of the pixel at the top left of the sheet
+  talus::Rgb background() const;  // what is not opaque lies over black
   // time: ms since the start, which animated tiles go by.
   void draw(Painter& painter, double time) const;
 
  private:
   struct View;
-  void draw_tiles(const View& view, int layer, const Sheet& sheet, bool skips_0, double time) const;
+  void draw_tiles(const View& view, int layer, bool skips_empty, double time) const;
   void draw_others(const View& view, const talus::ObjectLayer& layer) const;
   void draw_curves(Painter& painter) const;
 
   const talus::Level& level_;
-  Sheet clear_, full_;     // of the tiles; in front of others colour 0 is clear
-  bool is_0_plain_;        // whether tile 0 has one colour, as the background has
+  Sheet sheet_;            // of the tiles
+  bool is_0_blank_;        // whether nothing is seen of tile 0
   talus::Terrain ground_;  // which knows where the curves run
 };
 

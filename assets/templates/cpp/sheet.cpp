@@ -6,7 +6,7 @@ namespace {
 
 constexpr int kSide = talus::kCartTileSize;  // px, of an image in 16 colours
 
-talus::SheetPicture colored(const talus::Sheet& sheet, const talus::Palette& palette, bool is_0_clear) {
+talus::SheetPicture colored(const talus::Sheet& sheet, const talus::Palette& palette) {
   talus::SheetPicture made;
   made.width = sheet.layout().columns * kSide;
   made.height = sheet.layout().rows() * kSide;
@@ -19,7 +19,7 @@ talus::SheetPicture colored(const talus::Sheet& sheet, const talus::Palette& pal
       const talus::Rgb rgb = palette[static_cast<std::size_t>(color)];
       std::uint8_t* pixel = &made.rgba[4 * (static_cast<std::size_t>(y) * made.width + x)];
       pixel[0] = rgb.r, pixel[1] = rgb.g, pixel[2] = rgb.b;
-      pixel[3] = color == 0 && is_0_clear ? 0 : 255;
+      pixel[3] = color == 0 ? 0 : 255;
     }
   }
   return made;
@@ -27,12 +27,11 @@ talus::SheetPicture colored(const talus::Sheet& sheet, const talus::Palette& pal
 
 }  // namespace
 
-Sheet sheet_of(const talus::Level& level, talus::SheetId id, bool is_0_clear) {
+Sheet sheet_of(const talus::Level& level, talus::SheetId id) {
   const talus::Sheet& sheet = level.sheet(id);
   if (sheet.picture != nullptr) return {sheet.picture, sheet.layout(), level.map.tile_size()};
-  return {std::make_shared<talus::SheetPicture>(colored(sheet, level.palette, is_0_clear)),
-          sheet.layout(),
-          {kSide, kSide}};
+  return {
+      std::make_shared<talus::SheetPicture>(colored(sheet, level.palette)), sheet.layout(), {kSide, kSide}};
 }
 
 }  // namespace game

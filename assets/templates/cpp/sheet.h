@@ -24,7 +24,7 @@ struct Sheet {
   }
 };
 
-// In 16 colours, colour 0 is clear or not, as is asked for. In true colour, the sheet says what is clear.
-Sheet sheet_of(const talus::Level& level, talus::SheetId id, bool is_0_clear);
+// In 16 colours, colour 0 is clear. In true colour, the sheet says what is clear.
+Sheet sheet_of(const talus::Level& level, talus::SheetId id);
 
 }  // namespace game

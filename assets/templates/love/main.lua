@@ -59,7 +59,7 @@ function love.draw()
   love.graphics.scale(zoom)
   love.graphics.translate(-math.floor(left * zoom) / zoom, -math.floor(top * zoom) / zoom)
   local width, height = love.graphics.getDimensions()
-  drawing.draw_ground(left + width / zoom / 2, top + height / zoom / 2)
+  drawing.draw_ground(left + width / zoom / 2, top + height / zoom / 2, world)
   for _, points in ipairs(curves) do love.graphics.line(points) end
   for _, body in ipairs(world.bodies) do drawing.draw_body(body, world.frame) end
   love.graphics.pop()

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string>
 
+#include "../text/hex.h"
+
 namespace talus {
 namespace {
 
@@ -27,17 +29,31 @@ std::optional<std::uint32_t> number_of_hex(std::string_view text) {
 
 }  // namespace
 
-std::optional<Rgb> color_of_hex(std::string_view text) {
+std::optional<Rgba> rgba_of_hex(std::string_view text) {
   const auto number = number_of_hex(text);
   if (!number) return {};
   const auto part = [&](int shift) { return static_cast<std::uint8_t>(*number >> shift & 0xff); };
-  return Rgb{part(16), part(8), part(0)};
+  return Rgba{part(16), part(8), part(0), part(24)};
+}
+
+std::optional<Rgb> color_of_hex(std::string_view text) {
+  const auto color = rgba_of_hex(text);
+  if (!color) return {};
+  return Rgb{color->r, color->g, color->b};
 }
 
 double opacity_of_hex(std::string_view text) {
   constexpr int kShift = 24;
   constexpr double kMost = 255;
   return (number_of_hex(text).value_or(~std::uint32_t{0}) >> kShift) / kMost;
+}
+
+std::string hex_of(Rgba color) {
+  std::string text = "#";
+  const auto put = [&](std::uint8_t part) { (text += kHexDigits[part / 16]) += kHexDigits[part % 16]; };
+  if (color.a != 255) put(color.a);
+  for (const std::uint8_t part : {color.r, color.g, color.b}) put(part);
+  return text;
 }
 
 }  // namespace talus

@@ -5,6 +5,28 @@
 #include "../pictures/png_sheet.h"
 
 namespace talus {
+namespace {
+
+// The palette with the colours of the picture, if it can have them, behind its colour 0. A palette of the
+// file is taken as it is unless the picture shows the first of its colours.
+Palette fitting_palette(PngPicture picture, const Palette& palette) {
+  for (std::size_t i = 0; i < picture.pixels.size() && !picture.palette.empty(); ++i)
+    if (!picture.transparent[i] && picture.pixels[i] == picture.palette[0]) picture.palette.clear();
+  auto fitting = palette_for(picture, palette);
+  const auto add_color_0 = [&] {
+    picture.pixels.push_back(palette[0]);
+    picture.transparent.push_back(false);
+    return palette_for(picture, palette);
+  };
+  if (fitting && (*fitting)[0] != palette[0] && picture.palette.empty()) {
+    if (auto with_color_0 = add_color_0()) fitting = with_color_0;
+  }
+  if (!fitting) return palette;
+  (*fitting)[0] = palette[0];
+  return *fitting;
+}
+
+}  // namespace
 
 void put_images(const SheetPicture& images, const std::vector<Rgb>& palette, Level& level) {
   PngPicture picture{images.width, images.height, {}, {}, palette};
@@ -13,7 +35,7 @@ void put_images(const SheetPicture& images, const std::vector<Rgb>& palette, Lev
     picture.transparent.push_back(is_clear);
     picture.pixels.push_back(is_clear ? Rgb{} : Rgb{images.rgba[i], images.rgba[i + 1], images.rgba[i + 2]});
   }
-  if (const auto fitting = palette_for(picture, level.palette)) level.palette = *fitting;
+  level.palette = fitting_palette(picture, level.palette);
   const MatchedPicture matched = match_colors(picture, level.palette);
   Sheet& sheet = level.sheet(SheetId::tiles);
   for (int i = 0; i < picture.width * picture.height; ++i) {

@@ -8,8 +8,8 @@
 namespace talus {
 
 // Gives each tile of the level its image of `images`, which has 8x8 px for each, at the tiles' places. The
-// level's palette gets the colours if there are few enough. palette: of the file with the picture; may be
-// empty.
+// level's palette gets the colours if there are few enough, but for its colour 0, which is no colour of art.
+// palette: of the file with the picture; may be empty.
 void put_images(const SheetPicture& images, const std::vector<Rgb>& palette, Level& level);
 
 // Whether the tiles' images, stretched over the tiles, look as the picture does, which has an image of the

@@ -124,12 +124,9 @@ FormatResult<void> LdtkLevelMaker::take_pictures() {
         "colours");
   }
   SheetPicture picture = fits ? blank_picture(width, height) : SheetPicture();
+  const auto [r, g, b] = source_.head.color;
+  level_.background = Rgba{r, g, b, 255};
   SheetPicture images = blank_picture(layout.columns * small.width, layout.rows() * small.height);
-  // The empty tile has the background's colour, so that no other colour takes its place in the palette.
-  const Rgb back = source_.head.color;
-  std::vector<std::uint8_t> empty;
-  for (int i = 0; i < size.width * size.height; ++i) empty.insert(empty.end(), {back.r, back.g, back.b, 255});
-  put_image(empty, size, {}, small, images);
   for (std::size_t tile = 1; tile < tiles_.cells.size(); ++tile) {
     if (!progress_.at(tile, tiles_.cells.size())) return was_cancelled();
     const auto rgba = picture_of_ldtk_cell(tiles_, tiles_.cells[tile], pictures_);
@@ -137,13 +134,11 @@ FormatResult<void> LdtkLevelMaker::take_pictures() {
     put_image(rgba, size, place, small, images);
     if (fits) put_image(rgba, size, place, size, picture);
   }
-  level_.palette[0] = back;
   put_images(images, {}, level_);
   if (!fits) return {};
   const bool is_needed = !images_show(picture, level_) || has_opaque_color_0(picture, level_);
   if (is_needed)
     level_.sheet(SheetId::tiles).picture = std::make_shared<const SheetPicture>(std::move(picture));
-  level_.palette[0] = back;
   return {};
 }
 

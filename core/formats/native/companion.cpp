@@ -277,8 +277,8 @@ std::vector<std::string> changed_members(const Json& document, const Json& about
   for (const std::string_view held : format.holds) {
     const std::string member(held);
     const bool has_hashes = with != about.end() && with->is_object() && !with->empty();
-    const bool is_unknown =
-        has_hashes && member == "objects" && !with->contains(member);  // to older versions
+    const bool is_unknown =  // to older versions
+        has_hashes && (member == "objects" || member == "background") && !with->contains(member);
     const Json then = has_hashes ? with->value(member, Json()) : Json();
     const auto is_listed_so = [&] {
       return member == "objects" && then == hash_of_member(document, member, false);

@@ -10,6 +10,7 @@
 
 #include <talus/level/limits.h>
 #include <talus/level/placed_picture.h>
+#include "../import/hex_color.h"
 #include "../text/hex.h"
 #include "../text/json_text.h"
 #include "../text/utf8_text.h"
@@ -57,6 +58,7 @@ class Reader {
     take(document, "sheet_size", [this](Json& v) { read_sheet_size(v); });
     if (error_) return tl::unexpected(*error_);  // the numbers of tiles cannot be judged
     take(document, "palette", [this](Json& v) { read_palette(v); });
+    take(document, "background", [this](const Json& v) { read_background(v); });
     take(document, "flag_names",
          [this](const Json& v) { keep(take_flag_names(v, "flag_names"), level_.flag_names); });
     take(document, "flag_fields",
@@ -175,6 +177,14 @@ class Reader {
     level_.set_tile_layout({size[0].get<int>(), size[1].get<int>()});
   }
 
+  void read_background(const Json& json) {
+    const std::string text = json.is_string() ? json.get<std::string>() : "";
+    const bool is_long = text.size() == 7 || text.size() == 9;
+    if (is_long && text[0] == '#') level_.background = rgba_of_hex(text);
+    if (!level_.background)
+      fail_key("background",
+               "must be a colour such as \"#1a1c2c\" or, with its opacity first, \"#801a1c2c\"");
+  }
   void read_palette(const Json& colors) {
     if (!colors.is_array() || colors.size() != kColorCount)
       return fail_key("palette", "must be a list of 16 colours");
@@ -493,13 +503,13 @@ bool has_shapes_with_parts(const Level& level) {
 // For all objects at once: no two of them want a pair of keys in different orders.
 std::vector<std::string_view> key_order() {
   std::vector<std::string_view> order = {
-      "talus",       "companion", "file",     "with",       "palette",    "flag_names", "flag_fields",
-      "name",        "first",     "bits",     "values",     "kind",       "side",       "faces",
-      "roles",       "solid",     "up_slope", "down_slope", "ball",       "one_way",    "ceiling",
-      "flag_shapes", "tuning",    "spawns",   "curves",     "brushes",    "auto_tiles", "exports",
-      "tile_shapes", "tiles",     "random",   "heights",    "points",     "sprites",    "tile_size",
-      "sheet_size",  "picture",   "tilesets", "animations", "tile_notes", "map",        "layers",
-      "groups",      "objects",   "cart",     "solver"};
+      "talus",       "companion",   "file",    "with",     "palette",    "background", "flag_names",
+      "flag_fields", "name",        "first",   "bits",     "values",     "kind",       "side",
+      "faces",       "roles",       "solid",   "up_slope", "down_slope", "ball",       "one_way",
+      "ceiling",     "flag_shapes", "tuning",  "spawns",   "curves",     "brushes",    "auto_tiles",
+      "exports",     "tile_shapes", "tiles",   "random",   "heights",    "points",     "sprites",
+      "tile_size",   "sheet_size",  "picture", "tilesets", "animations", "tile_notes", "map",
+      "layers",      "groups",      "objects", "cart",     "solver"};
   for (const TuningField& field : tuning_fields()) order.push_back(field.key);
   order.insert(
       order.end(),
@@ -580,16 +590,18 @@ FormatResult<Json> native_document(const Level& level, const std::string& folder
   const NativePictures pictures = pictures_of(level);
   const bool has_notes = has_more_flags(level) || has_turned_tiles(level) || !level.tile_notes.empty() ||
                          !pictures.empty() || has_new_objects(level.objects);
-  document["talus"] = !groups->empty() ? kNativeVersion
-                      : has_notes      ? kNoteVersion
-                      : has_tilesets   ? kTilesetVersion
-                      : has_layers     ? kLayerVersion
+  document["talus"] = level.background   ? kNativeVersion
+                      : !groups->empty() ? kGroupVersion
+                      : has_notes        ? kNoteVersion
+                      : has_tilesets     ? kTilesetVersion
+                      : has_layers       ? kLayerVersion
                       : has_other_sheet || picture != nullptr || has_shapes_with_parts(level) ? kSheetVersion
                       : has_other_tiles ? kTileSizeVersion
                                         : 1;
   if (has_other_tiles) document["tile_size"] = {tile.width, tile.height};
   if (has_other_sheet) document["sheet_size"] = {sheet.columns, sheet.count};
   document["palette"] = json_of(level.palette);
+  if (level.background) document["background"] = hex_of(*level.background);
   const bool named =
       std::any_of(level.flag_names.begin(), level.flag_names.end(), [](const auto& n) { return !n.empty(); });
   if (named) document["flag_names"] = json_of(level.flag_names);

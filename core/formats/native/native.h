@@ -18,9 +18,10 @@
 namespace talus {
 
 // The version of a level is the lowest that has what it holds, as older programs could not read it otherwise.
-inline constexpr int kNativeVersion = 7;  // of levels with groups of layers
-// Of levels without, but with flags above 7, turned tiles, notes of tiles, pictures besides the sheet's, or
-// objects that are hidden or have other anchors.
+inline constexpr int kNativeVersion = 8;  // of levels with a background
+inline constexpr int kGroupVersion = 7;   // of levels without, but with groups of layers
+// Of levels without these, but with flags above 7, turned tiles, notes of tiles, pictures besides the
+// sheet's, or objects that are hidden or have other anchors.
 inline constexpr int kNoteVersion = 6;
 inline constexpr int kTilesetVersion = 5;  // of levels without, but with tilesets or layers of objects
 inline constexpr int kLayerVersion = 4;    // of levels without, but with layers of tiles

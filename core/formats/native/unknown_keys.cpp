@@ -18,6 +18,7 @@ namespace talus {
 namespace {
 
 using Words = std::vector<std::string_view>;
+using Texts = std::vector<std::string>;
 
 Words with_looks(Words keys) {
   for (const char* look : {"group", "visible", "locked", "opacity", "offset", "parallax", "tint"})
@@ -46,11 +47,11 @@ Words tuning_keys(std::string_view group, Words keys) {
 std::vector<KeyKind> make_kinds() {
   return {
       {"level",
-       {"talus",      "$schema",     "palette",   "flag_names",   "flag_fields", "roles",    "flag_shapes",
-        "tuning",     "spawns",      "curves",    "brushes",      "auto_tiles",  "exports",  "tile_shapes",
-        "tiles",      "sprites",     "tile_size", "sheet_size",   "picture",     "tilesets", "animations",
-        "tile_notes", "large_tiles", "pictures",  "render_order", "map",         "layers",   "groups",
-        "objects",    "cart",        "hard_case"}},
+       {"talus",       "$schema",    "palette",     "background", "flag_names",   "flag_fields", "roles",
+        "flag_shapes", "tuning",     "spawns",      "curves",     "brushes",      "auto_tiles",  "exports",
+        "tile_shapes", "tiles",      "sprites",     "tile_size",  "sheet_size",   "picture",     "tilesets",
+        "animations",  "tile_notes", "large_tiles", "pictures",   "render_order", "map",         "layers",
+        "groups",      "objects",    "cart",        "hard_case"}},
       {"roles", role_keys()},
       {"flag_field", {"name", "first", "bits", "values"}},
       {"tuning", tuning_keys("", {"solver", "balls_block", "exact", "player"})},
@@ -150,17 +151,42 @@ std::optional<std::string_view> nearest(const std::string& key, const Words& kno
   return best;
 }
 
-std::string problem_of_key(const std::string& key, const KeyKind& kind) {
-  const auto meant = nearest(key, kind.keys);
-  if (!meant) return "is not known, and is kept as it is";
-  if (*meant == key) return "is not used here, and is kept as it is";
-  return "is not known; did you mean \"" + std::string(*meant) + "\"?";
+bool has_key(const KeyKind& kind, std::string_view key) {
+  return std::find(kind.keys.begin(), kind.keys.end(), key) != kind.keys.end();
+}
+
+// "tuning.exact.gravity" for "gravity": the places below an object where a key is known. Of numbered objects,
+// and of those in lists, there are too many.
+void add_known_places(std::string_view kind, const std::string& key, const std::string& place, Texts& out) {
+  for (const Inner& inner : kInner) {
+    if (inner.in != kind || inner.key.empty() || inner.in == "hard_case") continue;
+    const std::string path = place + std::string(inner.key) + ".";
+    if (has_key(kind_of(inner.kind), key)) out.push_back(path + key);
+    add_known_places(inner.kind, key, path, out);
+  }
+}
+
+// What is said of a key of an object at a place.
+std::string problem_of_key(const std::string& key, const KeyKind& kind, const std::string& place) {
+  if (has_key(kind, key)) return "is not used here, and is kept as it is";
+  Texts places;
+  add_known_places("level", key, "", places);
+  // In the same member of the level.
+  const std::string member = place.empty() ? "" : place.substr(0, place.find_first_of(".[")) + ".";
+  std::erase_if(places, [&](const std::string& other) { return !other.starts_with(member); });
+  std::string meant;
+  for (const std::string& other : places) meant += (meant.empty() ? "\"" : " or \"") + other + '"';
+  if (!meant.empty()) return "is not known here; did you mean " + meant + "?";
+  if (const auto near = nearest(key, kind.keys))
+    return "is not known; did you mean \"" + std::string(*near) + "\"?";
+  if (has_key(kind_of("level"), key)) return "is not known here, but at the top of the file";
+  return "is not known, and is kept as it is";
 }
 
 // Whether the reader of levels leaves a known key in its place, for others to read.
 bool is_kept(const std::string& key, const KeyKind& kind) {
   const bool is_of_case = kind.name == "hard_case" || kind.name.starts_with("case_");
-  if (is_of_case) return std::find(kind.keys.begin(), kind.keys.end(), key) != kind.keys.end();
+  if (is_of_case) return has_key(kind, key);
   return key == "$schema" || key == "hard_case" || key == kLdtkLayerKey;
 }
 
@@ -191,7 +217,7 @@ class Walk {
     const std::string inner_place = (place.empty() ? "" : place + ".") + printable(key);
     if (const Inner* inner = inner_of(kind, key); inner && value.is_structured())
       return visit(value, kind_of(inner->kind), inner_place);
-    if (!is_kept(key, kind)) found_.push_back({inner_place, problem_of_key(key, kind)});
+    if (!is_kept(key, kind)) found_.push_back({inner_place, problem_of_key(key, kind, place)});
   }
 
   std::vector<UnknownKey> found_;

@@ -87,7 +87,8 @@ std::string write_png_part(const Level& level, PngPart part) {
 }
 
 std::string write_map_tiles(const Level& level) {
-  return png_of_sheet(level.sheet(SheetId::tiles), level.palette, level.map.tile_size(), false);
+  const bool clear_zero = level.background.has_value();  // else colour 0 is what is seen behind it anyway
+  return png_of_sheet(level.sheet(SheetId::tiles), level.palette, level.map.tile_size(), clear_zero);
 }
 
 std::string write_clear_sheet(const Level& level, SheetId sheet) {

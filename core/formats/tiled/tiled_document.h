@@ -52,6 +52,8 @@ class TiledDocument {
   virtual void arrange(const TiledLayerTree& tree) = 0;
   // Sets the size of a layer of tiles, cells. Call it beside put_cells().
   virtual void set_layer_size(int layer, int width, int height) = 0;
+  // Sets the colour of the background of the map, as TiledMap::background.
+  virtual void set_background(const std::string& color) = 0;
   // Sets the size of the map and of its tile layers.
   virtual void set_size(int width, int height) = 0;
 

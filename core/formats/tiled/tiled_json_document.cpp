@@ -41,6 +41,7 @@ class TiledJsonDocument : public TiledDocument {
   TiledLayerTree layer_tree() const override { return tree_; }
   void arrange(const TiledLayerTree& tree) override { arrange_in(root_, tree, edits_); }
   void set_layer_size(int layer, int width, int height) override;
+  void set_background(const std::string& color) override;
   void set_size(int width, int height) override;
   void edit_tiles(int tileset, const TiledTileEdits& edits) override;
   std::string text() const override;
@@ -334,6 +335,11 @@ void TiledJsonDocument::set_layer_size(int layer, int width, int height) {
   sides.push_back({"width", std::to_string(width)});
   sides.push_back({"height", std::to_string(height)});
   change_json_members(places_, layer_at(layer), sides, edits_);
+}
+
+void TiledJsonDocument::set_background(const std::string& color) {
+  const auto value = color.empty() ? std::nullopt : std::optional("\"" + color + "\"");
+  change_json_members(places_, root_, {{"backgroundcolor", value}}, edits_);
 }
 
 void TiledJsonDocument::set_size(int width, int height) {

@@ -55,6 +55,7 @@ class TiledLevelMaker {
   FormatResult<void> read_base();
   void forget_numbers();
   void take_pixels();
+  void take_background();
   void name_flags();
   void take_tile(TileNumber number);
   void take_note(TileNumber number, const TiledTile& tile);
@@ -122,16 +123,6 @@ std::string name_of_tile(int number, const TiledSource& source) {
 bool is_one_way(const TiledObject& object) {
   const bool* const word = find_property<bool>(object.properties, "one_way");
   return word != nullptr && *word;
-}
-
-// As far as it is not opaque, the colour without any is seen.
-Rgb background_of(const TiledMap& map) {
-  const Rgb usual = default_palette()[0], own = color_of_hex(map.background).value_or(usual);
-  const double opacity = opacity_of_hex(map.background);
-  const auto mix = [&](int over, int under) {
-    return static_cast<std::uint8_t>(std::lround(over * opacity + under * (1 - opacity)));
-  };
-  return {mix(own.r, usual.r), mix(own.g, usual.g), mix(own.b, usual.b)};
 }
 
 // The number in the text, from 1; else 0.
@@ -293,8 +284,13 @@ void TiledLevelMaker::take_pixels() {
   const bool is_needed =
       !images_show(*picture, level_) || (is_fitted && has_opaque_color_0(*picture, level_));
   if (is_needed) level_.sheet(SheetId::tiles).picture = std::move(picture);
-  // What is seen where nothing is drawn. No pixel that is drawn needs it.
-  if (is_fitted) level_.palette[0] = background_of(map_);
+}
+
+// A map without a colour of its own is clear where nothing is drawn. Talus's own maps say which colour that
+// is of a level that does not.
+void TiledLevelMaker::take_background() {
+  if (is_own_ && map_.background == tiled_background(level_)) return;
+  level_.background = rgba_of_hex(map_.background).value_or(Rgba{});
 }
 
 void TiledLevelMaker::name_flags() {
@@ -687,7 +683,7 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
   if (!layers) return tl::unexpected(layers.error());
   if (const auto read = read_base(); !read) return tl::unexpected(read.error());
   auto tiles = number_tiles(map_, *layers, pictures_, choices, base_.sheet(SheetId::tiles).layout(),
-                            level_.palette[0], drops_, progress_);
+                            is_own_ ? std::optional(level_.palette[0]) : std::nullopt, drops_, progress_);
   if (!tiles) return tl::unexpected(tiles.error());
   tiles_ = *std::move(tiles);
   for (std::size_t n = 0; n < tiles_.sources.size(); ++n)
@@ -702,6 +698,7 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
   level_.set_tile_layout(layout);
   if (!is_own_) level_.tilesets = tilesets_of(tiles_, map_);  // its own are in the base
   take_pixels();
+  take_background();
   name_flags();
   level_.tile_notes.clear();
   for (int tile = 0; tile < layout.count; ++tile) take_tile(static_cast<TileNumber>(tile));
@@ -712,8 +709,6 @@ FormatResult<Level> TiledLevelMaker::make(const ImportChoices& choices) {
   take_other_layers(*layers);
   tidy_groups(level_.layers, level_.objects);
   parts_.tell_missing();
-  if (!map_.background.empty() && background_of(map_) != level_.palette[0])
-    drops_.add("\"backgroundcolor\" of the map, which is not colour 0");
   if (auto problem = problem_of_amounts(level_)) return tl::unexpected(FormatError{"", *std::move(problem)});
   level_.tiled = std::make_shared<const TiledOrigin>(std::move(origin));
   return std::move(level_);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "../import/hex_color.h"
+
 namespace talus {
 
 std::string tiled_path(const std::string& folder, std::string name) {
@@ -25,12 +27,11 @@ std::optional<bool> ground_by_word(const TiledProperties& properties) {
   return is_ground;
 }
 
-std::string tiled_color(Rgb color) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string text = "#";
-  for (const std::uint8_t part : {color.r, color.g, color.b})
-    (text += kDigits[part / 16]) += kDigits[part % 16];
-  return text;
+std::string tiled_color(Rgb color) { return hex_of({color.r, color.g, color.b, 255}); }
+
+std::string tiled_background(const Level& level) {
+  const Rgba color = background_of(level);
+  return color.a == 0 ? "" : hex_of(color);
 }
 
 std::string tiled_too_many(std::string_view thing, std::size_t most) {

@@ -6,7 +6,7 @@
 //                 for each flag that is set (see tiled_flag_names); words for its shape (`shape`,
 //                 `shape_side`, `shape_one_way`, `shape_heights`); and the shape as a polygon or box, with
 //                 the bool `one_way` if it is one-way, as importers of engines look for it there
-//   background    the level's colour 0
+//   background    the level's; none if that is clear
 //   layer "map"   the tiles; cells with tile 0 are empty if tile 0 is blank
 //   other layers  those of the level, in its order; an object with a picture shows a tile of the tileset
 //                 "pictures", a collection of images
@@ -173,7 +173,7 @@ struct TiledMap {
   Cell first;                 // place of its first cell in the file; (0, 0) unless the map is infinite
   TileSize tile_size;         // of each cell
   RenderOrder order = RenderOrder::right_down;
-  std::string background;  // colour, see tiled_color; empty: not set
+  std::string background;  // colour, see tiled_background; empty: not set
   std::vector<TiledTileset> tilesets;
   std::vector<TiledLayer> layers;  // in the order of the file, also those in groups
   LayerGroups groups;              // in the order of the file, each before those in it; some have no layers
@@ -184,6 +184,9 @@ struct TiledMap {
 std::string tiled_path(const std::string& folder, std::string name);
 
 std::string tiled_color(Rgb color);  // "#1a1c2c"
+// What a map says of the background of a level: "#1a1c2c", or "#801a1c2c" if it is not opaque; empty if it is
+// clear.
+std::string tiled_background(const Level& level);
 
 // "is one layer too many: a map may have at most 4096", for what a map has one of above a limit.
 std::string tiled_too_many(std::string_view thing, std::size_t most);

@@ -559,6 +559,8 @@ FormatResult<TiledSaver::Attempt> TiledSaver::attempt(const Plan& plan) {
     if (layer >= 0) (*document)->edit_objects(layer, edits);
   }
   if (const auto written = write_layers(**document); !written) return tl::unexpected(written.error());
+  if (is_map_ && level_.background != origin_.opened->background)
+    (*document)->set_background(tiled_background(level_));
   TiledTilesetEdits tiles;
   if (model_) {
     const auto names = names_for_tiled(level_, *origin_.opened, plan.takes_new_names);

@@ -35,14 +35,14 @@ using SourceOfCell = std::unordered_map<std::uint32_t, ShownTile>;
 class TileNumberer {
  public:
   TileNumberer(const TiledMap& map, const std::vector<const TiledLayer*>& layers,
-               const TiledPictures& pictures, const SheetLayout& base, Rgb background, ImportDrops& drops,
-               const Progress& progress)
+               const TiledPictures& pictures, const SheetLayout& base, std::optional<Rgb> color_0,
+               ImportDrops& drops, const Progress& progress)
       : progress_(progress),
         map_(map),
         layers_(layers),
         pictures_(pictures),
         base_(base),
-        background_(background),
+        color_0_(color_0),
         drops_(drops) {
     for (const TiledLayer* layer : layers) cell_count_ += layer->cells.size();
     for (std::size_t i = 0; i < map.tilesets.size(); ++i) order_.push_back(static_cast<int>(i));
@@ -82,7 +82,7 @@ class TileNumberer {
   const std::vector<const TiledLayer*>& layers_;
   const TiledPictures& pictures_;
   SheetLayout base_;
-  Rgb background_;
+  std::optional<Rgb> color_0_;  // of a level of Talus
   ImportDrops& drops_;
   std::vector<int> order_;  // tilesets by their first number
   TiledTiles tiles_;
@@ -290,8 +290,8 @@ FormatResult<void> TileNumberer::add_tile(const TiledSource& source) {
       whole_error("needs more than " + std::to_string(full) + " tiles with those that it turns", kTakeUsed));
 }
 
-// A tile that is not drawn and has no properties. In a single layer, one of the background's colour is not
-// seen.
+// A tile that is not drawn and has no properties. In the single layer of a level of Talus, one of colour 0 is
+// not seen.
 bool TileNumberer::is_blank(const TiledSource& source) const {
   if (source.tileset < 0) return true;
   if (find_tile(tileset(source.tileset), source.id)) return false;
@@ -300,7 +300,7 @@ bool TileNumberer::is_blank(const TiledSource& source) const {
   const SheetPicture picture = picture_of_tiles(alone, map_, pictures_, map_.tile_size);
   for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
     const Rgb color{picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]};
-    if (picture.rgba[i + 3] != 0 && (layers_.size() > 1 || color != background_)) return false;
+    if (picture.rgba[i + 3] != 0 && (layers_.size() > 1 || color != color_0_)) return false;
   }
   return true;
 }
@@ -420,11 +420,11 @@ FormatResult<TiledTiles> TileNumberer::again(const TiledFrame& frame) {
   return std::move(tiles_);
 }
 
-using Rgba = std::array<std::uint8_t, 4>;
-constexpr Rgba kClear{};
+using Pixel = std::array<std::uint8_t, 4>;
+constexpr Pixel kClear{};
 
 // The colour of a pixel of a picture, which is transparent outside of it.
-Rgba color_in(const RgbaPicture& rgba, Cell at) {
+Pixel color_in(const RgbaPicture& rgba, Cell at) {
   if (at.x < 0 || at.y < 0 || at.x >= rgba.width || at.y >= rgba.height) return kClear;
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(rgba.bytes.data()) +
                       4 * (static_cast<std::size_t>(at.y) * static_cast<std::size_t>(rgba.width) +
@@ -446,8 +446,8 @@ TileSize size_in_collection(const TiledMap& map, const TiledPictures& pictures, 
 
 // The colour at (x, y) of an image of that size that stands for a tile: of the pixel in the middle of that
 // part of the cell.
-Rgba color_of(const TiledMap& map, const TiledPictures& pictures, const TiledSource& source, TileSize image,
-              int x, int y) {
+Pixel color_of(const TiledMap& map, const TiledPictures& pictures, const TiledSource& source, TileSize image,
+               int x, int y) {
   const auto of = static_cast<std::size_t>(source.tileset);
   if (source.tileset < 0 || !pictures[of]) return kClear;
   const TiledTileset& tileset = map.tilesets[of];
@@ -475,7 +475,7 @@ Rgba color_of(const TiledMap& map, const TiledPictures& pictures, const TiledSou
     return color_in(*own->second, {tile->image_x + in_tile.x, tile->image_y + in_tile.y});
   }
   const int columns = grid_of(tileset).columns, row = source.id / columns, column = source.id % columns;
-  const Rgba color =
+  const Pixel color =
       color_in(pictures[of]->file->rgba, {tileset.margin + column * (width + tileset.spacing) + in_tile.x,
                                           tileset.margin + row * (height + tileset.spacing) + in_tile.y});
   return tileset.transparent == Rgb{color[0], color[1], color[2]} ? kClear : color;
@@ -547,9 +547,9 @@ Vec2 anchor_of_gid(const TiledMap& map, std::uint32_t gid) {
 
 FormatResult<TiledTiles> number_tiles(const TiledMap& map, const std::vector<const TiledLayer*>& layers,
                                       const TiledPictures& pictures, const ImportChoices& choices,
-                                      const SheetLayout& base, Rgb background, ImportDrops& drops,
+                                      const SheetLayout& base, std::optional<Rgb> color_0, ImportDrops& drops,
                                       const Progress& progress) {
-  TileNumberer numberer(map, layers, pictures, base, background, drops, progress);
+  TileNumberer numberer(map, layers, pictures, base, color_0, drops, progress);
   if (choices.frame) return numberer.again(*choices.frame);
   return choices.used_tiles ? numberer.used() : numberer.as_they_are();
 }
@@ -616,7 +616,7 @@ SheetPicture picture_of_tiles(const TiledTiles& tiles, const TiledMap& map, cons
       const auto row =
           static_cast<std::size_t>(place.y * image.height + y) * static_cast<std::size_t>(sheet.width);
       for (int x = 0; x < image.width; ++x) {
-        const Rgba color = color_of(map, pictures, source, image, x, y);
+        const Pixel color = color_of(map, pictures, source, image, x, y);
         std::copy(color.begin(), color.end(),
                   &sheet.rgba[4 * (row + static_cast<std::size_t>(place.x * image.width + x))]);
       }

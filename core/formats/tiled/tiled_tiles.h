@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "../import/linked_files.h"
@@ -49,7 +50,7 @@ struct TiledTiles {
 // numbered.
 FormatResult<TiledTiles> number_tiles(const TiledMap& map, const std::vector<const TiledLayer*>& layers,
                                       const TiledPictures& pictures, const ImportChoices& choices,
-                                      const SheetLayout& base, Rgb background, ImportDrops& drops,
+                                      const SheetLayout& base, std::optional<Rgb> color_0, ImportDrops& drops,
                                       const Progress& progress);
 
 // Columns and tiles of a tileset, computed from its picture if the file does not say. A collection may have

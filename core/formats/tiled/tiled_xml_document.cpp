@@ -64,6 +64,7 @@ class TiledXmlDocument : public TiledDocument {
   TiledLayerTree layer_tree() const override { return tree_; }
   void arrange(const TiledLayerTree& tree) override { arrange_in(root_, tree, edits_); }
   void set_layer_size(int layer, int width, int height) override;
+  void set_background(const std::string& color) override;
   void set_size(int width, int height) override;
   void edit_tiles(int tileset, const TiledTileEdits& edits) override;
   std::string text() const override;
@@ -434,6 +435,11 @@ void TiledXmlDocument::set_layer_size(int layer, int width, int height) {
   const pugi::xml_node node = layers_[static_cast<std::size_t>(layer)];
   set_xml_attribute(places_, node, "width", std::to_string(width), edits_);
   set_xml_attribute(places_, node, "height", std::to_string(height), edits_);
+}
+
+void TiledXmlDocument::set_background(const std::string& color) {
+  if (color.empty()) return remove_xml_attribute(places_, root_, "backgroundcolor", edits_);
+  set_xml_attribute(places_, root_, "backgroundcolor", color, edits_);
 }
 
 void TiledXmlDocument::set_size(int width, int height) {

@@ -19,7 +19,7 @@ namespace talus {
 namespace {
 
 namespace fs = std::filesystem;
-using Rgba = std::array<std::uint8_t, 4>;
+using Pixel = std::array<std::uint8_t, 4>;
 constexpr std::uint8_t kOpaque = 255;
 
 // The picture of a sheet that may have none. Colour 0 is clear, as on layers.
@@ -39,24 +39,24 @@ SheetPicture picture_of(const Level& level) {
                                                 tile, x % tile.width, y % tile.height)
                                      : std::uint8_t{0};
       const Rgb rgb = level.palette[color];
-      const Rgba rgba = color == 0 ? Rgba{} : Rgba{rgb.r, rgb.g, rgb.b, kOpaque};
+      const Pixel rgba = color == 0 ? Pixel{} : Pixel{rgb.r, rgb.g, rgb.b, kOpaque};
       picture.rgba.insert(picture.rgba.end(), rgba.begin(), rgba.end());
     }
   }
   return picture;
 }
 
-Rgba color_in(const RgbaPicture& picture, int x, int y) {
+Pixel color_in(const RgbaPicture& picture, int x, int y) {
   if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) return {};
   const std::size_t at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
                               static_cast<std::size_t>(x));
-  Rgba rgba;
+  Pixel rgba;
   std::copy_n(picture.bytes.begin() + static_cast<std::ptrdiff_t>(at), rgba.size(), rgba.begin());
   return rgba;
 }
 
 // The colour of the tile at `place` of a tileset, of the pixel in the middle of that part of the cell.
-Rgba color_of(const ShownTileset& shown, const Tileset& set, Cell place, TileSize tile, int x, int y) {
+Pixel color_of(const ShownTileset& shown, const Tileset& set, Cell place, TileSize tile, int x, int y) {
   if (shown.picture == nullptr) {
     const int number = place.y * set.columns + place.x;
     const Rgb box = color_of_box(number, x * kCartTileSize / tile.width, y * kCartTileSize / tile.height);
@@ -174,7 +174,7 @@ FormatResult<void> draw_tilesets(std::span<const ShownTileset> shown, Level& lev
       const Cell corner = layout.place_of(number);
       for (int y = 0; y < tile.height; ++y) {
         for (int x = 0; x < tile.width; ++x) {
-          const Rgba color = color_of(each, set, place, tile, x, y);
+          const Pixel color = color_of(each, set, place, tile, x, y);
           const std::size_t row =
               static_cast<std::size_t>(corner.y * tile.height + y) * static_cast<std::size_t>(picture.width);
           std::copy(color.begin(), color.end(),

@@ -111,7 +111,7 @@ void check_conveyors(const Level& level, std::vector<Problem>& out) {
          Cell{at % level.map.width(), at / level.map.width()}, *first);
 }
 
-// Bodies meet with one solver alone, and mass and friction of a kind count only where they meet.
+// Bodies meet with one solver alone, and shape, mass and friction of a kind count only where they meet.
 void check_pairs(const Level& level, std::vector<Problem>& out) {
   const Tuning& tuning = level.tuning;
   if (tuning.shared.pairs() == BodyPairs::meet) {
@@ -121,13 +121,17 @@ void check_pairs(const Level& level, std::vector<Problem>& out) {
                std::string(solver_name(tuning.solver)) + ", where they block one another");
     return;
   }
-  const auto first = std::find_if(level.spawns.begin(), level.spawns.end(),
-                                  [](const Spawn& spawn) { return traits_of(spawn.kind).friction > 0; });
+  const auto first = std::find_if(level.spawns.begin(), level.spawns.end(), [](const Spawn& spawn) {
+    const BodyTraits& traits = traits_of(spawn.kind);
+    return traits.friction > 0 || traits.shape != BodyShape::box;
+  });
   if (first == level.spawns.end()) return;
   const int index = static_cast<int>(first - level.spawns.begin());
   report(out, kNeedsMeet,
          spawn_name(level, index) +
-             " moves like a ball: bodies are pushed and rub only with the solver exact and bodies that meet",
+             " moves like a ball: bodies are round, are pushed and rub only with the solver exact and bodies "
+             "that "
+             "meet",
          nearest_cell(level.map, first->position), -1, index);
 }
 

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kLeastOfScreen = 0.8;  // of a screen's width and height, that are shown at least
 constexpr double kNearlyAll = 1.2;      // what is so much larger than a part is shown whole
+constexpr double kRoomOfScreen = 0.25;  // of a screen, on each side of a body that a screen goes with
 constexpr double kMostScreens = 2;      // that a view shows of what is spread out
 
 Rect whole_map(const TileMap& map) { return {0, 0, map.px_width(), map.px_height()}; }
@@ -128,6 +129,23 @@ const Body* followed_body(const State& state, int chosen) {
   const auto steered = std::find_if(state.bodies.begin(), state.bodies.end(),
                                     [](const Body& body) { return traits_of(body.kind).takes_keys; });
   return steered != state.bodies.end() ? &*steered : nullptr;
+}
+
+Rect screen_with_bodies(const Level& level, const State& state, int chosen) {
+  const Vec2 size = size_of_screen(level.map), room = size * kRoomOfScreen;
+  Rect seen;
+  if (const Body* body = followed_body(state, chosen)) {
+    const Rect& b = body->box;
+    seen = {b.x - room.x, b.y - room.y, b.w + 2 * room.x, b.h + 2 * room.y};
+  } else {
+    seen = opening_area(level, state).area;
+  }
+  // Where the screen begins in one direction.
+  const auto begin = [](double from, double length, double screen) {
+    return length > screen ? from + (length - screen) / 2 : std::clamp(0.0, from + length - screen, from);
+  };
+  const Vec2 at{begin(seen.x, seen.w, size.x), begin(seen.y, seen.h, size.y)};
+  return area_about(at + size * 0.5, size, level.map);
 }
 
 OpeningArea opening_area(const Level& level, const State& state) {

@@ -27,5 +27,8 @@ const Body* followed_body(const State& state, int chosen);
 // take, or a screen around the first one if they are far from each other; else what the tiles of ground take,
 // or the first screen that has some; else the first screen.
 OpeningArea opening_area(const Level& level, const State& state);
+// A screen, px of the level, that goes with the followed body, or else shows the opening area. It is the
+// first screen of the map, moved as little as that needs.
+Rect screen_with_bodies(const Level& level, const State& state, int chosen);
 
 }  // namespace talus

@@ -60,10 +60,20 @@ bool is_unchanged(const LayerLooks& layer, bool moves) {
          (!moves || layer.parallax == Vec2{1, 1});
 }
 
-// Whether nothing is behind the layer of tiles at the back, and its picture is that of its tiles.
+// Whether only colour 0 is behind the layer of tiles at the back, and its picture is that of its tiles.
 bool is_back_opaque(const Level& level, bool moves) {
-  return is_unchanged(shown_looks(level.layers.groups, level.layers.list.front()), moves) &&
+  return !level.background &&
+         is_unchanged(shown_looks(level.layers.groups, level.layers.list.front()), moves) &&
          layers_in_order(level).front().has_tiles;
+}
+
+// What is seen where no layer shows anything. What is clear shows the theme.
+void draw_background(ImDrawList& list, Rgba color, const TileMap& map, const CanvasView& view) {
+  const CellSpan cells = visible_cells(map, view);
+  if (cells.empty()) return;
+  const ImVec2 from = view.corner_of({cells.x0, cells.y0}), to = view.corner_of({cells.x1, cells.y1});
+  if (color.a < 255) list.AddRectFilled(from, to, theme::color(theme::kBackground));
+  list.AddRectFilled(from, to, IM_COL32(color.r, color.g, color.b, color.a));
 }
 
 ImU32 layer_color(const LayerLooks& layer) {
@@ -230,10 +240,10 @@ void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, co
   // Most cells of most maps hold tile 0 in one colour: one rectangle below all replaces a square for each.
   const std::optional<std::uint8_t> plain = plain_color_of_tile_0(level);
   const bool back_is_opaque = is_back_opaque(level, looks.parallax);
-  const CellSpan cells = visible_cells(level.map, view);
-  if (!cells.empty())
-    list.AddRectFilled(view.corner_of({cells.x0, cells.y0}), view.corner_of({cells.x1, cells.y1}),
-                       theme::color(level.palette[back_is_opaque ? plain.value_or(0) : 0]));
+  const Rgb of_tile_0 = level.palette[plain.value_or(0)];
+  draw_background(list,
+                  back_is_opaque ? Rgba{of_tile_0.r, of_tile_0.g, of_tile_0.b, 255} : background_of(level),
+                  level.map, view);
   const std::vector<int> tiles = tiles_at(level, looks.time);
   for (const auto& [has_tiles, layer] : layers_in_order(level)) {
     const ClipToMap clip(list, level.map, view, ends_with_map(level, has_tiles, layer, looks.parallax));
@@ -261,9 +271,7 @@ void draw_far_tiles(ImDrawList& list, const Level& level, const CanvasView& view
   int block = 1;  // cells for each texel; a texel is at least half a pixel
   while (block < kMaxBlock && static_cast<float>(block * smaller) * view.zoom <= 0.5f) block *= 2;
   const bool back_is_opaque = is_back_opaque(level, parallax);
-  if (const CellSpan cells = visible_cells(level.map, view); !back_is_opaque && !cells.empty())
-    list.AddRectFilled(view.corner_of({cells.x0, cells.y0}), view.corner_of({cells.x1, cells.y1}),
-                       theme::color(level.palette[0]));
+  if (!back_is_opaque) draw_background(list, background_of(level), level.map, view);
   for (const auto& [has_tiles, layer] : layers_in_order(level)) {
     const ClipToMap clip(list, level.map, view, ends_with_map(level, has_tiles, layer, parallax));
     if (!has_tiles) {

@@ -21,8 +21,8 @@ struct TileLooks {
 };
 
 // The visible layers of the map, and what lies beyond its edge. In the layer at the back, colour 0 is the
-// ground of the picture; in those in front of it, tile 0 is empty and colour 0 is clear. Of objects only
-// their pictures are drawn.
+// ground of the picture unless the level has a background of its own; in those in front of it, tile 0 is
+// empty and colour 0 is clear. Of objects only their pictures are drawn.
 void draw_tiles(ImDrawList& list, const Level& level, const CanvasView& view, const Ui& ui, TileLooks looks);
 // The same at low zoom, in blocks of one colour and without what lies beyond the edge; draws nothing without
 // MapTextures. parallax: as in TileLooks. other: shows this level instead of the edited one.

@@ -397,6 +397,12 @@ std::vector<Command> whole_map_commands() {
        .menu = menus::kMapSearch,
        .run = [](S, A, U ui) { ui.view.level.resize_open = true; },
        .words = "resize map level dimensions width height crop extend shift larger smaller"},
+      {.id = "map/background",
+       .label = "Background of the map...",
+       .help = "Changes the colour that is seen where the map shows nothing, or makes it clear.",
+       .menu = menus::kMapSearch,
+       .run = [](S, A, U ui) { ui.view.level.background_open = true; },
+       .words = "background color transparent clear sky alpha"},
   };
 }
 

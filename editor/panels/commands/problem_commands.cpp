@@ -1,4 +1,6 @@
 // The commands of the problems, of proofs, and of the cells that a player can get to.
+#include <algorithm>
+
 #include "command_table.h"
 #include "panels/level/problem_list.h"
 #include "panels/level/proof_rows.h"
@@ -30,6 +32,11 @@ void prove_level(S, A actions, U ui) {
   actions.push_back(action::Prove{ui.view.canvas.middle});
   ui.ask(request::ShowTab(panel_id::kProblems));
   ui.ask(request::ShowProof{});
+  // In its own place the list of findings gets as much room as what is above it.
+  constexpr double kLargestUpperPart = 0.5;
+  WindowView& window = ui.view.window;
+  if (std::ranges::find(window.moved_tabs, panel_id::kProblems, &MovedTab::panel) == window.moved_tabs.end())
+    window.layout.right_split = std::min(window.layout.right_split, kLargestUpperPart);
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 // The body's numbers and the table of contacts.
 #include "inspector_panel.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -146,34 +149,12 @@ void draw_body(const Body& body, bool has_form, const NumberMenu& menu, Ui& ui) 
   ImGui::EndTable();
 }
 
-void draw_contact_cells(const Scene& scene, const ContactRecord& contact, Ui& ui) {
-  ImGui::TableNextColumn();
-  ui.right_aligned(std::to_string(contact.order + 1));
-  ImGui::TableNextColumn();
-  draw_text_cell(obstacle_text(scene, contact.other), ui);
-  ImGui::TableNextColumn();
-  draw_text_cell(response_label(contact.response), ui);
-  ImGui::TableNextColumn();
-  draw_number("t", contact.ti, ui, meaning_of_impact(contact));
-  ImGui::TableNextColumn();
-  const Vec2 n = contact.normal;
-  ui.right_aligned(one_decimal(n.x) + "," + one_decimal(n.y));
-  ui.tooltip(all_digits(n.x) + "\n" + all_digits(n.y));
-  ImGui::TableNextColumn();
-  if (contact.slope) draw_number("delta", contact.slope->delta, ui);
-  ImGui::TableNextColumn();
-  if (contact.slope) draw_number("floor", contact.slope->floor_y, ui);
-  ImGui::TableNextColumn();
-  draw_text_cell(contact.handled ? "yes" : "no", ui, meaning_of_done(contact));
-}
-
 struct Column {
   const char* title;
   float width;   // px at scale 1; 0 takes the rest
   bool numbers;  // numbers and their title end at the right edge
   const char* help;
 };
-constexpr float kLeastTableWidth = 396;  // px at scale 1; a narrower panel scrolls
 constexpr std::array<Column, 8> kColumns = {{
     {"#", 14, true, "The order in which the step met them."},
     {"other", 0, false, "A solid tile, an up- or down-slope with its cell, or another body."},
@@ -186,45 +167,91 @@ constexpr std::array<Column, 8> kColumns = {{
     {"done", 32, false, "Whether it was handled; a slope correction skips the contacts after it."},
 }};
 
-void draw_contact_header(Ui& ui) {
+// What a table has in its columns, by kColumns, line by line.
+using ColumnLine = std::span<const std::uint8_t>;
+constexpr float kLeastTableWidth = 396;  // px at scale 1; in a narrower panel a contact has two lines
+constexpr std::array<std::uint8_t, 8> kWide = {0, 1, 2, 3, 4, 5, 6, 7}, kNarrow = {0, 1, 2, 3, 7, 4, 5, 6};
+
+// column: of kColumns.
+void draw_contact_cell(int column, const Scene& scene, const ContactRecord& contact, Ui& ui) {
+  switch (column) {
+    case 0:
+      return ui.right_aligned(std::to_string(contact.order + 1));
+    case 1:
+      return draw_text_cell(obstacle_text(scene, contact.other), ui);
+    case 2:
+      return draw_text_cell(response_label(contact.response), ui);
+    case 3:
+      return draw_number("t", contact.ti, ui, meaning_of_impact(contact));
+    case 4:
+      ui.right_aligned(one_decimal(contact.normal.x) + "," + one_decimal(contact.normal.y));
+      return ui.tooltip(all_digits(contact.normal.x) + "\n" + all_digits(contact.normal.y));
+    case 5:
+      if (contact.slope) draw_number("delta", contact.slope->delta, ui);
+      return;
+    case 6:
+      if (contact.slope) draw_number("floor", contact.slope->floor_y, ui);
+      return;
+    default:
+      return draw_text_cell(contact.handled ? "yes" : "no", ui, meaning_of_done(contact));
+  }
+}
+
+void draw_contact_header(ColumnLine line, Ui& ui) {
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-  for (const Column& column : kColumns) {
+  for (const std::uint8_t number : line) {
+    const Column& column = kColumns[number];
     ImGui::TableNextColumn();
     if (column.numbers)
       ui.right_aligned(column.title, theme::tone(theme::kMuted));
     else
       ui.muted(column.title);
-    ui.tooltip(column.help);
+    ui.item(std::string("inspector/contacts/") + column.title, column.help);
   }
+}
+
+void draw_contact_line(ColumnLine line, const Scene& scene, const ContactRecord& contact, Ui& ui) {
+  ImGui::TableNextRow();
+  const bool is_odd = contact.order % 2 != 0;  // all lines of a contact have one colour
+  ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0,
+                         ImGui::GetColorU32(is_odd ? ImGuiCol_TableRowBgAlt : ImGuiCol_TableRowBg));
+  ImGui::PushID(contact.order);
+  if (!contact.handled) ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kMuted));
+  for (const std::uint8_t column : line) {
+    ImGui::TableNextColumn();
+    draw_contact_cell(column, scene, contact, ui);
+  }
+  if (!contact.handled) ImGui::PopStyleColor();
+  ImGui::PopID();
 }
 
 void draw_contacts(const Scene& scene, const StepRecord& record, int body, Ui& ui) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const float least = ui.px(kLeastTableWidth);
-  const ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
-                                ImGuiTableFlags_BordersOuterH |
-                                (room.x < least ? ImGuiTableFlags_ScrollX : 0);
+  const int lines = room.x < ui.px(kLeastTableWidth) ? 2 : 1;
+  const std::size_t columns = kColumns.size() / static_cast<std::size_t>(lines);
+  const auto line = [&](int number) {
+    return ColumnLine(lines == 1 ? kWide : kNarrow)
+        .subspan(static_cast<std::size_t>(number) * columns, columns);
+  };
+  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersOuterH;
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(ui.px(3), ui.px(2)));
-  if (ImGui::BeginTable("contacts", static_cast<int>(kColumns.size()), flags, room,
-                        room.x < least ? least : 0)) {
-    ImGui::TableSetupScrollFreeze(0, 1);
-    for (const Column& column : kColumns)
+  if (ImGui::BeginTable("contacts", static_cast<int>(columns), kFlags, room)) {
+    ImGui::TableSetupScrollFreeze(0, lines);
+    for (std::size_t i = 0; i < columns; ++i) {
+      float width = 0;  // of the widest in the column
+      for (int k = 0; k < lines; ++k) width = std::max(width, kColumns[line(k)[i]].width);
+      const bool takes_rest = kColumns[line(0)[i]].width == 0;
       ImGui::TableSetupColumn(
-          column.title,
-          column.width > 0 ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch,
-          ui.px(column.width));
-    draw_contact_header(ui);
+          kColumns[line(0)[i]].title,
+          takes_rest ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed,
+          takes_rest ? 0 : ui.px(width));
+    }
+    for (int k = 0; k < lines; ++k) draw_contact_header(line(k), ui);
     std::vector<const ContactRecord*> contacts;
     for (const ContactRecord& contact : record.contacts)
       if (contact.body == body) contacts.push_back(&contact);
-    draw_rows(static_cast<int>(contacts.size()), [&](int row) {
-      const ContactRecord& contact = *contacts[static_cast<std::size_t>(row)];
-      ImGui::TableNextRow();
-      ImGui::PushID(contact.order);
-      if (!contact.handled) ImGui::PushStyleColor(ImGuiCol_Text, theme::tone(theme::kMuted));
-      draw_contact_cells(scene, contact, ui);
-      if (!contact.handled) ImGui::PopStyleColor();
-      ImGui::PopID();
+    draw_rows(lines * static_cast<int>(contacts.size()), [&](int row) {
+      draw_contact_line(line(row % lines), scene, *contacts[static_cast<std::size_t>(row / lines)], ui);
     });
     ImGui::EndTable();
   }

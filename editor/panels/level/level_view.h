@@ -33,10 +33,11 @@ struct GroupChoice {
 
 struct LevelView {
   ProblemsView problems;
-  GroupChoice group;            // what commands of layers work on; none: they work on the chosen layer
-  int deleted_group = -1;       // the group of layers that a dialog asks about; -1: it is closed
-  bool resize_open = false;     // the dialog of the map's size
-  bool new_level_open = false;  // the dialog of a new level's size
+  GroupChoice group;             // what commands of layers work on; none: they work on the chosen layer
+  int deleted_group = -1;        // the group of layers that a dialog asks about; -1: it is closed
+  bool resize_open = false;      // the dialog of the map's size
+  bool background_open = false;  // the dialog of the map's background
+  bool new_level_open = false;   // the dialog of a new level's size
   NewContent new_content = {.plays = true};  // what new levels begin with
   bool find_tiles_open = false;              // the window that finds and replaces tiles
   int find_tile = 0;                         // of the level, the tile that it finds

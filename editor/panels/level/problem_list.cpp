@@ -67,14 +67,17 @@ std::vector<std::size_t> listed_rows(const Ui& ui) {
 void note_followed_body(const Session& session, bool is_list_hovered, ProblemsView& view) {
   constexpr int kFramesOfRest = 30;
   const Body* body = followed_body(session.state(), session.choices().body);
-  if (body == nullptr) return view.near.reset();
+  if (body == nullptr) {
+    if (!is_list_hovered) view.near.reset();
+    return;
+  }
   const Vec2 middle = body->box.center();
   const TileMap& map = session.level().map;
   const Cell cell = map.cell_at(middle);
   view.frames_there = cell == view.body_cell ? view.frames_there + 1 : 0;
   view.body_cell = cell;
   const bool rests = !session.playback().running || view.frames_there >= kFramesOfRest;
-  if (!view.near || (rests && !is_list_hovered)) view.near = cell;
+  if (!is_list_hovered && (!view.near || rests)) view.near = cell;
 }
 
 std::string short_cell_text(Cell cell) {

@@ -57,6 +57,7 @@ void go_to_finding(const Finding& finding, std::size_t index, Actions& actions, 
 void draw_finding(const Finding& finding, std::size_t index, bool is_wide, Actions& actions, Ui& ui,
                   DrawFix draw_fix) {
   const std::string message = message_of(finding), place = short_cell_text(finding.cell);
+  const std::string what = placeless_message_of(finding);  // the cell is beside it
   const std::string& chosen = ui.view.level.problems.chosen_finding;
   ImGui::PushID(static_cast<int>(index));
   begin_message();
@@ -64,7 +65,7 @@ void draw_finding(const Finding& finding, std::size_t index, bool is_wide, Actio
   const ImU32 color = theme::tone(info.of_level ? theme::kWarning : theme::kError);
   const float top = ImGui::GetCursorPosY();
   if (is_wide) draw_text(place, color);
-  draw_wrapped_text(message);
+  draw_wrapped_text(what);
   const float height = std::max(ImGui::GetCursorPosY() - top - ImGui::GetStyle().ItemSpacing.y, ui.px(20));
   ImGui::TableSetColumnIndex(0);
   ImGui::PushStyleColor(ImGuiCol_Text, color);
@@ -74,7 +75,7 @@ void draw_finding(const Finding& finding, std::size_t index, bool is_wide, Actio
   }
   ImGui::PopStyleColor();
   ui.item("proof/row" + std::to_string(index),
-          std::string(info.of_level ? "A fault of the level. " : "A fault of the solver. ") +
+          message + (info.of_level ? ".\nA fault of the level. " : ".\nA fault of the solver. ") +
               std::string(info.by_hand),
           "click to go there and to play it");
   ImGui::TableSetColumnIndex(2);

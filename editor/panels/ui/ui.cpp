@@ -68,8 +68,8 @@ void Ui::show_tooltip_when_rested(ImGuiID id, std::string_view help, std::string
   }
   if (ImGui::GetTopMostPopupModal() != nullptr) return;  // dialogs explain themselves
   rests_on_ = id;
-  if (pressed_on_ == id) return;  // who has used it needs no help until the mouse comes back
-  if (rested_on_ != id) return;   // a control on top of this one may come later in the frame
+  if (pressed_on_ != 0) return;  // who has used it, or what has come in its place, needs no help yet
+  if (rested_on_ != id) return;  // a control on top of this one may come later in the frame
   if (time - rested_since_ < kTooltipDelay) return;
   place_tooltip();
   ImGui::BeginTooltip();
@@ -232,7 +232,9 @@ UiFrame::~UiFrame() {
     ui_.rested_on_ = ui_.rests_on_;
     ui_.rested_since_ = ui_.time;
   }
-  if (!ImGui::IsAnyMouseDown() && ui_.rests_on_ != ui_.pressed_on_) ui_.pressed_on_ = 0;
+  const ImVec2 moved = ImGui::GetIO().MouseDelta;
+  const bool has_moved = moved.x != 0 || moved.y != 0;
+  if (has_moved && !ImGui::IsAnyMouseDown() && ui_.rests_on_ != ui_.pressed_on_) ui_.pressed_on_ = 0;
   ui_.tooltip_pending_ = ui_.rested_on_ != 0 && ui_.time - ui_.rested_since_ < kTooltipDelay;
 }
 

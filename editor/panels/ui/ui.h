@@ -138,7 +138,7 @@ class Ui {
   ImGuiID rested_on_ = 0;    // what the mouse was on at the end of the last frame, if it has help
   double rested_since_ = 0;  // s
   ImGuiID rests_on_ = 0;     // the same in this frame; of overlapping items the one that was drawn last
-  ImGuiID pressed_on_ = 0;   // what was pressed while the mouse was on it, which has not left it since
+  ImGuiID pressed_on_ = 0;   // what was pressed while the mouse was on it, which has not gone elsewhere since
   std::vector<std::pair<std::string, DialogTest>> dialogs_;         // title and test
   std::vector<std::pair<std::string, DialogTest>> dialogs_before_;  // those of the frame before
   bool tooltip_pending_ = false;

@@ -24,6 +24,7 @@
 #include "panels/files/picture_import_panel.h"
 #include "panels/files/reading_panel.h"
 #include "panels/inspector/inspector_panel.h"
+#include "panels/level/background_panel.h"
 #include "panels/level/delete_group_panel.h"
 #include "panels/level/find_tiles_panel.h"
 #include "panels/level/history_panel.h"
@@ -95,6 +96,7 @@ std::vector<PanelPlace> make_panels() {
   panels.push_back(place<FindTilesPanel>(Region::floating));
   panels.push_back(place<ExportPanel>(Region::floating));
   panels.push_back(place<ResizePanel>(Region::floating));
+  panels.push_back(place<BackgroundPanel>(Region::floating));
   panels.push_back(place<DeleteGroupPanel>(Region::floating));
   panels.push_back(place<NewLevelPanel>(Region::floating));
   panels.push_back(place<CommandPalettePanel>(Region::floating));

@@ -55,11 +55,11 @@ bool changes_scene(const Level& level, const Change& change) {
           return !same_ground(c.before, c.after);
         } else {
           return !(std::is_same_v<T, PixelChange> || std::is_same_v<T, TileLookChange> ||
-                   std::is_same_v<T, ColorChange> || std::is_same_v<T, FlagNameChange> ||
-                   std::is_same_v<T, FlagFieldsChange> || std::is_same_v<T, BrushesChange> ||
-                   std::is_same_v<T, AutoTilesChange> || std::is_same_v<T, ExportsChange> ||
-                   std::is_same_v<T, TilesetsChange> || std::is_same_v<T, TileNotesChange> ||
-                   std::is_same_v<T, TileAnimationsChange>);
+                   std::is_same_v<T, ColorChange> || std::is_same_v<T, BackgroundChange> ||
+                   std::is_same_v<T, FlagNameChange> || std::is_same_v<T, FlagFieldsChange> ||
+                   std::is_same_v<T, BrushesChange> || std::is_same_v<T, AutoTilesChange> ||
+                   std::is_same_v<T, ExportsChange> || std::is_same_v<T, TilesetsChange> ||
+                   std::is_same_v<T, TileNotesChange> || std::is_same_v<T, TileAnimationsChange>);
         }
       },
       change);

@@ -110,6 +110,7 @@ struct TiledOrigin {
 struct Level {
   std::array<Sheet, 2> sheets;                    // by SheetId
   Palette palette = default_palette();            // the 16 colours
+  std::optional<Rgba> background;                 // seen where nothing is drawn; none: colour 0, opaque
   std::array<std::string, kMaxFlags> flag_names;  // what the user calls each flag; empty: unnamed
   std::vector<FlagField> flag_fields;             // none of them shares a flag with another
   FlagRoles roles;                                // which flag means what
@@ -157,6 +158,9 @@ struct Level {
 // The same content, whichever layer is chosen; carts are compared by their bytes, and maps of Tiled
 // and projects of LDtk not at all.
 bool operator==(const Level& a, const Level& b);
+
+// What is seen where nothing is drawn: its background, or colour 0 of its palette.
+Rgba background_of(const Level& level);
 
 // The shape of a tile: its own shape, or, if it has none, the shape of its flags.
 TileShape shape_of_tile(const Level& level, TileNumber tile);

@@ -30,6 +30,15 @@ struct Rgb {
   friend bool operator==(const Rgb&, const Rgb&) = default;
 };
 
+// A colour with opacity.
+struct Rgba {
+  std::uint8_t r = 0;  // red, 0..255
+  std::uint8_t g = 0;  // green, 0..255
+  std::uint8_t b = 0;  // blue, 0..255
+  std::uint8_t a = 0;  // opacity, 0..255; 0: clear
+  friend bool operator==(const Rgba&, const Rgba&) = default;
+};
+
 using Palette = std::array<Rgb, kColorCount>;  // by index
 
 // Palette indices 0..15, row by row from the top left.
