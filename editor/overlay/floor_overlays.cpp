@@ -155,9 +155,8 @@ const Overlay floor_height{
     .label = "floor height",
     .help =
         "What comes first straight below each body: the floor, as the exact solver's ground has it, or a "
-        "body "
-        "that stops it. Of the other solvers also the floor computed on a slope, before and after rounding, "
-        "and the slope's surface.",
+        "body that stops it. Of the other solvers also the floor computed on a slope, before and after "
+        "rounding, and the slope's surface.",
     .group = OverlayGroup::ground,
     .color = 0xd55e00,
     .safe_color = 0xaa8c50,

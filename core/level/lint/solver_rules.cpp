@@ -129,9 +129,8 @@ void check_pairs(const Level& level, std::vector<Problem>& out) {
   const int index = static_cast<int>(first - level.spawns.begin());
   report(out, kNeedsMeet,
          spawn_name(level, index) +
-             " moves like a ball: bodies are round, are pushed and rub only with the solver exact and bodies "
-             "that "
-             "meet",
+             " moves like a ball: bodies are round, are pushed and rub only with the solver exact and "
+             "bodies that meet",
          nearest_cell(level.map, first->position), -1, index);
 }
 
