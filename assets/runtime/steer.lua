@@ -47,10 +47,18 @@ if rules.run then
   end
 end
 
+local function has_sensor(bodies)
+  for _, body in ipairs(bodies) do
+    if body.sensor then return true end
+  end
+  return false
+end
+
 -- Sensors stop nobody, and nobody stops them. They move after all others.
 local step_bodies, nobody, solid, sensors = World.step_bodies, {}, {}, {}
 function World:step_bodies(input)
   local all, count, others = self.bodies, 0, 0
+  if not has_sensor(all) then return step_bodies(self, input) end
   for _, body in ipairs(all) do
     if body.sensor then
       count = count + 1
@@ -60,7 +68,6 @@ function World:step_bodies(input)
       solid[others] = body
     end
   end
-  if count == 0 then return step_bodies(self, input) end
   for i = #solid, others + 1, -1 do solid[i] = nil end
   self.bodies = solid
   step_bodies(self, input)
