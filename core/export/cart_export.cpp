@@ -30,6 +30,22 @@ struct PlayableCart {
   std::vector<std::string> dropped;
 };
 
+// Of the runtime in a cart: tables and fields that games have no use for.
+constexpr std::string_view kInnerTables[] = {"Bounce", "Terrain", "Walk"};
+constexpr std::string_view kInnerFields[] = {
+    "add_free",       "base_x",        "base_y",         "begin_data",    "begin_events",
+    "begin_steering", "bends_down",    "compiled",       "convex0",       "convex1",
+    "corner_x",       "corner_y",      "covered0",       "covered1",      "depth_below_floor",
+    "details",        "direction",     "edge",           "facing",        "falls_away",
+    "far0",           "far1",          "is_floor",       "is_ignored",    "is_straight",
+    "joint_asked",    "jump_held",     "jumping",        "last0",         "last1",
+    "last_id",        "leads_above",   "lowest",         "MOST_PASSED",   "note_free",
+    "note_hit",       "note_standing", "note_touch",     "on_end",        "on_line",
+    "outline_of",     "PARTS_OF_WAY",  "pieces",         "place_on",      "place_tiles",
+    "room_at",        "settled",       "slope_rest",     "some_pieces",   "source",
+    "stands_between", "step_bodies",   "straight",       "stretch",       "sunk",
+    "take_input",     "top_of_side",   "touched_bottom", "touched_right", "touched_top"};
+
 FormatResult<std::string> game_code(const ExportRequest& request) {
   const Level& level = request.level;
   FormatResult<std::string> runtime = lua_runtime(request, LuaForm::small, true);
@@ -51,7 +67,8 @@ FormatResult<std::string> game_code(const ExportRequest& request) {
   return "-- title:  level\n-- author: made with Talus\n-- desc:   arrows run, up or A jumps, the mouse "
          "drags, B starts again\n-- license: MIT, (c) 2026 the Talus authors\n-- script: "
          "lua\ntalus=(function()\n" +
-         with_short_names(join_lua({"\n", *runtime}), {"Terrain", "Walk"}) + "end)()\nlevel=(function()\n" +
+         with_short_names(join_lua({"\n", *runtime}), {kInnerTables, kInnerFields}) +
+         "end)()\nlevel=(function()\n" +
          lua_level(level, LuaForm::small, {}, nullptr, nullptr, has_data ? &level : nullptr) + "end)()\n" +
          join_lua(game);
 }

@@ -87,8 +87,8 @@ struct LuaNames {
   }
 };
 
-// Finds the names, and how each token uses one. inner: tables whose methods may get other names.
-LuaNames names_in(std::vector<Token>& spaced, std::initializer_list<std::string_view> inner) {
+// Finds the names, and how each token uses one.
+LuaNames names_in(std::vector<Token>& spaced, const InnerNames& inner) {
   std::vector<Token*> tokens;
   for (Token& token : spaced) {
     if (token.text != " ") tokens.push_back(&token);  // a line break ends a list of locals
@@ -112,7 +112,7 @@ LuaNames names_in(std::vector<Token>& spaced, std::initializer_list<std::string_
     const bool is_member = (before == "." && !is_concatenated) || before == ":";
     tokens[i]->use = is_key || is_member ? Use::field : Use::variable;
     if (is_member) {
-      const bool is_inner = has(inner, text_at(i - 2));
+      const bool is_inner = has(inner.tables, text_at(i - 2));
       const bool is_defined = text_at(i - 3) == "function";
       if (is_inner && is_defined) names.methods.insert(token);
       // Who has a method that is called is not known here.
@@ -137,9 +137,13 @@ std::string short_name(std::size_t n) {
 
 }  // namespace
 
-std::string with_short_names(const std::string& lua, std::initializer_list<std::string_view> inner) {
+std::string with_short_names(const std::string& lua, const InnerNames& inner) {
   std::vector<Token> tokens = with_named_self(tokens_of(lua));
-  const LuaNames names = names_in(tokens, inner);
+  LuaNames names = names_in(tokens, inner);
+  for (const std::string_view field : inner.fields) {
+    names.methods.insert(field);
+    names.fields.erase(field);
+  }
   std::map<std::string_view, std::size_t> bytes;  // that each name takes
   for (const Token& token : tokens) {
     if (names.are_renamed(token)) bytes[token.text] += token.text.size();

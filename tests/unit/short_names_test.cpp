@@ -33,15 +33,23 @@ TEST(ShortNames, OfLocalsThatAreFieldsElsewhere) {
             "for a = 1, 2 do c.left = c.left .. a end\nreturn c\n");
 }
 
+constexpr std::string_view kTables[] = {"Walk"}, kFields[] = {"slope_rest", "edge"};
+
 TEST(ShortNames, OfMethodsOfInnerTablesThatNothingElseHas) {
   const std::string code =
       "local Walk, World = {}, {}\nfunction Walk:turn() return self.ahead end\nfunction Walk.ahead() end\n"
       "function Walk.slack(walk) return walk:turn() + Walk.slack(walk) end\n"
       "function World:floor() return (\"\"):format() end\nfunction Walk:floor() return self:format() end\n";
-  EXPECT_EQ(with_short_names(code, {"Walk"}),
+  EXPECT_EQ(with_short_names(code, {.tables = kTables}),
             "local a, d = {}, {}\nfunction a.f(b) return b.ahead end\nfunction a.ahead() end\n"
             "function a.e(c) return c:f() + a.e(c) end\n"
             "function d.floor(b) return (\"\"):format() end\nfunction a.floor(b) return b:format() end\n");
+}
+
+TEST(ShortNames, OfInnerFields) {
+  const std::string code = "local line = {slope_rest = 1, slope = 2}\nline.slope = line.edge.slope_rest\n";
+  EXPECT_EQ(with_short_names(code, {.fields = kFields}),
+            "local b = {a = 1, slope = 2}\nb.slope = b.c.a\n");
 }
 
 TEST(ShortNames, NamesOfLuaAndGlobalsStay) {
