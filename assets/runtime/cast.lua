@@ -47,28 +47,36 @@ local function is_at_border(t, facing, first, last)
   return x >= last - slack
 end
 
--- Between contacts at the same time the most opposing one counts, then the one more level; two mirror images
--- count as one that faces straight up or down. flat_end: a flat side of the box met the end of a piece; at: a
--- wall's x, a flat one's y; first, last: where the box may be.
+-- Whether a time is after that of the first contact, and not by rounding alone.
+local function is_later(t) return (t - best_t) * speed > SLOW * slack end
+
+-- Between contacts at about the same time, of which rounding alone would choose, the most opposing one counts, then
+-- the one more level; two mirror images count as one that faces straight up or down. flat_end: a flat side of the box
+-- met the end of a piece; at: a wall's x, a flat one's y; first, last: where the box may be.
 local function offer(t, facing, flat_end, piece, at, first, last)
   -- Where no part of the corners meets ground, floors alone stop the box, on its centre.
-  if not (t <= best_t) or sunk > 0 and sunk >= bh and facing ~= UP then return end
-  if t == best_t then
-    local level, best_level = flat_end or piece == nil, best_flat_end or best_piece == nil
-    if level and best_level and facing == best_facing then return end
+  if is_later(t) or sunk > 0 and sunk >= bh and facing ~= UP then return end
+  if (best_t - t) * speed <= SLOW * slack then
     local x, y = normal_of(t, facing, flat_end, piece)
     local best_x, best_y = normal_of(best_t, best_facing, best_flat_end, best_piece)
-    local a, b = x * dx + y * dy, best_x * dx + best_y * dy
-    local is_wall, is_corner, is_first = facing >= LEFT, false, a < b or (a == b and abs(y) > abs(best_y))
-    if is_wall then
-      is_corner = is_at_border(best_t, best_facing, best_first, best_last)
-    elseif best_facing >= LEFT then
-      is_corner = is_at_border(t, facing, first, last)
-    end
-    if is_corner then is_first = is_wall end
-    if not is_first then
-      if a == b and x == -best_x and x ~= 0 and facing == best_facing then best_mirrored = true end
-      return
+    local a, b, begin = x * dx + y * dy, best_x * dx + best_y * dy, min(t, best_t)
+    local level, best_level = flat_end or piece == nil, best_flat_end or best_piece == nil
+    if level and best_level and facing == best_facing or max((begin - t) * a, (begin - best_t) * b) > slack / 2 then
+      if t >= best_t then return end
+    else
+      local is_wall, is_corner, is_first = facing >= LEFT, false, a < b or (a == b and abs(y) > abs(best_y))
+      if is_wall then
+        is_corner = is_at_border(best_t, best_facing, best_first, best_last)
+      elseif best_facing >= LEFT then
+        is_corner = is_at_border(t, facing, first, last)
+      end
+      if is_corner then is_first = is_wall end
+      t = begin
+      if not is_first then
+        if a == b and x == -best_x and x ~= 0 and facing == best_facing then best_mirrored = true end
+        best_t = begin
+        return
+      end
     end
   end
   best_t, best_facing, best_flat_end, best_mirrored, best_piece = t, facing, flat_end, false, piece
@@ -207,7 +215,7 @@ local function wall(facing, at, y0, y1, open0, open1, piece)
       t = gap * abs(inverse)
     end
   end
-  if t > 1 or t > best_t then return end
+  if t > 1 or is_later(t) then return end
   local y = by + t * dy
   -- Rounded as the gaps to the floor and the ceiling at its ends, so that the box meets one of the two. A corner of a
   -- box on its centre, in the floor, does not touch what is below it.

@@ -53,6 +53,7 @@ function Line.meet(piece, up, first, last, first_y, last_y, open_first, open_las
   if not (closing > ROUNDING * (abs(dy) + abs(rise))) then return end
   local from, to, gap, last_gap = window_of(first, last, first_y, last_y, open_first, open_last, up, piece)
   local forgiven = slack * max(1.0, abs(piece.slope))  -- across a steep line, not down to it
+  if to < 1 and last_gap >= -forgiven then return end  -- at its very end the box meets what follows
   local t = straight_time(from, to, gap, last_gap, closing, forgiven, up, nil, piece)
   if t then offer(t, piece.facing, false, piece, 0.0, first, last) end
 end
@@ -158,5 +159,5 @@ function Line.settle(piece, box)
   local x = box.x + foot_offset(piece, box.w, box.centre)
   if x < piece.x0 or x > piece.x1 then return end
   local y = rest_on(piece, box.x, box.w, box.h, box.centre)
-  if abs(box.y - y) <= SETTLED * rounding_slack(box.x, box.y, box.w, box.h, 0.0, 0.0) then box.y = y end
+  if abs(box.y - y) <= settled(box) then box.y = y end
 end

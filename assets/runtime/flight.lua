@@ -1,7 +1,8 @@
 -- ---- Flights of balls that rebound under gravity ----
 has.flight = true
 
-do
+-- A function, as the names of a file of Lua are few.
+function World.begin_flights()
 
 local NEAR_HIT = 0.0009765625  -- frames; so short a chord is the parabola but for the hit's time
 local MOST_AIMS = 8  -- of one contact; more are needed by what the parabola grazes
@@ -10,7 +11,7 @@ local MOST_AIMS = 8  -- of one contact; more are needed by what the parabola gra
 -- for once more by shorter chords, and then moved to where the parabola itself meets the surface. A flight is at
 -- (px, py), px of the body, with a velocity there (ux, uy), px/frame, under `pull`, px/frame^2, for the `left` frames
 -- of a part of a step. Its chord begins at (from_x, from_y), px: on what it has left, as a cast puts the body there.
-function begin_flight(ball, px, py, ux, uy, pull, left)
+function Bounce.begin_flight(ball, px, py, ux, uy, pull, left)
   ball.from_x, ball.from_y = px, py
   ball.px, ball.py, ball.ux, ball.uy, ball.pull, ball.left = px, py, ux, uy, pull, left
 end
@@ -58,7 +59,7 @@ end
 
 local function go_on(ball, time)
   local px, py = flight_at(ball, time)
-  begin_flight(ball, px, py, ball.ux + 0.0, ball.uy + ball.pull * time, ball.pull, ball.left - time)
+  Bounce.begin_flight(ball, px, py, ball.ux + 0.0, ball.uy + ball.pull * time, ball.pull, ball.left - time)
 end
 
 -- Flies on to the surface of a contact. Returns the normal there.
@@ -123,7 +124,7 @@ local function aim(world, body, ball, contact, x, y)
   local from_x, from_y, px, py, ux, uy, left = ball.from_x, ball.from_y, ball.px, ball.py, ball.ux, ball.uy, ball.left
   local met = first_of_flight(world, ball, world:others(body, ball, x, y), contact)
   if met == false then
-    begin_flight(ball, px, py, ux, uy, ball.pull, left)
+    Bounce.begin_flight(ball, px, py, ux, uy, ball.pull, left)
     ball.from_x, ball.from_y = from_x, from_y
     return true
   end
@@ -143,27 +144,42 @@ function bounce_off(world, body, ball, contact, x, y)
   return plain_bounce_off(world, body, ball, contact, x, y)
 end
 
+-- Whether a ball with a velocity would be too slow to leave a side for longer than a step. Then it stays, and the side
+-- bounces nothing.
+local function holds(n, side, x, y)
+  if Bounce.into(side, x, y) * side.bounce > -n.gravity * side.ny then return false end
+  side.bounce = 0.0
+  return true
+end
+
 -- Flies off the surface of a contact, or stays on it.
-function fly_off(n, ball, contact, slide_x, slide_y, bounce, grip)
-  local nx, ny = reach(ball, contact)
-  local into = -(ball.ux * nx + ball.uy * ny)
-  local away = into * bounce
+function Bounce.fly_off(world, ball, contact, slide_x, slide_y)
+  local n, nx, ny = world.tuning, reach(ball, contact)
+  local side, other = {nx = nx, ny = ny, bounce = contact.bounce, grip = contact.grip}, nil
+  local into, x, y = Bounce.into(side, ball.ux, ball.uy), ball.ux, ball.uy
   if not (into > 0) then return slide_x, slide_y end
-  ball.change = into + away
-  if not (away > -n.gravity * ny) then  -- too slow to leave the ground for longer than a step: it stays
+  ball.change = into + into * side.bounce
+  if Bounce.with_other then side, other = Bounce.with_other(world, ball, contact, side, x, y) end
+  local stays = holds(n, side, x, y)
+  if other and holds(n, other, x, y) then stays = true end
+  if stays then
     if ball.lift ~= 0 then ball.vy = ball.vy - ball.lift end
     ball.lift = 0.0
-    local kept = (ball.vx * -ny + ball.vy * nx) * grip
-    ball.vx, ball.vy = -ny * kept, nx * kept
-    begin_flight(ball, ball.x, ball.y, ball.vx, ball.vy, 0.0, ball.left)
+    if other then
+      ball.vx, ball.vy = Bounce.reflect_between(side, other, x, y)
+    else
+      local kept = (ball.vx * -side.ny + ball.vy * side.nx) * side.grip
+      ball.vx, ball.vy = -side.ny * kept, side.nx * kept
+    end
+    Bounce.begin_flight(ball, ball.x, ball.y, ball.vx, ball.vy, 0.0, ball.left)
     return ball.vx * ball.left, ball.vy * ball.left
   end
-  local kept = (ball.ux * -ny + ball.uy * nx) * grip
-  ball.ux, ball.uy = -ny * kept + nx * away, nx * kept + ny * away
-  ball.from_x, ball.from_y = ball.x, ball.y
-  local x, y = flight_at(ball, ball.left)
+  if other then x, y = Bounce.reflect_between(side, other, x, y) else x, y = Bounce.reflect(side, x, y) end
+  ball.ux, ball.uy, ball.from_x, ball.from_y = x, y, ball.x, ball.y
+  x, y = flight_at(ball, ball.left)
   ball.vx, ball.vy = ball.ux + 0.0, ball.uy + ball.pull * (ball.left - ball.part / 2)
   return x - ball.x, y - ball.y
 end
 
 end
+World.begin_flights()

@@ -3,6 +3,9 @@
 local SETTLED = 4  -- a box within so many roundings of a piece is put on it
 local LIP = 0.00390625  -- px; the end of a curve may be so far off the end that it ought to meet
 
+-- px; a box so near to a surface is on it.
+local function settled(box) return SETTLED * rounding_slack(box.x, box.y, box.w, box.h, 0.0, 0.0) end
+
 -- The part of a motion that a surface leaves.
 local function slide_along(nx, ny, x, y)
   local into = x * nx + y * ny
@@ -41,7 +44,7 @@ function Terrain:climbs(box, contact, others)
   if contact.other or contact.ny ~= 0 or not self:has_pieces() then return false end
   local top = Terrain.top_of_side(contact)
   local rise = box.y + box.h - top
-  if not (rise > 0) or rise > LIP + SETTLED * rounding_slack(box.x, box.y, box.w, box.h, 0.0, 0.0) then return false end
+  if not (rise > 0) or rise > LIP + settled(box) then return false end
   if cast_box(self, box.x, box.y, box.w, box.h, 0.0, -rise, box.centre, others, nil, 0.0) then return false end
   box.y = top - box.h
   return true
@@ -77,13 +80,14 @@ local function move(world, body, box, x, y, respond)
       else
         -- The way that was left at the chord's end is left here, too.
         if followed then x, y, contact.t, followed = x * whole, y * whole, contact.t / whole, nil end
+        local off = tolerance(x, y)
         x, y = respond(world, body, box, contact, x, y)
+        off = max(off, tolerance(x, y))
         surface = not contact.on_end and contact.edge or nil
         -- Sliding along one plane leads into the one before: there is nowhere to go.
-        local slides = x * contact.nx + y * contact.ny <= tolerance(x, y)
-        if before_x and slides and x * before_x + y * before_y < -tolerance(x, y) then
-          held = abs(box.x - from_x) + abs(box.y - from_y) <=
-              SETTLED * rounding_slack(box.x, box.y, box.w, box.h, 0.0, 0.0) and
+        local slides = x * contact.nx + y * contact.ny <= off
+        if before_x and slides and x * before_x + y * before_y < -off then
+          held = abs(box.x - from_x) + abs(box.y - from_y) <= settled(box) and
               contact.nx * before_x < 0 and abs(before_x) * contact.ny + abs(contact.nx) * before_y < 0
           break
         end

@@ -29,6 +29,8 @@ local function put_piece(cut, piece, upper, lower)
   end
 end
 
+do
+
 local function put_wall(cut, x, y0, y1, faces_left)
   put_piece(cut, {x0 = x, y0 = y0, x1 = x, y1 = y1, base_x = x, base_y = y0}, faces_left and LEFT or RIGHT,
             faces_left and RIGHT or LEFT)
@@ -144,4 +146,6 @@ function Terrain:add_free(strips, cx, cy, out)
     end
     out[#out + 1] = copy
   end
+end
+
 end

@@ -368,7 +368,7 @@ class Caster {
     const Real t = gap <= 0                 ? 0
                    : is_slow(std::abs(dx_)) ? after_now(wall_time(facing, at))
                                             : gap * std::abs(inverse_);
-    if (t > 1 || t > best_.t) return;
+    if (t > 1 || is_later(t)) return;
     const Real y = box_.y + t * dy_;
     const Real h = kSunk && !is_other_ ? box_.h - sunk_ : box_.h;
     // Rounded as the gaps to the floor and the ceiling at its ends, so that the box meets one of the two. A
@@ -450,6 +450,8 @@ class Caster {
     if (!(closing > kRounding<Real> * (std::abs(dy_) + std::abs(rise)))) return;
     const auto window = window_of(reach, up, [&](Real x) { return rest(piece, x); });
     const Real slack = slack_on_line(slack_, piece.slope);
+    // A box that comes to the line's very end meets what follows.
+    if (window.to < 1 && window.last_gap >= -slack) return;
     Real t;
     if (!straight_time(window, closing, slack, t, [&] { return line_time(up, piece); })) return;
     offer({.t = t, .facing = piece.facing, .piece = &piece, .first_x = reach.first, .last_x = reach.last});
@@ -549,14 +551,22 @@ class Caster {
     return {sign * along.y, -sign * along.x};
   }
 
+  // Whether a time is after that of the first hit, and not by rounding alone.
+  bool is_later(Real t) const { return t > best_.t && (t - best_.t) * speed_ > kSlowShare * slack_; }
+
   [[gnu::always_inline]] void offer(Hit hit) {
     log_.meets(hit.t);
     // Where no part of the corners meets ground, floors alone stop the box, on its centre.
     if (kSunk && sunk_ >= box_.h && !is_other_ && hit.facing != Facing::up) return;
-    if (!(hit.t <= best_.t)) return;
+    if (is_later(hit.t)) return;
     hit.origin = origin_;
     hit.is_other = is_other_;
-    if (hit.t == best_.t) return offer_at_the_same_time(hit);
+    const bool is_first = best_.t > 1 || (best_.t - hit.t) * speed_ > kSlowShare * slack_;
+    if (!is_first) return offer_at_about_the_same_time(hit);
+    take(hit);
+  }
+
+  [[gnu::always_inline]] void take(const Hit& hit) {
     log_.is_first();
     best_ = hit;
   }
@@ -569,18 +579,23 @@ class Caster {
     return dx_ > 0 ? x <= hit.first_x + slack_ : x >= hit.last_x - slack_;
   }
 
-  // Seldom called, and so kept out of what is inlined.
-  [[gnu::noinline]] void offer_at_the_same_time(const Hit& hit) {
-    if (hit.is_level() && best_.is_level() && hit.facing == best_.facing) return;
-    const bool is_corner = hit.is_wall() ? is_at_border(best_) : best_.is_wall() && is_at_border(hit);
+  // Seldom called, and so kept out of what is inlined. Rounding alone does not decide which hit counts: at
+  // the time of the first one, the box may be off the other by half of the slack.
+  [[gnu::noinline]] void offer_at_about_the_same_time(const Hit& hit) {
+    const bool are_one = hit.is_level() && best_.is_level() && hit.facing == best_.facing;
     const BasicVec2<Real> ours = normal(hit), theirs = normal(best_), d{dx_, dy_};
-    const Real a = dot(ours, d), b = dot(theirs, d);
-    if (is_corner ? hit.is_wall() : a < b || (a == b && std::abs(ours.y) > std::abs(theirs.y))) {
-      log_.is_first();
-      best_ = hit;
-    } else if (a == b && ours.x == -theirs.x && ours.x != 0 && hit.facing == best_.facing) {
-      best_.mirrored = true;
+    const Real a = dot(ours, d), b = dot(theirs, d), first = std::min(hit.t, best_.t);
+    const Real off = hit.t > first ? (first - hit.t) * a : (first - best_.t) * b;
+    if (are_one || off > slack_ / 2) {
+      if (hit.t < best_.t) take(hit);
+      return;
     }
+    const bool is_corner = hit.is_wall() ? is_at_border(best_) : best_.is_wall() && is_at_border(hit);
+    if (is_corner ? hit.is_wall() : a < b || (a == b && std::abs(ours.y) > std::abs(theirs.y)))
+      take(hit);
+    else if (a == b && ours.x == -theirs.x && ours.x != 0 && hit.facing == best_.facing)
+      best_.mirrored = true;
+    best_.t = first;
   }
 
   const BasicTerrain<Real>& terrain_;

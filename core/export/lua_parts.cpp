@@ -28,6 +28,7 @@ constexpr LuaPart kLuaParts[] = {
     {"segments", {"segments"}, {"slopes"}},
     {"curves", {"zeros", "curves"}, {"segments", "slopes"}},
     {"balls", {"balls"}},
+    {"sides", {"sides"}, {"balls", "slopes"}},
     {"flight", {"flight"}, {"balls"}},
     {"walk", {"walk"}},
     {"players", {"players"}, {"walk"}},
@@ -122,6 +123,16 @@ const LuaPart* find_part(std::string_view name) {
   return found == std::end(kLuaParts) || is_always_there(*found) ? nullptr : &*found;
 }
 
+// Adds what the parts need.
+void add_needs(PartNames& parts) {
+  const PartNames asked = parts;
+  for (const std::string& name : asked) {
+    for (const std::string_view need : find_part(name)->needs) {
+      if (!need.empty()) parts.emplace(need);
+    }
+  }
+}
+
 }  // namespace
 
 std::string lua_part_names() {
@@ -147,13 +158,10 @@ FormatResult<std::vector<std::string>> lua_parts(const Level& level, std::string
     }
     wanted.emplace(word);
   }
-  if (level.tuning.shared.pairs() == BodyPairs::meet && wanted.contains("balls")) wanted.emplace("meet");
-  const PartNames asked = wanted;
-  for (const std::string& name : asked) {
-    for (const std::string_view need : find_part(name)->needs) {
-      if (!need.empty()) wanted.emplace(need);
-    }
-  }
+  const bool meets = level.tuning.shared.pairs() == BodyPairs::meet;
+  if (meets && wanted.contains("balls")) wanted.emplace("meet");
+  add_needs(wanted);
+  if (!meets && wanted.contains("balls") && wanted.contains("slopes")) wanted.emplace("sides");
   std::vector<std::string> parts;
   for (const LuaPart& part : kLuaParts) {
     if (wanted.contains(part.name)) parts.emplace_back(part.name);

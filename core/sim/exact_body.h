@@ -6,9 +6,11 @@
 #include <optional>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 #include <talus/level/tuning.h>
 #include <talus/sim/state.h>
+#include "ball_side.h"
 #include "exact_mover.h"
 #include "flight.h"
 #include "lerp.h"
@@ -57,8 +59,11 @@ template <class Real, bool flies>
 class BallRule {
  public:
   using Vec = BasicVec2<Real>;
-  BallRule(const ExactNumbers<Real>& numbers, const BasicTerrain<Real>& ground, Moving<Real>& body)
-      : n_(numbers), ground_(ground), body_(body) {}
+  using Side = BallSide<Real>;
+  // budget: of all casts of the body together.
+  BallRule(const ExactNumbers<Real>& numbers, const BasicTerrain<Real>& ground, CastBudget& budget,
+           Moving<Real>& body)
+      : n_(numbers), ground_(ground), budget_(budget), body_(body) {}
 
   // Called once in a step: falls as in the article, and rolls to rest. part: of a step, the length of its
   // equal parts.
@@ -95,14 +100,14 @@ class BallRule {
   Real change() const { return change_; }
 
   // Called before respond(): makes a contact of the motion, which is a chord, that of the flight. Returns
-  // false if the flight meets nothing; then the body is at its end. others, budget: as for a Mover.
-  bool aim(Contact<Real>& contact, std::span<const BasicRect<Real>> others, CastBudget& budget) {
+  // false if the flight meets nothing; then the body is at its end. others: as for a Mover.
+  bool aim(Contact<Real>& contact, std::span<const BasicRect<Real>> others) {
     const bool may_sink = body_.foot == Foot::centre;  // the Mover alone knows how deep
     if (!flies || (may_sink && contact.normal.y == 0)) return true;
     const auto cast = [&](Vec from, Vec to) {
       const Cast<Real> way{moved_to(body_, from).box, to - from, body_.foot};
-      const Contact<Real> met = cast_box<Real>(ground_, way, others, nullptr, &budget);
-      const bool unsure = budget.seen < 1 || (met && may_sink && met.normal.y == 0);
+      const Contact<Real> met = cast_box<Real>(ground_, way, others, nullptr, &budget_);
+      const bool unsure = budget_.seen < 1 || (met && may_sink && met.normal.y == 0);
       return unsure ? std::nullopt : std::optional(met);
     };
     if constexpr (flies) {
@@ -121,52 +126,139 @@ class BallRule {
     grounded_ = grounded_ || (level && normal.y < 0);
     const Vec slide = slide_along(normal, rest);
     change_ = 0;
-    if (contact.t == 1) return slide;  // it has just arrived: the next step bounces
+    if (has_just_arrived(contact, motion)) return slide;  // the next step bounces
 
-    const Real bounce = level ? n_.floor_bounce : n_.wall_bounce, grip = level ? n_.floor_grip : 1;
-    if constexpr (flies) return fly_off(contact, slide, bounce, grip);
+    if constexpr (flies) return fly_off(contact, slide, level);
     Vec& v = body_.velocity;
-    const Real into = -dot(v, normal);
-    if (!(into > 0)) return slide;
-    change_ = into + into * bounce;
-    const Vec along{-normal.y, normal.x};
-    v = along * (dot(v, along) * grip) + normal * (into * bounce);
-    if (!n_.rebound) return slide;
+    const Side side = side_of(normal, level);
+    const bool stays = !n_.rebound || !(side.into(v) > 0);
+    const Vec before = v;
+    v = after_side(contact, side);
+    change_ = dot(v - before, normal);
+    if (stays) return slide;
     left_ = left_ * (1 - contact.t);
     return v * left_;
   }
 
  private:
+  // A side that the ball met, where, and its velocity before that.
+  struct Met {
+    Vec place, velocity;
+    Side side;
+  };
+
+  // Whether the ball meets something at the very end of a motion.
+  bool has_just_arrived(const Contact<Real>& contact, Vec motion) const {
+    constexpr Real kNearEnd = 0.999;
+    if (contact.t < kNearEnd) return false;
+    return (std::abs(motion.x) + std::abs(motion.y)) * (1 - contact.t) <= settled(body_);
+  }
+
+  // level: as is_level().
+  Side side_of(Vec normal, bool level) const {
+    return {normal, level ? n_.floor_bounce : n_.wall_bounce, level ? n_.floor_grip : 1};
+  }
+
+  // The velocity after a contact, and after what is met at the same time.
+  Vec after_side(const Contact<Real>& contact, const Side& side) {
+    const Vec v = body_.velocity;
+    const bool is_alone = contact.is_other || !ground_.has_pieces();
+    if (!is_alone && (n_.rebound || met_)) return after_sides(contact, side);
+    if (is_alone)
+      met_.reset();
+    else
+      met_ = {body_.box.position(), v, side};
+    return side.into(v) > 0 ? side.reflect(v) : v;
+  }
+  // Seldom called, and so kept out of what is inlined.
+  [[gnu::noinline]] Vec after_sides(const Contact<Real>& contact, Side side) {
+    Vec v = body_.velocity;
+    std::optional<Side> other;
+    if (n_.rebound) {
+      if (!(side.into(v) > 0)) return v;
+      other = side_beside(contact, side, v);
+    } else {
+      const Met last = *met_;
+      met_ = {body_.box.position(), v, side};
+      if (is_there(last.place)) {  // both were met at one time
+        met_->velocity = v = last.velocity;
+        other = side;
+        side = last.side;
+      }
+    }
+    keep_what_stops(v, side, other);
+    if (other) return reflect_between(v, side, *other);
+    return side.into(v) > 0 ? side.reflect(v) : v;
+  }
+
+  // px; sides so near to one another are met at one time.
+  Real touch() const { return std::max(settled(body_), Real(kTouch)); }
+
+  // Whether the ball is at a place, or as good as there.
+  bool is_there(Vec place) const {
+    const Vec off = body_.box.position() - place;
+    return std::abs(off.x) + std::abs(off.y) <= touch();
+  }
+
+  // The side that the ball touches beside one that it has met, and that stops what this leaves of a velocity.
+  // Sides of tiles are level or upright: two of them do the same one by one.
+  std::optional<Side> side_beside(const Contact<Real>& contact, const Side& side, Vec velocity) {
+    if (contact.is_other || !ground_.has_pieces()) return {};
+    const Vec left = velocity + side.normal * side.into(velocity);
+    const Real length = std::abs(left.x) + std::abs(left.y);
+    if (!(length > 0)) return {};
+    const Cast<Real> way{body_.box, left * (touch() / length), body_.foot};
+    const Contact<Real> met = cast_box<Real>(ground_, way, {}, nullptr, &budget_);
+    const bool may_sink = body_.foot == Foot::centre && met.normal.y == 0;  // the Mover alone knows how deep
+    return met && !may_sink ? std::optional(side_of(met.normal, is_level(met, n_.steepest))) : std::nullopt;
+  }
+
   // Flies off the surface of a contact, or stays on it. slide: the motion along it.
-  Vec fly_off(const Contact<Real>& contact, Vec slide, Real bounce, Real grip) {
+  Vec fly_off(const Contact<Real>& contact, Vec slide, bool level) {
     Vec& v = body_.velocity;
-    const Vec from = body_.box.position();
-    const Vec normal = flight_.reach(contact, ground_.stretches(), body_.box, body_.foot);
-    const Vec along{-normal.y, normal.x};
-    const Real into = -dot(flight_.velocity(), normal), away = into * bounce;
+    const Vec place = body_.box.position();
+    Side side = side_of(flight_.reach(contact, ground_.stretches(), body_.box, body_.foot), level);
+    const Vec before = flight_.velocity();
+    const Real into = side.into(before);
     if (!(into > 0)) return slide;
-    change_ = into + away;
-    if (!(away > -n_.gravity * normal.y)) {  // too slow to leave the ground for longer than a step: it stays
+    change_ = into + into * side.bounce;
+    std::optional<Side> other = side_beside(contact, side, before);
+    keep_what_stops(before, side, other);
+    bool stays = holds(side, before);
+    if (other && holds(*other, before)) stays = true;
+    if (stays) {
       if (lift_ != 0) v.y -= lift_;
       lift_ = 0;
-      v = along * (dot(v, along) * grip);
-      return flight_.slide(v, from);
+      const Vec along{-side.normal.y, side.normal.x};
+      v = other ? reflect_between(before, side, *other) : along * (dot(v, along) * side.grip);
+      return flight_.slide(v, place);
     }
-    const Vec motion = flight_.fly(along * (dot(flight_.velocity(), along) * grip) + normal * away, from);
+    const Vec off = other ? reflect_between(before, side, *other) : side.reflect(before);
+    const Vec motion = flight_.fly(off, place);
     v = flight_.chord_velocity(part_);
     return motion;
   }
 
+  // Whether a ball with a velocity would be too slow to leave a side for longer than a step. Then it stays,
+  // and the side bounces nothing.
+  bool holds(Side& side, Vec velocity) const {
+    if (side.into(velocity) * side.bounce > -n_.gravity * side.normal.y) return false;
+    side.bounce = 0;
+    return true;
+  }
+
   const ExactNumbers<Real>& n_;
   const BasicTerrain<Real>& ground_;
+  CastBudget& budget_;
   Moving<Real>& body_;
   struct NoFlight {};
   std::conditional_t<flies, Flight<Real>, NoFlight> flight_;
   bool grounded_ = false;
   Real change_ = 0;
-  Real part_ = 1;  // steps, the length of a part
-  Real left_ = 1;  // steps, of a part, that are left of it; not of one that flies
-  Real lift_ = 0;  // px/frame, that the velocity has in this step for its parts
+  Real part_ = 1;           // steps, the length of a part
+  std::optional<Met> met_;  // the last contact, with the ground; not of one that rebounds
+  Real left_ = 1;           // steps, of a part, that are left of it; not of one that flies
+  Real lift_ = 0;           // px/frame, that the velocity has in this step for its parts
 };
 
 // A player: runs along the ground at the speed asked for, and jumps off it.

@@ -220,10 +220,12 @@ class Mover {
       body.box.x = contact.position.x;
       body.box.y = contact.position.y;
       surface_ = contact.on_end ? nullptr : contact.piece;
+      const Vec way = motion;
       motion = respond(contact, motion);
       // Sliding along one plane leads into the one before: the box cannot go anywhere.
-      const bool slides = dot(motion, contact.normal) <= tolerance(motion);
-      if (before && slides && dot(motion, *before) < -tolerance(motion)) {
+      const auto is_motion = [&](Real speed) { return speed > tolerance(motion) && speed > tolerance(way); };
+      const bool slides = !is_motion(dot(motion, contact.normal));
+      if (before && slides && is_motion(-dot(motion, *before))) {
         result.wedged = true;
         result.held = is_settled(body, from) && hold_up(contact.normal, *before);
         break;

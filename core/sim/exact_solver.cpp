@@ -128,7 +128,7 @@ class ExactSolver final : public Solver {
   template <bool flies>
   void fall(State& state, std::size_t index, Moving<Real>& moving) {
     Body& body = state.bodies[index];
-    BallRule<Real, flies> rule(numbers_, ground_, moving);
+    BallRule<Real, flies> rule(numbers_, ground_, budget_, moving);
     rule.pull(part_);
     for (int i = 0; i < substeps_; ++i) {
       rule.begin();
@@ -139,7 +139,7 @@ class ExactSolver final : public Solver {
         return rest;
       };
       move(state, index, moving, moving.velocity * part_, respond,
-           [&](Contact<Real>& contact) { return rule.aim(contact, others_, budget_); });
+           [&](Contact<Real>& contact) { return rule.aim(contact, others_); });
     }
     rule.end();
     body.gait.grounded = rule.grounded();

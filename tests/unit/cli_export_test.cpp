@@ -57,9 +57,10 @@ TEST_F(CliExport, LoveIsAFolder) {
 TEST_F(CliExport, PartsOfTheRuntimeCanBeChosen) {
   ASSERT_EQ(run({"lua-runtime", "-o", path("game"), "--parts", "players,mouse"}), 0) << answer_.err;
   const std::string text = bytes_of("game/talus.lua");
-  EXPECT_NE(text.find("\n-- The parts of this module: slopes, balls, walk, players, pairs, mouse, events, "
-                      "steer, data.\n"),
-            std::string::npos);
+  EXPECT_NE(
+      text.find("\n-- The parts of this module: slopes, balls, sides, walk, players, pairs, mouse, events, "
+                "steer, data.\n"),
+      std::string::npos);
   EXPECT_EQ(run({"love", "-o", path("other"), "--parts", "plyers"}), 1);
   EXPECT_NE(answer_.err.find("\"plyers\" is not a part of the runtime; the parts are slopes, one_way"),
             std::string::npos)

@@ -67,10 +67,10 @@ TEST(LuaParts, ALevelShipsThePartsThatItUses) {
   EXPECT_EQ(parts_of(Level()), "");
   EXPECT_EQ(parts_of(flat_level()), "balls ");
   EXPECT_EQ(parts_of(flat_level(BodyKind::player)), "walk players ");
-  EXPECT_EQ(parts_of(with_slope(flat_level())), "slopes balls ");
-  EXPECT_EQ(parts_of(with_slope(flat_level(), true)), "slopes one_way balls ");
-  EXPECT_EQ(parts_of(with_curve(flat_level(), Segment{{8, 8}, {16, 8}})), "slopes segments balls ");
-  EXPECT_EQ(parts_of(with_curve(flat_level(), kHill)), "slopes segments curves balls ");
+  EXPECT_EQ(parts_of(with_slope(flat_level())), "slopes balls sides ");
+  EXPECT_EQ(parts_of(with_slope(flat_level(), true)), "slopes one_way balls sides ");
+  EXPECT_EQ(parts_of(with_curve(flat_level(), Segment{{8, 8}, {16, 8}})), "slopes segments balls sides ");
+  EXPECT_EQ(parts_of(with_curve(flat_level(), kHill)), "slopes segments curves balls sides ");
   Level level = flat_level();
   level.spawns.push_back(flat_level(BodyKind::player).spawns[0]);
   EXPECT_EQ(parts_of(level), "balls walk players pairs ");
@@ -79,7 +79,7 @@ TEST(LuaParts, ALevelShipsThePartsThatItUses) {
   Level on_centre = flat_level();
   on_centre.spawns[0].foot = Foot::centre;
   EXPECT_EQ(parts_of(on_centre), "balls ");
-  EXPECT_EQ(parts_of(with_slope(on_centre)), "slopes balls walk ");
+  EXPECT_EQ(parts_of(with_slope(on_centre)), "slopes balls sides walk ");
 }
 
 TEST(LuaParts, OtherPartsCanBeChosen) {
@@ -91,7 +91,7 @@ TEST(LuaParts, OtherPartsCanBeChosen) {
   EXPECT_EQ(
       wrong.error().message,
       "\"plyers\" is not a part of the runtime; the parts are slopes, one_way, polygons, segments, curves, "
-      "balls, flight, walk, players, pairs, mouse, meet, round, conveyors, events, steer, data");
+      "balls, sides, flight, walk, players, pairs, mouse, meet, round, conveyors, events, steer, data");
 }
 
 // Words that occur in the code of one part only.
@@ -167,8 +167,8 @@ TEST(LuaParts, CartsLeaveOutCommentsAndIndents) {
 TEST(LuaParts, FoldersHaveTheModuleInReadableForm) {
   for (const char* id : {"love", "lua-runtime"}) {
     const std::string text = exported(with_slope(flat_level()), id).files.front().bytes;
-    const std::string parts = std::string(id) == "love" ? "slopes, balls, mouse, events, steer, data"
-                                                        : "slopes, balls, events, steer, data";
+    const std::string parts = std::string(id) == "love" ? "slopes, balls, sides, mouse, events, steer, data"
+                                                        : "slopes, balls, sides, events, steer, data";
     EXPECT_NE(text.find("\n--\n-- The parts of this module: " + parts + ".\n\n"), std::string::npos) << id;
     for (const char* file : {"terrain", "cast", "slopes", "balls", "module"}) {
       const std::string part = read_asset("runtime/" + std::string(file) + ".lua").value();
@@ -220,7 +220,8 @@ TEST(LuaLevel, HasALineForEachRowTileAndBody) {
       "  tuning = {\n";
   EXPECT_EQ(text.substr(0, begin.size()), begin);
   EXPECT_NE(text.find("\n    fall_speed = 5,\n"), std::string::npos);
-  const std::string end = "\n  },\n  objects = {},\n  parts = {\"slopes\", \"segments\", \"balls\"},\n}\n";
+  const std::string end =
+      "\n  },\n  objects = {},\n  parts = {\"slopes\", \"segments\", \"balls\", \"sides\"},\n}\n";
   EXPECT_EQ(text.substr(text.size() - end.size()), end);
 }
 
