@@ -54,8 +54,9 @@ FormatResult<Exported> export_bump(const ExportRequest& request);
 // Lua that Simple Tiled Implementation and its plugin for bump.lua load. In Lua a full tile has the property
 // `collidable`, and other ground is in the layer "slopes", whose objects are the boxes that bump_slopes.lua
 // adds. Each is `collidable`. One with a sloped line has `slope` ("floor" or "ceiling") and the heights `h0`
-// and `h1` at its left and right side, in px from its bottom or top; and `one_way` if only the line stops. A
-// map with more than a million boxes is an error. Curves are dropped.
+// and `h1` at its left and right side, in px from its bottom or top; and `one_way` if only the line stops.
+// Each also has the flags of its cell, and `shape_conveyor` of a conveyor. A map with more than a million
+// boxes is an error. Curves are dropped.
 FormatResult<Exported> export_tmj(const ExportRequest& request);
 FormatResult<Exported> export_tmx(const ExportRequest& request);
 FormatResult<Exported> export_sti(const ExportRequest& request);

@@ -47,18 +47,30 @@ std::vector<bool> collidable_cells(const Level& drawn, const std::vector<bool>& 
   return cells;
 }
 
-// Tiles say their flags and whether they collide. STI has no use for what Tiled knows about shapes.
-void describe_tiles(const Level& level, const std::vector<bool>& collides, TiledTileset& tileset) {
-  for (TiledTile& tile : *tileset.tiles) {
-    const auto number = static_cast<TileNumber>(tile.id);
-    tile.properties = tiled_flag_properties(level, level.tile_flags(number));
-    add_note(note_of(level.tile_notes, number), tile);
+void mark_collidable_tiles(const std::vector<bool>& collides, TiledTileset& tileset) {
+  for (TiledTile& tile : *tileset.tiles)
     if (collides[static_cast<std::size_t>(tile.id)]) put_property(tile.properties, {"collidable", true});
-  }
 }
 
-TiledObject slope_object(const BumpBox& box, Cell cell, TileSize tile) {
+// What the plugin says of a full tile by the tile's own properties, for the boxes of a cell: the flags of all
+// its tiles that are ground, and the speed of a conveyor.
+TiledProperties cell_properties(const Level& drawn, std::size_t cell, const TileShape& shape) {
+  FlagSet flags = 0;
+  for (int layer = 0; layer < drawn.layers.count(); ++layer) {
+    if (drawn.layers.list[static_cast<std::size_t>(layer)].is_ground)
+      flags |= drawn.tile_flags(drawn.cells_of(layer).tiles()[cell]);
+  }
+  TiledProperties properties = tiled_flag_properties(drawn, flags);
+  double speed = shape.conveyor;
+  for (const TileShape& part : shape.parts) speed = speed == 0 ? part.conveyor : speed;
+  if (speed != 0) properties.push_back({std::string(kTiledConveyor), speed});
+  return properties;
+}
+
+// properties: of the cell.
+TiledObject slope_object(const BumpBox& box, Cell cell, TileSize tile, TiledProperties properties) {
   TiledObject object;
+  object.properties = std::move(properties);
   object.type = box.line ? "slope" : "";
   object.position = {box.box.x + 1.0 * cell.x * tile.width, box.box.y + 1.0 * cell.y * tile.height};
   object.size = {box.box.w, box.box.h};
@@ -84,7 +96,7 @@ std::size_t count_slope_boxes(const TerrainSource& ground, const std::vector<boo
 
 // In the order of the program's solver: column by column from left to right, each from top to bottom.
 // collides: by cell, whether a tile collides there already.
-TiledLayer slope_layer(const TerrainSource& ground, const std::vector<bool>& collides,
+TiledLayer slope_layer(const Level& drawn, const TerrainSource& ground, const std::vector<bool>& collides,
                        const Progress& progress) {
   TiledLayer layer;
   layer.name = kSlopeLayer;
@@ -95,8 +107,10 @@ TiledLayer slope_layer(const TerrainSource& ground, const std::vector<bool>& col
                       static_cast<std::size_t>(c.x);
       if (collides[at]) continue;
       const TileShape& shape = ground.shapes[ground.cells[at]];
-      for (const BumpBox& box : bump_boxes(shape, ground.tile))
-        layer.objects.push_back(slope_object(box, c, ground.tile));
+      const std::vector<BumpBox> boxes = bump_boxes(shape, ground.tile);
+      if (boxes.empty()) continue;
+      const TiledProperties properties = cell_properties(drawn, at, shape);
+      for (const BumpBox& box : boxes) layer.objects.push_back(slope_object(box, c, ground.tile, properties));
     }
   }
   return layer;
@@ -123,14 +137,14 @@ FormatResult<Exported> export_sti(const ExportRequest& request) {
         "", "the slopes need more than 1000000 boxes, too many for an STI map: make the map smaller"});
   TiledExport made = tiled_export_of({drawn, request.name, request.read_asset});
   TiledMap& map = made.map;
-  describe_tiles(drawn, collides, map.tilesets.front());
+  mark_collidable_tiles(collides, map.tilesets.front());
   leave_ground_to_slopes(map);
   std::vector<std::string> dropped = std::move(made.dropped);
   if (const std::size_t curves = map.layers.back().objects.size(); curves > 0)
     dropped.push_back("collision, which bump.lua cannot have, with " + count_text(curves, "curve"));
   for (std::string& phrase : dropped_by_bump(request.level)) dropped.push_back(std::move(phrase));
   tell_body_pictures(request.level, dropped);
-  map.layers.push_back(slope_layer(ground, collides_in_cells, request.progress.part(0.2, 0.5)));
+  map.layers.push_back(slope_layer(drawn, ground, collides_in_cells, request.progress.part(0.2, 0.5)));
   if (request.progress.stopped()) return Exported();
   return tiled_files(request, tiled_lua_text(map), std::move(made.pictures), write_map_tiles(drawn),
                      std::move(dropped));

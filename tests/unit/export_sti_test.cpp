@@ -63,7 +63,8 @@ TEST(ExportSti, AWideSlopeIsOneBox) {
   EXPECT_THAT(slopes_of(lua), ElementsAre("x = 8, y = 2, width = 16, height = 4, "
                                           "{, [\"slope\"] = \"floor\", [\"h0\"] = 0, [\"h1\"] = 4}},",
                                           "x = 8, y = 6, width = 16, height = 2, {}}"));
-  EXPECT_EQ(properties_of(lua, 2), "{},") << "the tile itself stops nothing";
+  EXPECT_EQ(properties_of(lua, 2), "{[\"shape\"] = \"slope\", [\"shape_heights\"] = \"2 6\"},")
+      << "the tile itself stops nothing";
 }
 
 TEST(ExportSti, AProfileIsABoxForEachStraightPart) {
@@ -86,9 +87,31 @@ TEST(ExportSti, FullTilesAreCollidableAndKeepTheirFlags) {
   level.tile_shapes[3] = {.kind = TileShape::Kind::solid, .one_way = true};
   const std::string lua = sti_of(level);
   EXPECT_THAT(properties_of(lua, 2),
-              StartsWith("{[\"flags\"] = 64, [\"flag6\"] = true, [\"collidable\"] = true}"));
+              StartsWith("{[\"flags\"] = 64, [\"flag6\"] = true, [\"shape\"] = \"solid\", "
+                         "[\"collidable\"] = true}"));
   EXPECT_EQ(slopes_of(lua).size(), 2U) << "the one-way tiles";
   EXPECT_THAT(lua, HasSubstr("visible = false"));
+}
+
+TEST(ExportSti, BoxesSayTheFlagsOfAllTilesOfTheirCell) {
+  Level level = level_with({.kind = TileShape::Kind::slope, .heights = {0, 8}, .conveyor = -1.5}, {2}, 1);
+  level.sheet(SheetId::tiles).flags[2] = 1 << 6;
+  level.sheet(SheetId::tiles).flags[3] = 1 << 4;
+  level.sheet(SheetId::tiles).flags[4] = 1 << 5;
+  level.flag_names[4] = "ice";
+  const std::string lua = sti_of(level);
+  EXPECT_THAT(properties_of(lua, 2), HasSubstr("[\"shape_conveyor\"] = -1.5"));
+  EXPECT_THAT(slopes_of(lua), ElementsAre(HasSubstr("{[\"flags\"] = 64, [\"flag6\"] = true, "
+                                                    "[\"shape_conveyor\"] = -1.5,")));
+  for (const TileNumber tile : {TileNumber{3}, TileNumber{4}}) {
+    TileLayer layer{.name = "more", .is_ground = tile == 3};
+    layer.cells = std::make_shared<const MapCells>(std::vector<TileNumber>{tile});
+    level.layers.list.push_back(std::move(layer));
+  }
+  const ReadAsset no_asset;
+  const Exported made = find_exporter("sti")->make({level, "cave.lua", no_asset}).value();
+  EXPECT_THAT(slopes_of(made.files[0].bytes),
+              ElementsAre(HasSubstr("{[\"flags\"] = 80, [\"ice\"] = true, [\"flag6\"] = true, ")));
 }
 
 // LuaJIT allows only a limited number of tables in one function.
