@@ -80,7 +80,8 @@ class TiledXmlWriter {
     put(declaration, "version", "1.0");
     put(declaration, "encoding", "UTF-8");
     pugi::xml_node root = document.append_child("map");
-    put(root, "version", "1.10");
+    put(root, "version", kTiledFormat);
+    put(root, "tiledversion", kTiledVersion);
     put(root, "orientation", "orthogonal");
     put(root, "renderorder", std::string(word_of(map.order)));
     put(root, "width", map.width);

@@ -6,6 +6,9 @@
 
 namespace talus {
 
+// The format of the maps, and the version of Tiled that has it: Excalibur's plugin reads no map without.
+inline constexpr const char *kTiledFormat = "1.10", *kTiledVersion = "1.10.2";
+
 struct TiledExport {
   TiledMap map;
   std::vector<ObjectLayer> objects;    // of the level, as the map shows them: see ExportedLayers::level

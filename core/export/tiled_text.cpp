@@ -149,7 +149,8 @@ class TiledTextWriter {
       text_.put("luaversion", "5.1");
     else
       text_.put("type", "map");
-    text_.put("version", "1.10");
+    text_.put("version", kTiledFormat);
+    text_.put("tiledversion", kTiledVersion);
     text_.put("orientation", "orthogonal");
     text_.put("renderorder", word_of(map.order));
     text_.put("width", map.width);

@@ -23,7 +23,7 @@ std::string exported(const Level& level) {
 
 TEST(ExportTmx, HoldsTheTextThatTiledReads) {
   EXPECT_EQ(exported(small_level()), R"(<?xml version="1.0" encoding="UTF-8"?>
-<map version="1.10" orientation="orthogonal" renderorder="right-down" width="2" height="2" tilewidth="8" tileheight="8" infinite="0" backgroundcolor="#1a1c2c" nextlayerid="4" nextobjectid="2">
+<map version="1.10" tiledversion="1.10.2" orientation="orthogonal" renderorder="right-down" width="2" height="2" tilewidth="8" tileheight="8" infinite="0" backgroundcolor="#1a1c2c" nextlayerid="4" nextobjectid="2">
  <properties>
   <property name="talus_level" value="..." />
  </properties>
