@@ -159,7 +159,7 @@ function* airPoints(map, outlines) {
   }
 }
 
-async function checkExcalibur(map, parsed, file) {
+async function checkExcalibur(map, file) {
   opened = file;
   config = {};
   const layers = map.layers.filter(({type}) => type === "tilelayer");
@@ -202,7 +202,7 @@ async function check(file) {
   const parsed = parse("map", map, false);
   const cells = checkPhaser(map, parsed);
   checkScene(map, parsed);
-  const made = await checkExcalibur(map, parsed, file);
+  const made = await checkExcalibur(map, file);
   const near = (found, expected, what) =>
     assert(found === expected || Math.abs(found - expected) < 0.02, `${what}: ${found} instead of ${expected}`);
   let floors = 0, rays = 0;
