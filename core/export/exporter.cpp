@@ -314,8 +314,11 @@ std::span<const Exporter> exporters() {
        .label = "LDtk project",
        .extensions = kLdtk,
        .write = export_ldtk,
-       .purpose = "A project for LDtk: shapes as an IntGrid, tiles as a layer, flags with the tileset.",
+       .purpose =
+           "A project for LDtk: shapes as an IntGrid, tiles as a layer, flags with the tileset, objects "
+           "as entities.",
        .takes_mirrors = true,
+       .lists_objects = true,
        .beside = kSheetBeside,
        .shares_sheet = true},
       {.id = "lua",

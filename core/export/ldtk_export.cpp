@@ -5,7 +5,7 @@
 // tile. Each other shape has a value of its own for each cell that it is in, with an identifier that
 // describes it (ldtk_shapes.h). "Tiles" has the tiles. LDtk cannot draw shapes, so the tileset's custom data
 // has one JSON object as text for each tile with flags or a shape: flags, ball, and the shape as in
-// docs/export-data.md. Curves are dropped.
+// docs/export-data.md. Curves are dropped. Layers of objects have their places among these (ldtk_objects.h).
 //
 // All keys that LDtk's schema requires are in assets/templates/ldtk.json. LDtk's own loader does without many
 // of them, other programs do not.
@@ -15,11 +15,14 @@
 #include <span>
 
 #include <talus/level/ground.h>
+#include <talus/level/placed_picture.h>
+#include "../formats/import/import_drops.h"
 #include "../formats/pictures/png_sheet.h"
 #include "../formats/text/append_number.h"
 #include "../formats/text/json_text.h"
 #include "../level/tile_color.h"
 #include "export_targets.h"
+#include "ldtk_objects.h"
 #include "ldtk_shapes.h"
 #include "ldtk_skeleton.h"
 #include "plain_data.h"
@@ -37,12 +40,6 @@ enum LdtkUid : int {
   kLevelUid,
   kFirstBodyUid = 10  // of the first kind; the fields of an entity have the numbers after its own
 };
-
-// Unique in the project, and the same whenever a level is exported.
-std::string iid(int number) {
-  const std::string digits = std::to_string(number);
-  return "7a105000-0000-11f0-8000-" + std::string(12 - digits.size(), '0') + digits;
-}
 
 std::string color_text(Rgb color) {
   constexpr const char* kDigits = "0123456789ABCDEF";
@@ -115,8 +112,7 @@ OrderedJson entity_def(const LdtkSkeleton& skeleton, BodyKind kind, int tile_sid
   const OrderedJson fields = body_fields({}, {}, tile_side);
   for (const auto& [name, value] : fields.items()) {
     const std::string type = field_type(name, value);
-    OrderedJson& field = entity["fieldDefs"].emplace_back(skeleton.filled(
-        "field_definition", {{"identifier", name}, {"__type", type}, {"uid", ++uid}, {"type", "F_" + type}}));
+    OrderedJson& field = entity["fieldDefs"].emplace_back(skeleton.field_definition(name, type, ++uid));
     if (type == "Tile")
       field.update(
           {{"canBeNull", true}, {"tilesetUid", int{kTilesetUid}}, {"editorDisplayMode", "EntityTile"}});
@@ -124,47 +120,20 @@ OrderedJson entity_def(const LdtkSkeleton& skeleton, BodyKind kind, int tile_sid
   return entity;
 }
 
-int rounded_px(double px) { return static_cast<int>(std::lround(std::clamp(px, -1e9, 1e9))); }
-
-OrderedJson field_instance(const std::string& name, const OrderedJson& value, int uid) {
-  const std::string type = field_type(name, value);
-  const bool is_tile = type == "Tile";
-  OrderedJson edited = OrderedJson::array();
-  if (is_tile && !value.is_null()) {
-    std::string rect;
-    for (const char* const key : {"x", "y", "w", "h"})
-      rect += (rect.empty() ? "" : ",") + std::to_string(value[key].get<int>());
-    edited.push_back({{"id", "V_String"}, {"params", OrderedJson::array({rect})}});
-  } else if (!is_tile) {
-    edited.push_back({{"id", "V_" + type}, {"params", OrderedJson::array({value})}});
-  }
-  return {{"__identifier", name}, {"__type", type},
-          {"__value", value},     {"__tile", is_tile ? value : OrderedJson()},
-          {"defUid", uid},        {"realEditorValues", edited}};
-}
-
 OrderedJson entity(const PlainBody& body, const SheetLayout& sheet, int tile_side) {
   const Spawn& start = body.start;
-  const int x = rounded_px(start.position.x), y = rounded_px(start.position.y);
+  const BodyTraits& traits = traits_of(start.kind);
   int uid = uid_of(start.kind);
   const OrderedJson fields = body_fields(body, sheet, tile_side);
-  const auto cell_of = [&](int px) { return static_cast<int>(std::floor(1.0 * px / tile_side)); };
-  OrderedJson instance = {{"__identifier", traits_of(start.kind).ldtk_identifier},
-                          {"__grid", {cell_of(x), cell_of(y)}},
-                          {"__pivot", {0, 0}},
-                          {"__tags", OrderedJson::array()},
-                          {"__tile", fields["tile"]},
-                          {"__smartColor", traits_of(start.kind).ldtk_color},
-                          {"__worldX", x},
-                          {"__worldY", y},
-                          {"iid", iid(99 + body.id)},
-                          {"width", std::max(1, rounded_px(start.size.x))},
-                          {"height", std::max(1, rounded_px(start.size.y))},
-                          {"defUid", uid},
-                          {"px", {x, y}},
-                          {"fieldInstances", OrderedJson::array()}};
+  OrderedJson instance = ldtk_entity({std::string(traits.ldtk_identifier),
+                                      std::string(traits.ldtk_color),
+                                      uid,
+                                      99 + body.id,
+                                      {start.position.x, start.position.y, start.size.x, start.size.y}},
+                                     tile_side);
+  instance["__tile"] = fields["tile"];
   for (const auto& [name, value] : fields.items())
-    instance["fieldInstances"].push_back(field_instance(name, value, ++uid));
+    instance["fieldInstances"].push_back(ldtk_field(name, field_type(name, value), value, ++uid));
   return instance;
 }
 
@@ -243,9 +212,9 @@ void put_grid_tiles(const Level& level, const Progress& progress, std::string& t
 
 class LdtkProject {
  public:
-  // level: that is drawn. ground: of the level that has its ground.
-  LdtkProject(const LdtkSkeleton& skeleton, const Level& level, TerrainSource ground, std::string stem,
-              std::string sheet, Progress progress)
+  // level: that is drawn. whole: that has its objects. ground: of the level that has its ground.
+  LdtkProject(const LdtkSkeleton& skeleton, const Level& level, const Level& whole, TerrainSource ground,
+              std::string stem, std::string sheet, Progress progress)
       : skeleton_(skeleton),
         level_(level),
         ground_(std::move(ground)),
@@ -253,33 +222,25 @@ class LdtkProject {
         stem_(std::move(stem)),
         sheet_(std::move(sheet)),
         shapes_(ground_),
-        grid_(shapes_.grid_of(ground_, progress_.part(0, 0.1))) {}
+        grid_(shapes_.grid_of(ground_, progress_.part(0, 0.1))),
+        whole_(whole),
+        objects_(whole, uid_of(static_cast<BodyKind>(body_kinds().size()))) {}
 
   std::size_t overlaps() const { return grid_.overlaps; }
 
   std::string text() const {
     const std::string background = background_text();
-    OrderedJson project =
-        skeleton_.filled("project", {{"iid", iid(1)},
-                                     {"nextUid", uid_of(static_cast<BodyKind>(body_kinds().size()))},
-                                     {"defaultGridSize", side_},
-                                     {"defaultLevelBgColor", background},
-                                     {"dummyWorldIid", iid(2)}});
+    OrderedJson project = skeleton_.filled("project", {{"iid", ldtk_iid(1)},
+                                                       {"nextUid", objects_.next_uid()},
+                                                       {"defaultGridSize", side_},
+                                                       {"defaultLevelBgColor", background},
+                                                       {"dummyWorldIid", ldtk_iid(2)}});
     OrderedJson& defs = project["defs"];
-    // From the top: the colours of the ground lie below the tiles.
-    defs["layers"] = {layer_def("Bodies", "Entities", kBodiesUid), layer_def("Tiles", "Tiles", kTilesUid),
-                      layer_def("Collision", "IntGrid", kCollisionUid)};
-    for (const LdtkShapes::Value& value : shapes_.values()) {
-      OrderedJson& values = defs["layers"][2]["intGridValues"];
-      values.push_back({{"value", values.size() + 1},
-                        {"identifier", value.name},
-                        {"color", value.color},
-                        {"tile", nullptr},
-                        {"groupUid", 0}});
-    }
-    defs["layers"][1]["tilesetDefUid"] = int{kTilesetUid};
+    defs["layers"] = layer_definitions();
     for (std::size_t kind = 0; kind < body_kinds().size(); ++kind)
       defs["entities"].push_back(entity_def(skeleton_, static_cast<BodyKind>(kind), side_));
+    for (OrderedJson& definition : objects_.definitions(skeleton_, side_))
+      defs["entities"].push_back(std::move(definition));
     const SheetLayout sheet = level_.sheet(SheetId::tiles).layout();
     defs["tilesets"] = OrderedJson::array(
         {skeleton_.filled("tileset_definition", {{"uid", kTilesetUid},
@@ -289,7 +250,7 @@ class LdtkProject {
                                                  {"tileGridSize", side_},
                                                  {"customData", custom_data(level_, ground_)}})});
     OrderedJson level = skeleton_.filled("level", {{"identifier", ldtk_identifier(stem_)},
-                                                   {"iid", iid(3)},
+                                                   {"iid", ldtk_iid(3)},
                                                    {"uid", kLevelUid},
                                                    {"pxWid", level_.map.width() * side_},
                                                    {"pxHei", level_.map.height() * side_},
@@ -300,8 +261,10 @@ class LdtkProject {
     begin_member(text, "layerInstances") += "[\n";
     put_bodies(text);
     text += ",\n";
+    put_objects(false, text);
     put_tiles(text);
     text += ",\n";
+    put_objects(true, text);
     put_collision(text);
     text += "]}]}\n";
     return text;
@@ -314,56 +277,116 @@ class LdtkProject {
     lay_over(pixel.data(), background_of(level_));
     return color_text({pixel[0], pixel[1], pixel[2]});
   }
-  OrderedJson layer_def(const char* name, const char* type, int uid) const {
+  OrderedJson layer_def(const std::string& name, const char* type, int uid) const {
     return skeleton_.filled(
         "layer_definition",
         {{"__type", type}, {"identifier", name}, {"type", type}, {"uid", uid}, {"gridSize", side_}});
   }
 
-  // An open object, without the members that differ between layers.
-  std::string layer(const char* name, const char* type, int uid) const {
-    const bool has_tileset = uid == kTilesUid;
-    return opened({{"__identifier", name},
-                   {"__type", type},
+  // Those in front of the layer of tiles, or behind it.
+  void add_object_layers(bool are_behind, OrderedJson& list) const {
+    for (const LdtkObjects::Layer& layer : objects_.layers()) {
+      if (layer.is_behind != are_behind) continue;
+      const LayerLooks looks = looks_of(layer);
+      OrderedJson& made = list.emplace_back(layer_def(layer.identifier, "Entities", layer.uid));
+      made["displayOpacity"] = looks.opacity;
+      if (layer.identifier != layer.source->name) made["doc"] = layer.source->name;
+    }
+  }
+  // From the top: the colours of the ground lie below the tiles.
+  OrderedJson layer_definitions() const {
+    OrderedJson list = {layer_def("Bodies", "Entities", kBodiesUid)};
+    add_object_layers(false, list);
+    list.push_back(layer_def("Tiles", "Tiles", kTilesUid));
+    list.back()["tilesetDefUid"] = int{kTilesetUid};
+    add_object_layers(true, list);
+    OrderedJson& values =
+        list.emplace_back(layer_def("Collision", "IntGrid", kCollisionUid))["intGridValues"];
+    for (const LdtkShapes::Value& value : shapes_.values()) {
+      values.push_back({{"value", values.size() + 1},
+                        {"identifier", value.name},
+                        {"color", value.color},
+                        {"tile", nullptr},
+                        {"groupUid", 0}});
+    }
+    return list;
+  }
+
+  LayerLooks looks_of(const LdtkObjects::Layer& layer) const {
+    return shown_looks(whole_.layers.groups, *layer.source);
+  }
+
+  struct Head {
+    std::string name;
+    const char* type;
+    int uid, iid;
+    double opacity = 1;
+    bool visible = true;
+  };
+  static Head head_of(const char* name, const char* type, int uid) { return {name, type, uid, 3 + uid}; }
+
+  // An open object, without the members that differ between types of layers.
+  std::string layer(const Head& head) const {
+    const bool has_tileset = head.uid == kTilesUid;
+    return opened({{"__identifier", head.name},
+                   {"__type", head.type},
                    {"__cWid", level_.map.width()},
                    {"__cHei", level_.map.height()},
                    {"__gridSize", side_},
-                   {"__opacity", 1},
+                   {"__opacity", head.opacity},
                    {"__pxTotalOffsetX", 0},
                    {"__pxTotalOffsetY", 0},
                    {"__tilesetDefUid", has_tileset ? OrderedJson(int{kTilesetUid}) : OrderedJson()},
                    {"__tilesetRelPath", has_tileset ? OrderedJson(sheet_) : OrderedJson()},
-                   {"iid", iid(3 + uid)},
+                   {"iid", ldtk_iid(head.iid)},
                    {"levelId", kLevelUid},
-                   {"layerDefUid", uid},
+                   {"layerDefUid", head.uid},
                    {"pxOffsetX", 0},
                    {"pxOffsetY", 0},
-                   {"visible", true},
+                   {"visible", head.visible},
                    {"optionalRules", OrderedJson::array()},
                    {"autoLayerTiles", OrderedJson::array()},
                    {"seed", 1},
                    {"overrideTilesetUid", nullptr}});
   }
 
-  void put_bodies(std::string& text) const {
-    text += layer("Bodies", "Entities", kBodiesUid);
+  // entity_at: by index.
+  template <class EntityAt>
+  void put_entities(const Head& head, std::size_t count, const EntityAt& entity_at, std::string& text) const {
+    text += layer(head);
     begin_member(text, "intGridCsv") += "[]";
     begin_member(text, "gridTiles") += "[]";
     begin_member(text, "entityInstances") += '[';
-    const PlainBodies bodies(level_);
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-      text.append(i == 0 ? "\n" : ",\n")
-          .append(dumped(entity(bodies.at(i), level_.sheet(SheetId::tiles).layout(), side_)));
+    for (std::size_t i = 0; i < count; ++i) text.append(i == 0 ? "\n" : ",\n").append(dumped(entity_at(i)));
     text += "]}";
   }
+  void put_bodies(std::string& text) const {
+    const PlainBodies bodies(level_);
+    const SheetLayout sheet = level_.sheet(SheetId::tiles).layout();
+    put_entities(
+        head_of("Bodies", "Entities", kBodiesUid), bodies.size(),
+        [&](std::size_t i) { return entity(bodies.at(i), sheet, side_); }, text);
+  }
+  // Those in front of the layer of tiles, or behind it, each with a comma behind it.
+  void put_objects(bool are_behind, std::string& text) const {
+    for (const LdtkObjects::Layer& layer : objects_.layers()) {
+      if (layer.is_behind != are_behind) continue;
+      const LayerLooks looks = looks_of(layer);
+      put_entities(
+          {layer.identifier, "Entities", layer.uid, layer.iid, looks.opacity, looks.visible},
+          layer.source->objects.size(), [&](std::size_t i) { return objects_.entity(layer, i, side_); },
+          text);
+      text += ",\n";
+    }
+  }
   void put_collision(std::string& text) const {
-    text += layer("Collision", "IntGrid", kCollisionUid);
+    text += layer(head_of("Collision", "IntGrid", kCollisionUid));
     put_int_grid(level_, grid_, begin_member(text, "intGridCsv"));
     begin_member(text, "gridTiles") += "[]";
     begin_member(text, "entityInstances") += "[]}";
   }
   void put_tiles(std::string& text) const {
-    text += layer("Tiles", "Tiles", kTilesUid);
+    text += layer(head_of("Tiles", "Tiles", kTilesUid));
     begin_member(text, "intGridCsv") += "[]";
     put_grid_tiles(level_, progress_.part(0.1, 1), begin_member(text, "gridTiles"));
     begin_member(text, "entityInstances") += "[]}";
@@ -377,7 +400,24 @@ class LdtkProject {
   std::string stem_, sheet_;
   LdtkShapes shapes_;
   LdtkShapes::Grid grid_;
+  const Level& whole_;
+  LdtkObjects objects_;
 };
+
+// What layers of entities do not have.
+void tell_object_looks(const Level& level, std::vector<std::string>& dropped) {
+  std::size_t pictures = 0;
+  for (const ObjectLayer& layer : level.objects) {
+    if (layer.image) continue;
+    pictures += drawn_pictures(layer).size();
+    const LayerLooks looks = shown_looks(level.layers.groups, layer);
+    if (looks.parallax != Vec2{1, 1})
+      dropped.push_back("the parallax of the layer " + quoted_name(layer.name));
+  }
+  if (pictures > 0)
+    dropped.push_back("the pictures of " + std::to_string(pictures) +
+                      (pictures == 1 ? " object" : " objects"));
+}
 
 }  // namespace
 
@@ -391,11 +431,12 @@ FormatResult<Exported> export_ldtk(const ExportRequest& request) {
   const FormatResult<LdtkSkeleton> skeleton = read_ldtk_skeleton(request.read_asset);
   if (!skeleton) return tl::unexpected(skeleton.error());
   const Level& drawn = request.drawn();
-  const LdtkProject project(*skeleton, drawn, ground_of(request.level), request.stem(), request.sheet_name(),
-                            request.progress);
+  const LdtkProject project(*skeleton, drawn, request.whole(), ground_of(request.level), request.stem(),
+                            request.sheet_name(), request.progress);
   std::vector<std::string> dropped = dropped_curves(request.level);
   tell_body_pictures(request.level, dropped);
   tell_conveyors(request.level, false, dropped);
+  tell_object_looks(request.whole(), dropped);
   if (const std::size_t cells = project.overlaps(); cells > 0)
     dropped.push_back("a second shape in " + std::to_string(cells) + (cells == 1 ? " cell" : " cells") +
                       " that two shapes reach into");

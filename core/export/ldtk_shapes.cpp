@@ -64,8 +64,9 @@ std::string part_name(const std::string& name, int column, int row) {
 
 }  // namespace
 
-std::string ldtk_identifier(const std::string& name) {
-  std::string id = name.empty() || (name[0] >= '0' && name[0] <= '9') ? "Level_" + name : name;
+std::string ldtk_identifier(const std::string& name, const char* thing) {
+  const bool is_digit_first = !name.empty() && name[0] >= '0' && name[0] <= '9';
+  std::string id = name.empty() ? thing : is_digit_first ? std::string(thing) + "_" + name : name;
   std::replace_if(
       id.begin(), id.end(), [](unsigned char c) { return c > 127 || (std::isalnum(c) == 0 && c != '_'); },
       '_');

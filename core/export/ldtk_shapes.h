@@ -55,7 +55,8 @@ class LdtkShapes {
   std::vector<int> index_;  // by tile: index of its shape; -1: no shape
 };
 
-// Only letters, digits and '_', and no digit first, as LDtk needs names.
-std::string ldtk_identifier(const std::string& name);
+// Only letters, digits and '_', and no digit first, as LDtk needs names. thing: the word that goes before a
+// digit, and in the place of an empty name.
+std::string ldtk_identifier(const std::string& name, const char* thing = "Level");
 
 }  // namespace talus

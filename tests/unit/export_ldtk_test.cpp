@@ -236,6 +236,104 @@ TEST(ExportLdtk, CurvesAreReportedAsDropped) {
   EXPECT_EQ(exported(level).dropped, std::vector<std::string>{"1 curve"});
 }
 
+MapObject coin(Vec2 position, const char* properties) {
+  MapObject object;
+  object.name = "a \"coin\"";
+  object.type = "Coin";
+  object.position = position;
+  object.size = {4, 6.5};
+  object.properties = properties;
+  return object;
+}
+
+// A layer in front of the tiles, and one behind them.
+Level level_with_objects() {
+  Level level = small_level();
+  ObjectLayer& front = level.objects.emplace_back();
+  front.name = "Old coins";
+  front.opacity = 0.5;
+  front.objects = {coin({2.25, 3}, R"({"value": 3, "key": "red", "x": true, "deep": [1]})"),
+                   coin({8, 3}, R"({"value": 2.5, "key": 5})")};
+  ObjectLayer& back = level.objects.emplace_back();
+  back.place = 0;
+  back.visible = false;
+  MapObject& path = back.objects.emplace_back();
+  path.form = MapObject::Form::polyline;
+  path.type = "hero";
+  path.position = {8, 8};
+  path.points = {{0, 0}, {-4, 2.5}};
+  return level;
+}
+
+// By name, what an entity says.
+LdtkJson values_of(const LdtkJson& entity) {
+  LdtkJson values;
+  for (const LdtkJson& field : entity["fieldInstances"]) values[field["__identifier"]] = field["__value"];
+  return values;
+}
+
+TEST(ExportLdtk, LayersOfObjectsHaveTheirPlaces) {
+  const Exported out = exported(level_with_objects());
+  EXPECT_TRUE(out.dropped.empty());
+  const LdtkJson json = LdtkJson::parse(out.files[0].bytes);
+  const LdtkJson& definitions = json["defs"]["layers"];
+  const LdtkJson& layers = json["levels"][0]["layerInstances"];
+  std::vector<std::string> names, defined;
+  for (const LdtkJson& layer : layers) names.push_back(layer["__identifier"]);
+  for (const LdtkJson& layer : definitions) defined.push_back(layer["identifier"]);
+  EXPECT_EQ(names, (std::vector<std::string>{"Bodies", "Old_coins", "Tiles", "Objects", "Collision"}));
+  EXPECT_EQ(names, defined);
+  EXPECT_EQ(definitions[1]["doc"], "Old coins");
+  EXPECT_EQ(definitions[1]["displayOpacity"], 0.5);
+  EXPECT_EQ(layers[1]["__opacity"], 0.5);
+  EXPECT_EQ(layers[1]["visible"], true);
+  EXPECT_EQ(layers[3]["visible"], false);
+}
+
+TEST(ExportLdtk, ObjectsAreEntitiesWithFields) {
+  const LdtkJson json = project(level_with_objects());
+  const LdtkJson& layers = json["levels"][0]["layerInstances"];
+  const LdtkJson &first = layers[1]["entityInstances"][0], &second = layers[1]["entityInstances"][1];
+  EXPECT_EQ(first["__identifier"], "Coin");
+  EXPECT_EQ(first["px"], LdtkJson({2, 3}));
+  EXPECT_EQ(first["width"], 4);
+  EXPECT_EQ(values_of(first), LdtkJson::parse(R"({"form": "box", "class": "Coin", "name": "a \"coin\"",
+      "x": 2.25, "y": 3, "w": 4, "h": 6.5, "rotation": 0, "points": null, "ground": false, "one_way": false,
+      "hidden": false, "value": 3, "key": "red", "x_2": true, "deep": "[1]"})"));
+  EXPECT_EQ(values_of(second)["value"], 2.5);
+  EXPECT_EQ(values_of(second)["key"], "5") << "others have text there";
+  EXPECT_FALSE(values_of(second).contains("deep"));
+  const LdtkJson& path = layers[3]["entityInstances"][0];
+  EXPECT_EQ(path["__identifier"], "hero_object") << "which is no body";
+  EXPECT_EQ(path["px"], LdtkJson({4, 8}));
+  EXPECT_EQ(path["width"], 4);
+  EXPECT_EQ(values_of(path)["points"], "[8,8,4,10.5]");
+}
+
+TEST(ExportLdtk, AClassOfObjectsHasOneDefinition) {
+  const LdtkJson all = project(level_with_objects())["defs"]["entities"];
+  ASSERT_EQ(all.size(), 7U);
+  EXPECT_EQ(all[5]["identifier"], "Coin");
+  std::map<std::string, std::string> types;
+  for (const LdtkJson& field : all[5]["fieldDefs"]) types[field["identifier"]] = field["type"];
+  EXPECT_EQ(types.size(), 16U);
+  EXPECT_EQ(types["value"], "F_Float");
+  EXPECT_EQ(types["key"], "F_String");
+  EXPECT_EQ(types["x_2"], "F_Bool");
+  EXPECT_EQ(types["one_way"], "F_Bool");
+}
+
+TEST(ExportLdtk, LayersOfPicturesAndLooksAreTold) {
+  Level level = level_with_objects();
+  level.objects[0].parallax = {0.5, 1};
+  level.objects.emplace_back().image.emplace();
+  const ReadAsset assets = [](const std::string& asset) { return read_file(source_path("assets/") + asset); };
+  const auto out = find_exporter("ldtk")->make({level, "a.ldtk", assets});
+  ASSERT_TRUE(out);
+  EXPECT_EQ(out->dropped, (std::vector<std::string>{"the parallax of the layer \"Old coins\"",
+                                                    "the layer of a picture \"\""}));
+}
+
 TEST(ExportLdtk, TheSameLevelGivesTheSameFile) {
   EXPECT_EQ(exported(small_level()).files[0].bytes, exported(small_level()).files[0].bytes);
 }
