@@ -1,11 +1,14 @@
 // talus check FILE
 
 #include <algorithm>
+#include <array>
 #include <ostream>
 
 #include "command.h"
+#include "formats/files/atomic_file.h"
 #include "formats/native/hard_case_file.h"
 #include "formats/native/unknown_keys.h"
+#include "formats/text/json_text.h"
 #include "level/lint/lint.h"
 
 namespace talus {
@@ -18,20 +21,31 @@ std::string place_of(const Problem& problem, int tile_count) {
   return "";
 }
 
-// What reading leaves alone: unknown keys, and the right answer of a hard case.
-void check_keys(CommandContext& context, const std::string& file, const Level& level) {
-  if (const auto hard = hard_case_of(level); !hard)
-    fail(context, file, hard.error().place, hard.error().message);
-  const std::vector<UnknownKey> unknown = unknown_keys(level);
+void tell_unknown(CommandContext& context, const std::string& file, const std::vector<UnknownKey>& unknown) {
   for (const UnknownKey& key : unknown)
     say(context.out, file + ":key " + key.place + ": warning: " + key.problem + " [unknown-key]");
   if (unknown.size() == kMaxUnknownListed)
     say(context.out, file + ": warning: has as many unknown keys as are listed, or more [unknown-key]");
 }
 
+// What reading leaves alone: unknown keys, and the right answer of a hard case.
+void check_keys(CommandContext& context, const std::string& file, const Level& level) {
+  if (const auto hard = hard_case_of(level); !hard)
+    fail(context, file, hard.error().place, hard.error().message);
+  tell_unknown(context, file, unknown_keys(level));
+}
+
+// Of a file that is refused, with its error.
+void check_refused(CommandContext& context, const std::string& file) {
+  constexpr std::array<std::string_view, 1> kVersion = {"talus"};
+  const auto bytes = read_file(file);
+  if (bytes && (file.ends_with(".talus.json") || has_key(*bytes, kVersion)))
+    tell_unknown(context, file, unknown_keys_of_file(*bytes));
+}
+
 void check(CommandContext& context, const std::string& file) {
   const auto loaded = load_file_or_fail(context, file);
-  if (!loaded) return;
+  if (!loaded) return check_refused(context, file);
   fail_for_missing(context, file, *loaded);
   const Level& level = loaded->level;
   check_keys(context, file, level);

@@ -346,6 +346,29 @@ TEST_F(CliCheck, UnknownKeysAreWarningsAndStay) {
   EXPECT_EQ(kept["spawns"][0]["naem"], "b");
 }
 
+TEST_F(CliCheck, UnknownKeysAreNamedWithTheErrorTheyCause) {
+  const std::string file = put("a.talus.json", R"({"talus": 1, "spawns": [{"name": "b", "sise": [8, 8]}],
+    "map": {"widht": 9, "height": 4, "rows": ["000"]}, "roles": 5, "tiles": {"1": 7}})");
+  const CliAnswer answer = cli_answer({"check", file});
+  EXPECT_EQ(answer.status, kExitBad);
+  EXPECT_THAT(answer.err, HasSubstr(":key roles: error: must be an object"));
+  const std::string place = file + ":key ";
+  EXPECT_EQ(answer.out, place + "map.widht: warning: is not known; did you mean \"width\"? [unknown-key]\n" +
+                            place +
+                            "spawns[0].sise: warning: is not known; did you mean \"size\"? [unknown-key]\n");
+  const std::string version = put("b.talus.json", R"({"tallus": 1})");
+  EXPECT_THAT(cli_answer({"check", version}).out, HasSubstr("did you mean \"talus\"?"));
+}
+
+TEST_F(CliCheck, OtherRefusedFilesHaveNoUnknownKeys) {
+  for (const char* text : {R"({"talus": 99, "spwans": []})", R"({"spwans": []})",
+                           R"({"talus": 1, "companion": {}, "spwans": 1})", R"({"talus": 1, "spwans": [)"}) {
+    const CliAnswer answer = cli_answer({"check", put("a.json", text)});
+    EXPECT_EQ(answer.status, kExitBad);
+    EXPECT_EQ(answer.out, "") << text;
+  }
+}
+
 TEST_F(CliCheck, AWrongHardCaseIsAnError) {
   const std::string file = put("a.talus.json", R"({"talus": 1, "hard_case": {"number": 0}})");
   const CliAnswer answer = cli_answer({"check", file});

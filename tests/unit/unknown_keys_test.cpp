@@ -70,6 +70,25 @@ TEST(UnknownKeys, WhatOthersReadIsKnown) {
                           "hard_case.floor[0].bowls is not known; did you mean \"bowl\"?"));
 }
 
+// Where the readers refuse them, an error before theirs would hide them.
+TEST(UnknownKeys, OfARefusedFileAreThoseOfAllKinds) {
+  std::vector<std::string> said;
+  for (const UnknownKey& key : unknown_keys_of_file(R"({"talus": 6, "mpa": {}, "zzzzz": 1,
+      "spawns": [{"picture": {"stpes": 1}}], "tile_shapes": {"3": {"parts": [{"pionts": []}], "radius": 1}},
+      "large_tiles": {"3": {"siez": 1}}, "tile_notes": {"3": {"clas": "", "properties": {"own": 1}}},
+      "objects": [{"image": {"pathh": ""}, "objects": [{"heigth": 1}]}], "cart": {"chunks": [{"bnak": 0}]}})"))
+    said.push_back(key.place + " " + key.problem);
+  EXPECT_THAT(said, ElementsAre("cart.chunks[0].bnak is not known; did you mean \"bank\"?",
+                                "large_tiles.3.siez is not known; did you mean \"size\"?",
+                                "mpa is not known; did you mean \"map\"?",
+                                "objects[0].image.pathh is not known; did you mean \"path\"?",
+                                "objects[0].objects[0].heigth is not known; did you mean \"height\"?",
+                                "spawns[0].picture.stpes is not known; did you mean \"steps\"?",
+                                "tile_notes.3.clas is not known; did you mean \"class\"?",
+                                "tile_shapes.3.parts[0].pionts is not known; did you mean \"points\"?",
+                                "tile_shapes.3.radius is not known", "zzzzz is not known"));
+}
+
 TEST(UnknownKeys, AreListedUpToALimit) {
   std::string members = "\"k0\": 0";
   for (std::size_t i = 1; i < 2 * kMaxUnknownListed; ++i) members += ", \"k" + std::to_string(i) + "\": 0";

@@ -1,4 +1,5 @@
-// What a reader did not take is in the texts `extra` of a level. Their objects are walked beside the kinds.
+// What a reader did not take is in the texts `extra` of a level. Their objects are walked beside the kinds,
+// and so is a whole file that no reader took.
 #include "unknown_keys.h"
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include "../ldtk/ldtk_tiles.h"
 #include "../text/json_text.h"
 #include "../text/utf8_text.h"
+#include "native.h"
 #include "native_members.h"
 
 namespace talus {
@@ -23,6 +25,13 @@ using Texts = std::vector<std::string>;
 Words with_looks(Words keys) {
   for (const char* look : {"group", "visible", "locked", "opacity", "offset", "parallax", "tint"})
     keys.emplace_back(look);
+  return keys;
+}
+
+// Of what a picture shows.
+Words with_part(Words keys) {
+  for (const char* key : {"picture", "rect", "shift", "keeps_ratio", "swaps_axes", "mirrors_x", "mirrors_y"})
+    keys.emplace_back(key);
   return keys;
 }
 
@@ -74,6 +83,16 @@ std::vector<KeyKind> make_kinds() {
       {"group", with_looks({"name"})},
       {"object_layer", with_looks({"name", "ground", "place", "by_y", "image", "objects", kLdtkLayerKey})},
       {"cart", {"kind", "chunks", "comment", "lines", "data"}},
+      {"notes", {}},
+      {"note", {"class", "probability", "properties"}},
+      {"large_tiles", {}},
+      {"large_tile", with_part({"size"})},
+      {"layer_image", with_part({"path", "repeats_x", "repeats_y"})},
+      {"object", with_part({"form", "name", "class", "x", "y", "width", "height", "rotation", "points",
+                            "one_way", "visible", "tile", "anchor", "properties"})},
+      {"body_picture", {"sheet", "size", "steps", "stand", "run", "jump", "fall"}},
+      {"shape_part", {"kind", "side", "one_way", "tiles", "heights", "points"}},
+      {"chunk", {"chunk", "bank", "reserved", "code", "data"}},
       {"hard_case",
        {"number", "title", "set_up", "right_answer", "frames", "input", "edits", "floor", "checks"}},
       {"case_input", {"frame", "mouse", "down", "keys"}},
@@ -107,17 +126,40 @@ constexpr std::array<Inner, 18> kInner = {{{"level", "roles", "roles"},
                                            {"hard_case", "floor", "case_curve"},
                                            {"hard_case", "checks", "case_check"}}};
 
+// The same where readers leave nothing there, so that only a whole file has them.
+constexpr std::array<Inner, 18> kInnerOfFile = {{{"level", "flag_fields", "flag_field"},
+                                                 {"level", "spawns", "spawn"},
+                                                 {"level", "curves", "curve"},
+                                                 {"level", "brushes", "brush"},
+                                                 {"level", "exports", "preset"},
+                                                 {"level", "tilesets", "tileset"},
+                                                 {"level", "layers", "layer"},
+                                                 {"level", "groups", "group"},
+                                                 {"level", "objects", "object_layer"},
+                                                 {"level", "tile_notes", "notes"},
+                                                 {"level", "large_tiles", "large_tiles"},
+                                                 {"spawn", "picture", "body_picture"},
+                                                 {"shape", "parts", "shape_part"},
+                                                 {"notes", "", "note"},
+                                                 {"large_tiles", "", "large_tile"},
+                                                 {"object_layer", "image", "layer_image"},
+                                                 {"object_layer", "objects", "object"},
+                                                 {"cart", "chunks", "chunk"}}};
+
 const KeyKind& kind_of(std::string_view name) {
   const auto kinds = key_kinds();
   return *std::find_if(kinds.begin(), kinds.end(), [&](const KeyKind& kind) { return kind.name == name; });
 }
 
-const Inner* inner_of(const KeyKind& kind, const std::string& key) {
+const Inner* inner_of(const KeyKind& kind, const std::string& key, bool is_whole) {
   const bool is_number = number_of_key(key, kMaxTiles).has_value();
-  const auto found = std::find_if(kInner.begin(), kInner.end(), [&](const Inner& inner) {
+  const auto is_it = [&](const Inner& inner) {
     return inner.in == kind.name && (inner.key == key || (inner.key.empty() && is_number));
-  });
-  return found == kInner.end() ? nullptr : &*found;
+  };
+  const auto found = std::find_if(kInner.begin(), kInner.end(), is_it);
+  if (found != kInner.end()) return &*found;
+  const auto of_file = std::find_if(kInnerOfFile.begin(), kInnerOfFile.end(), is_it);
+  return is_whole && of_file != kInnerOfFile.end() ? &*of_file : nullptr;
 }
 
 // How many letters are missing, too many, wrong or swapped with the next one.
@@ -166,8 +208,9 @@ void add_known_places(std::string_view kind, const std::string& key, const std::
   }
 }
 
-// What is said of a key of an object at a place.
-std::string problem_of_key(const std::string& key, const KeyKind& kind, const std::string& place) {
+// What is said of a key of an object at a place. is_whole: see Walk.
+std::string problem_of_key(const std::string& key, const KeyKind& kind, const std::string& place,
+                           bool is_whole) {
   if (has_key(kind, key)) return "is not used here, and is kept as it is";
   Texts places;
   add_known_places("level", key, "", places);
@@ -180,7 +223,7 @@ std::string problem_of_key(const std::string& key, const KeyKind& kind, const st
   if (const auto near = nearest(key, kind.keys))
     return "is not known; did you mean \"" + std::string(*near) + "\"?";
   if (has_key(kind_of("level"), key)) return "is not known here, but at the top of the file";
-  return "is not known, and is kept as it is";
+  return is_whole ? "is not known" : "is not known, and is kept as it is";
 }
 
 // Whether the reader of levels leaves a known key in its place, for others to read.
@@ -192,6 +235,9 @@ bool is_kept(const std::string& key, const KeyKind& kind) {
 
 class Walk {
  public:
+  // is_whole: whether it is of a file as it is, not of what readers left: known keys are not told.
+  explicit Walk(bool is_whole = false) : is_whole_(is_whole) {}
+
   // An object, or a list of objects.
   void visit(const Json& json, const KeyKind& kind, const std::string& place) {
     for (std::size_t i = 0; json.is_array() && i < json.size() && !is_full(); ++i)
@@ -215,11 +261,13 @@ class Walk {
 
   void visit_key(const std::string& key, const Json& value, const KeyKind& kind, const std::string& place) {
     const std::string inner_place = (place.empty() ? "" : place + ".") + printable(key);
-    if (const Inner* inner = inner_of(kind, key); inner && value.is_structured())
+    if (const Inner* inner = inner_of(kind, key, is_whole_))
       return visit(value, kind_of(inner->kind), inner_place);
-    if (!is_kept(key, kind)) found_.push_back({inner_place, problem_of_key(key, kind, place)});
+    if (!is_kept(key, kind) && !(is_whole_ && has_key(kind, key)))
+      found_.push_back({inner_place, problem_of_key(key, kind, place, is_whole_)});
   }
 
+  bool is_whole_;
   std::vector<UnknownKey> found_;
 };
 
@@ -242,6 +290,17 @@ std::vector<UnknownKey> unknown_keys(const Level& level) {
   walk.visit_all(level.layers.list, "layer", "layers");
   walk.visit_all(level.layers.groups, "group", "groups");
   walk.visit_all(level.objects, "object_layer", "objects");
+  return std::move(walk).found();
+}
+
+std::vector<UnknownKey> unknown_keys_of_file(std::string_view bytes) {
+  const auto json = parse_json(bytes);
+  if (!json || !json->is_object()) return {};
+  const auto version = json->find("talus");
+  const bool is_newer = version != json->end() && version->is_number() && *version > kNativeVersion;
+  if (is_newer || json->contains("companion")) return {};
+  Walk walk(true);
+  walk.visit(*json, kind_of("level"), "");
   return std::move(walk).found();
 }
 

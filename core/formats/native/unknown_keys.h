@@ -14,7 +14,7 @@ struct KeyKind {
   std::string_view name;  // the same as in assets/talus.schema.json: "spawn"
   std::vector<std::string_view> keys;
 };
-// Every kind whose unknown keys a level keeps. The readers refuse those of the others.
+// Every kind, also those whose unknown keys the readers refuse.
 std::span<const KeyKind> key_kinds();
 
 struct UnknownKey {
@@ -25,5 +25,8 @@ struct UnknownKey {
 // listed. A key that is known, but not for what the object is, such as the radius of a line, is one, too.
 inline constexpr std::size_t kMaxUnknownListed = 100;
 std::vector<UnknownKey> unknown_keys(const Level& level);
+// Those of a file that is refused, as a misspelt key is often what its error misses. Empty if it is not JSON,
+// a companion, or of a newer version. What is known, but not used, is not listed.
+std::vector<UnknownKey> unknown_keys_of_file(std::string_view bytes);
 
 }  // namespace talus
