@@ -214,6 +214,7 @@ FormatResult<Exported> export_csv(const ExportRequest& request) {
   if (has_flag_names(level)) add("flag_names.csv", flag_name_table(level));
   add("tuning.csv", tuning_table(level.tuning));
   add("sizes.csv", size_table(level.map));
+  tell_body_pictures(level, exported.dropped);
   tell_conveyors(level, true, exported.dropped);
   return exported;
 }

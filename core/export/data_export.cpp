@@ -9,9 +9,7 @@ namespace {
 FormatResult<Exported> export_plain(const ExportRequest& request, Dialect dialect, const std::string& head) {
   auto text = plain_text(request.level, request.whole(), dialect, request.progress);
   if (!text) return tl::unexpected(text.error());
-  std::vector<std::string> dropped;
-  tell_body_pictures(request.level, dropped);
-  return exported_file(head + *text, std::move(dropped));
+  return exported_file(head + *text);
 }
 
 }  // namespace

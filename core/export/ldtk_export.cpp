@@ -85,6 +85,7 @@ OrderedJson body_fields(const PlainBody& body, const SheetLayout& sheet, int til
   fields.erase("id");
   fields.erase("kind");  // the entity says which kind it is
   fields.erase("tile");
+  fields.erase("picture");
   fields["tile"] = body.tile < 0 ? OrderedJson() : tile_rect(sheet.place_of(body.tile), tile_side);
   return fields;
 }

@@ -20,13 +20,15 @@ struct ObjectField {
   const char *key, *type;  // see ldtk_field()
 };
 // What each object has. Points are text, as LDtk would round them.
-constexpr std::array<ObjectField, 12> kObjectFields = {{{"form", "String"},
+constexpr std::array<ObjectField, 14> kObjectFields = {{{"form", "String"},
                                                         {"class", "String"},
                                                         {"name", "String"},
                                                         {"x", "Float"},
                                                         {"y", "Float"},
                                                         {"w", "Float"},
                                                         {"h", "Float"},
+                                                        {"tile", "Int"},
+                                                        {"turn", "Int"},
                                                         {"rotation", "Float"},
                                                         {"points", "String"},
                                                         {"ground", "Bool"},

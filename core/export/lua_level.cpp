@@ -171,15 +171,22 @@ void write_curve(LuaTable&& table, const Curve& curve) {
   if (curve.conveyor != 0) table.number("conveyor", curve.conveyor);
 }
 
-// Each act has frames: its own, or those that stand for it.
-void write_picture(LuaTable&& table, const BodyPicture& picture) {
-  if (picture.sheet == SheetId::sprites) table.word("sheet", "sprites");
-  table.number("columns", picture.columns);
-  table.number("rows", picture.rows);
-  table.number("steps", picture.steps);
-  for (std::size_t act = 0; act < kBodyActWords.size(); ++act) {
-    const BodyFrames& frames = frames_of(picture, static_cast<BodyAct>(act));
-    table.numbers(kBodyActWords[act], std::vector<int>{frames.first, frames.count});
+// A value of JSON as a member. Its keys are names, or what users called their properties.
+void write_json(LuaTable& table, const std::string& key, const OrderedJson& value) {
+  if (value.is_structured()) {
+    LuaTable inner = table.in_a_row(key);
+    for (const auto& [name, entry] : value.items())
+      write_json(inner,
+                 value.is_array()    ? ""
+                 : is_lua_name(name) ? name
+                                     : "[" + lua_string(name) + "]",
+                 entry);
+  } else if (value.is_number_float()) {
+    table.number(key, value.get<double>());
+  } else if (value.is_string()) {
+    table.member(key) += lua_string(value.get_ref<const std::string&>());
+  } else {
+    table.member(key) += value.is_null() ? "nil" : value.dump();
   }
 }
 
@@ -201,7 +208,7 @@ void write_spawn(LuaTable&& table, const Spawn& spawn, TileSize tile, const Leve
   if (table.writes_defaults() || spawn.used_foot() != traits.foot)
     table.word("foot", foot_word(spawn.used_foot()));
   const BodyPicture picture = on_sheet(spawn.picture, level.sheet(spawn.picture.sheet).layout());
-  if (!picture.empty()) write_picture(table.in_a_row("picture"), picture);
+  if (!picture.empty()) write_json(table, "picture", plain_body_picture(picture));
 }
 
 // meets: whether the bodies of the level do. Otherwise the form counts for the impulses of events alone.
@@ -334,25 +341,6 @@ void write_pictures(const Level& level, const LuaPictures& pictures, LuaTable& t
                   numbers_of(placed(tile, {0, 0}, level.map.tile_size()), pictures));
 }
 
-// A value of JSON as a member. Its keys are names, or what users called their properties.
-void write_json(LuaTable& table, const std::string& key, const OrderedJson& value) {
-  if (value.is_structured()) {
-    LuaTable inner = table.in_a_row(key);
-    for (const auto& [name, entry] : value.items())
-      write_json(inner,
-                 value.is_array()    ? ""
-                 : is_lua_name(name) ? name
-                                     : "[" + lua_string(name) + "]",
-                 entry);
-  } else if (value.is_number_float()) {
-    table.number(key, value.get<double>());
-  } else if (value.is_string()) {
-    table.member(key) += lua_string(value.get_ref<const std::string&>());
-  } else {
-    table.member(key) += value.is_null() ? "nil" : value.dump();
-  }
-}
-
 void write_by_number(LuaTable& table, std::string_view key, const OrderedJson& values) {
   if (values.empty()) return;
   LuaTable list = table.in_lines(key);
@@ -470,6 +458,7 @@ void write_level(LuaTable&& table, const Level& level, bool with_tiles, const Pr
   }
   if (whole != nullptr) write_data(*whole, table);
   if (!with_tiles) return;
+  write_json(table, "roles", plain_roles(level.roles));
   write_flags(level, table);
   if (layered != nullptr) {
     write_layers(*layered, whole->layers.count(), pictures, table);

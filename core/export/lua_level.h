@@ -11,6 +11,7 @@
 //   balls             by tile number, of tiles that are bodies: their kind, such as "ball"
 //   flags             by the name of a flag, the tiles that have it: true by tile number; only if flags have
 //                     names, and not in a small table
+//   roles             by the role, such as "solid", the number of its flag; not in a small table
 //   curves            kind, faces ("up", "down", "both"), conveyor (0) and the numbers in
 //                     talus/collision/shape.h
 //   tile_flags        by tile number, the flags of tiles that have any: bit n is flag n
@@ -20,7 +21,8 @@
 //                     "ellipse", "polygon", "polyline", "tile", "other"), class, name, x, y (of the top left
 //                     corner of its box, on the map), w, h, properties; unless default: rotation (0, degrees
 //                     clockwise about x, y), points (of polygons and polylines: x and y on the map in turn,
-//                     rotated), ground (false: its layer is none), one_way, hidden (false)
+//                     rotated), tile (of a map of Tiled), turn (0, as in turns), ground (false: its layer is
+//                     none), one_way, hidden (false)
 //   animations        by tile number, the tiles that it shows, and for how many ms, in turn
 //   tile_notes        by tile number, what its user wrote: class, probability (1), properties
 //   layer_name        of the only layer, if there are no layers and it has one

@@ -235,6 +235,8 @@ PlainBody PlainBodies::at(std::size_t index) const {
   body.id = static_cast<int>(index) + 1;
   if (index >= tiles_.size()) {
     body.start = level_.spawns[index - tiles_.size()];
+    BodyPicture& picture = body.start.picture;
+    picture = on_sheet(picture, level_.sheet(picture.sheet).layout());
   } else {
     body.tile = level_.map.tile_at(tiles_[index]);
     const Rect box = level_.map.box_of(tiles_[index]);

@@ -45,7 +45,7 @@ std::vector<PlainShape> plain_shapes(const TerrainSource& ground);
 struct PlainBody {
   int id = 1;     // the id that the simulation gives it
   int tile = -1;  // of a ball that is a tile of the map; -1: placed by hand
-  Spawn start;
+  Spawn start;    // its picture has the frames alone that are on their sheet
 };
 
 // All bodies in the order of their ids, from 1: first the ball tiles of the map, column by column from left

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "../formats/text/json_text.h"
+#include "../formats/tiled/tiled_map.h"
 
 namespace talus {
 namespace {
@@ -12,6 +13,12 @@ std::string_view form_word(const MapObject& object) {
                                                       "polyline", "tile",    "other"};
   const bool is_point = object.form == MapObject::Form::box && object.size == Vec2();
   return is_point ? "point" : kWords[static_cast<std::size_t>(object.form)];
+}
+
+constexpr std::uint32_t kTiledFlips = kTiledFlipX | kTiledFlipY | kTiledFlipXY;
+
+TileTurn turn_of_gid(std::uint32_t gid) {
+  return turn_of((gid & kTiledFlipXY) != 0, (gid & kTiledFlipX) != 0, (gid & kTiledFlipY) != 0);
 }
 
 // px of the map, with the rotation of the object.
@@ -58,6 +65,9 @@ OrderedJson plain_object_json(const Level& level, ObjectPlace place) {
                       {"w", json_number(object.size.x)},
                       {"h", json_number(object.size.y)}};
   const std::vector<Vec2> points = points_of(object);
+  if (object.tile != 0) json["tile"] = object.tile & ~kTiledFlips;
+  if (const TileTurn turn = turn_of_gid(object.tile); turn != TileTurn::none)
+    json["turn"] = static_cast<int>(turn);
   if (object.rotation != 0 && points.empty()) json["rotation"] = json_number(object.rotation);
   for (const Vec2 point : points) {
     json["points"].emplace_back(json_number(point.x + offset.x));
@@ -99,6 +109,28 @@ OrderedJson plain_flag_names(const Level& level) {
   for (std::size_t flag = 0; flag < level.flag_names.size(); ++flag)
     if (!level.flag_names[flag].empty()) names[std::to_string(flag)] = level.flag_names[flag];
   return names;
+}
+
+OrderedJson plain_roles(const FlagRoles& roles) {
+  OrderedJson json = OrderedJson::object();
+  for (const FlagRoleInfo& info : flag_role_infos()) {
+    const int flag = roles.*info.flag;
+    if (flag != FlagRoles::kUnused) json[std::string(info.key)] = flag;
+  }
+  return json;
+}
+
+OrderedJson plain_body_picture(const BodyPicture& picture) {
+  OrderedJson json = OrderedJson::object();
+  if (picture.sheet == SheetId::sprites) json["sheet"] = "sprites";
+  json["columns"] = picture.columns;
+  json["rows"] = picture.rows;
+  json["steps"] = picture.steps;
+  for (std::size_t act = 0; act < kBodyActWords.size(); ++act) {
+    const BodyFrames& frames = frames_of(picture, static_cast<BodyAct>(act));
+    json[std::string(kBodyActWords[act])] = {frames.first, frames.count};
+  }
+  return json;
 }
 
 OrderedJson plain_tilesets(const Level& level) {

@@ -1,5 +1,6 @@
 // What of a level lies beside its ground, as JSON values for all exports of plain data: layers, objects,
-// flags' names, tilesets and animations. docs/export-data.md describes their members.
+// flags' names and roles, tilesets, animations and the pictures of bodies. docs/export-data.md describes
+// their members.
 #pragma once
 
 #include <vector>
@@ -26,6 +27,10 @@ OrderedJson plain_layer_json(const Level& level, LayerInOrder layer);
 
 // By number; flags without a name are left out.
 OrderedJson plain_flag_names(const Level& level);
+// The flags of the roles in use, by their keys.
+OrderedJson plain_roles(const FlagRoles& roles);
+// Each act has frames, its own or those that stand for it. The picture must not be empty.
+OrderedJson plain_body_picture(const BodyPicture& picture);
 OrderedJson plain_tilesets(const Level& level);
 // By tile, the tiles that it shows and for how many ms, in turn.
 OrderedJson plain_animations(const Level& level);

@@ -22,15 +22,6 @@ OrderedJson numbers(const std::vector<double>& values) {
   return list;
 }
 
-OrderedJson roles_of(const Level& level) {
-  OrderedJson roles = OrderedJson::object();
-  for (const FlagRoleInfo& info : flag_role_infos()) {
-    const int flag = level.roles.*info.flag;
-    if (flag != FlagRoles::kUnused) roles[std::string(info.key)] = flag;
-  }
-  return roles;
-}
-
 // As in the level's file.
 OrderedJson tuning_of(const Tuning& tuning) {
   OrderedJson members = {{"solver", solver_name(tuning.solver)}};
@@ -278,6 +269,7 @@ OrderedJson plain_body_json(const PlainBody& body) {
                          {"vy", number(start.velocity.y)},
                          {"foot", foot_word(start.used_foot())}};
   if (body.tile >= 0) members["tile"] = body.tile;
+  if (!start.picture.empty()) members["picture"] = plain_body_picture(start.picture);
   return members;
 }
 
@@ -298,7 +290,7 @@ FormatResult<std::string> plain_text(const Level& level, const Level& whole, Dia
   printer.put("flags", {{"tiles", level.sheet(SheetId::tiles).flags},
                         {"sprites", level.sheet(SheetId::sprites).flags}});
   printer.put_if_any("flag_names", plain_flag_names(level));
-  printer.put("roles", roles_of(level));
+  printer.put("roles", plain_roles(level.roles));
   printer.put("shapes", shapes_of(ground));
   printer.put_if_any("tile_notes", plain_notes(level));
   printer.put_if_any("animations", plain_animations(whole));

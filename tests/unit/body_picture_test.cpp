@@ -1,6 +1,8 @@
 // Pictures of bodies: their frames, in files, in games, and where tiles get other numbers.
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include <talus/sim/body_act.h>
 #include "edit/body_frames.h"
 #include "export/exporter.h"
@@ -250,7 +252,6 @@ TEST_F(BodyPictureFiles, GamesHaveTheSheetThatTheyShow) {
   }
 }
 
-// assets/templates/frames.lua chooses as the program does.
 TEST_F(BodyPictureFiles, ExportsThatLeaveThemOutSaySo) {
   Level level = level_with(walking());
   level.map.set({3, 3}, 1);
@@ -258,13 +259,31 @@ TEST_F(BodyPictureFiles, ExportsThatLeaveThemOutSaySo) {
   const ReadAsset read = [this](const std::string& asset) -> FormatResult<std::string> {
     return bytes_of(source_path("assets/") + asset);
   };
-  for (const char* id : {"ldtk", "json", "lua", "c", "sti"}) {
+  for (const char* id : {"ldtk", "csv", "c", "sti"}) {
     const auto made = find_exporter(id)->make({level, "cave", read});
     ASSERT_TRUE(made) << id << ": " << made.error().message;
     EXPECT_THAT(made->dropped, testing::Contains("the picture of a body")) << id;
   }
 }
 
+TEST_F(BodyPictureFiles, PlainDataHaveTheirFrames) {
+  const ReadAsset none = [](const std::string&) -> FormatResult<std::string> { return ""; };
+  const auto body_of = [&](const BodyPicture& picture) {
+    const auto made = find_exporter("json")->make({level_with(picture), "cave", none});
+    EXPECT_TRUE(made->dropped.empty());
+    return nlohmann::json::parse(made->files[0].bytes)["bodies"][0];
+  };
+  EXPECT_EQ(body_of(walking())["picture"],
+            nlohmann::json::parse(R"({"columns": 2, "rows": 3, "steps": 4, "stand": [32, 1], "run": [34, 3],
+                            "jump": [32, 1], "fall": [32, 1]})"));
+  EXPECT_EQ(body_of(walking_of_sprites())["picture"]["sheet"], "sprites");
+  EXPECT_FALSE(body_of({}).contains("picture"));
+  BodyPicture beside;
+  beside[BodyAct::stand] = {300, 1};
+  EXPECT_FALSE(body_of(beside).contains("picture")) << "its frames leave the sheet";
+}
+
+// assets/templates/frames.lua chooses as the program does.
 TEST_F(BodyPictureFiles, GamesInLuaShowTheSameFrames) {
   std::string script =
                   "local frames = dofile([[" + source_path("assets/templates/frames.lua") +

@@ -298,7 +298,7 @@ TEST(ExportLdtk, ObjectsAreEntitiesWithFields) {
   EXPECT_EQ(first["px"], LdtkJson({2, 3}));
   EXPECT_EQ(first["width"], 4);
   EXPECT_EQ(values_of(first), LdtkJson::parse(R"({"form": "box", "class": "Coin", "name": "a \"coin\"",
-      "x": 2.25, "y": 3, "w": 4, "h": 6.5, "rotation": 0, "points": null, "ground": false, "one_way": false,
+      "x": 2.25, "y": 3, "w": 4, "h": 6.5, "rotation": 0, "tile": null, "turn": null, "points": null, "ground": false, "one_way": false,
       "hidden": false, "value": 3, "key": "red", "x_2": true, "deep": "[1]"})"));
   EXPECT_EQ(values_of(second)["value"], 2.5);
   EXPECT_EQ(values_of(second)["key"], "5") << "others have text there";
@@ -316,7 +316,7 @@ TEST(ExportLdtk, AClassOfObjectsHasOneDefinition) {
   EXPECT_EQ(all[5]["identifier"], "Coin");
   std::map<std::string, std::string> types;
   for (const LdtkJson& field : all[5]["fieldDefs"]) types[field["identifier"]] = field["type"];
-  EXPECT_EQ(types.size(), 16U);
+  EXPECT_EQ(types.size(), 18U);
   EXPECT_EQ(types["value"], "F_Float");
   EXPECT_EQ(types["key"], "F_String");
   EXPECT_EQ(types["x_2"], "F_Bool");

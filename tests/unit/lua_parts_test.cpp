@@ -221,7 +221,8 @@ TEST(LuaLevel, HasALineForEachRowTileAndBody) {
   EXPECT_EQ(text.substr(0, begin.size()), begin);
   EXPECT_NE(text.find("\n    fall_speed = 5,\n"), std::string::npos);
   const std::string end =
-      "\n  },\n  objects = {},\n  parts = {\"slopes\", \"segments\", \"balls\", \"sides\"},\n}\n";
+      "\n  },\n  objects = {},\n  roles = {solid = 0, up_slope = 2, down_slope = 3, ball = 1},\n"
+      "  parts = {\"slopes\", \"segments\", \"balls\", \"sides\"},\n}\n";
   EXPECT_EQ(text.substr(text.size() - end.size()), end);
 }
 

@@ -48,7 +48,7 @@ Level layered_level() {
        .rotation = 180,
        .points = {{0, 0}, {4, 0}, {0, 4}}},
       {.form = MapObject::Form::polyline, .position = {10, 4}, .points = {{0, 0}, {2, 0}}, .one_way = true},
-      {.form = MapObject::Form::tile, .position = {8, 16}, .size = {4, 6}},
+      {.form = MapObject::Form::tile, .position = {8, 16}, .size = {4, 6}, .tile = 0xA0000007},
       {.form = MapObject::Form::ellipse, .size = {4, 6}},
       {.form = MapObject::Form::other, .size = {4, 6}}};
   ObjectLayer walls{.name = "walls", .is_ground = true};
@@ -95,6 +95,9 @@ TEST(PlainLayers, ObjectsSayWhatTheyAreAndWhere) {
   EXPECT_EQ(objects[3]["points"], (Json{11, 4, 13, 4}));
   EXPECT_EQ(objects[3]["one_way"], true);
   EXPECT_EQ(objects[4]["y"], 10) << "its top";
+  EXPECT_EQ(objects[4]["tile"], 7);
+  EXPECT_EQ(objects[4]["turn"], 5) << "x and y change places, and then left and right";
+  EXPECT_FALSE(objects[0].contains("tile"));
   std::vector<std::string> forms;
   for (const Json& object : objects) forms.push_back(object["form"]);
   EXPECT_THAT(forms, ElementsAre("point", "box", "polygon", "polyline", "tile", "ellipse", "other", "box"));
@@ -121,7 +124,7 @@ TEST(PlainLayers, ThePageHasAllMembers) {
   Level level = layered_level();
   level.tile_shapes[4] = {.kind = TileShape::Kind::polygon, .points = {{0, 8}, {8, 0}, {8, 8}}};
   level.tile_notes[3] = {"lava", 1, ""};
-  level.spawns.emplace_back();
+  level.spawns.emplace_back().picture[BodyAct::stand] = {1, 1};
   const Json data = Json::parse(made("json", level).files[0].bytes);
   const std::string page = read_file(source_path("docs/export-data.md")).value();
   const auto expect_named = [&](const Json& json, const std::string& lead) {
@@ -174,8 +177,8 @@ TEST_F(LuaData, LevelsOfGamesHaveTheSame) {
                          "  if layer.tiles then layers[#layers + 1] = layer.name end\n"
                          "end\n"
                          "print(table.concat(layers, ' '), level.tile_flags[1], level.flag_names[2])\n"
-                         "print(level.tilesets[1].path, level.animations[3][4])\n",
-                     "8\tmoney\ttrue\nsky ground\t5\tladder\ncave.png\t50\n");
+                         "print(level.tilesets[1].path, level.animations[3][4], level.roles.solid)\n",
+                     "8\tmoney\ttrue\nsky ground\t5\tladder\ncave.png\t50\t0\n");
     }
   }
   EXPECT_THAT(made("lua-runtime", layered_level()).dropped, ElementsAre(HasSubstr("layer of a picture")));
@@ -204,7 +207,7 @@ TEST_F(LuaData, LayersWithMoreRowsThanALuaJitFunctionHoldsAreRead) {
 
 TEST(PlainLayers, CartsHaveNoneOfThem) {
   const std::string small = lua_level(ground_level(layered_level()), LuaForm::small);
-  for (const char* word : {"objects", "tile_flags", "flag_names", "tilesets", "layers", "money"})
+  for (const char* word : {"objects", "tile_flags", "flag_names", "tilesets", "layers", "money", "roles"})
     EXPECT_THAT(small, Not(HasSubstr(word)));
   EXPECT_THAT(lua_level(level_of_shapes({"1"})), Not(HasSubstr("layer_name")));
 }
