@@ -2,8 +2,6 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
-#include <set>
-#include <sstream>
 
 #include "export/lua_level.h"
 #include "folder_test.h"
@@ -102,44 +100,6 @@ TEST(PlainLayers, ObjectsSayWhatTheyAreAndWhere) {
   for (const Json& object : objects) forms.push_back(object["form"]);
   EXPECT_THAT(forms, ElementsAre("point", "box", "polygon", "polyline", "tile", "ellipse", "other", "box"));
   EXPECT_EQ(objects[7]["ground"], true);
-}
-
-// The members of a table of docs/export-data.md, after the words that lead to it.
-std::set<std::string> members_on_page(const std::string& page, const std::string& lead) {
-  std::set<std::string> members;
-  std::istringstream lines(page.substr(page.find("\n" + lead + "\n")));
-  bool in_table = false;
-  for (std::string line; std::getline(lines, line) && !(in_table && line.empty());) {
-    in_table = in_table || line.starts_with("| ---");
-    if (!in_table || !line.starts_with("| `")) continue;
-    const std::string names = line.substr(0, line.find(" |", 2));
-    for (auto from = names.find('`'); from != names.npos;
-         from = names.find('`', names.find('`', from + 1) + 1))
-      members.insert(names.substr(from + 1, names.find('`', from + 1) - from - 1));
-  }
-  return members;
-}
-
-TEST(PlainLayers, ThePageHasAllMembers) {
-  Level level = layered_level();
-  level.tile_shapes[4] = {.kind = TileShape::Kind::polygon, .points = {{0, 8}, {8, 0}, {8, 8}}};
-  level.tile_notes[3] = {"lava", 1, ""};
-  level.spawns.emplace_back().picture[BodyAct::stand] = {1, 1};
-  const Json data = Json::parse(made("json", level).files[0].bytes);
-  const std::string page = read_file(source_path("docs/export-data.md")).value();
-  const auto expect_named = [&](const Json& json, const std::string& lead) {
-    const std::set<std::string> members = members_on_page(page, lead);
-    for (const auto& [key, value] : json.items()) EXPECT_TRUE(members.contains(key)) << lead << " " << key;
-  };
-  const std::set<std::string> all = members_on_page(page, "## JSON and Lua");
-  EXPECT_GT(all.size(), 12U);
-  for (const std::string& member : all) EXPECT_TRUE(data.contains(member)) << member;
-  expect_named(data, "## JSON and Lua");
-  for (const auto& [key, lead] : {std::pair{"layers", "A layer has"},
-                                  {"objects", "An object has"},
-                                  {"shapes", "A shape has"},
-                                  {"bodies", "A body has"}})
-    for (const Json& entry : data[key]) expect_named(entry, lead);
 }
 
 class LuaData : public FolderTest {
