@@ -28,11 +28,11 @@ constexpr std::size_t kMostMovedEntries = 20'000'000;
 constexpr int kMostDeep = kMaxJsonDepth + 5;
 
 // Thrown and caught in this file only: ends the reading of nested values at the first error.
-struct Wrong {
+struct WrongRecording {
   FormatError error;
 };
-[[noreturn]] void fail(const std::string& key, const std::string& message) {
-  throw Wrong{{"key " + key, message}};
+[[noreturn]] void refuse(const std::string& key, const std::string& message) {
+  throw WrongRecording{{"key " + key, message}};
 }
 
 std::string too_deep() { return "is nested deeper than " + std::to_string(kMaxJsonDepth) + " levels"; }
@@ -48,31 +48,31 @@ std::string entry_path(const char* list, std::size_t i) {
 std::int64_t whole(const Json& object, const std::string& path, const char* key, std::int64_t min,
                    std::int64_t max) {
   const std::string place = path + key;
-  if (!object.contains(key)) fail(place, "is missing");
+  if (!object.contains(key)) refuse(place, "is missing");
   const Json& value = object[key];
   if (!is_whole(value, min, max))
-    fail(place, "must be a whole number from " + std::to_string(min) + " to " + std::to_string(max));
+    refuse(place, "must be a whole number from " + std::to_string(min) + " to " + std::to_string(max));
   return value.get<std::int64_t>();
 }
 
-const Json& list_in(const Json& object, const char* key) {
+const Json& list_member(const Json& object, const char* key) {
   static const Json kNone = Json::array();
   if (!object.contains(key)) return kNone;
-  if (!object[key].is_array()) fail(key, "must be a list");
+  if (!object[key].is_array()) refuse(key, "must be a list");
   return object[key];
 }
 
 void check_keys(const Json& object, const std::string& path, std::initializer_list<std::string_view> known) {
-  if (!object.is_object()) fail(path, "must be an object");
+  if (!object.is_object()) refuse(path, "must be an object");
   for (const auto& [key, value] : object.items()) {
     if (std::find(known.begin(), known.end(), key) == known.end())
-      fail(path.empty() ? key : path + "." + key, "is not a key of recordings");
+      refuse(path.empty() ? key : path + "." + key, "is not a key of recordings");
   }
 }
 
 Level level_in(Json json, const std::string& path) {
   auto level = level_of_document(std::move(json));
-  if (!level) throw Wrong{error_within("key " + path, level.error())};
+  if (!level) throw WrongRecording{error_within("key " + path, level.error())};
   return *std::move(level);
 }
 
@@ -130,22 +130,23 @@ class RecordingReader {
   explicit RecordingReader(Progress progress) : progress_(std::move(progress)) {}
 
   Recording read(Json document) {
-    if (!document.is_object()) throw Wrong{{"", "is JSON, but not a recording"}};
+    if (!document.is_object()) throw WrongRecording{{"", "is JSON, but not a recording"}};
     const std::string version_key(kRecordingKey);
-    if (!document.contains(version_key)) fail(version_key, "is missing, so this is not a recording");
+    if (!document.contains(version_key)) refuse(version_key, "is missing, so this is not a recording");
     if (whole(document, "", version_key.c_str(), 1, 1'000'000) > kRecordingVersion)
-      fail(version_key, "is newer than what this Talus reads, version " + std::to_string(kRecordingVersion));
+      refuse(version_key,
+             "is newer than what this Talus reads, version " + std::to_string(kRecordingVersion));
     check_keys(document, "",
                {kRecordingKey, "frames", "marks", "level", "alone", "edits", "input", "hashes"});
     read_hashes(document);
-    read_marks(list_in(document, "marks"));
-    read_input(list_in(document, "input"));
-    if (!document.contains("level")) fail("level", "is missing");
-    if (depth_of(document["level"]) > kMaxJsonDepth) fail("level", too_deep());
+    read_marks(list_member(document, "marks"));
+    read_input(list_member(document, "input"));
+    if (!document.contains("level")) refuse("level", "is missing");
+    if (depth_of(document["level"]) > kMaxJsonDepth) refuse("level", too_deep());
     recording_.level = level_in(document["level"], "level");
     if (document.contains("alone")) read_alone(document["alone"]);
-    const Json& edits = list_in(document, "edits");
-    if (edits.size() > kMaxRecordedEdits) throw Wrong{too_many_edits()};
+    const Json& edits = list_member(document, "edits");
+    if (edits.size() > kMaxRecordedEdits) throw WrongRecording{too_many_edits()};
     read_edits(edits, document["level"]);
     return std::move(recording_);
   }
@@ -153,11 +154,11 @@ class RecordingReader {
  private:
   // The hashes give the number of frames before memory is taken for them.
   void read_hashes(const Json& document) {
-    if (!document.contains("hashes")) fail("hashes", "is missing");
-    const Json& texts = list_in(document, "hashes");
+    if (!document.contains("hashes")) refuse("hashes", "is missing");
+    const Json& texts = list_member(document, "hashes");
     for (std::size_t i = 0; i < texts.size(); ++i) {
       const std::string path = entry_path("hashes", i);
-      if (!texts[i].is_string()) fail(path, "must be a string");
+      if (!texts[i].is_string()) refuse(path, "must be a string");
       read_hash_text(texts[i].get_ref<const std::string&>(), path);
     }
     const bool has_any = !recording_.hashes.empty();
@@ -166,8 +167,8 @@ class RecordingReader {
     if (!has_any) return;
     const auto wanted = static_cast<std::size_t>(recording_.frames) + 1;
     if (recording_.hashes.size() != wanted) {
-      fail("hashes", "must hold " + std::to_string(wanted) + " hashes, one more than frames, not " +
-                         std::to_string(recording_.hashes.size()));
+      refuse("hashes", "must hold " + std::to_string(wanted) + " hashes, one more than frames, not " +
+                           std::to_string(recording_.hashes.size()));
     }
   }
 
@@ -182,7 +183,7 @@ class RecordingReader {
       }
       const std::size_t end = at + kHashDigits;
       if (!good || (end < text.size() && (text[end] != ' ' || end + 1 == text.size())))
-        fail(path, "must be hashes of 16 hexadecimal digits with a space between them");
+        refuse(path, "must be hashes of 16 hexadecimal digits with a space between them");
       recording_.hashes.push_back(hash);
     }
   }
@@ -193,9 +194,9 @@ class RecordingReader {
       check_keys(marks[i], path, {"frame", "name"});
       const std::int64_t frame = whole(marks[i], path + ".", "frame", 0, recording_.frames);
       if (i > 0 && frame <= recording_.marks.back().frame)
-        fail(path + ".frame", "is not after the one before");
+        refuse(path + ".frame", "is not after the one before");
       const Json name = marks[i].value("name", Json(""));
-      if (!name.is_string()) fail(path + ".name", "must be a string");
+      if (!name.is_string()) refuse(path + ".name", "must be a string");
       recording_.marks.push_back({frame, name.get<std::string>()});
     }
   }
@@ -205,9 +206,9 @@ class RecordingReader {
     for (std::size_t i = 0; i < entries.size(); ++i) {
       const std::string path = entry_path("input", i);
       const std::int64_t before = i == 0 ? 0 : held.frame;
-      if (const std::string wrong = take_input_entry(entries[i], held); !wrong.empty()) fail(path, wrong);
-      if (held.frame <= before) fail(path + ".frame", "is not after the one before");
-      if (held.frame > recording_.frames) fail(path + ".frame", "is after the last frame");
+      if (const std::string wrong = take_input_entry(entries[i], held); !wrong.empty()) refuse(path, wrong);
+      if (held.frame <= before) refuse(path + ".frame", "is not after the one before");
+      if (held.frame > recording_.frames) refuse(path + ".frame", "is after the last frame");
       recording_.input.push_back(held);
     }
   }
@@ -222,10 +223,10 @@ class RecordingReader {
     const TuningField& speed = run_speed_field();
     if (!speed.accepts(body.run_speed)) take.fail("run_speed", range_text(speed.min, speed.max, speed.unit));
     const auto taken = take.result(true);
-    if (!taken) throw Wrong{taken.error()};
+    if (!taken) throw WrongRecording{taken.error()};
     auto spawn = take_spawn(json, path);
-    if (!spawn) throw Wrong{spawn.error()};
-    if (!json.empty()) fail(path + "." + json.begin().key(), "is not a key of recordings");
+    if (!spawn) throw WrongRecording{spawn.error()};
+    if (!json.empty()) refuse(path + "." + json.begin().key(), "is not a key of recordings");
     body.spawn = *std::move(spawn);
     recording_.alone = std::move(body);
   }
@@ -235,18 +236,18 @@ class RecordingReader {
     EditAmounts amounts(*before);
     std::int64_t last = 1;
     for (std::size_t i = 0; i < edits.size(); ++i) {
-      if (!progress_.at(i, edits.size())) throw Wrong{was_cancelled().value()};
+      if (!progress_.at(i, edits.size())) throw WrongRecording{was_cancelled().value()};
       const std::string path = entry_path("edits", i);
       check_keys(edits[i], path, {"frame", "patch"});
       const std::int64_t frame = whole(edits[i], path + ".", "frame", 1, recording_.frames);
-      if (frame < last) fail(path + ".frame", "goes backwards");
+      if (frame < last) refuse(path + ".frame", "goes backwards");
       last = frame;
-      if (!edits[i].contains("patch")) fail(path + ".patch", "is missing");
+      if (!edits[i].contains("patch")) refuse(path + ".patch", "is missing");
       const double before_it = share_of(i, edits.size()), after_it = share_of(i + 1, edits.size());
       apply_patch(edits[i]["patch"], path + ".patch", level, progress_.part(before_it, after_it));
       const Level edited = level_without_cart_in(level, path);
       auto after = std::make_shared<const LevelVersion>(version_of(edited, before.get()));
-      if (auto problem = amounts.add(*before, *after, edited)) throw Wrong{*std::move(problem)};
+      if (auto problem = amounts.add(*before, *after, edited)) throw WrongRecording{*std::move(problem)};
       before = std::move(after);
       recording_.edits.push_back({frame, before});
     }
@@ -254,19 +255,19 @@ class RecordingReader {
 
   // "copy" is not allowed: with it a short patch could make a level that fills the memory.
   void apply_patch(const Json& patch, const std::string& path, Json& level, const Progress& progress) {
-    if (!patch.is_array()) fail(path, "must be a list");
+    if (!patch.is_array()) refuse(path, "must be a list");
     for (std::size_t i = 0; i < patch.size(); ++i) {
-      if (!progress.at(i, patch.size())) throw Wrong{was_cancelled().value()};
+      if (!progress.at(i, patch.size())) throw WrongRecording{was_cancelled().value()};
       const Json kind = patch[i].is_object() ? patch[i].value("op", Json()) : Json();
       if (kind != "add" && kind != "remove" && kind != "replace")
-        fail(entry_path(path.c_str(), i), R"(must have an "op": "add", "remove" or "replace")");
+        refuse(entry_path(path.c_str(), i), R"(must have an "op": "add", "remove" or "replace")");
       try {
         if (levels_after(patch[i]) > kMaxJsonDepth)
-          fail(entry_path(path.c_str(), i), "makes a level that " + too_deep());
+          refuse(entry_path(path.c_str(), i), "makes a level that " + too_deep());
         count_moves(patch[i], path, level);
         level.patch_inplace(Json::array({patch[i]}));
       } catch (const Json::exception&) {
-        fail(path, "does not fit the level before it");
+        refuse(path, "does not fit the level before it");
       }
     }
   }
@@ -290,7 +291,7 @@ class RecordingReader {
     const std::string& digits = place.back();
     const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
     if (problem == std::errc() && index < list.size()) moved_ += list.size() - index;
-    if (moved_ > kMostMovedEntries) fail(path, "moves too many entries of lists");
+    if (moved_ > kMostMovedEntries) refuse(path, "moves too many entries of lists");
   }
 
   Recording recording_;
@@ -416,7 +417,7 @@ FormatResult<Recording> read_recording(std::string_view bytes, const Progress& p
   if (!document) return tl::unexpected(document.error());
   try {
     return RecordingReader(progress.part(kParsed, 1)).read(*std::move(document));
-  } catch (const Wrong& wrong) {
+  } catch (const WrongRecording& wrong) {
     return tl::unexpected(wrong.error);
   }
 }
