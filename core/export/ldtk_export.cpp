@@ -261,12 +261,12 @@ class LdtkProject {
     begin_member(text, "levels").append("[\n").append(opened(level));
     begin_member(text, "layerInstances") += "[\n";
     put_bodies(text);
-    text += ",\n";
     put_objects(false, text);
+    text += ",\n";
     put_tiles(text);
     text += ",\n";
-    put_objects(true, text);
     put_collision(text);
+    put_objects(true, text);
     text += "]}]}\n";
     return text;
   }
@@ -284,7 +284,7 @@ class LdtkProject {
         {{"__type", type}, {"identifier", name}, {"type", type}, {"uid", uid}, {"gridSize", side_}});
   }
 
-  // Those in front of the layer of tiles, or behind it.
+  // Those in front of the tiles, or behind all.
   void add_object_layers(bool are_behind, OrderedJson& list) const {
     for (const LdtkObjects::Layer& layer : objects_.layers()) {
       if (layer.is_behind != are_behind) continue;
@@ -300,7 +300,6 @@ class LdtkProject {
     add_object_layers(false, list);
     list.push_back(layer_def("Tiles", "Tiles", kTilesUid));
     list.back()["tilesetDefUid"] = int{kTilesetUid};
-    add_object_layers(true, list);
     OrderedJson& values =
         list.emplace_back(layer_def("Collision", "IntGrid", kCollisionUid))["intGridValues"];
     for (const LdtkShapes::Value& value : shapes_.values()) {
@@ -310,6 +309,7 @@ class LdtkProject {
                         {"tile", nullptr},
                         {"groupUid", 0}});
     }
+    add_object_layers(true, list);
     return list;
   }
 
@@ -368,16 +368,16 @@ class LdtkProject {
         head_of("Bodies", "Entities", kBodiesUid), bodies.size(),
         [&](std::size_t i) { return entity(bodies.at(i), sheet, side_); }, text);
   }
-  // Those in front of the layer of tiles, or behind it, each with a comma behind it.
+  // Those in front of the tiles, or behind all, each with a comma before it.
   void put_objects(bool are_behind, std::string& text) const {
     for (const LdtkObjects::Layer& layer : objects_.layers()) {
       if (layer.is_behind != are_behind) continue;
       const LayerLooks looks = looks_of(layer);
+      text += ",\n";
       put_entities(
           {layer.identifier, "Entities", layer.uid, layer.iid, looks.opacity, looks.visible},
           layer.source->objects.size(), [&](std::size_t i) { return objects_.entity(layer, i, side_); },
           text);
-      text += ",\n";
     }
   }
   void put_collision(std::string& text) const {

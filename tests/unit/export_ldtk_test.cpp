@@ -281,13 +281,13 @@ TEST(ExportLdtk, LayersOfObjectsHaveTheirPlaces) {
   std::vector<std::string> names, defined;
   for (const LdtkJson& layer : layers) names.push_back(layer["__identifier"]);
   for (const LdtkJson& layer : definitions) defined.push_back(layer["identifier"]);
-  EXPECT_EQ(names, (std::vector<std::string>{"Bodies", "Old_coins", "Tiles", "Objects", "Collision"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"Bodies", "Old_coins", "Tiles", "Collision", "Objects"}));
   EXPECT_EQ(names, defined);
   EXPECT_EQ(definitions[1]["doc"], "Old coins");
   EXPECT_EQ(definitions[1]["displayOpacity"], 0.5);
   EXPECT_EQ(layers[1]["__opacity"], 0.5);
   EXPECT_EQ(layers[1]["visible"], true);
-  EXPECT_EQ(layers[3]["visible"], false);
+  EXPECT_EQ(layers[4]["visible"], false);
 }
 
 TEST(ExportLdtk, ObjectsAreEntitiesWithFields) {
@@ -303,7 +303,7 @@ TEST(ExportLdtk, ObjectsAreEntitiesWithFields) {
   EXPECT_EQ(values_of(second)["value"], 2.5);
   EXPECT_EQ(values_of(second)["key"], "5") << "others have text there";
   EXPECT_FALSE(values_of(second).contains("deep"));
-  const LdtkJson& path = layers[3]["entityInstances"][0];
+  const LdtkJson& path = layers[4]["entityInstances"][0];
   EXPECT_EQ(path["__identifier"], "hero_object") << "which is no body";
   EXPECT_EQ(path["px"], LdtkJson({4, 8}));
   EXPECT_EQ(path["width"], 4);
@@ -393,6 +393,45 @@ TEST_F(ExportedLdtk, ReadBackItHasBodiesOfTheSameKinds) {
     EXPECT_EQ(again.spawns[i].position, level.spawns[i].position);
     EXPECT_EQ(again.spawns[i].size, level.spawns[i].size);
   }
+}
+
+TEST_F(ExportedLdtk, ReadBackItHasTheSameObjects) {
+  Level level = level_with_objects();
+  MapObject& tile = level.objects[0].objects.emplace_back();
+  tile.form = MapObject::Form::tile;
+  tile.position = {3.5, 9};
+  tile.size = {0, 4.25};
+  tile.anchor = {0, 0};
+  tile.tile = 0xA0000007;
+  tile.rotation = 12.5;
+  tile.visible = false;
+  level.objects[0].objects[1].properties = R"({"key":"5","value":2.5})";  // as its class has it
+  level.objects[0].objects[0].properties = R"({"deep":"[1]","key":"red","value":3})";
+  const Level again = read_back(level);
+  ASSERT_EQ(again.objects.size(), 2U);
+  EXPECT_EQ(again.objects[0].name, "Objects");
+  EXPECT_EQ(again.objects[0].place, 0);
+  EXPECT_FALSE(again.objects[0].visible);
+  EXPECT_EQ(again.objects[0].objects, level.objects[1].objects);
+  EXPECT_EQ(again.objects[1].opacity, 0.5);
+  EXPECT_EQ(again.objects[1].objects, level.objects[0].objects);
+}
+
+TEST_F(ExportedLdtk, WhatLdtkMovedIsThere) {
+  const Exported out = exported(level_with_objects());
+  LdtkJson json = LdtkJson::parse(out.files[0].bytes);
+  LdtkJson& layers = json["levels"][0]["layerInstances"];
+  layers[1]["entityInstances"][0]["px"] = {9, 3};
+  layers[1]["entityInstances"][0]["width"] = 20;
+  layers[4]["entityInstances"][0]["px"] = {5, 10};
+  put("cave.ldtk", json.dump());
+  put(out.files[1].name, out.files[1].bytes);
+  const auto read = load_level(path("cave.ldtk"));
+  ASSERT_TRUE(read) << read.error().message;
+  const MapObject& moved = read->level.objects.at(1).objects.at(0);
+  EXPECT_EQ(moved.position, (Vec2{9, 3}));
+  EXPECT_EQ(moved.size, (Vec2{20, 6.5}));
+  EXPECT_EQ(read->level.objects[0].objects.at(0).position, (Vec2{9, 10})) << "by 1 and 2 px";
 }
 
 }  // namespace talus::export_ldtk_test

@@ -160,7 +160,40 @@ TEST(ImportLdtk, EntitiesNamedLikeAKindBecomeBodies) {
   EXPECT_EQ(loaded.level.spawns[1].kind, BodyKind::ball);
   EXPECT_EQ(loaded.level.spawns[1].position, (Vec2{9, 0}));
   EXPECT_EQ(loaded.level.spawns[2].kind, BodyKind::crate);
-  EXPECT_THAT(loaded.dropped, ElementsAre("an entity \"Chest\" (2 times)"));
+  ASSERT_EQ(loaded.level.objects.size(), 1u) << "what is no body is an object";
+  EXPECT_EQ(loaded.level.objects[0].objects.size(), 2u);
+  EXPECT_THAT(loaded.dropped, IsEmpty());
+}
+
+TEST(ImportLdtk, OtherEntitiesAreObjects) {
+  const auto layer = [](const std::string& name, const std::string& entities, const std::string& members) {
+    return ldtk_layer("Entities", name, 4, 2, members + R"("entityInstances":[)" + entities + "]");
+  };
+  const std::string chest =
+      R"({"__identifier":"Chest","px":[20,16],"width":8,"height":6,"__pivot":[0.5,1],"fieldInstances":[
+          {"__identifier":"name","__value":"old"},{"__identifier":"gold","__value":[1,2]},
+          {"__identifier":"key","__value":null}]})";
+  const std::string far = R"({"__identifier":"Far","px":[40000000,0]})";
+  const Level level =
+      level_of(ldtk_project(ldtk_level(layer("Things", chest, R"("__opacity":0.5,"__pxTotalOffsetX":1,)") +
+                                       "," + ldtk_grid(2, 1, "1,0") + "," + layer("Back", chest, "")),
+                            kWall));
+  ASSERT_EQ(level.objects.size(), 2u);
+  EXPECT_EQ(level.objects[0].name, "Back");
+  EXPECT_EQ(level.objects[0].place, 0);
+  EXPECT_EQ(level.objects[1].place, 1);
+  EXPECT_EQ(level.objects[1].opacity, 0.5);
+  EXPECT_FALSE(level.objects[1].is_ground);
+  const MapObject& object = level.objects[1].objects.at(0);
+  EXPECT_EQ(object, (MapObject{.name = "old",
+                               .type = "Chest",
+                               .position = {17, 10},
+                               .size = {8, 6},
+                               .properties = R"({"gold":[1,2]})"}));
+  const LoadedLevel without =
+      loaded_of(ldtk_project(ldtk_level(layer("E", far, "") + "," + ldtk_grid(2, 1, "1,0")), kWall));
+  EXPECT_TRUE(without.level.objects.empty());
+  EXPECT_THAT(without.dropped, ElementsAre("an entity \"Far\""));
 }
 
 TEST(ImportLdtk, PlacesAreThoseOnTheGroundsGrid) {

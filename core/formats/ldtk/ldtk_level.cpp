@@ -11,6 +11,7 @@
 #include "../import/sheet_images.h"
 #include "../native/native_objects.h"
 #include "ldtk_background.h"
+#include "ldtk_entities.h"
 #include "ldtk_keys.h"
 #include "ldtk_meanings.h"
 #include "ldtk_picture_tiles.h"
@@ -40,7 +41,7 @@ class LdtkLevelMaker {
   void take_tiles();
   std::vector<const std::string*> data_of(const LdtkCell& cell) const;
   void take_notes();
-  void take_entities(const LdtkLayer& layer);
+  void take_bodies(const LdtkLayer& layer);
   void take_body(const LdtkEntity& entity, BodyKind kind, Vec2 offset);
 
   const LdtkProject& project_;
@@ -237,12 +238,10 @@ void LdtkLevelMaker::take_notes() {
   }
 }
 
-void LdtkLevelMaker::take_entities(const LdtkLayer& layer) {
+void LdtkLevelMaker::take_bodies(const LdtkLayer& layer) {
   for (const LdtkEntity& entity : layer.entities) {
     if (const auto kind = ldtk_meaning_of_entity(mapping_, entity.type))
       take_body(entity, *kind, Vec2{1.0 * layer.offset_x, 1.0 * layer.offset_y} - origin_);
-    else
-      drops_.add("an entity " + quoted_name(entity.type));
   }
 }
 
@@ -286,11 +285,13 @@ FormatResult<Level> LdtkLevelMaker::make() {
   name_flags();
   take_tiles();
   take_notes();
-  for (const LdtkLayer& layer : source_.layers) take_entities(layer);
+  for (const LdtkLayer& layer : source_.layers) take_bodies(layer);
   if (source_.background) {
     if (auto layer = ldtk_background_layer(*source_.background, origin_, drops_))
       level_.objects.push_back(*std::move(layer));
   }
+  for (ObjectLayer& layer : ldtk_object_layers(project_, source_, mapping_, *ground, origin_, drops_))
+    level_.objects.push_back(std::move(layer));
   if (auto problem = problem_of_amounts(level_)) return tl::unexpected(FormatError{"", *std::move(problem)});
   const LdtkLevelHead& head = source_.head;
   LdtkOrigin origin{project_.iid,

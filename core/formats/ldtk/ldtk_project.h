@@ -92,12 +92,13 @@ struct LdtkTile {
 };
 
 struct LdtkEntity {
-  std::string type;  // the identifier of its definition
-  std::string name;  // the text of its field `name`; may be empty
-  Vec2 position;     // px, of its pivot in the layer
-  Vec2 size;         // px
-  Vec2 pivot;        // 0..1, of the size
-  Vec2 velocity;     // px/frame, of its fields `vx` and `vy`
+  std::string type;              // the identifier of its definition
+  std::string name;              // the text of its field `name`; may be empty
+  Vec2 position;                 // px, of its pivot in the layer
+  Vec2 size;                     // px
+  Vec2 pivot;                    // 0..1, of the size
+  Vec2 velocity;                 // px/frame, of its fields `vx` and `vy`
+  Json fields = Json::object();  // values by name, without those that are null
 };
 
 struct LdtkLayer {

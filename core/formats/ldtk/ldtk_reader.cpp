@@ -320,7 +320,8 @@ LdtkEntity LdtkReader::entity(const JsonNode& node) {
   for_each(node, "fieldInstances", [&](const JsonNode& field) {
     const std::string key = text_if(field, "__identifier");
     const Json* value = field.find("__value");
-    if (value == nullptr) return;
+    if (value == nullptr || value->is_null()) return;
+    entity.fields[key] = *value;
     if (key == "name" && value->is_string()) entity.name = value->get<std::string>();
     if (key == "vx" && value->is_number()) entity.velocity.x = value->get<double>();
     if (key == "vy" && value->is_number()) entity.velocity.y = value->get<double>();

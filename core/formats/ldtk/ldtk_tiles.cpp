@@ -310,10 +310,7 @@ FormatResult<std::vector<TileNumber>> LdtkNumberer::number_cells(const Progress&
 FormatResult<std::vector<const LdtkLayer*>> LdtkNumberer::taken_layers() const {
   std::vector<const LdtkLayer*> taken;
   for (auto layer = level_.layers.rbegin(); layer != level_.layers.rend(); ++layer) {
-    const bool is_empty = layer->tiles.empty() && std::all_of(layer->values.begin(), layer->values.end(),
-                                                              [](int value) { return value == 0; });
-    if (layer->type != LdtkLayer::Type::entities && (!is_empty || &*layer == ground_))
-      taken.push_back(&*layer);
+    if (is_taken(*layer, &*layer == ground_)) taken.push_back(&*layer);
   }
   if (taken.size() <= kMaxLayers && taken.size() * map_.cells().size() <= kMaxLayerCells) return taken;
   return ldtk_error("has too many layers: a level has up to " + std::to_string(kMaxLayers) + ", of up to " +
@@ -437,6 +434,12 @@ FormatResult<int> ldtk_ground_layer(const LdtkLevel& level, const ImportChoices&
   return *std::max_element(grids.begin(), grids.end(), [&](int a, int b) {
     return rank_as_ground(layer_at(a)) < rank_as_ground(layer_at(b));
   });
+}
+
+bool is_taken(const LdtkLayer& layer, bool is_ground) {
+  const bool is_empty = layer.tiles.empty() && std::all_of(layer.values.begin(), layer.values.end(),
+                                                           [](int value) { return value == 0; });
+  return layer.type != LdtkLayer::Type::entities && (!is_empty || is_ground);
 }
 
 FormatResult<LdtkTiles> ldtk_tiles_of(const LdtkProject& project, const LdtkLevel& level, int ground,

@@ -85,6 +85,9 @@ struct LdtkTiles {
 // -1: no layer has a grid. choices: `layer` and `layer_number` choose among the IntGrids, from the top.
 FormatResult<int> ldtk_ground_layer(const LdtkLevel& level, const ImportChoices& choices);
 
+// Whether the layer becomes a layer of tiles: it has tiles or values, or is the ground.
+bool is_taken(const LdtkLayer& layer, bool is_ground);
+
 // ground: from ldtk_ground_layer(). known: what the first tiles stand for, from ldtk_keys_of(); those that
 // are no such texts stand for no cell.
 FormatResult<LdtkTiles> ldtk_tiles_of(const LdtkProject& project, const LdtkLevel& level, int ground,
