@@ -260,12 +260,12 @@ return function(level, file)
     end
   end
 
-  local start, changes = love.timer.getTime(), 0
+  local start, changes, shown = love.timer.getTime(), 0, nil
   local function draw_ground(x, y, world)
     local time = (love.timer.getTime() - start) * 1000
-    if world and world.changes and world.changes ~= changes then
+    if world and world.changes and (world.changes ~= changes or shown and shown ~= world) then
       lay_tiles(world)
-      changes = world.changes
+      changes, shown = world.changes, world
     end
     for i, layer in ipairs(layers) do
       animate(animated[i], quads, time)

@@ -8,20 +8,12 @@ namespace talus {
 FormatResult<Exported> export_bump(const ExportRequest& request) {
   Exported out;
   add_drawn_level(request, out);
-  struct Copied {
-    const char *name, *asset;
-    bool is_starter = false;
-  };
-  constexpr Copied kCopied[] = {
-      {"bump_slopes.lua", "runtime/bump_slopes.lua"}, {"main.lua", "templates/bump/main.lua", true},
-      {"camera.lua", "templates/camera.lua"},         {"controls.lua", "templates/controls.lua"},
-      {"frames.lua", "templates/frames.lua"},         {"pictures.lua", "templates/pictures.lua"},
-      {"conf.lua", "templates/love/conf.lua", true}};
-  for (const Copied& file : kCopied) {
-    FormatResult<std::string> text = request.read_asset(file.asset);
-    if (!text) return tl::unexpected(text.error());
-    out.files.push_back({file.name, std::move(*text), file.is_starter});
-  }
+  const auto added = add_assets(
+      request,
+      {"runtime/bump_slopes.lua", "templates/bump/main.lua", "templates/love/conf.lua", "templates/area.lua",
+       "templates/camera.lua", "templates/controls.lua", "templates/frames.lua", "templates/pictures.lua"},
+      out);
+  if (!added) return tl::unexpected(added.error());
   if (const std::size_t curves = request.level.curves.size(); curves > 0)
     out.dropped.push_back(std::to_string(curves) + (curves == 1 ? " curve" : " curves") +
                           ", which bump does not know");

@@ -56,7 +56,7 @@ FormatResult<std::string> game_code(const ExportRequest& request) {
   std::vector<std::string> game;
   const bool has_pictures = std::any_of(level.spawns.begin(), level.spawns.end(),
                                         [](const Spawn& spawn) { return !spawn.picture.empty(); });
-  for (const std::string name : {"camera", "curve_points", "frames", "tic80/main"}) {
+  for (const std::string name : {"area", "curve_points", "frames", "tic80/main"}) {
     if ((name == "curve_points" && level.curves.empty()) || (name == "frames" && !has_pictures)) continue;
     const FormatResult<std::string> text = request.read_asset("templates/" + name + ".lua");
     if (!text) return tl::unexpected(text.error());

@@ -40,13 +40,14 @@ constexpr std::string_view kPictureWord = "-picture-";
 constexpr Names<1> kSheetBeside = {"*-tiles.png"};
 constexpr Names<2> kMapBeside = {"*-tiles.png", "*-picture-#.png"};
 constexpr Names<1> kCompanion = {"**.talus.json"};
-constexpr Names<12> kLoveFiles = {"talus.lua",  "level.lua",    "sheet.png",    "main.lua",
-                                  "conf.lua",   "camera.lua",   "controls.lua", "curve_points.lua",
-                                  "frames.lua", "pictures.lua", "pictures.png", kLicenseFile};
+constexpr Names<16> kLoveFiles = {"talus.lua",    "level.lua",       "sheet.png",        "main.lua",
+                                  "conf.lua",     "rules.lua",       "trace.lua",        "area.lua",
+                                  "camera.lua",   "controls.lua",    "curve_points.lua", "frames.lua",
+                                  "pictures.lua", "tile_bodies.lua", "pictures.png",     kLicenseFile};
 constexpr Names<3> kRuntimeFiles = {"talus.lua", "level.lua", kLicenseFile};
-constexpr Names<11> kBumpFiles = {"level.lua",    "sheet.png",    "bump_slopes.lua", "main.lua",
-                                  "conf.lua",     "camera.lua",   "controls.lua",    "frames.lua",
-                                  "pictures.lua", "pictures.png", kLicenseFile};
+constexpr Names<12> kBumpFiles = {"level.lua",  "sheet.png",    "bump_slopes.lua", "main.lua",
+                                  "conf.lua",   "area.lua",     "camera.lua",      "controls.lua",
+                                  "frames.lua", "pictures.lua", "pictures.png",    kLicenseFile};
 constexpr Names<20> kCppFiles = {"level.talus.json", "main.cpp",         "CMakeLists.txt", "bodies.cpp",
                                  "bodies.h",         "level_camera.cpp", "level_camera.h", "controls.cpp",
                                  "controls.h",       "layers.cpp",       "layers.h",       "painter.cpp",

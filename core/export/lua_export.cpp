@@ -41,17 +41,29 @@ void add_drawn_level(const ExportRequest& request, Exported& out) {
   }
 }
 
+FormatResult<void> add_assets(const ExportRequest& request, std::initializer_list<std::string> assets,
+                              Exported& out) {
+  for (const std::string& asset : assets) {
+    FormatResult<std::string> text = request.read_asset(asset);
+    if (!text) return tl::unexpected(text.error());
+    const bool is_starter = asset.starts_with("templates/");
+    out.files.push_back({asset.substr(asset.rfind('/') + 1), std::move(*text), is_starter});
+  }
+  return {};
+}
+
 FormatResult<Exported> export_love(const ExportRequest& request) {
   FormatResult<std::string> runtime = lua_runtime(request, LuaForm::readable, true);
   if (!runtime) return tl::unexpected(runtime.error());
   Exported out{{{"talus.lua", std::move(*runtime)}}, dropped_physics(request.level)};
   add_drawn_level(request, out);
-  for (const std::string name : {"love/main.lua", "love/conf.lua", "camera.lua", "controls.lua",
-                                 "curve_points.lua", "frames.lua", "pictures.lua"}) {
-    FormatResult<std::string> text = request.read_asset("templates/" + name);
-    if (!text) return tl::unexpected(text.error());
-    out.files.push_back({name.substr(name.find('/') + 1), std::move(*text), name.starts_with("love/")});
-  }
+  const auto added = add_assets(
+      request,
+      {"templates/love/main.lua", "templates/love/conf.lua", "templates/love/rules.lua", "templates/area.lua",
+       "templates/camera.lua", "templates/controls.lua", "templates/curve_points.lua", "templates/frames.lua",
+       "templates/pictures.lua", "templates/tile_bodies.lua", "templates/trace.lua"},
+      out);
+  if (!added) return tl::unexpected(added.error());
   return with_license(request, std::move(out));
 }
 

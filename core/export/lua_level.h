@@ -73,4 +73,8 @@ std::string lua_level(const Level& level, LuaForm form = LuaForm::readable, cons
 // pictures.png; and sprites.png, if bodies show sprites.
 void add_drawn_level(const ExportRequest& request, Exported& out);
 
+// Adds files of Lua, by their paths in the folder of assets; those of templates are starters.
+FormatResult<void> add_assets(const ExportRequest& request, std::initializer_list<std::string> assets,
+                              Exported& out);
+
 }  // namespace talus

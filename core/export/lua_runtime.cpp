@@ -44,9 +44,12 @@ std::string lay_out(const std::vector<std::string>& texts, const std::vector<std
 
 }  // namespace
 
-FormatResult<std::string> lua_runtime(const ExportRequest& request, LuaForm form, bool with_mouse) {
-  std::string more = std::string(request.parts) + (with_mouse ? ",mouse" : "");
-  if (form == LuaForm::readable) more += ",events,steer,data";  // carts are short of space
+FormatResult<std::string> lua_runtime(const ExportRequest& request, LuaForm form, bool plays) {
+  std::string more = std::string(request.parts) + (plays ? ",mouse" : "");
+  if (form == LuaForm::readable) {  // carts are short of space
+    more += ",events,steer,data";
+    if (plays) more += ",pairs";  // as rules of the game add bodies
+  }
   const auto parts = lua_parts(request.level, more);
   if (!parts) return tl::unexpected(parts.error());
   std::vector<std::string> texts;

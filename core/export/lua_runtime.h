@@ -9,10 +9,10 @@ namespace talus {
 // short.
 enum class LuaForm { readable, small };
 
-// The core of the runtime, the level's parts, those asked for, events and data in the readable form, and,
-// with_mouse, the part that drags bodies.
-// Returns an error if a part is not known or cannot be read.
-FormatResult<std::string> lua_runtime(const ExportRequest& request, LuaForm form, bool with_mouse);
+// The core of the runtime, the level's parts, those asked for, and, in the readable form, events, steer and
+// data. plays: the game is there, too; it has the part that drags bodies, and in the readable form also
+// pairs, as its rules may add bodies. Returns an error if a part is not known or cannot be read.
+FormatResult<std::string> lua_runtime(const ExportRequest& request, LuaForm form, bool plays);
 
 // Joins texts into one without comments and unneeded spaces; the comment at the head stays. Their strings
 // must not hold quotes or two hyphens.

@@ -24,7 +24,8 @@ function love.load(arguments)
   end
   function love.mouse.isDown() return held.mouse_down end
   function love.mouse.getPosition()
-    return math.floor((held.mouse_x - left) * zoom), math.floor((held.mouse_y - top) * zoom)
+    return math.floor((held.mouse_x - camera.left) * camera.zoom),
+           math.floor((held.mouse_y - camera.top) * camera.zoom)
   end
 
   local given, step = io.open(arguments[4], "w"), world.step

@@ -30,8 +30,8 @@ TEST(ExportBump, WritesTheCompanionTheLevelAndAnExample) {
   std::vector<std::string> names;
   for (const ExportedFile& file : got->files) names.push_back(file.name);
   EXPECT_EQ(names, (std::vector<std::string>{"level.lua", "sheet.png", "bump_slopes.lua", "main.lua",
-                                             "camera.lua", "controls.lua", "frames.lua", "pictures.lua",
-                                             "conf.lua", "LICENSE-talus.txt"}));
+                                             "conf.lua", "area.lua", "camera.lua", "controls.lua",
+                                             "frames.lua", "pictures.lua", "LICENSE-talus.txt"}));
   EXPECT_EQ(got->files[0].bytes, lua_level(small_level()));
   EXPECT_EQ(got->files[2].bytes, read_asset("runtime/bump_slopes.lua").value());
   EXPECT_EQ(got->dropped, std::vector<std::string>{});

@@ -50,8 +50,9 @@ TEST(ExportLove, WritesAFolderThatNeedsNothingElse) {
   std::vector<std::string> names;
   for (const ExportedFile& file : exported(Level(), "love").files) names.push_back(file.name);
   EXPECT_EQ(names, (std::vector<std::string>{"talus.lua", "level.lua", "sheet.png", "main.lua", "conf.lua",
-                                             "camera.lua", "controls.lua", "curve_points.lua", "frames.lua",
-                                             "pictures.lua", "LICENSE-talus.txt"}));
+                                             "rules.lua", "area.lua", "camera.lua", "controls.lua",
+                                             "curve_points.lua", "frames.lua", "pictures.lua",
+                                             "tile_bodies.lua", "trace.lua", "LICENSE-talus.txt"}));
 }
 
 // Data has no license: level.lua is the maker's.

@@ -3,8 +3,7 @@
 -- not in this folder: get it from https://github.com/kikito/bump.lua and put it here. Then run: love .
 local is_found, bump = pcall(require, "bump")
 local slopes, level = require "bump_slopes", require "level"
-local _, camera = require "camera"(level)
-local controls, pictures = require "controls", require "pictures"
+local camera, controls, pictures = require "camera"(level), require "controls", require "pictures"
 local tuning = level.tuning
 
 local TILE_WIDTH, TILE_HEIGHT = level.tile_width or 8, level.tile_height or 8  -- px
@@ -90,17 +89,13 @@ function love.draw()
   if not is_found then
     return love.graphics.print("bump.lua is missing: get it from https://github.com/kikito/bump.lua", 20, 20)
   end
-  local width, height = love.graphics.getDimensions()
-  local zoom = math.max(1, math.floor(height / (22.5 * TILE_HEIGHT)))
-  local left, top = camera(bodies, width / zoom, height / zoom)
-  love.graphics.push()
-  love.graphics.scale(zoom)
-  love.graphics.translate(-math.floor(left * zoom) / zoom, -math.floor(top * zoom) / zoom)
-  drawing.draw_ground(left + width / zoom / 2, top + height / zoom / 2)
+  camera.follow(bodies)
+  camera.begin()
+  drawing.draw_ground(camera.left + camera.width / 2, camera.top + camera.height / 2)
   for _, body in ipairs(bodies) do drawing.draw_body(body, steps) end
   love.graphics.pop()
   love.graphics.setColor(1, 1, 1)
-  love.graphics.print(HELP, 8, height - 22)
+  love.graphics.print(HELP, 8, love.graphics.getHeight() - 22)
 end
 
 function love.keypressed(key)

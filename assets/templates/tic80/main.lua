@@ -1,4 +1,4 @@
--- What plays and draws a level in TIC-80: `talus`, `level`, `camera` and `curve_points` are there.
+-- What plays and draws a level in TIC-80: `talus`, `level`, `area` and `curve_points` are there.
 local TILE, WIDTH, HEIGHT = 8, 240, 136
 
 level.tiles = {}
@@ -6,17 +6,28 @@ for y = 0, level.height - 1 do
   for x = 0, level.width - 1 do level.tiles[#level.tiles + 1] = mget(x, y) end
 end
 world = talus.new(level)
-local _, look = camera(level)
+local area_left, area_top, area_right, area_bottom = area(level)
 local curves, first_ball = {}, nil
 for tile = 255, 0, -1 do
   if level.balls[tile] then first_ball = tile end
 end
 for i, curve in ipairs(level.curves) do curves[i] = curve_points(curve) end
 
--- The top left corner of what is shown.
+local function within(at, shown, least, most)
+  if most - least < shown then return (least + most - shown) // 2 end
+  return math.max(least, math.min(at - shown / 2, most - shown)) // 1
+end
+
+-- The top left corner of what is shown. The first body that takes keys, or else the first one, is in the middle as
+-- far as the area goes; an area smaller than the screen is, too.
 local function view()
-  local left, top = look(world.bodies, WIDTH, HEIGHT)
-  return left // 1, top // 1
+  local bodies = world.bodies
+  local seen = bodies[1] or {x = area_left, y = area_top, w = 0, h = 0}
+  for i = #bodies, 1, -1 do
+    if level.kinds[bodies[i].kind].takes_keys then seen = bodies[i] end
+  end
+  return within(seen.x + seen.w / 2, WIDTH, area_left, area_right),
+         within(seen.y + seen.h / 2, HEIGHT, area_top, area_bottom)
 end
 
 local function without_balls(tile)

@@ -1,0 +1,85 @@
+-- Appended to the main.lua of the game for LÖVE: plays it on coins.talus.json, with keys and a gamepad.
+local load_game = love.load
+
+function love.errorhandler(message) print(message) end  -- and the test ends
+
+local function all(kind)
+  local found = {}
+  for _, body in ipairs(world.bodies) do
+    if body.kind == kind then found[#found + 1] = body end
+  end
+  return found
+end
+
+function love.load()
+  load_game {}
+  local held, stick, buttons = {}, 0, {}
+  local function any(names, ...)
+    for _, name in ipairs {...} do
+      if names[name] then return true end
+    end
+    return false
+  end
+  function love.keyboard.isDown(...) return any(held, ...) end
+  local pad = {isGamepad = function() return true end, getGamepadAxis = function() return stick end,
+               isGamepadDown = function(_, ...) return any(buttons, ...) end}
+  local others = {isGamepad = function() return false end, isGamepadDown = function() return false end}
+  function love.joystick.getJoysticks() return {others, pad} end
+  local function play(frames, each)
+    for _ = 1, frames do
+      love.update(STEP)
+      love.draw()
+      if each then each() end
+    end
+  end
+
+  -- Coins are in the world, and no longer in the map.
+  assert(#all "coin" == 5 and #all "enemy" == 2 and game.text() == "0 of 5 coins")
+  assert(world:tile_at(60, 108) == 0)
+
+  -- The stick runs, a button jumps, and a pause holds the world.
+  local hero, coin = world.bodies[1], all "coin"[1]
+  stick = 1
+  play(25)
+  assert(hero.x > 50 and #all "coin" == 4 and game.text() == "1 of 5 coins")
+  stick, buttons = 0, {a = true}
+  play(3)
+  assert(hero.vy < 0)
+  local frame = world.frame
+  love.gamepadpressed(pad, "start")
+  play(10)
+  assert(world.frame == frame)
+  love.keypressed "p"
+  play(1)
+  assert(world.frame == frame + 1)
+  buttons = {}
+
+  -- An enemy stays on its platform, which is from 192 to 240 px.
+  hero.x, hero.y, hero.clear = 300, 20, false
+  local guard, left, right = all "enemy"[1], math.huge, 0
+  play(400, function() left, right = math.min(left, guard.x), math.max(right, guard.x + guard.w) end)
+  assert(left > 191 and left < 193 and right > 239 and right < 241, left .. " to " .. right)
+
+  -- From above it is gone, and the player is thrown up.
+  hero.x, hero.y, hero.vy, hero.clear = guard.x, guard.y - 30, 0, false
+  play(15)
+  assert(#all "enemy" == 1 and hero.vy < 0)
+
+  -- By its side it ends the game, which starts again with all coins.
+  local old, walker = world, all "enemy"[1]
+  hero.x, hero.y, hero.vy, hero.clear = walker.x + 4, walker.y + walker.h - hero.h, 0, false
+  play(1)
+  assert(world ~= old and #all "coin" == 5 and #all "enemy" == 2 and game.text() == "0 of 5 coins")
+
+  -- The view stays in the level, rests in its dead zone, and is on whole pixels.
+  hero = world.bodies[1]
+  assert(camera.left == 0 and camera.zoom == 4 and camera.width == 240 and camera.height == 136)
+  local function look(x)
+    hero.x = x - hero.w / 2
+    camera.follow(world.bodies)
+    return camera.left
+  end
+  assert(look(149) == 0 and look(151) == 1 and look(151.3) == 1.25 and look(130) == 1.25 and look(380) == 48 * 8 - 240)
+  print "all is well"
+  love.event.quit()
+end
