@@ -40,29 +40,34 @@ talus::Rect used_area(const talus::Level& level) {
   return {left, top, right - left, bottom - top};
 }
 
-// The start of a view of this length around a place.
-double within(double place, double length, double least, double most) {
+constexpr double kDeadZone = 0.25;  // share of the view, in its middle
+
+// Where a view of this length begins that began at `from` and follows a place.
+double follow(double place, std::optional<double> from, double length, double least, double most) {
   if (most - least < length) return (least + most - length) / 2;
-  return std::clamp(place - length / 2, least, most - length);
+  const double middle = place - length / 2, slack = length * kDeadZone / 2;
+  const double start = std::clamp(from.value_or(middle), middle - slack, middle + slack);
+  return std::clamp(start, least, most - length);
 }
 
 }  // namespace
 
-Camera::Camera(const talus::Level& level)
-    : area_(used_area(level)), tile_height_(level.map.tile_size().height) {}
+Camera::Camera(const talus::Level& level) : area_(used_area(level)), tile_(level.map.tile_size()) {}
 
-void Camera::place(Painter& painter, const talus::State& state) const {
+void Camera::place(Painter& painter, const talus::State& state) {
   const auto [width, height] = painter.size();
+  const double screen = std::min(1.0 * width / (talus::kScreenColumns * tile_.width),
+                                 1.0 * height / (talus::kScreenRows * tile_.height));
   const double whole = std::min(width / area_.w, height / area_.h);
-  const int zoom = std::max(1, static_cast<int>(std::max(height / (22.5 * tile_height_), whole)));
+  const int zoom = std::max({1, static_cast<int>(screen + 0.5), static_cast<int>(whole)});
   const auto& bodies = state.bodies;
   auto seen = std::find_if(bodies.begin(), bodies.end(),
                            [](const talus::Body& body) { return talus::traits_of(body.kind).takes_keys; });
   if (seen == bodies.end()) seen = bodies.begin();
   const talus::Rect box = bodies.empty() ? talus::Rect{area_.x, area_.y, 0, 0} : seen->box;
-  painter.look_at({within(box.x + box.w / 2, 1.0 * width / zoom, area_.x, area_.right()),
-                   within(box.y + box.h / 2, 1.0 * height / zoom, area_.y, area_.bottom())},
-                  zoom);
+  left_ = follow(box.x + box.w / 2, left_, 1.0 * width / zoom, area_.x, area_.right());
+  top_ = follow(box.y + box.h / 2, top_, 1.0 * height / zoom, area_.y, area_.bottom());
+  painter.look_at({*left_, *top_}, zoom);
 }
 
 }  // namespace game

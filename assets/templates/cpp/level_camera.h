@@ -2,6 +2,8 @@
 // Where a game looks in its level.
 #pragma once
 
+#include <optional>
+
 #include <talus/sim/state.h>
 
 #include "painter.h"
@@ -11,14 +13,15 @@ namespace game {
 class Camera {
  public:
   explicit Camera(const talus::Level& level);
-  // Puts the first body that takes keys, or else the first one, into the middle as far as the used area goes.
-  // An area smaller than the view is in the middle, too. A px is a square of whole pixels of the screen: 22.5
-  // tiles of them from top to bottom, or fewer for a small level.
-  void place(Painter& painter, const talus::State& state) const;
+  // Looks at the first body that takes keys, or else the first one. The view rests while the body is in its
+  // dead zone, and stays in the used area; an area smaller than the view is in its middle. A px is a square
+  // of whole pixels of the screen, which shows about a screen of TIC-80, or all of a smaller area.
+  void place(Painter& painter, const talus::State& state);
 
  private:
-  talus::Rect area_;    // px, what is used of the level, in whole screens of TIC-80
-  double tile_height_;  // px
+  talus::Rect area_;                  // px, what is used of the level, in whole screens of TIC-80
+  talus::TileSize tile_;              // px
+  std::optional<double> left_, top_;  // px, of the view before
 };
 
 }  // namespace game

@@ -14,7 +14,7 @@
 
 namespace {
 
-constexpr int kWidth = 960, kHeight = 540;  // of the window at first
+constexpr int kWidth = 960, kHeight = 544;  // of the window at first
 constexpr int kMostSteps = 4;               // at once; after a longer pause the rest is dropped
 constexpr const char* kTitle = "arrows: run, jump     mouse: drag     R: start again     Esc: end";
 
