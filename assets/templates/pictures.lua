@@ -293,7 +293,10 @@ return function(level, file)
     if kind and kind.look == "wheel" then return draw_wheel(body) end
     if kind and kind.look == "marble" then return draw_marble(body) end
     love.graphics.setColor(tile and {1, 1, 1} or LIGHT)
-    if tile then
+    if large[tile] then
+      local part = large[tile][0]
+      love.graphics.draw(pictures, part.quad, love.math.newTransform(body.x, body.y):apply(part.transform))
+    elseif tile then
       love.graphics.draw(clear, quads[tile], body.x, body.y, 0, body.w / tile_width, body.h / tile_height)
     else
       love.graphics.circle("fill", body.x + body.w / 2, body.y + body.h / 2, body.w / 2)

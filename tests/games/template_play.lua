@@ -37,6 +37,29 @@ function love.load()
   assert(#all "coin" == 5 and #all "enemy" == 2 and game.text() == "0 of 5 coins")
   assert(world:tile_at(60, 108) == 0)
 
+  -- How light a px of the level is.
+  local function light(x, y, draw, ...)
+    local canvas = love.graphics.newCanvas(1, 1, {dpiscale = 1})
+    love.graphics.setCanvas(canvas)
+    love.graphics.translate(-x, -y)
+    draw(...)
+    love.graphics.setCanvas()
+    love.graphics.origin()
+    local red, green, blue = canvas:newImageData():getPixel(0, 0)
+    return red + green + blue
+  end
+
+  -- A coin with a picture of its own shows it, as high as it is.
+  local large = all "coin"[5]
+  assert(large.tile == 4 and light(large.x + 1, large.y - 7, drawing.draw_body, large) > 0.9)
+
+  -- The picture is of the world that is shown, whatever was changed in another one before.
+  local one, other = talus.new(level), talus.new(level)
+  one:set_tile(3, 3, 1)
+  other:set_tile(5, 3, 1)
+  assert(light(26, 26, drawing.draw_ground, 0, 0, one) > 0.9 and light(42, 26, drawing.draw_ground, 0, 0, one) < 0.1)
+  assert(light(26, 26, drawing.draw_ground, 0, 0, other) < 0.1 and light(42, 26, drawing.draw_ground, 0, 0, other) > 0.9)
+
   -- The stick runs, a button jumps, and a pause holds the world.
   local hero, coin = world.bodies[1], all "coin"[1]
   stick = 1
