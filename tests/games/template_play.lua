@@ -57,8 +57,8 @@ function love.load()
   local one, other = talus.new(level), talus.new(level)
   one:set_tile(3, 3, 1)
   other:set_tile(5, 3, 1)
-  assert(light(26, 26, drawing.draw_ground, 0, 0, one) > 0.9 and light(42, 26, drawing.draw_ground, 0, 0, one) < 0.1)
-  assert(light(26, 26, drawing.draw_ground, 0, 0, other) < 0.1 and light(42, 26, drawing.draw_ground, 0, 0, other) > 0.9)
+  local function ground(of, x) return light(x, 26, drawing.draw_ground, 0, 0, of) end
+  assert(ground(one, 26) > 0.9 and ground(one, 42) < 0.1 and ground(other, 26) < 0.1 and ground(other, 42) > 0.9)
 
   -- The stick runs, a button jumps, and a pause holds the world.
   local hero, coin = world.bodies[1], all "coin"[1]
