@@ -30,7 +30,7 @@ class UiAllowExports : public UiTest {
 };
 
 TEST_F(UiAllowExports, TheListOfFilesIsShownBeforeTheFirstSaveWritesThem) {
-  start(put_level({preset("love", "export/game"), preset("tmj", "export/cave.tmj")}));
+  start(put_level({preset("tmj", "export/cave.tmj"), preset("love", "export/game")}));
   paint_and_save();
   ASSERT_NE(find("question/allow"), nullptr);
   for (const char* name : {"export/game/level.lua", "export/game/main.lua", "export/cave.tmj"})
