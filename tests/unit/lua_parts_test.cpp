@@ -167,8 +167,9 @@ TEST(LuaParts, CartsLeaveOutCommentsAndIndents) {
 TEST(LuaParts, FoldersHaveTheModuleInReadableForm) {
   for (const char* id : {"love", "lua-runtime"}) {
     const std::string text = exported(with_slope(flat_level()), id).files.front().bytes;
-    const std::string parts = std::string(id) == "love" ? "slopes, balls, sides, pairs, mouse, events, steer, data"
-                                                        : "slopes, balls, sides, events, steer, data";
+    const std::string parts = std::string(id) == "love"
+                                  ? "slopes, balls, sides, pairs, mouse, events, steer, data"
+                                  : "slopes, balls, sides, events, steer, data";
     EXPECT_NE(text.find("\n--\n-- The parts of this module: " + parts + ".\n\n"), std::string::npos) << id;
     for (const char* file : {"terrain", "cast", "slopes", "balls", "module"}) {
       const std::string part = read_asset("runtime/" + std::string(file) + ".lua").value();
