@@ -162,7 +162,8 @@ TEST_F(AddedBodyKinds, MoveAndLookInLoveAsInTheProgram) {
 local look = love.load
 function love.load()
   look {}
-  trace()" + std::to_string(kFrames) + ")\nend\n");
+  require "trace"(talus.new(level), )" + std::to_string(kFrames) +
+                                                   ")\nend\n");
   EXPECT_THAT(printed, HasSubstr("the same picture"));
   expect_trace(printed, 3);
 }

@@ -283,8 +283,8 @@ def text_of(path):
 
 def names_key(said, path, limit):
     """Whether the sentence is about the value: it has its key, or one around it and the last key in words."""
-    found = re.match(r"LEVEL:key (\S+): error: (.*)", said)
-    rows = re.match(r"LEVEL:(map|layers\[\d+\]) row (\d+): error: ", said)
+    found = re.search(r"^LEVEL:key (\S+): error: (.*)", said, re.M)
+    rows = re.search(r"^LEVEL:(map|layers\[\d+\]) row (\d+): error: ", said, re.M)
     if rows:
         return path[-1] == "rows" or path[-2:] == ("rows", int(rows[2]))
     if not found:
@@ -371,7 +371,8 @@ def check_misspelt(examples):
                     assert is_said or is_refused, f"{place}: {status}: {said}"
                     if is_said:
                         said_of += 1
-                        check_kept(level, path, misspelt)
+                        if ": error: " not in said:
+                            check_kept(level, path, misspelt)
     assert said_of > 150, f"only {said_of} keys were said"
     return said_of
 

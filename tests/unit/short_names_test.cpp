@@ -48,8 +48,7 @@ TEST(ShortNames, OfMethodsOfInnerTablesThatNothingElseHas) {
 
 TEST(ShortNames, OfInnerFields) {
   const std::string code = "local line = {slope_rest = 1, slope = 2}\nline.slope = line.edge.slope_rest\n";
-  EXPECT_EQ(with_short_names(code, {.fields = kFields}),
-            "local b = {a = 1, slope = 2}\nb.slope = b.c.a\n");
+  EXPECT_EQ(with_short_names(code, {.fields = kFields}), "local b = {a = 1, slope = 2}\nb.slope = b.c.a\n");
 }
 
 TEST(ShortNames, NamesOfLuaAndGlobalsStay) {
