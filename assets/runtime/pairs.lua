@@ -3,22 +3,21 @@ has.pairs = true
 
 local BLOCK = 16  -- px, side of the cells in which bodies are kept
 
--- The cells that a box meets.
-local function block_cells(x, y, w, h)
-  return floor(x / BLOCK), floor(y / BLOCK), floor((x + w) / BLOCK), floor((y + h) / BLOCK)
-end
+local function block_start(at) return floor(at / BLOCK) * BLOCK end
 
--- The other bodies that a motion may meet, whichever way it turns; in order.
+-- The other bodies that a motion may meet, whichever way it turns; in order. They are in cells that its way meets.
 function World:others(body, box, x, y)
   if self.tuning.bodies == "pass" then return nil end
   local length = abs(x) + abs(y)
-  local left, top, right, bottom = block_cells(box.x - length, box.y - length, box.w + 2 * length,
-                                               box.h + 2 * length)
-  local near = {}
-  for _, other in ipairs(self.bodies) do
-    if other ~= body then
-      local l, t, r, b = block_cells(other.x, other.y, other.w, other.h)
-      if r >= left and l <= right and b >= top and t <= bottom then near[#near + 1] = other end
+  local left, top = block_start(box.x - length), block_start(box.y - length)
+  local right = block_start(box.x - length + (box.w + 2 * length)) + BLOCK
+  local bottom = block_start(box.y - length + (box.h + 2 * length)) + BLOCK
+  local near, bodies = {}, self.bodies
+  for i = 1, #bodies do
+    local other = bodies[i]
+    if other.x + other.w >= left and other.x < right and other.y + other.h >= top and other.y < bottom and
+        other ~= body then
+      near[#near + 1] = other
     end
   end
   return near
