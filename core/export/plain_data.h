@@ -13,7 +13,7 @@ namespace talus {
 
 // The shape of a tile as numbers. y: px down from the tile's top.
 struct PlainShape {
-  int tile = 0;  // 0..255
+  int tile = 0;  // below tile_count()
   TileShape::Kind kind = TileShape::Kind::solid;
   // Ground lies above the line, up to the tile's top; else below it, down to the tile's bottom.
   bool is_ceiling = false;

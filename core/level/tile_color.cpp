@@ -1,4 +1,4 @@
-// Colours of tiles.
+// Finds the colours of tiles on the map and on the sheets.
 #include "tile_color.h"
 
 #include <algorithm>

@@ -10,7 +10,7 @@
 namespace talus {
 namespace {
 
-// A body belongs to its spawn, wherever that is in the list now. A body whose spawn is gone goes, too.
+// A body belongs to its spawn, wherever that is in the list now. A body whose spawn is gone is taken away.
 void follow_spawns(State& state, const std::vector<Spawn>& before, const std::vector<Spawn>& after) {
   if (before == after) return;
   std::erase_if(state.bodies, [&](Body& body) {

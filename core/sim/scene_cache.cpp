@@ -1,4 +1,4 @@
-// Scenes by version.
+// Keeps the scenes of the last versions of a level, with their solvers.
 #include "scene_cache.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The flood fill.
+// Fills connected cells that look the same.
 #include "map_fill.h"
 
 #include "raster.h"

@@ -1,4 +1,4 @@
-// Replaces tiles.
+// Replaces a tile of the map by another one, in all cells or in the selected ones.
 #include "map_replace.h"
 
 namespace talus {

@@ -1,4 +1,4 @@
-// Counts neighbours.
+// Counts which tiles lie around some tiles on the map.
 #include "tile_neighbours.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The editor's loop.
+// Runs the editor: input, panels, actions, picture, frame by frame.
 #include "app.h"
 
 #include <imgui_internal.h>

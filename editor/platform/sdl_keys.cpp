@@ -1,4 +1,4 @@
-// The table of keys.
+// Turns SDL's keys into those of the editor.
 #include "sdl_keys.h"
 
 #include <array>

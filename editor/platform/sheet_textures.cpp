@@ -1,4 +1,4 @@
-// Uploads sheets.
+// Keeps textures of the sheets, and uploads them again when they change.
 #include "sheet_textures.h"
 
 #include <SDL_opengl.h>

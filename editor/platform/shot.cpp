@@ -37,7 +37,7 @@ void show_panels(const std::vector<std::string>& panels, View& view) {
   }
 }
 
-// Does what a user would do to see what the options ask for. Returns false if it was told to stop.
+// Does what a user would do to see what the options ask for. Returns false if it was asked to stop.
 bool prepare(const WindowShotOptions& options, Session& session, View& view) {
   if (options.solver) {
     Tuning tuning = session.level().tuning;

@@ -1,4 +1,4 @@
-// Values of members.
+// Finds members of JSON values, and checks their kinds.
 #include "json_node.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Digits of 3x5 px.
+// Draws the numbers of boxes with digits of 3x5 px.
 #include "numbered_box.h"
 
 #include <array>

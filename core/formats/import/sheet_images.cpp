@@ -1,4 +1,4 @@
-// Matches colours.
+// Gives the pixels of another program the nearest of the 16 colours.
 #include "sheet_images.h"
 
 #include "../../level/tile_color.h"

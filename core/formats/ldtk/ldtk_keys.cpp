@@ -1,4 +1,4 @@
-// Numbers in texts.
+// Writes what tiles of LDtk are as numbers in a text, and reads them again.
 #include "ldtk_keys.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Words in names.
+// Splits the names of values, tags and entities into words, and finds ground and bodies in them.
 #include "ldtk_names.h"
 
 #include <algorithm>

@@ -539,8 +539,8 @@ bool accepts_native(std::string_view bytes, const FormatContext& context) {
 
 namespace {
 
-// The tilesets as a file of a folder stores them. Links that would lead out of the folder are told, and go:
-// their pixels are stored. Without a folder those go whose pixels were read.
+// The tilesets as a file of a folder stores them. Links that would lead out of the folder are listed, and
+// left out: their pixels are stored. Without a folder those go whose pixels were read.
 std::vector<Tileset> stored_tilesets(const Level& level, const std::string& folder,
                                      std::vector<std::string>& dropped) {
   std::vector<Tileset> sets = level.tilesets;

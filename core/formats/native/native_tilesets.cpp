@@ -1,4 +1,4 @@
-// Tilesets as JSON.
+// Reads and writes the tilesets of a native level.
 #include "native_tilesets.h"
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Recordings as JSON.
+// Reads and writes recordings.
 #include "recording_file.h"
 
 #include <algorithm>

@@ -235,7 +235,7 @@ bool is_kept(const std::string& key, const KeyKind& kind) {
 
 class Walk {
  public:
-  // is_whole: whether it is of a file as it is, not of what readers left: known keys are not told.
+  // is_whole: whether it is of a file as it is, not of what readers left: known keys are not listed.
   explicit Walk(bool is_whole = false) : is_whole_(is_whole) {}
 
   // An object, or a list of objects.

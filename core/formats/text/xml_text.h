@@ -1,4 +1,4 @@
-// Text for XML.
+// Text that stands in XML, with its special characters escaped.
 #pragma once
 
 #include <string>

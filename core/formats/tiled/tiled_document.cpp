@@ -1,4 +1,4 @@
-// Chooses the form.
+// Opens a document of Tiled in the form that its bytes have: JSON or XML.
 #include "tiled_document.h"
 
 #include "../import/hex_color.h"

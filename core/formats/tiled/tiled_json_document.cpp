@@ -1,4 +1,4 @@
-// TMJ and TSJ.
+// Maps and tilesets of Tiled as JSON: TMJ and TSJ.
 #include <algorithm>
 #include <optional>
 

@@ -1,4 +1,4 @@
-// TMX and TSX.
+// Maps and tilesets of Tiled as XML: TMX and TSX.
 #include <algorithm>
 #include <charconv>
 #include <optional>

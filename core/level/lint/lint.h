@@ -35,7 +35,7 @@ struct Problem {
   Severity severity = Severity::warning;
   std::string message;       // one sentence
   std::optional<Cell> cell;  // on the map; empty: the problem has no place
-  int tile = -1;             // the tile that it is about, 0..255; -1: no tile
+  int tile = -1;             // the tile that it is about, below tile_count(); -1: no tile
   // Index of another thing that it is about: the spawn, the curve, the flag with an invalid shape, or, for a
   // flag with two roles, the second role in flag_role_infos(). -1: no such thing.
   int object = -1;

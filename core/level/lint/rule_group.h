@@ -24,7 +24,8 @@ struct LintContext {
 // the group does not need is null.
 struct RuleGroup {
   std::span<const LintRule* const> rules;
-  // Checks a tile, 0..255, wherever it is. Its problems have no cell; they get the first cell with the tile.
+  // Checks a tile, below tile_count(), wherever it is. Its problems have no cell; they get the first cell
+  // with the tile.
   void (*check_tile)(const LintContext&, int tile, std::vector<Problem>& out) = nullptr;
   // Checks the cells from the first to the last one, both on the map. Its problems have a cell. They depend
   // on LintTiles and on cells within LintTiles::reach(), and on nothing else.

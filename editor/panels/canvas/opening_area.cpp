@@ -26,7 +26,7 @@ Rect area_about(Vec2 centre, Vec2 size, const TileMap& map) {
           std::clamp(centre.y - size.y / 2, 0.0, whole.y - size.y), size.x, size.y};
 }
 
-// With some room around it, and not so small that the place cannot be told.
+// With some room around it, and not so small that the place cannot be recognised.
 Rect with_room(const Rect& bounds, double room, const TileMap& map) {
   const Vec2 least = size_of_screen(map) * kLeastOfScreen;
   return area_about(bounds.center(),

@@ -1,4 +1,4 @@
-// Names of keys.
+// Turns chords of keys into text, and text into chords.
 #include "keys.h"
 
 namespace talus {

@@ -1,4 +1,4 @@
-// A modal with a bar.
+// Draws a bar over the window while a file is read.
 #include "reading_panel.h"
 
 #include <string>

@@ -1,4 +1,4 @@
-// The undo list.
+// Draws the list of edits, to go back to one of them.
 #include "history_panel.h"
 
 #include <string>

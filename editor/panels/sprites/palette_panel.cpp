@@ -1,4 +1,4 @@
-// The swatches.
+// Draws the 16 colours, to be chosen and changed.
 #include "palette_panel.h"
 
 #include <cmath>

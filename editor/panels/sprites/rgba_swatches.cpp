@@ -1,4 +1,4 @@
-// Swatches in rows.
+// Draws colours with opacity in rows, to be chosen.
 #include "rgba_swatches.h"
 
 #include <algorithm>

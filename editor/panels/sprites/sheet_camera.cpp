@@ -8,7 +8,7 @@
 namespace talus {
 namespace {
 
-// px at scale 1, of a tile: smaller ones cannot be told apart, and larger ones only take room.
+// px at scale 1, of a tile: smaller ones look alike, and larger ones only take room.
 constexpr float kLeastSheetTile = 24, kMostSheetTile = 48;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Names of flags.
+// Names flags, fields and their values as panels show them.
 #include "flag_label.h"
 
 #include <bit>

@@ -1,4 +1,4 @@
-// Chooses.
+// Carries out actions that choose curves, objects, tiles, pixels and bodies.
 #include "choice_handler.h"
 
 #include <algorithm>

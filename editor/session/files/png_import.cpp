@@ -1,4 +1,4 @@
-// Plans imports.
+// Finds what a picture would change: pixels, the size of the sheet, the palette.
 #include "png_import.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Trails of bodies.
+// Collects where a body was, from the keyframes and steps of a branch.
 #include "trail.h"
 
 #include <algorithm>

@@ -137,9 +137,9 @@ struct Level {
 
   // How many tiles it has, 1 to kMaxTiles; they are numbered from 0.
   int tile_count() const { return static_cast<int>(tile_shapes.size()); }
-  // Gives the sheet of tiles this layout. New tiles are blank, and a picture goes if the layout is another.
+  // Gives the sheet of tiles this layout. New tiles are blank. A picture is dropped if the layout is another.
   // Those tiles that go must not be on the map, in brushes or in the ground's tiles. Tilesets that do not fit
-  // any more go, too, and animations that show tiles which go, and their notes.
+  // any more are taken away, like animations that show tiles which go, and their notes.
   void set_tile_layout(const SheetLayout& layout);
   // The cells of a layer, row by row. layer: index in `layers`.
   const MapCells& cells_of(int layer) const;
