@@ -149,8 +149,8 @@ class BallRule {
 
   // Whether the ball meets something at the very end of a motion.
   bool has_just_arrived(const Contact<Real>& contact, Vec motion) const {
-    constexpr Real kNearEnd = 0.999;
-    if (contact.t < kNearEnd) return false;
+    constexpr double kNearEnd = 0.999;
+    if (contact.t < Real(kNearEnd)) return false;
     return (std::abs(motion.x) + std::abs(motion.y)) * (1 - contact.t) <= settled(body_);
   }
 

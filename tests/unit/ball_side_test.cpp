@@ -24,8 +24,8 @@ Vec2 after(Vec2 velocity, Side side, Side beside) {
 }
 
 TEST(BallSide, TwoThatStopItSendItBack) {
-  EXPECT_EQ(after({0, 2}, kRises, kFalls), Vec2(0, -1));
-  EXPECT_EQ(after({0, 2}, kFalls, kRises), Vec2(0, -1));
+  EXPECT_EQ(after({0, 2}, kRises, kFalls), (Vec2{0, -1}));
+  EXPECT_EQ(after({0, 2}, kFalls, kRises), (Vec2{0, -1}));
 }
 
 TEST(BallSide, OneThatStopsItIsTheOnlyOne) {

@@ -336,7 +336,7 @@ TEST_F(CliCheck, UnknownKeysAreWarningsAndStay) {
   const std::string file = put("a.talus.json", R"({"talus": 1, "spwans": [7], "spawns": [{"naem": "b"}]})");
   const CliAnswer answer = cli_answer({"check", file});
   EXPECT_EQ(answer.status, kExitGood) << answer.err;
-  for (const std::string& said :
+  for (const char* const said :
        {R"(:key spwans: warning: is not known; did you mean "spawns"? [unknown-key])",
         R"(:key spawns[0].naem: warning: is not known; did you mean "name"? )"})
     EXPECT_THAT(answer.out, HasSubstr(file + said));

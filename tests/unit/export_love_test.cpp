@@ -65,8 +65,9 @@ TEST(ExportLove, AndOthersNameTheLicenseOfCode) {
       SCOPED_TRACE(std::string(id) + "/" + file.name);
       const bool is_code = file.name.ends_with(".lua") || file.name.ends_with(".cpp") ||
                            file.name.ends_with(".h") || file.name == "CMakeLists.txt";
-      if (is_code && file.name != "level.lua")
+      if (is_code && file.name != "level.lua") {
         EXPECT_THAT(first_line(file.bytes), testing::HasSubstr(notice));
+      }
     }
     EXPECT_EQ(made.files.back().name, "LICENSE-talus.txt");
     EXPECT_EQ(made.files.back().bytes, read_file(source_path("LICENSE")).value());
