@@ -9,8 +9,8 @@ return function(world, level, name)
       if has_flag[tile] then
         local column, row = (i - 1) % level.width, math.floor((i - 1) / level.width)
         world:set_tile(column, row, 0, number)
-        bodies[#bodies + 1] = world:add {kind = name, tile = tile, sensor = true, x = column * width, y = row * height,
-                                         w = width, h = height}
+        bodies[#bodies + 1] = world:add {kind = name, tile = tile, tile_turn = layer.turns and layer.turns[i],
+                                         sensor = true, x = column * width, y = row * height, w = width, h = height}
       end
     end
   end
