@@ -130,6 +130,13 @@ local function both(a, b)
   return of_a[b]
 end
 
+local function flag_names(level)
+  local names = {}
+  for _, name in pairs(level.flag_names or {}) do names[#names + 1] = name end
+  table.sort(names)
+  return names
+end
+
 -- A set of flags: true or false by number and by name. To ask it for another name is an error.
 local function new_set(world, flags)
   local set = {}
@@ -139,6 +146,15 @@ local function new_set(world, flags)
     if name then set[name] = set[name] or set[flag] end
   end
   return setmetatable(set, world.no_flag)
+end
+
+local function set_of(world, flags)
+  local set = world.flag_sets[flags]
+  if not set then
+    set = new_set(world, flags)
+    world.flag_sets[flags] = set
+  end
+  return set
 end
 
 -- The flags of the tile at a point, in a layer or, without one, of the tiles of all layers: flags_at(x, y).ladder, or
@@ -152,12 +168,30 @@ function World:flags_at(x, y, layer)
   elseif cell then
     for _, each in ipairs(self.layers) do flags = both(flags, of_tiles[tile_in(self, each, cell)] or 0) end
   end
-  local set = self.flag_sets[flags]
-  if not set then
-    set = new_set(self, flags)
-    self.flag_sets[flags] = set
+  return set_of(self, flags)
+end
+
+-- Whether the level has a flag of this name.
+function World:has_flag(name) return rawget(set_of(self, 0), name) ~= nil end
+
+-- A list of the cells of all layers whose tile has a flag, from the back to the front and row by row: column and row,
+-- from 0; the number of their layer; tile, and how it is turned; x, y, w and h, px, of the cell.
+function World:tiles_with(flag)
+  if not self:has_flag(flag) then no_name("flag", flag, flag_names(self.level), 2) end
+  local found, terrain, of_tiles = {}, self.terrain, self.level.tile_flags or {}
+  local w, h = terrain.tile_w, terrain.tile_h
+  for _, layer in ipairs(self.layers) do
+    for cell = 0, terrain.width * terrain.height - 1 do
+      local tile = tile_in(self, layer, cell)
+      if set_of(self, of_tiles[tile] or 0)[flag] then
+        local column, row = cell % terrain.width, floor(cell / terrain.width)
+        found[#found + 1] = {column = column, row = row, layer = layer.number, tile = tile,
+                             turn = layer.turns and layer.turns[cell + 1] or 0,
+                             x = column * w, y = row * h, w = w, h = h}
+      end
+    end
   end
-  return set
+  return found
 end
 
 -- The objects of the level that have this class, name and layer, from the back to the front; all may be missing. They
@@ -180,12 +214,7 @@ end
 local place_tiles = World.place_tiles
 function World:place_tiles(level)
   self.level, self.layers, self.flag_sets, self.changes = level, tile_layers(level), {}, 0
-  self.no_flag = {__index = function(_, flag)
-    local names = {}
-    for _, name in pairs(level.flag_names or {}) do names[#names + 1] = name end
-    table.sort(names)
-    no_name("flag", flag, names, 2)
-  end}
+  self.no_flag = {__index = function(_, flag) no_name("flag", flag, flag_names(level), 2) end}
   place_tiles(self, level)
 end
 

@@ -100,6 +100,23 @@ TEST_F(LuaDataPart, FindsObjects) {
   expect_printed(flat_level(), "print(#world:objects())\n", "0\n");
 }
 
+TEST_F(LuaDataPart, FindsTheCellsWhoseTileHasAFlag) {
+  const std::string program =
+      "for _, cell in ipairs(world:tiles_with('ladder')) do\n"
+      "  print(cell.layer, cell.column, cell.row, cell.tile, cell.turn, cell.x == 8 * cell.column, cell.h == "
+      "8)\n"
+      "  world:set_tile(cell.column, cell.row, 0, cell.layer)\n"
+      "end\n"
+      "print(#world:tiles_with('ladder'), world:has_flag('ladder'), world:has_flag('lader'))\n"
+      "print((select(2, pcall(world.tiles_with, world, 'lader')):gsub('^.*lua:%d+: ', '')))\n";
+  const std::string ends =
+      "0\ttrue\tfalse\nno flag \"lader\"; this level names \"ladder\", \"win zone\", \"win zone\"\n";
+  const std::string of_ground = "1\t1\t1\t2\t0\ttrue\ttrue\n";
+  expect_printed(flat_level(), program, of_ground + ends);
+  expect_printed(layered_level(), program,
+                 of_ground + "2\t1\t0\t4\t0\ttrue\ttrue\n2\t2\t1\t2\t0\ttrue\ttrue\n" + ends);
+}
+
 TEST_F(LuaDataPart, ATileIsChangedInOneWorldAlone) {
   const std::string program =
       "world:set_tile(1, 0, 1)\n"
