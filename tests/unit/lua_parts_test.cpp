@@ -102,7 +102,7 @@ const std::map<std::string, std::string> kMarks = {
     {"curves", "curve_|stretch|tangent|bends|\\barc\\b|sine|newton"},
     {"balls", "bounce|friction"},
     {"walk", "floor_leads_over|look_ahead"},
-    {"players", "players?\\b|jump|coyote|run_speed"},
+    {"players", "players?\\b|jump|coyote"},
     {"pairs", "block_cells|near\\b"},
     {"mouse", "mouse|drag|grab"}};
 
