@@ -215,8 +215,11 @@ local function both(a, b)
 end
 
 local function flag_names(level)
-  local names = {}
-  for _, name in pairs(level.flag_names or {}) do names[#names + 1] = name end
+  local names, is_there = {}, {}
+  for _, name in pairs(level.flag_names or {}) do
+    if not is_there[name] then names[#names + 1] = name end
+    is_there[name] = true
+  end
   table.sort(names)
   return names
 end
@@ -282,6 +285,9 @@ end
 -- are tables of level.objects.
 function World:objects(like)
   local found = {}
+  if type(like or found) ~= "table" then
+    error(("objects are found by a table, such as {class = %q}"):format(tostring(like)), 2)
+  end
   for key in pairs(like or found) do
     if key ~= "class" and key ~= "name" and key ~= "layer" then
       error(("objects have no %q to be found by, but class, name and layer"):format(tostring(key)), 2)

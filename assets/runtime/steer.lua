@@ -24,8 +24,8 @@ local function problem_of(world, body, kind)
     return ("the foot of a %s is box or centre, not %s"):format(body.kind, tostring(foot))
   end
   local given = {x = body.x, y = body.y, w = body.w or kind.w, h = body.h or kind.h,
-                 vx = body.vx or 0, vy = body.vy or 0}
-  for _, name in ipairs {"x", "y", "w", "h", "vx", "vy"} do
+                 vx = body.vx or 0, vy = body.vy or 0, run_speed = body.run_speed or kind.run_speed or 0}
+  for _, name in ipairs {"x", "y", "w", "h", "vx", "vy", "run_speed"} do
     if type(given[name]) ~= "number" then
       return ("%s of a %s is a number of px, not %s"):format(name, body.kind, tostring(given[name]))
     end
@@ -63,7 +63,10 @@ function World:remove(body)
   for _, other in ipairs(self.bodies) do
     if other == body then is_there = true else left[#left + 1] = other end
   end
-  if not is_there then error("this body is not in the world", 2) end
+  if not is_there then
+    local is_body = type(body) == "table" and body.kind and body.id
+    error((is_body and "the " .. body.kind .. " " .. body.id or tostring(body)) .. " is not in the world", 2)
+  end
   self.bodies = left
 end
 
@@ -116,6 +119,10 @@ end
 
 -- The bodies that a box overlaps, in the order of the world. found: a table that gets them; without it, a new one.
 function World:bodies_in(x, y, w, h, found)
+  if not (x and y and w and h) then
+    error(("a box is four numbers, x, y, w and h in px, not %s, %s, %s and %s"):format(
+          tostring(x), tostring(y), tostring(w), tostring(h)), 2)
+  end
   found = found or {}
   local count = 0
   for _, body in ipairs(self.bodies) do
@@ -138,8 +145,8 @@ function World:cell_beside(body, side)
   if contact then return contact.column, contact.row end
 end
 
--- Whether there is ground beside a body, at its side left or right: a wall, or a floor at most `reach` px below its foot,
--- half its height if left out.
+-- Whether there is ground beside a body, at its side left or right: a wall, or a floor at most `reach` px below its
+-- foot, half its height if left out.
 function World:floor_ahead(body, side, reach)
   if side ~= "left" and side ~= "right" then
     error(("no side %q; the sides are left and right"):format(tostring(side)), 2)

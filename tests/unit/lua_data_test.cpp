@@ -113,8 +113,7 @@ TEST_F(LuaDataPart, FindsTheCellsWhoseTileHasAFlag) {
       "end\n"
       "print(#world:tiles_with('ladder'), world:has_flag('ladder'), world:has_flag('lader'))\n"
       "print((select(2, pcall(world.tiles_with, world, 'lader')):gsub('^.*lua:%d+: ', '')))\n";
-  const std::string ends =
-      "0\ttrue\tfalse\nno flag \"lader\"; this level names \"ladder\", \"win zone\", \"win zone\"\n";
+  const std::string ends = "0\ttrue\tfalse\nno flag \"lader\"; this level names \"ladder\", \"win zone\"\n";
   const std::string of_ground = "1\t1\t1\t2\t0\ttrue\ttrue\n";
   expect_printed(flat_level(), program, of_ground + ends);
   expect_printed(layered_level(), program,
@@ -225,15 +224,19 @@ TEST_F(LuaDataPart, ErrorsNameWhatIsWrong) {
       "tell(world.tile_at, world, 'x')\n"
       "tell(function() return world:flags_at(0, 0).lader end)\n"
       "tell(world.objects, world, {clas = 'coin'})\n"
+      "tell(world.objects, world, 'coin')\n"
+      "tell(world.tiles_of, world)\n"
       "print((select(2, pcall(function() return world:flags_at(0, 0).lader "
       "end)):match('^program.lua:%d+:')))\n";
   expect_printed(layered_level(), program,
                  "no layer of tiles \"typo\"; this level names \"ground\", \"front\"\n"
                  "no layer of tiles \"things\"; this level names \"ground\", \"front\"\n"
                  "a point is two numbers, x and y in px, not x and nil\n"
-                 "no flag \"lader\"; this level names \"ladder\", \"win zone\", \"win zone\"\n"
+                 "no flag \"lader\"; this level names \"ladder\", \"win zone\"\n"
                  "objects have no \"clas\" to be found by, but class, name and layer\n"
-                 "program.lua:8:\n");
+                 "objects are found by a table, such as {class = \"coin\"}\n"
+                 "no layer of tiles \"nil\"; this level names \"ground\", \"front\"\n"
+                 "program.lua:10:\n");
   expect_printed(Level(), "print(pcall(world.flags_at, world, 0, 0, 'a'))\n",
                  "false\tno layer of tiles \"a\"; this level names none\n");
 }

@@ -50,9 +50,16 @@ for _, body in ipairs(world.bodies) do
 end
 world:add {kind = "ball", x = 60, y = 40}
 for _, body in ipairs(world.bodies) do io.write(body.id, " ") end
-print(pcall(world.remove, world, {}))
+print()
+local function tell(call, ...) print((select(2, pcall(call, world, ...)):gsub('^.*lua:%d+: ', ''))) end
+local gone = world.bodies[1]
+world:remove(gone)
+tell(world.remove, gone)
+tell(world.remove, nil)
+tell(world.bodies_in, 1, 2, 3)
 )"),
-            "1 2 3 2 4 false\tthis body is not in the world\n");
+            "1 2 3 2 4 \nthe ball 2 is not in the world\nnil is not in the world\n"
+            "a box is four numbers, x, y, w and h in px, not 1, 2, 3 and nil\n");
 }
 
 TEST_F(LuaSteer, AnErrorNamesTheKindsThatAreThere) {
@@ -71,6 +78,7 @@ tell {kind = "bare", x = 1, y = 2, h = 8}
 tell {kind = "ball", x = 1, y = "up"}
 tell {kind = "odd", x = 1, y = 2}
 tell {kind = "ball", x = 1, y = 2, foot = "toe"}
+tell {kind = "player", x = 1, y = 2, run_speed = "fast"}
 print(#world.bodies, (select(2, pcall(function() world:add {kind = "typo"} end)):match('^program.lua:%d+:')))
 )"),
             "a body is a table with kind, x and y, not nil\n"
@@ -80,7 +88,8 @@ print(#world.bodies, (select(2, pcall(function() world:add {kind = "typo"} end))
             "y of a ball is a number of px, not up\n"
             "the kind \"odd\" has the rule \"walk\"; the rules are fall, run and still\n"
             "the foot of a ball is box or centre, not toe\n"
-            "0\tprogram.lua:13:\n");
+            "run_speed of a player is a number of px, not fast\n"
+            "0\tprogram.lua:14:\n");
 }
 
 TEST_F(LuaSteer, SensorsNeedNoPartForBodiesThatBlock) {
