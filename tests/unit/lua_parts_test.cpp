@@ -82,6 +82,19 @@ TEST(LuaParts, ALevelShipsThePartsThatItUses) {
   EXPECT_EQ(parts_of(with_slope(on_centre)), "slopes balls sides walk ");
 }
 
+TEST(LuaParts, WalkingHasCodeForSlopesAndCurvesOnlyWithThem) {
+  const auto files_of_walk = [](const std::vector<std::string>& parts) {
+    std::vector<std::string> walks;
+    for (const std::string& file : lua_part_files(parts))
+      if (file.starts_with("walk")) walks.push_back(file);
+    return joined(walks);
+  };
+  EXPECT_EQ(files_of_walk({"slopes", "curves"}), "");
+  EXPECT_EQ(files_of_walk({"walk"}), "walk ");
+  EXPECT_EQ(files_of_walk({"slopes", "walk"}), "walk walk_slopes ");
+  EXPECT_EQ(files_of_walk({"slopes", "segments", "curves", "walk"}), "walk walk_slopes walk_curves ");
+}
+
 TEST(LuaParts, OtherPartsCanBeChosen) {
   EXPECT_EQ(parts_of(flat_level(), "pairs,  players"), "balls walk players pairs ");
   EXPECT_EQ(parts_of(flat_level(), ",balls,"), "balls ");
@@ -189,6 +202,7 @@ TEST(LuaParts, ACartIsToBeReadAsFarAsItFits) {
     EXPECT_EQ(cart.dropped.empty() ? "" : cart.dropped.front().substr(0, dropped.size()), dropped);
   };
   has(flat_level(), {runtime, game}, "");
+  has(flat_level(BodyKind::player), {runtime, game}, "");
   has(with_slope(flat_level()), {game},
       "comments, indentation and long names of what moves the bodies: with them");
   has(curves, {small_game}, "comments, indentation and long names of the code: with them the code has ",

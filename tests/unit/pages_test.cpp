@@ -74,11 +74,12 @@ std::string size_row(const std::string& what, const Level& level) {
 
 Level level_at(const std::string& path) { return load_level(kRoot + "assets/" + path).value().level; }
 
-Level full_tiles_and_a_ball() {
+Level full_tiles_and_a(BodyKind kind) {
   Level level;
   for (int x = 0; x < 30; ++x) level.map.set({x, 16}, 1);
   level.tile_shapes[1].kind = TileShape::Kind::solid;
-  level.spawns.push_back({.name = "", .position = {40, 40}, .velocity = {}, .extra = ""});
+  level.spawns.emplace_back().kind = kind;
+  level.spawns.back().position = {40, 40};
   return level;
 }
 
@@ -97,7 +98,8 @@ Level demo_with_a_player() {
 TEST(Pages, StateTheSizesOfExports) {
   const std::string page = "docs/runtime.md";
   for (const std::string& row :
-       {size_row("full tiles, a ball", full_tiles_and_a_ball()),
+       {size_row("full tiles, a ball", full_tiles_and_a(BodyKind::ball)),
+        size_row("full tiles, a player", full_tiles_and_a(BodyKind::player)),
         size_row("slopes, and balls that block one another (the demo)", level_at("demo.talus.json")),
         size_row("slopes, one-way ground, and a player", demo_with_a_player()),
         size_row("curves, and a player (hard case 38, quarter pipe)",
