@@ -296,7 +296,7 @@ class LdtkProject {
   }
   // From the top: the colours of the ground lie below the tiles.
   OrderedJson layer_definitions() const {
-    OrderedJson list = {layer_def("Bodies", "Entities", kBodiesUid)};
+    OrderedJson list = OrderedJson::array({layer_def("Bodies", "Entities", kBodiesUid)});
     add_object_layers(false, list);
     list.push_back(layer_def("Tiles", "Tiles", kTilesUid));
     list.back()["tilesetDefUid"] = int{kTilesetUid};
