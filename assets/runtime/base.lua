@@ -14,7 +14,7 @@
 -- impulse}, where other is a body, or nil for the ground; {kind = "landed", body}; {kind = "left", body}.
 -- Between steps you may change vx and vy, or x and y; then also set clear to false, which frees it from walls.
 -- With the part steer, bodies have touched, what they met in the last step at their floor, ceiling, left and right; and
--- they may have input, keys of their own, and sensor, true if they pass all bodies.
+-- they may have input, keys of their own, run_speed, and sensor, true if they pass all bodies.
 -- With the part mouse, step() also takes mouse_x, mouse_y and mouse_down, and drags bodies; games for LÖVE and
 -- TIC-80 have it. You can ask about the ground, for any box:
 --   world:floor(x, y, w, h, 16)      -- the floor's y, at most 16 px below, and its normal nx, ny; or nil
@@ -24,12 +24,15 @@
 --   world:flags_at(x, y).ladder             -- whether a tile there has the flag; flags_at(x, y, "front"): in a layer
 --   world:tile_at(x, y)                     -- the number of the foremost tile that is not 0, or 0; nil beside the map
 --   world:objects {class = "coin"}          -- a list of objects, by class, name and layer: see level.objects
+--   world:tiles_with("coin")                -- a list of cells whose tile has the flag: column, row, layer, tile, x, y
+--   world:has_flag("coin")                  -- whether the level has such a flag
 --
 -- What the game adds to the level while it runs:
 --   world:add {kind = "player", x = 40, y = 8}   -- a body, which it returns
 --   world:remove(body)                           -- takes one out (part steer)
 --   world:bodies_in(x, y, w, h)                  -- lists those that a box overlaps (part steer)
 --   world:cell_beside(body, side)                -- the cell that one touches at a side (part steer)
+--   world:floor_ahead(body, side)                -- whether there is ground at its left or right (part steer)
 --   world.terrain:set_tile(x, y, tile)           -- another tile in a cell, counted from 0; with the part data rather
 --                                                   world:set_tile(x, y, tile), which the game's pictures follow
 -- needs the parts for it: balls and players, for bodies that fall or run; pairs, for several bodies that block one

@@ -446,6 +446,8 @@ function M.next_meeting(m, n, from, to, still)
       local rate, more = c_speed + c_gain * t, c_gain
       if not (centre_at < 0) then rate, more = -rate, -more end
       if not (rate > STILL or (rate >= -STILL and more > STILL)) then return end
+      -- Rounding may say which axis is first: it is always the upper or lower side that counts.
+      if normal_y == 0 then normal_x, normal_y = 0.0, centre_at < 0 and -1.0 or 1.0 end
     end
     first, first_x, first_y = from + t, normal_x, normal_y
   end

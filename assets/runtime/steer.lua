@@ -13,13 +13,45 @@ local function kind_names(world)
   return table.concat(names, ", ")
 end
 
+-- Tells what is wrong with a new body of a kind, if something is.
+local function problem_of(world, body, kind)
+  if not kind then return ("no kind %q; this level has %s"):format(tostring(body.kind), kind_names(world)) end
+  local foot = body.foot or kind.foot
+  if kind.rule ~= "fall" and kind.rule ~= "run" and kind.rule ~= "still" then
+    return ("the kind %q has the rule %q; the rules are fall, run and still"):format(body.kind, tostring(kind.rule))
+  end
+  if foot and foot ~= "box" and foot ~= "centre" then
+    return ("the foot of a %s is box or centre, not %s"):format(body.kind, tostring(foot))
+  end
+  local given = {x = body.x, y = body.y, w = body.w or kind.w, h = body.h or kind.h,
+                 vx = body.vx or 0, vy = body.vy or 0, run_speed = body.run_speed or kind.run_speed or 0}
+  for _, name in ipairs {"x", "y", "w", "h", "vx", "vy", "run_speed"} do
+    if type(given[name]) ~= "number" then
+      return ("%s of a %s is a number of px, not %s"):format(name, body.kind, tostring(given[name]))
+    end
+  end
+end
+
+-- The bodies that stop others. all: a list
+local function without_sensors(all)
+  local others = {}
+  for _, body in ipairs(all) do
+    if not body.sensor then others[#others + 1] = body end
+  end
+  return others
+end
+
 local add = World.add
 function World:add(body)
-  if not self.kinds[body.kind] then
-    error(("no kind %q; this level has %s"):format(tostring(body.kind), kind_names(self)), 2)
-  end
+  if type(body) ~= "table" then error("a body is a table with kind, x and y, not " .. tostring(body), 2) end
+  local problem = problem_of(self, body, self.kinds[body.kind])
+  if problem then error(problem, 2) end
+  local all = self.bodies
+  self.bodies = body.sensor and {} or without_sensors(all)  -- sensors need no part for bodies that block one another
   local is_added, message = pcall(add, self, body)
+  self.bodies = all
   if not is_added then error(message, 2) end
+  all[#all + 1] = body
   self.last_id = (self.last_id or 0) + 1  -- ids of bodies that are gone are not given again
   body.id, body.touched = self.last_id, {}
   return body
@@ -31,7 +63,10 @@ function World:remove(body)
   for _, other in ipairs(self.bodies) do
     if other == body then is_there = true else left[#left + 1] = other end
   end
-  if not is_there then error("this body is not in the world", 2) end
+  if not is_there then
+    local is_body = type(body) == "table" and body.kind and body.id
+    error((is_body and "the " .. body.kind .. " " .. body.id or tostring(body)) .. " is not in the world", 2)
+  end
   self.bodies = left
 end
 
@@ -43,7 +78,11 @@ rules.still = function() end
 if rules.run then
   local run, no_keys = rules.run, {}
   rules.run = function(world, body, box, input)
-    return run(world, body, box, body.input or world.kinds[body.kind].takes_keys and input or no_keys)
+    local kind, tuning = world.kinds[body.kind], world.tuning
+    local speed_of_all = tuning.run_speed
+    tuning.run_speed = (body.run_speed or kind.run_speed or speed_of_all) + 0.0
+    run(world, body, box, body.input or kind.takes_keys and input or no_keys)
+    tuning.run_speed = speed_of_all
   end
 end
 
@@ -80,6 +119,10 @@ end
 
 -- The bodies that a box overlaps, in the order of the world. found: a table that gets them; without it, a new one.
 function World:bodies_in(x, y, w, h, found)
+  if not (x and y and w and h) then
+    error(("a box is four numbers, x, y, w and h in px, not %s, %s, %s and %s"):format(
+          tostring(x), tostring(y), tostring(w), tostring(h)), 2)
+  end
   found = found or {}
   local count = 0
   for _, body in ipairs(self.bodies) do
@@ -100,6 +143,16 @@ function World:cell_beside(body, side)
   if not way then error(("no side %q; the sides are floor, ceiling, left and right"):format(tostring(side)), 2) end
   local contact = self:cast(body.x, body.y, body.w, body.h, way[1] * LIP, way[2] * LIP, body.foot)
   if contact then return contact.column, contact.row end
+end
+
+-- Whether there is ground beside a body, at its side left or right: a wall, or a floor at most `reach` px below its
+-- foot, half its height if left out.
+function World:floor_ahead(body, side, reach)
+  if side ~= "left" and side ~= "right" then
+    error(("no side %q; the sides are left and right"):format(tostring(side)), 2)
+  end
+  local x = side == "left" and body.x - 1 or body.x + body.w
+  return self:overlaps(x, body.y, 1, body.h) or self:cast(x, body.y, 1, body.h, 0, reach or body.h / 2) ~= nil
 end
 
 -- The body that one stands on, if it is not the ground.

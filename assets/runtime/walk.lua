@@ -5,13 +5,8 @@ has.walk = true
 
 local Walk = {}  -- of one body in one step
 Walk.__index = Walk
-Walk.MOST_SAG = 2.0 ^ -20  -- px; where a curve leads over an end, its chord may be so much below it
-Walk.PARTS_OF_WAY = 16  -- two curves are compared between so many equal parts of a way
-Walk.MOST_PASSED = 8  -- on its chord a body passes so many floors that its curve is above
 
 local AHEAD = 0.001953125  -- px; how far ahead the next piece of floor is looked for
-local HALVINGS = 16  -- how often the way along a curve to what stops the body is halved: to less than 1/1000 px
-local UNDER = 1024  -- the floor under a body is followed over so many pieces to a corner of the body
 
 -- The column of the solid tile in a row that is nearest to the middle of the box; if there is none under the box,
 -- another one.
@@ -131,36 +126,8 @@ function Walk:goal_on(on, box, way)
   return Walk.place_on(on, box, there)
 end
 
--- Ends a floor where this line begins, if that is up to LIP above it.
-function Walk:end_below(on, box, line, foot, slack)
-  local direction = self.direction
-  local x, y = line.x0 - foot, line.y0
-  if direction < 0 then x, y = line.x1 - foot, line.y1 end
-  if not ((x - box.x) * direction > 0 and (on.stop - x) * direction > 0) then return end
-  local _, top = Walk.place_on(on, box, x)
-  local height = top + box.h - y
-  if height > slack and height <= LIP + slack then on.stop = x end
-end
-
--- Ends a floor where the foot of a body on its way to a goal comes below a one-way line that begins up to LIP
--- higher: such a line has no side that the body could meet. Returns the goal, or that end.
-function Walk:goal_before_line(on, box, goal_x, goal_y)
-  if not self.terrain:has_pieces() then return goal_x, goal_y end
-  local slack, foot = Walk.settled(box), self.direction > 0 and box.w or 0.0
-  if box.centre then foot = box.w / 2 end
-  local bottom = box.h - slack
-  for row = floor((min(box.y, goal_y) + (bottom - LIP)) / TILE_H), floor((max(box.y, goal_y) + bottom) / TILE_H) do
-    for column = floor((min(box.x, goal_x) + foot) / TILE_W), floor((max(box.x, goal_x) + foot) / TILE_W) do
-      if self.terrain:is_detailed(column, row) then
-        for _, line in ipairs(self.terrain:detail(column, row).pieces) do
-          if not line.solid and line.facing == UP then self:end_below(on, box, line, foot, slack) end
-        end
-      end
-    end
-  end
-  if (goal_x - on.stop) * self.direction > 0 then return Walk.place_on(on, box, on.stop) end
-  return goal_x, goal_y
-end
+-- Ends a floor before a line; see walk_slopes.lua. Returns where the body goes on that floor.
+function Walk:goal_before_line(_, _, goal_x, goal_y) return goal_x, goal_y end
 
 -- Whether a way along it is the straight one that is cast.
 function Walk.is_straight(on) return not on.on_line or on.met.edge.form.straight end
@@ -168,39 +135,8 @@ function Walk.is_straight(on) return not on.on_line or on.met.edge.form.straight
 -- How far a place is from what the body has met, px; less than 0: it is in that.
 function Walk.room_at(x, y, contact) return (x - contact.x) * contact.nx + (y - contact.y) * contact.ny end
 
--- Puts a body that something has stopped on its way from x along the chord of that curve on the curve itself, where it
--- may meet that sooner, or as near to it as what else is there lets it.
-function Walk:stop_on(on, box, from, contact)
-  local free, blocked = from, contact.x
-  local x, y = Walk.place_on(on, box, blocked)
-  if Walk.room_at(x, y, contact) < 0 then
-    for _ = 1, HALVINGS do
-      local middle = (free + blocked) / 2
-      local _, middle_y = Walk.place_on(on, box, middle)
-      if Walk.room_at(middle, middle_y, contact) >= 0 then free = middle else blocked = middle end
-    end
-    x, y = Walk.place_on(on, box, free)
-    box.x, box.y = Walk.place_on(on, box, from)  -- on its way back it would meet what it has passed
-  end
-  local met
-  local stop = on.stop
-  met, x, y = self:cast_to(on, box, x, y)
-  if met and self:sinks(Walk.at(met.x, met.y, box), met, y) then met, x, y = self:cast_to(on, box, x, y) end
-  on.stop = stop
-  box.x, box.y = met and met.x or x, met and met.y or y
-end
-
 -- px; a body so near to a floor is on it.
 function Walk.settled(box, way_x, way_y) return SETTLED * Walk.slack(box, way_x, way_y) end
-
--- The x of the box where it leaves the piece of a ceiling that it has met.
-function Walk:end_of_ceiling(contact, box)
-  local piece, right = contact.edge, self.direction > 0
-  if not contact.on_end then return (right and piece.x1 or piece.x0) - piece.form.offset(piece, box.w, box.centre) end
-  -- Its flat top is below the lower end, or below a level piece.
-  if right then return piece.y0 > piece.y1 and piece.x0 or piece.x1 end
-  return (piece.y1 > piece.y0 and piece.x1 or piece.x0) - box.w
-end
 
 -- Where the body goes on past a straight ceiling that it has met too early, by rounding: to the goal, or to where it
 -- leaves that piece of the ceiling, if it is in it there by a rounding of its height at most. nil: the ceiling, or
@@ -227,34 +163,10 @@ function Walk:place_past(contact, box, x, y)
   return x, y
 end
 
--- Whether the floor is a curve that goes on above what the body has met below it, on the chord of its way from x to
--- the goal: another floor, or the upper end of a side.
-function Walk.leads_above(on, box, contact, from, goal_x)
-  if Walk.is_straight(on) then return false end
-  local at, slack = contact.x, Walk.settled(box)
-  if contact.ny == 0 then
-    local _, y = Walk.place_on(on, box, at)
-    return not contact.other and y < contact.y and y + box.h <= Terrain.top_of_side(contact)
-  end
-  local function room(x)
-    local place_x, place_y = Walk.place_on(on, box, x)
-    return Walk.room_at(place_x, place_y, contact)
-  end
-  if abs(at - from) > slack then return room(at) > max(Walk.MOST_SAG, slack) end
-  local way = (goal_x - at) / 2
-  while room(at + way) <= slack and abs(way) > AHEAD do way = way / 2 end
-  return room(at + way) > slack
-end
+-- The two of curves; see walk_curves.lua.
+function Walk.leads_above() return false end
 
--- Puts a body that has come below a curve, on the chord of its way, on the curve, or as near to it as a ceiling lets
--- it.
-function Walk:lift_onto(on, box)
-  if Walk.is_straight(on) then return end
-  local _, y = Walk.place_on(on, box, box.x)
-  if y >= box.y then return end
-  local met = self:cast(box, 0.0, y - box.y)
-  box.y = met and met.y or y
-end
+function Walk:lift_onto() end
 
 -- Puts a body that has met something on that floor, which may be a little higher or lower than the one that it came
 -- from. Returns whether that moved it, so that it may pass.
@@ -291,59 +203,6 @@ function Walk.without(piece, cast, ...)
   return contact
 end
 
--- Up to where a curve that is the floor is above the other floor that the body has met on its chord, or the same as
--- that, px, x of the box; nil: up to the goal. If what it met is no line of a floor, that is where it is.
-function Walk:end_above(on, box, contact, goal_x)
-  local from = contact.x
-  if contact.facing ~= UP or not contact.edge or contact.on_end then return from end
-  local met, slack, direction = self:floor_of(contact, box), Walk.settled(box), self.direction
-  local function is_below(x)
-    local _, y = Walk.place_on(on, box, x)
-    local _, met_y = Walk.place_on(met, box, x)
-    return y > met_y + slack
-  end
-  local ends = (goal_x - met.stop) * direction > 0
-  local to = ends and met.stop or goal_x
-  local part = (to - from) / Walk.PARTS_OF_WAY
-  for i = 0, Walk.PARTS_OF_WAY do
-    local below = from + part * i
-    if is_below(below) then
-      local above = i == 0 and below or below - part
-      for _ = 1, i > 0 and HALVINGS or 0 do
-        local x = (above + below) / 2
-        if is_below(x) then below = x else above = x end
-      end
-      return above
-    end
-  end
-  -- Behind the end another piece of that floor may go on.
-  local beyond = from + direction * 2 * AHEAD
-  if (to - beyond) * direction > 0 then beyond = to end
-  return ends and (goal_x - beyond) * direction > 0 and beyond or nil
-end
-
--- Along the chord of a curve; see cast_to. It passes floors that the curve is above.
-function Walk:cast_along_chord(on, box, x, y)
-  local contact, passed
-  for count = 0, Walk.MOST_PASSED do
-    contact = self:cast(box, x - box.x, y - box.y, on.met.edge.source)
-    if not contact or count == Walk.MOST_PASSED then break end
-    local stop = self:end_above(on, box, contact, x)
-    if stop then
-      if (stop - contact.x) * self.direction <= AHEAD then break end
-      on.stop = stop
-      x, y = Walk.place_on(on, box, stop)
-    end
-    passed = passed or {}
-    passed[count + 1] = contact.edge.source or contact.edge
-    passed[count + 1].is_ignored = true
-  end
-  if passed then
-    for i = 1, #passed do passed[i].is_ignored = nil end
-  end
-  return contact, x, y
-end
-
 -- What the body meets first on its way to a place on the floor, and that place. Where the floor is a curve that goes
 -- below another one on the way, it ends, and so does the way.
 function Walk:cast_to(on, box, x, y)
@@ -362,126 +221,8 @@ function Walk:cast_to(on, box, x, y)
   return contact, x, y
 end
 
--- Where a corner of the body has met a sloped ceiling at this y, which may be the underside of the line that it walks
--- on. Of one that falls away from the middle of the body, as the far side of a roof does, it is the upper end: there
--- the floor leads over it.
-local function underside_met(piece, box, y)
-  local middle = box.x + box.w / 2
-  if piece.y0 < piece.y1 then  -- it falls to the right, where the corner is then
-    if middle < piece.x0 then return piece.x0, piece.y0 end
-    return min(box.x + box.w, piece.x1), y
-  end
-  if middle > piece.x1 then return piece.x1, piece.y1 end
-  return max(box.x, piece.x0), y
-end
-
--- The upper end of what a corner of the body met, or the nearer end of a ceiling that is level or falls from there;
--- nil if its middle met it.
-function Walk:corner_met(box, contact)
-  local piece = contact.edge
-  if contact.facing >= LEFT then
-    if piece then return piece.x0, piece.y0 end
-    return (contact.column + (contact.facing == LEFT and 0 or 1)) * TILE_W, contact.row * TILE_H
-  end
-  local is_ceiling = contact.facing == DOWN
-  if piece and not contact.on_end then
-    if not is_ceiling then return nil end
-    if piece.y0 ~= piece.y1 then return underside_met(piece, box, contact.y) end
-  end
-  local at = piece and 0 or self:solid_column(box, contact.row)
-  local x0, x1 = at * TILE_W, (at + 1) * TILE_W
-  if piece then x0, x1 = piece.x0, piece.x1 end
-  local middle, y = box.x + box.w / 2, contact.y + (is_ceiling and 0.0 or box.h)
-  -- The next floor is found so much further on, while the middle is still on this one.
-  local beside = is_ceiling and 0.0 or AHEAD
-  if middle < x0 - beside then return x0, y end
-  if middle > x1 + beside then return x1, y end
-  return nil
-end
-
--- Whether a floor goes through a ceiling into the ground on the way of a box, so that not even its foot gets to the
--- goal. It meets the underside of the line that it walks on by rounding alone.
-function Walk:leads_into_ground(on, box, goal_x, goal_y)
-  goal_y = goal_y + box.h
-  local met
-  local under = {x = box.x, y = box.y + box.h, w = 0.0, h = 0.0, centre = false}
-  met, goal_x, goal_y = self:cast_to(on, under, goal_x, goal_y)
-  if not met or met.facing ~= DOWN or not (Walk.room_at(goal_x, goal_y, met) < -LIP) or
-      abs(met.x - box.x) <= AHEAD then
-    return false
-  end
-  return self:is_in_ground(met.x, met.y)
-end
-
--- Whether what is just above a point is ground.
-function Walk:is_in_ground(x, y) return overlaps_ground(self.terrain, x - LIP / 2, y - 2 * LIP, LIP, LIP) end
-
--- Whether the floor goes on from the middle of the body to a place, and is not below it there. fall: px; a floor up
--- to so far below the middle of a body in the air counts. beyond: px; so far behind the place it must not go into the
--- ground, either.
-function Walk:floor_leads_over(box, spot_x, spot_y, fall, beyond)
-  local point = {x = box.x + box.w / 2, y = box.y, w = 0.0, h = box.h, centre = false}
-  local direction = spot_x < point.x and -1 or 1
-  local under = setmetatable({terrain = self.terrain, direction = direction, steepest = self.steepest, sunk = 0.0},
-                             Walk)
-  for i = 1, UNDER do
-    if point.x == spot_x then break end
-    local falls = i == 1 and fall > 0
-    -- A middle that is just before a floor is not on it.
-    local on = under:look_ahead(point, falls and fall or 1.0, i == 1 and 0.0 or LIP)
-    if not on then return false end
-    if i == 1 then
-      local x, y = Walk.place_on(on, point, point.x)
-      if falls then point.y = y end
-      -- The body may be far below a curve, on a chord of it.
-      if not Walk.is_straight(on) and self:is_in_ground(x, y + point.h) then return false end
-    end
-    local goal_x, goal_y = under:goal_on(on, point, spot_x - point.x)
-    if goal_x == point.x then return false end
-    local ahead_x, ahead_y = goal_x, goal_y
-    if beyond > 0 then ahead_x, ahead_y = under:goal_on(on, point, spot_x + direction * beyond - point.x) end
-    if under:leads_into_ground(on, point, ahead_x, ahead_y) then return false end
-    -- Another floor may cross it, further on or just here.
-    local met
-    met, goal_x, goal_y = under:cast_to(on, point, goal_x, goal_y)
-    if met and met.facing == UP then
-      local is_here = met.t == 0 and is_level(met, self.steepest)
-      local crossing = is_here and under:floor_met(point, met) or nil
-      if crossing then
-        goal_x, goal_y = under:goal_on(crossing, point, spot_x - point.x)
-      elseif met.x ~= point.x then
-        goal_x, goal_y = met.x, met.y
-      end
-    end
-    point.x = (goal_x - spot_x) * direction < 0 and goal_x or spot_x
-    point.y = goal_y
-  end
-  return point.x == spot_x and point.y + box.h <= spot_y + LIP + 2 * Walk.slack(box)
-end
-
--- Whether what the body met lies below the floor that its foot walks on. From then on the lowest part of its
--- corners meets nothing. goal_y: of the place to which it was going; fall: as for floor_leads_over, 0 if not given.
-function Walk:sinks(box, contact, goal_y, fall)
-  if not box.centre or contact.other or not self.terrain:has_pieces() then return false end
-  local spot_x, spot_y = self:corner_met(box, contact)
-  if not spot_x then return false end
-  local by_px = max(max(box.y, goal_y) + box.h - spot_y, AHEAD)
-  local is_ceiling = contact.facing == DOWN
-  if is_ceiling or by_px > box.h then by_px = box.h end
-  if not (by_px > self.sunk) then return false end
-  -- A floor may begin to go into the ceiling just where a corner of the body has met that.
-  if not self:floor_leads_over(box, spot_x, spot_y, fall or 0, is_ceiling and 128 * AHEAD or 0.0) then return false end
-  self.sunk = by_px
-  return true
-end
-
--- A floor at most 8 widths of the box below its middle counts: that of a slope of 16 to 1.
-function World:depth_below_floor(box, contact, y, sunk)
-  local over = setmetatable({terrain = self.terrain, direction = 1, steepest = self.tuning.steepest, sunk = sunk},
-                            Walk)
-  return over:sinks(Walk.at(contact.x, contact.y, box), contact, contact.y + max(y, 0.0) * (1 - contact.t),
-                    box.w * 8) and over.sunk or 0.0
-end
+-- Whether what the body met is below the floor under its foot, where slopes are.
+function Walk:sinks() return false end
 
 -- The floor on which the body goes on, up to `reach` px below it; nil if there is none, or if it is too steep. One that
 -- begins up to LIP higher or lower is one with the floor before: the body is put on it.

@@ -1,14 +1,17 @@
 -- Copyright (c) 2026 the Talus authors. MIT license, see LICENSE-talus.txt.
 -- Draws a level in LÖVE 11 as Talus's editor does, from its sheet: a picture of the tiles in which colour 0 is
 -- clear. pictures(level, file) gives
---   draw_ground(x, y, world)  the layers from the back to the front; a cell with a ball, which is a body, shows
---                      tile 0. x, y: px, the middle of the view, from which layers with parallax have their places.
---                      Animated tiles show the frame that is due since pictures() was called. world: has tiles that
---                      the game changed by world:set_tile; may be missing
+--   draw_ground(x, y, world)  the layers from the back to the front, without those in front of the bodies; a cell with
+--                      a ball, which is a body, shows tile 0. x, y: px, the middle of the view, from which layers with
+--                      parallax have their places. Animated tiles show the frame that is due since pictures() was
+--                      called. world: has tiles that the game changed by world:set_tile; may be missing
 --   draw_body(body, step)  its kind, x, y, w and h; step: those made so far. A body with a `picture` shows the frame of
---                      what it does, see frames.lua. Kinds that look like a figure, such as players, are boxes with
---                      a face; crates, wheels and marbles have looks of their own. Others have the picture of their
---                      `tile`, without one that of the level's first ball tile, and without any they are circles
+--                      what it does, see frames.lua, and one with a `tile` that tile, animated, and turned by
+--                      `tile_turn`, a number of a layer's turns. Of other bodies kinds that look like a figure, such as
+--                      players, are boxes with a face; crates, wheels and marbles have looks of their own; the rest has
+--                      the picture of the level's first ball tile, and without any they are circles
+--   draw_front(x, y)   after the bodies: the layers in front of them. These have the name `front`; the game may also
+--                      set `front`, true or false, of any of level.layers. The world is that of draw_ground()
 local frames = require "frames"
 local TYRE = {41 / 255, 54 / 255, 111 / 255}
 local LIGHT, BLUE = {244 / 255, 244 / 255, 244 / 255}, {65 / 255, 166 / 255, 246 / 255}
@@ -219,9 +222,6 @@ return function(level, file)
   local opacity = back[4] / 255 ^ 2
   love.graphics.setBackgroundColor(back[1] * opacity, back[2] * opacity, back[3] * opacity)
   local clear, sprites = image(picture), nil
-  for _, spawn in ipairs(level.spawns or {}) do
-    if spawn.picture and spawn.picture.sheet == "sprites" then sprites = sprites or image("sprites.png") end
-  end
   local quads, first_ball = {}, nil
   local columns, rows = picture:getWidth() / tile_width, picture:getHeight() / tile_height
   for tile = columns * rows - 1, 0, -1 do
@@ -260,23 +260,35 @@ return function(level, file)
     end
   end
 
+  for _, layer in ipairs(layers) do
+    if layer.front == nil then layer.front = layer.name == "front" end
+  end
+
   local start, changes, shown = love.timer.getTime(), 0, nil
+  local function now() return (love.timer.getTime() - start) * 1000 end  -- ms
+  local function draw_layers(x, y, front)
+    for i, layer in ipairs(layers) do
+      if layer.front == front and not layer.hidden then
+        animate(animated[i], quads, now())
+        draw_layer(layer, drawings[i], x or 0, y or 0)
+      end
+    end
+  end
   local function draw_ground(x, y, world)
-    local time = (love.timer.getTime() - start) * 1000
     if world and world.changes and (world.changes ~= changes or shown and shown ~= world) then
       lay_tiles(world)
       changes, shown = world.changes, world
     end
-    for i, layer in ipairs(layers) do
-      animate(animated[i], quads, time)
-      if not layer.hidden then draw_layer(layer, drawings[i], x or 0, y or 0) end
-    end
+    draw_layers(x, y, false)
   end
+  local function draw_front(x, y) draw_layers(x, y, true) end
+
   -- The frame stands on the bottom of the box, in its middle.
   local function draw_picture(body, step)
     local tile, looks_left = frames(body, step)
     local frame = body.picture
     local w, h = frame.columns * tile_width, frame.rows * tile_height
+    if frame.sheet == "sprites" then sprites = sprites or image("sprites.png") end
     local sheet = frame.sheet == "sprites" and sprites or clear
     local in_a_row = sheet:getWidth() / tile_width
     local quad = love.graphics.newQuad(tile % in_a_row * tile_width, math.floor(tile / in_a_row) * tile_height, w, h,
@@ -284,23 +296,31 @@ return function(level, file)
     love.graphics.setColor(1, 1, 1)
     love.graphics.draw(sheet, quad, body.x + body.w / 2, body.y + body.h - h, 0, looks_left and -1 or 1, 1, w / 2)
   end
-  local function draw_body(body, step)
-    if body.picture then return draw_picture(body, step) end
-    local kind = level.kinds[body.kind]
-    local tile = body.tile or first_ball
-    if kind and kind.look == "figure" then return draw_figure(body) end
-    if kind and kind.look == "crate" then return draw_crate(body) end
-    if kind and kind.look == "wheel" then return draw_wheel(body) end
-    if kind and kind.look == "marble" then return draw_marble(body) end
-    love.graphics.setColor(tile and {1, 1, 1} or LIGHT)
+  -- A tile as large as the box, or one with a picture of its own, in the box's top left corner.
+  local function draw_tile(body, tile, turn)
+    love.graphics.setColor(1, 1, 1)
+    love.graphics.push()
+    love.graphics.translate(body.x, body.y)
     if large[tile] then
-      local part = large[tile][0]
-      love.graphics.draw(pictures, part.quad, love.math.newTransform(body.x, body.y):apply(part.transform))
-    elseif tile then
-      love.graphics.draw(clear, quads[tile], body.x, body.y, 0, body.w / tile_width, body.h / tile_height)
+      local part = large[tile][turn] or large[tile][0]
+      love.graphics.draw(pictures, part.quad, part.transform)
     else
-      love.graphics.circle("fill", body.x + body.w / 2, body.y + body.h / 2, body.w / 2)
+      local frames = level.animations and level.animations[tile]
+      love.graphics.scale(body.w / tile_width, body.h / tile_height)
+      love.graphics.draw(clear, quads[frames and tile_at(frames, now()) or tile],
+                         turned(turn, 0, 0, tile_width, tile_height))
     end
+    love.graphics.pop()
   end
-  return {draw_ground = draw_ground, draw_body = draw_body}
+  local looks = {figure = draw_figure, crate = draw_crate, wheel = draw_wheel, marble = draw_marble}
+  local function draw_body(body, step)
+    local draw = looks[(level.kinds[body.kind] or {}).look]
+    if body.picture then return draw_picture(body, step) end
+    if body.tile then return draw_tile(body, body.tile, body.tile_turn or 0) end
+    if draw then return draw(body) end
+    if first_ball then return draw_tile(body, first_ball, 0) end
+    love.graphics.setColor(LIGHT)
+    love.graphics.circle("fill", body.x + body.w / 2, body.y + body.h / 2, body.w / 2)
+  end
+  return {draw_ground = draw_ground, draw_body = draw_body, draw_front = draw_front}
 end

@@ -1,8 +1,10 @@
 // TIC-80 cartridges whose code plays the level.
 #include <algorithm>
 
+#include <talus/level/ground.h>
 #include "../formats/tic80/tic_cart.h"
 #include "../formats/tic80/tic_text.h"
+#include "../level/with_commas.h"
 #include "cart_files.h"
 #include "export_targets.h"
 #include "lua_level.h"
@@ -46,31 +48,90 @@ constexpr std::string_view kInnerFields[] = {
     "stands_between", "step_bodies",   "straight",       "stretch",       "sunk",
     "take_input",     "top_of_side",   "touched_bottom", "touched_right", "touched_top"};
 
-FormatResult<std::string> game_code(const ExportRequest& request) {
-  const Level& level = request.level;
-  FormatResult<std::string> runtime = lua_runtime(request, LuaForm::small, true);
-  if (!runtime) return tl::unexpected(runtime.error());
-  const auto parts = lua_parts(level, request.parts);
-  if (!parts) return tl::unexpected(parts.error());
-  const bool has_data = std::find(parts->begin(), parts->end(), "data") != parts->end();
+// The texts that a cart's code is made of.
+struct CartTexts {
+  bool has_mouse = false;
+  std::vector<std::string> runtime;
+  std::string level;
   std::vector<std::string> game;
+};
+
+// What of a cart's code is to be read. The rest has no comments, no indentation and short names.
+enum class CartForm { all, game, nothing };
+
+// Whether there is a body that the mouse alone moves as the player likes.
+bool has_body_without_keys(const Level& level) {
+  const auto takes_none = [](BodyKind kind) { return !traits_of(kind).takes_keys; };
+  const TerrainSource ground = ground_of(level);
+  return std::any_of(level.spawns.begin(), level.spawns.end(),
+                     [&](const Spawn& spawn) { return takes_none(spawn.kind); }) ||
+         std::any_of(ground.cells.begin(), ground.cells.end(), [&](TileNumber tile) {
+           const auto kind = body_kind_of_tile(level, tile);
+           return kind && takes_none(*kind);
+         });
+}
+
+FormatResult<CartTexts> cart_texts(const ExportRequest& request) {
+  const Level& level = request.level;
+  const auto parts =
+      lua_parts(level, std::string(request.parts) + (has_body_without_keys(level) ? ",mouse" : ""));
+  if (!parts) return tl::unexpected(parts.error());
+  const auto has = [&](std::string_view part) {
+    return std::find(parts->begin(), parts->end(), part) != parts->end();
+  };
+  FormatResult<std::vector<std::string>> runtime = cart_runtime(request, *parts);
+  if (!runtime) return tl::unexpected(runtime.error());
+  CartTexts texts{has("mouse"), *std::move(runtime), {}, {}};
+  texts.level = lua_level(level, LuaForm::small, {}, nullptr, nullptr, has("data") ? &level : nullptr);
   const bool has_pictures = std::any_of(level.spawns.begin(), level.spawns.end(),
                                         [](const Spawn& spawn) { return !spawn.picture.empty(); });
-  for (const std::string name : {"area", "curve_points", "frames", "tic80/main"}) {
-    if ((name == "curve_points" && level.curves.empty()) || (name == "frames" && !has_pictures)) continue;
-    const FormatResult<std::string> text = request.read_asset("templates/" + name + ".lua");
+  struct Template {
+    std::string file;
+    bool is_used = true;
+    bool is_module = true;  // its text returns what has the file's name then
+  };
+  for (const Template& part :
+       {Template{"area"}, Template{"curve_points", !level.curves.empty()}, Template{"frames", has_pictures},
+        Template{"tic80/draw_picture", has_pictures, false},
+        Template{"tic80/draw_figure", has("players"), false},
+        Template{"tic80/take_mouse", texts.has_mouse, false}, Template{"tic80/main", true, false}}) {
+    if (!part.is_used) continue;
+    FormatResult<std::string> text = request.read_asset("templates/" + part.file + ".lua");
     if (!text) return tl::unexpected(text.error());
-    const bool is_module = name != "tic80/main";
-    game.push_back(is_module ? name + "=(function()\n" + *text + "end)()\n" : *text);
+    texts.game.push_back(part.is_module ? part.file + "=(function()\n" + *text + "end)()\n"
+                                        : *std::move(text));
   }
-  // A text that begins with code keeps none of its comments: space in a cart is short.
-  return "-- title:  level\n-- author: made with Talus\n-- desc:   arrows run, up or A jumps, the mouse "
-         "drags, B starts again\n-- license: MIT, (c) 2026 the Talus authors\n-- script: "
-         "lua\ntalus=(function()\n" +
-         with_short_names(join_lua({"\n", *runtime}), {kInnerTables, kInnerFields}) +
-         "end)()\nlevel=(function()\n" +
-         lua_level(level, LuaForm::small, {}, nullptr, nullptr, has_data ? &level : nullptr) + "end)()\n" +
-         join_lua(game);
+  return texts;
+}
+
+std::string code_of(const CartTexts& texts, CartForm form) {
+  std::string code = "-- title:  level\n-- author: made with Talus\n-- desc:   arrows run, up or A jumps, " +
+                     std::string(texts.has_mouse ? "the mouse drags, " : "") +
+                     "B starts again\n-- license: MIT, (c) 2026 the Talus authors\n-- script: lua\n";
+  if (form == CartForm::game)
+    code +=
+        "-- First what moves the bodies, in few bytes (the export lua-runtime has it to read), then the "
+        "game.\n";
+  std::vector<std::string> runtime = {"\n"};  // a text that begins with code keeps none of its comments
+  runtime.insert(runtime.end(), texts.runtime.begin(), texts.runtime.end());
+  code += "talus=(function()\n" +
+          (form == CartForm::all ? brief_lua(texts.runtime)
+                                 : with_short_names(join_lua(runtime), {kInnerTables, kInnerFields})) +
+          "end)()\nlevel=(function()\n" + texts.level + "end)()\n";
+  return code + (form == CartForm::nothing ? join_lua(texts.game) : brief_lua(texts.game));
+}
+
+// As much of the code to read as TIC-80's free version holds; and what is not, as in Exported::dropped.
+std::string fitting_code(const CartTexts& texts, std::vector<std::string>& dropped) {
+  std::string code = code_of(texts, CartForm::all);
+  if (code.size() <= kMostTicCode) return code;
+  const std::string would = "with them the code has " + with_commas(code.size()) +
+                            " bytes, but TIC-80's free version allows only " + with_commas(kMostTicCode);
+  code = code_of(texts, CartForm::game);
+  const bool fits = code.size() <= kMostTicCode;
+  dropped.push_back("comments, indentation and long names of " +
+                    std::string(fits ? "what moves the bodies" : "the code") + ": " + would);
+  return fits ? code : code_of(texts, CartForm::nothing);
 }
 
 // The level's own cart, with its sounds and music; an empty cart if the level has none.
@@ -89,20 +150,23 @@ FormatResult<PlayableCart> playable_cart(const ExportRequest& request) {
                                               std::to_string(level.map.height()) +
                                               " cells, but a cart has only 240x136: resize the map first"});
   }
-  FormatResult<std::string> code = game_code(request);
-  if (!code) return tl::unexpected(code.error());
-  if (code->size() > kCodeLimit) {
-    return tl::unexpected(FormatError{"", "the game's code has " + std::to_string(code->size()) +
+  const FormatResult<CartTexts> texts = cart_texts(request);
+  if (!texts) return tl::unexpected(texts.error());
+  std::vector<std::string> unread;
+  std::string code = fitting_code(*texts, unread);
+  if (code.size() > kCodeLimit) {
+    return tl::unexpected(FormatError{"", "the game's code has " + std::to_string(code.size()) +
                                               " bytes, but a cartridge holds at most 524287"});
   }
   FormatResult<CartContent> cart = own_cart(level);
   if (!cart) return tl::unexpected(cart.error());
-  PlayableCart made{level, code->size(), {}};
+  PlayableCart made{level, code.size(), {}};
   if (!cart->code.empty())
     made.dropped.push_back("the cart's own code, " + std::to_string(cart->code.size()) +
                            " bytes: the game's code replaces it");
   made.dropped.insert(made.dropped.end(), cart->rest.begin(), cart->rest.end());
-  cart->code = *std::move(code);
+  made.dropped.insert(made.dropped.end(), unread.begin(), unread.end());
+  cart->code = std::move(code);
   cart->lang = 0;
   Level& playable = made.level;
   playable.map = on_cart_map(level.map);  // the code has the level's size

@@ -11,7 +11,7 @@
 namespace talus {
 
 FormatResult<Exported> export_lua_runtime(const ExportRequest& request) {
-  FormatResult<std::string> runtime = lua_runtime(request, LuaForm::readable, false);
+  FormatResult<std::string> runtime = lua_runtime(request, false);
   if (!runtime) return tl::unexpected(runtime.error());
   std::string level = lua_level(request.level, LuaForm::readable, request.progress, request.layered, nullptr,
                                 &request.whole());
@@ -53,7 +53,7 @@ FormatResult<void> add_assets(const ExportRequest& request, std::initializer_lis
 }
 
 FormatResult<Exported> export_love(const ExportRequest& request) {
-  FormatResult<std::string> runtime = lua_runtime(request, LuaForm::readable, true);
+  FormatResult<std::string> runtime = lua_runtime(request, true);
   if (!runtime) return tl::unexpected(runtime.error());
   Exported out{{{"talus.lua", std::move(*runtime)}}, dropped_physics(request.level)};
   add_drawn_level(request, out);

@@ -30,7 +30,7 @@ constexpr LuaPart kLuaParts[] = {
     {"balls", {"balls"}},
     {"sides", {"sides"}, {"balls", "slopes"}},
     {"flight", {"flight"}, {"balls"}},
-    {"walk", {"walk"}},
+    {"walk", {"walk", "walk_slopes", "walk_curves"}},
     {"players", {"players"}, {"walk"}},
     {"pairs", {"pairs"}},
     {"mouse", {"mouse"}},
@@ -42,6 +42,12 @@ constexpr LuaPart kLuaParts[] = {
     {"data", {"data"}},
     {"end", {"luajit", "module"}},
 };
+
+// Files that are there only with another part, too.
+struct SharedFile {
+  std::string_view file, part;
+};
+constexpr SharedFile kSharedFiles[] = {{"walk_slopes", "slopes"}, {"walk_curves", "curves"}};
 
 // The part that has the rule.
 std::string_view part_of(BodyRule rule) {
@@ -171,11 +177,16 @@ FormatResult<std::vector<std::string>> lua_parts(const Level& level, std::string
 
 std::vector<std::string> lua_part_files(const std::vector<std::string>& parts) {
   std::vector<std::string> files;
+  const auto has = [&](std::string_view part) {
+    return std::find(parts.begin(), parts.end(), part) != parts.end();
+  };
   for (const LuaPart& part : kLuaParts) {
-    if (!is_always_there(part) && std::find(parts.begin(), parts.end(), part.name) == parts.end()) continue;
+    if (!is_always_there(part) && !has(part.name)) continue;
     for (const std::string_view file : part.files) {
       const bool is_new = std::find(files.begin(), files.end(), file) == files.end();
-      if (!file.empty() && is_new) files.emplace_back(file);  // two parts may share one
+      const bool is_used = std::all_of(std::begin(kSharedFiles), std::end(kSharedFiles),
+                                       [&](const SharedFile& s) { return s.file != file || has(s.part); });
+      if (!file.empty() && is_new && is_used) files.emplace_back(file);  // two parts may share one
     }
   }
   return files;

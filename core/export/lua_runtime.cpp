@@ -42,24 +42,43 @@ std::string lay_out(const std::vector<std::string>& texts, const std::vector<std
   return joined;
 }
 
-}  // namespace
-
-FormatResult<std::string> lua_runtime(const ExportRequest& request, LuaForm form, bool plays) {
-  std::string more = std::string(request.parts) + (plays ? ",mouse" : "");
-  if (form == LuaForm::readable) {  // carts are short of space
-    more += ",events,steer,data";
-    if (plays) more += ",pairs";  // as rules of the game add bodies
-  }
-  const auto parts = lua_parts(request.level, more);
-  if (!parts) return tl::unexpected(parts.error());
+FormatResult<std::vector<std::string>> read_files(const ExportRequest& request,
+                                                  const std::vector<std::string>& files) {
   std::vector<std::string> texts;
-  for (const std::string& file : lua_part_files(*parts)) {
-    if (form == LuaForm::small && file == "luajit") continue;  // for carts, which TIC-80 runs by Lua 5.3
+  for (const std::string& file : files) {
     FormatResult<std::string> text = request.read_asset("runtime/" + file + ".lua");
-    if (!text) return text;
+    if (!text) return tl::unexpected(text.error());
     texts.push_back(std::move(*text));
   }
-  return form == LuaForm::small ? join_lua(texts) : lay_out(texts, *parts);
+  return texts;
+}
+
+// The title of a comment, or its first sentence. lines: without hyphens and indentation.
+std::string in_one_line(const std::vector<std::string>& lines) {
+  if (lines.front().starts_with("-")) return lines.front();
+  std::string text;
+  for (const std::string& line : lines) text.append(text.empty() ? "" : " ").append(line);
+  for (std::size_t at = text.find(". "); at != std::string::npos; at = text.find(". ", at + 1))
+    if (text[at + 2] >= 'A' && text[at + 2] <= 'Z') return text.substr(0, at + 1);
+  return text;
+}
+
+}  // namespace
+
+FormatResult<std::string> lua_runtime(const ExportRequest& request, bool plays) {
+  const std::string more = std::string(request.parts) + ",events,steer,data" + (plays ? ",mouse,pairs" : "");
+  const auto parts = lua_parts(request.level, more);
+  if (!parts) return tl::unexpected(parts.error());
+  const auto texts = read_files(request, lua_part_files(*parts));
+  if (!texts) return tl::unexpected(texts.error());
+  return lay_out(*texts, *parts);
+}
+
+FormatResult<std::vector<std::string>> cart_runtime(const ExportRequest& request,
+                                                    const std::vector<std::string>& parts) {
+  std::vector<std::string> files = lua_part_files(parts);
+  std::erase(files, "luajit");
+  return read_files(request, files);
 }
 
 std::string join_lua(const std::vector<std::string>& texts) {
@@ -72,6 +91,27 @@ std::string join_lua(const std::vector<std::string>& texts) {
       is_head = is_head && is_comment;
       const std::string kept = is_head ? line : without_spaces(line.substr(0, line.find("--")));
       if (!kept.empty()) joined += kept + '\n';
+    }
+  }
+  return joined;
+}
+
+std::string brief_lua(const std::vector<std::string>& texts) {
+  std::string joined;
+  for (const std::string& text : texts) {
+    std::istringstream lines(text);
+    std::vector<std::string> comment;
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
+      const std::string code = line.substr(begin), indent(begin / 2, ' ');
+      if (code.starts_with("--")) {
+        comment.push_back(code.substr(std::min(code.find_first_not_of(' ', 2), code.size())));
+        continue;
+      }
+      if (!comment.empty()) joined += indent + "-- " + in_one_line(comment) + '\n';
+      comment.clear();
+      if (!code.empty()) joined += indent + code;
+      joined += '\n';
     }
   }
   return joined;

@@ -55,3 +55,14 @@ cat >"$work/background.talus.json" <<'LEVEL'
  "map": {"width": 30, "height": 17, "rows": ["", "", "", "..01", "0101010101"]}}
 LEVEL
 look "$work/background.talus.json"
+
+# Balls that are an animated tile, which shows another one at first.
+cat >"$work/animated.talus.json" <<'LEVEL'
+{"talus": 1, "tiles": {
+  "1": {"flags": [0], "pixels": "dddddddd 0000000d d000000d d00aa00d d00aa00d d000000d d000000d dddddddd"},
+  "2": {"flags": [1]}, "3": {"pixels": "00444400 04444440 44444444 44400444 44400444 44444444 04444440 00444400"}},
+ "animations": {"2": [[3, 60000]]},
+ "spawns": [{"x": 40, "y": 16}],
+ "map": {"width": 30, "height": 17, "rows": ["", "", "..02..02", "", "", "", "0101010101"]}}
+LEVEL
+look "$work/animated.talus.json"

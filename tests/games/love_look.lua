@@ -13,6 +13,7 @@ function love.load()
   love.graphics.scale(ZOOM)
   drawing.draw_ground()
   for _, body in ipairs(world.bodies) do drawing.draw_body(body) end
+  drawing.draw_front()
   love.graphics.setCanvas()
   local ours = canvas:newImageData()
   local is_good, verdict = require "same_picture"(ours, love.image.newImageData("shot.png"), MOST)

@@ -12,6 +12,8 @@ local function all(kind)
 end
 
 function love.load()
+  local now = 0  -- s
+  function love.timer.getTime() return now end
   load_game {}
   local held, stick, buttons = {}, 0, {}
   local function any(names, ...)
@@ -52,6 +54,23 @@ function love.load()
   -- A coin with a picture of its own shows it, as high as it is.
   local large = all "coin"[5]
   assert(large.tile == 4 and light(large.x + 1, large.y - 7, drawing.draw_body, large) > 0.9)
+
+  -- Others play the animation of their tile; the one at 56, 104 is turned: its top is at the bottom.
+  local still, turned = all "coin"[1], all "coin"[3]
+  local function coin_light(coin, y) return light(coin.x + 1, coin.y + y, drawing.draw_body, coin) end
+  assert(turned.x == 56 and coin_light(still, 0) < 0.1 and coin_light(still, 7) < 0.1)
+  now = 0.25
+  assert(coin_light(still, 0) > 2.5 and coin_light(still, 7) < 0.1)
+  assert(coin_light(turned, 0) < 0.1 and coin_light(turned, 7) > 2.5)
+  now = 0
+  assert(coin_light(turned, 7) < 0.1)
+  still.tile = 1
+  assert(coin_light(still, 0) > 0.9)
+  still.tile = 2
+
+  -- A layer called front is in front of the bodies, and no other one.
+  assert(light(52, 109, drawing.draw_ground) < 0.1 and light(52, 109, drawing.draw_front) > 0.9)
+  assert(light(12, 116, drawing.draw_ground) > 0.7 and light(12, 116, drawing.draw_front) < 0.1)
 
   -- The picture is of the world that is shown, whatever was changed in another one before.
   local one, other = talus.new(level), talus.new(level)

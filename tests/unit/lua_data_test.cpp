@@ -12,7 +12,7 @@ namespace talus::lua_data_test {
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr TileNumber kFloor = 1, kLadder = 2, kBall = 3, kSign = 4;
+constexpr TileNumber kFloor = 1, kLadder = 2, kBall = 3, kSign = 4, kUp = 5, kDown = 6, kOther = 7;
 
 // A floor, a ladder before it and a ball above.
 Level flat_level() {
@@ -53,10 +53,14 @@ class LuaDataPart : public FolderTest {
   // Expects that both Luas print this for a program that has the world.
   void expect_printed(const Level& level, const std::string& program, const std::string& expected,
                       const char* id = "lua-runtime") const {
+    for (const char* lua : {"lua5.3", "luajit"}) EXPECT_EQ(printed(level, program, lua, id), expected) << lua;
+  }
+
+  std::string printed(const Level& level, const std::string& program, const std::string& lua,
+                      const char* id = "lua-runtime") const {
     for (const ExportedFile& file : made(id, level).files) put(file.name, file.bytes);
     put("program.lua", "local world = require('talus').new(require('level'))\n" + program);
-    for (const char* lua : {"lua5.3", "luajit"})
-      EXPECT_EQ(output_of("cd '" + folder_.string() + "' && " + lua + " program.lua 2>&1"), expected) << lua;
+    return output_of("cd '" + folder_.string() + "' && " + lua + " program.lua 2>&1");
   }
 };
 
@@ -100,6 +104,22 @@ TEST_F(LuaDataPart, FindsObjects) {
   expect_printed(flat_level(), "print(#world:objects())\n", "0\n");
 }
 
+TEST_F(LuaDataPart, FindsTheCellsWhoseTileHasAFlag) {
+  const std::string program =
+      "for _, cell in ipairs(world:tiles_with('ladder')) do\n"
+      "  print(cell.layer, cell.column, cell.row, cell.tile, cell.turn, cell.x == 8 * cell.column, cell.h == "
+      "8)\n"
+      "  world:set_tile(cell.column, cell.row, 0, cell.layer)\n"
+      "end\n"
+      "print(#world:tiles_with('ladder'), world:has_flag('ladder'), world:has_flag('lader'))\n"
+      "print((select(2, pcall(world.tiles_with, world, 'lader')):gsub('^.*lua:%d+: ', '')))\n";
+  const std::string ends = "0\ttrue\tfalse\nno flag \"lader\"; this level names \"ladder\", \"win zone\"\n";
+  const std::string of_ground = "1\t1\t1\t2\t0\ttrue\ttrue\n";
+  expect_printed(flat_level(), program, of_ground + ends);
+  expect_printed(layered_level(), program,
+                 of_ground + "2\t1\t0\t4\t0\ttrue\ttrue\n2\t2\t1\t2\t0\ttrue\ttrue\n" + ends);
+}
+
 TEST_F(LuaDataPart, ATileIsChangedInOneWorldAlone) {
   const std::string program =
       "world:set_tile(1, 0, 1)\n"
@@ -117,12 +137,83 @@ TEST_F(LuaDataPart, ATileIsChangedInOneWorldAlone) {
                  "world:set_tile(0, 0, 1, 'front')\n"
                  "print(world:tile_at(0, 0), world:tile_at(0, 0, 'ground'), world:overlaps(0, 0, 8, 8))\n",
                  "1\t0\tfalse\n");
-  Level two = layered_level();
-  two.layers.list[1].is_ground = true;
+}
+
+// Two layers of ground: full tiles, slopes to the right and to the left, and one that is turned.
+Level stacked_level() {
+  Level level = flat_level();
+  const auto slope = [&](TileNumber tile, std::vector<double> heights) {
+    level.tile_shapes[tile] = {.kind = TileShape::Kind::slope, .heights = std::move(heights)};
+  };
+  slope(kUp, {0, 8});
+  slope(kDown, {8, 0});
+  level.sheet(SheetId::tiles).flags[kOther] = 1;
+  level.map.cells() = MapCells(std::vector<TileNumber>{kUp, 0, kUp, 0, kFloor, 0, kLadder, kFloor});
+  TileLayer front{.name = "front"};
+  MapCells cells(std::vector<TileNumber>{kDown, kUp, 0, kUp, 0, kOther, kLadder, 0});
+  cells.set(3, {kUp, TileTurn::left_right});
+  front.cells = std::make_shared<const MapCells>(std::move(cells));
+  level.layers.list.push_back(front);
+  return level;
+}
+
+// The ground is as in the program, which exports the level with these tiles.
+TEST_F(LuaDataPart, ALayerOfSeveralOfGroundIsChanged) {
+  const std::string heights =
+      "for x = 0.5, 31.5 do\n"
+      "  local y = world:floor(x, -8, 0, 4, 30)\n"
+      "  io.write(('%.17g '):format(y or -1), world:overlaps(x, 10, 0, 2) and 'in ' or '')\n"
+      "end\n";
+  const std::string changes =
+      "world:set_tile(2, 0, 6, 'front')\n"   // as in cell 0, 0
+      "world:set_tile(0, 0, 0, 'ground')\n"  // the slope in front alone
+      "world:set_tile(1, 1, 0, 'front')\n"   // nothing
+      "world:set_tile(3, 1, 7, 'front')\n";  // two of the same shape
+  Level changed = stacked_level();
+  changed.map.cells().set(0, {});
+  MapCells front = changed.cells_of(1);
+  front.set(2, {kDown});
+  front.set(5, {});
+  front.set(7, {kOther});
+  changed.layers.list[1].cells = std::make_shared<const MapCells>(std::move(front));
+  for (const char* lua : {"lua5.3", "luajit"}) {
+    const std::string wanted = printed(changed, heights, lua);
+    EXPECT_NE(printed(stacked_level(), heights, lua), wanted);
+    EXPECT_EQ(printed(stacked_level(), changes + heights, lua), wanted);
+  }
+}
+
+TEST_F(LuaDataPart, GroundThatTheLevelLacksIsAnError) {
+  const std::string program =
+      "local function tell(...) print((select(2, pcall(world.set_tile, world, ...)):gsub('^.*lua:%d+: ', "
+      "''))) end\n"
+      "tell(0, 1, 6, 'front')\ntell(0, 0, 1)\ntell(0, 0, 1, 'typo')\n"
+      "tell(1, nil, 1, 'front')\ntell(0, 0, nil, 'front')\n"
+      "print(world:tile_at(0, 8, 'front'), world.changes)\n"
+      "print((select(2, pcall(function() world:set_tile(0, 1, 6, 'front') "
+      "end)):match('^program.lua:%d+:')))\n";
   expect_printed(
-      two, "print(pcall(world.set_tile, world, 0, 0, 1, 'front'))\n",
-      "false\tthe level has several layers of ground, which are one here: a game can change the others "
-      "alone\n");
+      stacked_level(), program,
+      "the ground of cell 0, 1 cannot be changed: it would be the tiles 1, 6 at once, which no cell "
+      "of the level is\n"
+      "the level has several layers of ground: name the layer\n"
+      "no layer of tiles \"typo\"; this level names \"ground\", \"front\"\n"
+      "the level has no cell 1, nil\n"
+      "a tile is a number from 0, not nil\n"
+      "0\t0\nprogram.lua:9:\n");
+}
+
+TEST_F(LuaDataPart, GroundOfObjectsStaysWhereItIs) {
+  Level level = flat_level();
+  ObjectLayer things{.name = "things", .is_ground = true, .place = 1};
+  things.objects = {{.position = {0, 0}, .size = {8, 8}}};
+  level.objects = {things};
+  expect_printed(
+      level,
+      "print(world:overlaps(0, 0, 8, 8), pcall(world.set_tile, world, 0, 0, 1))\n"
+      "world:set_tile(1, 0, 1)\nprint(world:overlaps(8, 0, 8, 8))\n",
+      "true\tfalse\tthe ground of cell 0, 0 cannot be changed: an object of the level may be ground "
+      "there\ntrue\n");
 }
 
 TEST_F(LuaDataPart, ErrorsNameWhatIsWrong) {
@@ -133,15 +224,19 @@ TEST_F(LuaDataPart, ErrorsNameWhatIsWrong) {
       "tell(world.tile_at, world, 'x')\n"
       "tell(function() return world:flags_at(0, 0).lader end)\n"
       "tell(world.objects, world, {clas = 'coin'})\n"
+      "tell(world.objects, world, 'coin')\n"
+      "tell(world.tiles_of, world)\n"
       "print((select(2, pcall(function() return world:flags_at(0, 0).lader "
       "end)):match('^program.lua:%d+:')))\n";
   expect_printed(layered_level(), program,
                  "no layer of tiles \"typo\"; this level names \"ground\", \"front\"\n"
                  "no layer of tiles \"things\"; this level names \"ground\", \"front\"\n"
                  "a point is two numbers, x and y in px, not x and nil\n"
-                 "no flag \"lader\"; this level names \"ladder\", \"win zone\", \"win zone\"\n"
+                 "no flag \"lader\"; this level names \"ladder\", \"win zone\"\n"
                  "objects have no \"clas\" to be found by, but class, name and layer\n"
-                 "program.lua:8:\n");
+                 "objects are found by a table, such as {class = \"coin\"}\n"
+                 "no layer of tiles \"nil\"; this level names \"ground\", \"front\"\n"
+                 "program.lua:10:\n");
   expect_printed(Level(), "print(pcall(world.flags_at, world, 0, 0, 'a'))\n",
                  "false\tno layer of tiles \"a\"; this level names none\n");
 }

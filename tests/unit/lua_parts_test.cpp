@@ -82,6 +82,19 @@ TEST(LuaParts, ALevelShipsThePartsThatItUses) {
   EXPECT_EQ(parts_of(with_slope(on_centre)), "slopes balls sides walk ");
 }
 
+TEST(LuaParts, WalkingHasCodeForSlopesAndCurvesOnlyWithThem) {
+  const auto files_of_walk = [](const std::vector<std::string>& parts) {
+    std::vector<std::string> walks;
+    for (const std::string& file : lua_part_files(parts))
+      if (file.starts_with("walk")) walks.push_back(file);
+    return joined(walks);
+  };
+  EXPECT_EQ(files_of_walk({"slopes", "curves"}), "");
+  EXPECT_EQ(files_of_walk({"walk"}), "walk ");
+  EXPECT_EQ(files_of_walk({"slopes", "walk"}), "walk walk_slopes ");
+  EXPECT_EQ(files_of_walk({"slopes", "segments", "curves", "walk"}), "walk walk_slopes walk_curves ");
+}
+
 TEST(LuaParts, OtherPartsCanBeChosen) {
   EXPECT_EQ(parts_of(flat_level(), "pairs,  players"), "balls walk players pairs ");
   EXPECT_EQ(parts_of(flat_level(), ",balls,"), "balls ");
@@ -102,7 +115,7 @@ const std::map<std::string, std::string> kMarks = {
     {"curves", "curve_|stretch|tangent|bends|\\barc\\b|sine|newton"},
     {"balls", "bounce|friction"},
     {"walk", "floor_leads_over|look_ahead"},
-    {"players", "players?\\b|jump|coyote|run_speed"},
+    {"players", "players?\\b|jump|coyote"},
     {"pairs", "block_cells|near\\b"},
     {"mouse", "mouse|drag|grab"}};
 
@@ -155,13 +168,64 @@ TEST(LuaParts, HardCase02OfFullTilesHasNoCodeOfCurves) {
 
 // ---- How it is written ----
 
-TEST(LuaParts, CartsLeaveOutCommentsAndIndents) {
+TEST(LuaParts, SmallCodeHasNoCommentsAndIndents) {
   EXPECT_EQ(
       join_lua({"-- Head.\nlocal a = 1  -- px\n", "\n-- More.\nif a then\n  a = 2 - -a * \"b  c\"\nend\n"}),
       "-- Head.\nlocal a=1\nif a then\na=2- -a*\"b  c\"\nend\n");
-  const std::string cart = exported(with_slope(flat_level()), "tic-text-playable").files.front().bytes;
-  EXPECT_EQ(cart.find("-- ----"), std::string::npos);
-  EXPECT_EQ(cart.find("\n  "), std::string::npos);
+}
+
+TEST(LuaParts, BriefCodeHasAShortLineForEachComment) {
+  EXPECT_EQ(
+      brief_lua(
+          {"-- ---- Title ----\n-- More.\n\nlocal a = 1  -- px\n",
+           "-- What it is, and\n-- what e.g. not. Another one.\nif a then\n    -- Deep\n    a = 2\nend\n"}),
+      "-- ---- Title ----\n\nlocal a = 1  -- px\n-- What it is, and what e.g. not.\nif a then\n  -- Deep\n  "
+      "a = 2\nend\n");
+}
+
+TEST(LuaParts, ACartIsToBeReadAsFarAsItFits) {
+  const std::string runtime =
+      "\n-- Whether the box is inside of the ground by more than rounding.\nlocal function "
+      "overlaps_ground(terrain, x, y, w, h, is_centre)\n local forgiven = ";
+  const std::string game =
+      "\n-- The top left corner of what is shown.\nlocal function view()\n local bodies = ";
+  const std::string small_game = "\nlocal function view()\nlocal bodies=";
+  const Level curves = load_level(source_path("assets/hard_cases/38-quarter-pipe.talus.json"))->level;
+  const auto has = [&](const Level& level, std::initializer_list<std::string> texts,
+                       const std::string& dropped, std::string_view parts = {}) {
+    const Exported cart = exported(level, "tic-text-playable", parts);
+    EXPECT_LE(cart.code_bytes, kMostTicCode);
+    for (const std::string& text : {runtime, game, small_game})
+      EXPECT_EQ(cart.files.front().bytes.find(text) != std::string::npos,
+                std::find(texts.begin(), texts.end(), text) != texts.end())
+          << text;
+    EXPECT_EQ(cart.dropped.empty() ? "" : cart.dropped.front().substr(0, dropped.size()), dropped);
+  };
+  has(flat_level(), {runtime, game}, "");
+  has(flat_level(BodyKind::player), {runtime, game}, "");
+  has(with_slope(flat_level()), {game},
+      "comments, indentation and long names of what moves the bodies: with them");
+  has(curves, {small_game}, "comments, indentation and long names of the code: with them the code has ",
+      "mouse");
+}
+
+TEST(LuaParts, ACartHasTheMouseOnlyForBodiesWithoutKeys) {
+  const auto has_mouse = [](const Level& level, std::string_view parts = {}) {
+    const std::string cart = exported(level, "tic-text-playable", parts).files.front().bytes;
+    const bool has = cart.find("grabbed") != std::string::npos;
+    EXPECT_EQ(cart.find("local function take_mouse(") != std::string::npos, has);
+    EXPECT_EQ(cart.find("the mouse drags") != std::string::npos, has);
+    return has;
+  };
+  EXPECT_FALSE(has_mouse(Level()));
+  EXPECT_FALSE(has_mouse(flat_level(BodyKind::player)));
+  EXPECT_TRUE(has_mouse(flat_level(BodyKind::player), "mouse"));
+  EXPECT_TRUE(has_mouse(flat_level()));
+  Level tiles = flat_level(BodyKind::player);
+  tiles.roles.ball = 1;
+  tiles.sheet(SheetId::tiles).flags[5] = 2;
+  tiles.map.set({5, 0}, 5);
+  EXPECT_TRUE(has_mouse(tiles));
 }
 
 TEST(LuaParts, FoldersHaveTheModuleInReadableForm) {

@@ -132,8 +132,17 @@ TEST(SheetSize, ClipboardHoldsAllNumbers) {
 TEST(SheetSize, CartsRefuseOtherSheets) {
   Level level;
   level.set_tile_layout({16, 257});
+  level.map.cells().tiles() = std::vector<TileNumber>(level.map.cells().tiles().size(), 256);
+  level.map.set({0, 0}, 1);
+  EXPECT_EQ(
+      find_format("tic")->write(level, {}).error().message,
+      "the sheet has 257 tiles, but that of a cart only 256; the map shows 2 of them, and a sheet of these "
+      "alone would fit");
+  level.map = TileMap(16, 17);
+  for (int tile = 1; tile <= 256; ++tile)
+    level.map.set({tile % 16, tile / 16}, static_cast<TileNumber>(tile));
   EXPECT_EQ(find_format("tic")->write(level, {}).error().message,
-            "the level has 257 tiles, but a cart has only 256");
+            "the sheet has 257 tiles, but that of a cart only 256; the map shows 256 of them");
   level.set_tile_layout({8, 256});
   EXPECT_EQ(find_format("tic")->write(level, {}).error().message,
             "the sheet has 8 columns of 256 tiles, but that of a cart has 16 columns of 256");

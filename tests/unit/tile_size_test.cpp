@@ -106,10 +106,20 @@ TEST(TileSizes, ANewLevelHasItsNumbersScaled) {
 
 TEST(TileSizes, ACartRefusesOtherTiles) {
   Level level;
-  level.map = TileMap(10, 10, {16, 16});
+  level.map = TileMap(20, 20, {16, 16});
+  for (int tile = 1; tile <= 63; ++tile) level.map.set({tile % 20, tile / 20}, static_cast<TileNumber>(tile));
+  level.map.set({19, 19}, 1);
+  EXPECT_EQ(write_tic(level, {}).error().message,
+            "the map shows 63 tiles of 16x16 px, but a cart has tiles of 8x8 px: drawn with those, the map "
+            "takes 252 of its 256");
+  level.set_tile_layout({16, 515});
+  for (int tile = 1; tile <= 204; ++tile)
+    level.map.set({tile % 20, tile / 20}, static_cast<TileNumber>(tile + 300));
   const auto written = write_tic(level, {});
   ASSERT_FALSE(written);
-  EXPECT_EQ(written.error().message, "the tiles have 16x16 px, but those of a cart have 8x8 px");
+  EXPECT_EQ(written.error().message,
+            "the map shows 205 tiles of 16x16 px, which take 820 tiles of 8x8 px, but a cart has only 256: "
+            "room for 64 of 16x16 px");
   const auto playable = exported("tic-playable", level, "game.tic");
   ASSERT_FALSE(playable);
   EXPECT_EQ(playable.error().message, written.error().message);

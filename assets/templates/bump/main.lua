@@ -91,8 +91,10 @@ function love.draw()
   end
   camera.follow(bodies)
   camera.begin()
-  drawing.draw_ground(camera.left + camera.width / 2, camera.top + camera.height / 2)
+  local middle_x, middle_y = camera.left + camera.width / 2, camera.top + camera.height / 2
+  drawing.draw_ground(middle_x, middle_y)
   for _, body in ipairs(bodies) do drawing.draw_body(body, steps) end
+  drawing.draw_front(middle_x, middle_y)
   love.graphics.pop()
   love.graphics.setColor(1, 1, 1)
   love.graphics.print(HELP, 8, love.graphics.getHeight() - 22)

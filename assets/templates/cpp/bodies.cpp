@@ -78,12 +78,12 @@ Bodies::Bodies(const talus::Level& level)
     if (talus::is_ball_tile(level, static_cast<talus::TileNumber>(tile))) first_ball_ = tile;
 }
 
-void Bodies::draw(Painter& painter, const talus::State& state) {
+void Bodies::draw(Painter& painter, const talus::State& state, double time) {
   for (const Body& body : state.bodies) {
     if (draw_picture(painter, body, state.frame)) continue;
     switch (talus::traits_of(body.kind).look) {
       case talus::BodyLook::tile:
-        draw_tile(painter, body);
+        draw_tile(painter, body, time);
         break;
       case talus::BodyLook::figure:
         draw_figure(painter, body);
@@ -120,13 +120,13 @@ bool Bodies::draw_picture(Painter& painter, const Body& body, std::int64_t frame
   return true;
 }
 
-void Bodies::draw_tile(Painter& painter, const Body& body) const {
+void Bodies::draw_tile(Painter& painter, const Body& body, double time) const {
   const auto [x, y, w, h] = body.box;
   const int tile = tile_of(body);
-  if (tile >= 0)
-    painter.draw(talus::placed(tiles_.part(tile), {x, y}, {w, h}), {}, {});
-  else
-    painter.disc({x + w / 2, y + h / 2}, w / 2, kLight);
+  if (tile < 0) return painter.disc({x + w / 2, y + h / 2}, w / 2, kLight);
+  const auto* animation = talus::find_animation(level_.animations, static_cast<talus::TileNumber>(tile));
+  const int shown = animation == nullptr ? tile : talus::tile_shown_at(*animation, time);
+  painter.draw(talus::placed(tiles_.part(shown), {x, y}, {w, h}), {}, {});
 }
 
 int Bodies::tile_of(const Body& body) const {

@@ -17,11 +17,12 @@ class Bodies {
  public:
   // The level must stay alive.
   explicit Bodies(const talus::Level& level);
-  void draw(Painter& painter, const talus::State& state);
+  // time: ms since the start, which animated tiles go by.
+  void draw(Painter& painter, const talus::State& state, double time);
 
  private:
   bool draw_picture(Painter& painter, const talus::Body& body, std::int64_t frame);
-  void draw_tile(Painter& painter, const talus::Body& body) const;
+  void draw_tile(Painter& painter, const talus::Body& body, double time) const;
   int tile_of(const talus::Body& body) const;  // -1: none
 
   const talus::Level& level_;

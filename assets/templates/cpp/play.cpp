@@ -17,8 +17,9 @@ Play::Play(const talus::Level& level)
 void Play::draw(Painter& painter) {
   camera_.place(painter, state_);
   painter.clear(layers_.background());
-  layers_.draw(painter, static_cast<double>(state_.frame) * 1000 / kStepsPerSecond);
-  bodies_.draw(painter, state_);
+  const double time = static_cast<double>(state_.frame) * 1000 / kStepsPerSecond;  // ms
+  layers_.draw(painter, time);
+  bodies_.draw(painter, state_, time);
 }
 
 std::unique_ptr<Play> load(const std::string& file) {

@@ -47,10 +47,12 @@ local function say(text, y)
 end
 
 function love.draw()
+  local middle_x, middle_y = camera.left + camera.width / 2, camera.top + camera.height / 2
   camera.begin()
-  drawing.draw_ground(camera.left + camera.width / 2, camera.top + camera.height / 2, world)
+  drawing.draw_ground(middle_x, middle_y, world)
   for _, points in ipairs(curves) do love.graphics.line(points) end
   for _, body in ipairs(world.bodies) do drawing.draw_body(body, world.frame) end
+  drawing.draw_front(middle_x, middle_y)
   love.graphics.pop()
   say(game.text(), 9)
   if is_paused or world.frame < 600 then say(HELP, love.graphics.getHeight() - 22) end

@@ -3,7 +3,7 @@
 -- Those with `enemy` walk to and fro: jump on them. One that is met in any other way ends the game.
 -- rules(world, level) begins a game and gives goes_on(), after each step: whether it does; and text(): what to show.
 local tile_bodies = require "tile_bodies"
-local PACE = 0.25  -- px a frame; an enemy goes that and a step's run_gain of the level's tuning
+local PACE = 0.5  -- px a frame, of an enemy
 
 local function sound(hertz)
   local data = love.sound.newSoundData(2000, 20000, 16, 1)
@@ -15,18 +15,17 @@ local thud, ring = sound(110), sound(880)
 -- Turns at walls, and where the floor ends.
 local function walk(world, enemy)
   local way = enemy.input and enemy.input.right and "right" or "left"
-  local x = way == "right" and enemy.x + enemy.w or enemy.x - 1
-  local ends = enemy.grounded and not world:cast(x, enemy.y - enemy.h, 1, enemy.h, 0, enemy.h * 1.5)
+  local ends = enemy.grounded and not world:floor_ahead(enemy, way)
   if ends or enemy.touched[way] then way = way == "left" and "right" or "left" end
-  enemy.input, enemy.vx = {[way] = true}, math.max(-PACE, math.min(enemy.vx, PACE))
+  enemy.input = {[way] = true}
 end
 
 return function(world, level)
   local hero, coins, enemies, found = nil, {}, {}, 0
   level.kinds.coin = {rule = "still", foot = "box", look = "tile"}
-  level.kinds.enemy = {rule = "run", foot = "box", look = "tile"}
+  level.kinds.enemy = {rule = "run", foot = "box", look = "tile", run_speed = PACE}
   for _, body in ipairs(world.bodies) do hero = hero or level.kinds[body.kind].takes_keys and body end
-  if hero then coins, enemies = tile_bodies(world, level, "coin"), tile_bodies(world, level, "enemy") end
+  if hero then coins, enemies = tile_bodies(world, "coin"), tile_bodies(world, "enemy") end
 
   local function goes_on()
     for _, enemy in ipairs(enemies) do walk(world, enemy) end

@@ -1,4 +1,5 @@
--- What plays and draws a level in TIC-80: `talus`, `level`, `area` and `curve_points` are there.
+-- What plays and draws a level in TIC-80. `talus`, `level` and `area` are there; and `curve_points`, `draw_picture`,
+-- `draw_figure` and `take_mouse`, if the level uses them.
 local TILE, WIDTH, HEIGHT = 8, 240, 136
 
 level.tiles = {}
@@ -34,24 +35,13 @@ local function without_balls(tile)
   return level.balls[tile] and 0 or tile
 end
 
--- The bar below is what it stands on: all of its bottom side, or the middle of it.
-local function draw_figure(body, x, y, w, h)
-  rect(x, y, w, h, 10)
-  for _, eye in ipairs {0.3, 0.6} do rect(x + w * eye, y + h * 0.2, math.max(1, w * 0.12), math.max(1, h * 0.25), 0) end
-  local inset, foot = body.foot == "centre" and w * 0.38 or 0, math.max(1, h * 0.15)
-  rect(x + inset, y + h - foot, math.max(1, w - 2 * inset), foot, 12)
-end
-
 -- As Talus's editor does it: a ball without a tile has the picture of the first ball tile, or is a disc.
 local function draw_body(body, left, top)
   local x, y, w, h, tile = (body.x - left) // 1, (body.y - top) // 1, body.w, body.h, body.tile or first_ball
-  local picture, drawn_as = body.picture, level.kinds[body.kind].look
-  if picture then  -- the frame stands on the bottom of the box, in its middle
-    local frame, looks_left = frames(body, world.frame)
-    local number = frame + (picture.sheet and 256 or 0)  -- sprites come behind the tiles
-    spr(number, x + (w - picture.columns * TILE) // 2, y + h - picture.rows * TILE, 0, 1, looks_left and 1 or 0, 0,
-        picture.columns, picture.rows)
-  elseif drawn_as == "figure" then
+  local drawn_as = level.kinds[body.kind].look
+  if body.picture then
+    draw_picture(body, x, y, w, h)
+  elseif drawn_as == "figure" and draw_figure then
     draw_figure(body, x, y, w, h)
   elseif drawn_as == "crate" then
     rect(x, y, w, h, 3)
@@ -83,10 +73,9 @@ local function draw(left, top)
 end
 
 function TIC()
-  local left, top = view()
-  local x, y, down = mouse()
+  local input = {left = btn(2), right = btn(3), jump = btn(0) or btn(4)}
+  if take_mouse then take_mouse(input, view()) end
   if btnp(5) then world = talus.new(level) end
-  world:step {left = btn(2), right = btn(3), jump = btn(0) or btn(4), mouse_x = left + x, mouse_y = top + y,
-              mouse_down = down}
+  world:step(input)
   draw(view())
 end

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "../../level/tile_words.h"
+
 namespace talus {
 namespace {
 
@@ -198,17 +200,43 @@ Level level_of_bank(const Bank& bank) {
   return level;
 }
 
+namespace {
+
+// How many different tiles the map shows; tile 0 is an empty cell.
+int count_shown(const Level& level) {
+  const std::vector<std::size_t> counts = count_tiles(level);
+  return static_cast<int>(
+      std::count_if(counts.begin() + 1, counts.end(), [](std::size_t count) { return count > 0; }));
+}
+
+std::string size_problem(TileSize size, int shown) {
+  const auto parts_of = [](int length, int part) { return (length + part - 1) / part; };
+  const int parts = parts_of(size.width, TileSize().width) * parts_of(size.height, TileSize().height);
+  const std::string px = " of " + std::to_string(size.width) + "x" + std::to_string(size.height) + " px";
+  const std::string shows = "the map shows " + std::to_string(shown) + (shown == 1 ? " tile" : " tiles") + px;
+  const std::string parts_text = std::to_string(shown * parts);
+  if (shown * parts < kCartTiles)
+    return shows + ", but a cart has tiles of 8x8 px: drawn with those, the map takes " + parts_text +
+           " of its 256";
+  return shows + ", which take " + parts_text + " tiles of 8x8 px, but a cart has only 256: room for " +
+         std::to_string(kCartTiles / parts) + px;
+}
+
+}  // namespace
+
 std::optional<std::string> tile_problem_of_cart(const Level& level) {
+  const TileSize size = level.map.tile_size();
+  if (size != TileSize()) return size_problem(size, count_shown(level));
   const SheetLayout sheet = level.sheet(SheetId::tiles).layout();
-  if (sheet.count > kCartTiles)
-    return "the level has " + std::to_string(sheet.count) + " tiles, but a cart has only 256";
-  if (sheet != SheetLayout())
-    return "the sheet has " + std::to_string(sheet.columns) + " columns of " + std::to_string(sheet.count) +
-           " tiles, but that of a cart has 16 columns of 256";
-  const auto [width, height] = level.map.tile_size();
-  if (level.map.tile_size() == TileSize()) return {};
-  return "the tiles have " + std::to_string(width) + "x" + std::to_string(height) +
-         " px, but those of a cart have 8x8 px";
+  if (sheet.count > kCartTiles) {
+    const int shown = count_shown(level);
+    return "the sheet has " + std::to_string(sheet.count) +
+           " tiles, but that of a cart only 256; the map shows " + std::to_string(shown) +
+           (shown < kCartTiles ? " of them, and a sheet of these alone would fit" : " of them");
+  }
+  if (sheet == SheetLayout()) return {};
+  return "the sheet has " + std::to_string(sheet.columns) + " columns of " + std::to_string(sheet.count) +
+         " tiles, but that of a cart has 16 columns of 256";
 }
 
 FormatResult<void> check_fits_cart(const Level& level) {

@@ -84,7 +84,7 @@ Bank edited_bank(const Level& level, const Bank& before);
 Level level_of_bank(const Bank& bank);
 
 // Why a cart cannot have the level's tiles: they do not have 8x8 px, or are not 256 in 16 columns; nothing if
-// it can.
+// it can. Counts the different tiles that the map shows, and says what would fit.
 std::optional<std::string> tile_problem_of_cart(const Level& level);
 // Returns an error if the tiles or the map do not fit. Anything else that carts cannot hold goes into the
 // companion.

@@ -94,17 +94,18 @@ std::optional<PairMeeting> next_meeting(const MovingBox& a, const MovingBox& b, 
     if (!(from + s < to) || (first && from + s >= first->time)) return;
     const double beside = across.gap(s);
     if (beside > slack) return;
-    // Two corners meet only if the boxes come nearer on both axes.
+    // Two corners meet only if the boxes come nearer on both axes. Rounding may say which one is first: it is
+    // always the upper or lower side that counts.
     if (beside > -slack) {
       const double at = across.place + across.speed * s + across.gain * (s * s / 2);
       const double centre = at + (across.size - across.other) / 2;
       const double rate = centre < 0 ? across.rate(s) : -across.rate(s);
       const double gain = centre < 0 ? across.gain : -across.gain;
       if (!(rate > kStill || (rate >= -kStill && gain > kStill))) return;
+      if (normal.y == 0) normal = {0, centre < 0 ? -1.0 : 1.0};
     }
     first = {from + s, normal};
   };
-  // Of two sides that they meet at one time, the upper or lower one counts.
   offer(y, x, 1, {0, 1});
   offer(y, x, -1, {0, -1});
   offer(x, y, 1, {1, 0});

@@ -145,8 +145,10 @@ void BodyDrawing::draw(ImDrawList& list, const Body& body, bool looks_left, cons
   const ImVec2 from = view.to_screen({body.box.x, body.box.y});
   const ImVec2 to = view.to_screen({body.box.right(), body.box.bottom()});
   if (draw_own_look(list, body, from, to, alpha)) return;
-  const int tile = tile_of(body);
+  int tile = tile_of(body);
   if (tile >= 0) {
+    if (const auto* animation = find_animation(level_.animations, static_cast<TileNumber>(tile)))
+      tile = tile_shown_at(*animation, static_cast<double>(step_) * kMsPerFrame);
     const UvRect uv = ui.uv_of(tile);
     list.AddImage(ui.clear_sheet(SheetId::tiles), from, to, uv.from, uv.to, IM_COL32(255, 255, 255, alpha));
   } else {

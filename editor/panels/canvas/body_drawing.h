@@ -21,14 +21,14 @@ Rect place_of_picture(const BodyPicture& picture, const Rect& box, TileSize tile
 // Draws the bodies of a level whose tiles are on the sheet of the window.
 class BodyDrawing {
  public:
-  // step: of the state, for the frames of pictures. `level` must outlive it.
+  // step: of the state, for the frames of pictures and of animated tiles. `level` must outlive it.
   BodyDrawing(const Level& level, std::int64_t step);
   // looks_left: whether its picture is mirrored. `alpha`: 0 to 255.
   void draw(ImDrawList& list, const Body& body, bool looks_left, const CanvasView& view, const Ui& ui,
             int alpha) const;
 
-  // The tile whose image a body has that has no picture: its own, of the layer in front, or the first ball
-  // tile; -1 if there is none.
+  // The tile whose image, or animation, a body has that has no picture: its own, of the layer in front, or
+  // the first ball tile; -1 if there is none.
   int tile_of(const Body& body) const;
 
   // The tiles of the sheet that show a body now; nothing if it has no picture, or its frame lies beside the
