@@ -16,7 +16,7 @@
 namespace talus {
 namespace {
 
-constexpr int kMostColumns = 62;  // cells of a row looked at in one go: a word minus both neighbours
+constexpr int kMaxColumns = 62;  // cells of a row looked at in one go: a word minus both neighbours
 
 // The work charged for a slice of a long motion, with the few cells that an ordinary box leads with. For a
 // large box, this many rows of cells cost 1.
@@ -235,9 +235,9 @@ class Caster {
   template <bool kVertical>
   void cells(CellSpan columns, CellSpan lead_columns, CellSpan rows, CellSpan lead_rows) {
     using Terrain = BasicTerrain<Real>;
-    for (int first = columns.first; first <= columns.last; first += kMostColumns) {
+    for (int first = columns.first; first <= columns.last; first += kMaxColumns) {
       // Bit i of a word is the cell at (first - 1 + i), so that both neighbours are in the word.
-      const int count = std::min(columns.last - first + 1, kMostColumns);
+      const int count = std::min(columns.last - first + 1, kMaxColumns);
       const std::uint64_t all = ((std::uint64_t{1} << count) - 1) << 1;
       std::uint64_t lead = all;
       if constexpr (!kVertical)
@@ -666,7 +666,7 @@ template <class Real>
 
 CastTrace traced(const Terrain& terrain, const Cast<double>& cast, bool with_curves) {
   CastTrace trace;
-  CastBudget budget{TraceLog::kMost};
+  CastBudget budget{TraceLog::kMax};
   Caster<double, false, TraceLog> caster(terrain, cast, {}, &budget, with_curves, TraceLog(terrain, trace));
   caster.against_terrain();
   trace.contact = caster.contact();

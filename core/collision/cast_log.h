@@ -35,7 +35,7 @@ inline std::size_t place_of(CastTrace& trace, const CastCandidate& candidate) {
 // Logs into a trace.
 class TraceLog {
  public:
-  static constexpr std::size_t kMost =
+  static constexpr std::size_t kMax =
       1024;  // limit for the cells, and for the candidates, that are kept: nobody would look at more
 
   explicit TraceLog(const Terrain& terrain, CastTrace& trace) : terrain_(terrain), trace_(trace) {}
@@ -44,7 +44,7 @@ class TraceLog {
     for (; cells != 0; cells &= cells - 1) {
       const Cell cell{column + std::countr_zero(cells), row};
       const auto& seen = trace_.cells;
-      if (seen.size() >= kMost) return;
+      if (seen.size() >= kMax) return;
       const bool is_new = std::find(seen.begin(), seen.end(), cell) == seen.end();
       if (is_new && terrain_.contains(cell)) trace_.cells.push_back(cell);
     }
@@ -71,12 +71,12 @@ class TraceLog {
 
  private:
   void add(const CastCandidate& candidate) {
-    at_ = trace_.candidates.size() < kMost ? place_of(trace_, candidate) : kMost;
+    at_ = trace_.candidates.size() < kMax ? place_of(trace_, candidate) : kMax;
   }
 
   const Terrain& terrain_;
   CastTrace& trace_;
-  std::size_t at_ = 0;  // index of the candidate under test; kMost if it is not kept
+  std::size_t at_ = 0;  // index of the candidate under test; kMax if it is not kept
 };
 
 // Adds a second cast of the same body; the first contact is that of the cast which met something earlier.

@@ -10,7 +10,7 @@
 namespace talus {
 
 // a few are enough; the limit ends iterations that rounding keeps going
-inline constexpr int kMostIterations = 100;
+inline constexpr int kMaxIterations = 100;
 
 // The time at which a point that moves by `motion` in one unit of time meets a circle around the origin. For
 // a point that starts on the circle the result is NaN or near 0. from_outside: whether the point comes from
@@ -37,7 +37,7 @@ Real parabola_time(Real gap, Real rate, Real bend) {
 template <class Real, class F, class Derivative>
 Real newton_between(Real a, Real b, F f, Derivative derivative, Real rounding) {
   Real t = b;
-  for (int i = 0; i < kMostIterations; ++i) {
+  for (int i = 0; i < kMaxIterations; ++i) {
     const Real ft = f(t);
     (ft >= 0 ? a : b) = t;
     Real next = t - ft / derivative(t);
@@ -53,7 +53,7 @@ Real newton_between(Real a, Real b, F f, Derivative derivative, Real rounding) {
 template <class Real, class F>
 Real zero_between(Real a, Real b, F f) {
   Real fa = f(a), fb = f(b);
-  for (int i = 0; i < kMostIterations && fa > 0; ++i) {
+  for (int i = 0; i < kMaxIterations && fa > 0; ++i) {
     Real t = (a * fb - b * fa) / (fb - fa);
     if (!(t > a && t < b)) t = a + (b - a) / 2;
     if (!(t > a && t < b)) break;

@@ -136,7 +136,7 @@ bool overlaps_shape(const BasicTerrain<Real>& ground, const TileOutline& shape, 
 }
 
 // A box deep in ground of many lines has more ways out than anybody would wait for.
-constexpr std::size_t kMostExits = 1024;
+constexpr std::size_t kMaxExits = 1024;
 
 template <class Real>
 struct Exit {
@@ -383,7 +383,7 @@ std::optional<BasicVec2<Real>> way_out(const BasicTerrain<Real>& ground, const B
   exits.erase(std::unique(exits.begin(), exits.end(),
                           [](const Exit<Real>& a, const Exit<Real>& b) { return a.motion == b.motion; }),
               exits.end());
-  if (exits.size() > kMostExits) exits.resize(kMostExits);
+  if (exits.size() > kMaxExits) exits.resize(kMaxExits);
   for (const Exit<Real>& exit : exits) {
     if (looks / kCellsPerWork > most) break;
     if (leads_off_floor(ground, box, foot, exit.motion, budget)) continue;
@@ -398,7 +398,7 @@ std::optional<Real> free_above(const BasicTerrain<Real>& ground, const BasicRect
   if (!is_box(box)) return std::nullopt;
   const auto tile = static_cast<Real>(ground.tile_size().height);
   const Real bottom = std::floor(box.bottom() / tile) * tile;
-  for (int i = 0; i <= kMostCellsUp; ++i) {
+  for (int i = 0; i <= kMaxCellsUp; ++i) {
     const BasicRect<Real> up{box.x, bottom - static_cast<Real>(i) * tile - box.h, box.w, box.h};
     if (up.y >= box.y || overlaps_ground(ground, up, foot)) continue;
     const auto floor = cast_box<Real>(ground, {up, {0, box.y - up.y}, foot});

@@ -10,7 +10,7 @@
 namespace talus {
 
 // A limit for the work of one query about a body, for callers that ask about many: about 1 ms.
-inline constexpr std::int64_t kMostQueryWork = 1 << 15;
+inline constexpr std::int64_t kMaxQueryWork = 1 << 15;
 
 // The floor straight below a box, or the ceiling straight above it.
 struct Surface {
@@ -53,10 +53,10 @@ template <class Real>
 double conveyor_at(const BasicTerrain<Real>& ground, const Contact<Real>& contact,
                    const BasicRect<Real>& box);
 
-inline constexpr int kMostCellsUp = 16;  // how far up free_above() looks
+inline constexpr int kMaxCellsUp = 16;  // how far up free_above() looks
 
 // Returns the y (px, of the box's top) of the nearest place straight above that is free of the ground,
-// standing on it; nothing if there is none within kMostCellsUp cells.
+// standing on it; nothing if there is none within kMaxCellsUp cells.
 template <class Real>
 std::optional<Real> free_above(const BasicTerrain<Real>& ground, const BasicRect<Real>& box,
                                Foot foot = Foot::box);

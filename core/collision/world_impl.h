@@ -84,7 +84,7 @@ struct World::Impl {
   CellGrid grid;
   std::vector<NamedResponse> responses;
 
-  std::int64_t most_tests = World::kMostTests;
+  std::int64_t most_tests = World::kMaxTests;
   bool gave_up = false;    // whether the last check gave up
   std::int64_t looks = 0;  // see World::looks()
 

@@ -108,7 +108,7 @@ double energy(const Frame& frame, const Body& body) {
 
 double penetration(const Frame& frame, const Body& body) {
   const Terrain& ground = *frame.ground;
-  CastBudget budget{kMostQueryWork};
+  CastBudget budget{kMaxQueryWork};
   const bool is_circle = circle_of(*frame.scene, body) > 0;
   if (!is_circle && !overlaps_ground(ground, body.box, body.foot)) return 0;
   if (const auto out = way_out_of(*frame.scene, ground, body, &budget)) return length(*out);
@@ -117,7 +117,7 @@ double penetration(const Frame& frame, const Body& body) {
 
 double floor_error(const Frame& frame, const Body& body) {
   if (frame.ground == nullptr || !is_grounded(frame, body)) return kNothing;
-  CastBudget budget{kMostQueryWork};
+  CastBudget budget{kMaxQueryWork};
   if (const auto out = way_out_of(*frame.scene, *frame.ground, body, &budget))
     return out->y < 0 ? -out->y : kNothing;
   if (circle_of(*frame.scene, body) > 0) return kNothing;  // it touches a slope beside its lowest point

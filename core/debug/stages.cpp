@@ -10,7 +10,7 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostNames = 4;  // in a sentence
+constexpr std::size_t kMaxNames = 4;  // in a sentence
 
 bool is_more_than(Vec2 v, double least) { return std::abs(v.x) > least || std::abs(v.y) > least; }
 bool is_told(Vec2 v) { return is_more_than(v, kLeastShown); }
@@ -18,9 +18,9 @@ bool is_told(Vec2 v) { return is_more_than(v, kLeastShown); }
 // "the tile at (12, 9), body 3 and 2 more".
 std::string names_of(const Scene& scene, const std::vector<Obstacle>& all) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(all.size(), kMostNames); ++i)
+  for (std::size_t i = 0; i < std::min(all.size(), kMaxNames); ++i)
     text += (i == 0 ? "" : ", ") + name_of(scene, all[i]);
-  if (all.size() > kMostNames) text += " and " + std::to_string(all.size() - kMostNames) + " more";
+  if (all.size() > kMaxNames) text += " and " + std::to_string(all.size() - kMaxNames) + " more";
   return text;
 }
 

@@ -15,7 +15,7 @@
 namespace talus {
 namespace {
 
-constexpr int kMostPx = 1 << 23;  // in 24.8
+constexpr int kMaxPx = 1 << 23;  // in 24.8
 
 // A part of a name, in small letters, with one _ in place of other characters than C allows in names.
 std::string c_word(const std::string& text) {
@@ -44,16 +44,16 @@ std::string upper(std::string name) {
   return name;
 }
 
-constexpr double kMostFixed = std::numeric_limits<std::int32_t>::max();
+constexpr double kMaxFixed = std::numeric_limits<std::int32_t>::max();
 
 // In 24.8 fixed point. A number that does not fit becomes the largest or smallest one. The smallest is that
 // of int32_t plus 1, since C has no literal for the smallest.
 std::int64_t fixed(double px) {
   const double rounded = std::round(px * 256);
-  return std::isnan(rounded) ? 0 : static_cast<std::int64_t>(std::clamp(rounded, -kMostFixed, kMostFixed));
+  return std::isnan(rounded) ? 0 : static_cast<std::int64_t>(std::clamp(rounded, -kMaxFixed, kMaxFixed));
 }
 
-bool is_fixed(double px) { return std::abs(std::round(px * 256)) <= kMostFixed; }
+bool is_fixed(double px) { return std::abs(std::round(px * 256)) <= kMaxFixed; }
 
 // Phrases on bodies whose numbers the header cannot hold.
 std::vector<std::string> dropped_numbers(const std::vector<Spawn>& spawns) {
@@ -387,7 +387,7 @@ static inline int32_t @_floor_below(int32_t x, int32_t y) {
 FormatResult<Exported> export_c(const ExportRequest& request) {
   const TileMap& map = request.level.map;
   const auto [tile_width, tile_height] = map.tile_size();
-  const int columns = kMostPx / tile_width - 1, rows = kMostPx / tile_height - 1;  // a cell to spare
+  const int columns = kMaxPx / tile_width - 1, rows = kMaxPx / tile_height - 1;  // a cell to spare
   if (map.width() > columns || map.height() > rows)
     return tl::unexpected(FormatError{"", "the map is longer than " +
                                               std::to_string(map.width() > columns ? columns : rows) +

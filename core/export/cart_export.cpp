@@ -124,11 +124,11 @@ std::string code_of(const CartTexts& texts, CartForm form) {
 // As much of the code to read as TIC-80's free version holds; and what is not, as in Exported::dropped.
 std::string fitting_code(const CartTexts& texts, std::vector<std::string>& dropped) {
   std::string code = code_of(texts, CartForm::all);
-  if (code.size() <= kMostTicCode) return code;
+  if (code.size() <= kMaxTicCode) return code;
   const std::string would = "with them the code has " + with_commas(code.size()) +
-                            " bytes, but TIC-80's free version allows only " + with_commas(kMostTicCode);
+                            " bytes, but TIC-80's free version allows only " + with_commas(kMaxTicCode);
   code = code_of(texts, CartForm::game);
-  const bool fits = code.size() <= kMostTicCode;
+  const bool fits = code.size() <= kMaxTicCode;
   dropped.push_back("comments, indentation and long names of " +
                     std::string(fits ? "what moves the bodies" : "the code") + ": " + would);
   return fits ? code : code_of(texts, CartForm::nothing);

@@ -15,7 +15,7 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostPictures = 1000;
+constexpr std::size_t kMaxPictures = 1000;
 
 TileTurn turn_of_part(const PicturePart& part) {
   return turn_of(part.swaps_axes, part.mirrors_x, part.mirrors_y);
@@ -82,7 +82,7 @@ class LayerExporter {
 LayerExporter::Written* LayerExporter::written(const PicturePart& part) {
   const Key key{part.picture.get(), part.x, part.y, part.width, part.height, turn_of_part(part)};
   if (const auto known = pictures_.find(key); known != pictures_.end()) return &known->second;
-  if (pictures_.size() == kMostPictures || std::max(part.width, part.height) > kMaxTiledTileSide)
+  if (pictures_.size() == kMaxPictures || std::max(part.width, part.height) > kMaxTiledTileSide)
     return nullptr;
   const SheetPicture pixels = turned_picture(part);
   const std::string name = request_.picture_name(static_cast<int>(pictures_.size()) + 1);

@@ -142,9 +142,9 @@ std::string summary_of(const ExportPlan& plan) {
 }
 
 std::string code_problem(const Exporter& exporter, std::optional<std::size_t> code_bytes) {
-  if (exporter.is_folder() || code_bytes.value_or(0) <= kMostTicCode) return "";
+  if (exporter.is_folder() || code_bytes.value_or(0) <= kMaxTicCode) return "";
   return "the code has " + with_commas(*code_bytes) + " bytes, but TIC-80's free version allows only " +
-         with_commas(kMostTicCode) + ": use fewer shapes or kinds of bodies";
+         with_commas(kMaxTicCode) + ": use fewer shapes or kinds of bodies";
 }
 
 tl::expected<std::string, ExportProblem> output_of(const ExportPreset& preset,

@@ -31,7 +31,7 @@ struct Exported {
   std::vector<ExportedFile> files;  // at least one
   // What the format cannot hold, one phrase each, as in WrittenLevel::dropped.
   std::vector<std::string> dropped;
-  // For code that TIC-80 runs: how many of the kMostTicCode bytes the exporter's own part takes.
+  // For code that TIC-80 runs: how many of the kMaxTicCode bytes the exporter's own part takes.
   std::optional<std::size_t> code_bytes = {};
 };
 
@@ -42,7 +42,7 @@ Exported exported_file(std::string bytes, std::vector<std::string> dropped = {})
 // the exporter; no code with an unknown one.
 bool brings_code(const Level& level, std::string_view id);
 
-inline constexpr std::size_t kMostTicCode = 65'536;  // bytes of code that TIC-80's free version allows
+inline constexpr std::size_t kMaxTicCode = 65'536;  // bytes of code that TIC-80's free version allows
 
 // The text of a file that comes with the program, such as "runtime/base.lua".
 using ReadAsset = std::function<FormatResult<std::string>(const std::string& name)>;

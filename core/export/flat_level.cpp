@@ -206,15 +206,15 @@ class Flattener {
   // Porter and Duff's "over", with the layer's tint and opacity.
   static void put_over(const std::array<std::uint8_t, 4>& pixel, const TileLayer& looks,
                        std::uint8_t* under) {
-    constexpr double kMost = 255;
-    const double above = pixel[3] / kMost * looks.opacity, below = under[3] / kMost * (1 - above);
+    constexpr double kMax = 255;
+    const double above = pixel[3] / kMax * looks.opacity, below = under[3] / kMax * (1 - above);
     const double both = above + below;
     const std::array<std::uint8_t, 3> tint = {looks.tint.r, looks.tint.g, looks.tint.b};
     if (both <= 0) return;
     for (std::size_t c = 0; c < tint.size(); ++c)
       under[c] = static_cast<std::uint8_t>(
-          std::lround((pixel[c] * (tint[c] / kMost) * above + under[c] * below) / both));
-    under[3] = static_cast<std::uint8_t>(std::lround(both * kMost));
+          std::lround((pixel[c] * (tint[c] / kMax) * above + under[c] * below) / both));
+    under[3] = static_cast<std::uint8_t>(std::lround(both * kMax));
   }
 
   void tell_turns() {

@@ -98,8 +98,8 @@ const char* field_type(const std::string& name, const OrderedJson& value) {
 
 // Of the entity of a kind.
 int uid_of(BodyKind kind) {
-  constexpr int kMostFields = 19;
-  return kFirstBodyUid + static_cast<int>(kind) * (kMostFields + 1);
+  constexpr int kMaxFields = 19;
+  return kFirstBodyUid + static_cast<int>(kind) * (kMaxFields + 1);
 }
 
 OrderedJson entity_def(const LdtkSkeleton& skeleton, BodyKind kind, int tile_side) {
@@ -165,7 +165,7 @@ void put_int_grid(const Level& level, const LdtkShapes::Grid& grid, std::string&
   text += ']';
 }
 
-constexpr std::size_t kMostOfTile = 96;  // bytes of a tile's object
+constexpr std::size_t kMaxOfTile = 96;  // bytes of a tile's object
 
 // LDtk's number of flip bits: 1 mirrors left and right, 2 up and down.
 int flip_bits(TileTurn turn) {
@@ -188,7 +188,7 @@ void put_grid_tiles(const Level& level, const Progress& progress, std::string& t
   const std::span<const TileNumber> cells = level.map.cells().tiles();
   const auto shown = std::count_if(cells.begin(), cells.end(), [&](TileNumber tile) { return !blank[tile]; });
   // Growing by doubling would take three times the memory of a text that can be a GB.
-  text.reserve(text.size() + static_cast<std::size_t>(shown) * kMostOfTile);
+  text.reserve(text.size() + static_cast<std::size_t>(shown) * kMaxOfTile);
   text += '[';
   bool first = true;
   for (Cell c; c.y < level.map.height() && progress.at(c.y, level.map.height()); ++c.y) {

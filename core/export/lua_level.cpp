@@ -351,12 +351,12 @@ void write_by_number(LuaTable& table, std::string_view key, const OrderedJson& v
 void write_objects(const Level& level, LuaTable& table) {
   const std::vector<ObjectPlace> objects = objects_in_order(level);
   const auto write = [&](LuaTable&& list, std::size_t from) {
-    const std::size_t end = std::min(objects.size(), from + kMostLuaEntries);
+    const std::size_t end = std::min(objects.size(), from + kMaxLuaEntries);
     for (std::size_t i = from; i < end; ++i) write_json(list, "", plain_object_json(level, objects[i]));
   };
-  if (objects.size() <= kMostLuaEntries) return write(table.in_lines("objects"), 0);
+  if (objects.size() <= kMaxLuaEntries) return write(table.in_lines("objects"), 0);
   LuaTable parts = table.in_lines("objects", "join");
-  for (std::size_t from = 0; from < objects.size(); from += kMostLuaEntries) {
+  for (std::size_t from = 0; from < objects.size(); from += kMaxLuaEntries) {
     write(parts.in_lines("", "function() return "), from);
     parts.add(" end");
   }
@@ -482,7 +482,7 @@ std::string lua_level(const Level& level, LuaForm form, const Progress& progress
   if (whole == nullptr && is_readable) whole = layered == nullptr ? &level : layered;
   std::string text;
   if (is_readable) text = "-- A level made with Talus, for talus.lua or bump_slopes.lua. Lengths in px.\n";
-  if (whole != nullptr && objects_in_order(*whole).size() > kMostLuaEntries) text += kLuaJoin;
+  if (whole != nullptr && objects_in_order(*whole).size() > kMaxLuaEntries) text += kLuaJoin;
   text += "return ";
   write_level(LuaTable(text, is_readable ? LuaTable::Layout::lines : LuaTable::Layout::small), level,
               is_readable, progress, layered, pictures, whole);

@@ -11,11 +11,11 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostFiles = 7, kMostNeeds = 2;
+constexpr std::size_t kMaxFiles = 7, kMaxNeeds = 2;
 struct LuaPart {
   std::string_view name;
-  std::array<std::string_view, kMostFiles> files;
-  std::array<std::string_view, kMostNeeds> needs = {};
+  std::array<std::string_view, kMaxFiles> files;
+  std::array<std::string_view, kMaxNeeds> needs = {};
 };
 
 // In the order in which they are joined. The first and the last one are in every module.

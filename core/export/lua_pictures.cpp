@@ -42,7 +42,7 @@ bool has_pictures(const Level& level) { return shown_parts(level) > 0; }
 
 std::optional<LuaPictures> lua_pictures(const Level& level) {
   constexpr int kUsualWidth = 2048;  // px
-  if (const std::size_t count = shown_parts(level); count == 0 || count > kMostLuaPictures) return {};
+  if (const std::size_t count = shown_parts(level); count == 0 || count > kMaxLuaPictures) return {};
   const NativePictures all = pictures_of(level);
   LuaPictures made;
   int width = 0;

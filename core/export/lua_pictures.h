@@ -18,7 +18,7 @@ struct LuaPictures {
 // The large tiles that cells of a level turn, and how.
 std::set<std::pair<TileNumber, TileTurn>> turned_large_tiles(const Level& level);
 
-inline constexpr std::size_t kMostLuaPictures =
+inline constexpr std::size_t kMaxLuaPictures =
     4096;  // tiles, each turn of them, objects and layers that show a part of it
 
 // Nothing if a level has no such pictures, or too many or too large ones.

@@ -18,7 +18,7 @@ bool is_lua_name(std::string_view text);
 
 // A list of more tables is written as `join{function() return {...} end, ...}`, with this many in each
 // function. LuaJIT allows 65536 constants in a function, and each table of numbers is one.
-inline constexpr std::size_t kMostLuaEntries = 4096;
+inline constexpr std::size_t kMaxLuaEntries = 4096;
 inline constexpr std::string_view kLuaJoin =  // goes before the code that uses it
     "local function join(parts)\n"
     " local all={}\n"

@@ -19,8 +19,8 @@ struct PaintLooks {
 };
 
 PaintLooks paint_looks(const LayerLooks& layer) {
-  constexpr double kMost = 255;
-  return {static_cast<int>(std::lround(std::clamp(layer.opacity, 0.0, 1.0) * kMost)), layer.tint,
+  constexpr double kMax = 255;
+  return {static_cast<int>(std::lround(std::clamp(layer.opacity, 0.0, 1.0) * kMax)), layer.tint,
           layer.offset};
 }
 

@@ -9,7 +9,7 @@
 namespace talus {
 namespace {
 
-constexpr int kMostInStrip = 1 << 22;  // px
+constexpr int kMaxInStrip = 1 << 22;  // px
 
 std::string number(std::int64_t value) { return std::to_string(value); }
 
@@ -33,7 +33,7 @@ FormatResult<std::string> map_png(const Level& level, const Progress& progress, 
                  number(most) + " px in all");
   const int channels = level.background ? 4 : 3;
   PngStream png(static_cast<int>(width), static_cast<int>(height), channels);
-  const int strip = static_cast<int>(std::max<std::int64_t>(1, kMostInStrip / width));
+  const int strip = static_cast<int>(std::max<std::int64_t>(1, kMaxInStrip / width));
   const int all = static_cast<int>(height);
   for (int top = 0; top < all; top += strip) {
     const int rows = std::min(strip, all - top);

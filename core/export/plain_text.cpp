@@ -68,7 +68,7 @@ class PlainPrinter {
   template <class Entry>
   void put_list(const char* key, std::size_t count, const Progress& progress, const Entry& entry) {
     begin_member(key);
-    print_list(1, count, kMostLuaEntries, progress, entry);
+    print_list(1, count, kMaxLuaEntries, progress, entry);
   }
 
   // All layers with their own tiles.
@@ -76,7 +76,7 @@ class PlainPrinter {
     begin_member("layers");
     const std::vector<LayerInOrder> layers = layers_in_order(level);
     const std::size_t rows = 2 * static_cast<std::size_t>(level.map.height()) + 1;
-    print_list(1, layers.size(), std::max<std::size_t>(1, kMostLuaEntries / rows), progress,
+    print_list(1, layers.size(), std::max<std::size_t>(1, kMaxLuaEntries / rows), progress,
                [&](std::size_t i) { print_layer(level, layers[i]); });
   }
 
@@ -186,7 +186,7 @@ class PlainPrinter {
     const auto width = static_cast<std::size_t>(columns);
     text_ += ',';
     print_key(key);
-    print_list(2, cells.size() / width, kMostLuaEntries, {},
+    print_list(2, cells.size() / width, kMaxLuaEntries, {},
                [&](std::size_t row) { print(cells.subspan(row * width, width)); });
   }
 

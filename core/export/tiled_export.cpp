@@ -218,7 +218,7 @@ class TiledXmlWriter {
     looks(node, layer.looks);
     properties(node, tiled_properties(layer.looks));
     pugi::xml_node data = node.append_child("data");
-    if (layer.cells.size() > kMostListedCells) {
+    if (layer.cells.size() > kMaxListedCells) {
       put(data, "encoding", "base64");
       put(data, "compression", "zlib");
       data.append_child(pugi::node_pcdata).set_value(encode_tiled_cells(layer.cells).c_str());

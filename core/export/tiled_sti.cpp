@@ -16,7 +16,7 @@ namespace talus {
 namespace {
 
 constexpr const char* kSlopeLayer = "slopes";
-constexpr std::size_t kMostBoxes = 1'000'000;
+constexpr std::size_t kMaxBoxes = 1'000'000;
 
 // By tile, whether it is full wherever the map shows it. In a layer that is only drawn it must not be, and
 // the plugin does not tell layers apart; nor does it turn a tile whose sides are not equal.
@@ -132,7 +132,7 @@ FormatResult<Exported> export_sti(const ExportRequest& request) {
   const Level& drawn = request.drawn();
   const std::vector<bool> collides = collidable_tiles(drawn, ground);
   const std::vector<bool> collides_in_cells = collidable_cells(drawn, collides);
-  if (count_slope_boxes(ground, collides_in_cells) > kMostBoxes)
+  if (count_slope_boxes(ground, collides_in_cells) > kMaxBoxes)
     return tl::unexpected(FormatError{
         "", "the slopes need more than 1000000 boxes, too many for an STI map: make the map smaller"});
   TiledExport made = tiled_export_of({drawn, request.name, request.read_asset});

@@ -336,20 +336,20 @@ class TiledTextWriter {
   }
 
   void cells(const std::vector<std::uint32_t>& cells, int width) {
-    if (text_.is_lua() || cells.size() <= kMostListedCells) return text_.put_rows("data", cells, width);
+    if (text_.is_lua() || cells.size() <= kMaxListedCells) return text_.put_rows("data", cells, width);
     text_.put("encoding", "base64");
     text_.put("compression", "zlib");
     text_.put("data", encode_tiled_cells(cells));
   }
 
   void objects(const std::vector<TiledObject>& objects, int& id) {
-    const bool in_parts = text_.is_lua() && objects.size() > kMostLuaEntries;
+    const bool in_parts = text_.is_lua() && objects.size() > kMaxLuaEntries;
     if (in_parts)
       text_.open_parts("objects");
     else
       text_.open("objects", true);
     for (std::size_t i = 0; i < objects.size(); ++i) {
-      const bool begins_part = in_parts && i % kMostLuaEntries == 0;
+      const bool begins_part = in_parts && i % kMaxLuaEntries == 0;
       if (begins_part && i > 0) text_.close_part();
       if (begins_part) text_.open_part();
       object(objects[i], ++id);

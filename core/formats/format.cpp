@@ -63,10 +63,10 @@ FormatError error_within(const std::string& place, FormatError error) {
 }
 
 std::string to_string(const FormatError& error, std::string_view file) {
-  constexpr std::size_t kMostShown = 2000;  // bytes, of the place and of the message
+  constexpr std::size_t kMaxShown = 2000;  // bytes, of the place and of the message
   return printable_line(
-      std::string(file) + (error.place.empty() ? "" : ":" + shortened(error.place, kMostShown)) +
-      ": error: " + shortened(error.message, kMostShown) + (error.remedy.empty() ? "" : ": " + error.remedy));
+      std::string(file) + (error.place.empty() ? "" : ":" + shortened(error.place, kMaxShown)) +
+      ": error: " + shortened(error.message, kMaxShown) + (error.remedy.empty() ? "" : ": " + error.remedy));
 }
 
 std::span<const Format> formats() {

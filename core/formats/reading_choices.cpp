@@ -17,13 +17,13 @@ std::string text_of_choices(const ImportChoices& choices) {
 }
 
 ImportChoices choices_in(std::string_view text) {
-  constexpr int kMostNumber = 1 << 30;
+  constexpr int kMaxNumber = 1 << 30;
   ImportChoices choices;
   const auto json = parse_json(text);
   if (!json || !json->is_object()) return choices;
   const Json layer = json->value("layer", Json()), level = json->value("level", Json()),
              tiles = json->value("tiles", Json());
-  if (is_whole(layer, 1, kMostNumber)) choices.layer_number = layer.get<int>();
+  if (is_whole(layer, 1, kMaxNumber)) choices.layer_number = layer.get<int>();
   if (level.is_string()) choices.level = level.get<std::string>();
   choices.frame = tiled_frame_of_json(json->value("frame", Json()));
   if (tiles.is_array() && tiles.size() <= kMaxTiles) {

@@ -8,7 +8,7 @@
 namespace talus {
 namespace {
 
-constexpr int kMostAway = 16;  // cells
+constexpr int kMaxAway = 16;  // cells
 
 Rect box_of(const Spawn& spawn) { return {spawn.position.x, spawn.position.y, spawn.size.x, spawn.size.y}; }
 
@@ -23,8 +23,8 @@ std::optional<Vec2> nearest_free_corner(const Level& level, const Rect& box, con
   std::optional<Vec2> nearest;
   double least = 0;
   const Cell home = level.map.cell_at(box.position());
-  for (int y = -kMostAway; y <= kMostAway; ++y) {
-    for (int x = -kMostAway; x <= kMostAway; ++x) {
+  for (int y = -kMaxAway; y <= kMaxAway; ++y) {
+    for (int x = -kMaxAway; x <= kMaxAway; ++x) {
       const Vec2 corner = level.map.corner_of({home.x + x, home.y + y});
       const Rect there{corner.x, corner.y, box.w, box.h};
       const Vec2 way = there.position() - box.position();
@@ -57,7 +57,7 @@ bool starts_in_ground(const Level& level, const Spawn& spawn) {
 
 std::optional<Vec2> free_place(const Level& level, const Spawn& spawn) {
   const Rect box = box_of(spawn);
-  const LocalGround ground = ground_around(level, box, std::max(kMostCellsUp, kMostAway) + 1);
+  const LocalGround ground = ground_around(level, box, std::max(kMaxCellsUp, kMaxAway) + 1);
   const Foot foot = spawn.used_foot();
   for (const Foot above : {foot, Foot::box}) {
     const auto y = free_above(ground.terrain, ground.to_local(box), above);

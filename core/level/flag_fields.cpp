@@ -8,7 +8,7 @@ namespace talus {
 int FlagPattern::lowest_flag() const { return std::countr_zero(mask); }
 
 std::optional<std::string> problem_of(const FlagField& field) {
-  if (field.bits < FlagField::kLeastBits || field.bits > FlagField::kMostBits) return "must have 2 to 8 bits";
+  if (field.bits < FlagField::kLeastBits || field.bits > FlagField::kMaxBits) return "must have 2 to 8 bits";
   if (field.first < 0 || field.last() >= kMaxFlags) return "reaches beyond flag 31";
   if (field.values.size() > static_cast<std::size_t>(field.value_count()))
     return "has more names than values: " + std::to_string(field.values.size()) + " for " +
@@ -34,7 +34,7 @@ std::optional<std::size_t> overlapping_field(std::span<const FlagField> fields) 
 
 int most_bits(std::span<const FlagField> others, int first) {
   int bits = 1;
-  while (bits < FlagField::kMostBits && first + bits < kMaxFlags &&
+  while (bits < FlagField::kMaxBits && first + bits < kMaxFlags &&
          field_of_flag(others, first + bits) == nullptr)
     ++bits;
   return bits;

@@ -153,8 +153,8 @@ std::vector<Element> LevelMerger::merged_list(const std::vector<Element>& base,
                                               const std::vector<Element>& mine,
                                               const std::vector<Element>& theirs, int& conflicts,
                                               const PickOne& pick_one) const {
-  constexpr std::size_t kMost = 8192;  // each is compared with each
-  const bool is_large = std::max({base.size(), mine.size(), theirs.size()}) > kMost;
+  constexpr std::size_t kMax = 8192;  // each is compared with each
+  const bool is_large = std::max({base.size(), mine.size(), theirs.size()}) > kMax;
   if (is_large || mine == theirs || theirs == base || mine == base)
     return pick(base, mine, theirs, conflicts);
   const ListFate here = fate_of(base, mine), there = fate_of(base, theirs);

@@ -72,7 +72,7 @@ MarkFit fit_of(const std::vector<GroundMark>& marks, Cell by, const MarkedCells&
 
 // The shift of a map with another size: no further than its size has changed.
 Cell shift_by_size(const GroundPlace& before, const Level& now) {
-  constexpr std::int64_t kMostTries = 1 << 20;
+  constexpr std::int64_t kMaxTries = 1 << 20;
   const Cell grown{now.map.width() - before.width, now.map.height() - before.height};
   const MarkedCells cells(now, std::min(before.layer, now.layers.count() - 1));
   Cell best{0, 0};
@@ -85,16 +85,16 @@ Cell shift_by_size(const GroundPlace& before, const Level& now) {
     fewest = fit.others;
   };
   for (const Cell corner : {grown, Cell{grown.x, 0}, Cell{0, grown.y}}) look_at(corner);
-  if ((std::abs(grown.x) + std::int64_t{1}) * (std::abs(grown.y) + std::int64_t{1}) > kMostTries) return best;
+  if ((std::abs(grown.x) + std::int64_t{1}) * (std::abs(grown.y) + std::int64_t{1}) > kMaxTries) return best;
   for (int y = std::min(0, grown.y); y <= std::max(0, grown.y); ++y)
     for (int x = std::min(0, grown.x); x <= std::max(0, grown.x); ++x) look_at({x, y});
   return best;
 }
 
 // The shifts that bring a pair of marks onto a side of the ground: those of the pair with the fewest such
-// sides first, as many as kMostTries. Marks lie beside each other as add_marks() makes them.
+// sides first, as many as kMaxTries. Marks lie beside each other as add_marks() makes them.
 std::vector<Cell> shifts_onto_sides(const std::vector<GroundMark>& marks, const MarkedCells& cells) {
-  constexpr std::size_t kMostTries = 4096;
+  constexpr std::size_t kMaxTries = 4096;
   std::vector<std::vector<Cell>> by_pair;
   for (const Cell step : {Cell{1, 0}, Cell{0, 1}}) {
     std::map<std::pair<MapCell, MapCell>, std::vector<Cell>> places;
@@ -106,7 +106,7 @@ std::vector<Cell> shifts_onto_sides(const std::vector<GroundMark>& marks, const 
       if (is_pair(i)) places[{marks[i].cell, marks[i + 1].cell}];
     for (const Cell place : cells.sides(step)) {
       const auto found = places.find({cells.at({place.x - step.x, place.y - step.y}), cells.at(place)});
-      if (found != places.end() && found->second.size() < kMostTries) found->second.push_back(place);
+      if (found != places.end() && found->second.size() < kMaxTries) found->second.push_back(place);
     }
     for (std::size_t i = 0; i + 1 < marks.size(); ++i) {
       if (!is_pair(i)) continue;
@@ -118,7 +118,7 @@ std::vector<Cell> shifts_onto_sides(const std::vector<GroundMark>& marks, const 
                    [](const auto& a, const auto& b) { return a.size() < b.size(); });
   std::vector<Cell> shifts;
   for (const std::vector<Cell>& some : by_pair) {
-    if (shifts.size() + some.size() > kMostTries) break;
+    if (shifts.size() + some.size() > kMaxTries) break;
     shifts.insert(shifts.end(), some.begin(), some.end());
   }
   return shifts;
@@ -148,8 +148,8 @@ Cell shift_in_place(const GroundPlace& before, const Level& now) {
 // Adds some of the places, from the first to the last.
 void add_marks(const std::vector<Cell>& places, Cell step, const MarkedCells& cells,
                std::vector<GroundMark>& marks) {
-  constexpr std::size_t kMost = 16;
-  const std::size_t count = std::min(places.size(), kMost);
+  constexpr std::size_t kMax = 16;
+  const std::size_t count = std::min(places.size(), kMax);
   for (std::size_t i = 0; i < count; ++i) {
     const Cell place = places[count == 1 ? 0 : i * (places.size() - 1) / (count - 1)];
     const Cell other{place.x - step.x, place.y - step.y};

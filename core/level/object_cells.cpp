@@ -10,10 +10,10 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostPoints = 1024;                // of an outline
-constexpr std::size_t kMostCrossings = 4096;             // of an outline with itself
-constexpr std::size_t kMostWork = std::size_t{1} << 27;  // of all outlines
-constexpr double kOnLine = 1.0 / (1 << 26);              // px; a point that is so near to a line is on it
+constexpr std::size_t kMaxPoints = 1024;                // of an outline
+constexpr std::size_t kMaxCrossings = 4096;             // of an outline with itself
+constexpr std::size_t kMaxWork = std::size_t{1} << 27;  // of all outlines
+constexpr double kOnLine = 1.0 / (1 << 26);             // px; a point that is so near to a line is on it
 
 double height_at(Vec2 from, Vec2 to, double x) {
   if (x <= from.x) return from.y;
@@ -87,13 +87,13 @@ ObjectCells::ObjectCells(const TileMap& map)
       tile_(map.tile_size()),
       full_(static_cast<std::size_t>(map.width()) * static_cast<std::size_t>(map.height())) {}
 
-bool ObjectCells::works(std::size_t steps) { return (work_ += steps) <= kMostWork; }
+bool ObjectCells::works(std::size_t steps) { return (work_ += steps) <= kMaxWork; }
 
 bool ObjectCells::add(std::vector<Vec2> outline) {
   for (Vec2& point : outline) point = weld(point);
   simplify(outline);
   if (outline.empty()) return true;
-  if (outline.size() > kMostPoints || !works(outline.size() * outline.size())) return false;
+  if (outline.size() > kMaxPoints || !works(outline.size() * outline.size())) return false;
   std::vector<OutlineLine> lines;
   std::vector<double> cuts;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -112,7 +112,7 @@ bool ObjectCells::add(std::vector<Vec2> outline) {
       const double d0 = a.at(x0) - b.at(x0), d1 = a.at(x1) - b.at(x1);
       if (!(d0 < 0 && d1 > 0) && !(d0 > 0 && d1 < 0)) continue;
       crossings_.push_back(weld(x0 + (x1 - x0) * (d0 / (d0 - d1))));
-      if (crossings_.size() > kMostCrossings) return false;
+      if (crossings_.size() > kMaxCrossings) return false;
     }
   }
   std::sort(crossings_.begin(), crossings_.end());
@@ -129,8 +129,8 @@ bool ObjectCells::add(std::vector<Vec2> outline) {
   for (const Vec2 point : outline) top = std::min(top, point.y), bottom = std::max(bottom, point.y);
   const double rows = std::min(1.0 * height_, (bottom - top) / tile_.height + 2);
   if (!works(columns * static_cast<std::size_t>(rows))) return false;
-  for (int column = first; column <= last && work_ <= kMostWork; ++column) add_column(lines, cuts, column);
-  return work_ <= kMostWork;
+  for (int column = first; column <= last && work_ <= kMaxWork; ++column) add_column(lines, cuts, column);
+  return work_ <= kMaxWork;
 }
 
 // The height at which a side is cut there.

@@ -9,12 +9,11 @@ namespace {
 
 std::vector<Vec2> ellipse_in(Vec2 size) {
   constexpr double kError = 1.0 / 256;  // px
-  constexpr int kMostSides = 1024;
+  constexpr int kMaxSides = 1024;
   const Vec2 radius{size.x / 2, size.y / 2};
   const double longest = std::max(radius.x, radius.y);
   const double angle = longest <= kError ? 1 : std::acos(1 - kError / longest);
-  const int quarter =
-      std::clamp(static_cast<int>(std::ceil(std::numbers::pi / angle / 4)), 2, kMostSides / 4);
+  const int quarter = std::clamp(static_cast<int>(std::ceil(std::numbers::pi / angle / 4)), 2, kMaxSides / 4);
   std::vector<Vec2> points;
   for (int i = 0; i < 4 * quarter; ++i) {
     // Quarters are mirror images of one another, to the bit.

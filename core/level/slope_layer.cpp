@@ -11,7 +11,7 @@
 namespace talus {
 namespace {
 
-constexpr int kMostFill = 64;  // rows below a slope in which a fill looks for ground
+constexpr int kMaxFill = 64;  // rows below a slope in which a fill looks for ground
 
 // The shapes of what cells hold; each is made once.
 class CellShapes {
@@ -103,12 +103,12 @@ void SlopeLayer::cut() {
     lowest = std::max(lowest, top);
   }
   const int first = tops.begin()->first, last = tops.rbegin()->first;
-  const CoveredCells ground(
-      level_, {first, highest - kMostCut - 1, last - first + 1, lowest - highest + kMostCut + 1});
+  const CoveredCells ground(level_,
+                            {first, highest - kMaxCut - 1, last - first + 1, lowest - highest + kMaxCut + 1});
   for (const auto& [column, top] : tops) {
     int row = top;
-    while (row > 0 && top - row <= kMostCut && ground.has({column, row - 1})) --row;
-    if (top - row > kMostCut || (row == 0 && top > 0)) {
+    while (row > 0 && top - row <= kMaxCut && ground.has({column, row - 1})) --row;
+    if (top - row > kMaxCut || (row == 0 && top > 0)) {
       leave_out(column);
       continue;
     }
@@ -133,7 +133,7 @@ void SlopeLayer::fill(TileNumber below, bool fills, int last) {
 
 // The row of the first full tile under a cell; the one after `last` if there is none near.
 int SlopeLayer::end_of_fill(Cell cell, int last) const {
-  const int bottom = std::min(map_.height(), std::max(last, cell.y) + kMostFill);
+  const int bottom = std::min(map_.height(), std::max(last, cell.y) + kMaxFill);
   for (Cell under{cell.x, cell.y + 1}; under.y < bottom && map_.contains(under); ++under.y)
     if (is_full(shape_of_cell(level_, map_.at(under)))) return under.y;
   return last + 1;

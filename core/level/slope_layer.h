@@ -23,7 +23,7 @@ class SlopeLayer {
   int lowest_row() const;
   bool is_empty() const { return floor_.empty(); }  // whether no part of the floor is left
 
-  // Cuts off the old ground above the slope. Where that is higher than kMostCut rows, or reaches up to the
+  // Cuts off the old ground above the slope. Where that is higher than kMaxCut rows, or reaches up to the
   // map's upper edge, the slope is inside of the ground, and the column stays as it was.
   void cut();
   // Puts a tile under each cell of the floor, and further down if the ground is filled, but not below `last`

@@ -31,7 +31,7 @@ struct SlopeTiles {
 };
 
 // Old ground that is higher above a slope than so many rows is not cut off: it may be a whole mountain.
-inline constexpr int kMostCut = 8;
+inline constexpr int kMaxCut = 8;
 
 struct SlopeTilesOptions {
   // The tiles to choose from: floors and solid tiles, as shape_of_tile says. A slope of several cells brings
@@ -41,7 +41,7 @@ struct SlopeTilesOptions {
   std::optional<TileNumber> below = {};
   // Whether the ground follows the slope. It is filled below it: each column down to the next full tile, or,
   // if it has none, down to the row of the slope's lower end. Without `below`, a full tile is drawn for it.
-  // It is cut off above it, up to kMostCut rows; what is deeper inside of old ground is left out. Of old
+  // It is cut off above it, up to kMaxCut rows; what is deeper inside of old ground is left out. Of old
   // slopes of several cells, what is left is kept.
   bool fills = false;
   // px, by how much the tiles of a set may leave the line; nothing: a tile's height.

@@ -15,7 +15,7 @@ using Kind = TileShape::Kind;
 using Side = TileShape::Side;
 
 // The points of one polygon are few, so that a long profile is cut into several.
-constexpr std::size_t kMostHeights = kMaxPolygonPoints - 2;
+constexpr std::size_t kMaxHeights = kMaxPolygonPoints - 2;
 
 Vec2 point_after_turn(Vec2 point, TileTurn turn, TileSize tile) {
   const TileSize size = turned(tile, turn);
@@ -59,7 +59,7 @@ std::vector<TileShape> as_polygons(const TileShape& shape, TileSize tile) {
   std::vector<TileShape> parts;
   for (std::size_t first = 0; first + 1 < line.size();) {
     std::size_t last = first + 1;
-    while (last + 1 < line.size() && line[last].y != base && last - first + 1 < kMostHeights) ++last;
+    while (last + 1 < line.size() && line[last].y != base && last - first + 1 < kMaxHeights) ++last;
     const bool is_flat = last == first + 1 && line[first].y == base && line[last].y == base;
     if (!is_flat) parts.push_back(outline_below(shape, line, first, last, base));
     first = last;

@@ -3,7 +3,7 @@
 namespace talus {
 namespace {
 
-constexpr int kMostPieces = 64;              // under one body, and gaps between them
+constexpr int kMaxPieces = 64;               // under one body, and gaps between them
 constexpr Fine kJustAhead = kFinePx / 1024;  // how far ahead of two pieces the higher one is chosen
 constexpr Fine kGap = kFinePx / kWeldParts;  // between two floors that count as one
 
@@ -21,7 +21,7 @@ FloorLine::FloorLine(const RawGround& ground, Fine x, Fine y, Fine x0, Fine x1, 
 void FloorLine::follow(const RawGround& ground, Fine x, Fine y, Fine until, double steepest) {
   const Fine direction = until < x ? -1 : 1;
   bool in_gap = false;
-  for (int i = 0; i < kMostPieces && (until - x) * direction > 0; ++i) {
+  for (int i = 0; i < kMaxPieces && (until - x) * direction > 0; ++i) {
     const Fine next = x + direction * std::min(kJustAhead, (until - x) * direction);
     std::optional<RawLine> best;
     Fine best_end = 0;

@@ -12,12 +12,12 @@ constexpr Fine kAhead = kFinePx / 32, kAheadOnCurve = kFinePx / 4;
 constexpr Fine kSlack = kFinePx >> 14;
 constexpr Fine kRounding = 4;  // of a few sums of such numbers
 constexpr double kFloatRounding = 1.0 / (1 << 19);
-constexpr Fine kChord = kFinePx / 64;  // a curve may be so far from the chord along which a step goes
-constexpr double kSteepGround = 16;    // |dy/dx| of slopes down which bodies on their centre slide
-constexpr Fine kDeep = 16;             // a middle that is less than so many roundings in a slope touches it
-constexpr Fine kMostBevel = 4 * kFinePx;  // the width of a low edge that is not upright
-constexpr int kMostRises = 16;            // parts that a body is lifted over, one after the other
-constexpr int kDeepestFloor = 8;          // widths of a body; so far below it may be the floor that leads on
+constexpr Fine kChord = kFinePx / 64;    // a curve may be so far from the chord along which a step goes
+constexpr double kSteepGround = 16;      // |dy/dx| of slopes down which bodies on their centre slide
+constexpr Fine kDeep = 16;               // a middle that is less than so many roundings in a slope touches it
+constexpr Fine kMaxBevel = 4 * kFinePx;  // the width of a low edge that is not upright
+constexpr int kMaxRises = 16;            // parts that a body is lifted over, one after the other
+constexpr int kDeepestFloor = 8;         // widths of a body; so far below it may be the floor that leads on
 constexpr double kSameSpeed = 1e-6;
 constexpr Fine kEndSlacks = 10;  // so many roundings below a floor's end a body has touched it
 // So far ahead a rise to a ceiling is looked for.
@@ -562,7 +562,7 @@ Judge::Ahead Judge::ahead_of(const Body& body, int direction, Fine way) const {
 std::optional<Judge::Edge> Judge::bevel_at(const FineBox& box, Foot foot, int direction) const {
   const auto walked = [&](Fine way) { return scaled(way, tuning_.exact.steepest) + slack_; };
   std::optional<Edge> edge = edge_at(box, foot, direction, 4 * slack_), beyond;
-  for (Fine way = 4 * slack_; edge && way < kMostBevel; way *= 2, edge = beyond) {
+  for (Fine way = 4 * slack_; edge && way < kMaxBevel; way *= 2, edge = beyond) {
     beyond = edge_at(box, foot, direction, 2 * way);
     if (!beyond || edge->height <= walked(way) || beyond->height - edge->height > walked(way)) continue;
     edge = beyond;
@@ -607,7 +607,7 @@ std::optional<Fine> Judge::rise_onto(const FineBox& from, FineBox to, Foot foot)
   const Fine most = std::max(lip_, scaled(kAheadOnCurve, 2 * tuning_.exact.steepest)) + in_floor + weld_;
   const bool is_above_floor = passes(from, from, Foot::box);
   const Fine start = to.y1;
-  for (int i = 0; i < kMostRises; ++i) {
+  for (int i = 0; i < kMaxRises; ++i) {
     // A body that is lifted by more than its height must not pass a ceiling in between. Where a corner is in
     // the floor, what is beside that counts, too.
     const FineBox between{from.x0, to.y1, from.x1, from.y0};

@@ -106,7 +106,7 @@ Proof ProofRun::proof() const {
   }
   proof.of_solver = static_cast<std::size_t>(std::count_if(
       merged.begin(), merged.end(), [](const Finding& finding) { return !info_of(finding.kind).of_level; }));
-  proof.more = merged.size() - std::min(merged.size(), kMostFindings);
+  proof.more = merged.size() - std::min(merged.size(), kMaxFindings);
   merged.resize(merged.size() - proof.more);
   proof.findings = std::move(merged);
   return proof;

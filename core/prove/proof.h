@@ -14,7 +14,7 @@
 
 namespace talus {
 
-inline constexpr std::size_t kMostFindings = 10'000;
+inline constexpr std::size_t kMaxFindings = 10'000;
 
 // Shows that bodies move over the ground of a level as its geometry says: every place where a body can stand
 // is walked, rolled, jumped and dropped over by the solver, and each step is judged by exact geometry.
@@ -25,7 +25,7 @@ struct Proof {
   bool assumes_body = false;      // the level has no bodies, and a player was tried
   bool stands_still = false;      // players were tried, but the level's run_speed is 0
   ProveCounts counts;
-  std::vector<Finding> findings;  // by row, column, kind, body and direction; at most kMostFindings
+  std::vector<Finding> findings;  // by row, column, kind, body and direction; at most kMaxFindings
   std::size_t more = 0;           // findings that are not listed
   std::size_t of_solver = 0;      // findings, listed or not, that are faults of the solver
   double share = 1;               // of the level that is proved, 0..1

@@ -69,9 +69,9 @@ ProveScene::ProveScene(const Level& level, const ProveOptions& options) : ground
     const Vec2 size = new_body_size(BodyKind::player, level.map.tile_size());
     bodies_.push_back({BodyKind::player, size, traits_of(BodyKind::player).foot});
   }
-  if (bodies_.size() > kMostBodies) {
-    left_out_ = bodies_.size() - kMostBodies;
-    bodies_.resize(kMostBodies);
+  if (bodies_.size() > kMaxBodies) {
+    left_out_ = bodies_.size() - kMaxBodies;
+    bodies_.resize(kMaxBodies);
   }
   const double rolling = rolling_speed(scene.tuning.shared, level.map.tile_size().width);
   for (ProveBody& body : bodies_) body.speed = std::max(body.speed, rolling);

@@ -23,13 +23,13 @@ struct ProveBody {
 };
 
 struct ProveOptions {
-  // Empty: those of the level, each kind, size and foot once, and the first kMostBodies of them; of a level
+  // Empty: those of the level, each kind, size and foot once, and the first kMaxBodies of them; of a level
   // without bodies: a player.
   std::vector<ProveBody> bodies = {};
   // px; higher edges are meant as walls, or as steps to jump on. 0: a quarter of a tile's height.
   double lip = 0;
 };
-inline constexpr std::size_t kMostBodies = 8;
+inline constexpr std::size_t kMaxBodies = 8;
 
 // Squares of so many cells are proved one by one. What is found in one depends on it and its surroundings
 // alone.

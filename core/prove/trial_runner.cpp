@@ -8,13 +8,13 @@
 namespace talus {
 namespace {
 
-constexpr int kMostSteps = 240;   // of one trial
+constexpr int kMaxSteps = 240;    // of one trial
 constexpr int kJumpHeld = 12;     // frames
 constexpr int kLongJump = 60;     // frames; such jumps come as high as a jump can
 constexpr int kRollFrames = 24;   // at least, of a body without keys: the floor slows it
 constexpr int kStillFrames = 20;  // after so many frames without a motion a body rests
 constexpr double kStill = 1e-3;   // px; a smaller motion is none
-constexpr int kMostReach = 16;    // cells; a trial ends further away
+constexpr int kMaxReach = 16;     // cells; a trial ends further away
 constexpr double kLift =
     1.0 / (1 << 20);  // px; bodies start so much above their floor, as its height is rounded
 constexpr double kFloatLift = 1.0 / (1 << 21);  // the same for single precision, of the height
@@ -22,11 +22,11 @@ constexpr double kIntoEdge = 1.0 / 64;  // px; the cell of an edge is that of th
 constexpr double kPhaseOfPx = 0.37;     // px; one of the places of a body between two pixels
 constexpr double kBeyondJoint = 2;      // px; walks end so far behind one
 constexpr int kDropRows = 2;            // cells above its floor from which a body is dropped
-constexpr int kMostDropRows = 12;       // the same between steep sides
+constexpr int kMaxDropRows = 12;        // the same between steep sides
 constexpr double kSlowWay = 1;          // px; the slowest body goes so far, over a joint
 
 int cells_of(double px, int tile) {
-  return 1 + static_cast<int>(std::ceil(std::min(px / tile, kMostReach - 1.0)));
+  return 1 + static_cast<int>(std::ceil(std::min(px / tile, kMaxReach - 1.0)));
 }
 
 Cell cell_at(Vec2 place, const RawGround& ground) {
@@ -214,7 +214,7 @@ void TrialRunner::try_meeting(Place place, double x, Top top) {
     trial.speed = std::abs(speed);
     trial.direction = speed < 0 ? -1 : speed > 0 ? 1 : 0;
     trial.body.velocity.x = speed;
-    trial.frames = kMostSteps;
+    trial.frames = kMaxSteps;
     run(trial, place, 0);
   };
   const double fast = tried.speed, slow = fast * scene_.speeds().back().share;
@@ -290,7 +290,7 @@ void TrialRunner::walk(const Place& place, Trial trial, std::size_t speed, int d
   const bool is_slowest = speed + 1 == solvers_.size();
   const double way = is_slowest ? kSlowWay : way_past_joint(place.start, direction);
   const int frames = 2 + static_cast<int>(way / std::max(trial.speed, 0.01));
-  trial.frames = std::clamp(frames, is_steered(body.kind, scene_.solver()) ? 0 : kRollFrames, kMostSteps);
+  trial.frames = std::clamp(frames, is_steered(body.kind, scene_.solver()) ? 0 : kRollFrames, kMaxSteps);
   run(trial, place, speed);
 }
 
@@ -299,7 +299,7 @@ void TrialRunner::jump(const Place& place, Trial trial, Jump jump) {
   trial.run_from = jump.run_from;
   trial.speed = scene_.speeds().front().scene->tuning.player.run_speed;
   trial.jump_frames = jump.held;
-  trial.frames = kMostSteps;
+  trial.frames = kMaxSteps;
   run(trial, place, 0);
 }
 
@@ -319,12 +319,12 @@ void TrialRunner::drop(const Place& place, const Body* standing) {
   while (rows > 0 && !is_free_above(rows)) --rows;
   if (rows == 0 && standing == nullptr) {
     rows = kDropRows + 1;
-    while (rows <= kMostDropRows && !is_free_above(rows)) ++rows;
-    if (rows > kMostDropRows) return;
+    while (rows <= kMaxDropRows && !is_free_above(rows)) ++rows;
+    if (rows > kMaxDropRows) return;
   }
   Trial trial = start_at(body, rows == 0 ? standing->box : box);
   trial.speed = scene_.speeds().front().scene->tuning.player.run_speed;
-  trial.frames = kMostSteps / 2;
+  trial.frames = kMaxSteps / 2;
   run(trial, place, 0);
 }
 
@@ -438,7 +438,7 @@ bool TrialRunner::is_wedged(const State& state, std::size_t speed) {
     keys.jump_frames = kLongJump;
     State tried = state;
     const Body& body = tried.bodies.front();
-    for (int frame = 1; frame <= kMostSteps; ++frame) {
+    for (int frame = 1; frame <= kMaxSteps; ++frame) {
       solvers_[speed]->step(tried, input_of(keys, frame));
       ++proof_.counts.steps;
       if (frame > kLongJump && body.gait.grounded) break;

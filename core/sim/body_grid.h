@@ -54,7 +54,7 @@ class BodyGrid {
   static constexpr double kSide = 16;  // px, of a cell: twice the article's ball
   // Limit for one body in the grid. Larger bodies are in a list, as thousands of them would fill millions of
   // cells.
-  static constexpr std::int64_t kMostCells = 64;
+  static constexpr std::int64_t kMaxCells = 64;
   // Bodies whose places are compared, or that are passed in a list, in the time of one unit of work.
   static constexpr std::int64_t kPlacesPerWork = 8;
 
@@ -63,7 +63,7 @@ class BodyGrid {
   }
 
   std::int64_t enter(std::uint32_t index, const CellRange& range) {
-    if (range.count() <= kMostCells) {
+    if (range.count() <= kMaxCells) {
       grid_.insert(CellEntry::of(ItemId{index, 1}, 0), range);
       return range.count();
     }
@@ -73,7 +73,7 @@ class BodyGrid {
 
   std::int64_t leave(std::uint32_t index, const CellRange& range) {
     if (range.empty()) return 0;
-    if (range.count() <= kMostCells) return grid_.remove(ItemId{index, 1}, range) / kPlacesPerWork;
+    if (range.count() <= kMaxCells) return grid_.remove(ItemId{index, 1}, range) / kPlacesPerWork;
     const std::size_t passed = large_.size();
     large_.erase(std::find(large_.begin(), large_.end(), index));
     return work_of_places(passed);

@@ -17,8 +17,8 @@ namespace talus {
 // A box within this many times its rounding_slack() of a surface is put on the surface.
 inline constexpr int kSettledSlacks = 4;
 // px; the end of a curve may be so far off the end that it ought to meet, as ends are rounded to it.
-inline constexpr double kMostLip = 0.00390625;
-static_assert(kMostLip * kWeldParts == 1);
+inline constexpr double kMaxLip = 0.00390625;
+static_assert(kMaxLip * kWeldParts == 1);
 
 template <class Real>
 struct Moving {
@@ -86,14 +86,14 @@ BasicVec2<Real> top_of_side(const BasicTerrain<Real>& ground, const Contact<Real
   return {ground.x_of(cell.x + (contact.facing == Facing::left ? 0 : 1)), ground.y_of(cell.y)};
 }
 
-// Whether what a body has met is the side of a floor that begins up to kMostLip higher. It is put on that
+// Whether what a body has met is the side of a floor that begins up to kMaxLip higher. It is put on that
 // floor.
 template <class Real>
 [[gnu::noinline]] bool climbs(const BasicTerrain<Real>& ground, std::span<const BasicRect<Real>> others,
                               Moving<Real>& body, const Contact<Real>& contact, CastBudget* budget) {
   if (contact.is_other || contact.normal.y != 0 || !ground.has_pieces()) return false;
   const Real top = top_of_side(ground, contact).y, rise = body.box.y + body.box.h - top;
-  if (!(rise > 0) || rise > Real(kMostLip) + settled(body)) return false;
+  if (!(rise > 0) || rise > Real(kMaxLip) + settled(body)) return false;
   if (cast_box<Real>(ground, {body.box, {0, -rise}, body.foot}, others, nullptr, budget)) return false;
   body.box.y = top - body.box.h;
   return true;

@@ -342,7 +342,7 @@ class ExactSolver final : public Solver {
     if (floor && !is_level(floor, numbers_.steepest))  // the same side once more, or another one behind it
       floor = cast_box<Real>(ground_, down, others_, {met.piece, std::array{floor.piece}}, &budget_);
     const bool is_foot =
-        floor && is_level(floor, numbers_.steepest) && floor.position.y - met.position.y <= Real(kMostLip);
+        floor && is_level(floor, numbers_.steepest) && floor.position.y - met.position.y <= Real(kMaxLip);
     if (!is_foot) return {};
     floor.position.y = met.position.y;
     return floor;
@@ -350,7 +350,7 @@ class ExactSolver final : public Solver {
 
   // px/frame: how fast the floor that a body stands on carries it, as its velocity along x is measured.
   Real conveyor_under(const State& state, std::size_t index, const Moving<Real>& moving) {
-    const Contact<Real> floor = floor_under(state, index, moving, Real(kMostLip));
+    const Contact<Real> floor = floor_under(state, index, moving, Real(kMaxLip));
     if (!floor || floor.is_other) return 0;
     const auto speed = static_cast<Real>(conveyor_at(ground_, floor, moving.box));
     return numbers_.surface_speed ? speed : speed * -floor.normal.y;
@@ -359,7 +359,7 @@ class ExactSolver final : public Solver {
   // Whether a body lies on two sides that are too steep to stand on, but hold it up together. Puts it on
   // them.
   bool stands_between(const State& state, std::size_t index, Moving<Real>& moving) {
-    const Vec down{0, Real(kMostLip)};
+    const Vec down{0, Real(kMaxLip)};
     if (budget_.left <= 0 || !gather(state, index, moving, down)) return false;
     Moving<Real> there = moving;
     Mover<Real> mover(ground_, others_, max_passes_, nullptr, &budget_);

@@ -27,8 +27,8 @@ Arrival<Real> arrival_on(const Contact<Real>& contact, std::span<const CurveStre
                          BasicRect<Real> box, Foot foot, TimeTo time_to, XAt x_at) {
   Arrival<Real> found{time_to(box.position(), contact.normal), contact.normal};
   const Piece<Real>* const piece = contact.on_end ? nullptr : contact.piece;
-  constexpr int kMostTries = 8;  // each has about twice as many right digits as the one before
-  for (int i = 0; piece != nullptr && piece->stretch != 0 && i < kMostTries; ++i) {
+  constexpr int kMaxTries = 8;  // each has about twice as many right digits as the one before
+  for (int i = 0; piece != nullptr && piece->stretch != 0 && i < kMaxTries; ++i) {
     box.x = x_at(found.time);
     const Real x = box.x + foot_offset(*piece, box.w, foot);
     if (!(x >= piece->x0 && x <= piece->x1)) break;
@@ -54,7 +54,7 @@ bool is_between_curves(const Contact<Real>& contact, std::span<const CurveStretc
 
 // frames; so short a chord is the parabola but for the hit's time
 inline constexpr double kNearHit = 0.0009765625;
-inline constexpr int kMostAims = 8;  // of one contact; more are needed by what the parabola grazes
+inline constexpr int kMaxAims = 8;  // of one contact; more are needed by what the parabola grazes
 
 template <class Real>
 class Flight {
@@ -79,7 +79,7 @@ class Flight {
     const Flight start = *this;
     std::optional<Contact<Real>> met = contact;
     Real to = left_;  // frames, to the end of the chord that met it
-    for (int i = 0; i < kMostAims; ++i) {
+    for (int i = 0; i < kMaxAims; ++i) {
       Real time = arrival(*met, stretches, box, foot).time;
       if (!(time > 0 && time < to)) time = met->t * to;
       if (const Real before = time - Real(kNearHit); before > 0) {

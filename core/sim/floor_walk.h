@@ -23,14 +23,14 @@ static_assert(kFloorStep * 2 * kWeldParts == 1);
 // How often the way along a curve to what stops the body is halved: to less than 1/1000 px.
 inline constexpr int kHalvings = 16;
 // px; where a curve leads over an end, its chord may be so much below it.
-inline constexpr double kMostSag = 1.0 / (1 << 20);
+inline constexpr double kMaxSag = 1.0 / (1 << 20);
 // Two curves are compared at both ends of a way, and between so many equal parts of it.
 inline constexpr int kPartsOfWay = 16;
 // On its chord a body passes so many floors that its curve is above.
-inline constexpr std::size_t kMostPassed = 8;
+inline constexpr std::size_t kMaxPassed = 8;
 // The floor under a body is followed over so many pieces to a corner of the body: more than there are under
 // any body but on lines with points closer than 1/16 px. The budget of the casts is a limit, too.
-inline constexpr int kMostPiecesUnder = 1024;
+inline constexpr int kMaxPiecesUnder = 1024;
 
 // The level piece of floor that a body goes on along, seen from where it stands.
 template <class Real>
@@ -57,7 +57,7 @@ class FloorWalk {
         sunk_(sunk) {}
 
   // The floor on which the body goes on, up to `reach` px below it. Nothing: there is none, or it is too
-  // steep. One that begins up to kMostLip higher or lower is one with the floor before: the body is put on
+  // steep. One that begins up to kMaxLip higher or lower is one with the floor before: the body is put on
   // it.
   std::optional<FloorAhead<Real>> floor_ahead(Moving<Real>& body, Real reach) {
     auto floor = look_ahead(body, reach);
@@ -65,8 +65,8 @@ class FloorWalk {
     if (!floor || body.foot != Foot::centre) return floor;
     const Real y = place_on(*floor, body.box, body.box.x, body.foot).y, way = std::abs(y - body.box.y);
     const Real rounding = settled(body);
-    if (way <= rounding || way > Real(kMostLip) + rounding) return floor;
-    sunk_ = std::max(sunk_, Real(kMostLip + kFloorStep));  // the end that it leaves may be in its corners now
+    if (way <= rounding || way > Real(kMaxLip) + rounding) return floor;
+    sunk_ = std::max(sunk_, Real(kMaxLip + kFloorStep));  // the end that it leaves may be in its corners now
     // A ceiling may hold it below an end that it leaves.
     return joins(*floor, body) || y > body.box.y ? floor : look_ahead(body, reach);
   }
@@ -89,12 +89,12 @@ class FloorWalk {
     const auto is_other = [&](const FloorAhead<Real>& next) {
       return next.end != floor.end || next.contact.normal.x != floor.contact.normal.x;
     };
-    const auto here = floor_at(body, Real(kMostLip), 0);
+    const auto here = floor_at(body, Real(kMaxLip), 0);
     if (!here) return std::nullopt;
     const auto under = is_other(*here) ? floor_met(body, here->contact) : std::nullopt;
     if (under) return under;
     // Or its flat bottom has gone on along the end of a floor, from just before that end.
-    const auto next = look_ahead(body, Real(kMostLip));
+    const auto next = look_ahead(body, Real(kMaxLip));
     return next && is_other(*next) ? next : std::nullopt;
   }
 
@@ -111,14 +111,14 @@ class FloorWalk {
   }
 
   // Ends a floor where the foot of a body on its way to a goal comes below a one-way line that begins up to
-  // kMostLip higher: such a line has no side that the body could meet. Returns the goal, or that end.
+  // kMaxLip higher: such a line has no side that the body could meet. Returns the goal, or that end.
   Vec goal_before_line(FloorAhead<Real>& floor, const Moving<Real>& body, Vec goal) const {
     if (!ground_.has_one_way()) return goal;
     const BasicRect<Real>& box = body.box;
     const Real x = foot_of(body), y = box.h - settled(body);
     const Vec from{std::min(box.x, goal.x), std::min(box.y, goal.y)};
     const Vec to{std::max(box.x, goal.x), std::max(box.y, goal.y)};
-    const Cell first = cell_near(from + Vec{x, y - Real(kMostLip)}), last = cell_near(to + Vec{x, y});
+    const Cell first = cell_near(from + Vec{x, y - Real(kMaxLip)}), last = cell_near(to + Vec{x, y});
     for (Cell cell = first; cell.y <= last.y; ++cell.y) {
       for (cell.x = first.x; cell.x <= last.x; ++cell.x) {
         if (budget_ != nullptr && --budget_->left <= 0) return goal;
@@ -164,7 +164,7 @@ class FloorWalk {
       return !contact.is_other && y < contact.position.y && y + body.box.h <= top_of_side(ground_, contact).y;
     }
     const auto room = [&](Real x) { return room_at(place_on(floor, body.box, x, body.foot), contact); };
-    if (std::abs(at - from) > slack) return room(at) > std::max(Real(kMostSag), slack);
+    if (std::abs(at - from) > slack) return room(at) > std::max(Real(kMaxSag), slack);
     Real way = (goal_x - at) / 2;
     while (room(at + way) <= slack && std::abs(way) > Real(kFloorStep)) way /= 2;
     return room(at + way) > slack;
@@ -249,7 +249,7 @@ class FloorWalk {
     const Vec rest = place - contact.position;
     if (rest.x == 0) return std::nullopt;
     // Without its lowest part, as the floor would hide what else is there.
-    const Real lip = std::min(Real(kMostLip), box.h);
+    const Real lip = std::min(Real(kMaxLip), box.h);
     const BasicRect<Real> above{contact.position.x, contact.position.y, box.w, box.h - lip};
     const Real slack = rounding_slack<Real>({above, {}, foot}), rounding = kSettledSlacks * slack;
     // Where the ceiling goes on, the next cast must meet it.
@@ -293,19 +293,19 @@ class FloorWalk {
     const TileSize tile = ground_.tile_size();
     return {index(point.x, tile.width, ground_.width()), index(point.y, tile.height, ground_.height())};
   }
-  // Ends a floor where this line begins, if that is up to kMostLip above it.
+  // Ends a floor where this line begins, if that is up to kMaxLip above it.
   void end_below(FloorAhead<Real>& floor, const Moving<Real>& body, const Piece<Real>& line) const {
     const bool right = direction_ > 0;
     const Real x = (right ? line.x0 : line.x1) - foot_of(body);
     if (!((x - body.box.x) * direction_ > 0 && (floor.end - x) * direction_ > 0)) return;
     const Real bottom = place_on(floor, body.box, x, body.foot).y + body.box.h;
     const Real height = bottom - (right ? line.y0 : line.y1), slack = settled(body);
-    if (height > slack && height <= Real(kMostLip) + slack) floor.end = x;
+    if (height > slack && height <= Real(kMaxLip) + slack) floor.end = x;
   }
 
   // The same along the chord of a curve. It passes floors that the curve is above.
   Contact<Real> cast_along_chord(FloorAhead<Real>& floor, const Moving<Real>& body, Vec& goal) const {
-    std::array<const Piece<Real>*, kMostPassed> passed{};
+    std::array<const Piece<Real>*, kMaxPassed> passed{};
     for (std::size_t count = 0;; ++count) {
       const Cast<Real> cast{body.box, goal - body.box.position(), body.foot, sunk_};
       const Contact<Real> contact = cast_box<Real>(
@@ -361,7 +361,7 @@ class FloorWalk {
   // The floor is looked for a little further on, so that of two pieces that meet at the foot the next one is
   // found. A foot that is a point goes over a gap, as the flat bottom of a box does.
   std::optional<FloorAhead<Real>> look_ahead(const Moving<Real>& body, Real reach,
-                                             Real gap = Real(kMostLip)) const {
+                                             Real gap = Real(kMaxLip)) const {
     const Real step = std::max<Real>(Real(kFloorStep), 2 * rounding_slack<Real>({body.box, {}, body.foot}));
     const auto floor = floor_at(body, reach, step);
     const bool is_point = body.foot == Foot::centre || body.box.w == 0;
@@ -370,7 +370,7 @@ class FloorWalk {
   // The floor `step` px further on.
   std::optional<FloorAhead<Real>> floor_at(const Moving<Real>& body, Real reach, Real step) const {
     const Real slack = rounding_slack<Real>({body.box, {}, body.foot});
-    const Real rise = std::min<Real>(step * steepest_, 1) + Real(kMostLip) + 2 * slack;
+    const Real rise = std::min<Real>(step * steepest_, 1) + Real(kMaxLip) + 2 * slack;
     BasicRect<Real> there = body.box;
     there.x = moved_x(body.box, direction_ * step);
     there.y -= rise;
@@ -392,7 +392,7 @@ class FloorWalk {
   }
 
   // Of a body whose flat bottom is on the end of a floor: the floor that goes on under its middle, if that
-  // begins up to kMostLip lower. Else the same floor. rise: px, by which it may be lower here.
+  // begins up to kMaxLip lower. Else the same floor. rise: px, by which it may be lower here.
   FloorAhead<Real> beyond_end(const FloorAhead<Real>& ended, const BasicRect<Real>& box, Real rise) const {
     const BasicRect<Real> middle{box.x + box.w / 2, ended.contact.position.y - Real(kFloorStep), 0, box.h};
     const Cast<Real> down{middle, {0, Real(kFloorStep) + rise}, Foot::box};
@@ -513,14 +513,14 @@ class FloorWalk {
     const Moving<Real> foot{{box.x, box.y + box.h, 0, 0}, {}, Foot::box};
     Vec to{goal.x, goal.y + box.h};
     const Contact<Real> met = cast_to(floor, foot, to);
-    if (!met || met.facing != Facing::down || !(room_at(to, met) < -Real(kMostLip)) ||
+    if (!met || met.facing != Facing::down || !(room_at(to, met) < -Real(kMaxLip)) ||
         std::abs(met.position.x - foot.box.x) <= Real(kFloorStep))
       return false;
     return is_in_ground(met.position);
   }
   // Whether what is just above a point is ground.
   bool is_in_ground(Vec point) const {
-    constexpr Real lip = Real(kMostLip);
+    constexpr Real lip = Real(kMaxLip);
     return overlaps_ground<Real>(ground_, {point.x - lip / 2, point.y - 2 * lip, lip, lip});
   }
 
@@ -532,10 +532,10 @@ class FloorWalk {
     Moving<Real> point{{middle, body.box.y, 0, body.box.h}, {}, Foot::box};
     const Real direction = spot.x < middle ? -1 : 1;
     FloorWalk walk(ground_, {}, direction, steepest_, budget_);
-    for (int i = 0; i < kMostPiecesUnder && point.box.x != spot.x; ++i) {
+    for (int i = 0; i < kMaxPiecesUnder && point.box.x != spot.x; ++i) {
       const bool falls = i == 0 && fall > 0;
       // A middle that is just before a floor is not on it.
-      const Real gap = i == 0 ? 0 : Real(kMostLip);
+      const Real gap = i == 0 ? 0 : Real(kMaxLip);
       auto floor = walk.look_ahead(point, falls ? fall : 1, gap);
       if (!floor) return false;
       if (i == 0) {
@@ -563,7 +563,7 @@ class FloorWalk {
       point.box.y = goal.y;
     }
     const Real slack = rounding_slack<Real>({body.box, {}, body.foot});
-    return point.box.x == spot.x && point.box.y + point.box.h <= spot.y + Real(kMostLip) + 2 * slack;
+    return point.box.x == spot.x && point.box.y + point.box.h <= spot.y + Real(kMaxLip) + 2 * slack;
   }
 
   const BasicTerrain<Real>& ground_;

@@ -102,7 +102,7 @@ Runner& Runners::nearest(const Branch& branch, std::int64_t frame) {
     best = each;
     fewest = *steps;
   }
-  if (best == runners_.end() && runners_.size() < kMost) best = runners_.emplace(best, scenes_);
+  if (best == runners_.end() && runners_.size() < kMax) best = runners_.emplace(best, scenes_);
   if (best == runners_.end()) --best;
   runners_.splice(runners_.begin(), runners_, best);
   return runners_.front();

@@ -70,7 +70,7 @@ class Runners {
   std::int64_t steps_again() const;  // sum over all runners
 
  private:
-  static constexpr std::size_t kMost = 4;
+  static constexpr std::size_t kMax = 4;
 
   SceneCache& scenes_;
   std::list<Runner> runners_;  // the last used one is first

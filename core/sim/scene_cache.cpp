@@ -27,7 +27,7 @@ ScenePtr SceneCache::scene_of(const VersionPtr& version) {
   const Level level = level_of(*version);
   for (const Entry& entry : entries_) {
     if (entry.alone != nullptr) continue;
-    const auto cells = changed_cells(*entry.version, *version, kMostCells);
+    const auto cells = changed_cells(*entry.version, *version, kMaxCells);
     if (!cells) continue;
     put(version, std::make_shared<const Scene>(recompile_scene(*entry.scene, level, *cells)));
     return entries_.front().scene;
@@ -42,7 +42,7 @@ void SceneCache::put(VersionPtr version, ScenePtr scene) {
 
 void SceneCache::put(Entry entry) {
   entries_.insert(entries_.begin(), std::move(entry));
-  if (entries_.size() > kMost) entries_.pop_back();
+  if (entries_.size() > kMax) entries_.pop_back();
 }
 
 std::shared_ptr<Solver> SceneCache::solver_of(const VersionPtr& version, const ScenePtr& scene) {

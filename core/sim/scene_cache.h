@@ -28,8 +28,8 @@ class SceneCache {
   std::shared_ptr<Solver> solver_of(const VersionPtr& version, const ScenePtr& scene);
 
  private:
-  static constexpr std::size_t kMost = 4;
-  static constexpr std::size_t kMostCells = 1000;  // with more, compiling the whole level is as quick
+  static constexpr std::size_t kMax = 4;
+  static constexpr std::size_t kMaxCells = 1000;  // with more, compiling the whole level is as quick
 
   struct Entry {
     VersionPtr version;

@@ -34,7 +34,7 @@ void lift_out_of(const BasicTerrain<Real>* ground, Body& body) {
   const auto real = [](double px) { return static_cast<Real>(px); };
   const BasicRect<Real> box{real(body.box.x), real(body.box.y), real(body.box.w), real(body.box.h)};
   if (!overlaps_ground(*ground, box, body.foot)) return;
-  CastBudget budget{kMostQueryWork};
+  CastBudget budget{kMaxQueryWork};
   const auto out = way_out(*ground, box, body.foot, &budget);
   if (out && std::abs(out->x) <= box.w && std::abs(out->y) <= box.h) return;
   if (const auto y = free_above(*ground, box, body.foot)) body.box.y = *y;

@@ -5,12 +5,12 @@
 namespace talus {
 
 StepBudget::StepBudget(std::size_t bodies) {
-  const auto equal = kMostStepWork / std::max<std::int64_t>(static_cast<std::int64_t>(bodies), 1);
-  most_of_body_ = std::clamp(2 * equal, kLeastBodyWork, kMostBodyWork);
+  const auto equal = kMaxStepWork / std::max<std::int64_t>(static_cast<std::int64_t>(bodies), 1);
+  most_of_body_ = std::clamp(2 * equal, kLeastBodyWork, kMaxBodyWork);
 }
 
 std::int64_t StepBudget::part() const {
-  return std::clamp<std::int64_t>(kMostStepWork - spent_, 0, most_of_body_);
+  return std::clamp<std::int64_t>(kMaxStepWork - spent_, 0, most_of_body_);
 }
 
 Vec2 within_limits(Vec2 from, Vec2 goal) {

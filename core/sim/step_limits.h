@@ -11,9 +11,9 @@ namespace talus {
 // The work that all bodies together may take in a step: cells, lines and boxes, in units of about 20 ns. So
 // no step takes long, whatever the level is; ordinary steps come nowhere near. A body that has used up its
 // part stops at a free place, and the record says so.
-inline constexpr std::int64_t kMostStepWork = 3 << 21;
+inline constexpr std::int64_t kMaxStepWork = 3 << 21;
 // Limits for one body's part. The part is twice an equal share, as most bodies need far less.
-inline constexpr std::int64_t kMostBodyWork = 1 << 20;
+inline constexpr std::int64_t kMaxBodyWork = 1 << 20;
 inline constexpr std::int64_t kLeastBodyWork = 1 << 10;
 
 // The rest of a step's work.
@@ -29,7 +29,7 @@ class StepBudget {
   std::int64_t spent() const { return spent_; }
 
  private:
-  std::int64_t most_of_body_ = kMostBodyWork;
+  std::int64_t most_of_body_ = kMaxBodyWork;
   std::int64_t spent_ = 0;
 };
 

@@ -13,7 +13,7 @@ namespace {
 constexpr std::int64_t kLooksPerWork = 2;
 
 // Boxes that a record keeps as tested; in a crowd, all of them would fill the memory.
-constexpr std::size_t kMostTested = 2'097'152;
+constexpr std::size_t kMaxTested = 2'097'152;
 
 Slope slope_of(const SceneItem& item) {
   if (!item.line) return {item.box, slope_direction(item.role)};
@@ -25,14 +25,14 @@ Slope slope_of(const SceneItem& item) {
 // cost much memory, it is doubled until they cover few enough.
 double cell_size_for(const Scene& scene) {
   double size = scene.tuning.shared.cell_size;
-  constexpr double kFree = World::kMaxCellsOfItem, kMost = World::kMaxCells / 2;
+  constexpr double kFree = World::kMaxCellsOfItem, kMax = World::kMaxCells / 2;
   const auto covered = [&] {
     double cells = 0;
     for (const SceneItem& item : scene.items)
       cells += std::max((item.box.w / size + 2) * (item.box.h / size + 2) - kFree, 0.0);
     return cells;
   };
-  while (covered() > kMost) size *= 2;
+  while (covered() > kMax) size *= 2;
   return size;
 }
 
@@ -212,7 +212,7 @@ Obstacle WorldSolver::obstacle(ItemId item) const {
 // A body's path is tested again after each response; its candidates are recorded once.
 void WorldSolver::note_test(int body, ItemId other) {
   std::uint64_t& mark = tested_marks_[other.index];
-  if (mark == test_mark_ || record_->tested.size() == kMostTested) return;
+  if (mark == test_mark_ || record_->tested.size() == kMaxTested) return;
   mark = test_mark_;
   record_->tested.push_back({body, obstacle(other)});
 }

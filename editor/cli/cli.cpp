@@ -145,11 +145,11 @@ void add_missing_option(CLI::App& command, CommandContext& context) {
 bool fail_for_missing(CommandContext& context, const std::string& file, const LoadedLevel& loaded) {
   const std::vector<std::string>& missing = loaded.missing;
   if (missing.empty() || context.allows_missing) return false;
-  constexpr std::size_t kMostNamed = 5;
+  constexpr std::size_t kMaxNamed = 5;
   std::string names;
-  for (std::size_t i = 0; i < std::min(missing.size(), kMostNamed); ++i)
+  for (std::size_t i = 0; i < std::min(missing.size(), kMaxNamed); ++i)
     names += (i == 0 ? "" : ", ") + missing[i];
-  if (missing.size() > kMostNamed) names += " and others";
+  if (missing.size() > kMaxNamed) names += " and others";
   fail(context, file, "",
        "names " + count_text(missing.size(), "file") + " that could not be read: " + names +
            ": --allow-missing goes on without " + (missing.size() == 1 ? "it" : "them"));

@@ -8,8 +8,8 @@ namespace {
 // "16x16", or "16" for both sides. Nothing for other texts.
 std::optional<TileSize> sides_of(const std::string& text) {
   const auto number = [](const std::string& digits) {
-    constexpr std::size_t kMost = 7;
-    const bool good = !digits.empty() && digits.size() <= kMost &&
+    constexpr std::size_t kMax = 7;
+    const bool good = !digits.empty() && digits.size() <= kMax &&
                       digits.find_first_not_of("0123456789") == std::string::npos;
     return good ? std::stoi(digits) : 0;
   };

@@ -23,7 +23,7 @@ struct ProveCommand {
   bool json = false;
 };
 
-constexpr double kLeastLip = 0.01, kMostLipAsked = 256;       // px
+constexpr double kLeastLip = 0.01, kMaxLipAsked = 256;        // px
 constexpr std::string_view kFootWords[] = {"box", "centre"};  // by Foot
 
 // The number that the text begins with, which is then without it; nothing if there is none.
@@ -62,7 +62,7 @@ std::optional<ProveBody> body_of(std::string_view text) {
 std::string check_lip(const std::string& given) {
   std::string_view text = given;
   const auto px = take_number(text);
-  return px && text.empty() && *px >= kLeastLip && *px <= kMostLipAsked ? "" : "must be 0.01 to 256 px";
+  return px && text.empty() && *px >= kLeastLip && *px <= kMaxLipAsked ? "" : "must be 0.01 to 256 px";
 }
 
 nlohmann::ordered_json json_of(const ProveBody& body) {
@@ -163,7 +163,7 @@ void add_prove_command(CLI::App& program, CommandContext& context) {
   command->add_option("--body", options->bodies, "A body to try, in the place of those of the level; up to 8")
       ->type_name("KIND:WxH[:FOOT]")
       ->check(check_body)
-      ->expected(1, static_cast<int>(kMostBodies));
+      ->expected(1, static_cast<int>(kMaxBodies));
   command
       ->add_option("--lip", options->lip, "Higher edges are meant as walls, px; default: a quarter of a tile")
       ->check(check_lip, "0.01 to 256");

@@ -133,9 +133,9 @@ void put_first_scene(Level& level) {
 
 // Large tiles are fewer, so that their picture is at most 16 MB.
 SheetLayout layout_of_pictures(TileSize tile) {
-  constexpr int kMostPixels = 4'194'304;
+  constexpr int kMaxPixels = 4'194'304;
   const int rows =
-      std::clamp(kMostPixels / (kCartColumns * tile.width * tile.height), 1, kCartTiles / kCartColumns);
+      std::clamp(kMaxPixels / (kCartColumns * tile.width * tile.height), 1, kCartTiles / kCartColumns);
   return {kCartColumns, rows * kCartColumns};
 }
 

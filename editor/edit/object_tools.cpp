@@ -79,8 +79,8 @@ std::optional<std::string> problem_of_object(const MapObject& object) {
     return "is too far from the map";
   if (!is_near(object.size)) return "is too large";
   if (object.size.x < 0 || object.size.y < 0) return "has a negative size";
-  constexpr double kMostTurn = 1e9;  // degrees
-  if (!(std::abs(object.rotation) <= kMostTurn)) return "is turned by too much";
+  constexpr double kMaxTurn = 1e9;  // degrees
+  if (!(std::abs(object.rotation) <= kMaxTurn)) return "is turned by too much";
   return std::nullopt;
 }
 

@@ -18,12 +18,12 @@ using ColorCounts = std::unordered_map<PixelColor, std::size_t>;
 
 // Counts the pixels of a rectangle of tiles; of a large one only each n-th.
 void count_colors(const Level& level, const SpriteArea& area, std::size_t weight, ColorCounts& counts) {
-  constexpr std::int64_t kMostLookedAt = 1 << 17;
+  constexpr std::int64_t kMaxLookedAt = 1 << 17;
   const SheetPicture& picture = *level.sheet(area.sheet).picture;
   const int left = area.tiles.x * area.tile.width, top = area.tiles.y * area.tile.height;
   const std::int64_t all = std::int64_t{area.width()} * area.height();
   // Odd, so that it falls on all columns of pictures whose width is a power of two.
-  const std::int64_t step = all / kMostLookedAt | 1;
+  const std::int64_t step = all / kMaxLookedAt | 1;
   for (std::int64_t i = 0; i < all; i += step) {
     const int x = left + static_cast<int>(i % area.width()), y = top + static_cast<int>(i / area.width());
     if (x >= picture.width || y >= picture.height) continue;
@@ -79,12 +79,12 @@ std::vector<Rgba> by_use(const ColorCounts& counts) {
   return colors;
 }
 
-// The first ones, of which no two are nearer than `least`; at most one more than kMostPictureColors.
+// The first ones, of which no two are nearer than `least`; at most one more than kMaxPictureColors.
 std::vector<Rgba> distinct(const std::vector<Rgba>& colors, int least) {
   std::vector<Rgba> chosen;
   for (const Rgba color : colors) {
     const auto is_near = [&](Rgba other) { return color_distance(color, other) < least; };
-    if (chosen.size() > kMostPictureColors) break;
+    if (chosen.size() > kMaxPictureColors) break;
     if (std::none_of(chosen.begin(), chosen.end(), is_near)) chosen.push_back(color);
   }
   return chosen;
@@ -119,7 +119,7 @@ std::vector<Rgba> picture_palette(const Level& level, const SpriteArea& area) {
   std::vector<Rgba> chosen;
   for (const int least : {96, 64, 48, 40, 32, 24, 16, 12, 8, 4, 2, 1}) {  // as many as there is room for
     std::vector<Rgba> more = distinct(colors, least);
-    if (more.size() > kMostPictureColors) break;
+    if (more.size() > kMaxPictureColors) break;
     chosen = std::move(more);
   }
   std::sort(chosen.begin(), chosen.end(), [](Rgba a, Rgba b) { return order_of(a) < order_of(b); });

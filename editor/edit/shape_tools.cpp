@@ -80,8 +80,8 @@ std::vector<TileNumber> floors_of_sheet(const Level& level) {
   return floors;
 }
 
-constexpr int kMostRowsDown = 64;
-constexpr int kMostEdge = 3;  // rows of pixels of the top of the ground that its slopes have as an edge
+constexpr int kMaxRowsDown = 64;
+constexpr int kMaxEdge = 3;  // rows of pixels of the top of the ground that its slopes have as an edge
 
 // Full tiles of the ground on which an end of a slope stands.
 struct GroundTiles {
@@ -102,7 +102,7 @@ std::optional<GroundTiles> ground_tiles_at(const Level& level, Vec2 a, Vec2 b) {
     // It may be at the border of two columns: that under the slope comes first.
     const bool is_right_end = end.x == std::max(a.x, b.x) && level.map.x_of(at.x) == end.x;
     const int under = is_right_end ? at.x - 1 : at.x, beside = is_right_end ? at.x : at.x - 1;
-    for (int y = at.y; y < at.y + kMostRowsDown; ++y) {
+    for (int y = at.y; y < at.y + kMaxRowsDown; ++y) {
       for (const int x : {under, beside}) {
         if (const auto top = full_at({x, y})) return GroundTiles{*top, full_at({x, y + 1}).value_or(*top)};
       }
@@ -127,7 +127,7 @@ void take_look_of_ground(const Level& level, const std::optional<GroundTiles>& n
   TileNumber top = level.auto_tiles.of(GroundPart::top);
   if (top == 0 && near) top = near->top;
   std::vector<std::uint8_t> edge;
-  for (int row = 0; top != 0 && row < kMostEdge; ++row) {
+  for (int row = 0; top != 0 && row < kMaxEdge; ++row) {
     const auto pixels =
         std::span(images[top]).subspan(static_cast<std::size_t>(row * kCartTileSize), kCartTileSize);
     const std::uint8_t color = main_color(pixels);

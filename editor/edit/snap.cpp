@@ -102,9 +102,9 @@ class FullCells {
     return is_top({column_ - 1, row}, {column_ - 1, row - 1}) || is_top({column_, row}, {column_, row - 1});
   }
   // The upper side of the ground that a row is inside of; the row itself if it is not, or if that is more
-  // than kMostCut rows up.
+  // than kMaxCut rows up.
   int top_above(int row) const {
-    for (int top = row; top > 0 && row - top <= kMostCut; --top)
+    for (int top = row; top > 0 && row - top <= kMaxCut; --top)
       if (is_open({column_ - 1, top - 1}) || is_open({column_, top - 1})) return top;
     return row;
   }

@@ -11,7 +11,7 @@
 namespace talus {
 namespace {
 
-constexpr int kMostPlaces = 4096;  // that are tried for a new player
+constexpr int kMaxPlaces = 4096;  // that are tried for a new player
 
 }  // namespace
 
@@ -32,11 +32,11 @@ Spawn player_near(const Level& level, const Terrain* ground, Vec2 place) {
   for (int i = 0; i < 2 * level.map.width(); ++i) {
     const int column = from.x + (i % 2 == 0 ? i / 2 : -(i + 1) / 2);
     // From inside of the ground it goes up to the first free place.
-    for (int row = from.y; level.map.contains({column, row}) && ++places <= kMostPlaces; --row) {
+    for (int row = from.y; level.map.contains({column, row}) && ++places <= kMaxPlaces; --row) {
       const Vec2 corner = level.map.corner_of({column, row});
       const Rect box{corner.x, corner.y, spawn.size.x, spawn.size.y};
       if (overlaps_ground(*ground, box, spawn.used_foot())) continue;
-      CastBudget budget{kMostQueryWork};
+      CastBudget budget{kMaxQueryWork};
       const auto floor =
           floor_below(*ground, box, level.map.px_height() - box.bottom(), spawn.used_foot(), &budget);
       if (!floor) break;

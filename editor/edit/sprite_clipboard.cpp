@@ -12,7 +12,7 @@
 namespace talus {
 namespace {
 
-constexpr int kMostSide = 2048;                                 // tiles or px, of what is copied
+constexpr int kMaxSide = 2048;                                  // tiles or px, of what is copied
 constexpr int kDigitsOfPixels = kCartTileSize * kCartTileSize;  // of a tile
 constexpr int kBitsOfADigit = 4;
 constexpr std::size_t kDigitsOfAColor = 6, kDigitsOfRgba = 8;
@@ -61,14 +61,14 @@ struct Size {
 };
 std::string to_string(Size size) { return std::to_string(size.w) + "x" + std::to_string(size.h); }
 
-// Takes the line "<word> 3x2" from the beginning of the text. Sides may be up to kMostSide.
+// Takes the line "<word> 3x2" from the beginning of the text. Sides may be up to kMaxSide.
 std::optional<Size> take_size(std::string_view& text, std::string_view word) {
   if (!text.starts_with(word)) return std::nullopt;
   std::string_view rest = trimmed(text.substr(word.size()));
   const auto take_number = [&](int& number) {
     const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
     rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
-    return error == std::errc() && number >= 1 && number <= kMostSide;
+    return error == std::errc() && number >= 1 && number <= kMaxSide;
   };
   Size size{};
   if (!take_number(size.w) || !rest.starts_with('x')) return std::nullopt;
@@ -144,7 +144,7 @@ std::optional<CopiedTiles> tiles_from_text(std::string_view text) {
   if (!digits || digits->empty() || digits->size() % static_cast<std::size_t>(of_tile) != 0)
     return std::nullopt;
   const int count = static_cast<int>(digits->size()) / of_tile;
-  for (int side = 1; !size && side <= kMostSide; ++side)
+  for (int side = 1; !size && side <= kMaxSide; ++side)
     if (side * side == count) size = Size{side, side};
   if (!size || size->w * size->h != count) return std::nullopt;
   const auto flags = digits->begin() + static_cast<std::ptrdiff_t>(count) * kDigitsOfPixels;

@@ -14,8 +14,8 @@ constexpr const Overlay* kId = &overlay::answer;
 constexpr int kCurveLines = 24;  // drawn for each curve of the floor
 constexpr double kPathStep =
     8;  // px between the points of a path along the floor, unless more of it is visible
-constexpr double kMostOfPath = 1024;  // points of one path
-constexpr int kMostOfPaths = 2048;    // of all
+constexpr double kMaxOfPath = 1024;  // points of one path
+constexpr int kMaxOfPaths = 2048;    // of all
 
 class AnswerDrawer {
  public:
@@ -93,7 +93,7 @@ class AnswerDrawer {
   void draw_way(const Rect& start, double x) {
     const Rect& seen = pen_.visible();
     const double sign = x < start.x ? -1 : 1, length = std::abs(x - start.x);
-    const double step = std::max(kPathStep, std::ceil(seen.w / kMostOfPath));
+    const double step = std::max(kPathStep, std::ceil(seen.w / kMaxOfPath));
     // The points from just before the visible part to just behind it.
     const double near = sign > 0 ? seen.x - start.center().x : start.center().x - seen.right();
     const double first = std::max(1.0, std::floor(near / step));
@@ -105,7 +105,7 @@ class AnswerDrawer {
       return Vec2{left + start.w / 2, *top - start.h / 2};
     };
     std::optional<Vec2> from = first > 1 ? point(first - 1) : start.center();
-    for (double i = first; i <= last && points_ < kMostOfPaths; ++i, ++points_) {
+    for (double i = first; i <= last && points_ < kMaxOfPaths; ++i, ++points_) {
       const auto to = point(i);
       if (from && to) pen_.line(*from, *to, step * (i + 1) > length);
       if (to) from = to;

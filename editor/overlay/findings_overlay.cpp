@@ -9,10 +9,10 @@
 namespace talus {
 namespace {
 
-constexpr double kLeastHeat = 1.5, kMostHeat = 3;  // of the tint
+constexpr double kLeastHeat = 1.5, kMaxHeat = 3;  // of the tint
 
 // More trials with a finding make a cell hotter, by their logarithm.
-double heat_of(int count) { return std::min(kLeastHeat + 0.25 * std::log2(count), kMostHeat); }
+double heat_of(int count) { return std::min(kLeastHeat + 0.25 * std::log2(count), kMaxHeat); }
 
 void draw_findings(const OverlaySource& source, OverlayPen& pen) {
   if (source.proof == nullptr) return;
@@ -47,7 +47,7 @@ const Overlay findings{
     .draw = draw_findings,
     .draw_swatch =
         [](OverlayPen& pen) {
-          pen.box({0, 0, 8, 8}, true, kMostHeat);
+          pen.box({0, 0, 8, 8}, true, kMaxHeat);
         },
 };
 

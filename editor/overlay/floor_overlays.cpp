@@ -18,7 +18,7 @@ constexpr double kFloorMargin = 4;  // px by which the floor line sticks out on 
 constexpr double kFloorReach =
     64;  // px below a body within which a floor is shown; the chosen body shows it at any distance
 constexpr double kFloorStep = 1;  // px between two drawn heights of a floor
-constexpr int kMostFloorParts = 64;
+constexpr int kMaxFloorParts = 64;
 constexpr double kFloorTick = 1.5;           // px
 constexpr double kTouchingBody = 1.0 / 64;   // px; what a body stands on may be in it by so much
 constexpr std::int64_t kBodiesPerWork = 16;  // looked at for a unit of work
@@ -32,7 +32,7 @@ std::pair<Vec2, Vec2> slope_surface(const Obstacle& slope) {
 
 void draw_floor_profile(const Terrain& ground, const Rect& box, double reach, BodyWork& work,
                         OverlayPen& pen) {
-  const int parts = std::clamp(static_cast<int>(std::ceil(box.w / kFloorStep)), 1, kMostFloorParts);
+  const int parts = std::clamp(static_cast<int>(std::ceil(box.w / kFloorStep)), 1, kMaxFloorParts);
   std::optional<Vec2> before;
   for (int i = 0; i <= parts; ++i) {
     const double x = box.x + box.w * i / parts;

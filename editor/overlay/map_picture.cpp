@@ -36,8 +36,8 @@ Rgb mixed(Rgb color, Rgb tint) {
 // adds 16 million cells.
 constexpr int kChannelBits = 21;
 constexpr std::uint64_t kChannelMask = (1 << kChannelBits) - 1;
-constexpr int kMostAtOnce = 1 << (kChannelBits - 8);  // the number of colours whose sum fits
-using PackedColors = std::vector<std::uint64_t>;      // by tile
+constexpr int kMaxAtOnce = 1 << (kChannelBits - 8);  // the number of colours whose sum fits
+using PackedColors = std::vector<std::uint64_t>;     // by tile
 
 PackedColors packed(const TileColors& colors) {
   PackedColors all(colors.size());
@@ -55,7 +55,7 @@ struct Sum {
   void add(const TileNumber* tiles, int cells, const PackedColors& colors) {
     count += static_cast<std::uint64_t>(cells);
     while (cells > 0) {
-      const int now = std::min(cells, kMostAtOnce);
+      const int now = std::min(cells, kMaxAtOnce);
       std::uint64_t sum = 0;
       for (int i = 0; i < now; ++i) sum += colors[tiles[i]];
       r += sum & kChannelMask;

@@ -14,7 +14,7 @@ namespace {
 constexpr double kOutwardLength = 3;  // px
 constexpr double kPassLength = 5;     // px on either side of a one-way side, of its arrow
 constexpr double kNormalGap = 16;     // the largest distance between two normals of a piece, px
-constexpr double kMostLines = 1024;   // for a curve that crosses the whole view
+constexpr double kMaxLines = 1024;    // for a curve that crosses the whole view
 
 Vec2 normal_of(Facing facing) {
   switch (facing) {
@@ -39,7 +39,7 @@ class VisiblePiece {
         stretches_(stretches),
         from_(std::max(piece.x0, visible.x)),
         to_(std::min(piece.x1, visible.right())),
-        step_(std::max(1.0, visible.w / kMostLines)) {}
+        step_(std::max(1.0, visible.w / kMaxLines)) {}
 
   // Calls fn(from, to) for each of its lines.
   template <class Fn>
@@ -110,7 +110,7 @@ class NewPieces {
   explicit NewPieces(OverlayDrawing& drawing) : drawing_(drawing) {}
 
   bool has(const Piece<double>& piece) {
-    if (drawing_.lines.size() >= kMostDrawnLines || ++looked_at_ > kMostDrawnLines) {
+    if (drawing_.lines.size() >= kMaxDrawnLines || ++looked_at_ > kMaxDrawnLines) {
       drawing_.is_cut = true;
       return false;
     }

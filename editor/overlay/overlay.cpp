@@ -82,7 +82,7 @@ class ManyBodies {
   ManyBodies(const OverlaySource& whole, OverlaySet overlays, Rect visible) : whole_(whole) {
     for (const Body& body : whole.state.bodies) {
       if (body.id != whole.chosen_body && !is_seen(body, visible)) continue;
-      if (body.id == whole.chosen_body || state_.bodies.size() < kMostDrawnBodies)
+      if (body.id == whole.chosen_body || state_.bodies.size() < kMaxDrawnBodies)
         state_.bodies.push_back(body);
       else
         is_cut_ = true;
@@ -139,7 +139,7 @@ class ManyBodies {
 }  // namespace
 
 OverlayDrawing make_overlays(const OverlaySource& source, OverlaySet overlays, Rect visible) {
-  if (source.state.bodies.size() <= kMostDrawnBodies) return Drawer(source, overlays, visible).draw();
+  if (source.state.bodies.size() <= kMaxDrawnBodies) return Drawer(source, overlays, visible).draw();
   const ManyBodies many(source, overlays, visible);
   const OverlaySource part = many.source();
   OverlayDrawing drawing = Drawer(part, overlays, visible).draw();

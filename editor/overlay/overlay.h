@@ -20,10 +20,10 @@ namespace talus {
 struct Proof;
 
 inline constexpr double kPixelsPerVelocity = 4;  // length in px of a velocity's arrow for each px/frame
-inline constexpr std::size_t kMostDrawnLines = 262'144;  // of the ground; as many as tiles may have
-inline constexpr std::size_t kMostDrawnBodies = 2000;    // of a picture
+inline constexpr std::size_t kMaxDrawnLines = 262'144;  // of the ground; as many as tiles may have
+inline constexpr std::size_t kMaxDrawnBodies = 2000;    // of a picture
 // The work of all queries of the ground for a picture, as CastBudget counts it: about 10 ms.
-inline constexpr std::int64_t kMostOverlayWork = 1 << 19;
+inline constexpr std::int64_t kMaxOverlayWork = 1 << 19;
 
 struct OverlayLine {
   const Overlay* overlay;
@@ -63,8 +63,8 @@ struct OverlayDrawing {
   std::vector<OverlayBar> bars;
   std::vector<OverlayLabel> labels;
   OverlayPalette palette = OverlayPalette::standard;
-  std::int64_t work_left = kMostOverlayWork;  // for queries of the ground
-  bool is_cut = false;                        // something in view is left out, as there is too much
+  std::int64_t work_left = kMaxOverlayWork;  // for queries of the ground
+  bool is_cut = false;                       // something in view is left out, as there is too much
 };
 
 // The body's centre in each frame, px.
@@ -92,7 +92,7 @@ struct OverlaySource {
 };
 
 // Returns the drawing. visible: level px; things that lie wholly outside are left out. Of more than
-// kMostDrawnBodies bodies, the chosen one and the first ones in view are drawn.
+// kMaxDrawnBodies bodies, the chosen one and the first ones in view are drawn.
 OverlayDrawing make_overlays(const OverlaySource& source, OverlaySet overlays, Rect visible);
 
 }  // namespace talus

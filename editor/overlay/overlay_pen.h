@@ -51,8 +51,7 @@ class BodyWork {
  public:
   BodyWork(OverlayDrawing& drawing, bool is_chosen)
       : drawing_(drawing),
-        given_(is_chosen ? 8 * kMostQueryWork
-                         : std::clamp<std::int64_t>(drawing.work_left, 0, kMostQueryWork)),
+        given_(is_chosen ? 8 * kMaxQueryWork : std::clamp<std::int64_t>(drawing.work_left, 0, kMaxQueryWork)),
         budget_{given_} {}
   ~BodyWork() {
     drawing_.work_left -= given_ - budget_.left;

@@ -40,7 +40,7 @@ bool OverlaySet::any(bool Overlay::*member) const {
 std::size_t OverlaySet::place_of(const Overlay& overlay) {
   const auto all = all_overlays();
   const auto found = std::find(all.begin(), all.end(), &overlay);
-  assert(found != all.end() && all.size() <= kMost);
+  assert(found != all.end() && all.size() <= kMax);
   return static_cast<std::size_t>(found - all.begin());
 }
 

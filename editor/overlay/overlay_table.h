@@ -100,7 +100,7 @@ std::span<const OverlayPreset> overlay_presets();
 
 class OverlaySet {
  public:
-  static constexpr std::size_t kMost = 64;
+  static constexpr std::size_t kMax = 64;
   static OverlaySet all() { return OverlaySet(~0ull); }
   OverlaySet() = default;
   // The overlay must be one of all_overlays() (asserted).
@@ -114,7 +114,7 @@ class OverlaySet {
  private:
   explicit OverlaySet(unsigned long long bits) : bits_(bits) {}
   static std::size_t place_of(const Overlay& overlay);
-  std::bitset<kMost> bits_;
+  std::bitset<kMax> bits_;
 };
 
 }  // namespace talus

@@ -9,7 +9,7 @@
 namespace talus {
 namespace {
 
-constexpr double kMostCells =
+constexpr double kMaxCells =
     65'536;  // cells that are tested at most; beyond that, one cell stands for its neighbours
 
 int cell_within(double px, int side, int count) {
@@ -26,7 +26,7 @@ void add_reach(const ReachSearch& reach, bool stale, const TileMap& map, Rect vi
   const int y0 = cell_within(visible.y, height, map.height());
   const int y1 = cell_within(visible.bottom() + height, height, map.height());
   const double count = 1.0 * (x1 - x0) * (y1 - y0);
-  const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(count / kMostCells))));
+  const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(count / kMaxCells))));
   // Joins equal cells of a row.
   const auto runs = [&](int y, auto is_in, auto put) {
     int start = x0;

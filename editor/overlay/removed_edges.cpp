@@ -67,7 +67,7 @@ class Collector {
   void gather(Cell c) {
     if (ground_.is_detailed(c)) {
       for (const Piece<double>& piece : ground_.pieces_in(c)) {
-        if (outline_.size() == kMostDrawnLines) {  // a cell may have thousands of curves
+        if (outline_.size() == kMaxDrawnLines) {  // a cell may have thousands of curves
           out_.is_cut = true;
           break;
         }

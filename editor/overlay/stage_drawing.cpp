@@ -11,8 +11,8 @@
 namespace talus {
 namespace {
 
-constexpr double kStageNormalLength = 10;     // px
-constexpr std::size_t kMostVisited = 10'000;  // boxes; a step may pass thousands of bodies
+constexpr double kStageNormalLength = 10;    // px
+constexpr std::size_t kMaxVisited = 10'000;  // boxes; a step may pass thousands of bodies
 
 class StageDrawer {
  public:
@@ -93,7 +93,7 @@ void add_visited(std::span<const Stage> stages, TileSize tile, Rect visible, Ove
   std::set<std::tuple<double, double, double, double>> seen;
   const auto add = [&](const Rect& box) {
     if (!meet(box, visible)) return;
-    if (seen.size() == kMostVisited) {
+    if (seen.size() == kMaxVisited) {
       drawing.is_cut = true;
       return;
     }

@@ -22,7 +22,7 @@ std::string Requests::waiting_for_keys() const {
 
 void Requests::end_frame() {
   std::erase_if(waiting_, [](Waiting& each) {
-    return is_for_keys(each.request) && each.frames++ >= kMostFramesForKeys;
+    return is_for_keys(each.request) && each.frames++ >= kMaxFramesForKeys;
   });
 }
 

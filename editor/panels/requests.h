@@ -3,7 +3,7 @@
 // At most one request of each kind waits: a newer request replaces the older one, and scrolls and zooms add
 // up. The panel that carries out a request takes it, so that it happens once; the comment of each kind names
 // that panel. A request waits until it is taken, for example until its panel is shown. Only a request for the
-// keys is dropped after kMostFramesForKeys frames, because keys that are pressed meanwhile are held back for
+// keys is dropped after kMaxFramesForKeys frames, because keys that are pressed meanwhile are held back for
 // it.
 #pragma once
 
@@ -97,7 +97,7 @@ class Requests {
  public:
   // Frames until a field that should get the keys is drawn and has them, as its panel may have to be shown
   // first.
-  static constexpr int kMostFramesForKeys = 5;
+  static constexpr int kMaxFramesForKeys = 5;
 
   // R is one of the kinds of Request, here and below.
   template <class R>

@@ -45,8 +45,8 @@ constexpr int kDialogOpeningFrames = 2;
 // it.
 double note_time(const std::string& note) {
   constexpr double kShort = 100, kReadingTime = 0.2;  // letters; s for each further letter
-  constexpr double kMost = 60;  // s: a longer message is scrolled, and dismissed by hand or by this time
-  return std::min(kMost, kNoteTime + std::max(0.0, static_cast<double>(note.size()) - kShort) * kReadingTime);
+  constexpr double kMax = 60;  // s: a longer message is scrolled, and dismissed by hand or by this time
+  return std::min(kMax, kNoteTime + std::max(0.0, static_cast<double>(note.size()) - kShort) * kReadingTime);
 }
 
 double machine_time() {
@@ -388,7 +388,7 @@ void App::hold_keys_until_field_focused() {
   Requests& requests = ui_.view.requests;
   const std::string wanted = requests.waiting_for_keys();
   if (wanted != std::exchange(wanted_field_, wanted) && !wanted.empty())
-    frames_to_hold_ = Requests::kMostFramesForKeys;
+    frames_to_hold_ = Requests::kMaxFramesForKeys;
   requests.end_frame();
 }
 
@@ -603,7 +603,7 @@ void App::apply(const Actions& actions) {
 
 void App::note_changes() {
   const std::string title =
-      shown_line(session_->file_names(), kMostLabel) + (session_->modified() ? " * - Talus" : " - Talus");
+      shown_line(session_->file_names(), kMaxLabel) + (session_->modified() ? " * - Talus" : " - Talus");
   if (title != title_) window_->set_title(title_ = title);
   // Only another level has a new revision and no history.
   if (session_->revision() != std::exchange(noted_revision_, session_->revision()) &&

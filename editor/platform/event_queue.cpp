@@ -7,8 +7,8 @@
 namespace talus {
 namespace {
 
-constexpr float kStraight = 1;            // px: a place so near to a line counts as on it
-constexpr std::size_t kMostWaiting = 64;  // events; with more of them a drag cuts corners to keep up
+constexpr float kStraight = 1;           // px: a place so near to a line counts as on it
+constexpr std::size_t kMaxWaiting = 64;  // events; with more of them a drag cuts corners to keep up
 
 // Dear ImGui's number of a button; -1 for others.
 int button_index(Uint8 button) {
@@ -103,7 +103,7 @@ bool EventQueue::drags() const {
 
 // Whether the straight line to the mouse's new place misses a place that it has passed in this frame.
 bool EventQueue::turns(const SDL_Event& event) const {
-  if (event.type != SDL_MOUSEMOTION || waiting_.size() > kMostWaiting) return false;
+  if (event.type != SDL_MOUSEMOTION || waiting_.size() > kMaxWaiting) return false;
   const MousePlace to{static_cast<float>(event.motion.x), static_cast<float>(event.motion.y)};
   return std::any_of(passed_.begin(), passed_.end(),
                      [&](MousePlace place) { return distance_to_line(place, before_, to) > kStraight; });

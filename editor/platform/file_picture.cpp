@@ -17,12 +17,12 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uintmax_t kMostFileBytes = 1 << 20;
-constexpr int kMostSide = 1024;                             // px, of a picture
-constexpr auto kMostTime = std::chrono::milliseconds(300);  // for a level, so that the dialog does not hang
+constexpr std::uintmax_t kMaxPreviewFileBytes = 1 << 20;
+constexpr int kMaxSide = 1024;                             // px, of a picture
+constexpr auto kMaxTime = std::chrono::milliseconds(300);  // for a level, so that the dialog does not hang
 
 std::shared_ptr<const SheetPicture> picture_of_level(const std::string& path) {
-  const auto end = Clock::now() + kMostTime;
+  const auto end = Clock::now() + kMaxTime;
   const Progress progress([end](double) { return Clock::now() < end; });
   const auto loaded = load_level(path, {}, progress.part(0, 0.5));
   if (!loaded) return nullptr;
@@ -36,11 +36,11 @@ std::shared_ptr<const SheetPicture> picture_of_level(const std::string& path) {
 
 std::shared_ptr<const SheetPicture> picture_in_file(const std::string& path) {
   std::error_code error;
-  if (!fs::is_regular_file(path, error) || fs::file_size(path, error) > kMostFileBytes || error)
+  if (!fs::is_regular_file(path, error) || fs::file_size(path, error) > kMaxPreviewFileBytes || error)
     return nullptr;
   const auto bytes = read_file(path);
   if (!bytes) return nullptr;
-  if (const auto picture = read_picture(*bytes, kMostSide)) return shared_picture(*picture);
+  if (const auto picture = read_picture(*bytes, kMaxSide)) return shared_picture(*picture);
   return picture_of_level(path);
 }
 

@@ -85,7 +85,7 @@ void MapTextureCache::draw(Texture& texture, const Key& key, const LayerLook& lo
 
 // Textures of this frame stay, since they are still to be drawn.
 void MapTextureCache::forget_oldest() {
-  while (textures_.size() > kMost) {
+  while (textures_.size() > kMax) {
     const auto oldest =
         std::min_element(textures_.begin(), textures_.end(),
                          [](const auto& a, const auto& b) { return a.second.used < b.second.used; });

@@ -27,8 +27,8 @@ class MapTextureCache : public MapTextures {
                             const OtherLevel* other) override;
 
  private:
-  static constexpr int kSide = 256;          // texels of a texture
-  static constexpr std::size_t kMost = 128;  // textures kept, each 256 KB in memory and on the graphics card
+  static constexpr int kSide = 256;         // texels of a texture
+  static constexpr std::size_t kMax = 128;  // textures kept, each 256 KB in memory and on the graphics card
   // A texture of many cells, which takes some ms, is drawn again at most once in so many frames.
   static constexpr std::uint64_t kFramesBetween = 20;
 

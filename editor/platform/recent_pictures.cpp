@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostBytes = 512 << 10;  // of a file
+constexpr std::size_t kMaxBytes = 512 << 10;  // of a file
 
 }  // namespace
 
@@ -42,7 +42,7 @@ void RecentPictures::keep(const SheetPicture& picture, const std::string& file,
 }
 
 std::shared_ptr<const SheetPicture> RecentPictures::find(const std::string& file) const {
-  const auto bytes = read_file(place_of(file), kMostBytes);
+  const auto bytes = read_file(place_of(file), kMaxBytes);
   if (!bytes) return nullptr;
   const auto picture = read_guarded([&] { return read_rgba(*bytes, kWidth); });
   if (!picture || picture->height > kHeight) return nullptr;

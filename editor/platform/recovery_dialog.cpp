@@ -11,7 +11,7 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostInView = 4;  // works before the list scrolls
+constexpr std::size_t kMaxInView = 4;  // works before the list scrolls
 
 std::string local_time(std::int64_t seconds) {
   const auto time = static_cast<std::time_t>(seconds);
@@ -64,7 +64,7 @@ std::optional<RecoveryDialog::Answer> RecoveryDialog::draw(std::span<const Saved
         "Talus ended without saving these. Recovered changes can be undone, and are saved when you save.");
   if (unsaved) ui.hint("Save the open level and its recording first: a recovered one takes their place.");
   const float row = 4 * ImGui::GetTextLineHeightWithSpacing() + ui.px(theme::kButton);
-  const std::size_t in_view = std::min(works.size(), kMostInView);
+  const std::size_t in_view = std::min(works.size(), kMaxInView);
   if (works.size() > in_view)
     ImGui::BeginChild("works", {0, static_cast<float>(in_view) * row}, false, ImGuiWindowFlags_NavFlattened);
   for (std::size_t i = 0; i < works.size(); ++i) {

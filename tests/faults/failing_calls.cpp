@@ -18,12 +18,12 @@
 namespace talus {
 namespace failing_calls {
 
-constexpr int kMostDescriptors = 4096;
+constexpr int kMaxDescriptors = 4096;
 
 struct State {
   std::mutex mutex;
   std::string folder;
-  std::array<std::string, kMostDescriptors> names;  // names of open files in the folder; empty: another file
+  std::array<std::string, kMaxDescriptors> names;  // names of open files in the folder; empty: another file
   std::vector<std::string> log;
   int fails_at = -1;
   int error = 0;
@@ -61,14 +61,14 @@ bool fails_at_path(const char* call, const char* path) {
 }
 
 bool fails_at_file(const char* call, int descriptor) {
-  if (!watching || descriptor < 0 || descriptor >= kMostDescriptors) return false;
+  if (!watching || descriptor < 0 || descriptor >= kMaxDescriptors) return false;
   const std::lock_guard lock(state().mutex);
   const std::string& name = state().names[static_cast<std::size_t>(descriptor)];
   return !name.empty() && fails(call + std::string(" ") + name);
 }
 
 bool is_watched_file(int descriptor) {
-  if (!watching || descriptor < 0 || descriptor >= kMostDescriptors) return false;
+  if (!watching || descriptor < 0 || descriptor >= kMaxDescriptors) return false;
   const std::lock_guard lock(state().mutex);
   return !state().names[static_cast<std::size_t>(descriptor)].empty();
 }
@@ -76,7 +76,7 @@ bool is_watched_file(int descriptor) {
 int opened(const char* path, int flags, mode_t mode) {
   if (fails_at_path("open", path)) return -1;
   const auto descriptor = static_cast<int>(::syscall(SYS_openat, AT_FDCWD, path, flags, mode));
-  if (descriptor >= 0 && descriptor < kMostDescriptors && is_watched(path)) {
+  if (descriptor >= 0 && descriptor < kMaxDescriptors && is_watched(path)) {
     const std::lock_guard lock(state().mutex);
     state().names[static_cast<std::size_t>(descriptor)] = name_of(path);
   }

@@ -25,10 +25,10 @@ struct Checked {
 };
 
 inline Checked checked_error(const FormatError& error) {
-  constexpr std::size_t kMostShown = 5000;
+  constexpr std::size_t kMaxShown = 5000;
   const std::string line = to_string(error, "file");
   if (error.message.empty()) return {.problem = "there is no message"};
-  if (line.size() > kMostShown) return {.problem = "the error is too long"};
+  if (line.size() > kMaxShown) return {.problem = "the error is too long"};
   if (line != printable_line(line)) return {.problem = "the error is not printable: " + line};
   return {};
 }

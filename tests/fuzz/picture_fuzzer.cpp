@@ -3,9 +3,9 @@
 #include "round_trip.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
-  constexpr int kMostSide = 256;  // px
+  constexpr int kMaxSide = 256;  // px
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  const auto picture = talus::read_picture(bytes, kMostSide);
+  const auto picture = talus::read_picture(bytes, kMaxSide);
   if (!picture) {
     talus::require_clear(picture.error());
     return 0;

@@ -3,16 +3,16 @@
 #include "round_trip.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
-  constexpr std::size_t kMost = std::size_t{1} << 16;  // bytes
+  constexpr std::size_t kMax = std::size_t{1} << 16;  // bytes
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  for (const auto& content : {talus::unpack_zlib(bytes, kMost), talus::unpack_zstd(bytes, kMost)}) {
+  for (const auto& content : {talus::unpack_zlib(bytes, kMax), talus::unpack_zstd(bytes, kMax)}) {
     if (!content) {
       talus::require(content.error().is_too_large || !content.error().reason.empty());
       continue;
     }
-    talus::require(content->size() <= kMost);
-    talus::require(talus::unpack_zlib(talus::pack_zlib(*content), kMost).value_or("") == *content);
-    talus::require(talus::unpack_zstd(talus::pack_zstd(*content), kMost).value_or("") == *content);
+    talus::require(content->size() <= kMax);
+    talus::require(talus::unpack_zlib(talus::pack_zlib(*content), kMax).value_or("") == *content);
+    talus::require(talus::unpack_zstd(talus::pack_zstd(*content), kMax).value_or("") == *content);
   }
   return 0;
 }

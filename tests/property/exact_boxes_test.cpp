@@ -26,7 +26,7 @@ constexpr int kFrames = 300;
 constexpr int kTile = 8;  // px
 // px and px/frame. The core may err by what a rounding at the start would grow to. Where the bounce is less
 // than 1, bodies that touch reflect one another ever more weakly; the core ends that at 1e-11 px/frame.
-constexpr double kLeast = 1e-9, kMost = 1e-4, kRounding = 1e-12, kReflection = 1e-11;
+constexpr double kLeast = 1e-9, kMax = 1e-4, kRounding = 1e-12, kReflection = 1e-11;
 
 // ---- Worlds ----
 
@@ -204,7 +204,7 @@ std::size_t compare(const World& world, Dice& dice, Tally& tally) {
     if (result != ExactBoxes::Result::done) return static_cast<std::size_t>(result);
     if (other.step() != ExactBoxes::Result::done) return kChaotic;
     const double allowed = std::max(kLeast, rounding * growth(exact, other));
-    if (allowed > kMost) return kChaotic;
+    if (allowed > kMax) return kChaotic;
     solver->step(state, {});
     const Errors error = errors(state, exact);
     const bool is_right = error.place <= allowed && (exact.ends_at_impact() || error.velocity <= allowed);

@@ -156,9 +156,9 @@ double stretch_of(const Move& m, Vec2 normal) {
 }
 // The effect of a rounding of x and y on the y of the contact.
 double steepness(const Contact<double>& hit) {
-  constexpr double kMost = 1e9;  // the vertical end of an arc bends away before the effect is larger
+  constexpr double kMax = 1e9;  // the vertical end of an arc bends away before the effect is larger
   const bool wall = hit.facing == Facing::left || hit.facing == Facing::right;
-  return wall || hit.on_end ? 1 : std::min(kMost, 1 + std::abs(hit.normal.x / hit.normal.y));
+  return wall || hit.on_end ? 1 : std::min(kMax, 1 + std::abs(hit.normal.x / hit.normal.y));
 }
 
 const char* wrong_time(const Contact<double>& hit, const Truth& truth) {

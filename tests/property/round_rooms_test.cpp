@@ -80,7 +80,7 @@ TEST(RoundRooms, GoAsTheReference) {
       run.step();
       const int now = right.step();
       impacts += now;
-      if (now == reference::Room::kMost || beside.step() == reference::Room::kMost) break;
+      if (now == reference::Room::kMax || beside.step() == reference::Room::kMax) break;
       for (std::size_t i = 0; i < bodies.size(); ++i) {
         const reference::RoomBody& wanted = right.bodies()[i];
         chaos = std::max(chaos, distance(wanted, beside.bodies()[i]));

@@ -19,12 +19,12 @@ const Exact kTouch = power_of_two(48);         // px
 const Exact kStill = power_of_two(64);         // px/frame, or frames
 const Exact kNear = Exact(1) / 100'000'000;    // px, that the core may take for a touch
 const Exact kSlow = Exact(1) / 1'000'000'000;  // px/frame, or frames, that the core may take for none
-constexpr std::size_t kMostContacts = 8;       // that push one another at one time
-constexpr std::size_t kMostBoxes = 16;         // that touch; the core solves more of them part by part
-constexpr std::size_t kMostImpacts = 40;       // in a frame
+constexpr std::size_t kMaxContacts = 8;        // that push one another at one time
+constexpr std::size_t kMaxBoxes = 16;          // that touch; the core solves more of them part by part
+constexpr std::size_t kMaxImpacts = 40;        // in a frame
 // The core lets nothing bounce after 32 turns, and 4 for each box, nor what approaches more slowly than
 // kFaint.
-constexpr int kMostTurns = 36, kMostFaintTurns = 400;
+constexpr int kMaxTurns = 36, kMaxFaintTurns = 400;
 const Exact kFaint = Exact(1) / 100'000'000'000;  // px/frame
 
 Exact rounded(const Exact& value) {
@@ -192,7 +192,7 @@ ExactBoxes::Result ExactBoxes::step() {
     ends_at_impact_ = ends_at_impact_ || (next && next->time >= left - kSlow);
     if (next && next->is_close) return Result::close_call;
     if (!next || next->time >= left - kStill) break;
-    if (impacts >= kMostImpacts) return Result::many_impacts;
+    if (impacts >= kMaxImpacts) return Result::many_impacts;
     const Exact time = rounded(next->time);
     fly(time);
     left -= time;
@@ -247,7 +247,7 @@ ExactBoxes::Result ExactBoxes::meet() {
   for (const std::size_t box : at_corners)
     if (is_hit[box] && boxes[box].inverse_mass != 0) return Result::close_call;
   touches[0].insert(touches[0].end(), touches[1].begin(), touches[1].end());
-  if (largest_pile(touches[0], is_hit) > kMostBoxes) return Result::large_set;
+  if (largest_pile(touches[0], is_hit) > kMaxBoxes) return Result::large_set;
   return is_close(is_hit) ? Result::close_call : Result::done;
 }
 
@@ -298,13 +298,13 @@ std::vector<ExactBoxes::Touch> ExactBoxes::take_set(std::vector<Touch>& left) co
 // reflected with the others, as boxes that meet so stay together unless they are drawn apart.
 ExactBoxes::Result ExactBoxes::reflect(const std::vector<Touch>& touches, std::vector<char>& is_hit) {
   std::vector<char> is_kept(touches.size(), 0);
-  for (int turn = 0; turn < kMostFaintTurns; ++turn) {
+  for (int turn = 0; turn < kMaxFaintTurns; ++turn) {
     std::vector<Touch> left;
     bool approaches = false;
     for (std::size_t i = 0; i < touches.size(); ++i) {
       const bool comes = speed(touches[i]) < -kStill;
       approaches = approaches || comes;
-      if (turn >= kMostTurns && speed(touches[i]) < -kFaint) return Result::endless;
+      if (turn >= kMaxTurns && speed(touches[i]) < -kFaint) return Result::endless;
       if (comes && bounce[touches[i].axis] == 0) is_kept[i] = 1;
       if (comes || is_kept[i]) left.push_back(touches[i]);
     }
@@ -312,7 +312,7 @@ ExactBoxes::Result ExactBoxes::reflect(const std::vector<Touch>& touches, std::v
     while (!left.empty()) {
       const std::vector<Touch> set = take_set(left);
       for (const Touch& touch : set) is_hit[touch.a] = is_hit[touch.b] = 1;
-      if (set.size() > kMostContacts || !push(set)) return Result::large_set;
+      if (set.size() > kMaxContacts || !push(set)) return Result::large_set;
     }
   }
   return Result::endless;

@@ -47,9 +47,9 @@ class FlightOverGround {
 
   // Lets a frame pass. Returns the number of bounces.
   int frame(BallFlight& ball) const {
-    constexpr int kMostBounces = 20;
+    constexpr int kMaxBounces = 20;
     Precise left = 1;
-    for (int bounces = 0; bounces < kMostBounces; ++bounces) {
+    for (int bounces = 0; bounces < kMaxBounces; ++bounces) {
       const Precise time = time_to_ground(ball, left);
       ball = after(ball, std::min(time, left));
       if (!(time <= left)) return bounces;
@@ -60,7 +60,7 @@ class FlightOverGround {
       ball.vx += 2 * into * nx;
       ball.vy += 2 * into * ny;
     }
-    return kMostBounces;
+    return kMaxBounces;
   }
 
  private:

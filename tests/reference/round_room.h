@@ -28,12 +28,12 @@ class Room {
 
   const std::vector<RoomBody>& bodies() const { return bodies_; }
 
-  // Lets one frame pass. Returns the number of impacts; after kMost of them it stops: bodies that lose speed
+  // Lets one frame pass. Returns the number of impacts; after kMax of them it stops: bodies that lose speed
   // may hit one another for ever in no time.
-  static constexpr int kMost = 500;
+  static constexpr int kMax = 500;
   int step() {
     int impacts = 0;
-    for (Number left = 1; left > 0 && impacts < kMost;) {
+    for (Number left = 1; left > 0 && impacts < kMax;) {
       const Impact next = first_impact(left);
       for (RoomBody& body : bodies_) {
         body.x += body.vx * next.time;

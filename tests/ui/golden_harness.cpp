@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 constexpr int kFarOff = 48;  // of 255: a larger difference in one channel is another colour
 constexpr int kBlock = 32;   // side of the compared blocks, px
-constexpr double kMostFarOff =
+constexpr double kMaxFarOff =
     0.12;  // share of a block's pixels: with more pixels of another colour it is another picture
 
 std::size_t pixel_index(const Picture& picture, int x, int y) {
@@ -118,7 +118,7 @@ std::string first_difference(const Picture& a, const Picture& b, Picture& shown)
           shown.rgba[pixel + 1] = shown.rgba[pixel + 2] = 0;
         }
       }
-      if (far_off > kMostFarOff * kBlock * kBlock && first.empty())
+      if (far_off > kMaxFarOff * kBlock * kBlock && first.empty())
         first = std::to_string(left) + "," + std::to_string(top);
     }
   }

@@ -211,7 +211,7 @@ TEST_P(UiLongText, AFieldRefusesMoreTextThanItHolds) {
   look("pasted");
   key(SDLK_RETURN);
   frames(2);
-  EXPECT_EQ(level().spawns[0].name, std::string(kMostTyped, 'W'));
+  EXPECT_EQ(level().spawns[0].name, std::string(kMaxTyped, 'W'));
 }
 
 INSTANTIATE_TEST_SUITE_P(Texts, UiLongText,

@@ -19,7 +19,7 @@ using reference::HeightGround;
 using reference::Precise;
 
 constexpr double kSize = 8;  // px, of a ball
-constexpr double kMost = 1e-9;
+constexpr double kMax = 1e-9;
 
 Level open_level(double gravity, int substeps) {
   Level level;
@@ -102,7 +102,7 @@ int expect_reference(const Scenery& scenery, double gravity, Foot foot, int subs
       if (hits > 0 && restart == Restart::after_each_bounce) there = play.flight();
     }
   }
-  EXPECT_LT(worst, kMost);
+  EXPECT_LT(worst, kMax);
   return bounces;
 }
 

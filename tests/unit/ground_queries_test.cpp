@@ -146,7 +146,7 @@ TEST(GroundQueriesWithABudget, EndWhenItIsUsedUp) {
   TestMap map(140, 140);
   map.cells.assign(140 * 140, 1);
   const Terrain solid = map.compile();
-  CastBudget budget{kMostQueryWork};
+  CastBudget budget{kMaxQueryWork};
   EXPECT_FALSE(way_out(solid, {40, 40, 1024, 1024}, Foot::box, &budget)) << "there is none";
   EXPECT_GT(budget.left, 0) << "enough for the largest bodies";
   budget.left = 100;
@@ -155,7 +155,7 @@ TEST(GroundQueriesWithABudget, EndWhenItIsUsedUp) {
 
   std::fill(map.cells.begin(), map.cells.end() - 140, TileNumber{0});
   const Terrain floor = map.compile();
-  budget.left = kMostQueryWork;
+  budget.left = kMaxQueryWork;
   EXPECT_TRUE(floor_below(floor, {40, 40, 8, 8}, 2000, Foot::box, &budget));
   budget.left = 10;
   EXPECT_FALSE(floor_below(floor, {40, 40, 8, 8}, 2000, Foot::box, &budget));

@@ -194,7 +194,7 @@ TEST(LuaParts, ACartIsToBeReadAsFarAsItFits) {
   const auto has = [&](const Level& level, std::initializer_list<std::string> texts,
                        const std::string& dropped, std::string_view parts = {}) {
     const Exported cart = exported(level, "tic-text-playable", parts);
-    EXPECT_LE(cart.code_bytes, kMostTicCode);
+    EXPECT_LE(cart.code_bytes, kMaxTicCode);
     for (const std::string& text : {runtime, game, small_game})
       EXPECT_EQ(cart.files.front().bytes.find(text) != std::string::npos,
                 std::find(texts.begin(), texts.end(), text) != texts.end())

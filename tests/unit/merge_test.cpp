@@ -286,16 +286,16 @@ TEST(Merge, GroundThatBothMovedIsAskedAbout) {
 
 // A map may have 65,536 tiles of this size side by side.
 TEST(Merge, GroundWithoutRoomForBothIsThatOfTheSide) {
-  constexpr int kMost = 65536;
+  constexpr int kMax = 65536;
   constexpr TileSize kWide{256, 8};
   Level base;
-  base.map = TileMap(kMost - 1, 1, kWide);
+  base.map = TileMap(kMax - 1, 1, kWide);
   for (int x = 0; x < 9; ++x) base.map.set({x, 0}, static_cast<TileNumber>(x + 1));
   Level mine = base;
-  mine.map = TileMap(kMost, 1, kWide);
+  mine.map = TileMap(kMax, 1, kWide);
   for (int x = 0; x < 9; ++x) mine.map.set({x, 0}, base.map.tile_at({x, 0}));
-  mine.map.set({kMost - 1, 0}, 3);
-  const Level theirs = with_moved_ground(base, {1, 0}, kMost, 1);
+  mine.map.set({kMax - 1, 0}, 3);
+  const Level theirs = with_moved_ground(base, {1, 0}, kMax, 1);
   const MergedLevel kept = merge_levels(base, mine, theirs, MergeSide::mine);
   EXPECT_THAT(kept.conflicts, ElementsAre("the place of the ground"));
   EXPECT_NE(kept.apart, "");

@@ -200,14 +200,14 @@ TEST_F(OutsideFiles, PermissionsAreForMapsOfAFolder) {
   put("state/reads",
       "[]\n{\"maps\":1,\"read\":\"/\"}\n{\"maps\":\"x\",\"read\":\"/\"}\n" + bytes_of("state/reads"));
   EXPECT_THAT(ReadPermissions(store).folders_of(path("game/maps/a.tmx")), ElementsAre(game()));
-  put("state/reads", std::string(ReadPermissions::kMostKept + 1, ' '));
+  put("state/reads", std::string(ReadPermissions::kMaxKept + 1, ' '));
   EXPECT_THAT(ReadPermissions(store).folders_of(path("game/maps/a.tmx")), IsEmpty());
   std::string full;
-  for (int i = 0; full.size() < ReadPermissions::kMostKept - 200; ++i)
+  for (int i = 0; full.size() < ReadPermissions::kMaxKept - 200; ++i)
     full += "{\"maps\":\"/" + std::to_string(i) + "\",\"read\":\"/\"}\n";
   put("state/reads", full);
   ASSERT_TRUE(ReadPermissions(store).allow(path("game/maps/a.tmx"), game()));
-  EXPECT_LE(bytes_of("state/reads").size(), ReadPermissions::kMostKept);
+  EXPECT_LE(bytes_of("state/reads").size(), ReadPermissions::kMaxKept);
   EXPECT_THAT(ReadPermissions(store).folders_of(path("game/maps/a.tmx")), ElementsAre(game()));
 }
 

@@ -403,7 +403,7 @@ TEST(Overlays, OfVeryManyBodiesTheFirstInViewAreDrawn) {
   OverlaySet overlays = only(overlay::boxes);
   overlays.set(overlay::swept_path, true);
   const auto drawing = drawn({}, state_of(bodies), record, overlays, 4900);
-  EXPECT_EQ(drawing.boxes.size(), 3 * (kMostDrawnBodies + 1)) << "each with the two boxes of its path";
+  EXPECT_EQ(drawing.boxes.size(), 3 * (kMaxDrawnBodies + 1)) << "each with the two boxes of its path";
   EXPECT_TRUE(drawing.is_cut);
 
   const Rect elsewhere{5000, 0, 100, 100};
@@ -426,7 +426,7 @@ TEST(Overlays, TheWorkForBodiesInTheGroundIsBounded) {
   bodies.push_back(body(101, {200, -6, 8, 8}));
   const auto drawing = drawn(scene, state_of(bodies), {}, only(overlay::penetration), 101);
   EXPECT_LE(drawing.work_left, 0);
-  EXPECT_GE(drawing.work_left, -8 * kMostQueryWork);
+  EXPECT_GE(drawing.work_left, -8 * kMaxQueryWork);
   EXPECT_TRUE(drawing.is_cut);
   EXPECT_EQ(drawing.boxes.size(), 1u) << "that of the chosen body";
   EXPECT_FALSE(drawn(scene, state_of({bodies[100]}), {}, only(overlay::penetration)).is_cut);

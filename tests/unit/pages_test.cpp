@@ -105,7 +105,7 @@ TEST(Pages, StateTheSizesOfExports) {
         size_row("curves, and a player (hard case 38, quarter pipe)",
                  level_at("hard_cases/38-quarter-pipe.talus.json"))})
     EXPECT_TRUE(page_has(page, row)) << row;
-  EXPECT_TRUE(page_has(page, grouped(kMostTicCode) + " bytes of code"));
+  EXPECT_TRUE(page_has(page, grouped(kMaxTicCode) + " bytes of code"));
 }
 
 TEST(Pages, HaveARowForEachPartOfTheRuntime) {

@@ -91,7 +91,7 @@ TEST_F(InterruptedRun, EndsLongBeforeItsLastFrame) {
   const std::string level = path("cave.talus.json");
   ASSERT_TRUE(save_level(Level(), *find_format("native"), level));
   Recording recording;
-  recording.frames = kMostUnhashedFrames;
+  recording.frames = kMaxUnhashedFrames;
   ASSERT_TRUE(save_recording(recording, path("run.talusrec")));
   const HeldSignals held;
   pthread_kill(pthread_self(), SIGINT);

@@ -433,8 +433,8 @@ TEST(Prove, TriesAFewKindsOfBodiesAlone) {
     scenery.level.spawns.push_back(spawn);
   }
   const Proof proof = scenery.proof();
-  EXPECT_EQ(proof.bodies.size(), kMostBodies);
-  EXPECT_EQ(proof.left_out, 21 - 1 - kMostBodies) << "one has the size of the first";
+  EXPECT_EQ(proof.bodies.size(), kMaxBodies);
+  EXPECT_EQ(proof.left_out, 21 - 1 - kMaxBodies) << "one has the size of the first";
 }
 
 // What Talus comes with, and real carts, keep its promise, whatever solver they are for.

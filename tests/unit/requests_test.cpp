@@ -51,7 +51,7 @@ TEST(Requests, RequestsForTheKeysExpire) {
   requests.ask(request::FocusField("transport/frame"));
   requests.ask(request::ShowTab("why"));
   EXPECT_EQ(requests.waiting_for_keys(), "transport/frame");
-  for (int i = 0; i < Requests::kMostFramesForKeys; ++i) requests.end_frame();
+  for (int i = 0; i < Requests::kMaxFramesForKeys; ++i) requests.end_frame();
   EXPECT_TRUE(requests.has<request::FocusField>("transport/frame"));
   requests.end_frame();
   EXPECT_EQ(requests.waiting_for_keys(), "");

@@ -247,7 +247,7 @@ TEST(PicturePalette, HasTheColoursOfTheTilesFirst) {
   apply_edit(level, draw_rectangle(level, area, {0, 0}, {63, 63}, {pixel_color(kRed), 1}, true));
   const std::vector<Rgba> colors = picture_palette(level, area);
   EXPECT_GT(colors.size(), 10u);
-  EXPECT_LE(colors.size(), kMostPictureColors);
+  EXPECT_LE(colors.size(), kMaxPictureColors);
   EXPECT_THAT(colors, testing::Contains(kRed));
   const auto is_bright = [](Rgba c) { return c.r > 128 && c.b > 128; };
   const auto is_dark = [](Rgba c) { return c.r < 96 && c.b < 96; };

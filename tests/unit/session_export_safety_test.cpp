@@ -416,7 +416,7 @@ TEST_F(ExportPermissionsFile, HoldsInTheFolderForWhichItWasGiven) {
 
 TEST_F(ExportPermissionsFile, ForgetsTheOldestBeforeItGrowsTooLarge) {
   const std::string file = path("level");
-  const std::size_t count = ExportPermissions::kMostKept / 60'000 + 10;
+  const std::size_t count = ExportPermissions::kMaxKept / 60'000 + 10;
   {
     std::ofstream store(path("allowed"));
     for (std::size_t i = 0; i < count; ++i)
@@ -427,8 +427,8 @@ TEST_F(ExportPermissionsFile, ForgetsTheOldestBeforeItGrowsTooLarge) {
   const std::vector<ExportPreset> first = {long_preset("a")}, second = {preset("b")};
   EXPECT_TRUE(opened(file).allow(first));
   EXPECT_TRUE(opened(file).allow(second));
-  EXPECT_LE(fs::file_size(path("allowed")), ExportPermissions::kMostKept);
-  EXPECT_GT(fs::file_size(path("allowed")), ExportPermissions::kMostKept / 2);
+  EXPECT_LE(fs::file_size(path("allowed")), ExportPermissions::kMaxKept);
+  EXPECT_GT(fs::file_size(path("allowed")), ExportPermissions::kMaxKept / 2);
   EXPECT_TRUE(opened(file).allows(first[0]) && opened(file).allows(second[0])) << "the newest";
   const std::string kept = bytes_of("allowed");
   EXPECT_TRUE(opened(file).allow(first)) << "nothing has changed";
@@ -441,12 +441,12 @@ TEST_F(ExportPermissionsFile, IsReadEvenIfItIsLargerThanAnyLevel) {
   const std::vector<ExportPreset> presets = {preset("a")};
   ASSERT_TRUE(opened(path("level")).allow(presets));
   EXPECT_TRUE(opened(path("level")).allows(presets[0]));
-  EXPECT_LE(fs::file_size(path("allowed")), ExportPermissions::kMostKept);
+  EXPECT_LE(fs::file_size(path("allowed")), ExportPermissions::kMaxKept);
 }
 
 TEST_F(ExportPermissionsFile, SaysOnceWhatItCannotKeep) {
   const std::vector<ExportPreset> long_one = {
-      preset("b", R"({"x":")" + std::string(ExportPermissions::kMostBytes, 'x') + "\"}")};
+      preset("b", R"({"x":")" + std::string(ExportPermissions::kMaxBytes, 'x') + "\"}")};
   ExportPermissions permissions = opened(path("level"));
   const auto told = permissions.allow(long_one);
   ASSERT_FALSE(told);
@@ -462,7 +462,7 @@ TEST_F(ExportPermissionsFile, DamagedLinesAreLeftOutAndOthersKept) {
   const ExportPreset long_one{.name = "b",
                               .exporter = "lua",
                               .path = "b.lua",
-                              .extra = "{\"x\":\"" + std::string(ExportPermissions::kMostBytes, 'x') + "\"}"};
+                              .extra = "{\"x\":\"" + std::string(ExportPermissions::kMaxBytes, 'x') + "\"}"};
   ExportPermissions first = opened(path("level"));
   const std::vector<ExportPreset> both = {a, long_one};
   first.allow(both);

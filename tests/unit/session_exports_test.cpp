@@ -382,8 +382,8 @@ TEST_F(ExportRecords, NeverGrowBeyondWhatCanBeRead) {
   ExportRecord record(file);
   record.note("/new", 7);
   EXPECT_TRUE(record.save());
-  EXPECT_LE(fs::file_size(file), ExportRecord::kMostBytes);
-  EXPECT_GT(fs::file_size(file), ExportRecord::kMostBytes / 2);
+  EXPECT_LE(fs::file_size(file), ExportRecord::kMaxBytes);
+  EXPECT_GT(fs::file_size(file), ExportRecord::kMaxBytes / 2);
   EXPECT_TRUE(ExportRecord(file).has("/new", 7));
 }
 

@@ -15,7 +15,7 @@ namespace talus::session_slow_steps_test {
 namespace act = action;
 
 constexpr int kFrames = 6;
-constexpr int kMostSteps = 3;  // in a turn
+constexpr int kMaxSteps = 3;  // in a turn
 
 Level one_ball() {
   Level level = level_of({"..........", "..........", "##########"});
@@ -47,10 +47,10 @@ class SlowSteps : public FolderTest {
 
 TEST_F(SlowSteps, SeekingToAFarFrameTakesTurns) {
   ASSERT_EQ(session_.state().frame, 0);
-  EXPECT_LE(steps_of([&] { session_.apply(act::SeekEnd{}); }), kMostSteps);
+  EXPECT_LE(steps_of([&] { session_.apply(act::SeekEnd{}); }), kMaxSteps);
   int turns = 0;
   for (; session_.state().frame < kFrames && turns < kFrames; ++turns)
-    EXPECT_LE(steps_of([&] { session_.advance(0); }), kMostSteps);
+    EXPECT_LE(steps_of([&] { session_.advance(0); }), kMaxSteps);
   EXPECT_EQ(session_.state(), last_);
   EXPECT_EQ(session_.record().paths.size(), last_.bodies.size());
   EXPECT_EQ(steps_of([&] { session_.advance(0); }), 0);
@@ -76,7 +76,7 @@ TEST_F(SlowSteps, AComparisonBeginsWithAStep) {
   session_.apply(act::CompareVariant{Variant{SolverKind::exact, true}});
   session_.advance(0);
   constexpr int kFollowed = 2;  // one by the action, one before it plays
-  EXPECT_LE(session_.debugger().other_end().value_or(0), kMostSteps + kFollowed);
+  EXPECT_LE(session_.debugger().other_end().value_or(0), kMaxSteps + kFollowed);
   while (session_.debugger().is_busy()) session_.advance(0);
   EXPECT_EQ(session_.debugger().other_end(), kFrames);
 }
@@ -95,7 +95,7 @@ TEST_F(SlowSteps, EarlierFramesAreComputedInTurns) {
 
 TEST_F(SlowSteps, ATrailGrowsInTurns) {
   const auto trail = [&] { return session_.trail(timeline().current(), 1, 0, kFrames).size(); };
-  EXPECT_LE(trail(), kMostSteps + 1u);
+  EXPECT_LE(trail(), kMaxSteps + 1u);
   EXPECT_TRUE(session_.is_on_the_way());
   for (int turns = 0; turns < kFrames; ++turns) trail();
   session_.advance(0);

@@ -126,7 +126,7 @@ void expect_bounded(const char* what, Level level) {
     for (int i = 0; i < 2; ++i) {
       run.step();
       EXPECT_GT(run.record.work, 0) << what << ", " << solver_name(solver);
-      EXPECT_LE(run.record.work, kMostStepWork + kMostBodyWork) << what << ", " << solver_name(solver);
+      EXPECT_LE(run.record.work, kMaxStepWork + kMaxBodyWork) << what << ", " << solver_name(solver);
     }
     expect_same_without_record(level, run);
   }

@@ -15,7 +15,7 @@
 namespace {
 
 constexpr int kWidth = 960, kHeight = 544;  // of the window at first
-constexpr int kMostSteps = 4;               // at once; after a longer pause the rest is dropped
+constexpr int kMaxSteps = 4;                // at once; after a longer pause the rest is dropped
 constexpr const char* kTitle = "arrows: run, jump     mouse: drag     R: start again     Esc: end";
 
 // Plays until the window is closed. Whether all went well.
@@ -38,7 +38,7 @@ bool run(SDL_Renderer* renderer, const std::string& file) {
       if (!play) return false;
     }
     const Uint64 now = SDL_GetPerformanceCounter();
-    due = std::min(due + static_cast<double>(now - before) / ticks_of_step, 1.0 * kMostSteps);
+    due = std::min(due + static_cast<double>(now - before) / ticks_of_step, 1.0 * kMaxSteps);
     before = now;
     for (; due >= 1; --due) play->step(controls.held(painter));
   }

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostLinks = 40;  // the kernel's limit; a longer chain is a circle
+constexpr int kMaxLinks = 40;  // the kernel's limit; a longer chain is a circle
 
 }  // namespace
 
@@ -36,7 +36,7 @@ FormatResult<std::string> real_path(const std::string& path) {
       real /= part;
       continue;
     }
-    if (++links > kMostLinks) return tl::unexpected(FormatError{"", "leads through links in a circle"});
+    if (++links > kMaxLinks) return tl::unexpected(FormatError{"", "leads through links in a circle"});
     if (target.is_absolute()) real = "/";
     rest.insert(rest.begin(), target.begin(), target.end());
   }

@@ -44,8 +44,8 @@ std::optional<Rgb> color_of_hex(std::string_view text) {
 
 double opacity_of_hex(std::string_view text) {
   constexpr int kShift = 24;
-  constexpr double kMost = 255;
-  return (number_of_hex(text).value_or(~std::uint32_t{0}) >> kShift) / kMost;
+  constexpr double kMax = 255;
+  return (number_of_hex(text).value_or(~std::uint32_t{0}) >> kShift) / kMax;
 }
 
 std::string hex_of(Rgba color) {

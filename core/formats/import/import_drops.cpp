@@ -6,17 +6,17 @@
 namespace talus {
 
 std::string quoted_name(std::string_view name) {
-  constexpr std::size_t kMost = 80;  // bytes
-  return "\"" + shortened(name, kMost) + "\"";
+  constexpr std::size_t kMax = 80;  // bytes
+  return "\"" + shortened(name, kMax) + "\"";
 }
 
 void ImportDrops::add(std::string_view phrase) {
-  constexpr std::size_t kMostPhrases = 1000;
-  constexpr std::size_t kMostShown = 200;  // bytes
-  const std::string shown = shortened(phrase, kMostShown);
+  constexpr std::size_t kMaxPhrases = 1000;
+  constexpr std::size_t kMaxShown = 200;  // bytes
+  const std::string shown = shortened(phrase, kMaxShown);
   if (const auto known = counts_.find(shown); known != counts_.end())
     ++known->second;
-  else if (counts_.size() < kMostPhrases)
+  else if (counts_.size() < kMaxPhrases)
     counts_.emplace(shown, 1);
   else
     ++more_;

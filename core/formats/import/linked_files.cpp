@@ -22,8 +22,8 @@ std::size_t pixels_of_picture(std::string_view bytes) {
 
 // names: null: nobody asks for them. A file may name a million others.
 void add_once(const std::string& name, std::vector<std::string>* names) {
-  constexpr std::size_t kMost = 1000;
-  if (names == nullptr || names->size() == kMost) return;
+  constexpr std::size_t kMax = 1000;
+  if (names == nullptr || names->size() == kMax) return;
   if (std::find(names->begin(), names->end(), name) == names->end()) names->push_back(name);
 }
 

@@ -266,7 +266,7 @@ FormatResult<void> apply_picture(const Json& changes, const Level& held, Level& 
   return {};
 }
 
-constexpr int kMostShort = 256;  // tiles, up to which a cell has two digits
+constexpr int kMaxShort = 256;  // tiles, up to which a cell has two digits
 
 // Brushes of a level with fewer tiles have two digits for a cell, and those of the joined one four.
 void widen_brushes(Json& document) {
@@ -492,8 +492,8 @@ FormatResult<Level> add_to_ldtk(const Json& additions, const Level& held, LdtkCo
   document["map"] = {{"width", size[0]}, {"height", size[1]}, {"rows", Json::array()}};
   const Json sheet = sheet_size_of(additions, held);
   const Json before = additions.value("sheet", Json());
-  const bool was_short = before.is_array() && before.size() == 2 && is_whole(before[1], 1, kMostShort);
-  if (was_short && sheet[1].get<int>() > kMostShort && members.contains("brushes")) widen_brushes(document);
+  const bool was_short = before.is_array() && before.size() == 2 && is_whole(before[1], 1, kMaxShort);
+  if (was_short && sheet[1].get<int>() > kMaxShort && members.contains("brushes")) widen_brushes(document);
   document["sheet_size"] = sheet;
   document["talus"] = kNativeVersion;
   auto level = level_of_document(std::move(document));

@@ -16,7 +16,7 @@ namespace talus {
 namespace {
 
 constexpr std::array<const char*, 3> kLdtkKinds = {"value", "tag", "entity"};  // by LdtkMapping::Kind
-constexpr std::size_t kMostChoices = 65'536;
+constexpr std::size_t kMaxChoices = 65'536;
 
 std::string ldtk_text(const Json& object, const char* key) {
   if (!object.is_object()) return {};
@@ -30,7 +30,7 @@ LdtkMapping mapping_of_json(const Json& list) {
   for (const Json& entry : list) {
     const std::string kind = ldtk_text(entry, "kind");
     const auto found = std::find(kLdtkKinds.begin(), kLdtkKinds.end(), kind);
-    if (found == kLdtkKinds.end() || mapping.choices.size() == kMostChoices) continue;
+    if (found == kLdtkKinds.end() || mapping.choices.size() == kMaxChoices) continue;
     const LdtkMapping::Choice choice{static_cast<LdtkMapping::Kind>(found - kLdtkKinds.begin()),
                                      ldtk_text(entry, "of"),
                                      ldtk_text(entry, "name"),

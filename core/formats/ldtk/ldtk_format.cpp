@@ -46,13 +46,13 @@ bool is_called(const LdtkLevelHead& level, const std::string& name) {
 }
 
 FormatResult<const LdtkLevelHead*> chosen_level(const LdtkProject& project, const ImportChoices& choices) {
-  constexpr std::size_t kMostNamed = 50;
+  constexpr std::size_t kMaxNamed = 50;
   const auto& levels = project.levels;
   const auto count = static_cast<int>(levels.size());
   std::string names;
-  for (std::size_t i = 0; i < std::min(levels.size(), kMostNamed); ++i)
+  for (std::size_t i = 0; i < std::min(levels.size(), kMaxNamed); ++i)
     names += (names.empty() ? "" : ", ") + shown_name(levels[i]);
-  if (levels.size() > kMostNamed) names += " and " + std::to_string(levels.size() - kMostNamed) + " more";
+  if (levels.size() > kMaxNamed) names += " and " + std::to_string(levels.size() - kMaxNamed) + " more";
   const auto at = [&](int number) -> const LdtkLevelHead* {
     return number > 0 && number <= count ? &levels[static_cast<std::size_t>(number - 1)] : nullptr;
   };

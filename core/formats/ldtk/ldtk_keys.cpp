@@ -37,7 +37,7 @@ bool is_within(int number, int min, int max) { return number >= min && number <=
 
 // numbers: kPartNumbers of them.
 std::optional<LdtkKey::Part> part_of(const int* numbers, const LdtkProject& project, TileSize tile) {
-  constexpr int kOpaquePart = 255, kMostFlips = 3, kMostRgb = 0xffffff;
+  constexpr int kOpaquePart = 255, kMaxFlips = 3, kMaxRgb = 0xffffff;
   LdtkKey::Part part;
   LdtkSource& source = part.source;
   source.tileset = numbers[0] == 0 ? -1 : index_of_uid(project.tilesets, numbers[0]);
@@ -51,13 +51,13 @@ std::optional<LdtkKey::Part> part_of(const int* numbers, const LdtkProject& proj
   part.x = numbers[8];
   part.y = numbers[9];
   part.is_hidden = numbers[10] == 1;
-  const bool is_good =
-      (numbers[0] == 0 || source.tileset >= 0) && is_within(source.x, -kMaxLdtkPlace, kMaxLdtkPlace) &&
-      is_within(source.y, -kMaxLdtkPlace, kMaxLdtkPlace) && source.id >= 0 &&
-      is_within(source.side, 1, kMaxLdtkTileSide) && is_within(source.flips, 0, kMostFlips) &&
-      is_within(source.opacity, 1, kOpaquePart) && is_within(numbers[7], 0, kMostRgb) &&
-      is_within(part.x, 1 - source.side, tile.width - 1) &&
-      is_within(part.y, 1 - source.side, tile.height - 1) && is_within(numbers[10], 0, 1);
+  const bool is_good = (numbers[0] == 0 || source.tileset >= 0) &&
+                       is_within(source.x, -kMaxLdtkPlace, kMaxLdtkPlace) &&
+                       is_within(source.y, -kMaxLdtkPlace, kMaxLdtkPlace) && source.id >= 0 &&
+                       is_within(source.side, 1, kMaxLdtkTileSide) && is_within(source.flips, 0, kMaxFlips) &&
+                       is_within(source.opacity, 1, kOpaquePart) && is_within(numbers[7], 0, kMaxRgb) &&
+                       is_within(part.x, 1 - source.side, tile.width - 1) &&
+                       is_within(part.y, 1 - source.side, tile.height - 1) && is_within(numbers[10], 0, 1);
   return is_good ? std::optional(part) : std::nullopt;
 }
 

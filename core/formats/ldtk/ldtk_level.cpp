@@ -214,26 +214,25 @@ std::vector<const std::string*> LdtkLevelMaker::data_of(const LdtkCell& cell) co
 
 // The upper ones go before the lower.
 void LdtkLevelMaker::take_notes() {
-  constexpr std::size_t kMostRead = 16 * kMaxNoteBytes;
+  constexpr std::size_t kMaxRead = 16 * kMaxNoteBytes;
   std::size_t bytes = 0, read = 0;
   for (std::size_t tile = 0; tile < tiles_.cells.size(); ++tile) {
     Json properties = Json::object();
     for (const std::string* data : data_of(tiles_.cells[tile])) {
       constexpr int kDeepest = 16;  // far below what a level may nest
       read += data->size();
-      if (read > kMostRead) break;
+      if (read > kMaxRead) break;
       const auto json = parse_json(*data);
       if (json && json->is_object() && depth_of(*json) <= kDeepest)
         properties.update(*json);
       else
         properties["data"] = *data;
     }
-    if (properties.empty() && read <= kMostRead) continue;
+    if (properties.empty() && read <= kMaxRead) continue;
     TileNote note;
     note.properties = properties.dump(-1, ' ', false, Json::error_handler_t::replace);
     bytes += note.properties.size();
-    if (bytes > kMaxNoteBytes || read > kMostRead)
-      return drops_.add("the custom data of tiles beyond 16 MiB");
+    if (bytes > kMaxNoteBytes || read > kMaxRead) return drops_.add("the custom data of tiles beyond 16 MiB");
     put_note(level_.tile_notes, static_cast<TileNumber>(tile), std::move(note));
   }
 }

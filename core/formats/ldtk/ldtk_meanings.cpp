@@ -122,8 +122,8 @@ class LdtkTileReader {
       if (!is_in_place(*part, source, tiles_.map.tile_size())) continue;
       if (!seen.insert({source.tileset, source.id}).second) continue;
       const std::vector<LdtkMeaning>& tags = tags_of(source);
-      if (tags.size() > kMostTagsRead - tags_read_) {
-        drops_.add("tags of tiles beyond " + std::to_string(kMostTagsRead));
+      if (tags.size() > kMaxTagsRead - tags_read_) {
+        drops_.add("tags of tiles beyond " + std::to_string(kMaxTagsRead));
         continue;
       }
       tags_read_ += tags.size();
@@ -182,7 +182,7 @@ class LdtkTileReader {
   ImportDrops& drops_;
   std::map<LdtkCellValue, LdtkMeaning> values_;
   std::map<std::pair<int, int>, std::vector<LdtkMeaning>> tags_;  // by tileset and tile
-  static constexpr std::size_t kMostTagsRead = std::size_t{1} << 24;
+  static constexpr std::size_t kMaxTagsRead = std::size_t{1} << 24;
   std::size_t tags_read_ = 0;  // of the tiles in all cells
 };
 

@@ -104,7 +104,7 @@ std::optional<LdtkGround> ldtk_ground_of_name(std::string_view name, TileSize ti
 std::optional<BodyKind> ldtk_body_of_name(std::string_view type) {
   constexpr std::array<std::string_view, 3> kPlayers = {"player", "hero", "protagonist"};
   constexpr std::array<std::string_view, 4> kAfterPlayer = {"start", "spawn", "point", "position"};
-  std::string without_number(type.substr(0, kMostNameBytes));
+  std::string without_number(type.substr(0, kMaxNameBytesRead));
   std::erase_if(without_number, [](unsigned char c) { return std::isdigit(c) != 0; });
   const Words words = name_words(without_number);
   if (words.empty()) return {};

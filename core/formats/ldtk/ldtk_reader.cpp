@@ -11,8 +11,8 @@
 namespace talus {
 namespace {
 
-constexpr int kMostUid = 1 << 30;
-constexpr double kMostParallax = kMaxParallax - 1;  // far more than LDtk has
+constexpr int kMaxUid = 1 << 30;
+constexpr double kMaxLdtkParallax = kMaxParallax - 1;  // far more than LDtk has
 
 class LdtkReader : private JsonNodeReader {
  public:
@@ -94,7 +94,7 @@ std::vector<int> LdtkReader::tile_ids(const JsonNode& node, const char* key) {
     return ids;
   }
   for (const Json& id : *list) {
-    if (is_whole(id, 0, kMostUid)) ids.push_back(id.get<int>());
+    if (is_whole(id, 0, kMaxUid)) ids.push_back(id.get<int>());
   }
   std::sort(ids.begin(), ids.end());
   return ids;
@@ -138,7 +138,7 @@ void LdtkReader::definitions(const JsonNode& node, LdtkProject& project) {
 
 LdtkTileset LdtkReader::tileset(const JsonNode& node) {
   LdtkTileset tileset;
-  tileset.uid = whole(node, "uid", -kMostUid, kMostUid, 0);
+  tileset.uid = whole(node, "uid", -kMaxUid, kMaxUid, 0);
   tileset.name = name(node, "identifier");
   tileset.path = text_if(node, "relPath");
   tileset.side = whole_if(node, "tileGridSize", 1, kMaxLdtkTileSide, 1);
@@ -146,24 +146,24 @@ LdtkTileset LdtkReader::tileset(const JsonNode& node) {
     tileset.tags.push_back({name(entry, "enumValueId"), tile_ids(entry, "tileIds")});
   });
   for_each(node, "customData", [&](const JsonNode& entry) {
-    tileset.data[whole(entry, "tileId", 0, kMostUid, 0)] = text_if(entry, "data");
+    tileset.data[whole(entry, "tileId", 0, kMaxUid, 0)] = text_if(entry, "data");
   });
   return tileset;
 }
 
 LdtkLayerDef LdtkReader::layer_def(const JsonNode& node) {
   LdtkLayerDef def;
-  def.uid = whole(node, "uid", -kMostUid, kMostUid, 0);
+  def.uid = whole(node, "uid", -kMaxUid, kMaxUid, 0);
   def.name = text_if(node, "identifier");
   def.pivot = {share(node, "tilePivotX", 0), share(node, "tilePivotY", 0)};
   const auto factor = [&](const char* key) {
-    return has(node, key) ? std::clamp(number(node, key), -kMostParallax, kMostParallax) : 0;
+    return has(node, key) ? std::clamp(number(node, key), -kMaxLdtkParallax, kMaxLdtkParallax) : 0;
   };
   def.parallax = {factor("parallaxFactorX"), factor("parallaxFactorY")};
   def.scales_by_parallax = !has(node, "parallaxScaling") || truth(node, "parallaxScaling");
   for_each(node, "intGridValues", [&](const JsonNode& entry) {
     def.values.push_back(
-        {whole(entry, "value", 0, kMostUid, 0), text_if(entry, "identifier"), color(entry, "color")});
+        {whole(entry, "value", 0, kMaxUid, 0), text_if(entry, "identifier"), color(entry, "color")});
   });
   return def;
 }
@@ -261,9 +261,9 @@ LdtkLayer LdtkReader::layer(const LdtkProject& project, const JsonNode& node) {
   layer.offset_y = whole_if(node, "__pxTotalOffsetY", -kMaxLdtkPlace, kMaxLdtkPlace, 0);
   layer.opacity = share(node, "__opacity", 1);
   layer.is_visible = !has(node, "visible") || truth(node, "visible");
-  layer.def = index_of(project.layers, whole_if(node, "layerDefUid", -kMostUid, kMostUid, -kMostUid));
+  layer.def = index_of(project.layers, whole_if(node, "layerDefUid", -kMaxUid, kMaxUid, -kMaxUid));
   layer.tileset = has(node, "__tilesetDefUid")
-                      ? index_of(project.tilesets, whole(node, "__tilesetDefUid", -kMostUid, kMostUid, 0))
+                      ? index_of(project.tilesets, whole(node, "__tilesetDefUid", -kMaxUid, kMaxUid, 0))
                       : -1;
   if (layer.type == LdtkLayer::Type::int_grid) read_values(node, layer);
   for (const char* const key : {"autoLayerTiles", "gridTiles"})
@@ -283,7 +283,7 @@ void LdtkReader::read_values(const JsonNode& node, LdtkLayer& layer) {
   }
   layer.values.reserve(count);
   for (const Json& value : *list) {
-    if (!is_whole(value, 0, kMostUid)) {
+    if (!is_whole(value, 0, kMaxUid)) {
       return fail(node, "intGridCsv",
                   "must have a whole number as value " + std::to_string(layer.values.size() + 1));
     }
@@ -298,7 +298,7 @@ LdtkTile LdtkReader::tile(const JsonNode& node) {
   tile.y = place.y;
   tile.source_x = source.x;
   tile.source_y = source.y;
-  tile.id = whole_if(node, "t", 0, kMostUid, 0);
+  tile.id = whole_if(node, "t", 0, kMaxUid, 0);
   const int flips = whole_if(node, "f", 0, 3, 0);
   tile.flip_x = (flips & 1) != 0;
   tile.flip_y = (flips & 2) != 0;

@@ -42,9 +42,9 @@ std::optional<GroundPlace> ground_of_frame(const Json& about) {
   const Json frame = about.is_object() ? about.value("frame", Json()) : Json();
   if (!frame.is_object()) return std::nullopt;
   const Json area = frame.value("map", Json());
-  constexpr std::int64_t kMostPlace = 1 << 30;
-  if (!area.is_array() || area.size() != 4 || !is_whole(area[0], -kMostPlace, kMostPlace) ||
-      !is_whole(area[1], -kMostPlace, kMostPlace) || !is_whole(area[2], 1, kMaxTerrainSide) ||
+  constexpr std::int64_t kMaxPlace = 1 << 30;
+  if (!area.is_array() || area.size() != 4 || !is_whole(area[0], -kMaxPlace, kMaxPlace) ||
+      !is_whole(area[1], -kMaxPlace, kMaxPlace) || !is_whole(area[2], 1, kMaxTerrainSide) ||
       !is_whole(area[3], 1, kMaxTerrainSide))
     return std::nullopt;
   GroundPlace place{{}, area[2].get<int>(), area[3].get<int>(), 0, {}};

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kDataRow = 64;  // bytes in each row, if the chunk has no rows of its own
 // A text of more lines is not meant for people, and is stored as data: each line costs memory in reading.
-constexpr std::ptrdiff_t kMostLines = 262'144, kMostChunkLines = 16'384;
+constexpr std::ptrdiff_t kMaxLines = 262'144, kMaxChunkLines = 16'384;
 
 tl::unexpected<FormatError> error_at(const std::string& key, std::string message) {
   return tl::unexpected(FormatError{"key " + key, std::move(message)});
@@ -79,7 +79,7 @@ Json json_of_chunk(const Level& level, const TicChunk& chunk) {
   const SectionInfo* own = level_section(level, chunk);
   if (own && section_bytes(level, own->id) == chunk.data) {
     json["data"] = "level";
-  } else if (chunk.type == kTicCode && is_text(chunk.data, kMostChunkLines)) {
+  } else if (chunk.type == kTicCode && is_text(chunk.data, kMaxChunkLines)) {
     json["code"] = text_lines(chunk.data);
   } else {
     const auto infos = section_infos();
@@ -94,7 +94,7 @@ Json json_of_chunk(const Level& level, const TicChunk& chunk) {
 void put_text(const Level& level, std::string_view bytes, std::string_view comment, Json& cart) {
   cart["comment"] = comment;
   const auto project = parse_text(bytes, comment);
-  if (!project || !is_text(bytes, kMostLines)) {
+  if (!project || !is_text(bytes, kMaxLines)) {
     cart["data"] = hex_rows(bytes, kDataRow);
     return;
   }

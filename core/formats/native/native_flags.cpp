@@ -24,7 +24,7 @@ FormatResult<FlagField> take_flag_field(Json json, const std::string& path) {
   if (!name.is_string()) return error_at_key(path + ".name", "must be a string");
   if (!is_whole(first, 0, kMaxFlags - FlagField::kLeastBits))
     return error_at_key(path + ".first", "must be a flag from 0 to 30");
-  if (!is_whole(bits, FlagField::kLeastBits, FlagField::kMostBits))
+  if (!is_whole(bits, FlagField::kLeastBits, FlagField::kMaxBits))
     return error_at_key(path + ".bits", "must be a whole number from 2 to 8");
   if (!are_strings(values)) return error_at_key(path + ".values", "must be a list of strings");
   FlagField field{name, first, bits, values, {}};

@@ -52,7 +52,7 @@ std::string row_text(std::span<const TileNumber> cells, std::size_t digits) {
 }
 
 // Larger layers are packed, as text of all rows would be larger than a file may be.
-constexpr std::size_t kMostCellsAsText = std::size_t{1} << 20;
+constexpr std::size_t kMaxCellsAsText = std::size_t{1} << 20;
 
 std::string packed(const std::vector<TileNumber>& cells) {
   std::string bytes;
@@ -124,7 +124,7 @@ FormatResult<Json> json_of_layer(const TileLayer& layer, const MapCells& cells, 
   if (!layer.is_ground) json["ground"] = false;
   if (layer.group >= 0) json["group"] = layer.group;
   put_looks(layer, json);
-  const bool is_packed = cells.size() > kMostCellsAsText;
+  const bool is_packed = cells.size() > kMaxCellsAsText;
   if (is_packed)
     json["packed"] = json_of_bytes(packed(cells.tiles()));
   else

@@ -36,8 +36,8 @@ FormatResult<MapObject> take_object(Json& json, const std::string& path, const N
   if (!is_share(object.anchor.x) || !is_share(object.anchor.y))
     take.fail("anchor", "must be [x, y], each from 0 to 1");
   take.member("tile", [&](const Json& tile) {
-    constexpr std::int64_t kMost = std::numeric_limits<std::uint32_t>::max();
-    if (!is_whole(tile, 0, kMost)) return take.fail("tile", range_text(0, kMost, "", true));
+    constexpr std::int64_t kMax = std::numeric_limits<std::uint32_t>::max();
+    if (!is_whole(tile, 0, kMax)) return take.fail("tile", range_text(0, kMax, "", true));
     object.tile = tile.get<std::uint32_t>();
   });
   take.member("properties", [&](const Json& its) {

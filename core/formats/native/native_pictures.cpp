@@ -51,8 +51,8 @@ std::optional<std::array<int, count>> whole_numbers(const Json& json) {
   if (!json.is_array() || json.size() != count) return {};
   std::array<int, count> numbers{};
   for (std::size_t i = 0; i < count; ++i) {
-    constexpr int kMost = 1 << 20;
-    const bool is_good = json[i].is_number_integer() && json[i] >= -kMost && json[i] <= kMost;
+    constexpr int kMax = 1 << 20;
+    const bool is_good = json[i].is_number_integer() && json[i] >= -kMax && json[i] <= kMax;
     if (!is_good) return {};
     numbers[i] = json[i].get<int>();
   }

@@ -21,11 +21,11 @@ namespace {
 constexpr std::size_t kHashDigits = 16;
 constexpr std::size_t kHashesInText = 8;
 // limit for the list entries that the patches of all edits may move; patches of Talus move none
-constexpr std::size_t kMostMovedEntries = 20'000'000;
+constexpr std::size_t kMaxMovedEntries = 20'000'000;
 
 // What a patch adds stands in five objects and lists: the recording, its edits, an edit, a patch, an
 // operation.
-constexpr int kMostDeep = kMaxJsonDepth + 5;
+constexpr int kMaxDeep = kMaxJsonDepth + 5;
 
 // Thrown and caught in this file only: ends the reading of nested values at the first error.
 struct WrongRecording {
@@ -162,7 +162,7 @@ class RecordingReader {
       read_hash_text(texts[i].get_ref<const std::string&>(), path);
     }
     const bool has_any = !recording_.hashes.empty();
-    const auto most = has_any ? static_cast<std::int64_t>(kMaxFileBytes) : kMostUnhashedFrames;
+    const auto most = has_any ? static_cast<std::int64_t>(kMaxFileBytes) : kMaxUnhashedFrames;
     recording_.frames = whole(document, "", "frames", 0, most);
     if (!has_any) return;
     const auto wanted = static_cast<std::size_t>(recording_.frames) + 1;
@@ -291,7 +291,7 @@ class RecordingReader {
     const std::string& digits = place.back();
     const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
     if (problem == std::errc() && index < list.size()) moved_ += list.size() - index;
-    if (moved_ > kMostMovedEntries) refuse(path, "moves too many entries of lists");
+    if (moved_ > kMaxMovedEntries) refuse(path, "moves too many entries of lists");
   }
 
   Recording recording_;
@@ -413,7 +413,7 @@ bool is_recording(std::string_view bytes, const FormatContext& context) {
 
 FormatResult<Recording> read_recording(std::string_view bytes, const Progress& progress) {
   constexpr double kParsed = 0.2;  // share of the time, if the level was edited
-  auto document = parse_json(bytes, progress.part(0, kParsed), 1, kMostDeep);
+  auto document = parse_json(bytes, progress.part(0, kParsed), 1, kMaxDeep);
   if (!document) return tl::unexpected(document.error());
   try {
     return RecordingReader(progress.part(kParsed, 1)).read(*std::move(document));

@@ -18,7 +18,7 @@
 //             entries.
 //   "hashes"  texts of hexadecimal hashes (see sim/frame_hash.h) of 16 digits with a space between them.
 //             All texts together hold the hashes of frames 0..frames; or no hashes, for a recording of up to
-//             kMostUnhashedFrames frames that was recorded but not run.
+//             kMaxUnhashedFrames frames that was recorded but not run.
 //
 // Unknown keys are refused, as a recording without one of its parts would be another recording. A faulty file
 // is refused as a whole; the error names the first faulty key. There are up to kMaxRecordedEdits edits, whose
@@ -36,7 +36,7 @@ inline constexpr int kRecordingVersion = 2;
 inline constexpr std::string_view kRecordingExtension = "talusrec";
 inline constexpr std::string_view kRecordingKey = "talus_recording";  // of the version
 
-inline constexpr std::int64_t kMostUnhashedFrames = 1 << 21;  // nearly ten hours
+inline constexpr std::int64_t kMaxUnhashedFrames = 1 << 21;  // nearly ten hours
 
 // Whether the file could be a recording: by its first bytes or, if these do not tell, by its extension.
 bool is_recording(std::string_view bytes, const FormatContext& context);

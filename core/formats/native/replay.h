@@ -23,7 +23,7 @@ namespace talus {
 
 // Limit for the cells and boxes that all operations of a scenario test together, see World::looks(). It takes
 // some seconds.
-inline constexpr std::int64_t kMostReplayLooks = std::int64_t{1} << 24;
+inline constexpr std::int64_t kMaxReplayLooks = std::int64_t{1} << 24;
 
 // Gets the answer to an operation, without a line break. False: no more are wanted, which is no error.
 using TakeAnswer = std::function<bool(std::string_view line)>;
@@ -32,6 +32,6 @@ using TakeAnswer = std::function<bool(std::string_view line)>;
 // malformed JSON, or the number of the operation, from 1: "op 12"; the answers before it were given. The
 // operation that leads beyond most_looks is answered, and is then an error.
 FormatResult<void> replay_scenario(std::string_view json, const TakeAnswer& take,
-                                   std::int64_t most_looks = kMostReplayLooks);
+                                   std::int64_t most_looks = kMaxReplayLooks);
 
 }  // namespace talus

@@ -8,8 +8,8 @@ namespace {
 
 // Adds the tiles of a run. Returns whether it is one.
 bool add_run(const Json& run, TiledFrame& frame) {
-  constexpr std::int64_t kMostNumber = 0xffffffff;
-  if (!run.is_array() || run.size() != 2 || !is_whole(run[0], 0, kMostNumber) ||
+  constexpr std::int64_t kMaxNumber = 0xffffffff;
+  if (!run.is_array() || run.size() != 2 || !is_whole(run[0], 0, kMaxNumber) ||
       !is_whole(run[1], 1, kMaxTiles - static_cast<std::int64_t>(frame.tiles.size())))
     return false;
   const auto first = run[0].get<std::uint32_t>();
@@ -20,11 +20,10 @@ bool add_run(const Json& run, TiledFrame& frame) {
 
 // Whether it takes over [x, y, width, height].
 bool take_area(const Json& area, TiledFrame& frame) {
-  constexpr std::int64_t kMostPlace = 1 << 30;
+  constexpr std::int64_t kMaxPlace = 1 << 30;
   if (!area.is_array() || area.size() != 4) return false;
   for (const std::size_t i : {0U, 1U}) {
-    if (!is_whole(area[i], -kMostPlace, kMostPlace) || !is_whole(area[i + 2], 1, kMaxTerrainSide))
-      return false;
+    if (!is_whole(area[i], -kMaxPlace, kMaxPlace) || !is_whole(area[i + 2], 1, kMaxTerrainSide)) return false;
   }
   frame.x = area[0].get<int>(), frame.y = area[1].get<int>();
   frame.width = area[2].get<int>(), frame.height = area[3].get<int>();

@@ -121,11 +121,11 @@ FormatResult<void> AsePicture::read_chunk(std::uint32_t type, std::string_view c
 
 void AsePicture::read_layer(AseReader reader) {
   constexpr std::uint32_t kVisible = 1, kTilemap = 2;
-  constexpr std::size_t kMostNested = 256;
+  constexpr std::size_t kMaxNested = 256;
   AseLayer layer;
   layer.is_shown = (reader.word() & kVisible) != 0;
   layer.is_tilemap = reader.word() == kTilemap;
-  const std::size_t nested = std::min<std::size_t>(reader.word(), kMostNested);
+  const std::size_t nested = std::min<std::size_t>(reader.word(), kMaxNested);
   reader.skip(6);
   const std::uint32_t opacity = reader.byte();
   if (has_opacities_) layer.opacity = opacity;
@@ -136,8 +136,8 @@ void AsePicture::read_layer(AseReader reader) {
 }
 
 void AsePicture::read_palette(AseReader reader) {
-  constexpr std::uint32_t kMostColors = 256, kHasName = 1;
-  palette_.resize(std::min(reader.dword(), kMostColors));
+  constexpr std::uint32_t kMaxColors = 256, kHasName = 1;
+  palette_.resize(std::min(reader.dword(), kMaxColors));
   const std::uint32_t first = reader.dword(), last = reader.dword();
   reader.skip(8);
   for (std::uint32_t i = first; i <= last && i < palette_.size(); ++i) {

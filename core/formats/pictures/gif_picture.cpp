@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kGifHeader = 13, kGifImage = 9;  // bytes
 constexpr unsigned kHasColors = 0x80, kColorsBits = 7, kIsInterlaced = 0x40;
-constexpr int kMostCodeBits = 12, kCodes = 1 << kMostCodeBits;
+constexpr int kMaxCodeBits = 12, kCodes = 1 << kMaxCodeBits;
 
 unsigned gif_byte(std::string_view bytes, std::size_t at) {
   return at < bytes.size() ? static_cast<std::uint8_t>(bytes[at]) : 0U;
@@ -117,7 +117,7 @@ std::vector<std::uint8_t> GifUnpacker::unpack() {
       last_[at] = is_new ? first_[old] : first_[static_cast<std::size_t>(*code)];
       length_[at] = static_cast<std::uint16_t>(length_[old] + 1);
       ++next;
-      if (next == 1 << size && size < kMostCodeBits) ++size;
+      if (next == 1 << size && size < kMaxCodeBits) ++size;
     }
     put(*code);
     previous = *code;

@@ -40,23 +40,23 @@ JpegHeader read_header(const Decoder& decoder, std::string_view bytes) {
 
 // Each scan goes over the whole picture. A usual one has up to ten.
 bool has_too_many_scans(std::string_view jpeg) {
-  constexpr int kMost = 100;
+  constexpr int kMax = 100;
   constexpr std::string_view kScan = "\xff\xda";
   int scans = 0;
   for (std::size_t at = jpeg.find(kScan); at != jpeg.npos; at = jpeg.find(kScan, at + kScan.size())) {
-    if (++scans > kMost) return true;
+    if (++scans > kMax) return true;
   }
   return false;
 }
 
 // Files in CMYK hold 255 minus the amount of ink, as Adobe's programs write it.
 void cmyk_to_rgba(std::string& pixels) {
-  constexpr int kMost = 255;
+  constexpr int kMax = 255;
   for (std::size_t i = 0; i + 3 < pixels.size(); i += 4) {
     const int key = static_cast<unsigned char>(pixels[i + 3]);
     for (std::size_t color = i; color < i + 3; ++color)
-      pixels[color] = static_cast<char>(static_cast<unsigned char>(pixels[color]) * key / kMost);
-    pixels[i + 3] = static_cast<char>(kMost);
+      pixels[color] = static_cast<char>(static_cast<unsigned char>(pixels[color]) * key / kMax);
+    pixels[i + 3] = static_cast<char>(kMax);
   }
 }
 

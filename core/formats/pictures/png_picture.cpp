@@ -94,11 +94,11 @@ FormatResult<Chunk> chunk_at(std::string_view bytes, std::size_t at) {
   return Chunk{bytes.substr(at, length + kAround), bytes.substr(at + 4, 4), bytes.substr(at + 8, length)};
 }
 
-constexpr std::size_t kMostColors = 256;
+constexpr std::size_t kMaxColors = 256;
 
 // For pixels that are indices. stb reads beyond a short palette, so it gets a full one.
 void add_palette(std::string_view content, Header& header) {
-  constexpr std::size_t kFull = 3 * kMostColors;
+  constexpr std::size_t kFull = 3 * kMaxColors;
   header.palette = palette_of(content);
   std::string colors(content.substr(0, kFull));
   colors.resize(kFull);
@@ -128,7 +128,7 @@ FormatResult<Header> read_header(std::string_view bytes) {
       return error_at(at, "the picture has a second palette");
     if (chunk->type == "tRNS" && std::exchange(has_opacities, true))
       return error_at(at, "the picture has a second list of opacities");
-    if (chunk->type == "tRNS" && chunk->content.size() > kMostColors)
+    if (chunk->type == "tRNS" && chunk->content.size() > kMaxColors)
       return error_at(at, "the picture has more than 256 opacities");
     // Stb copies it, without memory for it.
     const bool empty_data = chunk->type == "IDAT" && chunk->content.empty();

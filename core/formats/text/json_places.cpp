@@ -106,8 +106,8 @@ std::string JsonPlaces::text_of(TextSpan object, std::string_view key, std::stri
 int JsonPlaces::number_of(TextSpan object, std::string_view key, int fallback) const {
   const auto value = member(object, key);
   const Json number = value ? json_part(value->in(text_)) : Json();
-  constexpr double kMost = 2e9;
-  const bool fits = number.is_number() && number.get<double>() >= -kMost && number.get<double>() <= kMost;
+  constexpr double kMax = 2e9;
+  const bool fits = number.is_number() && number.get<double>() >= -kMax && number.get<double>() <= kMax;
   return fits ? static_cast<int>(number.get<double>()) : fallback;
 }
 

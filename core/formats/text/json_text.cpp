@@ -230,9 +230,9 @@ FormatError error_of(const StrictBuilder& builder, std::string_view text, std::s
 // Returns the offset in valid JSON of the first value beyond the limit; npos if there are not so many. It
 // counts before any value is made, as making them takes seconds and hundreds of MB.
 std::size_t value_too_many(std::string_view json) {
-  constexpr std::size_t kMostWithout =
+  constexpr std::size_t kMaxWithout =
       2 * std::size_t{kMaxJsonValues} - 1;  // bytes: a value and a comma take 2
-  if (json.size() <= kMostWithout) return json.npos;
+  if (json.size() <= kMaxWithout) return json.npos;
   int values = 1;
   bool in_string = false, opened = false;
   for (std::size_t i = 0; i < json.size(); ++i) {

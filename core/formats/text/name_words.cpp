@@ -7,7 +7,7 @@ namespace talus {
 std::vector<std::string> name_words(std::string_view name) {
   std::vector<std::string> words;
   bool goes_on = false, was_small = false;
-  for (const char c : name.substr(0, kMostNameBytes)) {
+  for (const char c : name.substr(0, kMaxNameBytesRead)) {
     const auto byte = static_cast<unsigned char>(c);
     const bool is_capital = std::isupper(byte) != 0;
     if (std::isalnum(byte) == 0) {

@@ -8,7 +8,7 @@
 
 namespace talus {
 
-inline constexpr std::size_t kMostNameBytes = 256;  // of a name, that are looked at
+inline constexpr std::size_t kMaxNameBytesRead = 256;  // of a name, that are looked at
 
 // Its words in small letters: "One_Way wall2" and "OneWayWall2" become "one", "way", "wall2". A plural of
 // more than three letters loses its s.

@@ -19,7 +19,7 @@ tl::expected<std::vector<std::uint32_t>, std::string> decode_tiled_cells(std::st
                                                                          std::size_t count);
 
 // Cells that maps are written with as a list of numbers, which people can read; more are packed.
-inline constexpr std::size_t kMostListedCells = std::size_t{1} << 20;
+inline constexpr std::size_t kMaxListedCells = std::size_t{1} << 20;
 
 // How the cells of a layer are written, by the words of decode_tiled_cells(). Without an encoding they are a
 // list of numbers.

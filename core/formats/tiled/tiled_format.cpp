@@ -57,7 +57,7 @@ FormatResult<Json> tiled_json_of(std::string_view bytes, const std::string& exte
 // Tilesets whose files are missing get the map's size of tiles, and as many of them as the cells show.
 // frame: as in ImportChoices.
 void measure_missing_tilesets(const std::optional<TiledFrame>& frame, TiledMap& map) {
-  constexpr std::size_t kMostName = 200;           // bytes
+  constexpr std::size_t kMaxName = 200;            // bytes
   std::map<std::uint32_t, std::uint32_t> last_of;  // by first number, the last number that a cell has
   for (const TiledTileset& tileset : map.tilesets) last_of[tileset.first_gid] = tileset.first_gid;
   const bool is_any_missing = std::any_of(map.tilesets.begin(), map.tilesets.end(),
@@ -74,7 +74,7 @@ void measure_missing_tilesets(const std::optional<TiledFrame>& frame, TiledMap& 
   if (frame) std::for_each(frame->tiles.begin(), frame->tiles.end(), add);
   for (TiledTileset& tileset : map.tilesets) {
     if (!tileset.is_missing) continue;
-    tileset.name = shortened(tileset.source, kMostName);
+    tileset.name = shortened(tileset.source, kMaxName);
     tileset.tile_size = map.tile_size;
     tileset.tile_count = static_cast<int>(last_of[tileset.first_gid] - tileset.first_gid) + 1;
   }

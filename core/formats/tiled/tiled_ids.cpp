@@ -6,16 +6,16 @@
 namespace talus {
 namespace {
 
-constexpr std::int64_t kMostTiledId = 2'000'000'000;  // well within an int
+constexpr std::int64_t kMaxTiledId = 2'000'000'000;  // well within an int
 
 }  // namespace
 
 // Numbers that are too large are none that Talus gives.
 TiledIds::TiledIds(std::vector<std::int64_t> used, std::int64_t next) : used_(std::move(used)) {
   std::sort(used_.begin(), used_.end());
-  const std::int64_t last = used_.empty() ? 0 : std::min(used_.back(), kMostTiledId);  // so that 1 more fits
+  const std::int64_t last = used_.empty() ? 0 : std::min(used_.back(), kMaxTiledId);  // so that 1 more fits
   const std::int64_t behind = std::max<std::int64_t>({1, next, last + 1});
-  if (behind <= kMostTiledId) {
+  if (behind <= kMaxTiledId) {
     next_ = static_cast<int>(behind);
     return;
   }

@@ -17,10 +17,10 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostPath = 4096;  // bytes; a map may name one file many times, each with its picture's
-bool is_long_path(const std::string& path) { return path.size() > kMostPath && !is_data_name(path); }
+constexpr std::size_t kMaxPath = 4096;  // bytes; a map may name one file many times, each with its picture's
+bool is_long_path(const std::string& path) { return path.size() > kMaxPath && !is_data_name(path); }
 std::string long_path() {
-  return "names a picture by a path of more than " + std::to_string(kMostPath) + " bytes";
+  return "names a picture by a path of more than " + std::to_string(kMaxPath) + " bytes";
 }
 
 // Whether the data of a layer has no cells, which Tiled takes for empty ones.
@@ -422,9 +422,9 @@ TiledObject TiledReader::object(const JsonNode& node) {
 }
 
 std::uint32_t TiledReader::gid(const JsonNode& node) {
-  constexpr double kMost = std::numeric_limits<std::uint32_t>::max();
+  constexpr double kMax = std::numeric_limits<std::uint32_t>::max();
   const double value = number(node, "gid");
-  if (value >= 0 && value <= kMost && value == std::trunc(value)) return static_cast<std::uint32_t>(value);
+  if (value >= 0 && value <= kMax && value == std::trunc(value)) return static_cast<std::uint32_t>(value);
   fail(node, "gid", "must have a number of a tile as gid");
   return 0;
 }
@@ -469,8 +469,8 @@ bool TiledReader::has_room_for_point(const JsonNode& node, const char* key) {
 }
 
 TiledTileset TiledReader::tileset(const JsonNode& node) {
-  constexpr int kMost = 1 << 20, kMostSpace = 1024;  // px; products of them fit an int
-  constexpr std::size_t kMostName = 200;             // bytes; a map may name one file many times
+  constexpr int kMax = 1 << 20, kMaxSpace = 1024;  // px; products of them fit an int
+  constexpr std::size_t kMaxName = 200;            // bytes; a map may name one file many times
   TiledTileset tileset;
   if (!node.json.is_object()) {
     fail(node, "", "is not a Tiled tileset");
@@ -482,21 +482,21 @@ TiledTileset TiledReader::tileset(const JsonNode& node) {
   if (!tileset.source.empty()) return tileset;
   const std::string name = text(node, "name");
   const std::string of = "the tileset " + quoted_name(name);
-  tileset.name = shortened(name, kMostName);
+  tileset.name = shortened(name, kMaxName);
   tileset.is_collection = tiles_have_images(node) || has_no_tiles(node);
   if (!tileset.is_collection) tileset.tile_size = tile_size(node, kMaxTiledTileSide);
   tileset.image = text(node, "image");
   if (is_long_path(tileset.image)) fail(node, "image", long_path());
-  tileset.image_width = whole(node, "imagewidth", 0, kMost, 0);
-  tileset.image_height = whole(node, "imageheight", 0, kMost, 0);
-  tileset.columns = whole(node, "columns", 0, kMost, 0);
-  tileset.tile_count = whole(node, "tilecount", 0, kMost, 0);
-  tileset.spacing = whole(node, "spacing", 0, kMostSpace, 0);
-  tileset.margin = whole(node, "margin", 0, kMostSpace, 0);
+  tileset.image_width = whole(node, "imagewidth", 0, kMax, 0);
+  tileset.image_height = whole(node, "imageheight", 0, kMax, 0);
+  tileset.columns = whole(node, "columns", 0, kMax, 0);
+  tileset.tile_count = whole(node, "tilecount", 0, kMax, 0);
+  tileset.spacing = whole(node, "spacing", 0, kMaxSpace, 0);
+  tileset.margin = whole(node, "margin", 0, kMaxSpace, 0);
   if (const Json* offset = node.find("tileoffset"); offset != nullptr && offset->is_object()) {
     const JsonNode place{*offset, node.path_of("tileoffset")};
-    tileset.offset_x = whole(place, "x", -kMostSpace, kMostSpace, 0);
-    tileset.offset_y = whole(place, "y", -kMostSpace, kMostSpace, 0);
+    tileset.offset_x = whole(place, "x", -kMaxSpace, kMaxSpace, 0);
+    tileset.offset_y = whole(place, "y", -kMaxSpace, kMaxSpace, 0);
   }
   tileset.transparent = color_of_hex(text(node, "transparentcolor"));
   tileset.fits_grid = text(node, "tilerendersize") == "grid";
@@ -536,14 +536,14 @@ bool TiledReader::tiles_have_images(const JsonNode& node) {
 
 // The last tile of the set was read from the node.
 void TiledReader::add_to_collection(const JsonNode& node, TiledTileset& tileset) {
-  constexpr int kMost = kMaxTiledTileSide;
+  constexpr int kMax = kMaxTiledTileSide;
   TiledTile& tile = tileset.tiles->back();
   tile.image = text(node, "image");
   if (is_long_path(tile.image)) fail(node, "image", long_path());
-  tile.image_x = whole(node, "x", 0, kMost, 0);
-  tile.image_y = whole(node, "y", 0, kMost, 0);
-  tile.image_size.width = whole(node, "width", 0, kMost, whole(node, "imagewidth", 0, 1 << 20, 0));
-  tile.image_size.height = whole(node, "height", 0, kMost, whole(node, "imageheight", 0, 1 << 20, 0));
+  tile.image_x = whole(node, "x", 0, kMax, 0);
+  tile.image_y = whole(node, "y", 0, kMax, 0);
+  tile.image_size.width = whole(node, "width", 0, kMax, whole(node, "imagewidth", 0, 1 << 20, 0));
+  tile.image_size.height = whole(node, "height", 0, kMax, whole(node, "imageheight", 0, 1 << 20, 0));
   tileset.tile_size = {std::max(tileset.tile_size.width, tile.image_size.width),
                        std::max(tileset.tile_size.height, tile.image_size.height)};
   tileset.tile_count = std::max(tileset.tile_count, tile.id + 1);  // some ids may have no tile

@@ -470,11 +470,11 @@ TileShape TiledLevelMaker::shape_of_objects(const std::string& tile, const std::
   for (const TiledObject& object : objects) {
     const std::vector<Vec2> outline = outline_of(object);
     const std::size_t corners = outline.size();
-    if (corners == 0 || corners > kMostCorners) {
+    if (corners == 0 || corners > kMaxCorners) {
       drops_.add("a collision shape of " + tile +
                  (corners == 0 ? std::string(", which is not a box, an ellipse or a polygon")
                                : " with " + std::to_string(corners) + " corners, of which up to " +
-                                     std::to_string(kMostCorners) + " are looked at"));
+                                     std::to_string(kMaxCorners) + " are looked at"));
       continue;
     }
     const bool is_thin = one_way.value_or(is_one_way(object));

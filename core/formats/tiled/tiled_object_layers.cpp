@@ -73,12 +73,12 @@ std::optional<int> rank_of_ground(const TiledLayer& layer) {
 }
 
 bool is_well_placed(const MapObject& object) {
-  constexpr double kMostTurn = 1e9;  // degrees
+  constexpr double kMaxTurn = 1e9;  // degrees
   const auto is_near = [](Vec2 p) {
     return std::abs(p.x) <= kMaxObjectPlace && std::abs(p.y) <= kMaxObjectPlace;
   };
   return is_near(object.position) && is_near(object.size) && object.size.x >= 0 && object.size.y >= 0 &&
-         std::abs(object.rotation) <= kMostTurn &&
+         std::abs(object.rotation) <= kMaxTurn &&
          std::all_of(object.points.begin(), object.points.end(), is_near);
 }
 

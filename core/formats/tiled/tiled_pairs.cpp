@@ -8,8 +8,8 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostCompared = 1'000'000;  // pairs
-constexpr int kReach = 64;                        // items, of the search in longer lists
+constexpr std::size_t kMaxCompared = 1'000'000;  // pairs
+constexpr int kReach = 64;                       // items, of the search in longer lists
 
 struct ItemRange {
   int before, now, before_end, now_end;
@@ -73,7 +73,7 @@ std::vector<int> pair_items(int before, int now, const ItemLikeness& likeness) {
   if (!has_both()) return pairs;
   const auto compared = static_cast<std::size_t>(range.before_end - range.before) *
                         static_cast<std::size_t>(range.now_end - range.now);
-  if (compared <= kMostCompared)
+  if (compared <= kMaxCompared)
     align(range, likeness, pairs);
   else
     look_ahead(range, likeness, pairs);

@@ -16,7 +16,7 @@ namespace talus {
 namespace {
 
 constexpr double kSamePlace = 1.0 / 1024;  // px; numbers nearer than that count as equal
-constexpr int kMostParts = 512;            // of a nearest shape, whose parts are matched one by one
+constexpr int kMaxParts = 512;             // of a nearest shape, whose parts are matched one by one
 
 using Line = std::vector<Vec2>;  // from left to right
 
@@ -181,7 +181,7 @@ struct Candidate {
 
 // A floor along the upper line, with corners as near to one another as a profile can have them.
 std::optional<Candidate> nearest_floor(const Line& outline, TileSize tile) {
-  const int count = std::min(max_shape_heights(tile) - 1, kMostParts);
+  const int count = std::min(max_shape_heights(tile) - 1, kMaxParts);
   constexpr double kBeside = 1.0 / 4096;  // px, to either side of a corner
   const double width = width_of(outline, tile), step = width / count;
   Line line;

@@ -33,7 +33,7 @@ std::optional<TileShape> tile_shape_of(const std::vector<Vec2>& outline, bool on
 std::optional<TileShape> polygon_of(const std::vector<Vec2>& outline, bool one_way, TileSize tile);
 
 // The most corners of a collision shape that are looked at; far more than 64 px can show.
-inline constexpr std::size_t kMostCorners = 1024;
+inline constexpr std::size_t kMaxCorners = 1024;
 
 // Whether an object of a tile says that it stays a polygon, where its outline is that of a slope, too.
 // Without that word such an outline is a slope.

@@ -110,7 +110,7 @@ std::optional<TileShape> TileWriter::part_of(const TiledObject& object, bool one
   TiledObject moved = object;
   moved.position = moved.position + Vec2{1.0 * place_.x, 1.0 * place_.y};
   const std::vector<Vec2> outline = outline_of(moved);
-  if (outline.empty() || outline.size() > kMostCorners) return {};
+  if (outline.empty() || outline.size() > kMaxCorners) return {};
   const bool is_ceiling = shape_.side == TileShape::Side::ceiling;
   if (auto shape = shape_of_object(object, outline, one_way, is_ceiling, size_)) return shape;
   auto nearest = nearest_tile_shape(outline, size_);

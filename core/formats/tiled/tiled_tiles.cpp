@@ -92,7 +92,7 @@ class TileNumberer {
 };
 
 FormatResult<SourceOfCell> TileNumberer::sources_of_cells() const {
-  constexpr std::size_t kMostDifferent = std::size_t{kTileTurns} * kMaxTiles;
+  constexpr std::size_t kMaxDifferent = std::size_t{kTileTurns} * kMaxTiles;
   SourceOfCell sources;
   std::size_t done = 0;
   for (const TiledLayer* layer : layers_) {
@@ -100,8 +100,8 @@ FormatResult<SourceOfCell> TileNumberer::sources_of_cells() const {
     for (const std::uint32_t cell : layer->cells) {
       if (done++ % kCellsAtOnce == 0 && !progress_.at(done, 2 * cell_count_)) return was_cancelled();
       if (std::exchange(last, cell) == cell || sources.contains(cell)) continue;
-      if (sources.size() == kMostDifferent) {
-        return tl::unexpected(whole_error("shows more than " + std::to_string(kMostDifferent) +
+      if (sources.size() == kMaxDifferent) {
+        return tl::unexpected(whole_error("shows more than " + std::to_string(kMaxDifferent) +
                                           " different tiles, turned ones among them, which is too many"));
       }
       sources[cell] = shown_by(source_of(cell));
@@ -241,8 +241,8 @@ SheetLayout TileNumberer::layout_of(const std::vector<int>& tilesets) const {
   }
   const bool fits_cart = tilesets.size() <= 1 && columns <= kCartColumns && rows <= kCartTiles / kCartColumns;
   if (fits_cart) return {};
-  constexpr std::int64_t kMost = 1 << 30;  // of a file that lies; no level has so many
-  return {columns, static_cast<int>(std::min((rows - 1) * columns + last, kMost))};
+  constexpr std::int64_t kMax = 1 << 30;  // of a file that lies; no level has so many
+  return {columns, static_cast<int>(std::min((rows - 1) * columns + last, kMax))};
 }
 
 void TileNumberer::add_frames(std::set<TiledSource>& sources) const {
@@ -490,10 +490,10 @@ SheetLayout grid_of(const TiledTileset& tileset) {
   const auto [tile_width, tile_height] = tileset.tile_size;
   const int columns = tileset.columns > 0 ? tileset.columns : along(tileset.image_width, tile_width);
   if (tileset.is_collection) return {columns > 0 ? columns : kCartColumns, tileset.tile_count};
-  constexpr std::int64_t kMost = 1 << 20;
+  constexpr std::int64_t kMax = 1 << 20;
   const std::int64_t in_picture = std::int64_t{columns} * along(tileset.image_height, tile_height);
   const int count =
-      tileset.tile_count > 0 ? tileset.tile_count : static_cast<int>(std::min(in_picture, kMost));
+      tileset.tile_count > 0 ? tileset.tile_count : static_cast<int>(std::min(in_picture, kMax));
   return {columns > 0 ? columns : kCartColumns, count > 0 ? count : kCartTiles};
 }
 

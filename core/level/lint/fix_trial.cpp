@@ -19,11 +19,11 @@ namespace {
 using Area = std::array<Cell, 2>;  // the first and the last cell
 
 constexpr int kBlock = 16;                          // side of the blocks that the lint looks at, cells
-constexpr std::size_t kMostBlocks = 128;            // that the lint looks at for a fix: some ms
-constexpr std::size_t kMostPlaces = 256;            // whose outline is compared for a fix
+constexpr std::size_t kMaxBlocks = 128;             // that the lint looks at for a fix: some ms
+constexpr std::size_t kMaxPlaces = 256;             // whose outline is compared for a fix
 constexpr int kColumnsBeside = 3, kRowsBeside = 2;  // cells around a place whose outline is compared
 // Of a map all of whose tiles are looked at again, as the rules of solvers do.
-constexpr std::size_t kMostCellsToCount = std::size_t{1} << 20;
+constexpr std::size_t kMaxCellsToCount = std::size_t{1} << 20;
 
 Area clipped(const TileMap& map, Area area) {
   return {Cell{std::max(area[0].x, 0), std::max(area[0].y, 0)},
@@ -65,7 +65,7 @@ bool add_cells_of_tiles(const TileMap& map, const LintTiles& before, const LintT
   for (Cell c{0, 0}; c.y < map.height(); ++c.y) {
     for (c.x = 0; c.x < map.width(); ++c.x) {
       if (!is_other[map.tile_at(c)]) continue;
-      if (changed.cells.size() == kMostPlaces) return false;
+      if (changed.cells.size() == kMaxPlaces) return false;
       changed.cells.push_back(c);
     }
   }
@@ -101,7 +101,7 @@ class Trial {
   bool note_places(const LintTiles& after, Changed& changed) {
     const TileMap& map = level_.map;
     if (!add_cells_of_tiles(map, before_, after, changed)) return false;
-    if (changed.cells.size() > kMostPlaces) return false;
+    if (changed.cells.size() > kMaxPlaces) return false;
     const int reach = std::max(before_.reach(), after.reach());
     for (const Cell cell : changed.cells) {
       note_outline(after, cell);
@@ -110,7 +110,7 @@ class Trial {
       for (int y = around[0].y / kBlock; y <= around[1].y / kBlock; ++y)
         for (int x = around[0].x / kBlock; x <= around[1].x / kBlock; ++x) blocks_.insert({y, x});
     }
-    return blocks_.size() <= kMostBlocks;
+    return blocks_.size() <= kMaxBlocks;
   }
 
   // Notes the cells whose outline depends on the tile that is in a cell before or after the fix.
@@ -155,7 +155,7 @@ class Trial {
       if (changed.is_all || changed.tiles.contains(tile)) check_tile(context, tile, found);
     note([](const Problem& problem) { return Cell{problem.tile, kTileRow}; });
     // A body that moves takes its other problems with it, so that the level's have no place here.
-    if (!changed.is_all && !changed.cells.empty() && level_.map.cells().size() > kMostCellsToCount)
+    if (!changed.is_all && !changed.cells.empty() && level_.map.cells().size() > kMaxCellsToCount)
       spawn_rules().check_level(context, found);
     else
       check_level(context, found);

@@ -66,7 +66,7 @@ Edit fix_all(const Level& level, const Level& ground, const LintOptions& options
   auto tiles = std::make_unique<LintTiles>(trial, options);
   int count = 0;
   // Goes from the last problem to the first, as a removed body or curve changes the indices behind it.
-  for (std::size_t i = problems.size(); i-- > 0 && count < kMostFixes;) {
+  for (std::size_t i = problems.size(); i-- > 0 && count < kMaxFixes;) {
     const Problem& problem = problems[i];
     if (problem.rule != &rule) continue;
     for (const Edit& edit : fixes_with({trial, *tiles}, problem)) {

@@ -17,9 +17,9 @@ std::vector<Edit> fixes_for(const Level& level, const Level& ground, const LintO
                             const Problem& problem);
 
 // Returns one edit that fixes the listed problems of a rule. It takes the first of fixes_for() for
-// each problem, and skips problems without one. It fixes at most kMostFixes problems, so that
+// each problem, and skips problems without one. It fixes at most kMaxFixes problems, so that
 // nobody waits long. ground: as above. fixed: gets the number of fixed problems, unless null.
-inline constexpr int kMostFixes = 200;
+inline constexpr int kMaxFixes = 200;
 Edit fix_all(const Level& level, const Level& ground, const LintOptions& options,
              std::span<const Problem> problems, const LintRule& rule, int* fixed = nullptr);
 

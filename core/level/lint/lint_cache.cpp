@@ -18,8 +18,8 @@ constexpr LintRule kMore{.code = "more",
 // A block full of slopes takes a fraction of a ms. Large maps have larger blocks, as each block may hold
 // kMaxProblems.
 constexpr int kLeastSide = 32;
-constexpr int kMostBlocks = 1024;
-constexpr std::size_t kMostCellsAlone =
+constexpr int kMaxBlocks = 1024;
+constexpr std::size_t kMaxCellsAlone =
     64;  // of which each is looked at with its surroundings; else blocks are
 
 int blocks_along(int cells, int side) { return (cells + side - 1) / side; }
@@ -88,7 +88,7 @@ void LintCache::begin(const Level& level, const LintOptions& options, const Grou
   }
   if (resized) {
     width_ = level.map.width(), height_ = level.map.height();
-    for (side_ = kLeastSide; blocks_along(width_, side_) * blocks_along(height_, side_) > kMostBlocks;)
+    for (side_ = kLeastSide; blocks_along(width_, side_) * blocks_along(height_, side_) > kMaxBlocks;)
       side_ *= 2;
     across_ = blocks_along(width_, side_);
     blocks_.assign(static_cast<std::size_t>(across_ * blocks_along(height_, side_)), {});
@@ -119,7 +119,7 @@ void LintCache::look_at_cells(const Level& level) {
       if ((number - first) % static_cast<std::size_t>(across_) > beside) continue;
       Block& block = blocks_[number];
       if (!block.is_known) continue;
-      if (block.left_out > 0 || cells_.size() > kMostCellsAlone) {
+      if (block.left_out > 0 || cells_.size() > kMaxCellsAlone) {
         block.is_known = false;
         next_ = std::min(next_, number);
         continue;

@@ -229,7 +229,7 @@ void fix_outside(const LintContext& context, const Problem& problem, std::vector
 void move_ball(const LintContext& context, Cell cell, std::vector<Edit>& out) {
   const Level& level = context.level;
   const LintTiles& tiles = context.tiles;
-  for (Cell up{cell.x, cell.y - 1}; level.map.contains(up) && up.y >= cell.y - kMostCellsUp; --up.y) {
+  for (Cell up{cell.x, cell.y - 1}; level.map.contains(up) && up.y >= cell.y - kMaxCellsUp; --up.y) {
     if (!tiles.is_empty(level.map.tile_at(up))) continue;
     // If the ball covers a slope's right half, that half replaces it.
     const Cell left{cell.x - 1, cell.y};

@@ -93,7 +93,7 @@ bool BoundedSystem::solve_on() {
 // other number knows of stays as it is (Tikhonov's regularisation, iterated).
 bool BoundedSystem::solve_evenly() {
   constexpr double kShare = 1e-5, kSame = 1e-14;
-  constexpr int kMostTurns = 8;
+  constexpr int kMaxTurns = 8;
   if (has_one_answer()) return solve();
   double largest = 0;
   for (std::size_t i = 0; i < size_; ++i) largest = std::max(largest, a(i, i));
@@ -104,7 +104,7 @@ bool BoundedSystem::solve_evenly() {
     return values;
   }();
   for (std::size_t i = 0; i < size_; ++i) a(i, i) += more;
-  for (int turn = 0; turn < kMostTurns; ++turn) {
+  for (int turn = 0; turn < kMaxTurns; ++turn) {
     const std::vector<double> last = x_;
     for (std::size_t i = 0; i < size_; ++i) b_[i] = whole[i] - more * x_[i];
     turn == 0 ? solve() : solve_on();

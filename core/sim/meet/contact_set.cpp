@@ -8,7 +8,7 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostExact = 8;  // contacts of circles that are solved together with their friction
+constexpr std::size_t kMaxExact = 8;  // contacts of circles that are solved together with their friction
 constexpr double kAny = std::numeric_limits<double>::infinity();
 
 double inverse_mass_of(std::span<const Inertia> bodies, int index) {
@@ -129,7 +129,7 @@ void ContactSet::reflect(std::span<Inertia> bodies, std::span<Touch> touches) {
   rows_.clear();
   for (std::size_t i = 0; i < touches.size(); ++i) rows_.push_back({i, touches[i].normal});
   const std::size_t normals = rows_.size();
-  const bool rubs_at_once = rubs && turns && rows_.size() <= kMostExact;
+  const bool rubs_at_once = rubs && turns && rows_.size() <= kMaxExact;
   if (rubs_at_once) add_friction(touches);
   set_up_speeds(bodies, touches);
   for (std::size_t i = 0; i < normals; ++i) system_.bound(i, touches[i].is_caught ? -kAny : 0, kAny);
@@ -213,7 +213,7 @@ void ContactSet::hurry(std::span<const double> change, std::span<const double> l
 // answer is finite (Painleve 1895): then friction is that of the pressures without it.
 void ContactSet::solve_with_friction(std::span<const Inertia> bodies, std::span<const Touch> touches,
                                      std::size_t normals, bool is_impact) {
-  constexpr int kMostTurns = 200;
+  constexpr int kMaxTurns = 200;
   constexpr double kJam = 100;  // times the largest pressure without friction
   constexpr double kSame = 1e-13;
   const double same_turning = is_impact ? 1e-4 : 1e-7;
@@ -223,7 +223,7 @@ void ContactSet::solve_with_friction(std::span<const Inertia> bodies, std::span<
   double most = 0;
   const bool hurries = any_turns(bodies);
   before_.assign(touches.size(), 0);
-  for (int turn = 0; turn < kMostTurns && !ends && !(largest > kJam * first); ++turn) {
+  for (int turn = 0; turn < kMaxTurns && !ends && !(largest > kJam * first); ++turn) {
     bound_friction(bodies, touches, normals, is_impact);
     const bool is_solved = solve(rows_.size() > normals);
     ends = true;

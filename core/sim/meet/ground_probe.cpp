@@ -132,8 +132,8 @@ std::optional<GroundMeeting> GroundProbe::next_meeting(const MovingBox& box, dou
   const Piece<double>* ignored = along;
   bool is_sure = true;
   // A chord may meet another piece first than the path does: each is cut where the last one led to.
-  constexpr int kMostTries = 8;
-  for (int i = 0; i < kMostTries; ++i) {
+  constexpr int kMaxTries = 8;
+  for (int i = 0; i < kMaxTries; ++i) {
     const Vec2 way = box.path.way_to(to);
     if (way == Vec2()) break;
     const Contact<double> contact = cast_box<double>(ground_, {from, way, Foot::box}, {}, ignored, &budget);

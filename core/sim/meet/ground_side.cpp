@@ -95,8 +95,8 @@ double nearest_by_halving(const GroundSide& side, double x0, double x1, Vec2 mid
     if (fine > right) return right == x1 ? HUGE_VAL : right;
     return fine;
   }
-  constexpr int kMostTries = 60;
-  for (int i = 0; i < kMostTries; ++i) {
+  constexpr int kMaxTries = 60;
+  for (int i = 0; i < kMaxTries; ++i) {
     double x = left - at_left * (right - left) / (at_right - at_left);
     if (i % 3 == 2 || !(x > left && x < right)) x = left + (right - left) / 2;
     if (!(x > left && x < right)) break;
@@ -121,9 +121,9 @@ Nearness near_point(Vec2 point, Vec2 middle, double radius) {
 
 // px: the same, of a point that is on the curve, or hardly beside it.
 double nearest_by_steps(const CurveStretch<double>& curve, double x0, double x1, Vec2 point) {
-  constexpr int kMostSteps = 6;
+  constexpr int kMaxSteps = 6;
   double x = point.x;
-  for (int i = 0; i < kMostSteps && x > x0 && x < x1; ++i) {
+  for (int i = 0; i < kMaxSteps && x > x0 && x < x1; ++i) {
     const Vec2 along = curve.tangent_at(x);
     const double step = dot(point - Vec2{x, curve.y_at(x)}, along) * along.x;
     if (x + step == x) break;

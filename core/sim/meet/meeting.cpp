@@ -60,7 +60,7 @@ std::int64_t Meeting::step(State& state, const Input& input, StepRecord* record,
   state_ = &state;
   record_ = record;
   step_events_ = events;
-  budget_ = {kMostStepWork};
+  budget_ = {kMaxStepWork};
   is_stopped_ = false;
   take(state, input);
   grid_.begin(members_.size());
@@ -80,7 +80,7 @@ std::int64_t Meeting::step(State& state, const Input& input, StepRecord* record,
   }
   give(state);
   remember(state);
-  return kMostStepWork - budget_.left;
+  return kMaxStepWork - budget_.left;
 }
 
 void Meeting::take(State& state, const Input& input) {

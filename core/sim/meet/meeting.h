@@ -34,7 +34,7 @@ class Meeting {
 
  private:
   // Events of one body in a part of a step, after which it is to come to rest.
-  static constexpr int kMostSlowEvents = 6;
+  static constexpr int kMaxSlowEvents = 6;
   static constexpr int kAll = 1 << 30;             // as reach_: there is no bound
   static constexpr double kTouching = 1.0 / 1024;  // px: two that are slow, one of them a circle, touch
   static constexpr double kNearCircle = 1.0 / 16;  // px: they may come to meet in a part of a step

@@ -13,7 +13,7 @@ namespace talus {
 namespace {
 
 // After so many, it and what it touches stop there until the part is over.
-constexpr int kMostEvents = 64;
+constexpr int kMaxEvents = 64;
 
 // The point at which a circle touches a level or upright side, as a box without size.
 Rect point_on(const GroundSide& side, const Form& form) {
@@ -73,7 +73,7 @@ void Meeting::resolve(const Event& event) {
   note_contacts();
   set_paths();
   const bool is_capped = std::any_of(
-      set_.begin(), set_.end(), [&](std::uint32_t index) { return members_[index].events >= kMostEvents; });
+      set_.begin(), set_.end(), [&](std::uint32_t index) { return members_[index].events >= kMaxEvents; });
   if (is_capped) stop_set();
   for (std::size_t i = 0; i < set_.size(); ++i) {
     members_[set_[i]].place_in_set = -1;
@@ -175,8 +175,8 @@ bool Meeting::probe(std::size_t place, Vec2 way, double fastest) {
   if (!is_inner(place)) return false;
   Member& member = members_[set_[place]];
   if (member.moving.is_round()) return probe_circle(place, way, fastest);
-  constexpr int kMostTries = 3;
-  for (int i = 0; i < kMostTries && !is_still(way); ++i) {
+  constexpr int kMaxTries = 3;
+  for (int i = 0; i < kMaxTries && !is_still(way); ++i) {
     Rect box = member.moving.at(time_);
     const auto contact = probe_.touched(box, way, budget_);
     if (!contact) return false;
@@ -243,7 +243,7 @@ bool Meeting::bounced_lately(const Touch& touch) const {
 }
 
 bool Meeting::is_restless(int place) const {
-  return place != Touch::kGround && members_[set_[static_cast<std::size_t>(place)]].events > kMostSlowEvents;
+  return place != Touch::kGround && members_[set_[static_cast<std::size_t>(place)]].events > kMaxSlowEvents;
 }
 
 // Chooses what is reflected at once: what approaches, and what is held together already. Returns whether
@@ -354,9 +354,9 @@ void Meeting::hold() {
     free[i] = inertias_[i].pull;
     if (!is_inner(i)) inertias_[i].inverse_mass = inertias_[i].inverse_spin = 0;
   }
-  constexpr int kMostTurns = 16;
+  constexpr int kMaxTurns = 16;
   bool has_settled = false;
-  for (int turn = 0; turn < kMostTurns; ++turn) {
+  for (int turn = 0; turn < kMaxTurns; ++turn) {
     chosen_.clear();
     chosen_at_.clear();
     for (std::size_t i = 0; i < set_.size(); ++i) {

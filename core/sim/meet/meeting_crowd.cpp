@@ -8,7 +8,7 @@
 namespace talus {
 namespace {
 
-constexpr int kMostTurns = 50;  // of ContactSet::stop()
+constexpr int kMaxTurns = 50;  // of ContactSet::stop()
 
 }  // namespace
 
@@ -54,14 +54,14 @@ bool Meeting::is_gentle(const Event& event) const {
 // Whether circles touch so many others, or meet so often, that they are not solved to the end.
 bool Meeting::is_crowd() const {
   if (circles_.empty()) return false;
-  constexpr int kMost = 6;
+  constexpr int kMax = 6;
   int pairs = 0;
   for (const Met& met : met_) pairs += met.touch.b != Touch::kGround && met.is_round() && !met.is_apart;
-  if (pairs > kMost || reach_ < kAll) return true;
+  if (pairs > kMax || reach_ < kAll) return true;
   if (pairs == 0) return false;
   return std::any_of(set_.begin(), set_.end(), [&](std::uint32_t index) {
     const Member& member = members_[index];
-    return member.is_inner && member.moving.is_round() && member.events > kMostSlowEvents && !(slowest_ == 0);
+    return member.is_inner && member.moving.is_round() && member.events > kMaxSlowEvents && !(slowest_ == 0);
   });
 }
 
@@ -81,7 +81,7 @@ void Meeting::bounce_crowd() {
     bounces = true;
   }
   if (!bounces) return;
-  contacts_.stop(inertias_, chosen_, crowd_left(), kMostTurns);
+  contacts_.stop(inertias_, chosen_, crowd_left(), kMaxTurns);
   budget_.left -= contacts_.take_work();
   for (std::size_t i = 0; i < chosen_.size(); ++i) met_[chosen_at_[i]].touch.impulse = chosen_[i].pressure;
 }
@@ -96,14 +96,14 @@ int Meeting::first_reach(const Event& event) const {
 
 // Whether a part of a crowd was solved that moves what is around it. Then more of it is to be solved.
 bool Meeting::reaches_further() {
-  constexpr int kMostReach = 8;
+  constexpr int kMaxReach = 8;
   constexpr double kShare = 1.0 / 64;
   if (reach_ == kAll) return false;
   const double most = std::max(crowd_still(), kShare * hit_);
   for (std::size_t i = 0; i < set_.size(); ++i) {
     const Vec2 change = inertias_[i].velocity - before_[i];
     if (is_inner(i) || !(dot(change, change) > most * most)) continue;
-    reach_ = reach_ < kMostReach ? 2 * reach_ : kAll;
+    reach_ = reach_ < kMaxReach ? 2 * reach_ : kAll;
     return true;
   }
   return false;
@@ -160,9 +160,9 @@ void Meeting::move_on() {
     if (gap > kMargin && rest > 0) room = (gap - kMargin) / rest;
     if (gap < -kMargin) room = kBack * gap;
   }
-  contacts_.stop(inertias_, chosen_, crowd_left(), kMostTurns);
-  constexpr int kMostTimes = 8, kTurnsAgain = 12;
-  for (int i = 0; i < kMostTimes && stick(); ++i)
+  contacts_.stop(inertias_, chosen_, crowd_left(), kMaxTurns);
+  constexpr int kMaxTimes = 8, kTurnsAgain = 12;
+  for (int i = 0; i < kMaxTimes && stick(); ++i)
     contacts_.stop(inertias_, chosen_, crowd_left(), kTurnsAgain);
   budget_.left -= contacts_.take_work();
   for (std::size_t i = 0; i < met_.size(); ++i) {

@@ -10,13 +10,13 @@ namespace {
 
 // Of a large pile only so many bodies are solved at once. The ones that touch them go on as they do until
 // they are solved themselves, or are hit.
-constexpr std::size_t kMostInner = 16;
-constexpr std::size_t kMostCircles = 1024;  // the same for circles, each of which lets four more boxes in
+constexpr std::size_t kMaxInner = 16;
+constexpr std::size_t kMaxCircles = 1024;  // the same for circles, each of which lets four more boxes in
 // An impact goes on through at most so many; the others are like walls to it.
-constexpr std::size_t kMostShaken = 32;
+constexpr std::size_t kMaxShaken = 32;
 // Bodies inside of one another may touch by the thousand. A set has so many contacts of two bodies at most.
-constexpr std::size_t kMostPairs = 256;
-constexpr std::size_t kMostPairsOfCircles = 4096;
+constexpr std::size_t kMaxPairs = 256;
+constexpr std::size_t kMaxPairsOfCircles = 4096;
 
 }  // namespace
 
@@ -51,7 +51,7 @@ void Meeting::gather(const Event& event) {
   for (std::size_t i = 0; i < set_.size(); ++i) {
     Member& member = members_[set_[i]];
     const bool is_solved = member.is_cut && member.events > 0 && member.moving.path.time == time_;
-    const std::size_t most = member.moving.is_round() ? kMostCircles : kMostInner + 4 * circles;
+    const std::size_t most = member.moving.is_round() ? kMaxCircles : kMaxInner + 4 * circles;
     const bool is_reached = i < given || member.depth <= reach_;
     const bool has_room =
         i < given ||
@@ -80,7 +80,7 @@ void Meeting::gather(const Event& event) {
     // One that rests, and is not solved yet, is going to rest on.
     const bool may_rest = member.events == 0 && path.velocity == Vec2();
     const Vec2 pull = is_inner(i) ? (member.is_spent ? Vec2() : member.pull) : may_rest ? Vec2() : path.pull;
-    const bool is_wall = !is_inner(i) && (shaken_.size() >= kMostShaken || (is_gentle_ && reach_ == kAll));
+    const bool is_wall = !is_inner(i) && (shaken_.size() >= kMaxShaken || (is_gentle_ && reach_ == kAll));
     Inertia& body = inertias_.emplace_back();
     body.velocity = path.velocity_at(time_);
     body.pull = pull;
@@ -114,7 +114,7 @@ void Meeting::look_around(std::size_t place, const Event& event) {
     --budget_.left;
     // Two corners meet on the way alone.
     if (!event.is_pair_of(index, other) && !touching_in_set(index, other)) continue;
-    if (pairs_.size() == (form.is_round() ? kMostPairsOfCircles : kMostPairs)) return;
+    if (pairs_.size() == (form.is_round() ? kMaxPairsOfCircles : kMaxPairs)) return;
     pairs_.emplace_back(index, other);
     join(other, members_[index].depth + 1);
   }
@@ -147,7 +147,7 @@ void Meeting::add_pairs(const Event& event) {
 // Whether an impact has moved bodies whose own neighbours are not in the set. Then they are to be.
 bool Meeting::shakes_more() {
   const std::size_t before = shaken_.size();
-  if (before >= kMostShaken) return false;
+  if (before >= kMaxShaken) return false;
   for (std::size_t i = 0; i < set_.size(); ++i) {
     const Member& member = members_[set_[i]];
     const bool is_moved = !(inertias_[i].velocity == before_[i]);

@@ -93,8 +93,8 @@ std::optional<GroundMeeting> Meeting::next_meeting(const Member& member, double 
 // circle on the track touches the side.
 void Meeting::meet_on_track(const Member& member, double to, GroundMeeting& met) const {
   constexpr double kSame = 1e-12;  // frames
-  constexpr int kMostTries = 3;
-  for (int i = 0; i < kMostTries; ++i) {
+  constexpr int kMaxTries = 3;
+  for (int i = 0; i < kMaxTries; ++i) {
     MovingBox there = member.moving;
     member.track->take(there, met.time);
     const Form form = there.form_at(met.time);
@@ -218,9 +218,9 @@ void Meeting::find_track_of_circle(std::size_t place) {
 
 // Whether a circle would turn so much in a hollow hardly wider than itself that parabolas cannot follow.
 bool Meeting::is_too_narrow(const Nearness& near, std::size_t place) const {
-  constexpr double kMostTurn = 4;  // radians, in a part of a step
+  constexpr double kMaxTurn = 4;  // radians, in a part of a step
   const Vec2 velocity = inertias_[place].velocity;
-  return -near.bend * std::sqrt(dot(velocity, velocity)) * part_ > kMostTurn;
+  return -near.bend * std::sqrt(dot(velocity, velocity)) * part_ > kMaxTurn;
 }
 
 // A box goes along the one that bends towards it most of the curves that it keeps touching with a corner.

@@ -173,8 +173,8 @@ std::optional<Vec2> RoundGround::way_out(const Form& form, CastBudget& budget) {
     there.box.y += way.y;
   };
   if (first) move(*first);
-  constexpr int kMostTries = 8;
-  for (int i = 0; i < kMostTries; ++i) {
+  constexpr int kMaxTries = 8;
+  for (int i = 0; i < kMaxTries; ++i) {
     const auto& all = touched(there, budget);
     const auto deepest = std::min_element(all.begin(), all.end(), [](const SideTouch& a, const SideTouch& b) {
       return a.near.gap < b.near.gap;

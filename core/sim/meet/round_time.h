@@ -68,8 +68,8 @@ std::optional<RoundTouch> first_touch_by_samples(const RoundSearch& search, doub
 template <class NearAt>
 RoundTouch touch_to_rounding(const FallPath& way, RoundTouch touch, NearAt near_at) {
   constexpr double kSoon = 1e-6, kSame = 1e-12;  // frames
-  constexpr int kMostTries = 3;
-  for (int i = 0; i < kMostTries; ++i) {
+  constexpr int kMaxTries = 3;
+  for (int i = 0; i < kMaxTries; ++i) {
     const double left = touch.near.gap / -dot(way.velocity_at(touch.time), touch.near.normal);
     if (!(std::abs(left) <= kSoon)) break;
     touch.time = std::max(0.0, touch.time + left);
@@ -85,9 +85,9 @@ RoundTouch touch_to_rounding(const FallPath& way, RoundTouch touch, NearAt near_
 template <class NearAt>
 std::optional<RoundTouch> first_touch(const RoundSearch& search, NearAt near_at) {
   const auto& [way, most, slack, still, is_hollow] = search;
-  constexpr int kMostTries = 64;
+  constexpr int kMaxTries = 64;
   double time = 0;
-  for (int i = 0; i < kMostTries && time < most; ++i) {
+  for (int i = 0; i < kMaxTries && time < most; ++i) {
     const Nearness near = near_at(time);
     const Vec2 velocity = way.velocity_at(time);
     const double speed = -dot(velocity, near.normal), gain = -dot(way.pull, near.normal);

@@ -107,7 +107,7 @@ Vec2 stored(const Setup& setup, Vec2 value) { return {stored(setup, value.x), st
 
 Vec2 report_origin(const Setup& setup) {
   const double at = std::floor(setup.scale / setup.tile) * setup.tile;
-  if (setup.scale <= kMostSquareScale) return {at, at};
+  if (setup.scale <= kMaxSquareScale) return {at, at};
   return setup.scene >= S::bounce_fall ? Vec2{0, at} : Vec2{at, 0};
 }
 

@@ -15,9 +15,9 @@ Level report_level(const Setup& setup);
 // The same ground for the reference; not for walls.
 TrueFloor true_floor(const Setup& setup);
 
-// The corner of a scene's ground, on the grid: near (scale, scale). Beyond kMostSquareScale, where a map that
+// The corner of a scene's ground, on the grid: near (scale, scale). Beyond kMaxSquareScale, where a map that
 // is both long and high would be too large, near (scale, 0), or near (0, scale) if only heights are measured.
-inline constexpr double kMostSquareScale = 1e4;
+inline constexpr double kMaxSquareScale = 1e4;
 Vec2 report_origin(const Setup& setup);
 
 // The number in the precision of the row.

@@ -170,7 +170,7 @@ std::vector<Trail> trails_of(const Session& session, const Branch& branch, std::
   if (bodies[0] == 0) {
     bodies.clear();
     for (const Body& body : session.state().bodies)
-      if (bodies.size() < kMostTrails) bodies.push_back(body.id);
+      if (bodies.size() < kMaxTrails) bodies.push_back(body.id);
   }
   std::vector<Trail> trails;
   for (const int body : bodies) {
@@ -219,7 +219,7 @@ std::vector<Rect> label_obstacles(const Scene& scene, const State& state, const 
   std::vector<Rect> obstacles;
   const Rect visible = view.visible();
   for (const Body& body : state.bodies) {
-    if (obstacles.size() == kMostDrawnBodies) break;
+    if (obstacles.size() == kMaxDrawnBodies) break;
     if (meet(body.box, visible)) obstacles.push_back(body.box);
   }
   for (const ScreenBox& box : covered) {

@@ -52,7 +52,7 @@ std::vector<Rect> label_obstacles(const Scene& scene, const State& state, const 
 // The source with what depends only on the level.
 OverlaySource with_level(OverlaySource source, const Session& session);
 inline constexpr std::int64_t kTrailFrames = 120;  // of a trail: two seconds
-inline constexpr std::size_t kMostTrails = 4;      // as many as the session keeps
+inline constexpr std::size_t kMaxTrails = 4;       // as many as the session keeps
 // The cells filled with the stamp, repeated from their top-left corner. `alpha`: 0 to 255.
 void draw_stamp(ImDrawList& list, const Stamp& stamp, CellRect cells, const CanvasView& view, const Ui& ui,
                 int alpha);

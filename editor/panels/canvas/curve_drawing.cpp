@@ -9,7 +9,7 @@
 namespace talus {
 namespace {
 
-constexpr int kMostPoints = 512;         // of a curve that crosses the canvas
+constexpr int kMaxPoints = 512;          // of a curve that crosses the canvas
 constexpr float kLeastPointGap = 6;      // px of the screen: closer handles are left out
 constexpr float kHandle = 4, kRing = 6;  // px at scale 1
 
@@ -24,7 +24,7 @@ void CurvePen::line(Vec2 from, Vec2 to, ImU32 color) const {
 
 void CurvePen::stroke(const Curve& curve, ImU32 color) const {
   const Rect visible = view_.visible();
-  const std::vector<Vec2> points = points_of(curve, visible.x, visible.right(), kMostPoints);
+  const std::vector<Vec2> points = points_of(curve, visible.x, visible.right(), kMaxPoints);
   std::vector<ImVec2> drawn;
   drawn.reserve(points.size());
   for (const Vec2 point : points) drawn.push_back(view_.to_screen(point));

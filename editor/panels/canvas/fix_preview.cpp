@@ -27,7 +27,7 @@ FixPreview preview_of(const Level& level, const Edit& fix) {
     return false;
   };
   for (Cell at{0, 0}; at.y < map.height(); ++at.y) {
-    for (at.x = 0; at.x < map.width() && preview.cells.size() < kMostPreviewCells; ++at.x) {
+    for (at.x = 0; at.x < map.width() && preview.cells.size() < kMaxPreviewCells; ++at.x) {
       const auto index = static_cast<std::size_t>(at.y) * map.width() + at.x;
       if (changes(index)) preview.cells.push_back(at);
     }

@@ -9,9 +9,9 @@ namespace talus {
 
 struct FixPreview {
   Level level;              // after the fix
-  std::vector<Cell> cells;  // whose ground it changes, at most kMostPreviewCells
+  std::vector<Cell> cells;  // whose ground it changes, at most kMaxPreviewCells
 };
-inline constexpr std::size_t kMostPreviewCells = 4096;
+inline constexpr std::size_t kMaxPreviewCells = 4096;
 
 FixPreview preview_of(const Level& level, const Edit& fix);
 

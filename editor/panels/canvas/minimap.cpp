@@ -10,15 +10,15 @@ namespace talus {
 namespace {
 
 constexpr float kShare = 0.3f;    // largest share of the canvas's width and height
-constexpr float kMost = 220;      // px at scale 1, longest side
+constexpr float kMax = 220;       // px at scale 1, longest side
 constexpr float kLeastSide = 4;   // px at scale 1, shortest side of a long and low map
 constexpr float kLeastFrame = 3;  // px at scale 1, smallest side of the frame
 
 // Place of the minimap, and its zoom.
 CanvasView place_of(const TileMap& map, const CanvasView& view, const Ui& ui) {
   const float width = static_cast<float>(map.px_width()), height = static_cast<float>(map.px_height());
-  const float room_x = std::min((view.max.x - view.min.x) * kShare, ui.px(kMost));
-  const float room_y = std::min((view.max.y - view.min.y) * kShare, ui.px(kMost));
+  const float room_x = std::min((view.max.x - view.min.x) * kShare, ui.px(kMax));
+  const float room_y = std::min((view.max.y - view.min.y) * kShare, ui.px(kMax));
   const float zoom = std::min(room_x / width, room_y / height);
   const ImVec2 size{std::max(ui.px(kLeastSide), std::floor(width * zoom)),
                     std::max(ui.px(kLeastSide), std::floor(height * zoom))};

@@ -55,8 +55,8 @@ void draw_cross(ImDrawList& list, ImVec2 at, float side, ImU32 color) {
 }
 
 void draw_object_name(ImDrawList& list, const MapObject& object, ImVec2 mouse, const Ui& ui) {
-  constexpr std::size_t kMostShown = 60;  // bytes
-  const std::string text = shown_line(object.name.empty() ? object.type : object.name, kMostShown);
+  constexpr std::size_t kMaxShown = 60;  // bytes
+  const std::string text = shown_line(object.name.empty() ? object.type : object.name, kMaxShown);
   if (text.empty()) return;
   const ImVec2 at{mouse.x + ui.px(12), mouse.y + ui.px(12)}, size = size_of_text(text);
   const float inset = ui.px(3);

@@ -14,7 +14,7 @@ namespace {
 constexpr double kLeastOfScreen = 0.8;  // of a screen's width and height, that are shown at least
 constexpr double kNearlyAll = 1.2;      // what is so much larger than a part is shown whole
 constexpr double kRoomOfScreen = 0.25;  // of a screen, on each side of a body that a screen goes with
-constexpr double kMostScreens = 2;      // that a view shows of what is spread out
+constexpr double kMaxScreens = 2;       // that a view shows of what is spread out
 
 Rect whole_map(const TileMap& map) { return {0, 0, map.px_width(), map.px_height()}; }
 
@@ -40,7 +40,7 @@ Rect area_around_player(const Body& player, const TileMap& map) {
 }
 
 bool is_spread(const Rect& bounds, const TileMap& map) {
-  const Vec2 most = size_of_screen(map) * kMostScreens;
+  const Vec2 most = size_of_screen(map) * kMaxScreens;
   return bounds.w > most.x || bounds.h > most.y;
 }
 

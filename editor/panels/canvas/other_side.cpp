@@ -18,7 +18,7 @@ std::vector<ColoredTrails> other_trails(const Session& session, int chosen) {
   if (session.choices().body == 0) {
     bodies.clear();
     for (const Body& body : session.other_state()->bodies)
-      if (bodies.size() < kMostTrails) bodies.push_back(body.id);
+      if (bodies.size() < kMaxTrails) bodies.push_back(body.id);
   }
   std::vector<Trail> trails;
   for (const int body : bodies) {

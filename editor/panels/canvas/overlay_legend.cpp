@@ -12,7 +12,7 @@ namespace {
 constexpr int kDimmed = 150;  // alpha of the name of an overlay of which nothing is drawn
 constexpr float kLegendSwatch = 14, kLegendPad = 4, kLegendText = 6;  // px at scale 1
 // Share of the canvas that names may take: more would hide the level.
-constexpr float kMostWide = 0.34f, kMostHigh = 0.6f, kMostOfAll = 0.07f;
+constexpr float kMaxWide = 0.34f, kMaxHigh = 0.6f, kMaxOfAll = 0.07f;
 
 float name_line(const Ui& ui) { return ImGui::GetTextLineHeight() + ui.px(2); }
 
@@ -45,7 +45,7 @@ OverlayLegend::OverlayLegend(const Session& session, const CanvasView& view, flo
   const ImVec2 corner{view.max.x - pad, top + pad};
   lay_out_names(corner);
   const float w = box_->max.x - box_->min.x, h = box_->max.y - box_->min.y;
-  is_tight_ = w > kMostWide * width || h > kMostHigh * height || w * h > kMostOfAll * width * height;
+  is_tight_ = w > kMaxWide * width || h > kMaxHigh * height || w * h > kMaxOfAll * width * height;
   has_names_ = !is_tight_ && !ui.view.canvas.legend_folded;
   if (!has_names_) lay_out_swatches(corner, view.max.y - pad - corner.y);
 }

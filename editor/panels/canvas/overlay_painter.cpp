@@ -23,7 +23,7 @@ constexpr float kShortZoom = 4;
 // At scale 1; at a lower zoom all is thinner, as bodies are hardly larger than marks.
 constexpr float kThinZoom = 2;
 constexpr float kPiece = 16;  // px at scale 1: lines are kept free of labels in pieces of this length
-constexpr int kMostPieces = 64;
+constexpr int kMaxPieces = 64;
 constexpr std::ptrdiff_t kCrowd = 100;  // arrows, or marks; of more than this only some are drawn
 constexpr float kRoomInCrowd = 48;  // px at scale 1: then an overlay has one that begins in each such square
 
@@ -164,7 +164,7 @@ class Painter {
     const ImVec2 from = way.first;
     const float dx = way.second.x - from.x, dy = way.second.y - from.y;
     const int pieces =
-        std::clamp(static_cast<int>(std::ceil(std::hypot(dx, dy) / (kPiece * scale_))), 1, kMostPieces);
+        std::clamp(static_cast<int>(std::ceil(std::hypot(dx, dy) / (kPiece * scale_))), 1, kMaxPieces);
     const auto at = [&](int i) {
       const float part = static_cast<float>(i) / static_cast<float>(pieces);
       return ImVec2{from.x + dx * part, from.y + dy * part};

@@ -252,7 +252,7 @@ std::vector<Command> pixel_tools() {
                "at the mouse.",
        .menu = menus::kSpritesView,
        .run = [](S, A, U ui) { ++ui.view.sprites.pixel_zoom; },
-       .enabled = [](S, const Ui& ui) { return ui.view.sprites.pixel_zoom < kMostPixelZoom; },
+       .enabled = [](S, const Ui& ui) { return ui.view.sprites.pixel_zoom < kMaxPixelZoom; },
        .words = "magnify"},
       {.id = "pixels/zoom_out",
        .label = "Zoom out of the pixels",

@@ -9,7 +9,7 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostCandidates = 8;
+constexpr std::size_t kMaxCandidates = 8;
 
 void accept(const Completion& completion, const Candidate& candidate, std::string& text,
             std::size_t& cursor) {
@@ -91,7 +91,7 @@ void ExpressionField::draw_error(const std::string& text, const ExpressionError&
 
 void ExpressionField::draw_candidates(std::string_view name, float edge, std::string& text, Ui& ui) {
   const Completion completion = complete(text, cursor_);
-  const std::size_t count = std::min(completion.candidates.size(), kMostCandidates);
+  const std::size_t count = std::min(completion.candidates.size(), kMaxCandidates);
   if (count == 0 || is_whole(completion)) return;
   ImGui::SetCursorScreenPos({edge, ImGui::GetCursorScreenPos().y});
   for (std::size_t i = 0; i < count; ++i) {

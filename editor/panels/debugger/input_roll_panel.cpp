@@ -12,9 +12,9 @@
 namespace talus {
 namespace {
 
-constexpr float kColumn = 12, kRow = 18, kMostRow = 36, kLabels = 56;  // px at scale 1
-constexpr int kRulerStep = 10;                                         // frames
-constexpr float kNumber = 72;                                          // px at scale 1, of a field
+constexpr float kColumn = 12, kRow = 18, kMaxRow = 36, kLabels = 56;  // px at scale 1
+constexpr int kRulerStep = 10;                                        // frames
+constexpr float kNumber = 72;                                         // px at scale 1, of a field
 
 bool holds(const Branch& branch, std::int64_t frame, InputKey key) {
   Input input = branch.input(frame);
@@ -39,7 +39,7 @@ void InputRollPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const float gaps = ui.px(2) * static_cast<float>(kInputRows.size() + 1);
   const float room = ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeight() - gaps;
   const float height =
-      std::clamp(std::floor(room / static_cast<float>(kInputRows.size())), ui.px(kRow), ui.px(kMostRow));
+      std::clamp(std::floor(room / static_cast<float>(kInputRows.size())), ui.px(kRow), ui.px(kMaxRow));
   for (int row = 0; row < static_cast<int>(kInputRows.size()); ++row)
     draw_row(row, session, ui, view, {column, height});
   ImGui::PopStyleVar();

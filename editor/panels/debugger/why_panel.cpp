@@ -14,7 +14,7 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostStages = 500;  // most listed stages; each is wrapped anew in every frame
+constexpr std::size_t kMaxStages = 500;  // most listed stages; each is wrapped anew in every frame
 
 std::string_view title_of(StageKind kind) {
   switch (kind) {
@@ -82,7 +82,7 @@ void WhyPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 void WhyPanel::draw_stages(const Session& session, Ui& ui) {
   ImGui::BeginChild("stages");
   const float indent = ui.px(64);
-  const std::size_t count = std::min(session.stages().size(), kMostStages);
+  const std::size_t count = std::min(session.stages().size(), kMaxStages);
   for (std::size_t i = 0; i < count; ++i) {
     const Stage& stage = session.stages()[i];
     const bool chosen = ui.view.debugger.stage == static_cast<int>(i);

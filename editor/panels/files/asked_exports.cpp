@@ -11,7 +11,7 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostShown = 120;                          // bytes of a name or a path
+constexpr std::size_t kMaxShown = 120;                           // bytes of a name or a path
 constexpr float kAskedSizeColumn = 84, kAskedPlaceColumn = 150;  // px at scale 1
 
 struct AskedRow {
@@ -33,9 +33,9 @@ std::string without_middle(const std::string& text, std::size_t bytes) {
 
 // A text of a file in one line, without its middle if it does not fit into the width, px.
 std::string fitted(const std::string& text, float width) {
-  const std::string line = shown_line(text, kMostText);
-  std::string shown = without_middle(line, kMostShown);
-  for (std::size_t bytes = kMostShown; bytes > 16 && size_of_text(shown).x > width; bytes -= 4)
+  const std::string line = shown_line(text, kMaxText);
+  std::string shown = without_middle(line, kMaxShown);
+  for (std::size_t bytes = kMaxShown; bytes > 16 && size_of_text(shown).x > width; bytes -= 4)
     shown = without_middle(line, bytes);
   return shown;
 }

@@ -12,14 +12,14 @@ namespace {
 
 using Place = PlannedFile::Place;
 
-constexpr float kMostNoteLines = 3;                    // lines of notes beside the files before they scroll
+constexpr float kMaxNoteLines = 3;                     // lines of notes beside the files before they scroll
 constexpr float kSizeColumn = 84, kPlaceColumn = 210;  // px at scale 1
 
 std::string code_text(std::size_t bytes) {
-  const std::string sizes = size_text(bytes) + " of the " + size_text(kMostTicCode);
-  return bytes > kMostTicCode ? "Too large for TIC-80's free version: its code has " + sizes +
-                                    " that are allowed. Use fewer shapes or kinds of bodies."
-                              : "Code: " + sizes + " of TIC-80's free version.";
+  const std::string sizes = size_text(bytes) + " of the " + size_text(kMaxTicCode);
+  return bytes > kMaxTicCode ? "Too large for TIC-80's free version: its code has " + sizes +
+                                   " that are allowed. Use fewer shapes or kinds of bodies."
+                             : "Code: " + sizes + " of TIC-80's free version.";
 }
 
 // The problem of the shown preset in the last run, if the preset has not changed since.
@@ -176,7 +176,7 @@ bool draw_export_problem(ExportProblem::Field field, const Session& session, Ui&
   if (outcome == nullptr || outcome->problem->field != field) return false;
   draw_scrolled_text(("problem" + std::to_string(static_cast<int>(field))).c_str(),
                      sentence(outcome->problem->error),
-                     {ImGui::GetContentRegionAvail().x, kMostNoteLines * ImGui::GetTextLineHeight()},
+                     {ImGui::GetContentRegionAvail().x, kMaxNoteLines * ImGui::GetTextLineHeight()},
                      theme::tone(theme::kError));
   ui.item("export/error");
   return true;
@@ -197,13 +197,13 @@ void draw_export_notes(const Session& session, Ui& ui) {
   if (outcome == nullptr) return;
   if (outcome->code_bytes)
     draw_wrapped_text(code_text(*outcome->code_bytes),
-                      theme::tone(*outcome->code_bytes > kMostTicCode ? theme::kWarning : theme::kMuted));
+                      theme::tone(*outcome->code_bytes > kMaxTicCode ? theme::kWarning : theme::kMuted));
   if (outcome->dropped.empty()) return;
   std::string text = "Not in the export: ";
   for (const std::string& what : outcome->dropped)
     text += (&what == &outcome->dropped.front() ? "" : ", ") + what;
   draw_scrolled_text("dropped", text + ".",
-                     {ImGui::GetContentRegionAvail().x, kMostNoteLines * ImGui::GetTextLineHeight()},
+                     {ImGui::GetContentRegionAvail().x, kMaxNoteLines * ImGui::GetTextLineHeight()},
                      theme::tone(theme::kWarning));
   ui.item("export/dropped", text + ".");
   draw_copy_all("export/copy_all", text + ".", ui);

@@ -53,7 +53,7 @@ void LevelImportPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   const auto asks = [](const Session& now, const View&) { return now.level_import() && !shows_reading(now); };
   if (!begin_dialog("What to open", asks, {0, 0}, session, ui)) return;
   if (const auto& import = session.level_import()) {
-    const std::string name = shown_line(std::filesystem::path(import->path).filename().string(), kMostLabel);
+    const std::string name = shown_line(std::filesystem::path(import->path).filename().string(), kMaxLabel);
     const bool is_project = import->is_mapping || !import->levels.empty();
     ui.heading(is_project ? name + ", a project of LDtk" : name + " holds more than a level can");
     ImportChoices choices = import->choices;

@@ -11,11 +11,11 @@
 namespace talus {
 namespace {
 
-constexpr float kWorldMargin = 8;          // px at scale 1
-constexpr float kLeastOfLevel = 3;         // px at scale 1, that is seen of a small level
-constexpr std::size_t kMostLevels = 2000;  // levels of a world
-constexpr int kNoPlace = -1;               // x and y of levels that LDtk shows in a row
-constexpr double kRowGap = 16;             // px of the world
+constexpr float kWorldMargin = 8;         // px at scale 1
+constexpr float kLeastOfLevel = 3;        // px at scale 1, that is seen of a small level
+constexpr std::size_t kMaxLevels = 2000;  // levels of a world
+constexpr int kNoPlace = -1;              // x and y of levels that LDtk shows in a row
+constexpr double kRowGap = 16;            // px of the world
 
 struct WorldView {
   double zoom = 1;      // px of the screen for each of the world
@@ -48,7 +48,7 @@ WorldView view_of(const std::vector<Rect>& places, ImVec2 min, ImVec2 size, floa
 std::vector<int> by_depth(const std::vector<LdtkLevelName>& levels, const std::vector<Rect>& places) {
   std::vector<int> order;
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    if (places[i].w > 0 && order.size() < kMostLevels) order.push_back(static_cast<int>(i));
+    if (places[i].w > 0 && order.size() < kMaxLevels) order.push_back(static_cast<int>(i));
   }
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
     return levels[static_cast<std::size_t>(a)].depth < levels[static_cast<std::size_t>(b)].depth;

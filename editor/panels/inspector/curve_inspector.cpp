@@ -14,7 +14,7 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostHeights = 65;  // of a polyline; so many heights get a field each
+constexpr std::size_t kMaxHeights = 65;  // of a polyline; so many heights get a field each
 
 // The numbers of a form, one after another.
 class FormFields {
@@ -65,7 +65,7 @@ class FormFields {
   void draw(Polyline& p) {
     ends(p.x0, p.x1);
     row("Heights");
-    if (p.ys.size() > kMostHeights)
+    if (p.ys.size() > kMaxHeights)
       return ui_.hint("It has " + std::to_string(p.ys.size()) + " heights, too many for fields.");
     for (std::size_t i = 0; i < p.ys.size(); ++i)
       number("y" + std::to_string(i), "", p.ys[i], "Its y there, px.");

@@ -14,8 +14,8 @@
 namespace talus {
 namespace {
 
-constexpr float kObjectField = 150;      // px at scale 1
-constexpr std::size_t kMostOfName = 40;  // bytes
+constexpr float kObjectField = 150;     // px at scale 1
+constexpr std::size_t kMaxOfName = 40;  // bytes
 
 // The object with these properties, of which `one_way` is a field of its own, too.
 MapObject with_properties(MapObject object, std::string properties) {
@@ -98,11 +98,11 @@ void ObjectInspector::draw_layer(const Session& session, Actions& actions, Ui& u
   ui.begin_row();
   ui.label("in the layer");
   ImGui::SameLine();
-  if (ui.begin_combo("inspector/object_layer", shown_line(object_layer_text(level, now), kMostOfName),
+  if (ui.begin_combo("inspector/object_layer", shown_line(object_layer_text(level, now), kMaxOfName),
                      ui.px(kObjectField), "The layer of objects that new ones come into.")) {
     draw_rows(count, [&](int layer) {
       ImGui::PushID(layer);
-      if (selectable(shown_line(object_layer_text(level, layer), kMostOfName), {}, layer == now))
+      if (selectable(shown_line(object_layer_text(level, layer), kMaxOfName), {}, layer == now))
         actions.push_back(action::SelectObject{{layer, -1}});
       ui.item("inspector/object_layer_" + std::to_string(layer));
       ImGui::PopID();

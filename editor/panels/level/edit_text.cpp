@@ -10,7 +10,7 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostFields = 2;  // of a tuning change; so many are named
+constexpr std::size_t kMaxFields = 2;  // of a tuning change; so many are named
 
 // "Paint tiles" with the number in its middle, "Fill rectangle" with it at its end.
 std::string with_count(const std::string& label, std::size_t count, const std::string& what) {
@@ -44,7 +44,7 @@ std::string describe_tuning(const Edit& edit, const TuningChange& change) {
   std::size_t count = 0;
   for (const TuningField& field : tuning_fields()) {
     if (field.of(change.before) == field.of(change.after)) continue;
-    if (++count > kMostFields) return edit.label;
+    if (++count > kMaxFields) return edit.label;
     names += (names.empty() ? " " : ", ") + std::string(field.label);
   }
   return names.empty() ? edit.label : "Change" + names;

@@ -33,7 +33,7 @@ void put_nearest_first(std::vector<std::size_t>& rows, const std::vector<Problem
   std::vector<std::pair<std::int64_t, std::size_t>> order;
   order.reserve(rows.size());
   for (const std::size_t row : rows) order.emplace_back(distance(row), row);
-  const auto sorted = static_cast<std::ptrdiff_t>(std::min(order.size(), kMostProblemRows));
+  const auto sorted = static_cast<std::ptrdiff_t>(std::min(order.size(), kMaxProblemRows));
   std::partial_sort(order.begin(), order.begin() + sorted, order.end());
   std::transform(order.begin(), order.end(), rows.begin(), [](const auto& entry) { return entry.second; });
 }

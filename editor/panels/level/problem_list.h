@@ -13,7 +13,7 @@ namespace talus {
 std::string problems_text(const Session& session, const Ui& ui);
 
 // How many problems a list shows.
-inline constexpr std::size_t kMostProblemRows = 500;
+inline constexpr std::size_t kMaxProblemRows = 500;
 
 // Whether any problem is listed; cheaper than to ask for the rows, which are put in order.
 bool lists_problems(const Ui& ui);

@@ -15,7 +15,7 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostRemedies = 2000;
+constexpr std::size_t kMaxRemedies = 2000;
 constexpr int kRemediesAFrame = 4;  // finding a remedy takes up to a few ms
 constexpr float kFix = 32,
                 kWidePlace = 90;  // px at scale 1: width of the button, above which a place has its own line
@@ -41,7 +41,7 @@ float width_of(const std::string& text) { return size_of_text(text).x; }
 void ProblemsPanel::draw(const Session& session, Actions& actions, Ui& ui) {
   looked_for_ = 0;
   is_previewed_ = false;
-  if (remedies_.size() > kMostRemedies) remedies_.clear();
+  if (remedies_.size() > kMaxRemedies) remedies_.clear();
   draw_proof_button(session, actions, ui);
   if (!ui.problems->empty() && !session.prover().running()) ImGui::SameLine();
   if (ui.problems->empty()) {
@@ -135,7 +135,7 @@ void ProblemsPanel::draw_rows(const std::vector<std::size_t>& rows, const Sessio
                               Ui& ui) {
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY;
   if (!ImGui::BeginTable("problems", 3, kFlags, ImGui::GetContentRegionAvail())) return;
-  const std::size_t shown = std::min(rows.size(), kMostProblemRows);
+  const std::size_t shown = std::min(rows.size(), kMaxProblemRows);
   const int tiles = session.level().tile_count();
   float place = std::max(ui.px(40), width_of_places(session));
   for (std::size_t i = 0; i < shown; ++i)
@@ -202,7 +202,7 @@ void ProblemsPanel::draw_row(std::size_t index, const Session& session, Actions&
                  ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap, {0, height}))
     go_to_problem(index, session, actions, ui);
   ImGui::PopStyleColor();
-  std::string help(problem.message.size() > kMostLine ? problem.message : problem.rule->label);
+  std::string help(problem.message.size() > kMaxLine ? problem.message : problem.rule->label);
   if (has_no_fix(problem, session)) help += "\n" + std::string(problem.rule->by_hand);
   ui.item("problems/row" + row, help, "click to go there");
   if (is_chosen && ui.view.requests.take<request::ShowProblem>()) ImGui::SetScrollHereY(0.5f);

@@ -12,14 +12,14 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostFindingRows = 500;
+constexpr std::size_t kMaxFindingRows = 500;
 
 std::size_t count_of(const Proof& proof) { return proof.findings.size() + proof.more; }
 
 std::span<const Finding> shown_findings(const Session& session) {
   const Proof* proof = session.prover().found();
   if (proof == nullptr) return {};
-  return std::span(proof->findings).first(std::min(proof->findings.size(), kMostFindingRows));
+  return std::span(proof->findings).first(std::min(proof->findings.size(), kMaxFindingRows));
 }
 
 void begin_message() {

@@ -13,7 +13,7 @@ namespace talus {
 namespace {
 
 constexpr float kPictureWidth = 480, kPictureHeight = 360;  // px at scale 1, at most
-constexpr float kMostPixel = 6;                             // px at scale 1, of a pixel of the picture
+constexpr float kMaxPixel = 6;                              // px at scale 1, of a pixel of the picture
 constexpr float kImportButton = 112;                        // px at scale 1, the width of a button
 
 // How many tiles come out, and what is left over.
@@ -56,7 +56,7 @@ void TileImportPanel::begin(const TileImport& import) {
 void TileImportPanel::draw_picture(const TileImport& import, bool is_good, Ui& ui) const {
   const ImVec2 room{ui.px(kPictureWidth), ui.px(kPictureHeight)}, at = ImGui::GetCursorScreenPos();
   const float width = static_cast<float>(import.width()), height = static_cast<float>(import.height());
-  float zoom = std::min({room.x / width, room.y / height, kMostPixel * ui.scale});
+  float zoom = std::min({room.x / width, room.y / height, kMaxPixel * ui.scale});
   if (zoom > 1) zoom = std::floor(zoom);
   ImGui::Dummy(room);
   const ImVec2 from{std::floor(at.x + (room.x - width * zoom) / 2),

@@ -217,7 +217,7 @@ void PixelPanel::move_by_middle_button(const Ui& ui) {
 
 // A colour that is painted with in true colour becomes the first of the recent ones.
 void PixelPanel::note_color(const Session& session, Ui& ui) {
-  constexpr std::size_t kMostRecent = 8;
+  constexpr std::size_t kMaxRecent = 8;
   const Choices& choices = session.choices();
   const bool paints = choices.sprite_tool != SpriteTool::pick && choices.sprite_tool != SpriteTool::select;
   const Rgba color = ImGui::IsMouseClicked(1) ? choices.secondary_rgba : choices.rgba;
@@ -225,7 +225,7 @@ void PixelPanel::note_color(const Session& session, Ui& ui) {
   std::vector<Rgba>& recent = ui.view.sprites.recent_colors;
   std::erase(recent, color);
   recent.insert(recent.begin(), color);
-  recent.resize(std::min(recent.size(), kMostRecent));
+  recent.resize(std::min(recent.size(), kMaxRecent));
 }
 
 // Up: fewer pixels, larger; with Ctrl the same pixels, larger. Touch pads turn the wheel by fractions, which
@@ -240,7 +240,7 @@ void PixelPanel::take_wheel(const Session& session, Actions& actions, Cell pixel
   wheel_ -= static_cast<float>(steps);
   if (steps == 0) return;
   if (zooms) {
-    zoom_steps = std::clamp(zoom_steps + steps, 0, kMostPixelZoom);
+    zoom_steps = std::clamp(zoom_steps + steps, 0, kMaxPixelZoom);
     return;
   }
   const SpriteArea& area = session.choices().area;

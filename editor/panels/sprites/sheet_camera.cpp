@@ -9,7 +9,7 @@ namespace talus {
 namespace {
 
 // px at scale 1, of a tile: smaller ones look alike, and larger ones only take room.
-constexpr float kLeastSheetTile = 24, kMostSheetTile = 48;
+constexpr float kLeastSheetTile = 24, kMaxSheetTile = 48;
 
 }  // namespace
 
@@ -39,7 +39,7 @@ void SheetCamera::start_afresh(const Ui& ui) {
   const Vec2 whole = size();
   const auto fits = static_cast<float>(std::min(room_.x / whole.x, room_.y / whole.y));
   const float least = zoom_is_chosen_ ? camera_.zoom() : of_tile(kLeastSheetTile);
-  const float most = zoom_is_chosen_ ? camera_.zoom() : std::max(of_tile(kMostSheetTile), fits);
+  const float most = zoom_is_chosen_ ? camera_.zoom() : std::max(of_tile(kMaxSheetTile), fits);
   camera_.show_corner(least, most, whole, room_);
 }
 

@@ -99,8 +99,8 @@ std::string SheetFinder::text_of(const Session& session, int tile) {
   }
   if (!flags.empty()) flags += ".";
   const std::size_t uses = uses_of(session, tile);
-  constexpr std::size_t kMostNote = 300;  // bytes
-  std::string note = shown_line(text_of_note(note_of(level.tile_notes, number)), kMostNote);
+  constexpr std::size_t kMaxNote = 300;  // bytes
+  std::string note = shown_line(text_of_note(note_of(level.tile_notes, number)), kMaxNote);
   if (!note.empty()) note = " " + note + ".";
   return text + shape + "." + flags + note + " " +
          (uses == 0 ? "The map does not use it."

@@ -211,7 +211,7 @@ void SheetPanel::draw_marks(ImDrawList& list, const Session& session, const Shee
 
 // "All" and the tilesets as tabs, which scroll; very many are a list.
 void SheetPanel::draw_tabs(const Session& session, Actions& actions, Ui& ui) {
-  constexpr int kMostTabs = 64;
+  constexpr int kMaxTabsInRow = 64;
   const auto& sets = session.level().tilesets;
   int& shown = ui.view.sprites.tileset;
   if (shown >= static_cast<int>(sets.size())) shown = -1;
@@ -219,8 +219,8 @@ void SheetPanel::draw_tabs(const Session& session, Actions& actions, Ui& ui) {
   std::vector<std::string> names{"All"};
   for (std::size_t set = 0; set < sets.size(); ++set)
     names.push_back(sets[set].name.empty() ? "tileset " + std::to_string(set + 1) : sets[set].name);
-  const bool opens_menu = names.size() > kMostTabs ? draw_tileset_list(session, names, ui)
-                                                   : draw_tileset_tabs(session, names, ui);
+  const bool opens_menu = names.size() > kMaxTabsInRow ? draw_tileset_list(session, names, ui)
+                                                       : draw_tileset_tabs(session, names, ui);
   if (opens_menu && shown >= 0) {
     tileset_name_ = sets[static_cast<std::size_t>(shown)].name;
     ImGui::OpenPopup("tileset menu");

@@ -9,7 +9,7 @@
 
 namespace talus {
 
-inline constexpr int kMostPixelZoom = 8;
+inline constexpr int kMaxPixelZoom = 8;
 
 // How the pixel canvas is shown.
 struct PixelView {
@@ -24,7 +24,7 @@ struct SpritesView {
   int palette_color = 12;           // 0..15, which the sliders edit
   bool picks_right = false;         // whether the picker chooses the right button's colour, in true colour
   std::vector<Rgba> recent_colors;  // those that were painted with last in true colour, the last one first
-  int pixel_zoom = 0;               // steps that the pixels are shown larger than fits, 0..kMostPixelZoom
+  int pixel_zoom = 0;               // steps that the pixels are shown larger than fits, 0..kMaxPixelZoom
   int sheet_zoom = 0;               // steps that the sheet zooms in by when it is drawn next; < 0: out
   std::map<int, Cell> tile_places;  // by tile, where on the map the mouse was on it last
   int tileset = -1;                 // index of the tileset that the sheet shows alone; -1: all tiles

@@ -16,7 +16,7 @@ const FlagRoleInfo* role_of_flag(const FlagRoles& roles, int flag) {
 
 std::string flag_name(const Level& level, int flag) {
   const std::string& own = level.flag_names[static_cast<std::size_t>(flag)];
-  if (!own.empty()) return shown_line(own, kMostLabel);
+  if (!own.empty()) return shown_line(own, kMaxLabel);
   const FlagRoleInfo* role = role_of_flag(level.roles, flag);
   if (role) return std::string(role->label);
   const TileShape& shape = level.flag_shapes[static_cast<std::size_t>(flag)];
@@ -34,14 +34,14 @@ std::string flag_label(const Level& level, int flag) {
 }
 
 std::string field_name(const FlagField& field) {
-  if (!field.name.empty()) return shown_line(field.name, kMostLabel);
+  if (!field.name.empty()) return shown_line(field.name, kMaxLabel);
   return "flags " + std::to_string(field.first) + "-" + std::to_string(field.last());
 }
 
 std::string value_name(const FlagField& field, int value) {
   const auto index = static_cast<std::size_t>(value);
   const bool named = index < field.values.size() && !field.values[index].empty();
-  return named ? shown_line(field.values[index], kMostLabel) : std::to_string(value);
+  return named ? shown_line(field.values[index], kMaxLabel) : std::to_string(value);
 }
 
 std::vector<FlagPattern> flag_patterns(const Level& level) {

@@ -19,7 +19,7 @@ namespace talus {
 namespace {
 
 constexpr const char* kPopup = "flag menu";
-constexpr int kMostValueRows = 8;  // with more rows it scrolls
+constexpr int kMaxValueRows = 8;  // with more rows it scrolls
 
 // How many flags a field from there on can have: none that has no lamp.
 int most_bits_shown(const Level& level, std::span<const FlagField> others, int first) {
@@ -36,12 +36,12 @@ std::vector<FlagField> fields_without(const Level& level, std::size_t index) {
 // of InputText.
 bool draw_name(const char* id, const char* hint, std::string& name, float least, Ui& ui,
                ImGuiInputTextFlags flags = 0) {
-  constexpr float kMost = 480;  // px at scale 1
+  constexpr float kMax = 480;  // px at scale 1
   const float text = size_of_text(name + "W").x + 2 * ImGui::GetStyle().FramePadding.x;
-  ImGui::SetNextItemWidth(std::clamp(text, ui.px(least), ui.px(kMost)));
+  ImGui::SetNextItemWidth(std::clamp(text, ui.px(least), ui.px(kMax)));
   const bool result = input_text(id, hint, name, flags);
   // It scrolled to what was typed before it grew.
-  if (ImGuiInputTextState* state = ImGui::GetInputTextState(ImGui::GetItemID()); state && text < ui.px(kMost))
+  if (ImGuiInputTextState* state = ImGui::GetInputTextState(ImGui::GetItemID()); state && text < ui.px(kMax))
     state->ScrollX = 0;
   return result;
 }
@@ -215,7 +215,7 @@ void FlagMenu::draw_bits(const Level& level, Actions& actions, Ui& ui, std::size
 void FlagMenu::draw_values(const Session& session, Actions& actions, Ui& ui, std::size_t index) {
   const FlagField& field = session.level().flag_fields[index];
   ui.heading("Names of its values");
-  const int rows = std::min(field.value_count(), kMostValueRows);
+  const int rows = std::min(field.value_count(), kMaxValueRows);
   const float row = ImGui::GetFrameHeightWithSpacing();
   ImGui::BeginChild("values", {ui.px(200), static_cast<float>(rows) * row});
   for (int value = 0; value < field.value_count(); ++value) {

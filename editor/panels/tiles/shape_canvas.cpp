@@ -16,7 +16,7 @@ namespace talus {
 namespace {
 
 constexpr float kMargin = 8, kHandle = 4, kReach = 9;  // px at scale 1
-constexpr float kMostTileZoom = 24;                    // px for each px of a tile, at scale 1
+constexpr float kMaxTileZoom = 24;                     // px for each px of a tile, at scale 1
 constexpr float kLeastTile = 32;                       // px at scale 1, the height of a tile
 constexpr float kLeastGrid = 5;                        // px at scale 1, between lines of the grid
 
@@ -172,7 +172,7 @@ std::optional<TileShape> ShapeCanvas::draw(const Session& session, Actions& acti
   const auto wide = static_cast<float>(region_.w), high = static_cast<float>(region_.h);
   const float least = ui.px(kLeastTile) / static_cast<float>(size.height);  // of shapes higher than the room
   const float fits = std::min((room.x - 2 * margin) / wide, std::max((room.y - 2 * margin) / high, least));
-  const float zoom = whole_zoom(fits, is_open(edited), kMostTileZoom * ui.scale);
+  const float zoom = whole_zoom(fits, is_open(edited), kMaxTileZoom * ui.scale);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("shape canvas", {room.x, high * zoom + 2 * margin},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);

@@ -14,10 +14,10 @@
 namespace talus {
 namespace {
 
-constexpr float kLeastCanvas = 104, kMostCanvas = 260;  // px at scale 1, height
-constexpr float kBelowCanvas = 140;                     // px at scale 1, what is drawn there
+constexpr float kLeastCanvas = 104, kMaxCanvas = 260;  // px at scale 1, height
+constexpr float kBelowCanvas = 140;                    // px at scale 1, what is drawn there
 // The same for polygons; what is below may scroll.
-constexpr float kLeastPolygonCanvas = 224, kMostPolygonCanvas = 420;
+constexpr float kLeastPolygonCanvas = 224, kMaxPolygonCanvas = 420;
 constexpr float kSuggestWidth = 196;               // px at scale 1, of a button
 constexpr float kAddWidth = 96, kPartWidth = 132;  // px at scale 1, of lists
 constexpr std::array<std::string_view, 4> kTurns = {"as it is", "mirrored", "upside down",
@@ -280,7 +280,7 @@ void ShapePanel::draw_canvas(const Session& session, Actions& actions, Ui& ui, i
                     ImGui::GetContentRegionAvail().y};
   EditedShape edited = edited_shape(session, ui.view);
   const float least = ui.px(is_open(edited) ? kLeastPolygonCanvas : kLeastCanvas);
-  const float most = ui.px(is_open(edited) ? kMostPolygonCanvas : kMostCanvas);
+  const float most = ui.px(is_open(edited) ? kMaxPolygonCanvas : kMaxCanvas);
   const float height = std::clamp(room.y - ui.px(kBelowCanvas), least, most);
   const auto owner = edited.is_drawing ? std::nullopt : tile_reaching_over(session.level(), tile);
   if (owner) edited.whole = shape_of_tile(session.level(), static_cast<TileNumber>(*owner));

@@ -85,11 +85,11 @@ void TourPanel::draw(const Session& session, Actions& actions, Ui& ui) {
 void TourPanel::wait_for_level(const Session& session, View& view) {
   TourView& tour = view.tour;
   if (tour.opens_after < 0) return;
-  constexpr int kMostFrames = 3;  // until an action has been carried out
+  constexpr int kMaxFrames = 3;  // until an action has been carried out
   tour.open = view.canvas.level_number != tour.opens_after;
   const bool is_coming = session.question() || session.reading();
   frames_waited_ = is_coming ? 0 : frames_waited_ + 1;
-  if (!tour.open && frames_waited_ <= kMostFrames) return;
+  if (!tour.open && frames_waited_ <= kMaxFrames) return;
   frames_waited_ = 0;
   tour.opens_after = -1;
 }

@@ -7,7 +7,7 @@
 namespace talus {
 
 void draw_copy_all(std::string_view name, const std::string& text, Ui& ui) {
-  if (text.size() <= kMostText) return;
+  if (text.size() <= kMaxText) return;
   if (!ui.text_button(name, "Copy all", false, "Copies the whole text, also what is not shown of it."))
     return;
   std::string copied = text;

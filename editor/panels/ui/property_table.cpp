@@ -8,8 +8,8 @@ namespace talus {
 namespace {
 
 constexpr float kName = 84, kKind = 66, kRemove = 20;  // px at scale 1
-constexpr std::size_t kMostOfName = 60;                // bytes
-constexpr std::size_t kMostProperties = 1000;          // properties with a field
+constexpr std::size_t kMaxOfName = 60;                 // bytes
+constexpr std::size_t kMaxProperties = 1000;           // properties with a field
 
 // Short, as the column is narrow.
 const char* short_label(PropertyKind kind) {
@@ -55,7 +55,7 @@ std::optional<PropertyChange> PropertyTable::draw(const std::string& id, const s
   ui.begin_row();
   for (const auto& [name, value] : properties_.items()) {
     if (name == has_field && !has_field.empty()) continue;
-    if (row >= kMostProperties) break;
+    if (row >= kMaxProperties) break;
     if (auto changed = draw_row(id + "_property" + std::to_string(row++), of, name, value, wrong, ui))
       change = std::move(changed);
   }
@@ -71,7 +71,7 @@ std::optional<PropertyChange> PropertyTable::draw_row(const std::string& id, con
   ImGui::PushID(id.c_str());
   const float x = ImGui::GetCursorPosX();
   ImGui::AlignTextToFramePadding();
-  draw_short_text(shown_line(name, kMostOfName), ui.px(kName), theme::tone(theme::kText));
+  draw_short_text(shown_line(name, kMaxOfName), ui.px(kName), theme::tone(theme::kText));
   ui.tooltip(shown_line(name));
   ImGui::SameLine();
   ImGui::SetCursorPosX(x + ui.px(kName) + ImGui::GetStyle().ItemSpacing.x);

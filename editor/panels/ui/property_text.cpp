@@ -75,9 +75,9 @@ std::optional<Json> value_of_text(const std::string& text, PropertyKind kind) {
 Json in_kind(const Json& value, PropertyKind kind) {
   if (kind_of(value) == kind) return value;
   if (kind == PropertyKind::whole_number && value.is_number_float()) {
-    constexpr double kMost = 9e15;  // whole numbers up to there are exact
+    constexpr double kMax = 9e15;  // whole numbers up to there are exact
     const double whole = std::trunc(value.get<double>());
-    return std::abs(whole) <= kMost ? Json(static_cast<std::int64_t>(whole)) : Json(0);
+    return std::abs(whole) <= kMax ? Json(static_cast<std::int64_t>(whole)) : Json(0);
   }
   if (kind == PropertyKind::number && value.is_number_integer()) return Json(value.get<double>());
   if (const auto same = value_of_text(text_of_value(value), kind)) return *same;

@@ -46,10 +46,10 @@ std::string cut(std::string_view text, std::size_t most, bool keeps_lines) {
 
 // "text###id". A "##" in the text would hide the rest of it.
 std::string label_of(std::string_view text, std::string_view id) {
-  std::string label = shown_line(text, kMostLabel);
+  std::string label = shown_line(text, kMaxLabel);
   for (std::size_t at = label.find("##"); at != std::string::npos; at = label.find("##", at))
     label.insert(at + 1, 1, ' ');
-  return label.append("###").append(id.empty() ? text.substr(0, kMostLabel) : id);
+  return label.append("###").append(id.empty() ? text.substr(0, kMaxLabel) : id);
 }
 
 // Cuts what was typed, then calls the field's own callback.
@@ -62,8 +62,8 @@ struct TypedText {
     const auto& typed = *static_cast<TypedText*>(event->UserData);
     if (event->EventFlag == ImGuiInputTextFlags_CallbackEdit) {
       const std::size_t size = static_cast<std::size_t>(event->BufTextLen);
-      if (size > kMostTyped) {
-        std::size_t end = kMostTyped;
+      if (size > kMaxTyped) {
+        std::size_t end = kMaxTyped;
         while (end > 0 && (static_cast<unsigned char>(event->Buf[end]) & 0xc0u) == 0x80u) --end;
         event->DeleteChars(static_cast<int>(end), static_cast<int>(size - end));
       }
@@ -215,14 +215,14 @@ bool checkbox(std::string_view text, std::string_view id, bool& on) {
 }
 
 bool begin_combo(std::string_view id, std::string_view shown, ImGuiComboFlags flags) {
-  const std::string preview = shown_line(shown, kMostLabel);
+  const std::string preview = shown_line(shown, kMaxLabel);
   return ImGui::BeginCombo(("##" + std::string(id)).c_str(), preview.c_str(), flags);
 }
 
 bool input_text(std::string_view id, std::string_view hint, std::string& text, ImGuiInputTextFlags flags,
                 ImGuiInputTextCallback callback, void* data) {
   const std::string name = "##" + std::string(id), shown_hint(hint);
-  if (text.size() > kMostTyped) {
+  if (text.size() > kMaxTyped) {
     std::string shown = shown_line(text);
     ImGui::InputText(name.c_str(), &shown, ImGuiInputTextFlags_ReadOnly);
     return false;

@@ -10,19 +10,19 @@
 
 namespace talus {
 
-inline constexpr std::size_t kMostLabel = 120;     // bytes of the text of a control
-inline constexpr std::size_t kMostLine = 300;      // bytes of other texts of one line
-inline constexpr std::size_t kMostText = 6000;     // bytes of a text with several lines
-inline constexpr std::size_t kMostTooltip = 1200;  // bytes
-inline constexpr std::size_t kMostTyped = 4096;    // bytes of a text that can be typed
+inline constexpr std::size_t kMaxLabel = 120;     // bytes of the text of a control
+inline constexpr std::size_t kMaxLine = 300;      // bytes of other texts of one line
+inline constexpr std::size_t kMaxText = 6000;     // bytes of a text with several lines
+inline constexpr std::size_t kMaxTooltip = 1200;  // bytes
+inline constexpr std::size_t kMaxTyped = 4096;    // bytes of a text that can be typed
 
 // Returns what is shown of a text: its first `most` bytes, only whole letters. A longer text ends with "..."
 // or, if it has several lines, with the number of further bytes. Line ends and tabs become spaces. Other
 // control characters, characters that change the direction of writing, and bytes that are not UTF-8 become
 // dots.
-std::string shown_line(std::string_view text, std::size_t most = kMostLine);
+std::string shown_line(std::string_view text, std::size_t most = kMaxLine);
 // The same, with its line ends kept.
-std::string shown_text(std::string_view text, std::size_t most = kMostText);
+std::string shown_text(std::string_view text, std::size_t most = kMaxText);
 
 // The same, broken between words into lines of at most `width` px. ImGui also breaks behind commas and full
 // stops, and so inside of numbers. A wider word has a line for itself.
@@ -60,7 +60,7 @@ bool radio_button(std::string_view text, std::string_view id, bool chosen);
 bool checkbox(std::string_view text, std::string_view id, bool& on);
 bool begin_tab_item(std::string_view text, std::string_view id, ImGuiTabItemFlags flags = 0);
 bool begin_combo(std::string_view id, std::string_view shown, ImGuiComboFlags flags = 0);
-// A field for a text. A text of more than kMostTyped bytes, which only a file can have, is shown but cannot
+// A field for a text. A text of more than kMaxTyped bytes, which only a file can have, is shown but cannot
 // be changed. Typed or pasted text is cut to that size.
 bool input_text(std::string_view id, std::string_view hint, std::string& text, ImGuiInputTextFlags flags = 0,
                 ImGuiInputTextCallback callback = nullptr, void* data = nullptr);

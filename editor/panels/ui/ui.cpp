@@ -11,8 +11,8 @@
 namespace talus {
 namespace {
 
-constexpr double kTooltipDelay = 0.45;    // s
-constexpr float kMostTooltipWidth = 320;  // px at scale 1
+constexpr double kTooltipDelay = 0.45;   // s
+constexpr float kMaxTooltipWidth = 320;  // px at scale 1
 
 // A button that is switched on shows it under the mouse, too, a little brighter.
 constexpr int kLitColors = 3;
@@ -73,8 +73,8 @@ void Ui::show_tooltip_when_rested(ImGuiID id, std::string_view help, std::string
   if (time - rested_since_ < kTooltipDelay) return;
   place_tooltip();
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(px(kMostTooltipWidth));
-  draw_text(shown_text(help, kMostTooltip));
+  ImGui::PushTextWrapPos(px(kMaxTooltipWidth));
+  draw_text(shown_text(help, kMaxTooltip));
   if (!key.empty()) draw_text(key, theme::tone(theme::kAccent));
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
@@ -86,7 +86,7 @@ void Ui::place_tooltip() const {
   const float width = ImGui::GetIO().DisplaySize.x;
   const ImGuiWindow& window = *ImGui::GetCurrentWindow();
   if ((window.Flags & ImGuiWindowFlags_Popup) != 0) {
-    const bool is_at_right = window.Pos.x + window.Size.x + px(kMostTooltipWidth) > width;
+    const bool is_at_right = window.Pos.x + window.Size.x + px(kMaxTooltipWidth) > width;
     ImGui::SetNextWindowPos({is_at_right ? window.Pos.x - px(4) : window.Pos.x + window.Size.x + px(4),
                              ImGui::GetItemRectMin().y},
                             ImGuiCond_Always, {is_at_right ? 1.0f : 0.0f, 0});

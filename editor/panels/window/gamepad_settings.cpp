@@ -29,7 +29,7 @@ constexpr std::array kNamedButtons = {NamedButton{"a", "A"},
 std::string label_of_button(const std::string& name) {
   if (name.empty()) return "none";
   const auto* known = std::ranges::find(kNamedButtons, name, &NamedButton::name);
-  return known != kNamedButtons.end() ? std::string(known->label) : shown_line(name, kMostLabel);
+  return known != kNamedButtons.end() ? std::string(known->label) : shown_line(name, kMaxLabel);
 }
 
 void pad_row(std::string_view name, float names) {

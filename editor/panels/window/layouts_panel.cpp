@@ -17,7 +17,7 @@ std::optional<std::size_t> draw_saved_layouts(View& view, Ui& ui) {
     const SavedLayout& layout = view.layouts[i];
     const std::string widget = "layouts/saved" + std::to_string(i);
     ImGui::PushID(static_cast<int>(i));
-    if (ui.text_button(widget, shown_line(layout.name, kMostLabel), false, "Arranges the window like this.",
+    if (ui.text_button(widget, shown_line(layout.name, kMaxLabel), false, "Arranges the window like this.",
                        {}, true, ui.px(kLayoutName))) {
       show_layout(SavedLayout(layout), view);
       view.window.layouts_open = false;

@@ -19,7 +19,7 @@
 namespace talus {
 namespace {
 
-constexpr std::int64_t kLeastPreviewFrames = 90, kMostPreviewFrames = 600;  // of a run
+constexpr std::int64_t kLeastPreviewFrames = 90, kMaxPreviewFrames = 600;  // of a run
 
 // Of tiles that lie together on the sheet. Colour 0 is clear where they have 16 colours.
 std::shared_ptr<const SheetPicture> picture_of_tiles(const Level& level, CellRect tiles) {
@@ -78,9 +78,8 @@ Input LevelPreview::input() const {
 }
 
 bool LevelPreview::is_over() const {
-  const std::int64_t frames = case_.frames > 0
-                                  ? std::clamp(case_.frames, kLeastPreviewFrames, kMostPreviewFrames)
-                                  : kMostPreviewFrames;
+  const std::int64_t frames =
+      case_.frames > 0 ? std::clamp(case_.frames, kLeastPreviewFrames, kMaxPreviewFrames) : kMaxPreviewFrames;
   const Body* player = followed_body(state_, 0);
   return state_.frame >= frames || (player != nullptr && !meet(player->box, area_));
 }
@@ -137,8 +136,8 @@ void LevelPreview::draw(ImVec2 min, ImVec2 max, Ui& ui) const {
 void LevelPreviews::begin_frame(double time, bool moves) {
   constexpr double kStep = 1.0 / 60;  // s
   may_read_ = true;
-  steps_ = moves ? std::clamp(static_cast<int>((time - time_) / kStep), 0, kMostSteps) : 0;
-  time_ = steps_ == kMostSteps || !moves ? time : time_ + steps_ * kStep;
+  steps_ = moves ? std::clamp(static_cast<int>((time - time_) / kStep), 0, kMaxSteps) : 0;
+  time_ = steps_ == kMaxSteps || !moves ? time : time_ + steps_ * kStep;
 }
 
 void LevelPreviews::draw(const std::string& path, ImVec2 min, ImVec2 max, Ui& ui) {

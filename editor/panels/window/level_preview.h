@@ -46,7 +46,7 @@ class LevelPreview {
 // The previews of a page. Each is read when it is first drawn, at most one in a frame.
 class LevelPreviews {
  public:
-  static constexpr int kMostSteps = 2;  // of a preview in a frame: a slow window plays slower
+  static constexpr int kMaxSteps = 2;  // of a preview in a frame: a slow window plays slower
 
   // Call it in each frame before the previews are drawn. moves: whether they play on.
   void begin_frame(double time, bool moves);

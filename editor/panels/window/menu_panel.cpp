@@ -36,8 +36,8 @@ void draw_command(const Command& command, const Session& session, Actions& actio
 // As many as a low window has room for; the others are in a menu at the end.
 void draw_command_rows(std::span<const Command* const> rows, const std::string& name, const Session& session,
                        Actions& actions, Ui& ui) {
-  constexpr std::size_t kMostRows = 24;
-  const std::size_t count = rows.size() > kMostRows ? kMostRows - 1 : rows.size();
+  constexpr std::size_t kMaxRows = 24;
+  const std::size_t count = rows.size() > kMaxRows ? kMaxRows - 1 : rows.size();
   for (const Command* const command : rows.first(count)) draw_command(*command, session, actions, ui);
   if (count == rows.size()) return;
   const bool open = ImGui::BeginMenu("More");
@@ -198,13 +198,13 @@ void MenuPanel::draw_all_commands(const Session& session, Actions& actions, Ui& 
 }
 
 void MenuPanel::draw_maps(const Session& session, Actions& actions, Ui& ui) {
-  constexpr std::size_t kMostShown = 500;
+  constexpr std::size_t kMaxShown = 500;
   const MapList& maps = session.maps();
   const auto& files = maps.files();
   const bool open = ImGui::BeginMenu("Maps", !files.empty());
   ui.item("menu/maps", "The maps that were opened together, or those of a folder.");
   if (!open) return;
-  for (std::size_t i = 0; i < std::min(files.size(), kMostShown); ++i) {
+  for (std::size_t i = 0; i < std::min(files.size(), kMaxShown); ++i) {
     const std::string name = std::filesystem::path(files[i]).filename().string();
     draw_picture_of_row(files[i], ui);
     if (menu_item(name, std::to_string(i), {}, maps.current() == i))

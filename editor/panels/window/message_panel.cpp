@@ -16,10 +16,10 @@ namespace talus {
 namespace {
 
 constexpr const char* kMessageWindow = "message";
-constexpr float kFoldedLines = 4;      // of a message whose details are not shown
-constexpr float kMostLines = 10;       // of a message before it scrolls
-constexpr std::size_t kMostName = 24;  // bytes, of a layer on a button
-constexpr float kGap = 8;              // px at scale 1
+constexpr float kFoldedLines = 4;     // of a message whose details are not shown
+constexpr float kMaxLines = 10;       // of a message before it scrolls
+constexpr std::size_t kMaxName = 24;  // bytes, of a layer on a button
+constexpr float kGap = 8;             // px at scale 1
 
 // Whether another window lies there, apart from the window of all panels, which never comes to the front.
 bool is_under_window(const ImRect& rect) {
@@ -63,7 +63,7 @@ std::string_view first_sentences(std::string_view text, float width) {
 
 void draw_ground_button(const Session& session, Actions& actions, Ui& ui) {
   const Level& level = session.level();
-  const std::string name = shown_line(layer_name(level, level.layers.chosen), kMostName);
+  const std::string name = shown_line(layer_name(level, level.layers.chosen), kMaxName);
   if (!ui.text_button("message/ground", "Make \"" + name + "\" ground", false,
                       "Makes all tiles of the chosen layer solid, which undo takes back. Layers chooses "
                       "another one."))
@@ -100,7 +100,7 @@ void MessagePanel::draw_text_of(const Message& message, float width, float most_
   const bool is_open = message.text == opened_;
   const std::string_view first = first_sentences(message.text, width);
   const std::string_view shown = is_open ? std::string_view(message.text) : first;
-  const float lines = is_open ? kMostLines : kFoldedLines;
+  const float lines = is_open ? kMaxLines : kFoldedLines;
   draw_scrolled_text("text", shown, {width, std::min(lines * ImGui::GetTextLineHeight(), most_height)},
                      theme::tone(theme::kText));
   ui.item("message/text");

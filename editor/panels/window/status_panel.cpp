@@ -23,7 +23,7 @@ constexpr float kWide = 900;      // px at scale 1: in a narrower window the par
 constexpr float kLayer = 150;     // px at scale 1, of the layer's part
 constexpr float kLeastFile = 40;  // px at scale 1, below which the file is not shown
 // Tiles of the stamp's picture in a row or column: more would be too small to see.
-constexpr int kMostShown = 8;
+constexpr int kMaxShown = 8;
 
 // px at scale 1, where the parts of the line begin.
 struct Places {
@@ -77,7 +77,7 @@ void draw_stamp_part(const Stamp& stamp, float x, float end, Ui& ui) {
   ImGui::SameLine(ui.px(x));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float side = ImGui::GetTextLineHeight();
-  const CellRect shown{0, 0, std::min(stamp.w, kMostShown), std::min(stamp.h, kMostShown)};
+  const CellRect shown{0, 0, std::min(stamp.w, kMaxShown), std::min(stamp.h, kMaxShown)};
   const float zoom = side / static_cast<float>(std::max(shown.w, shown.h) * kCartTileSize);
   const CanvasView view{at, {at.x + side - 1, at.y + side - 1}, {at.x, at.y}, zoom};
   draw_stamp(*ImGui::GetWindowDrawList(), stamp, shown, view, ui, 255);

@@ -131,7 +131,7 @@ void WelcomePanel::draw_title(const Session& session, Ui& ui) {
   ui.label("Welcome to Talus");
   ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(kPagePadding + kBack));
   if (ui.text_button("welcome/close", "Back to the level", false,
-                     "Closes this page: " + shown_line(session.file_names(), kMostLabel) + " is behind it.",
+                     "Closes this page: " + shown_line(session.file_names(), kMaxLabel) + " is behind it.",
                      "Esc", true, ui.px(kBack)))
     ui.view.window.welcome_open = false;
   ImGui::Separator();

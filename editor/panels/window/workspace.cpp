@@ -19,15 +19,15 @@ namespace {
 
 // Smallest and fixed sizes, px at scale 1.
 constexpr float kLeftLeast = 236, kRightLeast = 260, kMiddleLeast = 320;
-constexpr float kMostOfNarrowWindow = 0.3f;  // of its width, for a column
-constexpr float kWayBack = 56;               // height at the top, for the button to the panels
-constexpr float kLowWindow = 500;            // without a status bar
+constexpr float kMaxOfNarrowWindow = 0.3f;  // of its width, for a column
+constexpr float kWayBack = 56;              // height at the top, for the button to the panels
+constexpr float kLowWindow = 500;           // without a status bar
 constexpr float kTimeline = 28, kTransport = 30, kStatus = 20;
 constexpr float kSheetTile = 24;  // side of a tile of the sheet, as it opens
 constexpr float kSheetLeast = 164, kFlags = 130, kPalette = 40, kPixelsLeast = 176;
-constexpr float kPictureColors = 64;     // height of the palette of a sheet in true colour
-constexpr float kMargin = 6;             // px at scale 1, above and below the content of a region
-constexpr float kMostTabsOfRoom = 1.2f;  // of the width of a region; so wide tabs can be made to fit
+constexpr float kPictureColors = 64;    // height of the palette of a sheet in true colour
+constexpr float kMargin = 6;            // px at scale 1, above and below the content of a region
+constexpr float kMaxTabsOfRoom = 1.2f;  // of the width of a region; so wide tabs can be made to fit
 constexpr float kRightTopLeast = 180, kRightBottomLeast = 80;
 constexpr float kDockLeast = 120, kDockWanted = 164, kAboveDockLeast = 300;
 
@@ -94,7 +94,7 @@ struct Columns {
 // In a narrow window the canvas and one column have room.
 Columns columns_of(const Ui& ui, float window, bool has_right) {
   const WindowView& view = ui.view.window;
-  const float most = kMostOfNarrowWindow * window;
+  const float most = kMaxOfNarrowWindow * window;
   const float left_least = std::min(ui.px(kLeftLeast), most),
               right_least = std::min(ui.px(kRightLeast), most);
   const float canvas = std::max(ui.px(kMiddleLeast), window / 2);
@@ -142,7 +142,7 @@ ImGuiTabBarFlags flags_of_tabs(const std::vector<Panel*>& here) {
     width += size_of_text(panel->title()).x + 2 * style.FramePadding.x + style.ItemInnerSpacing.x;
   const float room = ImGui::GetContentRegionAvail().x;
   if (width <= room) return ImGuiTabBarFlags_None;
-  if (width <= kMostTabsOfRoom * room) return ImGuiTabBarFlags_FittingPolicyResizeDown;
+  if (width <= kMaxTabsOfRoom * room) return ImGuiTabBarFlags_FittingPolicyResizeDown;
   return ImGuiTabBarFlags_FittingPolicyScroll | ImGuiTabBarFlags_TabListPopupButton |
          ImGuiTabBarFlags_NoTabListScrollingButtons;
 }

@@ -144,10 +144,10 @@ void ChoiceHandler::fit_stamp(Stamp& stamp) const {
 }
 
 void ChoiceHandler::choose_first_tile() {
-  constexpr int kMostPixels = 1 << 22;  // that are looked at: a sheet may be large and clear
+  constexpr int kMaxPixels = 1 << 22;  // that are looked at: a sheet may be large and clear
   const TileSize size = open_.level.map.tile_size();
   int first = displaced_tile(open_.level);
-  const int end = std::min(open_.level.tile_count(), first + kMostPixels / (size.width * size.height));
+  const int end = std::min(open_.level.tile_count(), first + kMaxPixels / (size.width * size.height));
   while (first < end && is_blank(open_.level, static_cast<TileNumber>(first))) ++first;
   if (first == end) first = 0;
   const Cell place = open_.level.sheet(SheetId::tiles).layout().place_of(first);
@@ -162,9 +162,9 @@ void ChoiceHandler::forget_level() {
   choices_.pixels.drop();
   fit_level();
   const auto is_unseen = [&](MapCell cell) { return is_blank(open_.level, cell.tile); };
-  constexpr std::size_t kMostTiles = 64;  // that are looked at
+  constexpr std::size_t kMaxTilesSeen = 64;  // that are looked at
   const std::span stamp = choices_.stamp.tiles;
-  if (std::ranges::all_of(stamp.first(std::min(kMostTiles, stamp.size())), is_unseen)) choose_first_tile();
+  if (std::ranges::all_of(stamp.first(std::min(kMaxTilesSeen, stamp.size())), is_unseen)) choose_first_tile();
 }
 
 }  // namespace talus

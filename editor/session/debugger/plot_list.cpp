@@ -51,7 +51,7 @@ bool PlotList::advance(const FrameSource& source, int chosen_body, std::int64_t 
       entry.series = plots.size();
       plots.push_back({*entry.expression, body_of(entry.plot, chosen_body)});
     }
-    reader_.emplace(std::move(plots), 0, kMostPoints);
+    reader_.emplace(std::move(plots), 0, kMaxPoints);
   }
   return reader_->series().empty() || reader_->advance(source, most_frames);
 }

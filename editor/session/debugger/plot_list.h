@@ -18,7 +18,7 @@ struct PlotText {
 
 class PlotList {
  public:
-  static constexpr std::size_t kMostPoints = 1024;  // of a series
+  static constexpr std::size_t kMaxPoints = 1024;  // of a series
 
   struct Entry {
     PlotText plot;

@@ -12,7 +12,7 @@
 namespace talus {
 namespace {
 
-constexpr int kMostInAByte = 255;
+constexpr int kMaxInAByte = 255;
 constexpr std::string_view kLargeMap = "map ";          // two digits a cell
 constexpr std::string_view kWideMap = "wide map ";      // four digits a cell
 constexpr std::string_view kTurnedMap = "turned map ";  // six digits a cell
@@ -57,19 +57,19 @@ std::string text_of_cells(const Stamp& tiles) {
   std::string text;
   const auto any = [&](auto is) { return std::any_of(tiles.tiles.begin(), tiles.tiles.end(), is); };
   const bool is_turned = any([](MapCell cell) { return cell.turn != TileTurn::none; });
-  const bool is_wide = is_turned || any([](MapCell cell) { return cell.tile > kMostInAByte; });
+  const bool is_wide = is_turned || any([](MapCell cell) { return cell.tile > kMaxInAByte; });
   text.reserve((is_wide ? 6 : 2) * tiles.tiles.size() + 24);
   if (is_wide) {
     text = std::string(is_turned ? kTurnedMap : kWideMap) + std::to_string(tiles.w) + "x" +
            std::to_string(tiles.h) + "\n";
-  } else if (tiles.w > kMostInAByte || tiles.h > kMostInAByte) {
+  } else if (tiles.w > kMaxInAByte || tiles.h > kMaxInAByte) {
     text = std::string(kLargeMap) + std::to_string(tiles.w) + "x" + std::to_string(tiles.h) + "\n";
   } else {
     append_byte(text, tiles.w);
     append_byte(text, tiles.h);
   }
   for (const auto [tile, turn] : tiles.tiles) {
-    append_byte(text, tile & kMostInAByte);
+    append_byte(text, tile & kMaxInAByte);
     if (is_wide) append_byte(text, tile >> 8);
     if (is_turned) append_byte(text, static_cast<int>(turn));
   }

@@ -7,7 +7,7 @@
 namespace talus {
 
 void SheetChanges::note(const Edit& edit, std::uint64_t revision) {
-  constexpr std::size_t kMost = 4096;
+  constexpr std::size_t kMax = 4096;
   for (const Change& change : edit.changes) {
     if (const auto* look = std::get_if<TileLookChange>(&change); look && look->sheet == SheetId::tiles) {
       tiles_.emplace_back(revision, look->tile);
@@ -16,7 +16,7 @@ void SheetChanges::note(const Edit& edit, std::uint64_t revision) {
       return note_all(revision);
     }
   }
-  while (tiles_.size() > kMost) {
+  while (tiles_.size() > kMax) {
     all_ = tiles_.front().first;
     tiles_.pop_front();
   }

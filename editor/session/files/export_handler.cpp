@@ -11,12 +11,12 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMostNamed = 4;  // files that a question names
+constexpr std::size_t kMaxNamed = 4;  // files that a question names
 
 // For a line of a message, whatever the name in the level's file is.
 std::string label_of(const ExportPreset& preset) {
-  constexpr std::size_t kMostShown = 100;  // bytes
-  return printable(shortened(preset.name.empty() ? preset.path : preset.name, kMostShown));
+  constexpr std::size_t kMaxShown = 100;  // bytes
+  return printable(shortened(preset.name.empty() ? preset.path : preset.name, kMaxShown));
 }
 
 // " Kept main.lua and conf.lua, which are yours now."
@@ -88,10 +88,10 @@ std::string names_of(const std::vector<ExportOutcome>& outcomes) {
   std::string names;
   for (const ExportOutcome& outcome : outcomes) {
     for (const std::string& path : outcome.foreign) {
-      if (count++ < kMostNamed) names += "\n  " + printable(path);
+      if (count++ < kMaxNamed) names += "\n  " + printable(path);
     }
   }
-  return count > kMostNamed ? names + "\n  and " + std::to_string(count - kMostNamed) + " more" : names;
+  return count > kMaxNamed ? names + "\n  and " + std::to_string(count - kMaxNamed) + " more" : names;
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ std::string key_of(const std::string& level_file) {
   return folder && !folder->empty() ? (fs::path(*folder) / last_name(level_file)).string() : "";
 }
 
-constexpr std::size_t kMostRead = std::size_t{1} << 30;  // bytes; earlier versions had no bound
+constexpr std::size_t kMaxRead = std::size_t{1} << 30;  // bytes; earlier versions had no bound
 
 struct KeptPermission {
   std::string file;
@@ -64,8 +64,8 @@ tl::expected<std::string, std::string> line_of(const KeptPermission& kept) {
   if (!kept.place.empty()) put_path(line, "place", kept.place);
   try {
     std::string text = line.dump();
-    if (text.size() <= ExportPermissions::kMostBytes) return text;
-    return tl::unexpected("is longer than " + std::to_string(ExportPermissions::kMostBytes >> 10) + " KB");
+    if (text.size() <= ExportPermissions::kMaxBytes) return text;
+    return tl::unexpected("is longer than " + std::to_string(ExportPermissions::kMaxBytes >> 10) + " KB");
   } catch (const Json::exception&) {
     return tl::unexpected<std::string>("is not valid UTF-8");
   }
@@ -77,7 +77,7 @@ std::optional<std::vector<StoreLine>> read_store(const std::string& store, const
   std::vector<StoreLine> all;
   std::error_code error;
   if (store.empty() || (!fs::exists(store, error) && !error)) return all;
-  const auto text = read_file(store, kMostRead);
+  const auto text = read_file(store, kMaxRead);
   if (!text) return std::nullopt;
   const std::string name = Json(is_utf8(file) ? file : encode_base64(file)).dump();
   std::istringstream lines(*text);
@@ -94,7 +94,7 @@ std::optional<std::vector<StoreLine>> read_store(const std::string& store, const
 std::string text_of(const std::vector<StoreLine>& all) {
   std::size_t bytes = 0;
   auto first = all.end();
-  while (first != all.begin() && (bytes += (first - 1)->text.size() + 1) <= ExportPermissions::kMostKept)
+  while (first != all.begin() && (bytes += (first - 1)->text.size() + 1) <= ExportPermissions::kMaxKept)
     --first;
   std::string text;
   for (; first != all.end(); ++first) text.append(first->text).append("\n");

@@ -23,7 +23,7 @@ class ExportPermissions {
  public:
   // Limits, bytes: of the store, which then forgets the oldest; and of a preset's text, which is then asked
   // about again.
-  static constexpr std::size_t kMostKept = 4 << 20, kMostBytes = 64 << 10;
+  static constexpr std::size_t kMaxKept = 4 << 20, kMaxBytes = 64 << 10;
 
   // store: where they are kept between starts; empty: nowhere. A store that cannot be read counts as empty.
   explicit ExportPermissions(std::string store = {}) : store_(std::move(store)) {}

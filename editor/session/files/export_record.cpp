@@ -87,14 +87,14 @@ tl::expected<void, std::string> ExportRecord::save() {
   fs::create_directories(fs::path(file_).parent_path(), ignored);
   const FileLock lock(file_);
   if (!refresh()) return failure("cannot be read");
-  if (contents_.size() > kMostFiles)
+  if (contents_.size() > kMaxFiles)
     std::erase_if(contents_, [&](const auto& entry) { return !fs::exists(entry.first, ignored); });
   std::string text;
   for (const bool is_new : {true, false}) {
     for (const auto& [path, content] : contents_) {
       if (noted_.contains(path) != is_new) continue;
       const std::string line = record_line(path, content);
-      if (is_new || text.size() + line.size() <= kMostBytes) text += line;
+      if (is_new || text.size() + line.size() <= kMaxBytes) text += line;
     }
   }
   if (const auto written = write_file_atomic(file_, text); !written) return failure(written.error().message);

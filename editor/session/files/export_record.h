@@ -12,9 +12,9 @@ namespace talus {
 // Several programs may use the same file at a time: what one adds, the others find when they refresh.
 class ExportRecord {
  public:
-  static constexpr std::size_t kMostFiles = 10'000;  // with more, missing files are forgotten
-  static constexpr std::size_t kMostBytes =
-      8 << 20;  // of the file; with more, some older entries are forgotten
+  static constexpr std::size_t kMaxFiles = 10'000;  // with more, missing files are forgotten
+  static constexpr std::size_t kMaxBytes = 8
+                                           << 20;  // of the file; with more, some older entries are forgotten
 
   // file: where it is kept between starts; empty: nowhere. A file that cannot be read counts as empty.
   explicit ExportRecord(std::string file = {});

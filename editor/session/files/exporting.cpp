@@ -11,8 +11,8 @@
 namespace talus {
 namespace {
 
-constexpr double kMaking = 0.9;                            // share of a run's time before it writes
-constexpr std::size_t kMostKept = std::size_t{256} << 20;  // bytes of a preview that are kept for writing
+constexpr double kMaking = 0.9;                           // share of a run's time before it writes
+constexpr std::size_t kMaxKept = std::size_t{256} << 20;  // bytes of a preview that are kept for writing
 
 FormatResult<std::string> no_asset(const std::string& name) {
   return tl::unexpected(FormatError{name, "is missing: the program was started without its files"});
@@ -231,7 +231,7 @@ void Exporting::keep_made(Job& job, ExportPlan plan) {
   std::size_t bytes = 0;
   for (const PlannedFile& file : plan.files) bytes += file.size;
   job.made = {job.run.revision, job.run.tasks.front(), nullptr};
-  if (bytes <= kMostKept) job.made.content = std::make_shared<const Exported>(std::move(plan.content));
+  if (bytes <= kMaxKept) job.made.content = std::make_shared<const Exported>(std::move(plan.content));
 }
 
 // The plans belong to the outcomes without a problem. Returns false if it was given up.

@@ -122,7 +122,7 @@ void FileHandler::carry_out(const action::OpenMaps& a) {
     if (!maps_.files().empty()) return ask_before_discarding(action::OpenFile{maps_.files().front()});
     const std::string where = joined(paths, "");
     messages_.tell_error(maps_.is_cut()
-                             ? "There is no map among the first " + std::to_string(MapList::kMostEntries) +
+                             ? "There is no map among the first " + std::to_string(MapList::kMaxEntries) +
                                    " files in " + where + ": open the folder of a game."
                              : "There is no map in " + where + ".");
   });

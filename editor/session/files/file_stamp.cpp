@@ -96,11 +96,11 @@ bool may_have_changed(const std::string& path, const LevelStamp& known) {
 }
 
 void add_linked(const std::vector<std::string>& paths, std::int64_t before, LevelStamp& stamp) {
-  constexpr std::size_t kMostLinked = 1000;  // each is looked at all the time
+  constexpr std::size_t kMaxLinked = 1000;  // each is looked at all the time
   for (const std::string& path : paths) {
     const bool is_known = std::any_of(stamp.linked.begin(), stamp.linked.end(),
                                       [&](const LinkedStamp& linked) { return linked.path == path; });
-    if (is_known || stamp.linked.size() == kMostLinked) continue;
+    if (is_known || stamp.linked.size() == kMaxLinked) continue;
     auto now = stamp_of_file(path);
     if (now && now->modified > before) now->content.reset(), now->modified = 0;
     stamp.linked.push_back({path, now});

@@ -41,8 +41,8 @@ void MapList::add_maps(const std::string& folder, bool deep, int& looked, const 
   std::error_code error;
   fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error);
   for (; !error && at != fs::recursive_directory_iterator(); ++looked) {
-    is_cut_ = is_cut_ || looked >= kMostEntries || files_.size() >= kMost;
-    if (is_cut_ || !progress.at(looked, kMostEntries)) return;
+    is_cut_ = is_cut_ || looked >= kMaxEntries || files_.size() >= kMax;
+    if (is_cut_ || !progress.at(looked, kMaxEntries)) return;
     std::error_code ignored;
     if (at->is_directory(ignored)) {
       if (!deep || at.depth() >= kDeepest) at.disable_recursion_pending();
@@ -61,7 +61,7 @@ void MapList::list(const std::vector<std::string>& paths, bool deep, const Progr
     std::error_code ignored;
     if (fs::is_directory(path, ignored))
       add_maps(path, deep, looked, progress);
-    else if (files_.size() < kMost)
+    else if (files_.size() < kMax)
       files_.push_back(path);
   }
   std::sort(files_.begin(), files_.end());

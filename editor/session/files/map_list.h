@@ -12,8 +12,8 @@ namespace talus {
 
 class MapList {
  public:
-  static constexpr std::size_t kMost = 10'000;  // maps
-  static constexpr int kMostEntries = 200'000;  // files and folders that are looked at
+  static constexpr std::size_t kMax = 10'000;  // maps
+  static constexpr int kMaxEntries = 200'000;  // files and folders that are looked at
 
   // Lists files as they are, and of folders the maps in them. deep: and in the folders within. Links to
   // folders are not followed. A stop by `progress` leaves some out.

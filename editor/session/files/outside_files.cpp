@@ -13,17 +13,17 @@ namespace {
 
 // "cave.tmx names 2 files outside of its folder:" and their names with their whole paths, each on a line.
 std::string names_text(const std::string& file, const std::vector<std::string>& names) {
-  constexpr std::size_t kMostFiles = 6, kMostShown = 200, kMostPath = 1000;  // files; bytes of a name, a path
+  constexpr std::size_t kMaxFiles = 6, kMaxShown = 200, kMaxPath = 1000;  // files; bytes of a name, a path
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   std::string text = last_name(file) + " names " + std::to_string(names.size()) +
                      (names.size() == 1 ? " file" : " files") + " outside of its folder:";
-  for (std::size_t i = 0; i < std::min(names.size(), kMostFiles); ++i) {
+  for (std::size_t i = 0; i < std::min(names.size(), kMaxFiles); ++i) {
     const std::string name = std::filesystem::path(names[i]).lexically_normal().generic_string();
     const auto whole = real_path((folder / names[i]).string());
-    text += "\n" + printable(shortened(name, kMostShown));
-    if (whole) text += " (" + printable(shortened(*whole, kMostPath)) + ")";
+    text += "\n" + printable(shortened(name, kMaxShown));
+    if (whole) text += " (" + printable(shortened(*whole, kMaxPath)) + ")";
   }
-  if (names.size() > kMostFiles) text += "\nand " + std::to_string(names.size() - kMostFiles) + " more";
+  if (names.size() > kMaxFiles) text += "\nand " + std::to_string(names.size() - kMaxFiles) + " more";
   return text;
 }
 

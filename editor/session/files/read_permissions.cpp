@@ -30,7 +30,7 @@ std::vector<std::string> ReadPermissions::folders_of(const std::string& file) co
   const auto map_folder = real_folder_of(file);
   if (!map_folder) return folders;
   std::vector<Entry> all = own_;
-  for (const std::string& line : read_state_lines(store_, kMostKept))
+  for (const std::string& line : read_state_lines(store_, kMaxKept))
     if (auto entry = entry_of(line)) all.push_back(*std::move(entry));
   for (const Entry& entry : all) {
     const bool is_new = std::find(folders.begin(), folders.end(), entry.folder) == folders.end();
@@ -44,7 +44,7 @@ tl::expected<void, std::string> ReadPermissions::allow(const std::string& file, 
   if (!map_folder || folder.empty()) return {};
   const Entry entry{*map_folder, folder};
   own_.push_back(entry);
-  const auto kept = change_state_lines(store_, kMostKept, [&](std::vector<std::string>& lines) {
+  const auto kept = change_state_lines(store_, kMaxKept, [&](std::vector<std::string>& lines) {
     std::erase_if(lines, [&](const std::string& line) {
       const auto known = entry_of(line);
       return !known || *known == entry;

@@ -15,7 +15,7 @@ inline constexpr const char* kReadPermissionsFile = "allowed_reads";  // in the 
 
 class ReadPermissions {
  public:
-  static constexpr std::size_t kMostKept = 1 << 20;  // bytes of the store, which then forgets the oldest
+  static constexpr std::size_t kMaxKept = 1 << 20;  // bytes of the store, which then forgets the oldest
 
   // store: where they are kept between starts; empty: nowhere. A store that cannot be read counts as empty.
   explicit ReadPermissions(std::string store = {}) : store_(std::move(store)) {}

@@ -23,7 +23,7 @@ bool is_of(const std::string& line, const std::string& place) {
 
 std::optional<LdtkMapping> UnsavedMappings::find(const std::string& file) const {
   const std::string place = place_of(file);
-  for (const std::string& line : store_.empty() ? own_ : read_state_lines(store_, kMostKept))
+  for (const std::string& line : store_.empty() ? own_ : read_state_lines(store_, kMaxKept))
     if (is_of(line, place)) return ldtk_mapping_in(line);
   return std::nullopt;
 }
@@ -34,8 +34,7 @@ void UnsavedMappings::keep(const std::string& file, const LdtkMapping& mapping) 
   put_path(json, "file", place_of(file));
   const std::string line = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   if (store_.empty()) return own_.push_back(line);
-  (void)change_state_lines(store_, kMostKept,
-                           [&](std::vector<std::string>& lines) { lines.push_back(line); });
+  (void)change_state_lines(store_, kMaxKept, [&](std::vector<std::string>& lines) { lines.push_back(line); });
 }
 
 void UnsavedMappings::forget(const std::string& file) {
@@ -44,7 +43,7 @@ void UnsavedMappings::forget(const std::string& file) {
     std::erase_if(lines, [&](const std::string& line) { return is_of(line, place); });
   };
   if (store_.empty()) return forget_in(own_);
-  if (find(file)) (void)change_state_lines(store_, kMostKept, forget_in);
+  if (find(file)) (void)change_state_lines(store_, kMaxKept, forget_in);
 }
 
 }  // namespace talus

@@ -14,7 +14,7 @@ inline constexpr const char* kMappingsFile = "ldtk_mappings";  // in the state f
 
 class UnsavedMappings {
  public:
-  static constexpr std::size_t kMostKept = 1 << 20;  // bytes of the store, which then forgets the oldest
+  static constexpr std::size_t kMaxKept = 1 << 20;  // bytes of the store, which then forgets the oldest
 
   // store: where they are kept between starts; empty: they last as long as the session. A store that cannot
   // be read counts as empty, and what cannot be written lasts as long as the session.

@@ -37,7 +37,7 @@ void MessageHandler::add(const std::string& sentence) {
 void MessageHandler::show(Message message) {
   if (message_ && (message_->is_error || message_->offers_ground)) earlier_.push_back(*std::move(message_));
   std::erase_if(earlier_, [&](const Message& before) { return before.text == message.text; });
-  if (earlier_.size() > kMostEarlier) earlier_.erase(earlier_.begin());
+  if (earlier_.size() > kMaxEarlier) earlier_.erase(earlier_.begin());
   message_ = std::move(message);
 }
 

@@ -24,7 +24,7 @@ class MessageHandler {
   void add(const std::string& sentence);  // appends to the message; does nothing if there is none
   void dismiss_errors();                  // also the earlier ones; other messages stay
   const std::optional<Message>& message() const { return message_; }
-  // Those that were replaced before they were dismissed, the oldest first; at most kMostEarlier.
+  // Those that were replaced before they were dismissed, the oldest first; at most kMaxEarlier.
   const std::vector<Message>& earlier() const { return earlier_; }
 
   // Asks, and replaces the question before, whose answer nobody waits for any more. on_answer: called once,
@@ -38,7 +38,7 @@ class MessageHandler {
   template <class A>
   void carry_out(const A& action) = delete;
 
-  static constexpr std::size_t kMostEarlier = 3;
+  static constexpr std::size_t kMaxEarlier = 3;
 
   void show(Message message);
 

@@ -76,7 +76,7 @@ void SceneChanges::add(const Level& level, const Change& change) {
     bodies = true;
     return;
   }
-  whole = whole || cell == nullptr || cells.size() >= kMostCells;
+  whole = whole || cell == nullptr || cells.size() >= kMaxCells;
   if (cell != nullptr && !whole) cells.push_back(cell->cell);
 }
 

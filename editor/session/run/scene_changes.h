@@ -8,7 +8,7 @@
 namespace talus {
 
 struct SceneChanges {
-  static constexpr std::size_t kMostCells = 1000;  // with more, compiling the whole level is as quick
+  static constexpr std::size_t kMaxCells = 1000;  // with more, compiling the whole level is as quick
 
   bool whole = false;       // all of the ground may have changed
   bool bodies = false;      // spawns or tuning, which do not affect the ground

@@ -15,8 +15,8 @@ namespace talus {
 class SceneCompiler {
  public:
   // A map with more cells takes too long to be compiled between two frames.
-  static constexpr std::size_t kMostCellsAtOnce = std::size_t{1} << 17;
-  static bool is_large(const Level& level) { return level.map.cells().size() > kMostCellsAtOnce; }
+  static constexpr std::size_t kMaxCellsAtOnce = std::size_t{1} << 17;
+  static bool is_large(const Level& level) { return level.map.cells().size() > kMaxCellsAtOnce; }
 
   struct Result {
     std::shared_ptr<const Level> level;

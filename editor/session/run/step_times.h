@@ -13,7 +13,7 @@ class StepTimes {
  public:
   // Of the step to this frame, from 1.
   void note(std::int64_t frame, double ns) {
-    if (!series_ || frame < series_->frames()) series_.emplace(0, kMostPoints);
+    if (!series_ || frame < series_->frames()) series_.emplace(0, kMaxPoints);
     while (series_->frames() < frame) series_->add(std::numeric_limits<double>::quiet_NaN());
     series_->add(ns);
   }
@@ -21,7 +21,7 @@ class StepTimes {
   const Series* series() const { return series_ ? &*series_ : nullptr; }  // null: no step was made
 
  private:
-  static constexpr std::size_t kMostPoints = 1024;
+  static constexpr std::size_t kMaxPoints = 1024;
   std::optional<Series> series_;
 };
 

@@ -10,7 +10,7 @@ namespace talus {
 const std::vector<TrailPoint>& Trails::trail(const Timeline& timeline, const Branch& branch, int body,
                                              std::int64_t first, std::int64_t last) {
   last = std::clamp<std::int64_t>(last, 0, branch.run_frame());
-  first = std::clamp<std::int64_t>(first, std::max<std::int64_t>(0, last - kMostFrames + 1), last);
+  first = std::clamp<std::int64_t>(first, std::max<std::int64_t>(0, last - kMaxFrames + 1), last);
   const auto same = [&](const Kept& kept) {
     return kept.branch == branch.id && kept.revision == branch.revision && kept.body == body;
   };
@@ -19,7 +19,7 @@ const std::vector<TrailPoint>& Trails::trail(const Timeline& timeline, const Bra
     std::rotate(kept_.begin(), found, found + 1);
   } else {
     kept_.insert(kept_.begin(), {branch.id, branch.revision, body, first, first - 1, {}});
-    if (kept_.size() > kMost) kept_.pop_back();
+    if (kept_.size() > kMax) kept_.pop_back();
   }
   Kept& kept = kept_.front();
   if (first < kept.first || first > kept.last + 1) {

@@ -17,10 +17,10 @@ struct TrailPoint {
 // a frame costs a step.
 class Trails {
  public:
-  static constexpr std::int64_t kMostFrames = 600;  // of a trail: ten seconds
+  static constexpr std::int64_t kMaxFrames = 600;  // of a trail: ten seconds
 
   // The body's boxes in those of the frames first..last that have it. Clamped to what the branch has run, and
-  // to the last kMostFrames of the range. If finding them takes long, there are fewer points at first, and
+  // to the last kMaxFrames of the range. If finding them takes long, there are fewer points at first, and
   // more with each call.
   const std::vector<TrailPoint>& trail(const Timeline& timeline, const Branch& branch, int body,
                                        std::int64_t first, std::int64_t last);
@@ -31,7 +31,7 @@ class Trails {
   void take_time() { seconds_ = std::numeric_limits<double>::infinity(); }
 
  private:
-  static constexpr std::size_t kMost = 4;  // trails kept
+  static constexpr std::size_t kMax = 4;  // trails kept
 
   struct Kept {
     int branch, revision, body;

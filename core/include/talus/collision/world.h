@@ -167,7 +167,7 @@ class World {
   // Limits the cells and boxes that one check() or move() tests, roughly: each contact makes it test those
   // near again, which in a heap of thousands would take minutes. At the limit the mover stays where it is,
   // without contacts, and gave_up() returns true. In robust mode a move searches at most 64 times anyway.
-  static constexpr std::int64_t kMostTests = 1 << 26;
+  static constexpr std::int64_t kMaxTests = 1 << 26;
   void set_most_tests(std::int64_t count);  // for each check from now on; below 1 counts as 1
   bool gave_up() const noexcept;  // whether the last check() or move() gave up, also one by a response
   // The number of cells and boxes that all calls together have tested since the world was made, roughly. The

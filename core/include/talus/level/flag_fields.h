@@ -31,11 +31,11 @@ inline FlagPattern pattern_of_flag(int flag) { return {flag_bit(flag), flag_bit(
 // The flags keep their own roles, shapes and names.
 struct FlagField {
   static constexpr int kLeastBits = 2;  // one bit is a flag
-  static constexpr int kMostBits = 8;   // more values could not be chosen from a list
+  static constexpr int kMaxBits = 8;    // more values could not be chosen from a list
 
   std::string name;                 // for people; may be empty
   int first = 0;                    // 0..30
-  int bits = kLeastBits;            // kLeastBits..kMostBits, up to flag 31
+  int bits = kLeastBits;            // kLeastBits..kMaxBits, up to flag 31
   std::vector<std::string> values;  // names of the values from 0; at most 2^bits; empty: unnamed
   std::string extra;                // JSON object of keys that this version does not know, or empty
 
@@ -51,14 +51,14 @@ struct FlagField {
 };
 
 // Why a field is invalid: flags outside 0..31, fewer than kLeastBits or more than
-// kMostBits of them, or too many names; nothing if it is
+// kMaxBits of them, or too many names; nothing if it is
 // valid.
 std::optional<std::string> problem_of(const FlagField& field);
 // The field that a flag belongs to; null if there is none.
 const FlagField* field_of_flag(std::span<const FlagField> fields, int flag);
 // The index of the second of two fields that share a flag; nothing if no fields do.
 std::optional<std::size_t> overlapping_field(std::span<const FlagField> fields);
-// The number of flags that a field from `first` on can have beside these others, at most kMostBits: 1 if the
+// The number of flags that a field from `first` on can have beside these others, at most kMaxBits: 1 if the
 // next flag is taken.
 int most_bits(std::span<const FlagField> others, int first);
 

@@ -258,10 +258,10 @@ void ObjectTool::draw_chosen(ImDrawList& list, const LevelToolUse& use) const {
     list.AddCircle(at, half - 1, color, 0, use.ui.px(1));
     use.ui.place("map/object_side" + std::to_string(number++), at, at);
   }
-  constexpr std::size_t kMostTitle = 60;  // bytes
+  constexpr std::size_t kMaxTitle = 60;  // bytes
   const ImVec2 beside = use.view.to_screen(object->position + offset);
   const CurvePen pen(list, use.view, use.ui.px(2));
-  pen.title(shown_line(object_title(use.session.level(), use.session.choices().object), kMostTitle), beside,
+  pen.title(shown_line(object_title(use.session.level(), use.session.choices().object), kMaxTitle), beside,
             theme::kAccent);
   use.ui.place("map/chosen_object", beside, beside);
 }
